@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A two-party ZeroMQ line between solid and fluid: opens, exchanges, and says in one line why it broke.
+// C++17: the OpenFOAM plugin includes this.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "bridge/wire/message.hpp"
+
+namespace blockweir::channel {
+
+/// The partner died, hung, never came, left, or said something that is not a message. what() is one line for
+/// the user: who, what, when, remedy.
+struct PeerError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The partner ended the run on purpose (wire::End) where a data message was expected.
+struct PeerEnded : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// This process was asked to stop (SIGINT, SIGTERM) while it waited.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+enum class Side { listens, connects };
+
+struct Options {
+  Side side = Side::listens;
+  std::string endpoint;        ///< ipc://PATH, tcp://HOST:PORT
+  std::string partner;         ///< how messages call the other side, e.g. "fluid process (hydrostatic)"
+  double timeout_s = 20;       ///< longest silence while a message is awaited
+  double open_timeout_s = 20;  ///< longest wait for the partner to arrive
+};
+
+class Channel {
+ public:
+  /// Opens the line; throws PeerError when the endpoint is taken, malformed or unreachable.
+  explicit Channel(const Options& options);
+  ~Channel();
+  Channel(Channel&&) noexcept;
+  Channel& operator=(Channel&&) noexcept;
+
+  /// Sends ours, waits for theirs, refuses any difference with both sides' values; returns theirs.
+  wire::Hello handshake(const wire::Hello& ours);
+
+  void send(const wire::Motion& motion);
+  void send(const wire::Load& load);
+  void send(const wire::End& end);
+  void send(const wire::Failure& failure);
+
+  /// Wait for the next message, which must be of this kind. Storage in `into` is reused: no allocation in
+  /// steady state. Throw PeerError, PeerEnded or Interrupted.
+  void receive(wire::Motion& into);
+  void receive(wire::Load& into);
+
+  /// Seconds spent waiting for the partner, packing and unpacking so far.
+  [[nodiscard]] double waited_s() const;
+  [[nodiscard]] double packed_s() const;
+
+ private:
+  struct Line;
+  std::unique_ptr<Line> line_;
+};
+
+/// Installs handlers for SIGINT and SIGTERM that set a flag; receive() then throws Interrupted.
+void catch_stop_signals();
+[[nodiscard]] bool stop_requested();
+
+}  // namespace blockweir::channel

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a TOML file to a Scene. Every problem of the file is collected before it is reported.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bridge/scene/diagnostic.hpp"
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::scene {
+
+struct ReadScene {
+  Scene scene;
+  std::vector<Diagnostic> notes;  ///< what was mended on the way
+};
+
+/// Reads and checks a scene. `path` is a file or a case's folder (which then holds scene.toml).
+/// `overrides` are "dotted.key=value" in TOML syntax, as `--set` gives them.
+/// Throws SceneError with everything that is wrong at once.
+ReadScene read(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// The same for text that is already in memory; `name` stands for the file in messages.
+ReadScene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {});
+
+}  // namespace blockweir::scene

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene file says, as plain data in SI units, per metre of thickness.
+// Nothing here knows how the file is written (read.hpp) or what is physically sound (check.hpp).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bridge/scene/time_table.hpp"
+
+namespace blockweir::scene {
+
+using Point = Eigen::Vector2d;  ///< m; x downstream, y up
+
+struct Material {
+  std::string name;
+  double youngs_modulus_pa = 0;
+  double poissons_ratio = 0;
+  double density_kg_per_m3 = 0;
+};
+
+/// Water pressure in the crack that a joint is, as a fraction of the pressure at its mouth:
+/// none, triangular (mouth to zero at the far end), full (uniform).
+enum class Uplift { none, triangular, full };
+
+/// Mohr-Coulomb: |shear| <= cohesion * bonded length + N tan(friction angle);
+/// tension <= tension strength * bonded length.
+struct JointLaw {
+  double friction_angle_deg = 30;
+  double residual_friction_angle_deg = 30;  ///< after the bond has failed; default: the peak angle
+  double cohesion_pa = 0;
+  double tension_strength_pa = 0;
+  std::optional<double> bonded_length_m;  ///< of the whole joint; default: all of it
+  bool keeps_cohesion = false;            ///< true: cohesion and tension survive slip and opening
+  Uplift uplift = Uplift::none;
+};
+
+struct Joint {
+  std::string name;
+  std::array<int, 2> between;  ///< indices into Scene::blocks
+  JointLaw law;
+};
+
+struct Block {
+  std::string name;
+  int material = 0;             ///< index into Scene::materials
+  std::vector<Point> vertices;  ///< m, counter-clockwise
+  bool fixed = false;           ///< does not move and has no degrees of freedom
+  Point initial_velocity_m_per_s = Point::Zero();
+  double initial_spin_deg_per_s = 0;
+  int line = 0;  ///< where the scene file states it
+};
+
+/// A point of a block that is held, or moved as its tables say, in x, in y or in both.
+struct Support {
+  int block = 0;
+  Point point_m;
+  std::optional<TimeTable> displacement_x_m;  ///< absent: free in x
+  std::optional<TimeTable> displacement_y_m;
+};
+
+struct PointLoad {
+  int block = 0;
+  Point point_m;
+  TimeTable force_x_n_per_m;
+  TimeTable force_y_n_per_m;
+};
+
+/// Pressure on a straight part of a block's outline, linear from one end to the other; turns with the block.
+struct FacePressure {
+  int block = 0;
+  Point from_m;  ///< both ends lie on one edge of the block
+  Point to_m;
+  TimeTable pressure_from_pa;  ///< compression positive
+  TimeTable pressure_to_pa;
+};
+
+enum class AnalysisKind { dynamic, quasi_static };
+enum class Integrator { shi, trapezoidal, generalized_alpha };
+enum class Plane { strain, stress };
+
+/// What state the run starts from: `equilibrium` lets weight and first loads settle with all joints
+/// held, then releases them at time 0; `unstressed` starts without any stress or contact force.
+enum class Start { equilibrium, unstressed };
+
+struct Analysis {
+  AnalysisKind kind = AnalysisKind::dynamic;
+  Integrator integrator = Integrator::shi;
+  double spectral_radius = 0.8;  ///< generalized-alpha only, 0..1
+  Plane plane = Plane::strain;
+  Start start = Start::equilibrium;
+  double duration_s = 1;
+  double step_s = 0.01;                  ///< the largest step
+  double max_displacement_ratio = 0.01;  ///< largest displacement in a step over half the model's height
+  double gravity_m_per_s2 = 9.81;
+  double rest_speed_m_per_s = 1e-5;      ///< below it a block counts as at rest (failure report)
+  double failure_displacement_m = 0.02;  ///< an unbroken motion longer than this is a failure
+  bool stop_at_failure = false;          ///< end the run once the failure is certain
+};
+
+struct Contact {
+  std::optional<double> initial_penalty_n_per_m2;  ///< per metre of thickness; default: chosen from the blocks
+  double penetration_tolerance_m = 1e-9;
+  double force_tolerance = 1e-10;  ///< of the largest block weight
+  int max_iterations = 200;
+};
+
+enum class NodalRule { consistent, lumped };
+enum class Atmosphere { none, wet_faces };
+
+struct Water {
+  double density_kg_per_m3 = 1000;
+  std::optional<TimeTable> upstream_level_m;
+  std::optional<TimeTable> downstream_level_m;
+  Atmosphere atmosphere = Atmosphere::none;
+  double atmospheric_pressure_pa = 101300;
+  NodalRule nodal_rule = NodalRule::consistent;
+  int elements_per_face = 20;        ///< interface elements on an edge that is wet all along
+  double open_crack_width_m = 0.05;  ///< narrower gaps between blocks carry no open water
+  bool may_overtop = false;          ///< levels above the crest are meant
+};
+
+enum class FluidModel { none, hydrostatic };
+
+struct Coupling {
+  double window_s = 0.01;
+  double timeout_s = 20;  ///< longest silence of a partner
+};
+
+struct Output {
+  double frame_every_s = 0.1;     ///< a VTK file each
+  double history_every_s = 0.01;  ///< a row of history.csv each
+};
+
+/// One figure that the case states, to be compared after the run; exactly one of value and formula.
+struct Expectation {
+  std::string quantity;  ///< see solid/output/quantities
+  std::optional<double> value;
+  std::string formula;      ///< see solid/output/formulas
+  std::string joint;        ///< the joint or block that quantity and formula speak of; may be empty
+  double tolerance = 1e-3;  ///< relative
+  std::string source;
+};
+
+struct Scene {
+  std::filesystem::path file;
+  std::string title;
+  std::string note;  ///< provenance: what is published, what reconstructed
+  std::vector<Material> materials;
+  std::vector<Block> blocks;
+  JointLaw default_joint;
+  std::vector<Joint> joints;  ///< pairs that are not listed follow default_joint
+  std::vector<Support> supports;
+  std::vector<PointLoad> point_loads;
+  std::vector<FacePressure> face_pressures;
+  Analysis analysis;
+  Contact contact;
+  Water water;
+  FluidModel fluid = FluidModel::none;
+  Coupling coupling;
+  Output output;
+  std::vector<Expectation> expectations;
+  std::string text;    ///< the file as read, overrides applied: what the digest covers
+  std::string digest;  ///< 16 hexadecimal digits
+};
+
+}  // namespace blockweir::scene

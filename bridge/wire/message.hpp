@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What solid and fluid say to each other, as plain data. codec.hpp turns it into bytes and back.
+// C++17: the OpenFOAM plugin includes this.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace blockweir::wire {
+
+/// Raised whenever a message changes its meaning; partners of different versions refuse each other.
+inline constexpr std::uint32_t protocol_version = 1;
+
+/// First message of either side. Everything in it must agree, but for `role` and `build`.
+struct Hello {
+  std::uint32_t protocol = protocol_version;
+  std::string role;          ///< "solid", "hydrostatic", "openfoam"
+  std::string build;         ///< program version
+  std::string scene_digest;  ///< of the scene's text, overrides applied
+  std::string schedule;      ///< "serial"
+  std::string units;         ///< "SI per metre"
+  double window_s = 0;
+  double duration_s = 0;
+  std::vector<std::string> block_names;
+  std::vector<std::uint32_t> vertex_counts;  ///< one a block
+  std::vector<double> vertices_m;            ///< x0, y0, x1, y1, ... of all blocks in turn
+};
+
+/// Solid to fluid, at the end of window `window`: one row of six a block, in the scene's order.
+/// displacement (u0, v0 [m], r0 [rad], ex, ey, gxy) since the scene's outline, strains in the block's own
+/// turned frame; velocity is its rate.
+struct Motion {
+  std::uint64_t window = 0;
+  double time_s = 0;
+  std::vector<std::array<double, 6>> displacement;
+  std::vector<std::array<double, 6>> velocity;
+};
+
+/// Fluid to solid: pressures [Pa, compression positive] on wet panels at the end of window `window`.
+/// A panel is the part s_from..s_to (fractions 0..1) of an edge of a block, edge i running from vertex i
+/// to vertex i+1; pressure is linear between its two nodes. Columns have one length.
+struct Load {
+  std::uint64_t window = 0;
+  double time_s = 0;
+  double upstream_level_m = 0;    ///< NaN where there is no pool
+  double downstream_level_m = 0;  ///< NaN where there is no pool
+  std::vector<std::uint32_t> block;
+  std::vector<std::uint32_t> edge;
+  std::vector<double> s_from;
+  std::vector<double> s_to;
+  std::vector<double> pressure_from_pa;
+  std::vector<double> pressure_to_pa;
+};
+
+/// The run is over; the partner may leave.
+struct End {
+  std::string reason;
+};
+
+/// The sender cannot go on; the text is for the user.
+struct Failure {
+  std::string text;
+};
+
+}  // namespace blockweir::wire
