@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One moment of a run as the result files show it: plain data, filled from the state, read by the writers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::solid::output {
+
+using scene::Point;
+
+struct BlockRow {
+  std::vector<Point> vertices_m;        ///< current outline
+  std::vector<Point> displacement_m;    ///< one a vertex
+  std::vector<Point> velocity_m_per_s;  ///< one a vertex
+  Point centroid_m;                     ///< current
+  Point centroid_displacement_m;
+  Point centroid_velocity_m_per_s;
+  double rotation_rad = 0;
+  double rotation_rate_rad_per_s = 0;
+  double stress_xx_pa = 0;  ///< tension positive, global axes
+  double stress_yy_pa = 0;
+  double stress_xy_pa = 0;
+  Point water_force_n_per_m = Point::Zero();
+  double water_moment_n = 0;  ///< about the scene's origin, counter-clockwise, N m per metre
+  bool fixed = false;
+};
+
+struct ContactRow {
+  Point point_m;
+  Point normal;  ///< out of the edge's block
+  int vertex_block = 0;
+  int edge_block = 0;
+  int joint = -1;  ///< index into Scene::joints; -1 for the default joint
+  int state = 0;   ///< 0 open, 1 stick, 2 slip
+  bool bonded = false;
+  double gap_m = 0;                 ///< negative: penetration
+  double slip_m = 0;                ///< since the start, signed along the edge
+  double normal_force_n_per_m = 0;  ///< compression positive
+  double shear_force_n_per_m = 0;
+  double length_m = 0;  ///< of joint that the contact stands for
+};
+
+struct PanelRow {
+  int block = 0;
+  Point from_m;
+  Point to_m;
+  double pressure_from_pa = 0;
+  double pressure_to_pa = 0;
+};
+
+struct Frame {
+  double time_s = 0;
+  double upstream_level_m = 0;    ///< NaN: no pool
+  double downstream_level_m = 0;  ///< NaN: no pool
+  double largest_displacement_m = 0;
+  std::vector<BlockRow> blocks;
+  std::vector<ContactRow> contacts;
+  std::vector<PanelRow> panels;
+};
+
+}  // namespace blockweir::solid::output
