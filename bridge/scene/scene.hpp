@@ -105,7 +105,7 @@ struct Analysis {
 struct Contact {
   std::optional<double> initial_penalty_n_per_m2;  ///< per metre of thickness; default: chosen from the blocks
   double penetration_tolerance_m = 1e-9;
-  double force_tolerance = 1e-10;  ///< of the largest block weight
+  double force_tolerance = 1e-10;  ///< of the weight of all that can move
   int max_iterations = 200;
 };
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/block/block.hpp"
+
+#include <algorithm>
+
+#include "solid/geometry/polygon_moments.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+/// Hooke's law between (ex, ey, gxy) and (sxx, syy, sxy).
+Eigen::Matrix3d elastic_matrix(const scene::Material& material, scene::Plane plane) {
+  const double nu = material.poissons_ratio;
+  Eigen::Matrix3d D;
+  if (plane == scene::Plane::strain) {
+    D << 1 - nu, nu, 0, nu, 1 - nu, 0, 0, 0, 0.5 - nu;
+    return material.youngs_modulus_pa / ((1 + nu) * (1 - 2 * nu)) * D;
+  }
+  D << 1, nu, 0, nu, 1, 0, 0, 0, (1 - nu) / 2;
+  return material.youngs_modulus_pa / (1 - nu * nu) * D;
+}
+
+/// Rows of T at (X, Y): (1, 0, -Y, X, 0, Y/2) and (0, 1, X, 0, Y, X/2); centroid terms integrate to zero.
+Matrix6 mass_matrix(const PolygonMoments& m, double density) {
+  Matrix6 M = Matrix6::Zero();
+  M(0, 0) = M(1, 1) = m.area;
+  M(2, 2) = m.xx + m.yy;
+  M(2, 3) = M(3, 2) = -m.xy;
+  M(2, 4) = M(4, 2) = m.xy;
+  M(2, 5) = M(5, 2) = (m.xx - m.yy) / 2;
+  M(3, 3) = m.xx;
+  M(4, 4) = m.yy;
+  M(3, 5) = M(5, 3) = m.xy / 2;
+  M(4, 5) = M(5, 4) = m.xy / 2;
+  M(5, 5) = (m.xx + m.yy) / 4;
+  return density * M;
+}
+
+}  // namespace
+
+Block make_block(const scene::Block& described, const scene::Material& material, scene::Plane plane) {
+  const PolygonMoments moments = polygon_moments(described.vertices);
+  Block block;
+  block.name = described.name;
+  block.centroid = moments.centroid;
+  block.area = moments.area;
+  block.fixed = described.fixed;
+  for (const Point& vertex : described.vertices) {
+    block.vertices.push_back(vertex - moments.centroid);
+    block.radius = std::max(block.radius, block.vertices.back().norm());
+  }
+  block.mass = mass_matrix(moments, material.density_kg_per_m3);
+  block.stiffness.setZero();
+  block.stiffness.bottomRightCorner<3, 3>() = moments.area * elastic_matrix(material, plane);
+  return block;
+}
+
+Eigen::Vector3d stress_in_block(const Block& block, const Vector6& displacement) {
+  return block.stiffness.bottomRightCorner<3, 3>() * displacement.tail<3>() / block.area;
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a block stays constant: outline about its centroid, mass matrix, elastic stiffness.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::solid {
+
+using Point = Eigen::Vector2d;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Matrix26 = Eigen::Matrix<double, 2, 6>;
+
+/// The six unknowns of a block are (u0, v0, r0, ex, ey, gxy): centroid displacement [m], rotation [rad] and the
+/// strains in the block's own, turned frame. Strains live in that frame so that stress and strain rate turn with
+/// the block, and both matrices below are constant for the life of the block.
+struct Block {
+  std::string name;
+  Point centroid;               ///< m, in the scene's outline
+  std::vector<Point> vertices;  ///< m, relative to the centroid, counter-clockwise
+  double area = 0;              ///< m2
+  double radius = 0;            ///< m, farthest vertex from the centroid
+  bool fixed = false;
+  Matrix6 mass;       ///< integral of density T^T T, T the first-order shape matrix (1)-(3)
+  Matrix6 stiffness;  ///< area * elastic matrix in the strain rows, zero elsewhere [N per metre]
+
+  [[nodiscard]] double mass_per_m() const { return mass(0, 0); }
+};
+
+Block make_block(const scene::Block& block, const scene::Material& material, scene::Plane plane);
+
+/// Stress (xx, yy, xy) [Pa] in the block's own frame from its strains.
+Eigen::Vector3d stress_in_block(const Block& block, const Vector6& displacement);
+
+}  // namespace blockweir::solid

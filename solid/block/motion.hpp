@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a block is and how its points move: strain first, then an exact turn (1)-(3).
+#pragma once
+
+#include <cmath>
+
+#include "solid/block/block.hpp"
+
+namespace blockweir::solid {
+
+/// Counter-clockwise perpendicular.
+inline Point perpendicular(const Point& p) {
+  return {-p.y(), p.x()};
+}
+
+/// E X with E = [[ex, gxy/2], [gxy/2, ey]].
+inline Point strained(const Eigen::Ref<const Eigen::Vector3d>& strain, const Point& X) {
+  return {strain[0] * X.x() + strain[2] / 2 * X.y(), strain[1] * X.y() + strain[2] / 2 * X.x()};
+}
+
+/// A block's placement with its sine and cosine at hand.
+class Placement {
+ public:
+  Placement() = default;
+  Placement(const Point& centroid, const Vector6& displacement)
+      : centre_(centroid + displacement.head<2>()),
+        strain_(displacement.tail<3>()),
+        cos_(std::cos(displacement[2])),
+        sin_(std::sin(displacement[2])) {}
+
+  [[nodiscard]] const Point& centre() const { return centre_; }
+  [[nodiscard]] Point turn(const Point& p) const { return {cos_ * p.x() - sin_ * p.y(), sin_ * p.x() + cos_ * p.y()}; }
+
+  /// Vector between two material points, or from the centroid: R (I + E) X.
+  [[nodiscard]] Point vector(const Point& X) const { return turn(X + strained(strain_, X)); }
+  [[nodiscard]] Point position(const Point& X) const { return centre_ + vector(X); }
+
+  /// Exact shape matrix T = dx/dd at a material point: columns of u0, v0, r0, ex, ey, gxy.
+  [[nodiscard]] Matrix26 shape(const Point& X) const {
+    Matrix26 T;
+    T.col(0) = Point(1, 0);
+    T.col(1) = Point(0, 1);
+    T.col(2) = perpendicular(vector(X));
+    T.col(3) = turn(Point(X.x(), 0));
+    T.col(4) = turn(Point(0, X.y()));
+    T.col(5) = turn(Point(X.y() / 2, X.x() / 2));
+    return T;
+  }
+
+  /// Displacement of a material point when this placement is changed by `increment` of the six unknowns, free of
+  /// cancellation: R ((R(dr) - I)(I + E) X + R(dr) dE X) + du.
+  [[nodiscard]] Point increment(const Vector6& increment, const Point& X) const {
+    const double half = std::sin(increment[2] / 2);
+    const double c1 = -2 * half * half;  // cos(dr) - 1
+    const double s = std::sin(increment[2]);
+    const Point y = X + strained(strain_, X);
+    const Point z = strained(increment.tail<3>(), X);
+    const Point moved(c1 * (y.x() + z.x()) - s * (y.y() + z.y()) + z.x(),
+                      s * (y.x() + z.x()) + c1 * (y.y() + z.y()) + z.y());
+    return increment.head<2>() + turn(moved);
+  }
+
+ private:
+  Point centre_ = Point::Zero();
+  Eigen::Vector3d strain_ = Eigen::Vector3d::Zero();
+  double cos_ = 1;
+  double sin_ = 0;
+};
+
+/// What a step changes of a block.
+struct BlockState {
+  Vector6 displacement = Vector6::Zero();
+  Vector6 velocity = Vector6::Zero();
+  Vector6 acceleration = Vector6::Zero();
+  Vector6 force = Vector6::Zero();  ///< all but inertia at the last accepted step; generalized-alpha looks back at it
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A loaded piece of a block's outline and its force on the block (10)-(11).
+#pragma once
+
+#include "solid/block/motion.hpp"
+#include "solid/block/pressure_load.hpp"
+
+namespace blockweir::solid {
+
+/// Part s_from..s_to (fractions) of edge `edge` of block `block`; pressure linear between its two nodes.
+struct Panel {
+  int block = 0;
+  int edge = 0;
+  double s_from = 0;
+  double s_to = 1;
+  double pressure_from_pa = 0;
+  double pressure_to_pa = 0;
+};
+
+/// The two nodes of a panel as material points, and the forces that act there (global axes, N per metre).
+struct PanelForce {
+  std::array<Point, 2> node;
+  std::array<Point, 2> force;
+};
+
+inline PanelForce panel_force(const Block& block, const Placement& placement, const Panel& panel,
+                              scene::NodalRule rule) {
+  const Point& a = block.vertices[static_cast<std::size_t>(panel.edge)];
+  const Point& b = block.vertices[(static_cast<std::size_t>(panel.edge) + 1) % block.vertices.size()];
+  PanelForce result{.node = {a + panel.s_from * (b - a), a + panel.s_to * (b - a)}, .force = {}};
+  const Point span = placement.vector(result.node[1] - result.node[0]);
+  const double length = span.norm();
+  const Point inward(-span.y() / length, span.x() / length);  // traction is -p n
+  const auto forces = nodal_forces(rule, length, panel.pressure_from_pa, panel.pressure_to_pa);
+  for (std::size_t i = 0; i < 2; ++i) result.force[i] = forces[i] * inward;
+  return result;
+}
+
+/// Generalized force of a panel: nodal forces onto the block (11). As the displacement is linear in position the
+/// lever rule between vertices and the virtual work T^T f are the same.
+inline Vector6 generalized_force(const Placement& placement, const PanelForce& panel) {
+  return placement.shape(panel.node[0]).transpose() * panel.force[0] +
+         placement.shape(panel.node[1]).transpose() * panel.force[1];
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One vertex of a block against one edge of another, with the memory that it keeps from step to step.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "solid/contact/joint_law.hpp"
+
+namespace blockweir::solid {
+
+struct ContactPoint {
+  // Who: constant while the contact lasts.
+  int vertex_block = 0;
+  int vertex = 0;
+  int edge_block = 0;
+  int edge = 0;
+  int law = 0;  ///< index into the model's joint laws
+
+  // Geometry at the start of the step.
+  double anchor = 0;                                     ///< fraction along the edge from which slip is measured
+  Eigen::Vector2d separation = Eigen::Vector2d::Zero();  ///< vertex minus anchor point [m]
+  double gap = 0;                                        ///< normal part of it [m], negative: penetration
+  double length = 0;                                     ///< m of joint that the contact stands for
+
+  // Memory.
+  Eigen::Vector2d multiplier = Eigen::Vector2d::Zero();  ///< (normal, shear) force on the vertex [N per metre]
+  double penalty = 0;                                    ///< N/m per metre
+  double bond_length = 0;                                ///< m, bonded part
+  bool bonded = false;                                   ///< cohesion and tension not yet lost
+  ContactState state = ContactState::open;
+  double slip_m = 0;  ///< signed sum of slip along the edge
+
+  [[nodiscard]] bool same_key(const ContactPoint& other) const {
+    return vertex_block == other.vertex_block && vertex == other.vertex && edge_block == other.edge_block &&
+           edge == other.edge;
+  }
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a contact or a support puts into the equations of the blocks that it joins.
+#pragma once
+
+#include "solid/block/motion.hpp"
+
+namespace blockweir::solid {
+
+/// Force and its linearization in a local frame of two axes. Block i gets shape_i^T force, block j its opposite.
+struct Interaction {
+  int block_i = -1;
+  int block_j = -1;  ///< -1: the ground
+  Matrix26 shape_i;  ///< rows: local axes dotted with T of block i at the point
+  Matrix26 shape_j;
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();      ///< N per metre
+  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  ///< -d force / d separation [N/m per metre]
+
+  double round_off = 0;  ///< what cancellation leaves uncertain of the force [N per metre]
+
+  [[nodiscard]] bool acts() const { return !stiffness.isZero(0) || !force.isZero(0); }
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/contact/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace blockweir::solid {
+namespace {
+
+constexpr double parallel_tolerance = 0.05;  // rad; edges closer in direction than this lie on each other
+
+double cross(const Point& a, const Point& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+std::size_t next(std::size_t i, std::size_t count) {
+  return i + 1 == count ? 0 : i + 1;
+}
+std::size_t previous(std::size_t i, std::size_t count) {
+  return i == 0 ? count - 1 : i - 1;
+}
+
+std::pair<int, int> pair_of(const ContactPoint& c) {
+  return std::minmax({c.vertex_block, c.edge_block});
+}
+
+/// The order in which contacts are found and kept.
+bool precedes(const ContactPoint& a, const ContactPoint& b) {
+  const auto place = [](const ContactPoint& c) {
+    return std::make_tuple(pair_of(c), c.vertex_block, c.vertex, c.edge);
+  };
+  return place(a) < place(b);
+}
+
+/// Length over which the edge from `vertex` towards `end` lies on the edge a + s t, 0 <= s <= length.
+double overlap(const Point& vertex, const Point& end, const Point& a, const Point& t, double length) {
+  const Point direction = (end - vertex).normalized();
+  if (std::abs(cross(direction, t)) > parallel_tolerance) return 0;
+  const double s0 = t.dot(vertex - a);
+  const double s1 = t.dot(end - a);
+  return std::max(0.0, std::min(std::max(s0, s1), length) - std::max(std::min(s0, s1), 0.0));
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const std::vector<Block>& blocks, const JointLaws& laws, double size_m, double reach_m)
+    : blocks_(blocks), laws_(laws), reach_(reach_m), coincidence_(1e-7 * size_m), margin_(2 * reach_m) {
+  corners_.resize(blocks.size());
+  boxes_.resize(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b) corners_[b].resize(blocks[b].vertices.size());
+}
+
+void ContactSearch::update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts) {
+  refresh_pairs(placements);
+  found_.clear();
+  for (const auto& [a, b] : pairs_) {
+    if (!boxes_[static_cast<std::size_t>(a)].intersects(boxes_[static_cast<std::size_t>(b)])) continue;
+    vertices_on_edges(a, b);
+    vertices_on_edges(b, a);
+  }
+  inherit(contacts);
+  keep_one_of_each_meeting();
+  contacts.swap(found_);
+}
+
+void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
+  bool stale = corners_at_pairs_.empty();
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    boxes_[b].setEmpty();
+    for (std::size_t v = 0; v < corners_[b].size(); ++v) {
+      corners_[b][v] = placements[b].position(blocks_[b].vertices[v]);
+      boxes_[b].extend(corners_[b][v]);
+      stale = stale || (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > margin_ / 2;
+    }
+    boxes_[b].min().array() -= reach_ / 2;
+    boxes_[b].max().array() += reach_ / 2;
+  }
+  if (!stale) return;
+  corners_at_pairs_ = corners_;
+  std::vector<Box> wide = boxes_;
+  std::vector<bool> movable(blocks_.size());
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    wide[b].min().array() -= margin_ / 2;
+    wide[b].max().array() += margin_ / 2;
+    movable[b] = !blocks_[b].fixed;
+  }
+  pairs_ = neighbours(wide, movable);
+  ++broad_searches_;
+}
+
+void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
+  const auto& V = corners_[static_cast<std::size_t>(vertex_block)];
+  const auto& E = corners_[static_cast<std::size_t>(edge_block)];
+  const Box& zone = boxes_[static_cast<std::size_t>(edge_block)];
+  for (std::size_t v = 0; v < V.size(); ++v) {
+    if (!zone.contains(V[v])) continue;
+    const Point& before = V[previous(v, V.size())];
+    const Point& after = V[next(v, V.size())];
+    const Point to_before = (before - V[v]).normalized();
+    const Point to_after = (after - V[v]).normalized();
+    if (cross(to_after, to_before) < -1e-9) continue;  // a reflex vertex cannot enter anything
+    for (std::size_t e = 0; e < E.size(); ++e) {
+      const Point& a = E[e];
+      const Point span = E[next(e, E.size())] - a;
+      const double edge_length = span.norm();
+      const Point t = span / edge_length;
+      const Point n(t.y(), -t.x());
+      const double gap = n.dot(V[v] - a);
+      const double s = t.dot(V[v] - a);
+      if (std::abs(gap) > reach_ || s < -coincidence_ || s > edge_length + coincidence_) continue;
+      if (n.dot(to_before) < -parallel_tolerance || n.dot(to_after) < -parallel_tolerance) continue;
+      ContactPoint contact;
+      contact.vertex_block = vertex_block;
+      contact.vertex = static_cast<int>(v);
+      contact.edge_block = edge_block;
+      contact.edge = static_cast<int>(e);
+      contact.law = laws_.between(vertex_block, edge_block);
+      contact.gap = gap;
+      contact.anchor = s / edge_length;
+      contact.separation = gap * n;
+      contact.length = (overlap(V[v], before, a, t, edge_length) + overlap(V[v], after, a, t, edge_length)) / 2;
+      found_.push_back(contact);
+    }
+  }
+}
+
+/// The same contact keeps its memory and its slip anchor. Of those that are gone, each hands its force to the
+/// nearest new contact between the same two blocks that points the same way.
+void ContactSearch::inherit(std::vector<ContactPoint>& old) {
+  const auto normal = [this](const ContactPoint& c) {
+    const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
+    const auto e = static_cast<std::size_t>(c.edge);
+    const Point t = (E[next(e, E.size())] - E[e]).normalized();
+    return Point(t.y(), -t.x());
+  };
+  const auto take = [](ContactPoint& heir, const ContactPoint& from) {
+    heir.multiplier = from.multiplier;
+    heir.penalty = from.penalty;
+    heir.bond_length = from.bond_length;
+    heir.bonded = from.bonded;
+    heir.state = from.state;
+    heir.slip_m = from.slip_m;
+  };
+  inherited_.assign(found_.size(), 0);
+  std::vector<const ContactPoint*> gone;
+  for (const ContactPoint& was : old) {
+    const auto heir = std::lower_bound(found_.begin(), found_.end(), was, precedes);
+    if (heir == found_.end() || !heir->same_key(was)) {
+      if (was.state != ContactState::open) gone.push_back(&was);
+      continue;
+    }
+    take(*heir, was);
+    inherited_[static_cast<std::size_t>(heir - found_.begin())] = 1;
+    if (was.state == ContactState::open) continue;
+    // In touch: slip goes on from the old anchor, so that what a tolerance lets through does not add up.
+    const auto& E = corners_[static_cast<std::size_t>(was.edge_block)];
+    const auto e = static_cast<std::size_t>(was.edge);
+    const Point anchor = E[e] + was.anchor * (E[next(e, E.size())] - E[e]);
+    heir->anchor = was.anchor;
+    heir->separation =
+        corners_[static_cast<std::size_t>(was.vertex_block)][static_cast<std::size_t>(was.vertex)] - anchor;
+  }
+  for (const ContactPoint* was : gone) {
+    const Point place = corners_[static_cast<std::size_t>(was->vertex_block)][static_cast<std::size_t>(was->vertex)];
+    ContactPoint* nearest = nullptr;
+    double nearest_distance = reach_;
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      ContactPoint& c = found_[i];
+      const bool same = c.vertex_block == was->vertex_block && c.edge_block == was->edge_block;
+      const bool twin = c.vertex_block == was->edge_block && c.edge_block == was->vertex_block;
+      if (inherited_[i] != 0 || !(same || twin)) continue;
+      if (normal(c).dot(normal(*was)) * (same ? 1 : -1) < 1 - parallel_tolerance) continue;
+      const Point there = corners_[static_cast<std::size_t>(c.vertex_block)][static_cast<std::size_t>(c.vertex)];
+      const double distance = (there - place).norm();
+      if (distance >= nearest_distance) continue;
+      nearest = &c;
+      nearest_distance = distance;
+    }
+    if (nearest == nullptr) continue;
+    // Across the joint normal and tangent turn round, and so does the body that the force acts on: all signs stay.
+    take(*nearest, *was);
+    inherited_[static_cast<std::size_t>(nearest - found_.data())] = 1;
+  }
+}
+
+/// Where two convex vertices meet, up to four vertex-edge candidates describe one contact.
+void ContactSearch::keep_one_of_each_meeting() {
+  const auto vertex_of = [this](const ContactPoint& c) -> const Point& {
+    return corners_[static_cast<std::size_t>(c.vertex_block)][static_cast<std::size_t>(c.vertex)];
+  };
+  const auto convex = [this](int block, std::size_t v) {
+    const auto& P = corners_[static_cast<std::size_t>(block)];
+    return cross(P[v] - P[previous(v, P.size())], P[next(v, P.size())] - P[v]) > 0;
+  };
+  /// The vertex of the edge's block that the contact's vertex lies at, or -1.
+  const auto met_vertex = [&](const ContactPoint& c) {
+    const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
+    const auto e = static_cast<std::size_t>(c.edge);
+    for (const std::size_t w : {e, next(e, E.size())}) {
+      if ((E[w] - vertex_of(c)).norm() < std::max(2 * coincidence_, 2 * std::abs(c.gap)) && convex(c.edge_block, w)) {
+        return static_cast<int>(w);
+      }
+    }
+    return -1;
+  };
+  std::vector<char> drop(found_.size(), 0);
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    const int wi = drop[i] != 0 ? -1 : met_vertex(found_[i]);
+    if (wi < 0) continue;
+    for (std::size_t j = i + 1; j < found_.size() && pair_of(found_[j]) == pair_of(found_[i]); ++j) {
+      ContactPoint& a = found_[i];
+      ContactPoint& b = found_[j];
+      if (drop[j] != 0) continue;
+      const bool same = b.vertex_block == a.vertex_block && b.vertex == a.vertex && b.edge_block == a.edge_block;
+      const bool mirrored = b.vertex_block == a.edge_block && b.vertex == wi && b.edge_block == a.vertex_block;
+      if (!(same || mirrored) || met_vertex(b) < 0) continue;
+      if (mirrored && met_vertex(b) != a.vertex) continue;
+      // Faces that lie on each other outrank a mere meeting of corners; then memory; then the entrance edge.
+      const auto rank = [&](std::size_t k) {
+        const ContactPoint& c = found_[k];
+        return std::make_tuple(c.length > 2 * coincidence_, inherited_[k] != 0 && c.state != ContactState::open, c.gap);
+      };
+      if (rank(j) > rank(i)) {
+        drop[i] = 1;
+        break;
+      }
+      drop[j] = 1;
+    }
+    // Two corners that touch in a point and share no length do not press on each other until one has entered.
+    if (drop[i] == 0 && found_[i].length <= 2 * coincidence_ && found_[i].gap > -coincidence_ &&
+        found_[i].state == ContactState::open) {
+      drop[i] = 1;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    if (drop[i] == 0) found_[kept++] = found_[i];
+  }
+  found_.resize(kept);
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Narrow phase: which vertices may touch which edges in the coming step, and what they remember.
+#pragma once
+
+#include <vector>
+
+#include "solid/block/motion.hpp"
+#include "solid/contact/contact_point.hpp"
+#include "solid/contact/joint_laws.hpp"
+#include "solid/contact/neighbours.hpp"
+
+namespace blockweir::solid {
+
+/// Vertex to edge is the one kind of contact; edge to edge is two of them, at the ends of the overlap; where a
+/// convex vertex meets a convex vertex the entrance edge, the one less penetrated, stands for both.
+class ContactSearch {
+ public:
+  /// `reach_m`: gaps up to this are contacts in waiting; must exceed what two blocks can approach in a step.
+  ContactSearch(const std::vector<Block>& blocks, const JointLaws& laws, double size_m, double reach_m);
+
+  /// Contacts for a step that starts from `placements`; a contact that was in `contacts` keeps its memory, one
+  /// that takes over its place (the vertex passed to the next edge, or its twin across the joint) inherits it.
+  void update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts);
+
+  [[nodiscard]] long broad_searches() const { return broad_searches_; }
+
+ private:
+  void refresh_pairs(const std::vector<Placement>& placements);
+  void vertices_on_edges(int vertex_block, int edge_block);
+  void keep_one_of_each_meeting();
+  void inherit(std::vector<ContactPoint>& old);
+
+  const std::vector<Block>& blocks_;
+  const JointLaws& laws_;
+  double reach_;                             ///< m
+  double coincidence_;                       ///< m, closer points are one
+  double margin_;                            ///< m, pairs stay valid while no block has moved half of it
+  std::vector<std::vector<Point>> corners_;  ///< current vertices
+  std::vector<Box> boxes_;                   ///< current, by `reach`
+  std::vector<std::vector<Point>> corners_at_pairs_;
+  std::vector<std::pair<int, int>> pairs_;
+  std::vector<ContactPoint> found_;
+  std::vector<char> inherited_;
+  long broad_searches_ = 0;
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A point of a block that is held or led along a given path, by the same multipliers as a contact.
+#pragma once
+
+#include "bridge/scene/scene.hpp"
+#include "solid/contact/interaction.hpp"
+
+namespace blockweir::solid {
+
+struct Support {
+  int block = 0;
+  Point material;  ///< m, relative to the centroid
+  const scene::Support* described = nullptr;
+
+  Point separation = Point::Zero();  ///< from where the point should be at the end of the step [m]
+  Point multiplier = Point::Zero();  ///< force on the block [N per metre]
+  double penalty = 0;
+
+  [[nodiscard]] Point target(double time_s) const {
+    const auto& [bx, by] = std::pair(described->displacement_x_m, described->displacement_y_m);
+    return {bx ? bx->at(time_s) : 0.0, by ? by->at(time_s) : 0.0};
+  }
+  [[nodiscard]] Point held() const {
+    return {described->displacement_x_m ? 1.0 : 0.0, described->displacement_y_m ? 1.0 : 0.0};
+  }
+};
+
+}  // namespace blockweir::solid

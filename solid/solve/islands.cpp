@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/solve/islands.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace blockweir::solid {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+int root(std::vector<int>& parent, int b) {
+  while (parent[at(b)] != b) b = parent[at(b)] = parent[at(parent[at(b)])];
+  return b;
+}
+
+}  // namespace
+
+std::vector<Island> find_islands(const std::vector<bool>& fixed, const std::vector<std::pair<int, int>>& links,
+                                 const std::vector<int>& support_blocks) {
+  std::vector<int> parent(fixed.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const auto& [a, b] : links) {
+    if (fixed[at(a)] || fixed[at(b)]) continue;
+    const int ra = root(parent, a);
+    const int rb = root(parent, b);
+    parent[at(std::max(ra, rb))] = std::min(ra, rb);
+  }
+
+  std::vector<Island> islands;
+  std::vector<int> island_of(fixed.size(), -1);
+  std::vector<int> local(fixed.size(), -1);
+  for (int b = 0; b < static_cast<int>(fixed.size()); ++b) {
+    if (fixed[at(b)]) continue;
+    const int r = root(parent, b);
+    if (island_of[at(r)] < 0) {
+      island_of[at(r)] = static_cast<int>(islands.size());
+      islands.emplace_back();
+    }
+    island_of[at(b)] = island_of[at(r)];
+    local[at(b)] = static_cast<int>(islands[at(island_of[at(b)])].blocks.size());
+    islands[at(island_of[at(b)])].blocks.push_back(b);
+  }
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const auto& [a, b] = links[k];
+    Island& island = islands[at(island_of[at(fixed[at(a)] ? b : a)])];
+    island.contacts.push_back(static_cast<int>(k));
+    if (!fixed[at(a)] && !fixed[at(b)]) island.couples.emplace_back(std::minmax({local[at(a)], local[at(b)]}));
+  }
+  for (std::size_t k = 0; k < support_blocks.size(); ++k) {
+    if (!fixed[at(support_blocks[k])]) {
+      islands[at(island_of[at(support_blocks[k])])].supports.push_back(static_cast<int>(k));
+    }
+  }
+  for (Island& island : islands) {
+    std::sort(island.couples.begin(), island.couples.end());
+    island.couples.erase(std::unique(island.couples.begin(), island.couples.end()), island.couples.end());
+  }
+  return islands;
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blocks joined by contacts form islands; each is solved on its own.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+namespace blockweir::solid {
+
+struct Island {
+  std::vector<int> blocks;                   ///< global indices, increasing
+  std::vector<int> contacts;                 ///< indices into the step's contacts
+  std::vector<int> supports;                 ///< indices into the model's supports
+  std::vector<std::pair<int, int>> couples;  ///< local indices of block pairs in contact, low first, each once
+};
+
+/// `links[k]` = the two blocks of contact k; `support_blocks[k]` the block of support k. Fixed blocks join nothing.
+/// Every movable block is in exactly one island. Islands are ordered by their first block.
+std::vector<Island> find_islands(const std::vector<bool>& fixed, const std::vector<std::pair<int, int>>& links,
+                                 const std::vector<int>& support_blocks);
+
+}  // namespace blockweir::solid

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The time step as an algorithm: search, assemble, solve, open-close, accept or cut, update.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid {
+
+void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water) {
+  const double largest_step = scene_.analysis.step_s;
+  const double smallest_step = 1e-9 * largest_step;
+  double time = from_s;
+  if (!std::exchange(started_, true) && scene_.analysis.integrator != scene::Integrator::shi) {
+    start_acceleration(water, from_s);
+  }
+  while (to_s - time > smallest_step) {
+    // Equal steps up to the end of the window, none longer than allowed; 1e-9 forgives round-off in the quotient.
+    const double allowed = std::min(next_dt_, largest_step);
+    const double dt = (to_s - time) / std::ceil((to_s - time) / allowed * (1 - 1e-9));
+    if (attempt(dt, time + dt, water)) {
+      time += dt;
+      next_dt_ = std::min(largest_step, next_dt_ < dt ? next_dt_ * 2 : std::max(next_dt_, dt * 2));
+      continue;
+    }
+    ++counts_.undone_steps;
+    next_dt_ = dt / 4;
+    if (next_dt_ < smallest_step) {
+      throw SolveError(
+          fmt::format("the contact states did not settle at {:.6g} s, even with a step of {:.3g} s; a "
+                      "smaller [analysis] step_s or a larger [contact] max_iterations may help",
+                      time, dt));
+    }
+  }
+}
+
+/// One step of length dt, or nothing at all: false leaves the state as it was.
+bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
+  if (scene_.analysis.kind == scene::AnalysisKind::quasi_static) {
+    for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
+  }
+  const std::vector<ContactPoint> contacts_before = contacts_;
+  const std::vector<Support> supports_before = supports_;
+
+  search_.update(start_, contacts_);
+  prepare_islands();
+  prepare_matrices(dt);
+  loads_.evaluate(end_s, water, start_, external_);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    increment_[b] = frozen_[b] ? Vector6::Zero() : Vector6(dt * states_[b].velocity);
+    history_[b] = newmark_.history(blocks_[b].mass, states_[b], dt);
+    placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
+  }
+  for (Support& support : supports_) {
+    const auto b = static_cast<std::size_t>(support.block);
+    support.separation =
+        start_[b].position(support.material) - blocks_[b].centroid - support.material - support.target(end_s);
+  }
+  lagrangian_.begin_step({blocks_, start_, increment_, start_}, matrix_, frozen_, contacts_, supports_);
+
+  bool solved = true;
+  for (IslandSystem& island : islands_) solved = solved && find_equilibrium(island);
+  solved = solved && largest_increment() <= scene_.analysis.max_displacement_ratio * size_;
+  if (!solved) {
+    contacts_ = contacts_before;
+    supports_ = supports_before;
+    return false;
+  }
+  accept(dt);
+  require_finite(end_s);
+  return true;
+}
+
+void Solid::accept(double dt) {
+  lagrangian_.accept(trial(), contacts_);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (frozen_[b]) continue;
+    newmark_.finish(states_[b], increment_[b], dt);
+    states_[b].displacement += increment_[b];
+    states_[b].force = balance_[b];
+    start_[b] = Placement(blocks_[b].centroid, states_[b].displacement);
+  }
+  ++counts_.steps;
+}
+
+/// Largest displacement of any vertex in the step at hand [m].
+double Solid::largest_increment() const {
+  double largest = 0;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (frozen_[b]) continue;
+    for (const Point& X : blocks_[b].vertices) {
+      largest = std::max(largest, start_[b].increment(increment_[b], X).norm());
+    }
+  }
+  return largest;
+}
+
+void Solid::require_finite(double time_s) const {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (states_[b].displacement.allFinite() && states_[b].velocity.allFinite()) continue;
+    throw SolveError(fmt::format("block \"{}\" has a displacement that is not a number at {:.6g} s (step {})",
+                                 blocks_[b].name, time_s, counts_.steps));
+  }
+}
+
+}  // namespace blockweir::solid

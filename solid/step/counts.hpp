@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a step reports, and why a run cannot go on.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace blockweir::solid {
+
+/// The step could not be solved however small it was made, or a value was not a number.
+struct SolveError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Work done so far.
+struct Counts {
+  long steps = 0;
+  long undone_steps = 0;
+  long iterations = 0;     ///< solved linear systems
+  long sweeps = 0;         ///< multiplier updates
+  long state_changes = 0;  ///< open, stick, slip
+  long broad_searches = 0;
+  long settling_steps = 0;
+};
+
+/// Seconds spent so far.
+struct Profile {
+  double search = 0;
+  double contact = 0;
+  double assembly = 0;
+  double solve = 0;
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Newmark family over one step, the increment d being the unknown.
+#pragma once
+
+#include "bridge/scene/scene.hpp"
+#include "solid/block/motion.hpp"
+
+namespace blockweir::solid {
+
+/// a1 = d/(beta dt^2) - v/(beta dt) - (1/(2 beta) - 1) a,  v1 = v + dt ((1 - gamma) a + gamma a1);
+/// balance (1 - alpha_f) F1 + alpha_f F0 = M ((1 - alpha_m) a1 + alpha_m a0).
+struct Newmark {
+  double beta = 0.5;  ///< Shi's scheme: 1/2, 1
+  double gamma = 1;
+  double alpha_m = 0;
+  double alpha_f = 0;
+
+  static Newmark of(scene::Integrator integrator, double spectral_radius) {
+    if (integrator == scene::Integrator::shi) return {};
+    if (integrator == scene::Integrator::trapezoidal) return {0.25, 0.5, 0, 0};
+    const double am = (2 * spectral_radius - 1) / (spectral_radius + 1);
+    const double af = spectral_radius / (spectral_radius + 1);
+    return {(1 - am + af) * (1 - am + af) / 4, 0.5 - am + af, am, af};
+  }
+
+  /// Factor of the mass in the step's matrix, the balance divided by (1 - alpha_f).
+  [[nodiscard]] double mass_factor(double dt) const { return (1 - alpha_m) / (1 - alpha_f) / (beta * dt * dt); }
+
+  /// What the past contributes to the right-hand side, divided by (1 - alpha_f).
+  [[nodiscard]] Vector6 history(const Matrix6& mass, const BlockState& s, double dt) const {
+    const Vector6 a = (1 - alpha_m) * (s.velocity / (beta * dt) + (0.5 / beta - 1) * s.acceleration);
+    return (alpha_f * s.force + mass * (a - alpha_m * s.acceleration)) / (1 - alpha_f);
+  }
+
+  /// Velocity and acceleration at the end of a step with increment d.
+  void finish(BlockState& s, const Vector6& d, double dt) const {
+    const Vector6 a1 = (d / dt - s.velocity) / (beta * dt) - (0.5 / beta - 1) * s.acceleration;
+    s.velocity += dt * ((1 - gamma) * s.acceleration + gamma * a1);
+    s.acceleration = a1;
+  }
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The state at time 0: weight and first loads carried, all joints that touch held, everything at rest.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid {
+
+/// Blocks that hang on nothing: no chain of touching contacts leads to the ground or to a support.
+std::vector<bool> Solid::unanchored() const {
+  std::vector<bool> anchored(blocks_.size());
+  for (std::size_t b = 0; b < blocks_.size(); ++b) anchored[b] = blocks_[b].fixed;
+  for (const Support& s : supports_) anchored[static_cast<std::size_t>(s.block)] = true;
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const ContactPoint& c : contacts_) {
+      const auto i = static_cast<std::size_t>(c.vertex_block);
+      const auto j = static_cast<std::size_t>(c.edge_block);
+      if (c.state == ContactState::open || anchored[i] == anchored[j]) continue;
+      anchored[i] = anchored[j] = grew = true;
+    }
+  }
+  anchored.flip();
+  return anchored;
+}
+
+void Solid::settle(const std::vector<Panel>& water) {
+  constexpr int most_steps = 200;
+  // Long against every elastic period, so that inertia only regularizes: 2 M/dt^2 is 1e-4 of the elastic modulus.
+  double pseudo_step_s = 0;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const double modulus = blocks_[b].stiffness(3, 3) / blocks_[b].area;
+    pseudo_step_s = std::max(pseudo_step_s, std::sqrt(2e4 * blocks_[b].mass_per_m() / modulus));
+  }
+  const double at_rest_m = 1e-13 * size_;
+
+  const std::vector<bool> fixed = frozen_;
+  const std::vector<BlockState> released = states_;
+  const std::vector<bool> waiting = unanchored();
+  for (std::size_t b = 0; b < blocks_.size(); ++b) frozen_[b] = fixed[b] || waiting[b];
+  const Newmark scheme = std::exchange(newmark_, Newmark{});
+  lagrangian_.settings().joints_held = true;
+  matrices_dt_ = -1;
+  islands_.clear();
+
+  for (int step = 0;; ++step) {
+    for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
+    if (step == most_steps || !attempt(pseudo_step_s, 0, water)) {
+      throw SolveError(
+          fmt::format("no equilibrium under the first loads was found with all joints held ({} steps); "
+                      "set [analysis] start = \"unstressed\" if the structure moves from the start",
+                      step));
+    }
+    ++counts_.settling_steps;
+    if (largest_increment() <= at_rest_m) break;
+  }
+
+  counts_.steps = 0;
+  newmark_ = scheme;
+  lagrangian_.settings().joints_held = false;
+  frozen_ = fixed;
+  matrices_dt_ = -1;
+  islands_.clear();
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    states_[b].velocity = released[b].velocity;
+    states_[b].acceleration.setZero();
+    states_[b].force.setZero();
+  }
+}
+
+/// Second-order schemes need the acceleration that the run starts with: a step of Shi's scheme, undone, gives it.
+void Solid::start_acceleration(const std::vector<Panel>& water, double from_s) {
+  const auto states = states_;
+  const auto start = start_;
+  const auto contacts = contacts_;
+  const auto supports = supports_;
+  const Newmark scheme = std::exchange(newmark_, Newmark{});
+  const double dt = 1e-2 * scene_.analysis.step_s;
+  matrices_dt_ = -1;
+  const bool solved = attempt(dt, from_s + dt, water);
+  auto first = states_;
+  newmark_ = scheme;
+  matrices_dt_ = -1;
+  states_ = states;
+  start_ = start;
+  contacts_ = contacts;
+  supports_ = supports;
+  if (!solved) return;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    states_[b].acceleration = first[b].acceleration;
+    states_[b].force = blocks_[b].mass * first[b].acceleration;
+  }
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Building the solid from a scene, and what can be asked of it.
+#include "solid/step/solid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace blockweir::solid {
+namespace {
+
+std::vector<Block> make_blocks(const scene::Scene& scene) {
+  std::vector<Block> blocks;
+  for (const auto& block : scene.blocks) {
+    blocks.push_back(
+        make_block(block, scene.materials[static_cast<std::size_t>(block.material)], scene.analysis.plane));
+  }
+  return blocks;
+}
+
+/// Half the height of what can move, or half its width if that is less flat.
+double model_size(const scene::Scene& scene) {
+  Box box;
+  for (const auto& block : scene.blocks) {
+    if (block.fixed) continue;
+    for (const auto& vertex : block.vertices) box.extend(vertex);
+  }
+  return box.isEmpty() ? 1.0 : box.sizes().maxCoeff() / 2;
+}
+
+/// Weight of all that can move; without gravity their mass at 1 m/s2.
+double weight_of_all(const std::vector<Block>& blocks, double gravity) {
+  double mass = 0;
+  for (const Block& block : blocks) mass += block.fixed ? 0 : block.mass_per_m();
+  return mass > 0 ? mass * (gravity > 0 ? gravity : 1.0) : 1.0;
+}
+
+std::vector<Support> make_supports(const scene::Scene& scene, const std::vector<Block>& blocks) {
+  std::vector<Support> supports;
+  for (const auto& described : scene.supports) {
+    Support support;
+    support.block = described.block;
+    support.material = described.point_m - blocks[static_cast<std::size_t>(described.block)].centroid;
+    support.described = &described;
+    supports.push_back(support);
+  }
+  return supports;
+}
+
+}  // namespace
+
+Solid::Solid(const scene::Scene& scene)
+    : scene_(scene),
+      blocks_(make_blocks(scene)),
+      laws_(scene),
+      loads_(scene, blocks_),
+      size_(model_size(scene)),
+      force_scale_(weight_of_all(blocks_, scene.analysis.gravity_m_per_s2)),
+      supports_(make_supports(scene, blocks_)),
+      next_dt_(scene.analysis.step_s),
+      newmark_(Newmark::of(scene.analysis.integrator, scene.analysis.spectral_radius)),
+      lagrangian_(laws_, {.penetration_tolerance_m = scene.contact.penetration_tolerance_m,
+                          .force_tolerance_n = scene.contact.force_tolerance * force_scale_,
+                          .position_round_off_m = 2 * std::numeric_limits<double>::epsilon() * size_,
+                          .initial_penalty = scene.contact.initial_penalty_n_per_m2}),
+      // Two blocks may each move by the largest displacement of a step, one towards the other.
+      search_(blocks_, laws_, size_, 2.5 * scene.analysis.max_displacement_ratio * size_) {
+  const std::size_t n = blocks_.size();
+  states_.resize(n);
+  for (std::size_t b = 0; b < n; ++b) {
+    if (blocks_[b].fixed) continue;
+    states_[b].velocity.head<2>() = scene.blocks[b].initial_velocity_m_per_s;
+    states_[b].velocity[2] = scene.blocks[b].initial_spin_deg_per_s * std::numbers::pi / 180;
+  }
+  for (const Block& block : blocks_) {
+    start_.emplace_back(block.centroid, Vector6::Zero());
+    frozen_.push_back(block.fixed);
+  }
+  matrix_.resize(n);
+  external_.resize(n);
+  history_.resize(n);
+  increment_.assign(n, Vector6::Zero());
+  placement_ = start_;
+  balance_.assign(n, Vector6::Zero());
+  round_off_.resize(n);
+  local_.resize(n);
+  search_.update(start_, contacts_);
+  bond_touching_contacts();
+}
+
+/// Blocks that touch in the scene's outline are joined by a bond, with its strength and its peak friction.
+void Solid::bond_touching_contacts() {
+  const double touching = 1e-6 * size_;
+  const auto pair = [](const ContactPoint& c) { return std::minmax(c.vertex_block, c.edge_block); };
+  for (ContactPoint& c : contacts_) {
+    if (std::abs(c.gap) > touching) continue;
+    c.bonded = true;
+    c.state = ContactState::stick;
+  }
+  for (ContactPoint& c : contacts_) {
+    if (!c.bonded) continue;
+    double whole = 0;
+    for (const ContactPoint& other : contacts_) {
+      if (other.bonded && pair(other) == pair(c)) whole += other.length;
+    }
+    const double bonded = laws_[c.law].bonded_length_m;
+    c.bond_length = bonded < 0 || whole == 0 ? c.length : c.length * std::min(1.0, bonded / whole);
+  }
+}
+
+Counts Solid::counts() const {
+  Counts counts = counts_;
+  counts.state_changes = lagrangian_.state_changes();
+  counts.broad_searches = search_.broad_searches();
+  return counts;
+}
+
+double Solid::largest_displacement_m() const {
+  double largest = 0;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (blocks_[b].fixed) continue;
+    for (const Point& X : blocks_[b].vertices) {
+      largest = std::max(largest, (start_[b].position(X) - blocks_[b].centroid - X).norm());
+    }
+  }
+  return largest;
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The DDA solid: blocks, contacts and the time step that moves them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bridge/scene/scene.hpp"
+#include "solid/block/loads.hpp"
+#include "solid/contact/augmented_lagrangian.hpp"
+#include "solid/contact/search.hpp"
+#include "solid/solve/islands.hpp"
+#include "solid/solve/linear_system.hpp"
+#include "solid/step/counts.hpp"
+#include "solid/step/newmark.hpp"
+
+namespace blockweir::solid {
+
+class Solid {
+ public:
+  explicit Solid(const scene::Scene& scene);
+
+  /// Lets weight and first loads settle with all joints held, then releases them: the state at time 0.
+  /// Throws SolveError when no equilibrium is found.
+  void settle(const std::vector<Panel>& water);
+
+  /// Moves the blocks from `from_s` to `to_s` under the given water, in as many steps as accuracy asks for.
+  void advance(double from_s, double to_s, const std::vector<Panel>& water);
+
+  [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+  [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
+  [[nodiscard]] const std::vector<BlockState>& states() const { return states_; }
+  [[nodiscard]] const std::vector<Placement>& placements() const { return start_; }
+  [[nodiscard]] const std::vector<ContactPoint>& contacts() const { return contacts_; }
+  [[nodiscard]] const std::vector<Support>& supports() const { return supports_; }
+  [[nodiscard]] const JointLaws& laws() const { return laws_; }
+  [[nodiscard]] Counts counts() const;
+  [[nodiscard]] const Profile& profile() const { return profile_; }
+  [[nodiscard]] double size_m() const { return size_; }  ///< half the height of what can move, at least half its width
+
+  /// Largest displacement of any vertex since the scene's outline [m].
+  [[nodiscard]] double largest_displacement_m() const;
+
+ private:
+  struct IslandSystem {
+    Island island;
+    std::unique_ptr<LinearSystem> system;
+    Eigen::VectorXd residual;
+    Eigen::VectorXd correction;
+  };
+
+  void bond_touching_contacts();
+  void start_acceleration(const std::vector<Panel>& water, double from_s);
+  bool attempt(double dt, double end_s, const std::vector<Panel>& water);
+  void prepare_matrices(double dt);
+  void prepare_islands();
+  bool find_equilibrium(IslandSystem& island);
+  double assemble(IslandSystem& island, bool& symmetric);
+  void accept(double dt);
+  [[nodiscard]] double largest_increment() const;
+  [[nodiscard]] Trial trial() const { return {blocks_, start_, increment_, placement_}; }
+  void require_finite(double time_s) const;
+  [[nodiscard]] std::vector<bool> unanchored() const;
+
+  // Constant.
+  const scene::Scene& scene_;
+  std::vector<Block> blocks_;
+  JointLaws laws_;
+  Loads loads_;
+  double size_ = 0;
+  double force_scale_ = 0;  ///< weight of all that can move [N per metre]
+
+  // What a step changes.
+  std::vector<BlockState> states_;
+  std::vector<Placement> start_;  ///< of states_
+  std::vector<ContactPoint> contacts_;
+  std::vector<Support> supports_;
+  double next_dt_ = 0;  ///< step that the last advance ended with
+  bool started_ = false;
+
+  // The step at hand.
+  Newmark newmark_;
+  AugmentedLagrangian lagrangian_;
+  ContactSearch search_;
+  std::vector<bool> frozen_;         ///< fixed, or waiting while others settle
+  double matrices_dt_ = -1;          ///< step that matrix_ was made for
+  std::vector<Matrix6> matrix_;      ///< inertia and elasticity of each block
+  std::vector<Matrix6> compliance_;  ///< its inverse, zero for frozen blocks
+  std::vector<Vector6> external_;    ///< loads at the end of the step
+  std::vector<Vector6> history_;     ///< what inertia remembers
+  std::vector<Vector6> increment_;
+  std::vector<Placement> placement_;
+  std::vector<Vector6> balance_;   ///< all forces but inertia
+  std::vector<double> round_off_;  ///< what is uncertain of balance_ [N per metre]
+  std::vector<int> local_;         ///< index of a block within its island
+  std::vector<std::pair<int, int>> links_;
+  std::vector<IslandSystem> islands_;
+  Counts counts_;
+  Profile profile_;
+};
+
+}  // namespace blockweir::solid
