@@ -141,7 +141,7 @@ struct Expectation {
   std::string quantity;  ///< see solid/output/quantities
   std::optional<double> value;
   std::string formula;      ///< see solid/output/formulas
-  std::string joint;        ///< the joint or block that quantity and formula speak of; may be empty
+  std::string of;           ///< the block or joint that quantity and formula speak of; may be empty
   double tolerance = 1e-3;  ///< relative
   std::string source;
 };

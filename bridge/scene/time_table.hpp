@@ -17,6 +17,7 @@ struct TimeTable {
 
   [[nodiscard]] double at(double time_s) const;
   [[nodiscard]] double largest() const;
+  [[nodiscard]] double smallest() const;
 };
 
 }  // namespace blockweir::scene

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The common boundary of two blocks in the scene's outline: where a joint lies.
+#pragma once
+
+#include <vector>
+
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::scene {
+
+/// A straight part of it. Fractions 0..1 along edge_a of block a and edge_b of block b, both at `from_m` and `to_m`.
+struct TracePiece {
+  int edge_a = 0;
+  int edge_b = 0;
+  double s_from_a = 0;
+  double s_to_a = 0;
+  double s_from_b = 0;
+  double s_to_b = 0;
+  Point from_m;
+  Point to_m;
+};
+
+/// Pieces in order from the upstream end (smallest x, of those the highest) to the other.
+struct JointTrace {
+  std::vector<TracePiece> pieces;
+  double length_m = 0;
+
+  [[nodiscard]] const Point& mouth() const { return pieces.front().from_m; }
+  [[nodiscard]] const Point& end() const { return pieces.back().to_m; }
+};
+
+/// Empty when the blocks do not touch; edges nearer than `tolerance_m` count as touching.
+JointTrace trace_joint(const Block& a, const Block& b, double tolerance_m);
+
+}  // namespace blockweir::scene
