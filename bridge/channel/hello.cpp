@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/channel/hello.hpp"
+
+#include <fmt/format.h>
+
+namespace blockweir::channel {
+
+std::string compare(const wire::Hello& ours, const wire::Hello& theirs) {
+  std::string text;
+  const auto differ = [&](const char* what, const auto& a, const auto& b) {
+    if (a == b) return;
+    text += fmt::format("{}{}: {} has {}, {} has {}", text.empty() ? "" : "; ", what, ours.role, a, theirs.role, b);
+  };
+  differ("protocol", ours.protocol, theirs.protocol);
+  differ("units", ours.units, theirs.units);
+  differ("scene digest", ours.scene_digest, theirs.scene_digest);
+  differ("schedule", ours.schedule, theirs.schedule);
+  differ("window_s", ours.window_s, theirs.window_s);
+  differ("duration_s", ours.duration_s, theirs.duration_s);
+  differ("number of blocks", ours.block_names.size(), theirs.block_names.size());
+  if (ours.block_names.size() != theirs.block_names.size()) return text;
+  for (std::size_t b = 0; b < ours.block_names.size(); ++b)
+    differ("block name", ours.block_names[b], theirs.block_names[b]);
+  if (ours.vertex_counts != theirs.vertex_counts || ours.vertices_m != theirs.vertices_m) {
+    text += std::string(text.empty() ? "" : "; ") + "outlines of the blocks differ";
+  }
+  return text;
+}
+
+}  // namespace blockweir::channel

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/wire/codec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bridge/wire/messages_generated.h"
+
+namespace blockweir::wire {
+namespace {
+
+using Builder = flatbuffers::FlatBufferBuilder;
+
+template <class Offset>
+void finish(Builder& builder, buffer::Body kind, Offset body) {
+  buffer::FinishEnvelopeBuffer(builder, buffer::CreateEnvelope(builder, kind, body.Union()));
+}
+
+template <class Body>
+const Body& body(const void* data) {
+  return *buffer::GetEnvelope(data)->template body_as<Body>();
+}
+
+std::string text(const flatbuffers::String* from) {
+  return from != nullptr ? from->str() : std::string();
+}
+
+template <class T>
+void copy(const flatbuffers::Vector<T>* from, std::vector<T>& into) {
+  into.clear();
+  if (from != nullptr) into.insert(into.end(), from->begin(), from->end());
+}
+
+auto flat(Builder& builder, const std::vector<std::array<double, 6>>& rows) {
+  return builder.CreateVector(rows.empty() ? nullptr : rows.front().data(), 6 * rows.size());
+}
+
+void require_finite(double value, const char* name, std::uint64_t window) {
+  if (!std::isfinite(value)) throw BadMessage(fmt::format("{} is {} in window {}", name, value, window));
+}
+
+void read_rows(const flatbuffers::Vector<double>* from, std::vector<std::array<double, 6>>& into, const char* name,
+               std::uint64_t window) {
+  const std::size_t size = from != nullptr ? from->size() : 0;
+  if (size % 6 != 0) throw BadMessage(fmt::format("{} holds {} numbers, not six a block", name, size));
+  into.resize(size / 6);
+  for (std::size_t i = 0; i < size; ++i) {
+    const double value = from->Get(static_cast<flatbuffers::uoffset_t>(i));
+    if (!std::isfinite(value)) {
+      throw BadMessage(fmt::format("{} {} of block {} is {} in window {}", name, i % 6, i / 6, value, window));
+    }
+    into[i / 6][i % 6] = value;
+  }
+}
+
+}  // namespace
+
+void encode(const Hello& m, Builder& builder) {
+  builder.Clear();
+  const auto role = builder.CreateString(m.role);
+  const auto build = builder.CreateString(m.build);
+  const auto digest = builder.CreateString(m.scene_digest);
+  const auto schedule = builder.CreateString(m.schedule);
+  const auto units = builder.CreateString(m.units);
+  const auto names = builder.CreateVectorOfStrings(m.block_names);
+  const auto counts = builder.CreateVector(m.vertex_counts);
+  const auto vertices = builder.CreateVector(m.vertices_m);
+  finish(builder, buffer::Body::Hello,
+         buffer::CreateHello(builder, m.protocol, role, build, digest, schedule, units, m.window_s, m.duration_s, names,
+                             counts, vertices));
+}
+
+void encode(const Motion& m, Builder& builder) {
+  builder.Clear();
+  const auto displacement = flat(builder, m.displacement);
+  const auto velocity = flat(builder, m.velocity);
+  finish(builder, buffer::Body::Motion, buffer::CreateMotion(builder, m.window, m.time_s, displacement, velocity));
+}
+
+void encode(const Load& m, Builder& builder) {
+  builder.Clear();
+  const auto block = builder.CreateVector(m.block);
+  const auto edge = builder.CreateVector(m.edge);
+  const auto s_from = builder.CreateVector(m.s_from);
+  const auto s_to = builder.CreateVector(m.s_to);
+  const auto p_from = builder.CreateVector(m.pressure_from_pa);
+  const auto p_to = builder.CreateVector(m.pressure_to_pa);
+  finish(builder, buffer::Body::Load,
+         buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, block, edge, s_from,
+                            s_to, p_from, p_to));
+}
+
+void encode(const End& m, Builder& builder) {
+  builder.Clear();
+  const auto reason = builder.CreateString(m.reason);
+  finish(builder, buffer::Body::End, buffer::CreateEnd(builder, reason));
+}
+
+void encode(const Failure& m, Builder& builder) {
+  builder.Clear();
+  const auto words = builder.CreateString(m.text);
+  finish(builder, buffer::Body::Failure, buffer::CreateFailure(builder, words));
+}
+
+Kind verify(const void* data, std::size_t size) {
+  flatbuffers::Verifier verifier(static_cast<const std::uint8_t*>(data), size);
+  if (!buffer::VerifyEnvelopeBuffer(verifier)) {
+    throw BadMessage(fmt::format("{} bytes that are not a message of protocol {}", size, protocol_version));
+  }
+  const buffer::Envelope* envelope = buffer::GetEnvelope(data);
+  if (envelope->body() != nullptr) {
+    switch (envelope->body_type()) {
+      case buffer::Body::Hello:
+        return Kind::hello;
+      case buffer::Body::Motion:
+        return Kind::motion;
+      case buffer::Body::Load:
+        return Kind::load;
+      case buffer::Body::End:
+        return Kind::end;
+      case buffer::Body::Failure:
+        return Kind::failure;
+      default:
+        break;
+    }
+  }
+  throw BadMessage(fmt::format("a message of {} bytes without a known body", size));
+}
+
+void decode(const void* data, Hello& m) {
+  const auto& b = body<buffer::Hello>(data);
+  m.protocol = b.protocol();
+  m.role = text(b.role());
+  m.build = text(b.build());
+  m.scene_digest = text(b.scene_digest());
+  m.schedule = text(b.schedule());
+  m.units = text(b.units());
+  m.window_s = b.window_s();
+  m.duration_s = b.duration_s();
+  m.block_names.clear();
+  if (b.block_names() != nullptr) {
+    for (const auto* name : *b.block_names()) m.block_names.push_back(text(name));
+  }
+  copy(b.vertex_counts(), m.vertex_counts);
+  copy(b.vertices_m(), m.vertices_m);
+}
+
+void decode(const void* data, Motion& m) {
+  const auto& b = body<buffer::Motion>(data);
+  m.window = b.window();
+  m.time_s = b.time_s();
+  require_finite(m.time_s, "time", m.window);
+  read_rows(b.displacement(), m.displacement, "displacement", m.window);
+  read_rows(b.velocity(), m.velocity, "velocity", m.window);
+  if (m.displacement.size() != m.velocity.size()) {
+    throw BadMessage(fmt::format("{} displacements and {} velocities", m.displacement.size(), m.velocity.size()));
+  }
+}
+
+void decode(const void* data, Load& m) {
+  const auto& b = body<buffer::Load>(data);
+  m.window = b.window();
+  m.time_s = b.time_s();
+  m.upstream_level_m = b.upstream_level_m();
+  m.downstream_level_m = b.downstream_level_m();
+  require_finite(m.time_s, "time", m.window);
+  if (std::isinf(m.upstream_level_m)) require_finite(m.upstream_level_m, "upstream level", m.window);
+  if (std::isinf(m.downstream_level_m)) require_finite(m.downstream_level_m, "downstream level", m.window);
+  copy(b.block(), m.block);
+  copy(b.edge(), m.edge);
+  copy(b.s_from(), m.s_from);
+  copy(b.s_to(), m.s_to);
+  copy(b.pressure_from_pa(), m.pressure_from_pa);
+  copy(b.pressure_to_pa(), m.pressure_to_pa);
+  const std::size_t n = m.block.size();
+  for (const std::size_t size :
+       {m.edge.size(), m.s_from.size(), m.s_to.size(), m.pressure_from_pa.size(), m.pressure_to_pa.size()}) {
+    if (size != n) throw BadMessage(fmt::format("columns of {} and {} panels in window {}", n, size, m.window));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto panel = [&](const char* what, double value) {
+      return fmt::format("{} of panel {} (block {}, edge {}) is {} in window {}", what, i, m.block[i], m.edge[i], value,
+                         m.window);
+    };
+    for (const double p : {m.pressure_from_pa[i], m.pressure_to_pa[i]}) {
+      if (!std::isfinite(p)) throw BadMessage(panel("pressure", p));
+    }
+    for (const double s : {m.s_from[i], m.s_to[i]}) {
+      if (!(s >= 0 && s <= 1)) throw BadMessage(panel("end", s));
+    }
+  }
+}
+
+void decode(const void* data, End& m) {
+  m.reason = text(body<buffer::End>(data).reason());
+}
+
+void decode(const void* data, Failure& m) {
+  m.text = text(body<buffer::Failure>(data).text());
+}
+
+}  // namespace blockweir::wire

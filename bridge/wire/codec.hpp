@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Messages as bytes and back. Bytes are verified before anything in them is read. C++17.
+#pragma once
+
+#include <flatbuffers/flatbuffers.h>
+#include <cstddef>
+#include <stdexcept>
+
+#include "bridge/wire/message.hpp"
+
+namespace blockweir::wire {
+
+/// The bytes are no message of this protocol, or one whose content cannot be: what() says what is wrong.
+struct BadMessage : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+enum class Kind { hello, motion, load, end, failure };
+
+/// Encode into `builder`, whose memory is reused; the bytes stand at GetBufferPointer(), GetSize().
+void encode(const Hello& message, flatbuffers::FlatBufferBuilder& builder);
+void encode(const Motion& message, flatbuffers::FlatBufferBuilder& builder);
+void encode(const Load& message, flatbuffers::FlatBufferBuilder& builder);
+void encode(const End& message, flatbuffers::FlatBufferBuilder& builder);
+void encode(const Failure& message, flatbuffers::FlatBufferBuilder& builder);
+
+/// What kind of message `size` bytes at `data` hold; throws BadMessage when they are none.
+Kind verify(const void* data, std::size_t size);
+
+/// Decode verified bytes of the right kind into storage that is reused. Throw BadMessage for columns of unequal
+/// length, for fractions outside 0..1 and for values that are not finite (levels may be NaN: no pool).
+void decode(const void* data, Hello& into);
+void decode(const void* data, Motion& into);
+void decode(const void* data, Load& into);
+void decode(const void* data, End& into);
+void decode(const void* data, Failure& into);
+
+}  // namespace blockweir::wire

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/hydrostatic/hydrostatic_model.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "bridge/scene/polygon.hpp"
+#include "bridge/wire/placement.hpp"
+
+namespace blockweir::hydrostatic {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+double level_at(const std::optional<scene::TimeTable>& table, double time_s) {
+  return table ? table->at(time_s) : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool same(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+void clear(wire::Load& load) {
+  load.block.clear();
+  load.edge.clear();
+  load.s_from.clear();
+  load.s_to.clear();
+  load.pressure_from_pa.clear();
+  load.pressure_to_pa.clear();
+}
+
+}  // namespace
+
+HydrostaticModel::HydrostaticModel(const scene::Scene& scene) : scene_(scene) {
+  double size = 0;
+  for (const scene::Block& block : scene.blocks) {
+    centroids_.push_back(scene::centroid(block.vertices));
+    outlines_.push_back(block.vertices);
+    for (const Point& p : block.vertices) size = std::max(size, p.cwiseAbs().maxCoeff());
+  }
+  std::set<std::pair<int, int>> named;
+  const auto add = [&](int a, int b, scene::Uplift law) {
+    if (law == scene::Uplift::none) return;
+    auto trace = scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], 1e-6 * size);
+    if (!trace.pieces.empty()) cracks_.push_back({a, b, law, std::move(trace)});
+  };
+  for (const scene::Joint& joint : scene.joints) {
+    add(joint.between[0], joint.between[1], joint.law.uplift);
+    named.insert(std::minmax(joint.between[0], joint.between[1]));
+  }
+  if (scene.default_joint.uplift == scene::Uplift::none) return;
+  for (int a = 0; a < static_cast<int>(scene.blocks.size()); ++a) {
+    for (int b = a + 1; b < static_cast<int>(scene.blocks.size()); ++b) {
+      if (named.count({a, b}) == 0) add(a, b, scene.default_joint.uplift);
+    }
+  }
+}
+
+void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
+  if (motion.displacement.size() != scene_.blocks.size()) {
+    throw std::runtime_error(
+        fmt::format("positions of {} blocks came, the scene has {}", motion.displacement.size(), scene_.blocks.size()));
+  }
+  const double upstream = level_at(scene_.water.upstream_level_m, to_s);
+  const double downstream = level_at(scene_.water.downstream_level_m, to_s);
+  const bool still = !fresh_ && same(upstream, last_upstream_m_) && same(downstream, last_downstream_m_) &&
+                     motion.displacement == last_motion_.displacement;
+  if (still) {
+    ++unchanged_;
+    return;
+  }
+  fresh_ = false;
+  ++updates_;
+  last_motion_.displacement = motion.displacement;
+  last_upstream_m_ = upstream;
+  last_downstream_m_ = downstream;
+  place(motion);
+  clear(load);
+  load.upstream_level_m = upstream;
+  load.downstream_level_m = downstream;
+  if (!std::isnan(upstream)) add_pool(Pool::upstream, upstream, load);
+  if (!std::isnan(downstream)) add_pool(Pool::downstream, downstream, load);
+  add_cracks(upstream, downstream, load);
+}
+
+void HydrostaticModel::place(const wire::Motion& motion) {
+  for (std::size_t b = 0; b < outlines_.size(); ++b) {
+    const auto& vertices = scene_.blocks[b].vertices;
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      outlines_[b][v] = wire::place(centroids_[b], motion.displacement[b], vertices[v]);
+    }
+  }
+}
+
+void HydrostaticModel::add_pool(Pool pool, double level_m, wire::Load& load) {
+  const scene::Water& w = scene_.water;
+  const WetFaces wet = wet_faces(outlines_, pool, level_m, w.open_crack_width_m);
+  const Hydrostatics water{
+      .weight_n_per_m3 = w.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2,
+      .atmosphere_pa = w.atmosphere == scene::Atmosphere::wet_faces ? w.atmospheric_pressure_pa : 0,
+      .level_m = level_m};
+  add_wet_elements(outlines_, wet.intervals, water, w.elements_per_face, load);
+}
+
+void HydrostaticModel::add_cracks(double upstream_m, double downstream_m, wire::Load& load) {
+  const double weight = scene_.water.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2;
+  for (const Crack& crack : cracks_) {
+    const auto pressure = [&](const Point& outline_point, double level_m) {
+      const double y =
+          wire::place(centroids_[at(crack.block_a)], last_motion_.displacement[at(crack.block_a)], outline_point).y();
+      return std::isnan(level_m) ? 0.0 : weight * std::max(0.0, level_m - y);
+    };
+    add_crack_elements(crack.trace, crack.block_a, crack.block_b, crack.law, pressure(crack.trace.mouth(), upstream_m),
+                       pressure(crack.trace.end(), downstream_m), load);
+  }
+}
+
+}  // namespace blockweir::hydrostatic

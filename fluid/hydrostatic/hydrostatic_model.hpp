@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reference fluid: still water in two pools and in the cracks that the scene fills, at the blocks' positions.
+#pragma once
+
+#include "bridge/schedule/serial_staggered.hpp"
+#include "fluid/hydrostatic/interface_mesh.hpp"
+
+namespace blockweir::hydrostatic {
+
+class HydrostaticModel final : public schedule::FluidSide {
+ public:
+  explicit HydrostaticModel(const scene::Scene& scene);
+
+  /// Pressures at the levels of time `to_s` on blocks that are where `motion` says. Throws std::runtime_error when
+  /// `motion` does not fit the scene.
+  void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
+
+  [[nodiscard]] long updates() const { return updates_; }      ///< windows whose pressures were computed
+  [[nodiscard]] long unchanged() const { return unchanged_; }  ///< windows in which neither level nor block moved
+
+ private:
+  struct Crack {
+    int block_a;
+    int block_b;
+    scene::Uplift law;
+    scene::JointTrace trace;
+  };
+  void place(const wire::Motion& motion);
+  void add_pool(Pool pool, double level_m, wire::Load& load);
+  void add_cracks(double upstream_m, double downstream_m, wire::Load& load);
+
+  const scene::Scene& scene_;
+  std::vector<Point> centroids_;
+  std::vector<Crack> cracks_;
+  std::vector<std::vector<Point>> outlines_;  ///< current
+  wire::Motion last_motion_;
+  double last_upstream_m_ = 0;
+  double last_downstream_m_ = 0;
+  bool fresh_ = true;
+  long updates_ = 0;
+  long unchanged_ = 0;
+};
+
+}  // namespace blockweir::hydrostatic

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// blockweir-hydrostatic: the reference fluid as a process of its own.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "bridge/scene/read.hpp"
+#include "bridge/schedule/hello.hpp"
+#include "fluid/hydrostatic/hydrostatic_model.hpp"
+
+namespace {
+
+using namespace blockweir;
+
+struct Arguments {
+  std::string scene;
+  std::string endpoint;
+  std::string profile_out;
+  std::vector<std::string> overrides;
+};
+
+void write_profile(const std::string& path, const hydrostatic::HydrostaticModel& model, schedule::ExchangeTime exchange,
+                   double total_s) {
+  const nlohmann::json profile = {{"seconds",
+                                   {{"wait", exchange.wait_s},
+                                    {"pack", exchange.pack_s},
+                                    {"pressure", total_s - exchange.wait_s - exchange.pack_s}}},
+                                  {"counts", {{"updates", model.updates()}, {"unchanged", model.unchanged()}}}};
+  std::ofstream(path) << profile.dump(2) << '\n';
+}
+
+void run(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const scene::Scene scene = scene::read(arguments.scene, arguments.overrides).scene;
+  channel::catch_stop_signals();
+  channel::Channel channel({.side = channel::Side::connects,
+                            .endpoint = arguments.endpoint,
+                            .partner = "solid process",
+                            .timeout_s = scene.coupling.timeout_s,
+                            .open_timeout_s = scene.coupling.timeout_s});
+  channel.handshake(schedule::hello(scene, "hydrostatic"));
+  hydrostatic::HydrostaticModel model(scene);
+  const auto exchange = schedule::run_fluid(channel, schedule::Windows(scene), model);
+  if (arguments.profile_out.empty()) return;
+  const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
+  write_profile(arguments.profile_out, model, exchange, total.count());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app{"blockweir-hydrostatic: still water that presses on the blocks of a scene"};
+  app.add_option("scene", arguments.scene, "scene file or case folder")->required();
+  app.add_option("--endpoint", arguments.endpoint, "where the solid process listens: ipc://PATH or tcp://HOST:PORT")
+      ->required();
+  app.add_option("--set", arguments.overrides, "key=value over the scene's own; the same for both processes");
+  app.add_option("--profile-out", arguments.profile_out, "file for this process's times (JSON)");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    run(arguments);
+    return 0;
+  } catch (const scene::SceneError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  } catch (const channel::Interrupted&) {
+    fmt::print(stderr, "blockweir-hydrostatic: stopped on request\n");
+    return 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "blockweir-hydrostatic: {}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/hydrostatic/wet_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <polyclipping/clipper.hpp>
+
+namespace blockweir::hydrostatic {
+namespace {
+
+namespace cl = ClipperLib;
+constexpr double units_per_m = 1099511627776.0;  // 2^40: Clipper counts in whole numbers, of 1e-12 m here
+constexpr double on_edge_m = 1e-6;               // a clipped outline lies this close to the edge that it came from
+
+cl::IntPoint to_units(const Point& p) {
+  return {static_cast<cl::cInt>(std::llround(p.x() * units_per_m)),
+          static_cast<cl::cInt>(std::llround(p.y() * units_per_m))};
+}
+
+Point to_metres(const cl::IntPoint& p) {
+  return {static_cast<double>(p.X) / units_per_m, static_cast<double>(p.Y) / units_per_m};
+}
+
+cl::Path rectangle(double left, double bottom, double right, double top) {
+  return {to_units({left, bottom}), to_units({right, bottom}), to_units({right, top}), to_units({left, top})};
+}
+
+cl::Paths offset(const cl::Paths& paths, double distance_m) {
+  cl::ClipperOffset tool(/*miterLimit=*/10);
+  tool.AddPaths(paths, cl::jtMiter, cl::etClosedPolygon);
+  cl::Paths result;
+  tool.Execute(result, distance_m * units_per_m);
+  return result;
+}
+
+struct Extent {
+  double left = std::numeric_limits<double>::infinity();
+  double right = -std::numeric_limits<double>::infinity();
+  double bottom = std::numeric_limits<double>::infinity();
+  Point top{0, -std::numeric_limits<double>::infinity()};  ///< of equal heights the one nearest to the pool
+};
+
+Extent extent_of(const std::vector<std::vector<Point>>& outlines, Pool pool) {
+  Extent e;
+  for (const auto& outline : outlines) {
+    for (const Point& p : outline) {
+      e.left = std::min(e.left, p.x());
+      e.right = std::max(e.right, p.x());
+      e.bottom = std::min(e.bottom, p.y());
+      const bool nearer = pool == Pool::upstream ? p.x() < e.top.x() : p.x() > e.top.x();
+      if (p.y() > e.top.y() || (p.y() == e.top.y() && nearer)) e.top = p;
+    }
+  }
+  return e;
+}
+
+/// Blocks with their narrow gaps filled: outlines of all that water cannot enter.
+cl::Paths impervious(const std::vector<std::vector<Point>>& outlines, double open_crack_width_m) {
+  cl::Paths blocks;
+  for (const auto& outline : outlines) {
+    cl::Path path;
+    for (const Point& p : outline) path.push_back(to_units(p));
+    blocks.push_back(std::move(path));
+  }
+  cl::Paths merged;
+  cl::Clipper union_of;
+  union_of.AddPaths(blocks, cl::ptSubject, true);
+  union_of.Execute(cl::ctUnion, merged, cl::pftNonZero, cl::pftNonZero);
+  cl::Paths closed = offset(offset(merged, open_crack_width_m / 2), -open_crack_width_m / 2);
+  closed.insert(closed.end(), merged.begin(), merged.end());
+  return closed;
+}
+
+/// Adds the parts of the pool's boundary a-b that lie on edges of blocks.
+void map_to_edges(const std::vector<std::vector<Point>>& outlines, const Point& a, const Point& b,
+                  std::vector<WetInterval>& intervals) {
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    const auto& outline = outlines[k];
+    for (std::size_t e = 0; e < outline.size(); ++e) {
+      const Point& p = outline[e];
+      const Point span = outline[(e + 1) % outline.size()] - p;
+      const double length = span.norm();
+      const Point t = span / length;
+      const auto away = [&](const Point& q) { return std::abs(t.x() * (q - p).y() - t.y() * (q - p).x()); };
+      if (away(a) > on_edge_m || away(b) > on_edge_m) continue;
+      const auto [s0, s1] = std::minmax(t.dot(a - p) / length, t.dot(b - p) / length);
+      const double from = std::max(0.0, s0);
+      const double to = std::min(1.0, s1);
+      if ((to - from) * length <= on_edge_m) continue;
+      intervals.push_back({static_cast<int>(k), static_cast<int>(e), from, to});
+    }
+  }
+}
+
+/// Joins what overlaps, and puts ends that are an edge's end, or lie on the water surface, exactly there.
+void tidy(const std::vector<std::vector<Point>>& outlines, double level_m, std::vector<WetInterval>& intervals) {
+  const auto key = [](const WetInterval& w) { return std::make_tuple(w.block, w.edge, w.s_from); };
+  std::sort(intervals.begin(), intervals.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  std::vector<WetInterval> joined;
+  for (WetInterval w : intervals) {
+    const auto& outline = outlines[static_cast<std::size_t>(w.block)];
+    const Point& p = outline[static_cast<std::size_t>(w.edge)];
+    const Point span = outline[(static_cast<std::size_t>(w.edge) + 1) % outline.size()] - p;
+    const double tolerance = on_edge_m / span.norm();
+    for (double* s : {&w.s_from, &w.s_to}) {
+      if (std::abs(span.y()) > on_edge_m) {
+        const double surface = (level_m - p.y()) / span.y();
+        if (std::abs(*s - surface) < tolerance) *s = std::clamp(surface, 0.0, 1.0);
+      }
+      if (*s < tolerance) *s = 0;
+      if (*s > 1 - tolerance) *s = 1;
+    }
+    if (!joined.empty() && joined.back().block == w.block && joined.back().edge == w.edge &&
+        w.s_from <= joined.back().s_to + tolerance) {
+      joined.back().s_to = std::max(joined.back().s_to, w.s_to);
+    } else {
+      joined.push_back(w);
+    }
+  }
+  intervals.swap(joined);
+}
+
+}  // namespace
+
+WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, double level_m,
+                   double open_crack_width_m) {
+  WetFaces result;
+  const Extent e = extent_of(outlines, pool);
+  if (outlines.empty() || level_m <= e.bottom) return result;
+  const double pad = 1;  // m; any strip of open water beside the model will do
+  cl::Paths taken = impervious(outlines, open_crack_width_m);
+  const double wall = 1e-3;
+  const double wall_left = pool == Pool::upstream ? e.top.x() : e.top.x() - wall;
+  taken.push_back(rectangle(wall_left, e.top.y() - wall, wall_left + wall, std::max(level_m, e.top.y()) + pad));
+  cl::Paths water;
+  cl::Clipper clipper;
+  clipper.AddPath(rectangle(e.left - pad, e.bottom, e.right + pad, level_m), cl::ptSubject, true);
+  clipper.AddPaths(taken, cl::ptClip, true);
+  clipper.Execute(cl::ctDifference, water, cl::pftNonZero, cl::pftNonZero);
+
+  const double far_left = e.left - pad + on_edge_m;
+  const double far_right = e.right + pad - on_edge_m;
+  for (const cl::Path& component : water) {
+    bool left = false;
+    bool right = false;
+    for (const cl::IntPoint& corner : component) {
+      left = left || to_metres(corner).x() < far_left;
+      right = right || to_metres(corner).x() > far_right;
+    }
+    if (!(pool == Pool::upstream ? left : right)) continue;
+    result.breached = result.breached || (left && right);
+    for (std::size_t i = 0; i < component.size(); ++i) {
+      map_to_edges(outlines, to_metres(component[i]), to_metres(component[(i + 1) % component.size()]),
+                   result.intervals);
+    }
+  }
+  tidy(outlines, level_m, result.intervals);
+  return result;
+}
+
+}  // namespace blockweir::hydrostatic
