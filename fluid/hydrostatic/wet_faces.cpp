@@ -84,7 +84,7 @@ void map_to_edges(const std::vector<std::vector<Point>>& outlines, const Point& 
       const Point t = span / length;
       const auto away = [&](const Point& q) { return std::abs(t.x() * (q - p).y() - t.y() * (q - p).x()); };
       if (away(a) > on_edge_m || away(b) > on_edge_m) continue;
-      const auto [s0, s1] = std::minmax(t.dot(a - p) / length, t.dot(b - p) / length);
+      const auto [s0, s1] = std::minmax({t.dot(a - p) / length, t.dot(b - p) / length});
       const double from = std::max(0.0, s0);
       const double to = std::min(1.0, s1);
       if ((to - from) * length <= on_edge_m) continue;

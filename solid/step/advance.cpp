@@ -75,12 +75,18 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
 }
 
 void Solid::accept(double dt) {
-  lagrangian_.accept(trial(), contacts_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (frozen_[b]) continue;
     newmark_.finish(states_[b], increment_[b], dt);
-    states_[b].displacement += increment_[b];
     states_[b].force = balance_[b];
+  }
+  if (newmark_.flips_held_velocities()) {
+    for (IslandSystem& island : islands_) quiet_held_directions(island, dt);
+  }
+  lagrangian_.accept(trial(), contacts_);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (frozen_[b]) continue;
+    states_[b].displacement += increment_[b];
     start_[b] = Placement(blocks_[b].centroid, states_[b].displacement);
   }
   ++counts_.steps;

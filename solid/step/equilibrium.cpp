@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibrium of one island at the end of a step: Newton's method on (5)-(6) with the open-close states inside,
 // multipliers swept (8) each time it has converged.
+#include <algorithm>
 #include <cmath>
 
 #include "solid/step/solid.hpp"
@@ -76,6 +77,47 @@ bool Solid::find_equilibrium(IslandSystem& s) {
     }
   }
   return false;
+}
+
+/// Velocities along held directions (closed contacts, sticking ones along the edge too, supports) become the mean of
+/// the step: the velocities get the smallest change, in the metric of the step's matrix, that does so.
+void Solid::quiet_held_directions(IslandSystem& s, double dt) {
+  constexpr double unheard_m_per_s = 1e-9;
+  double loudest = 0;
+  const auto mismatch = [&](int block, const Matrix26& shape) -> Eigen::Vector2d {
+    if (block < 0 || frozen_[at(block)]) return Eigen::Vector2d::Zero();
+    return shape * (increment_[at(block)] / dt - states_[at(block)].velocity);
+  };
+  std::vector<Interaction> actions;
+  for (const int k : s.island.contacts) actions.push_back(lagrangian_.contact(trial(), k, contacts_[at(k)]));
+  for (const int k : s.island.supports) actions.push_back(lagrangian_.support(trial(), k, supports_[at(k)]));
+  std::vector<Eigen::Vector2d> pull(actions.size(), Eigen::Vector2d::Zero());
+  for (std::size_t k = 0; k < actions.size(); ++k) {
+    const Interaction& a = actions[k];
+    if (!a.acts()) continue;
+    const Eigen::Vector2d m = mismatch(a.block_i, a.shape_i) - mismatch(a.block_j, a.shape_j);
+    for (int axis = 0; axis < 2; ++axis) {
+      pull[k][axis] = a.stiffness(axis, axis) * m[axis];
+      if (a.stiffness(axis, axis) > 0) loudest = std::max(loudest, std::abs(m[axis]));
+    }
+  }
+  if (loudest <= unheard_m_per_s) return;
+
+  bool symmetric = true;
+  assemble(s, symmetric);
+  s.residual.setZero();
+  for (std::size_t k = 0; k < actions.size(); ++k) {
+    const Interaction& a = actions[k];
+    if (!a.acts()) continue;
+    if (!frozen_[at(a.block_i)]) s.residual.segment<6>(6 * local_[at(a.block_i)]) += a.shape_i.transpose() * pull[k];
+    if (a.block_j >= 0 && !frozen_[at(a.block_j)]) {
+      s.residual.segment<6>(6 * local_[at(a.block_j)]) -= a.shape_j.transpose() * pull[k];
+    }
+  }
+  if (!s.system->solve(symmetric, s.residual, s.correction)) return;
+  for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
+    states_[at(s.island.blocks[k])].velocity += s.correction.segment<6>(static_cast<Eigen::Index>(6 * k));
+  }
 }
 
 /// Matrix and residual at the trial; returns the largest unbalanced force, less what round-off explains.

@@ -32,6 +32,10 @@ struct Newmark {
     return (alpha_f * s.force + mass * (a - alpha_m * s.acceleration)) / (1 - alpha_f);
   }
 
+  /// Shi's scheme turns v into -v, undamped, where a contact or support allows no increment (its second root goes to
+  /// -1 as the stiffness grows); it remembers no acceleration, so that such velocities can be put right afterwards.
+  [[nodiscard]] bool flips_held_velocities() const { return beta == 0.5 && gamma == 1; }
+
   /// Velocity and acceleration at the end of a step with increment d.
   void finish(BlockState& s, const Vector6& d, double dt) const {
     const Vector6 a1 = (d / dt - s.velocity) / (beta * dt) - (0.5 / beta - 1) * s.acceleration;

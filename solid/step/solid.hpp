@@ -56,6 +56,7 @@ class Solid {
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
   double assemble(IslandSystem& island, bool& symmetric);
+  void quiet_held_directions(IslandSystem& island, double dt);
   void accept(double dt);
   [[nodiscard]] double largest_increment() const;
   [[nodiscard]] Trial trial() const { return {blocks_, start_, increment_, placement_}; }

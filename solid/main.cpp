@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// blockweir-solid: the DDA solid as a process of its own.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+
+#include "bridge/scene/read.hpp"
+#include "bridge/schedule/hello.hpp"
+#include "solid/output/recorder.hpp"
+
+namespace {
+
+using namespace blockweir;
+using Clock = std::chrono::steady_clock;
+
+struct Arguments {
+  std::string scene;
+  std::string folder;
+  std::string endpoint;
+  std::vector<std::string> overrides;
+  int progress_fd = -1;
+};
+
+/// At most twenty reports a second: lines "time_s level_m largest_displacement_m" on a pipe, or text for people.
+auto progress_to(int fd, double duration_s) {
+  return [fd, duration_s, last = Clock::time_point(), silent = false](double time_s, double level_m,
+                                                                      double displacement_m) mutable {
+    if (silent) return;
+    const auto now = Clock::now();
+    if (now - last < std::chrono::milliseconds(fd >= 0 ? 50 : 2000) && time_s < duration_s) return;
+    last = now;
+    if (fd < 0) {
+      fmt::print(stderr, "{:.4g} of {:.4g} s, level {:.4g} m, largest displacement {:.3g} m\n", time_s, duration_s,
+                 level_m, displacement_m);
+      return;
+    }
+    const std::string line = fmt::format("{:.9g} {:.9g} {:.9g}\n", time_s, level_m, displacement_m);
+    silent = silent || ::write(fd, line.data(), line.size()) < 0;  // nobody listens any more: go on without
+  };
+}
+
+void run(const Arguments& arguments) {
+  const auto start = Clock::now();
+  const scene::Scene scene = scene::read(arguments.scene, arguments.overrides).scene;
+  if (scene.fluid != scene::FluidModel::none && arguments.endpoint.empty()) {
+    throw std::runtime_error("the scene has water: say with --endpoint where to listen for the fluid process");
+  }
+  channel::catch_stop_signals();
+  std::filesystem::create_directories(arguments.folder);
+  const schedule::Windows windows(scene);
+  solid::output::Recorder recorder(scene, arguments.folder,
+                                   progress_to(arguments.progress_fd, scene.analysis.duration_s));
+  schedule::ExchangeTime exchange;
+  double connected_s = 0;
+  const auto finish = [&](const std::string& stopped) {
+    const std::chrono::duration<double> total = Clock::now() - start;
+    recorder.finish({{"wall_time_s", total.count()},
+                     {"profile_s",
+                      {{"start_up", connected_s}, {"wait_for_fluid", exchange.wait_s}, {"exchange", exchange.pack_s}}}},
+                    stopped);
+  };
+  try {
+    if (scene.fluid == scene::FluidModel::none) {
+      schedule::run_dry(windows, recorder);
+    } else {
+      channel::Channel channel({.side = channel::Side::listens,
+                                .endpoint = arguments.endpoint,
+                                .partner = "fluid process (hydrostatic)",
+                                .timeout_s = scene.coupling.timeout_s,
+                                .open_timeout_s = scene.coupling.timeout_s});
+      channel.handshake(schedule::hello(scene, "solid"));
+      connected_s = std::chrono::duration<double>(Clock::now() - start).count();
+      const double waited_before = channel.waited_s();
+      exchange = schedule::run_solid(channel, windows, recorder);
+      exchange.wait_s -= waited_before;
+    }
+  } catch (const std::exception& error) {
+    finish(error.what());
+    throw;
+  }
+  finish("");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app{"blockweir-solid: blocks of a scene, moved by discontinuous deformation analysis"};
+  app.add_option("scene", arguments.scene, "scene file or case folder")->required();
+  app.add_option("--out", arguments.folder, "folder for the results")->required();
+  app.add_option("--endpoint", arguments.endpoint,
+                 "where to listen for the fluid process: ipc://PATH or tcp://HOST:PORT");
+  app.add_option("--set", arguments.overrides, "key=value over the scene's own; the same for both processes");
+  app.add_option("--progress-fd", arguments.progress_fd, "file descriptor for progress lines");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    run(arguments);
+    return 0;
+  } catch (const scene::SceneError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  } catch (const channel::Interrupted&) {
+    fmt::print(stderr, "blockweir-solid: stopped on request\n");
+    return 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "blockweir-solid: {}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/capture.hpp"
+
+#include <fmt/format.h>
+
+namespace blockweir::solid::output {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+void capture_block(const Block& block, const BlockState& state, const Placement& placement, BlockRow& row) {
+  row.fixed = block.fixed;
+  row.vertices_m.clear();
+  row.displacement_m.clear();
+  row.velocity_m_per_s.clear();
+  for (const Point& X : block.vertices) {
+    row.vertices_m.push_back(placement.position(X));
+    row.displacement_m.push_back(row.vertices_m.back() - block.centroid - X);
+    row.velocity_m_per_s.emplace_back(placement.shape(X) * state.velocity);
+  }
+  row.centroid_m = placement.centre();
+  row.centroid_displacement_m = state.displacement.head<2>();
+  row.centroid_velocity_m_per_s = state.velocity.head<2>();
+  row.rotation_rad = state.displacement[2];
+  row.rotation_rate_rad_per_s = state.velocity[2];
+  const Eigen::Vector3d s = stress_in_block(block, state.displacement);
+  Eigen::Matrix2d local;
+  local << s[0], s[2], s[2], s[1];
+  Eigen::Matrix2d turn;
+  turn << placement.turn({1, 0}), placement.turn({0, 1});
+  const Eigen::Matrix2d stress = turn * local * turn.transpose();
+  row.stress_xx_pa = stress(0, 0);
+  row.stress_yy_pa = stress(1, 1);
+  row.stress_xy_pa = stress(0, 1);
+  row.water_force_n_per_m.setZero();
+  row.water_moment_n = 0;
+}
+
+void capture_contact(const Solid& solid, const ContactPoint& c, ContactRow& row) {
+  const auto& edge_vertices = solid.blocks()[at(c.edge_block)].vertices;
+  const Placement& edge_placement = solid.placements()[at(c.edge_block)];
+  const Point a = edge_placement.position(edge_vertices[at(c.edge)]);
+  const Point b = edge_placement.position(edge_vertices[(at(c.edge) + 1) % edge_vertices.size()]);
+  const Point t = (b - a).normalized();
+  row.point_m =
+      solid.placements()[at(c.vertex_block)].position(solid.blocks()[at(c.vertex_block)].vertices[at(c.vertex)]);
+  row.normal = Point(t.y(), -t.x());
+  row.vertex_block = c.vertex_block;
+  row.edge_block = c.edge_block;
+  row.joint = solid.laws()[c.law].joint;
+  row.state = static_cast<int>(c.state);
+  row.bonded = c.bonded;
+  row.gap_m = row.normal.dot(row.point_m - a);
+  row.slip_m = c.slip_m;
+  row.normal_force_n_per_m = c.state == ContactState::open ? 0 : c.multiplier.x();
+  row.shear_force_n_per_m = c.state == ContactState::open ? 0 : c.multiplier.y();
+  row.length_m = c.length;
+}
+
+}  // namespace
+
+std::vector<Panel> panels_of(const wire::Load& load, const std::vector<Block>& blocks) {
+  std::vector<Panel> panels;
+  panels.reserve(load.block.size());
+  for (std::size_t i = 0; i < load.block.size(); ++i) {
+    if (load.block[i] >= blocks.size() || load.edge[i] >= blocks[load.block[i]].vertices.size()) {
+      throw std::runtime_error(fmt::format("the fluid process loads block {}, edge {}, which the scene does not have",
+                                           load.block[i], load.edge[i]));
+    }
+    panels.push_back({.block = static_cast<int>(load.block[i]),
+                      .edge = static_cast<int>(load.edge[i]),
+                      .s_from = load.s_from[i],
+                      .s_to = load.s_to[i],
+                      .pressure_from_pa = load.pressure_from_pa[i],
+                      .pressure_to_pa = load.pressure_to_pa[i]});
+  }
+  return panels;
+}
+
+void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& frame) {
+  const auto& blocks = solid.blocks();
+  frame.time_s = time_s;
+  frame.upstream_level_m = load.upstream_level_m;
+  frame.downstream_level_m = load.downstream_level_m;
+  frame.largest_displacement_m = solid.largest_displacement_m();
+  frame.blocks.resize(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    capture_block(blocks[b], solid.states()[b], solid.placements()[b], frame.blocks[b]);
+  }
+  frame.contacts.resize(solid.contacts().size());
+  for (std::size_t k = 0; k < frame.contacts.size(); ++k)
+    capture_contact(solid, solid.contacts()[k], frame.contacts[k]);
+  frame.panels.clear();
+  for (const Panel& panel : panels_of(load, blocks)) {
+    const Placement& placement = solid.placements()[at(panel.block)];
+    const PanelForce acting = panel_force(blocks[at(panel.block)], placement, panel, solid.scene().water.nodal_rule);
+    PanelRow row{.block = panel.block,
+                 .from_m = placement.position(acting.node[0]),
+                 .to_m = placement.position(acting.node[1]),
+                 .pressure_from_pa = panel.pressure_from_pa,
+                 .pressure_to_pa = panel.pressure_to_pa};
+    BlockRow& block = frame.blocks[at(panel.block)];
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Point& node = i == 0 ? row.from_m : row.to_m;
+      block.water_force_n_per_m += acting.force[i];
+      block.water_moment_n += node.x() * acting.force[i].y() - node.y() * acting.force[i].x();
+    }
+    frame.panels.push_back(row);
+  }
+}
+
+}  // namespace blockweir::solid::output

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A frame from the solid's state.
+#pragma once
+
+#include "bridge/wire/message.hpp"
+#include "solid/output/frame.hpp"
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid::output {
+
+/// Panels of a load message as the solid's own.
+std::vector<Panel> panels_of(const wire::Load& load, const std::vector<Block>& blocks);
+
+/// The moment `time_s`; storage of `frame` is reused.
+void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& frame);
+
+}  // namespace blockweir::solid::output

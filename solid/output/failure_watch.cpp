@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/failure_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "bridge/scene/joint_trace.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+FailureWatch::FailureWatch(const Solid& solid) : solid_(solid), rest_(solid.blocks().size()) {}
+
+double FailureWatch::speed(std::size_t b) const {
+  double fastest = 0;
+  for (const Point& X : solid_.blocks()[b].vertices) {
+    fastest = std::max(fastest, (solid_.placements()[b].shape(X) * solid_.states()[b].velocity).norm());
+  }
+  return fastest;
+}
+
+/// Farthest that a vertex has come since the block's last rest [m].
+double FailureWatch::travel(std::size_t b) const {
+  const Placement then(solid_.blocks()[b].centroid, rest_[b].displacement);
+  double farthest = 0;
+  for (const Point& X : solid_.blocks()[b].vertices) {
+    farthest = std::max(farthest, (solid_.placements()[b].position(X) - then.position(X)).norm());
+  }
+  return farthest;
+}
+
+void FailureWatch::look(double time_s, double upstream_level_m) {
+  const scene::Analysis& analysis = solid_.scene().analysis;
+  for (std::size_t b = 0; b < rest_.size(); ++b) {
+    if (solid_.blocks()[b].fixed || rest_[b].failed) continue;
+    if (speed(b) <= analysis.rest_speed_m_per_s || time_s == 0) {
+      rest_[b] = {.time_s = time_s, .level_m = upstream_level_m, .displacement = solid_.states()[b].displacement};
+    } else if (travel(b) > analysis.failure_displacement_m) {
+      rest_[b].failed = true;
+      failures_.push_back(describe(b));
+    }
+  }
+  std::stable_sort(failures_.begin(), failures_.end(),
+                   [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
+  if (failures_.empty()) update_margin(time_s, upstream_level_m);
+}
+
+/// Of the neighbours in touch, the one that carries most and does not come along; -1 when there is none.
+int FailureWatch::neighbour_left_behind(std::size_t b) const {
+  std::map<int, double> carried;
+  for (const ContactPoint& c : solid_.contacts()) {
+    if (c.state == ContactState::open) continue;
+    const bool is_vertex = at(c.vertex_block) == b;
+    if (!is_vertex && at(c.edge_block) != b) continue;
+    const int other = is_vertex ? c.edge_block : c.vertex_block;
+    if (solid_.blocks()[at(other)].fixed || speed(at(other)) < speed(b) / 2) carried[other] += c.multiplier.x();
+  }
+  const auto most = std::max_element(carried.begin(), carried.end(),
+                                     [](const auto& x, const auto& y) { return x.second < y.second; });
+  return most == carried.end() ? -1 : most->first;
+}
+
+Failure FailureWatch::describe(std::size_t b) const {
+  Failure failure{.block = static_cast<int>(b), .time_s = rest_[b].time_s, .level_m = rest_[b].level_m, .head_m = nan};
+  const double turned =
+      std::abs(solid_.states()[b].displacement[2] - rest_[b].displacement[2]) * solid_.blocks()[b].radius;
+  const double share =
+      turned / travel(b);  // 0: pure translation; a block that turns about its toe has about 1/2 or more
+  const int other = neighbour_left_behind(b);
+  if (other < 0) {
+    failure.mode = "falling";
+    return failure;
+  }
+  failure.mode = share < 0.1 ? "sliding" : share > 0.4 ? "overturning" : "sliding and overturning";
+  failure.joint = joint_name(static_cast<int>(b), other);
+  const auto& blocks = solid_.scene().blocks;
+  const auto trace = scene::trace_joint(blocks[b], blocks[at(other)], 1e-6 * solid_.size_m());
+  if (!trace.pieces.empty()) failure.head_m = failure.level_m - trace.mouth().y();
+  return failure;
+}
+
+std::string FailureWatch::joint_name(int a, int b) const {
+  const scene::Scene& scene = solid_.scene();
+  const int joint = solid_.laws()[solid_.laws().between(a, b)].joint;
+  return joint >= 0 ? scene.joints[at(joint)].name : scene.blocks[at(a)].name + " on " + scene.blocks[at(b)].name;
+}
+
+void FailureWatch::update_margin(double time_s, double level_m) {
+  struct Sum {
+    double strength = 0;
+    double shear = 0;
+  };
+  std::map<std::pair<int, int>, Sum> joints;
+  for (const ContactPoint& c : solid_.contacts()) {
+    if (c.state == ContactState::open) continue;
+    const JointProperties& law = solid_.laws()[c.law];
+    Sum& sum = joints[std::minmax(c.vertex_block, c.edge_block)];
+    sum.strength += c.bonded ? law.cohesion_pa * c.bond_length + c.multiplier.x() * law.friction
+                             : c.multiplier.x() * law.residual_friction;
+    // Shear is counted along the edge of one block: seen from the other it keeps its sign.
+    sum.shear += c.multiplier.y();
+  }
+  for (const auto& [pair, sum] : joints) {
+    if (std::abs(sum.shear) < 1e-6 * std::abs(sum.strength)) continue;
+    const double factor = sum.strength / std::abs(sum.shear);
+    if (margin_ && margin_->factor <= factor) continue;
+    margin_ =
+        Margin{.factor = factor, .time_s = time_s, .level_m = level_m, .joint = joint_name(pair.first, pair.second)};
+  }
+}
+
+}  // namespace blockweir::solid::output

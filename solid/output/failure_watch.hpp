@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// When has a structure failed, at which level, and how? Found from the motion, not from a threshold on the load.
+//
+// A block is at rest while no vertex is faster than rest_speed_m_per_s. A motion that carries a vertex farther than
+// failure_displacement_m without coming to rest in between is a failure: elastic settling and a slip that finds a
+// new equilibrium both come to rest before. The failure began, and the level is read, when the block was last at
+// rest.
+#pragma once
+
+#include <optional>
+
+#include "solid/output/frame.hpp"
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid::output {
+
+struct Failure {
+  int block = 0;
+  double time_s = 0;   ///< last rest
+  double level_m = 0;  ///< upstream level that acted then; NaN without a pool
+  double head_m = 0;   ///< of it above the upstream end of the joint that failed; NaN without a pool
+  std::string mode;    ///< "sliding", "overturning", "sliding and overturning" or "falling"
+  std::string joint;   ///< what the block moves against; empty when it falls free
+};
+
+class FailureWatch {
+ public:
+  explicit FailureWatch(const Solid& solid);
+
+  /// Looks at the state at `time_s`, reached under `upstream_level_m`.
+  void look(double time_s, double upstream_level_m);
+
+  /// Failures so far, the earliest first.
+  [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
+
+  /// Lowest ratio of shear strength to shear force over all joints while nothing has failed, and where.
+  struct Margin {
+    double factor = 0;
+    double time_s = 0;
+    double level_m = 0;
+    std::string joint;
+  };
+  [[nodiscard]] const std::optional<Margin>& margin() const { return margin_; }
+
+ private:
+  struct Rest {
+    double time_s = 0;
+    double level_m = 0;
+    Vector6 displacement = Vector6::Zero();
+    bool failed = false;
+  };
+  [[nodiscard]] double speed(std::size_t block) const;
+  [[nodiscard]] double travel(std::size_t block) const;
+  [[nodiscard]] Failure describe(std::size_t block) const;
+  [[nodiscard]] int neighbour_left_behind(std::size_t block) const;
+  [[nodiscard]] std::string joint_name(int a, int b) const;
+  void update_margin(double time_s, double level_m);
+
+  const Solid& solid_;
+  std::vector<Rest> rest_;
+  std::vector<Failure> failures_;
+  std::optional<Margin> margin_;
+};
+
+}  // namespace blockweir::solid::output

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/formulas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+
+#include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/polygon.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+using scene::Point;
+using scene::Scene;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+const scene::Block& block_named(const Scene& s, const std::string& name) {
+  for (const auto& block : s.blocks) {
+    if (block.name == name) return block;
+  }
+  throw std::runtime_error(fmt::format("[[expect]] of = \"{}\" names no block", name));
+}
+
+const scene::Joint& joint_named(const Scene& s, const std::string& name) {
+  for (const auto& joint : s.joints) {
+    if (joint.name == name) return joint;
+  }
+  throw std::runtime_error(fmt::format("[[expect]] of = \"{}\" names no joint", name));
+}
+
+double weight(const Scene& s, const scene::Block& b) {
+  return scene::signed_area(b.vertices) * s.materials[at(b.material)].density_kg_per_m3 * s.analysis.gravity_m_per_s2;
+}
+
+double unit_weight_of_water(const Scene& s) {
+  return s.water.density_kg_per_m3 * s.analysis.gravity_m_per_s2;
+}
+
+/// A block on a plane joint: what limit equilibrium needs.
+struct PlaneJoint {
+  double dip = 0;       ///< rad, positive downwards to the downstream side
+  double length = 0;    ///< m along the trace
+  double weight = 0;    ///< of the block above
+  double friction = 0;  ///< tan(phi)
+  double cohesion = 0;  ///< c times bonded length [N per metre]
+  double uplift = 0;    ///< k: 0 dry, 1/2 triangular, 1 full
+  const scene::Block* upper = nullptr;
+  Point mouth;
+};
+
+/// The dip is that of the gentlest piece: a rigid block slides along its shallowest tread and the risers open.
+PlaneJoint plane_joint(const Scene& s, const std::string& name) {
+  const scene::Joint& joint = joint_named(s, name);
+  const scene::Block& a = s.blocks[at(joint.between[0])];
+  const scene::Block& b = s.blocks[at(joint.between[1])];
+  const auto trace = scene::trace_joint(a, b, 1e-6);
+  if (trace.pieces.empty()) throw std::runtime_error(fmt::format("the blocks of joint \"{}\" do not touch", name));
+  PlaneJoint plane;
+  plane.upper = scene::centroid(a.vertices).y() > scene::centroid(b.vertices).y() ? &a : &b;
+  plane.mouth = trace.mouth();
+  plane.length = trace.length_m;
+  plane.weight = weight(s, *plane.upper);
+  plane.friction = std::tan(joint.law.friction_angle_deg * std::numbers::pi / 180);
+  plane.cohesion = joint.law.cohesion_pa * joint.law.bonded_length_m.value_or(trace.length_m);
+  plane.uplift = joint.law.uplift == scene::Uplift::none ? 0 : joint.law.uplift == scene::Uplift::full ? 1 : 0.5;
+  plane.dip = std::numbers::pi / 2;
+  for (const auto& piece : trace.pieces) {
+    const Point d = piece.to_m - piece.from_m;
+    plane.dip = std::min(plane.dip, std::atan2(-d.y(), d.x()));
+  }
+  return plane;
+}
+
+/// T - N tan(phi) - c L at head z: H = rho g z^2/2, U = k rho g z L, N = W cos a - H sin a - U, T = H cos a + W sin a.
+double excess_shear(const Scene& s, const PlaneJoint& p, double head) {
+  const double push = unit_weight_of_water(s) * head * head / 2;
+  const double lift = p.uplift * unit_weight_of_water(s) * head * p.length;
+  const double normal = p.weight * std::cos(p.dip) - push * std::sin(p.dip) - lift;
+  return push * std::cos(p.dip) + p.weight * std::sin(p.dip) - normal * p.friction - p.cohesion;
+}
+
+double rising_root(const std::function<double(double)>& f) {
+  double low = 0;
+  double high = 1;
+  while (f(high) < 0 && high < 1e6) high *= 2;
+  for (int i = 0; i < 200; ++i) (f((low + high) / 2) < 0 ? low : high) = (low + high) / 2;
+  return (low + high) / 2;
+}
+
+double plane_crack_sliding(const Scene& s, const std::string& of) {
+  const PlaneJoint p = plane_joint(s, of);
+  return rising_root([&](double z) { return excess_shear(s, p, z); });
+}
+
+double plane_crack_acceleration(const Scene& s, const std::string& of) {
+  const PlaneJoint p = plane_joint(s, of);
+  const double head = s.water.upstream_level_m->at(0) - p.mouth.y();
+  return excess_shear(s, p, head) / (p.weight / s.analysis.gravity_m_per_s2);
+}
+
+/// Vertical force and moment about the toe (overturning positive) of pressures given on the block's faces.
+Eigen::Vector2d given_uplift(const Scene& s, const scene::Block& block, double toe_x) {
+  Eigen::Vector2d sum(0, 0);
+  for (const auto& load : s.face_pressures) {
+    if (&s.blocks[at(load.block)] != &block) continue;
+    const double width = std::abs(load.to_m.x() - load.from_m.x());
+    const double pf = load.pressure_from_pa.at(0);
+    const double pt = load.pressure_to_pa.at(0);
+    sum[0] += (pf + pt) / 2 * width;
+    sum[1] += width / 6 * ((2 * pf + pt) * (toe_x - load.from_m.x()) + (pf + 2 * pt) * (toe_x - load.to_m.x()));
+  }
+  return sum;
+}
+
+double monolith_sliding(const Scene& s, const std::string& of) {
+  const PlaneJoint p = plane_joint(s, of);
+  const double lift = given_uplift(s, *p.upper, 0)[0];
+  return rising_root([&](double head) { return excess_shear(s, p, head) + lift * p.friction; });
+}
+
+double monolith_overturning(const Scene& s, const std::string& of) {
+  const PlaneJoint p = plane_joint(s, of);
+  double toe = -1e300;
+  for (const Point& v : p.upper->vertices) toe = std::max(toe, v.x());
+  const double moment_of_lift = given_uplift(s, *p.upper, toe)[1];
+  const double arm = toe - scene::centroid(p.upper->vertices).x();
+  return std::cbrt(6 * (p.weight * arm - moment_of_lift) / unit_weight_of_water(s));
+}
+
+/// s = g (sin a - cos a tan phi) t^2/2 for the joint's dip.
+double incline_displacement(const Scene& s, const std::string& of) {
+  const PlaneJoint p = plane_joint(s, of);
+  const double t = s.analysis.duration_s;
+  return s.analysis.gravity_m_per_s2 * (std::sin(p.dip) - std::cos(p.dip) * p.friction) * t * t / 2;
+}
+
+double weight_of_all(const Scene& s, const std::string&) {
+  double sum = 0;
+  for (const auto& block : s.blocks) sum += block.fixed ? 0 : weight(s, block);
+  return sum;
+}
+
+struct OwnWeight {
+  double density_weight;
+  double height;
+  double modulus;
+};
+
+OwnWeight own_weight(const Scene& s, const std::string& of) {
+  const scene::Block& b = block_named(s, of);
+  const auto [low, high] = std::minmax_element(b.vertices.begin(), b.vertices.end(),
+                                               [](const Point& p, const Point& q) { return p.y() < q.y(); });
+  const scene::Material& m = s.materials[at(b.material)];
+  return {m.density_kg_per_m3 * s.analysis.gravity_m_per_s2, high->y() - low->y(), m.youngs_modulus_pa};
+}
+
+double own_weight_stress(const Scene& s, const std::string& of) {
+  const OwnWeight w = own_weight(s, of);
+  return -w.density_weight * w.height / 2;
+}
+
+double own_weight_shortening(const Scene& s, const std::string& of) {
+  const OwnWeight w = own_weight(s, of);
+  return w.density_weight * w.height * w.height / (2 * w.modulus);
+}
+
+/// Depth of water at the wall's foot, y = 0.
+double depth(const Scene& s) {
+  return s.water.upstream_level_m->at(s.analysis.duration_s);
+}
+
+double hydrostatic_force(const Scene& s, const std::string&) {
+  return unit_weight_of_water(s) * depth(s) * depth(s) / 2;
+}
+
+/// About the origin at the wall's foot; with the lumped rule in N elements under water it is (1 - 1/N^2) of that.
+double hydrostatic_moment(const Scene& s, const std::string& of) {
+  const double exact = unit_weight_of_water(s) * std::pow(depth(s), 3) / 6;
+  if (s.water.nodal_rule == scene::NodalRule::consistent) return -exact;
+  const double n = s.water.elements_per_face * depth(s) / own_weight(s, of).height;
+  return -exact * (1 - 1 / (n * n));
+}
+
+/// P0 + rho g z at the mouth of a joint.
+double mouth_pressure(const Scene& s, const std::string& of) {
+  const double head = s.water.upstream_level_m->at(s.analysis.duration_s) - plane_joint(s, of).mouth.y();
+  return (s.water.atmosphere == scene::Atmosphere::wet_faces ? s.water.atmospheric_pressure_pa : 0) +
+         unit_weight_of_water(s) * head;
+}
+
+const std::map<std::string, double (*)(const Scene&, const std::string&)>& formulas() {
+  static const std::map<std::string, double (*)(const Scene&, const std::string&)> all = {
+      {"plane-crack-sliding", plane_crack_sliding},
+      {"plane-crack-acceleration", plane_crack_acceleration},
+      {"monolith-sliding", monolith_sliding},
+      {"monolith-overturning", monolith_overturning},
+      {"incline-displacement", incline_displacement},
+      {"weight-of-all", weight_of_all},
+      {"own-weight-stress", own_weight_stress},
+      {"own-weight-shortening", own_weight_shortening},
+      {"hydrostatic-force", hydrostatic_force},
+      {"hydrostatic-moment", hydrostatic_moment},
+      {"mouth-pressure", mouth_pressure}};
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> formula_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, function] : formulas()) names.push_back(name);
+  return names;
+}
+
+double formula(const Scene& scene, const scene::Expectation& expectation) {
+  const auto found = formulas().find(expectation.formula);
+  if (found == formulas().end()) {
+    throw std::runtime_error(fmt::format("[[expect]] names no formula: \"{}\"", expectation.formula));
+  }
+  return found->second(scene, expectation.of);
+}
+
+}  // namespace blockweir::solid::output

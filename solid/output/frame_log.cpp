@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/frame_log.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace blockweir::solid::output {
+
+void FrameLog::write(const Frame& frame) {
+  fmt::memory_buffer text;
+  auto out = std::back_inserter(text);
+  const auto level = [](double value) {
+    return std::isnan(value) ? std::string("null") : fmt::format("{:.9g}", value);
+  };
+  const auto separator = [](bool& first) { return std::exchange(first, false) ? "" : ","; };
+  fmt::format_to(out, R"({{"time_s":{:.9g},"upstream_level_m":{},"downstream_level_m":{},"blocks":[)", frame.time_s,
+                 level(frame.upstream_level_m), level(frame.downstream_level_m));
+  bool first_block = true;
+  for (const BlockRow& block : frame.blocks) {
+    fmt::format_to(out, R"({}{{"fixed":{},"outline":[)", separator(first_block), block.fixed);
+    bool first = true;
+    for (const Point& p : block.vertices_m) fmt::format_to(out, "{}[{:.9g},{:.9g}]", separator(first), p.x(), p.y());
+    fmt::format_to(out, "]}}");
+  }
+  fmt::format_to(out, R"(],"contacts":[)");
+  bool first_contact = true;
+  for (const ContactRow& c : frame.contacts) {
+    fmt::format_to(out, "{}[{:.9g},{:.9g},{}]", separator(first_contact), c.point_m.x(), c.point_m.y(), c.state);
+  }
+  fmt::format_to(out, R"(],"panels":[)");
+  bool first_panel = true;
+  for (const PanelRow& p : frame.panels) {
+    fmt::format_to(out, "{}[{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g}]", separator(first_panel), p.from_m.x(),
+                   p.from_m.y(), p.to_m.x(), p.to_m.y(), p.pressure_from_pa, p.pressure_to_pa);
+  }
+  fmt::format_to(out, "]}}");
+  file_.line(fmt::to_string(text));
+}
+
+}  // namespace blockweir::solid::output

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// frames.jsonl: the same frames as the VTK files, one JSON object a line, for drawing without VTK.
+// Keys: time_s, upstream_level_m, downstream_level_m (null: no pool), blocks [{fixed, outline [[x,y],...]}],
+// contacts [[x, y, state]], panels [[x0, y0, x1, y1, p0, p1]].
+#pragma once
+
+#include "solid/output/frame.hpp"
+#include "solid/output/result_file.hpp"
+
+namespace blockweir::solid::output {
+
+class FrameLog {
+ public:
+  explicit FrameLog(const std::filesystem::path& folder) : file_(folder / "frames.jsonl") {}
+  void write(const Frame& frame);
+
+ private:
+  ResultFile file_;
+};
+
+}  // namespace blockweir::solid::output

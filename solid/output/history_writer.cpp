@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/history_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace blockweir::solid::output {
+namespace {
+
+/// A column's name as CSV wants it.
+std::string quoted(const std::string& name) {
+  if (name.find_first_of(",\"\n") == std::string::npos) return name;
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + "\"";
+}
+
+std::string header(const scene::Scene& scene) {
+  std::string text = "time_s,upstream_level_m,downstream_level_m,largest_displacement_m";
+  for (const auto& block : scene.blocks) {
+    if (block.fixed) continue;
+    for (const char* quantity : {"displacement_x_m", "displacement_y_m", "rotation_rad", "velocity_x_m_per_s",
+                                 "velocity_y_m_per_s", "rotation_rate_rad_per_s", "stress_xx_pa", "stress_yy_pa",
+                                 "stress_xy_pa", "water_force_x_n_per_m", "water_force_y_n_per_m", "water_moment_n"}) {
+      text += "," + quoted(block.name + "." + quantity);
+    }
+  }
+  for (const auto& joint : scene.joints) {
+    for (const char* quantity : {"normal_force_n_per_m", "shear_force_n_per_m", "slip_m", "opening_m"}) {
+      text += "," + quoted(joint.name + "." + quantity);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+HistoryWriter::HistoryWriter(const std::filesystem::path& folder, const scene::Scene& scene)
+    : file_(folder / "history.csv") {
+  file_.line(header(scene));
+  joints_ = static_cast<int>(scene.joints.size());
+}
+
+void HistoryWriter::write(const Frame& frame) {
+  fmt::memory_buffer row;
+  const auto add = [&](double value) { fmt::format_to(std::back_inserter(row), ",{:.12g}", value); };
+  fmt::format_to(std::back_inserter(row), "{:.12g}", frame.time_s);
+  for (const double v : {frame.upstream_level_m, frame.downstream_level_m, frame.largest_displacement_m}) add(v);
+  for (const BlockRow& b : frame.blocks) {
+    if (b.fixed) continue;
+    for (const double v :
+         {b.centroid_displacement_m.x(), b.centroid_displacement_m.y(), b.rotation_rad, b.centroid_velocity_m_per_s.x(),
+          b.centroid_velocity_m_per_s.y(), b.rotation_rate_rad_per_s, b.stress_xx_pa, b.stress_yy_pa, b.stress_xy_pa,
+          b.water_force_n_per_m.x(), b.water_force_n_per_m.y(), b.water_moment_n}) {
+      add(v);
+    }
+  }
+  for (int j = 0; j < joints_; ++j) {
+    double normal = 0;
+    double shear = 0;
+    double slip = 0;
+    double opening = 0;
+    for (const ContactRow& c : frame.contacts) {
+      if (c.joint != j) continue;
+      normal += c.normal_force_n_per_m;
+      shear += c.shear_force_n_per_m;
+      slip = std::abs(c.slip_m) > std::abs(slip) ? c.slip_m : slip;
+      opening = std::max(opening, c.gap_m);
+    }
+    for (const double v : {normal, shear, slip, opening}) add(v);
+  }
+  file_.line(fmt::to_string(row));
+}
+
+}  // namespace blockweir::solid::output

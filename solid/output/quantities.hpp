@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figures of a finished run that [[expect]] can name.
+#pragma once
+
+#include "solid/output/failure_watch.hpp"
+
+namespace blockweir::solid::output {
+
+/// What of a run its figures are taken from.
+struct Outcome {
+  const Solid& solid;
+  const Frame& first;  ///< at time 0
+  const Frame& last;
+  const FailureWatch& failure;
+  double largest_penetration_m = 0;  ///< over the whole run
+};
+
+std::vector<std::string> quantity_names();
+
+/// NaN when the run has no such figure (a failure level of a dam that stands).
+double quantity(const Outcome& outcome, const scene::Expectation& expectation);
+
+}  // namespace blockweir::solid::output

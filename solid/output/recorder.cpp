@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/recorder.hpp"
+
+#include <algorithm>
+
+#include "solid/output/capture.hpp"
+#include "solid/step/stopwatch.hpp"
+
+namespace blockweir::solid::output {
+
+Recorder::Recorder(const scene::Scene& scene, const std::filesystem::path& folder, Progress progress)
+    : solid_(scene),
+      failure_(solid_),
+      folder_(folder),
+      history_(folder, scene),
+      frame_log_(folder),
+      vtk_(folder),
+      progress_(std::move(progress)) {}
+
+void Recorder::place(wire::Motion& motion) {
+  say_where(motion);
+}
+
+void Recorder::say_where(wire::Motion& motion) const {
+  const std::size_t n = solid_.blocks().size();
+  motion.displacement.resize(n);
+  motion.velocity.resize(n);
+  for (std::size_t b = 0; b < n; ++b) {
+    Vector6::Map(motion.displacement[b].data()) = solid_.states()[b].displacement;
+    Vector6::Map(motion.velocity[b].data()) = solid_.states()[b].velocity;
+  }
+}
+
+void Recorder::start(const wire::Load& load) {
+  {
+    const Stopwatch watch(step_s_);
+    if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(panels_of(load, solid_.blocks()));
+  }
+  failure_.look(0, load.upstream_level_m);
+  record(load, 0);
+  first_ = frame_;
+}
+
+void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire::Motion& motion) {
+  {
+    const Stopwatch watch(step_s_);
+    solid_.advance(from_s, to_s, panels_of(load, solid_.blocks()));
+    failure_.look(to_s, load.upstream_level_m);
+  }
+  for (const ContactPoint& c : solid_.contacts()) {
+    if (c.state != ContactState::open) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
+  }
+  record(load, to_s);
+  say_where(motion);
+}
+
+void Recorder::record(const wire::Load& load, double time_s) {
+  const Stopwatch watch(output_s_);
+  const scene::Output& every = solid_.scene().output;
+  const double duration = solid_.scene().analysis.duration_s;
+  const double soon = 1e-9 * duration;  // a time that is due but for round-off is due
+  const bool last = time_s >= duration - soon || finished();
+  const bool history_due = last || time_s >= next_history_s_ - soon;
+  const bool frame_due = last || time_s >= next_frame_s_ - soon;
+  last_load_ = load;
+  if (!history_due && !frame_due) return;
+  capture(solid_, load, time_s, frame_);
+  recorded_s_ = time_s;
+  if (history_due) {
+    history_.write(frame_);
+    while (next_history_s_ <= time_s + soon) next_history_s_ += every.history_every_s;
+  }
+  if (frame_due) {
+    frame_log_.write(frame_);
+    vtk_.write(frame_);
+    while (next_frame_s_ <= time_s + soon) next_frame_s_ += every.frame_every_s;
+  }
+  progress_(time_s, load.upstream_level_m, frame_.largest_displacement_m);
+}
+
+bool Recorder::finished() const {
+  return solid_.scene().analysis.stop_at_failure && !failure_.failures().empty();
+}
+
+void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {
+  const Outcome outcome{solid_, first_.blocks.empty() ? frame_ : first_, frame_, failure_, largest_penetration_m_};
+  nlohmann::json text;
+  if (recorded_s_ >= 0) text = summary(outcome);
+  const Profile& profile = solid_.profile();
+  text["profile_s"] = {{"search", profile.search},
+                       {"assembly_and_contact", profile.assembly},
+                       {"solve", profile.solve},
+                       {"rest_of_step", step_s_ - profile.search - profile.assembly - profile.solve},
+                       {"output", output_s_}};
+  if (!stopped.empty()) {
+    text["outcome"] = "stopped";
+    text["stopped"] = stopped;
+  }
+  text.merge_patch(extra);
+  replace_file(folder_ / "summary.json", text.dump(2) + "\n");
+}
+
+}  // namespace blockweir::solid::output

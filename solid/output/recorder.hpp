@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solid as the schedule sees it, with all that is watched and written on the way.
+#pragma once
+
+#include <functional>
+
+#include "bridge/schedule/serial_staggered.hpp"
+#include "solid/output/failure_watch.hpp"
+#include "solid/output/frame_log.hpp"
+#include "solid/output/history_writer.hpp"
+#include "solid/output/summary.hpp"
+#include "solid/output/vtk_writer.hpp"
+
+namespace blockweir::solid::output {
+
+class Recorder final : public schedule::SolidSide {
+ public:
+  /// `progress` is called now and then with time [s], level [m] and largest displacement [m].
+  using Progress = std::function<void(double, double, double)>;
+  Recorder(const scene::Scene& scene, const std::filesystem::path& folder, Progress progress);
+
+  void place(wire::Motion& motion) override;
+  void start(const wire::Load& load) override;
+  void advance(const wire::Load& load, double from_s, double to_s, wire::Motion& motion) override;
+  [[nodiscard]] bool finished() const override;
+
+  /// Writes summary.json; `extra` is merged into it. When `stopped` is not empty the run ended early, for that reason.
+  void finish(const nlohmann::json& extra, const std::string& stopped);
+
+ private:
+  void record(const wire::Load& load, double time_s);
+  void say_where(wire::Motion& motion) const;
+
+  Solid solid_;
+  FailureWatch failure_;
+  std::filesystem::path folder_;
+  HistoryWriter history_;
+  FrameLog frame_log_;
+  VtkWriter vtk_;
+  Progress progress_;
+  Frame first_;
+  Frame frame_;
+  wire::Load last_load_;
+  double next_history_s_ = 0;
+  double next_frame_s_ = 0;
+  double recorded_s_ = -1;  ///< time of frame_
+  double largest_penetration_m_ = 0;
+  double step_s_ = 0;    ///< wall time in the solid's steps
+  double output_s_ = 0;  ///< wall time in writing
+};
+
+}  // namespace blockweir::solid::output

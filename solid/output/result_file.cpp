@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/result_file.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace blockweir::solid::output {
+namespace {
+
+[[noreturn]] void cannot_write(const std::filesystem::path& path) {
+  throw std::runtime_error(
+      fmt::format("cannot write {}: is the disk full, or the folder not writable?", path.string()));
+}
+
+}  // namespace
+
+ResultFile::ResultFile(std::filesystem::path path) : path_(std::move(path)), stream_(path_, std::ios::trunc) {
+  if (!stream_) cannot_write(path_);
+}
+
+void ResultFile::line(const std::string& text) {
+  if (!(stream_ << text << '\n' << std::flush)) cannot_write(path_);
+}
+
+void replace_file(const std::filesystem::path& path, const std::string& text) {
+  std::filesystem::path fresh = path;
+  fresh += ".new";
+  {
+    std::ofstream stream(fresh, std::ios::trunc);
+    if (!(stream << text << std::flush)) cannot_write(fresh);
+  }
+  std::filesystem::rename(fresh, path);
+}
+
+}  // namespace blockweir::solid::output

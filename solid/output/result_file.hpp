@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A text file that grows by whole lines and says so when it cannot.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace blockweir::solid::output {
+
+class ResultFile {
+ public:
+  /// Throws std::runtime_error when the file cannot be written.
+  explicit ResultFile(std::filesystem::path path);
+
+  /// Adds a line and hands it to the system, so that a killed run leaves whole lines. Throws std::runtime_error when
+  /// the disk takes no more.
+  void line(const std::string& text);
+
+ private:
+  std::filesystem::path path_;
+  std::ofstream stream_;
+};
+
+/// Puts `text` in place of the file in one go: a reader sees the old one or the new one.
+void replace_file(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace blockweir::solid::output

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "solid/output/formulas.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+using nlohmann::json;
+
+std::string failure_text(const Solid& solid, const Failure& f) {
+  std::string text =
+      fmt::format("block \"{}\" fails by {}", solid.blocks()[static_cast<std::size_t>(f.block)].name, f.mode);
+  if (!f.joint.empty()) text += fmt::format(" on joint \"{}\"", f.joint);
+  return text;
+}
+
+json failure(const Outcome& o) {
+  const Failure& first = o.failure.failures().front();
+  json names = json::array();
+  for (const Failure& f : o.failure.failures())
+    names.push_back(o.solid.blocks()[static_cast<std::size_t>(f.block)].name);
+  // NaN (no pool) becomes null.
+  return {{"level_m", first.level_m},
+          {"head_m", first.head_m},
+          {"time_s", first.time_s},
+          {"mode", first.mode},
+          {"joint", first.joint},
+          {"blocks", names},
+          {"text", failure_text(o.solid, first)}};
+}
+
+json margin(const Outcome& o) {
+  const auto& m = o.failure.margin();
+  if (!m) return {{"text", "no joint carries shear"}};
+  std::string text =
+      fmt::format("lowest sliding factor {:.4g} on joint \"{}\" at {:.4g} s", m->factor, m->joint, m->time_s);
+  if (!std::isnan(m->level_m)) text += fmt::format(", level {:.5g} m", m->level_m);
+  return {{"sliding_factor", m->factor},
+          {"joint", m->joint},
+          {"level_m", m->level_m},
+          {"time_s", m->time_s},
+          {"text", text}};
+}
+
+}  // namespace
+
+json checks(const Outcome& outcome) {
+  json list = json::array();
+  for (const scene::Expectation& e : outcome.solid.scene().expectations) {
+    const double got = quantity(outcome, e);
+    const double expected = e.value ? *e.value : formula(outcome.solid.scene(), e);
+    const double error = expected == 0 ? std::abs(got) : std::abs(got / expected - 1);
+    list.push_back({{"name", e.of.empty() ? e.quantity : e.quantity + " of " + e.of},
+                    {"expected", expected},
+                    {"got", got},
+                    {"relative_error", error},
+                    {"tolerance", e.tolerance},
+                    {"passed", error <= e.tolerance},
+                    {"formula", e.formula},
+                    {"source", e.source}});
+  }
+  return list;
+}
+
+json summary(const Outcome& outcome) {
+  const scene::Scene& scene = outcome.solid.scene();
+  const Counts counts = outcome.solid.counts();
+  json text = {{"title", scene.title},
+               {"version", BLOCKWEIR_VERSION},
+               {"scene_digest", scene.digest},
+               {"simulated_s", outcome.last.time_s},
+               {"largest_displacement_m", outcome.last.largest_displacement_m},
+               {"largest_penetration_m", outcome.largest_penetration_m},
+               {"checks", checks(outcome)},
+               {"counts",
+                {{"steps", counts.steps},
+                 {"undone_steps", counts.undone_steps},
+                 {"iterations", counts.iterations},
+                 {"multiplier_sweeps", counts.sweeps},
+                 {"state_changes", counts.state_changes},
+                 {"broad_searches", counts.broad_searches},
+                 {"settling_steps", counts.settling_steps},
+                 {"blocks", outcome.solid.blocks().size()},
+                 {"contacts", outcome.solid.contacts().size()}}}};
+  if (outcome.failure.failures().empty()) {
+    text["outcome"] = "stands";
+    text["margin"] = margin(outcome);
+  } else {
+    text["outcome"] = "fails";
+    text["failure"] = failure(outcome);
+  }
+  return text;
+}
+
+}  // namespace blockweir::solid::output

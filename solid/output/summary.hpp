@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// summary.json: outcome, failure or margin, checks against formulas, counts, profile.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "solid/output/quantities.hpp"
+
+namespace blockweir::solid::output {
+
+/// The figures that the case states, each beside what the run gave.
+nlohmann::json checks(const Outcome& outcome);
+
+/// All of the summary but what the caller times itself (keys wall_time_s, profile_s).
+nlohmann::json summary(const Outcome& outcome);
+
+}  // namespace blockweir::solid::output

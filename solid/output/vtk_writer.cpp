@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/vtk_writer.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solid/output/result_file.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+/// An unstructured grid under construction. Polygons go as VTK_POLYGON cells: ParaView cuts those into triangles by
+/// their ears, so that concave blocks look right, which the fans of plain poly data do not promise.
+class Grid {
+ public:
+  Grid() {
+    points_->SetDataTypeToDouble();
+    grid_->SetPoints(points_);
+  }
+  vtkIdType point(const Point& p) { return points_->InsertNextPoint(p.x(), p.y(), 0); }
+  void cell(int type, const std::vector<vtkIdType>& ids) {
+    grid_->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  vtkDoubleArray* point_data(const char* name, int components) {
+    return array(grid_->GetPointData(), name, components);
+  }
+  vtkDoubleArray* cell_data(const char* name, int components) { return array(grid_->GetCellData(), name, components); }
+  vtkUnstructuredGrid* get() { return grid_; }
+
+ private:
+  static vtkDoubleArray* array(vtkDataSetAttributes* owner, const char* name, int components) {
+    vtkNew<vtkDoubleArray> data;
+    data->SetName(name);
+    data->SetNumberOfComponents(components);
+    owner->AddArray(data);
+    return data;
+  }
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkUnstructuredGrid> grid_;
+};
+
+void add_vector(vtkDoubleArray* data, const Point& p) {
+  data->InsertNextTuple3(p.x(), p.y(), 0);
+}
+
+void fill_blocks(const Frame& frame, Grid& grid) {
+  auto* displacement = grid.point_data("displacement_m", 3);
+  auto* velocity = grid.point_data("velocity_m_per_s", 3);
+  auto* id = grid.cell_data("block", 1);
+  auto* stress = grid.cell_data("stress_pa", 3);
+  auto* principal = grid.cell_data("principal_stress_pa", 2);
+  auto* rotation = grid.cell_data("rotation_rad", 1);
+  stress->SetComponentName(0, "xx");
+  stress->SetComponentName(1, "yy");
+  stress->SetComponentName(2, "xy");
+  for (std::size_t b = 0; b < frame.blocks.size(); ++b) {
+    const BlockRow& block = frame.blocks[b];
+    std::vector<vtkIdType> ids;
+    for (std::size_t v = 0; v < block.vertices_m.size(); ++v) {
+      ids.push_back(grid.point(block.vertices_m[v]));
+      add_vector(displacement, block.displacement_m[v]);
+      add_vector(velocity, block.velocity_m_per_s[v]);
+    }
+    grid.cell(VTK_POLYGON, ids);
+    id->InsertNextValue(static_cast<double>(b));
+    stress->InsertNextTuple3(block.stress_xx_pa, block.stress_yy_pa, block.stress_xy_pa);
+    const double mean = (block.stress_xx_pa + block.stress_yy_pa) / 2;
+    const double radius = std::hypot((block.stress_xx_pa - block.stress_yy_pa) / 2, block.stress_xy_pa);
+    principal->InsertNextTuple2(mean + radius, mean - radius);
+    rotation->InsertNextValue(block.rotation_rad);
+  }
+}
+
+void fill_joints(const Frame& frame, Grid& grid) {
+  auto* joint = grid.cell_data("joint", 1);
+  auto* state = grid.cell_data("state", 1);  // 0 open, 1 stick, 2 slip
+  auto* bonded = grid.cell_data("bonded", 1);
+  auto* gap = grid.cell_data("gap_m", 1);
+  auto* slip = grid.cell_data("slip_m", 1);
+  auto* length = grid.cell_data("length_m", 1);
+  auto* normal = grid.cell_data("normal_force_n_per_m", 1);
+  auto* shear = grid.cell_data("shear_force_n_per_m", 1);
+  auto* force = grid.cell_data("force_n_per_m", 3);
+  for (const ContactRow& c : frame.contacts) {
+    grid.cell(VTK_VERTEX, {grid.point(c.point_m)});
+    joint->InsertNextValue(c.joint);
+    state->InsertNextValue(c.state);
+    bonded->InsertNextValue(c.bonded ? 1 : 0);
+    gap->InsertNextValue(c.gap_m);
+    slip->InsertNextValue(c.slip_m);
+    length->InsertNextValue(c.length_m);
+    normal->InsertNextValue(c.normal_force_n_per_m);
+    shear->InsertNextValue(c.shear_force_n_per_m);
+    const Point tangent(-c.normal.y(), c.normal.x());
+    add_vector(force, c.normal_force_n_per_m * c.normal + c.shear_force_n_per_m * tangent);
+  }
+}
+
+/// Pressures on wet panels, and the surface of each pool from the model's end to the structure.
+void fill_water(const Frame& frame, Grid& grid) {
+  auto* pressure = grid.point_data("pressure_pa", 1);
+  auto* block = grid.cell_data("block", 1);
+  double left = 0;
+  double right = 0;
+  Point crest(0, -1e300);
+  for (const BlockRow& b : frame.blocks) {
+    for (const Point& p : b.vertices_m) {
+      left = std::min(left, p.x());
+      right = std::max(right, p.x());
+      if (!b.fixed && p.y() > crest.y()) crest = p;
+    }
+  }
+  const auto surface = [&](double level, double from, double to) {
+    if (std::isnan(level)) return;
+    grid.cell(VTK_LINE, {grid.point({from, level}), grid.point({to, level})});
+    pressure->InsertNextValue(0);
+    pressure->InsertNextValue(0);
+    block->InsertNextValue(-1);
+  };
+  for (const PanelRow& p : frame.panels) {
+    grid.cell(VTK_LINE, {grid.point(p.from_m), grid.point(p.to_m)});
+    pressure->InsertNextValue(p.pressure_from_pa);
+    pressure->InsertNextValue(p.pressure_to_pa);
+    block->InsertNextValue(p.block);
+  }
+  surface(frame.upstream_level_m, left, crest.x());
+  surface(frame.downstream_level_m, crest.x(), right);
+}
+
+}  // namespace
+
+struct VtkWriter::Files {
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+};
+
+VtkWriter::VtkWriter(std::filesystem::path folder) : folder_(std::move(folder)), files_(std::make_unique<Files>()) {
+  std::filesystem::create_directories(folder_ / "frames");
+  vtkObject::GlobalWarningDisplayOff();  // failures are reported by write()
+  files_->writer->SetCompressorTypeToNone();
+  files_->writer->SetDataModeToAppended();
+  files_->writer->EncodeAppendedDataOff();
+}
+
+VtkWriter::~VtkWriter() = default;
+
+void VtkWriter::write(const Frame& frame) {
+  int part = 0;
+  const auto save = [&](const char* name, void (*fill)(const Frame&, Grid&)) {
+    Grid grid;
+    fill(frame, grid);
+    const std::string file = fmt::format("frames/{}_{:06d}.vtu", name, count_);
+    const std::string path = (folder_ / file).string();
+    files_->writer->SetFileName(path.c_str());
+    files_->writer->SetInputData(grid.get());
+    if (files_->writer->Write() == 0 || files_->writer->GetErrorCode() != 0) {
+      throw std::runtime_error(fmt::format("cannot write {}: is the disk full, or the folder not writable?", path));
+    }
+    entries_ += fmt::format("    <DataSet timestep=\"{:.9g}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", frame.time_s,
+                            part++, name, file);
+  };
+  save("blocks", fill_blocks);
+  save("joints", fill_joints);
+  save("water", fill_water);
+  ++count_;
+  replace_file(folder_ / "blocks.pvd",
+               "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + entries_ +
+                   "  </Collection>\n</VTKFile>\n");
+}
+
+}  // namespace blockweir::solid::output
