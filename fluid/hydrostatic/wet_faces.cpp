@@ -11,7 +11,7 @@ namespace {
 
 namespace cl = ClipperLib;
 constexpr double units_per_m = 1099511627776.0;  // 2^40: Clipper counts in whole numbers, of 1e-12 m here
-constexpr double on_edge_m = 1e-6;               // a clipped outline lies this close to the edge that it came from
+constexpr double tiny_m = 1e-6;                  // shorter than anything that matters, longer than round-off
 
 cl::IntPoint to_units(const Point& p) {
   return {static_cast<cl::cInt>(std::llround(p.x() * units_per_m)),
@@ -38,21 +38,34 @@ struct Extent {
   double left = std::numeric_limits<double>::infinity();
   double right = -std::numeric_limits<double>::infinity();
   double bottom = std::numeric_limits<double>::infinity();
-  Point top{0, -std::numeric_limits<double>::infinity()};  ///< of equal heights the one nearest to the pool
+  double top = -std::numeric_limits<double>::infinity();
 };
 
-Extent extent_of(const std::vector<std::vector<Point>>& outlines, Pool pool) {
+Extent extent_of(const std::vector<std::vector<Point>>& outlines) {
   Extent e;
   for (const auto& outline : outlines) {
     for (const Point& p : outline) {
       e.left = std::min(e.left, p.x());
       e.right = std::max(e.right, p.x());
       e.bottom = std::min(e.bottom, p.y());
-      const bool nearer = pool == Pool::upstream ? p.x() < e.top.x() : p.x() > e.top.x();
-      if (p.y() > e.top.y() || (p.y() == e.top.y() && nearer)) e.top = p;
+      e.top = std::max(e.top, p.y());
     }
   }
   return e;
+}
+
+/// The crest's corner on the pool's side: of all vertices that are as high as the highest but for `tolerance_m` the
+/// one nearest to the pool, so that a crest which tilts a little as the block moves stays the same crest.
+Point crest_corner(const std::vector<std::vector<Point>>& outlines, Pool pool, double top, double tolerance_m) {
+  Point corner(
+      pool == Pool::upstream ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity(), 0);
+  for (const auto& outline : outlines) {
+    for (const Point& p : outline) {
+      const bool nearer = pool == Pool::upstream ? p.x() < corner.x() : p.x() > corner.x();
+      if (p.y() >= top - tolerance_m && nearer) corner = p;
+    }
+  }
+  return corner;
 }
 
 /// Blocks with their narrow gaps filled: outlines of all that water cannot enter.
@@ -72,8 +85,9 @@ cl::Paths impervious(const std::vector<std::vector<Point>>& outlines, double ope
   return closed;
 }
 
-/// Adds the parts of the pool's boundary a-b that lie on edges of blocks.
-void map_to_edges(const std::vector<std::vector<Point>>& outlines, const Point& a, const Point& b,
+/// Adds the parts of the pool's boundary a-b that lie on edges of blocks. Filling the gaps moves the boundary by less
+/// than `near_m` where blocks have slipped a little past each other.
+void map_to_edges(const std::vector<std::vector<Point>>& outlines, const Point& a, const Point& b, double near_m,
                   std::vector<WetInterval>& intervals) {
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     const auto& outline = outlines[k];
@@ -83,18 +97,31 @@ void map_to_edges(const std::vector<std::vector<Point>>& outlines, const Point& 
       const double length = span.norm();
       const Point t = span / length;
       const auto away = [&](const Point& q) { return std::abs(t.x() * (q - p).y() - t.y() * (q - p).x()); };
-      if (away(a) > on_edge_m || away(b) > on_edge_m) continue;
+      const bool parallel = std::abs(t.dot(b - a)) > 0.99 * (b - a).norm();
+      if (!parallel || away(a) > near_m || away(b) > near_m) continue;
       const auto [s0, s1] = std::minmax({t.dot(a - p) / length, t.dot(b - p) / length});
       const double from = std::max(0.0, s0);
       const double to = std::min(1.0, s1);
-      if ((to - from) * length <= on_edge_m) continue;
-      intervals.push_back({static_cast<int>(k), static_cast<int>(e), from, to});
+      if ((to - from) * length > tiny_m) intervals.push_back({static_cast<int>(k), static_cast<int>(e), from, to});
     }
   }
 }
 
-/// Joins what overlaps, and puts ends that are an edge's end, or lie on the water surface, exactly there.
-void tidy(const std::vector<std::vector<Point>>& outlines, double level_m, std::vector<WetInterval>& intervals) {
+/// The exact value that `s` stands for: an end of the edge, the water surface, or itself when neither is near.
+double exact_end(double s, double surface, double tolerance) {
+  double best = s;
+  double distance = tolerance;
+  for (const double candidate : {0.0, 1.0, surface}) {
+    if (std::abs(s - candidate) >= distance) continue;
+    distance = std::abs(s - candidate);
+    best = candidate;
+  }
+  return std::clamp(best, 0.0, 1.0);
+}
+
+/// Puts the ends of intervals where they belong, and joins what overlaps.
+void tidy(const std::vector<std::vector<Point>>& outlines, double level_m, double near_m,
+          std::vector<WetInterval>& intervals) {
   const auto key = [](const WetInterval& w) { return std::make_tuple(w.block, w.edge, w.s_from); };
   std::sort(intervals.begin(), intervals.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
   std::vector<WetInterval> joined;
@@ -102,15 +129,11 @@ void tidy(const std::vector<std::vector<Point>>& outlines, double level_m, std::
     const auto& outline = outlines[static_cast<std::size_t>(w.block)];
     const Point& p = outline[static_cast<std::size_t>(w.edge)];
     const Point span = outline[(static_cast<std::size_t>(w.edge) + 1) % outline.size()] - p;
-    const double tolerance = on_edge_m / span.norm();
-    for (double* s : {&w.s_from, &w.s_to}) {
-      if (std::abs(span.y()) > on_edge_m) {
-        const double surface = (level_m - p.y()) / span.y();
-        if (std::abs(*s - surface) < tolerance) *s = std::clamp(surface, 0.0, 1.0);
-      }
-      if (*s < tolerance) *s = 0;
-      if (*s > 1 - tolerance) *s = 1;
-    }
+    const double tolerance = near_m / span.norm();
+    const double surface = std::abs(span.y()) > tiny_m ? (level_m - p.y()) / span.y() : -1;
+    w.s_from = exact_end(w.s_from, surface, tolerance);
+    w.s_to = exact_end(w.s_to, surface, tolerance);
+    if (w.s_from >= w.s_to) continue;
     if (!joined.empty() && joined.back().block == w.block && joined.back().edge == w.edge &&
         w.s_from <= joined.back().s_to + tolerance) {
       joined.back().s_to = std::max(joined.back().s_to, w.s_to);
@@ -126,21 +149,22 @@ void tidy(const std::vector<std::vector<Point>>& outlines, double level_m, std::
 WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, double level_m,
                    double open_crack_width_m) {
   WetFaces result;
-  const Extent e = extent_of(outlines, pool);
+  const Extent e = extent_of(outlines);
   if (outlines.empty() || level_m <= e.bottom) return result;
   const double pad = 1;  // m; any strip of open water beside the model will do
   cl::Paths taken = impervious(outlines, open_crack_width_m);
   const double wall = 1e-3;
-  const double wall_left = pool == Pool::upstream ? e.top.x() : e.top.x() - wall;
-  taken.push_back(rectangle(wall_left, e.top.y() - wall, wall_left + wall, std::max(level_m, e.top.y()) + pad));
+  const Point crest = crest_corner(outlines, pool, e.top, open_crack_width_m);
+  const double wall_left = pool == Pool::upstream ? crest.x() : crest.x() - wall;
+  taken.push_back(rectangle(wall_left, crest.y() - wall, wall_left + wall, std::max(level_m, e.top) + pad));
   cl::Paths water;
   cl::Clipper clipper;
   clipper.AddPath(rectangle(e.left - pad, e.bottom, e.right + pad, level_m), cl::ptSubject, true);
   clipper.AddPaths(taken, cl::ptClip, true);
   clipper.Execute(cl::ctDifference, water, cl::pftNonZero, cl::pftNonZero);
 
-  const double far_left = e.left - pad + on_edge_m;
-  const double far_right = e.right + pad - on_edge_m;
+  const double far_left = e.left - pad + tiny_m;
+  const double far_right = e.right + pad - tiny_m;
   for (const cl::Path& component : water) {
     bool left = false;
     bool right = false;
@@ -152,10 +176,10 @@ WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, d
     result.breached = result.breached || (left && right);
     for (std::size_t i = 0; i < component.size(); ++i) {
       map_to_edges(outlines, to_metres(component[i]), to_metres(component[(i + 1) % component.size()]),
-                   result.intervals);
+                   open_crack_width_m / 5, result.intervals);
     }
   }
-  tidy(outlines, level_m, result.intervals);
+  tidy(outlines, level_m, open_crack_width_m, result.intervals);
   return result;
 }
 
