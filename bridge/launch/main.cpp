@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// blockweir: the command line.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "bridge/launch/plot.hpp"
+#include "bridge/launch/run.hpp"
+#include "bridge/launch/validate.hpp"
+#include "bridge/scene/nearest.hpp"
+#include "bridge/scene/read.hpp"
+
+namespace {
+
+using namespace blockweir;
+
+int check_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  const scene::ReadScene read = scene::read(path, overrides);
+  for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
+  fmt::print("{}: sound; {} blocks, {} joints, {} s in steps of {} s\n", read.scene.file.string(),
+             read.scene.blocks.size(), read.scene.joints.size(), read.scene.analysis.duration_s,
+             read.scene.analysis.step_s);
+  return 0;
+}
+
+/// CLI11 would call an unknown command an extra argument; people want the word that they meant.
+void refuse_unknown_command(int argc, char** argv, const CLI::App& app) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  const std::string near = scene::nearest(argv[1], names);
+  throw std::invalid_argument(fmt::format("there is no command \"{}\"{}; blockweir --help lists them", argv[1],
+                                          near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near)));
+}
+
+int run_command(int argc, char** argv) {
+  CLI::App app{"blockweir: structures of blocks that stand in water"};
+  app.set_version_flag("--version", BLOCKWEIR_VERSION);
+  app.require_subcommand(1);
+  launch::RunOptions run;
+  launch::ValidateOptions validate;
+  launch::PlotOptions plot;
+  std::string checked;
+
+  auto* run_cmd = app.add_subcommand("run", "run a scene and say how it ends");
+  run_cmd->add_option("scene", run.scene, "scene file or case folder")->required();
+  run_cmd->add_option("--out", run.out, "folder for the results (default: runs/CASE)");
+  run_cmd->add_option("--set", run.overrides, "key=value over the scene's own, e.g. analysis.step_s=0.001");
+  run_cmd->add_flag("--quiet", run.quiet, "no progress");
+  auto* check_cmd = app.add_subcommand("check", "say all that is wrong with a scene, without running it");
+  check_cmd->add_option("scene", checked, "scene file or case folder")->required();
+  check_cmd->add_option("--set", run.overrides, "key=value over the scene's own");
+  auto* plot_cmd = app.add_subcommand("plot", "draw the figures of a run");
+  plot_cmd->add_option("run", plot.run, "folder of a run")->required();
+  plot_cmd->add_flag("--svg", plot.svg, "SVG instead of PNG");
+  auto* validate_cmd = app.add_subcommand("validate", "run every case that has an answer and compare");
+  validate_cmd->add_option("cases", validate.cases, "case folders (default: all)");
+  validate_cmd->add_option("--json", validate.json, "file for the table as JSON");
+  validate_cmd->add_option("--set", validate.overrides, "key=value over the scenes' own");
+  validate_cmd->add_flag("--sweep", validate.sweep, "for penalties 5e6, 1e9, 1e12 and steps 1e-2, 1e-3 s");
+  app.add_subcommand("test", "set up, build and run every test (in a source tree: ./blockweir test)");
+
+  refuse_unknown_command(argc, argv, app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (run_cmd->parsed()) {
+    const launch::RunResult result = launch::run(run);
+    if (!result.trouble.empty()) fmt::print(stderr, "blockweir: {}\n", result.trouble);
+    fmt::print("{}", launch::report(result));
+    return result.exit_code;
+  }
+  if (check_cmd->parsed()) return check_scene(checked, run.overrides);
+  if (plot_cmd->parsed()) return launch::plot(plot), 0;
+  if (validate_cmd->parsed()) return launch::validate(validate);
+  throw std::invalid_argument("tests run in a source tree: ./blockweir test");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_command(argc, argv);
+  } catch (const scene::SceneError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "blockweir: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "blockweir: {}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/launch/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "bridge/launch/gnuplot.hpp"
+#include "bridge/launch/plot_series.hpp"
+#include "bridge/launch/plot_snapshots.hpp"
+
+namespace blockweir::launch {
+
+void plot(const PlotOptions& options) {
+  std::ifstream stream(options.run / "summary.json");
+  auto summary = stream ? nlohmann::json::parse(stream, nullptr, /*allow_exceptions=*/false) : nlohmann::json::object();
+  if (!summary.is_object()) summary = nlohmann::json::object();
+  const std::string terminal = options.svg ? "svg background 'white' font 'sans,14'" : "pngcairo font 'sans,12'";
+  const std::string ending = options.svg ? ".svg" : ".png";
+  gnuplot(series_script(options.run, summary, terminal, ending) +
+          snapshot_script(options.run, summary, terminal, ending));
+  for (const char* name : {"displacements", "velocities", "rotations", "level", "snapshots", "picture"}) {
+    const auto file = options.run / (name + ending);
+    if (std::filesystem::exists(file)) fmt::print("{}\n", file.string());
+  }
+}
+
+}  // namespace blockweir::launch

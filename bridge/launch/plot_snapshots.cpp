@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/launch/plot_snapshots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+#include "bridge/launch/gnuplot.hpp"
+
+namespace blockweir::launch {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::vector<json> read_frames(const fs::path& file) {
+  std::ifstream stream(file);
+  std::vector<json> frames;
+  for (std::string line; std::getline(stream, line);) {
+    json frame = json::parse(line, nullptr, /*allow_exceptions=*/false);
+    if (frame.is_object()) frames.push_back(std::move(frame));  // a killed run may leave half a line
+  }
+  if (frames.empty())
+    throw std::runtime_error(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
+  return frames;
+}
+
+struct View {
+  double left = 1e300;
+  double right = -1e300;
+  double bottom = 1e300;
+  double top = -1e300;
+
+  void include(double x, double y) {
+    left = std::min(left, x);
+    right = std::max(right, x);
+    bottom = std::min(bottom, y);
+    top = std::max(top, y);
+  }
+};
+
+/// Around what moves, in all frames, with some ground below and some water beside it.
+View view_of(const std::vector<json>& frames) {
+  View view;
+  for (const json& frame : frames) {
+    for (const json& block : frame["blocks"]) {
+      if (block["fixed"].get<bool>()) continue;
+      for (const json& p : block["outline"]) view.include(p[0], p[1]);
+    }
+    for (const char* pool : {"upstream_level_m", "downstream_level_m"}) {
+      if (frame[pool].is_number()) view.include(view.left, frame[pool]);
+    }
+  }
+  const double size = std::max(view.right - view.left, view.top - view.bottom);
+  return {view.left - 0.35 * size, view.right + 0.2 * size, view.bottom - 0.12 * size, view.top + 0.08 * size};
+}
+
+std::string polygon(int& number, const json& outline, const char* style) {
+  std::string text = fmt::format("set object {} polygon", ++number);
+  for (std::size_t i = 0; i <= outline.size(); ++i) {
+    const json& p = outline[i % outline.size()];
+    text += fmt::format(" {} {},{}", i == 0 ? "from" : "to", p[0].get<double>(), p[1].get<double>());
+  }
+  return text + " " + style + "\n";
+}
+
+/// The pool up to its level, from the view's edge to the crest; the blocks are drawn over it.
+std::string pool(int& number, const json& frame, const View& view, const char* key) {
+  if (!frame[key].is_number()) return "";
+  double crest_x = 0;
+  double crest_y = -1e300;
+  for (const json& block : frame["blocks"]) {
+    for (const json& p : block["outline"]) {
+      if (block["fixed"].get<bool>() || p[1].get<double>() <= crest_y + 1e-3) continue;
+      crest_x = p[0];
+      crest_y = p[1];
+    }
+  }
+  // Behind the structure's wet face lies another block or the crest: the rectangle reaches as far as a wet panel does.
+  double reach = crest_x;
+  for (const json& panel : frame["panels"]) reach = std::max({reach, panel[0].get<double>(), panel[2].get<double>()});
+  if (crest_y == -1e300) return "";
+  const bool upstream = std::string(key) == "upstream_level_m";
+  const double edge = upstream ? view.left : view.right;
+  const double level = frame[key];
+  const double inner = upstream ? std::min(reach, crest_x + 1e-9) : crest_x;
+  return fmt::format("set object {} rectangle from {},{} to {},{} fc rgb '#9fc5e8' fillstyle solid noborder behind\n",
+                     ++number, std::min(edge, inner), view.bottom, std::max(edge, inner), level);
+}
+
+std::string moment(const json& frame, const View& view, bool contacts) {
+  int number = 0;
+  std::string text = "unset object\n";
+  text += pool(number, frame, view, "upstream_level_m");
+  text += pool(number, frame, view, "downstream_level_m");
+  for (const json& block : frame["blocks"]) {
+    text += polygon(number, block["outline"],
+                    block["fixed"].get<bool>() ? "fc rgb '#8d7f6d' fillstyle solid border lc rgb '#5b5146' lw 1"
+                                               : "fc rgb '#c9c9c4' fillstyle solid border lc rgb '#303030' lw 1.5");
+  }
+  const std::string level = frame["upstream_level_m"].is_number()
+                                ? fmt::format(", level {:.2f} m", frame["upstream_level_m"].get<double>())
+                                : "";
+  text += fmt::format("set title \"{:.2f} s{}\"\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
+                      frame["time_s"].get<double>(), level, view.left, view.right, view.bottom, view.top);
+  std::string points;
+  for (const json& c : frame["contacts"]) {
+    const int state = c[2];
+    if (contacts && state > 0) points += fmt::format("{} {} {}\n", c[0].get<double>(), c[1].get<double>(), state);
+  }
+  if (points.empty()) return text + "plot NaN notitle\n";
+  text += fmt::format("$contacts << E\n{}E\n", points);
+  return text +
+         "plot $contacts using 1:2:($3 == 2 ? 0xd00000 : 0x1a7f37) with points pt 7 ps 1 lc rgb variable notitle\n";
+}
+
+/// Six moments from just before the failure to the end, or over the whole run when nothing fails.
+std::vector<std::size_t> chosen(const std::vector<json>& frames, const json& summary) {
+  double from = frames.front()["time_s"];
+  const double to = frames.back()["time_s"];
+  if (summary.contains("failure")) from = std::min(summary["failure"]["time_s"].get<double>(), to);
+  std::vector<std::size_t> picks;
+  for (int k = 0; k < 6; ++k) {
+    const double due = from + (to - from) * k / 5;
+    const auto next = std::lower_bound(frames.begin(), frames.end(), due,
+                                       [](const json& f, double t) { return f["time_s"].get<double>() < t; });
+    const auto pick = std::min<std::size_t>(static_cast<std::size_t>(next - frames.begin()), frames.size() - 1);
+    if (picks.empty() || picks.back() != pick) picks.push_back(pick);
+  }
+  return picks;
+}
+
+}  // namespace
+
+std::string snapshot_script(const fs::path& run, const json& summary, const std::string& terminal,
+                            const std::string& ending) {
+  const std::vector<json> frames = read_frames(run / "frames.jsonl");
+  const auto picks = chosen(frames, summary);
+  const View view = view_of(frames);
+  const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.3, 2.0);
+  std::string script = "reset\nset size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\n";
+  const auto begin = [&](const char* name, double width, double height) {
+    script += fmt::format("set terminal {} size {:.0f},{:.0f}\nset output {}\n", terminal, width, height,
+                          gnuplot_text((run / (name + ending)).string()));
+  };
+  const int columns = 3;
+  const int rows = static_cast<int>((picks.size() + 2) / 3);
+  begin("snapshots", 1350, 60 + rows * (60 + 430 * aspect));
+  script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns,
+                        gnuplot_text(summary.value("title", std::string("section"))));
+  for (const std::size_t pick : picks) script += moment(frames[pick], view, true);
+  script += "unset multiplot\n";
+  begin("picture", 1000, 80 + 940 * aspect);
+  script += moment(frames[picks.back()], view, false);
+  return script;
+}
+
+}  // namespace blockweir::launch

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/launch/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace blockweir::launch {
+
+Progress::Progress(int fd, double duration_s, bool quiet)
+    : fd_(fd), duration_s_(duration_s), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
+
+void Progress::update() {
+  char buffer[4096];
+  for (ssize_t n = 0; (n = ::read(fd_, buffer, sizeof buffer)) > 0;)
+    pending_.append(buffer, static_cast<std::size_t>(n));
+  const auto end = pending_.rfind('\n');
+  if (end == std::string::npos) return;
+  const auto previous = end == 0 ? std::string::npos : pending_.rfind('\n', end - 1);
+  const std::string line = pending_.substr(previous == std::string::npos ? 0 : previous + 1, end);
+  pending_.erase(0, end + 1);
+  double time_s = 0;
+  double level_m = 0;
+  double displacement_m = 0;
+  if (!quiet_ && std::sscanf(line.c_str(), "%lf %lf %lf", &time_s, &level_m, &displacement_m) == 3) {
+    show(time_s, level_m, displacement_m);
+  }
+}
+
+void Progress::show(double time_s, double level_m, double displacement_m) {
+  const double done = std::clamp(time_s / duration_s_, 0.0, 1.0);
+  const std::string level = std::isnan(level_m) ? "" : fmt::format("  level {:.3f} m", level_m);
+  if (terminal_) {
+    constexpr int width = 30;
+    const int filled = static_cast<int>(done * width);
+    fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f} %  {:.2f} s{}  moved {:.3g} m\033[K", "", filled, "", width - filled,
+               100 * done, time_s, level, displacement_m);
+  } else if (static_cast<int>(10 * done) > shown_tenths_) {
+    shown_tenths_ = static_cast<int>(10 * done);
+    fmt::print(stderr, "{:3.0f} %  {:.2f} s{}  moved {:.3g} m\n", 100 * done, time_s, level, displacement_m);
+  }
+  std::fflush(stderr);
+}
+
+void Progress::finish() const {
+  if (terminal_ && !quiet_) fmt::print(stderr, "\r\033[K");
+}
+
+}  // namespace blockweir::launch

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// blockweir run: a scene from check to report.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace blockweir::launch {
+
+struct RunOptions {
+  std::filesystem::path scene;
+  std::filesystem::path out;  ///< empty: runs/CASE, or the first free runs/CASE-N
+  std::vector<std::string> overrides;
+  bool quiet = false;
+};
+
+struct RunResult {
+  int exit_code = 0;  ///< 0 done, 1 the run failed, 130 stopped by Ctrl-C
+  std::filesystem::path folder;
+  nlohmann::json summary;
+  std::string trouble;  ///< one line, when it failed
+};
+
+/// Runs a scene's processes. Throws scene::SceneError, and std::invalid_argument for a folder that is in use; nothing
+/// has been written then.
+RunResult run(const RunOptions& options);
+
+/// What a person wants to know of a finished run.
+std::string report(const RunResult& result);
+
+}  // namespace blockweir::launch

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Starts child processes together and sees to it that none outlives the others, or us.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace blockweir::launch {
+
+struct Command {
+  std::string name;                ///< how messages call it
+  std::vector<std::string> words;  ///< program and arguments
+  int inherited_fd = -1;           ///< a descriptor of ours that the child keeps; -1: none
+};
+
+struct ChildEnd {
+  std::string name;
+  int exit_code = 0;      ///< 128 + signal for one that was killed
+  std::string last_line;  ///< of what it wrote to its standard error
+};
+
+struct Supervised {
+  std::vector<ChildEnd> ends;  ///< in the order in which they ended
+  bool interrupted = false;    ///< we were asked to stop
+  [[nodiscard]] bool all_fine() const;
+};
+
+/// Runs all commands at once until the last has ended. Their standard error goes to files `log_folder`/NAME.log.
+/// When one fails, the others get `grace_s` to notice by themselves, then SIGTERM, then SIGKILL; SIGINT or SIGTERM to
+/// us is passed on to all. The kernel ends the children should we be killed. `tick` is called about every 50 ms.
+Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
+                     const std::function<void()>& tick);
+
+}  // namespace blockweir::launch
