@@ -184,7 +184,14 @@ bool AugmentedLagrangian::sweep(const std::vector<int>& contact_ids, std::vector
   };
   bool all_settled = true;
   for (const int k : contact_ids) {
-    all_settled &= one(contacts_[at(k)], contacts[at(k)].multiplier, contacts[at(k)].penalty);
+    ContactPoint& c = contacts[at(k)];
+    if (c.state == ContactState::open) {
+      // No force is left to remember; only a contact that a negative multiplier held open may still have to close.
+      all_settled &= c.multiplier.x() >= 0 || contacts_[at(k)].separation.x() >= 0;
+      c.multiplier.setZero();
+      continue;
+    }
+    all_settled &= one(contacts_[at(k)], c.multiplier, c.penalty);
   }
   for (const int k : support_ids) {
     all_settled &= one(supports_[at(k)], supports[at(k)].multiplier, supports[at(k)].penalty);

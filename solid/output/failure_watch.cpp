@@ -6,8 +6,6 @@
 #include <limits>
 #include <map>
 
-#include "bridge/scene/joint_trace.hpp"
-
 namespace blockweir::solid::output {
 namespace {
 
@@ -55,19 +53,29 @@ void FailureWatch::look(double time_s, double upstream_level_m) {
   if (failures_.empty()) update_margin(time_s, upstream_level_m);
 }
 
-/// Of the neighbours in touch, the one that carries most and does not come along; -1 when there is none.
+/// Of the neighbours that are in touch and do not come along, the one whose joint begins farthest upstream; -1 when
+/// there is none.
 int FailureWatch::neighbour_left_behind(std::size_t b) const {
-  std::map<int, double> carried;
+  int farthest = -1;
+  double farthest_x = 0;
   for (const ContactPoint& c : solid_.contacts()) {
     if (c.state == ContactState::open) continue;
     const bool is_vertex = at(c.vertex_block) == b;
     if (!is_vertex && at(c.edge_block) != b) continue;
     const int other = is_vertex ? c.edge_block : c.vertex_block;
-    if (solid_.blocks()[at(other)].fixed || speed(at(other)) < speed(b) / 2) carried[other] += c.multiplier.x();
+    if (!solid_.blocks()[at(other)].fixed && speed(at(other)) >= speed(b) / 2) continue;
+    const auto trace = joint_trace(b, at(other));
+    const double x = trace.pieces.empty() ? std::numeric_limits<double>::max() : trace.mouth().x();
+    if (farthest >= 0 && x >= farthest_x) continue;
+    farthest = other;
+    farthest_x = x;
   }
-  const auto most = std::max_element(carried.begin(), carried.end(),
-                                     [](const auto& x, const auto& y) { return x.second < y.second; });
-  return most == carried.end() ? -1 : most->first;
+  return farthest;
+}
+
+scene::JointTrace FailureWatch::joint_trace(std::size_t a, std::size_t b) const {
+  const auto& blocks = solid_.scene().blocks;
+  return scene::trace_joint(blocks[a], blocks[b], 1e-6 * solid_.size_m());
 }
 
 Failure FailureWatch::describe(std::size_t b) const {
@@ -83,8 +91,7 @@ Failure FailureWatch::describe(std::size_t b) const {
   }
   failure.mode = share < 0.1 ? "sliding" : share > 0.4 ? "overturning" : "sliding and overturning";
   failure.joint = joint_name(static_cast<int>(b), other);
-  const auto& blocks = solid_.scene().blocks;
-  const auto trace = scene::trace_joint(blocks[b], blocks[at(other)], 1e-6 * solid_.size_m());
+  const auto trace = joint_trace(b, at(other));
   if (!trace.pieces.empty()) failure.head_m = failure.level_m - trace.mouth().y();
   return failure;
 }

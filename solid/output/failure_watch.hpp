@@ -9,6 +9,7 @@
 
 #include <optional>
 
+#include "bridge/scene/joint_trace.hpp"
 #include "solid/output/frame.hpp"
 #include "solid/step/solid.hpp"
 
@@ -53,6 +54,7 @@ class FailureWatch {
   [[nodiscard]] double travel(std::size_t block) const;
   [[nodiscard]] Failure describe(std::size_t block) const;
   [[nodiscard]] int neighbour_left_behind(std::size_t block) const;
+  [[nodiscard]] scene::JointTrace joint_trace(std::size_t a, std::size_t b) const;
   [[nodiscard]] std::string joint_name(int a, int b) const;
   void update_margin(double time_s, double level_m);
 

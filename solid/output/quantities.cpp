@@ -54,12 +54,13 @@ double stress_yy(const Outcome& o, const std::string& of) {
   return o.last.blocks[block_index(o, of)].stress_yy_pa;
 }
 
-/// Downward displacement of the block's highest vertex against its lowest, free of the loss that positions bring.
+/// Loss of height between the block's lowest and highest vertex, from its strain: positions would lose digits.
 double shortening(const Outcome& o, const std::string& of) {
-  const BlockRow& b = o.last.blocks[block_index(o, of)];
+  const std::size_t b = block_index(o, of);
+  const auto& vertices = o.solid.blocks()[b].vertices;
   const auto by_height = [](const Point& p, const Point& q) { return p.y() < q.y(); };
-  const auto [low, high] = std::minmax_element(b.vertices_m.begin(), b.vertices_m.end(), by_height);
-  return -o.solid.states()[block_index(o, of)].displacement[4] * (high->y() - low->y());
+  const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end(), by_height);
+  return -o.solid.states()[b].displacement[4] * (high->y() - low->y());
 }
 
 double water_force_x(const Outcome& o, const std::string& of) {

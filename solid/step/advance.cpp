@@ -12,12 +12,12 @@ namespace blockweir::solid {
 
 void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water) {
   const double largest_step = scene_.analysis.step_s;
-  const double smallest_step = 1e-9 * largest_step;
+  const double smallest_step = 1e-6 * largest_step;
   double time = from_s;
   if (!std::exchange(started_, true) && scene_.analysis.integrator != scene::Integrator::shi) {
     start_acceleration(water, from_s);
   }
-  while (to_s - time > smallest_step) {
+  while (to_s - time > 1e-9 * largest_step) {
     // Equal steps up to the end of the window, none longer than allowed; 1e-9 forgives round-off in the quotient.
     const double allowed = std::min(next_dt_, largest_step);
     const double dt = (to_s - time) / std::ceil((to_s - time) / allowed * (1 - 1e-9));
