@@ -56,7 +56,7 @@ Matrix26 rows(const Matrix26& T, const Point& n, const Point& t) {
 
 double AugmentedLagrangian::bounded_penalty(double kept, double stiffness) const {
   const double initial = settings_.initial_penalty.value_or(default_penalty_ratio * stiffness);
-  return std::min(kept > 0 ? kept : initial, largest_penalty_ratio * stiffness);
+  return std::min(kept > 0 ? kept : initial, default_penalty_ratio * stiffness);
 }
 
 void AugmentedLagrangian::begin_step(const Trial& trial, const std::vector<Matrix6>& matrix,

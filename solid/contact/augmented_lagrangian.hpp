@@ -60,7 +60,7 @@ class AugmentedLagrangian {
   /// Counted up by one for each contact whose state differs from the evaluation before.
   [[nodiscard]] long state_changes() const { return state_changes_; }
 
- private:
+ public:
   /// Per contact or support, for the step at hand.
   struct Progress {
     Eigen::Vector2d separation = Eigen::Vector2d::Zero();  ///< (gap, slip) at the trial [m]

@@ -57,6 +57,18 @@ bool Solid::find_equilibrium(IslandSystem& s) {
     bool symmetric = true;
     const double unbalanced = assemble(s, symmetric);
     if (!std::isfinite(unbalanced)) return false;
+    if (getenv("DBG")) {
+      fprintf(stderr, "dt %.1e it %d unb %.3e sym %d |", matrices_dt_, iteration, unbalanced, symmetric);
+      if (contacts_.size() < 20)
+        for (int k : s.island.contacts) {
+          auto& c = contacts_[at(k)];
+          auto pr = lagrangian_.contacts_[at(k)];
+          fprintf(stderr, " [%d.%d-%d.%d %d%s N%.6g T%.6g F%.6g,%.6g g%.1e s%.1e p%.1e L%.3g g0 %.2e]", c.vertex_block,
+                  c.vertex, c.edge_block, c.edge, int(c.state), c.bonded ? "b" : "", c.multiplier.x(), c.multiplier.y(),
+                  pr.force.x(), pr.force.y(), pr.separation.x(), pr.separation.y(), c.penalty, c.length, c.gap);
+        }
+      fprintf(stderr, "\n");
+    }
     if (!swept && unbalanced <= lagrangian_.settings().force_tolerance_n) {
       ++counts_.sweeps;
       if (lagrangian_.sweep(s.island.contacts, contacts_, s.island.supports, supports_) &&
@@ -79,8 +91,32 @@ bool Solid::find_equilibrium(IslandSystem& s) {
   return false;
 }
 
+/// The blocks' own matrices on the diagonal.
+void Solid::set_block_matrices(IslandSystem& s) {
+  s.system->set_zero();
+  for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
+    const auto b = at(s.island.blocks[k]);
+    local_[b] = static_cast<int>(k);
+    s.system->add(local_[b], local_[b], matrix_[b]);
+  }
+}
+
+/// What a contact or support adds to the matrix: J^T C J on the diagonal of each block, -J^T C J between the two.
+void Solid::add_stiffness(LinearSystem& system, const Interaction& action) const {
+  const auto moves = [this](int block) { return block >= 0 && !frozen_[at(block)]; };
+  const auto add = [&](int row, const Matrix26& row_shape, int column, const Matrix26& column_shape, double sign) {
+    if (!moves(row) || !moves(column)) return;
+    system.add(local_[at(row)], local_[at(column)], sign * row_shape.transpose() * action.stiffness * column_shape);
+  };
+  add(action.block_i, action.shape_i, action.block_i, action.shape_i, 1);
+  add(action.block_j, action.shape_j, action.block_j, action.shape_j, 1);
+  add(action.block_i, action.shape_i, action.block_j, action.shape_j, -1);
+  add(action.block_j, action.shape_j, action.block_i, action.shape_i, -1);
+}
+
 /// Velocities along held directions (closed contacts, sticking ones along the edge too, supports) become the mean of
-/// the step: the velocities get the smallest change, in the metric of the step's matrix, that does so.
+/// the step: the velocities get the smallest change, in the metric of the step's matrix, that does so. Friction of a
+/// slipping contact has no part in it: with that coupling the projection could grow what it should remove.
 void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   constexpr double unheard_m_per_s = 1e-9;
   double loudest = 0;
@@ -103,18 +139,19 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   }
   if (loudest <= unheard_m_per_s) return;
 
-  bool symmetric = true;
-  assemble(s, symmetric);
+  set_block_matrices(s);
   s.residual.setZero();
   for (std::size_t k = 0; k < actions.size(); ++k) {
-    const Interaction& a = actions[k];
+    Interaction& a = actions[k];
     if (!a.acts()) continue;
+    a.stiffness = a.stiffness.diagonal().asDiagonal().toDenseMatrix();
+    add_stiffness(*s.system, a);
     if (!frozen_[at(a.block_i)]) s.residual.segment<6>(6 * local_[at(a.block_i)]) += a.shape_i.transpose() * pull[k];
     if (a.block_j >= 0 && !frozen_[at(a.block_j)]) {
       s.residual.segment<6>(6 * local_[at(a.block_j)]) -= a.shape_j.transpose() * pull[k];
     }
   }
-  if (!s.system->solve(symmetric, s.residual, s.correction)) return;
+  if (!s.system->solve(/*symmetric=*/true, s.residual, s.correction)) return;
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
     states_[at(s.island.blocks[k])].velocity += s.correction.segment<6>(static_cast<Eigen::Index>(6 * k));
   }
@@ -125,11 +162,9 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
   const Stopwatch watch(profile_.assembly);
   const double mass_factor = newmark_.mass_factor(matrices_dt_);
   const auto count = static_cast<int>(s.island.blocks.size());
-  s.system->set_zero();
-  for (int k = 0; k < count; ++k) {
-    const auto b = at(s.island.blocks[at(k)]);
-    local_[b] = k;
-    s.system->add(k, k, matrix_[b]);
+  set_block_matrices(s);
+  for (const int block : s.island.blocks) {
+    const auto b = at(block);
     balance_[b] = external_[b] - blocks_[b].stiffness * (states_[b].displacement + increment_[b]);
     round_off_[b] = round_off * magnitude(external_[b], blocks_[b].radius);
   }
@@ -142,15 +177,10 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
       const Vector6 force = sign * (shape.transpose() * action.force);
       balance_[at(block)] += force;
       round_off_[at(block)] += round_off * magnitude(force, blocks_[at(block)].radius) + action.round_off;
-      s.system->add(local_[at(block)], local_[at(block)], shape.transpose() * action.stiffness * shape);
     };
     side(action.block_i, action.shape_i, 1);
     side(action.block_j, action.shape_j, -1);
-    if (action.block_j < 0 || frozen_[at(action.block_i)] || frozen_[at(action.block_j)]) return;
-    const int i = local_[at(action.block_i)];
-    const int j = local_[at(action.block_j)];
-    s.system->add(i, j, -action.shape_i.transpose() * action.stiffness * action.shape_j);
-    s.system->add(j, i, -action.shape_j.transpose() * action.stiffness * action.shape_i);
+    add_stiffness(*s.system, action);
   };
   for (const int k : s.island.contacts) add(lagrangian_.contact(trial(), k, contacts_[at(k)]));
   for (const int k : s.island.supports) add(lagrangian_.support(trial(), k, supports_[at(k)]));

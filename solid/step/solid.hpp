@@ -56,6 +56,8 @@ class Solid {
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
   double assemble(IslandSystem& island, bool& symmetric);
+  void set_block_matrices(IslandSystem& island);
+  void add_stiffness(LinearSystem& system, const Interaction& action) const;
   void quiet_held_directions(IslandSystem& island, double dt);
   void accept(double dt);
   [[nodiscard]] double largest_increment() const;
