@@ -80,14 +80,15 @@ std::string pool(int& number, const json& frame, const View& view, const char* k
       crest_y = p[1];
     }
   }
-  // Behind the structure's wet face lies another block or the crest: the rectangle reaches as far as a wet panel does.
-  double reach = crest_x;
+  // The pool ends where its last wet panel does; without panels, at the crest.
+  double reach = -1e300;
   for (const json& panel : frame["panels"]) reach = std::max({reach, panel[0].get<double>(), panel[2].get<double>()});
+  if (reach == -1e300 || frame["downstream_level_m"].is_number()) reach = crest_x;
   if (crest_y == -1e300) return "";
   const bool upstream = std::string(key) == "upstream_level_m";
   const double edge = upstream ? view.left : view.right;
   const double level = frame[key];
-  const double inner = upstream ? std::min(reach, crest_x + 1e-9) : crest_x;
+  const double inner = upstream ? reach : crest_x;
   return fmt::format("set object {} rectangle from {},{} to {},{} fc rgb '#9fc5e8' fillstyle solid noborder behind\n",
                      ++number, std::min(edge, inner), view.bottom, std::max(edge, inner), level);
 }
@@ -155,7 +156,7 @@ std::string snapshot_script(const fs::path& run, const json& summary, const std:
   for (const std::size_t pick : picks) script += moment(frames[pick], view, true);
   script += "unset multiplot\n";
   begin("picture", 1000, 80 + 940 * aspect);
-  script += moment(frames[picks.back()], view, false);
+  script += moment(frames[picks[picks.size() * 2 / 3]], view, false);
   return script;
 }
 

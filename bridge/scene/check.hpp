@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene that reads well may still have wrong: geometry, supports, levels.
+// What blocks that are sound each for itself may still have wrong together.
 #pragma once
 
+#include "bridge/scene/problems.hpp"
 #include "bridge/scene/scene.hpp"
-#include "bridge/scene/table_reader.hpp"
 
 namespace blockweir::scene {
 
-/// Adds to `problems` all that is geometrically or physically unsound.
-void check(const Scene& scene, Problems& problems);
+/// Reports blocks that overlap deeper than 1e-6 of the smaller one's size. Blocks without vertices are passed over.
+void check_overlaps(const Scene& scene, Problems& problems);
+
+/// Reports blocks that would fall for ever. A block is held if it is fixed, if a support holds a point of it in y,
+/// if its material is lighter than the scene's water, or if it shares a boundary with a block that is held or lies
+/// vertically above a part of one. Without gravity nothing falls.
+void check_held(const Scene& scene, Problems& problems);
 
 }  // namespace blockweir::scene

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The right word that a wrong one was probably meant to be: optimal string alignment distance.
 #include "bridge/scene/nearest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numeric>
@@ -8,35 +12,51 @@
 namespace blockweir::scene {
 namespace {
 
+using Row = std::vector<std::size_t>;
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+  Row before_last;
+  Row last(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
+    Row row(b.size() + 1);
+    row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, change}));
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
     }
+    before_last = std::exchange(last, std::move(row));
   }
-  return row.back();
+  return last.back();
 }
 
 }  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
   std::string best;
-  std::size_t best_distance = word.size() / 2 + 2;
+  std::size_t limit = word.size() / 2 + 1;
   for (const std::string& candidate : candidates) {
-    // A key that differs in its unit alone shares its beginning: count that for the candidate.
-    const auto shared = static_cast<std::size_t>(
-        std::mismatch(word.begin(), word.end(), candidate.begin(), candidate.end()).first - word.begin());
-    const std::size_t distance = edit_distance(word, candidate) - std::min(edit_distance(word, candidate), shared / 4);
-    if (distance < best_distance) {
-      best_distance = distance;
-      best = candidate;
-    }
+    // The difference in length is a lower bound: spares the table for hopeless candidates and monstrous words.
+    if (std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size()) >= limit) continue;
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= limit) continue;
+    limit = distance;
+    best = candidate;
   }
   return best;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(word, candidates);
+  return near.empty() ? "" : fmt::format("did you mean \"{}\"?", near);
+}
+
+std::string one_of(const std::vector<std::string>& candidates) {
+  constexpr std::size_t most = 20;
+  const auto shown = candidates.begin() + static_cast<std::ptrdiff_t>(std::min(most, candidates.size()));
+  return fmt::format("one of {}{}", fmt::join(candidates.begin(), shown, ", "),
+                     candidates.size() > most ? fmt::format(" and {} more", candidates.size() - most) : "");
 }
 
 }  // namespace blockweir::scene

@@ -8,7 +8,14 @@
 
 namespace blockweir::scene {
 
-/// The candidate with the smallest edit distance; empty when none is closer than half the word's length.
+/// The candidate that takes fewest letters inserted, left out, replaced or swapped with the next; the first of equals.
+/// Empty when even that takes more than half the word's letters.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+/// The same as a remedy: `did you mean "..."?`, or empty.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+/// "one of a, b, c", cut short where there are many.
+std::string one_of(const std::vector<std::string>& candidates);
 
 }  // namespace blockweir::scene

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bridge/scene/table_reader.hpp"
+#include "bridge/scene/problems.hpp"
 
 namespace blockweir::scene {
 

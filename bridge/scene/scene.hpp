@@ -21,6 +21,7 @@ struct Material {
   double youngs_modulus_pa = 0;
   double poissons_ratio = 0;
   double density_kg_per_m3 = 0;
+  bool operator==(const Material&) const = default;
 };
 
 /// Water pressure in the crack that a joint is, as a fraction of the pressure at its mouth:
@@ -37,12 +38,14 @@ struct JointLaw {
   std::optional<double> bonded_length_m;  ///< of the whole joint; default: all of it
   bool keeps_cohesion = false;            ///< true: cohesion and tension survive slip and opening
   Uplift uplift = Uplift::none;
+  bool operator==(const JointLaw&) const = default;
 };
 
 struct Joint {
   std::string name;
   std::array<int, 2> between;  ///< indices into Scene::blocks
   JointLaw law;
+  bool operator==(const Joint&) const = default;
 };
 
 struct Block {
@@ -53,6 +56,7 @@ struct Block {
   Point initial_velocity_m_per_s = Point::Zero();
   double initial_spin_deg_per_s = 0;
   int line = 0;  ///< where the scene file states it
+  bool operator==(const Block&) const = default;
 };
 
 /// A point of a block that is held, or moved as its tables say, in x, in y or in both.
@@ -61,6 +65,7 @@ struct Support {
   Point point_m;
   std::optional<TimeTable> displacement_x_m;  ///< absent: free in x
   std::optional<TimeTable> displacement_y_m;
+  bool operator==(const Support&) const = default;
 };
 
 struct PointLoad {
@@ -68,6 +73,7 @@ struct PointLoad {
   Point point_m;
   TimeTable force_x_n_per_m;
   TimeTable force_y_n_per_m;
+  bool operator==(const PointLoad&) const = default;
 };
 
 /// Pressure on a straight part of a block's outline, linear from one end to the other; turns with the block.
@@ -77,6 +83,7 @@ struct FacePressure {
   Point to_m;
   TimeTable pressure_from_pa;  ///< compression positive
   TimeTable pressure_to_pa;
+  bool operator==(const FacePressure&) const = default;
 };
 
 enum class AnalysisKind { dynamic, quasi_static };
@@ -100,6 +107,7 @@ struct Analysis {
   double rest_speed_m_per_s = 1e-5;      ///< below it a block counts as at rest (failure report)
   double failure_displacement_m = 0.02;  ///< an unbroken motion longer than this is a failure
   bool stop_at_failure = false;          ///< end the run once the failure is certain
+  bool operator==(const Analysis&) const = default;
 };
 
 struct Contact {
@@ -107,6 +115,7 @@ struct Contact {
   double penetration_tolerance_m = 1e-9;
   double force_tolerance = 1e-10;  ///< of the weight of all that can move
   int max_iterations = 200;
+  bool operator==(const Contact&) const = default;
 };
 
 enum class NodalRule { consistent, lumped };
@@ -122,6 +131,7 @@ struct Water {
   int elements_per_face = 20;        ///< interface elements on an edge that is wet all along
   double open_crack_width_m = 0.05;  ///< narrower gaps between blocks carry no open water
   bool may_overtop = false;          ///< levels above the crest are meant
+  bool operator==(const Water&) const = default;
 };
 
 enum class FluidModel { none, hydrostatic };
@@ -129,11 +139,13 @@ enum class FluidModel { none, hydrostatic };
 struct Coupling {
   double window_s = 0.01;
   double timeout_s = 20;  ///< longest silence of a partner
+  bool operator==(const Coupling&) const = default;
 };
 
 struct Output {
   double frame_every_s = 0.1;     ///< a VTK file each
   double history_every_s = 0.01;  ///< a row of history.csv each
+  bool operator==(const Output&) const = default;
 };
 
 /// One figure that the case states, to be compared after the run; exactly one of value and formula.
@@ -144,6 +156,7 @@ struct Expectation {
   std::string of;           ///< the block or joint that quantity and formula speak of; may be empty
   double tolerance = 1e-3;  ///< relative
   std::string source;
+  bool operator==(const Expectation&) const = default;
 };
 
 struct Scene {
@@ -166,6 +179,7 @@ struct Scene {
   std::vector<Expectation> expectations;
   std::string text;    ///< the file as read, overrides applied: what the digest covers
   std::string digest;  ///< 16 hexadecimal digits
+  bool operator==(const Scene&) const = default;
 };
 
 }  // namespace blockweir::scene

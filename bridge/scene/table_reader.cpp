@@ -1,43 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads one TOML table key by key: types, ranges, defaults, and which keys nobody asked for.
 #include "bridge/scene/table_reader.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "bridge/scene/key_advice.hpp"
 #include "bridge/scene/nearest.hpp"
 
 namespace blockweir::scene {
 namespace {
 
+constexpr std::size_t most_vertices = 10'000;
+constexpr double farthest_m = 1e7;  // beyond it, round-off in the coordinates is no longer small against a block
+
 std::string shown(const toml::node& node) {
-  std::ostringstream text;
+  if (node.is_table()) return "a table";
+  if (const toml::array* list = node.as_array()) return fmt::format("a list of {}", list->size());
+  std::ostringstream stream;
   node.visit([&](const auto& value) {
-    if constexpr (toml::is_table<decltype(value)> || toml::is_array<decltype(value)>) {
-      text << (toml::is_table<decltype(value)> ? "a table" : "a list");
-    } else {
-      text << value;
-    }
+    if constexpr (toml::is_value<decltype(value)>) stream << value;
   });
-  return text.str();
+  std::string text = stream.str();
+  if (text.size() > 40) text = text.substr(0, 37) + "...";
+  return text;
+}
+
+std::optional<Point> point_of(const toml::node& node) {
+  const toml::array* pair = node.as_array();
+  if (pair == nullptr || pair->size() != 2) return std::nullopt;
+  const auto x = finite_number((*pair)[0]);
+  const auto y = finite_number((*pair)[1]);
+  if (!x || !y || std::max(std::abs(*x), std::abs(*y)) > farthest_m) return std::nullopt;
+  return Point(*x, *y);
 }
 
 }  // namespace
 
-void Problems::error(int line, std::string found, std::string expected, std::string remedy) {
-  errors_.push_back(
-      {Diagnostic::Severity::error, file_, line, std::move(found), std::move(expected), std::move(remedy)});
-}
-
-void Problems::note(int line, std::string found, std::string remedy) {
-  notes_.push_back({Diagnostic::Severity::note, file_, line, std::move(found), "", std::move(remedy)});
+std::optional<double> finite_number(const toml::node& node) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 Range any_number() {
-  return {[](double) { return true; }, "a number"};
+  return {[](double) { return true; }, "a finite number"};
 }
 Range positive() {
   return {[](double x) { return x > 0; }, "a number above 0"};
@@ -45,183 +54,146 @@ Range positive() {
 Range not_negative() {
   return {[](double x) { return x >= 0; }, "a number of at least 0"};
 }
-Range between(double low, double high, const char* words) {
-  return {[low, high](double x) { return x >= low && x < high; }, words};
-}
 
-int line_of(const toml::node& node) {
-  return static_cast<int>(node.source().begin.line);
-}
-
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
-  const std::string near = nearest(word, names);
-  return near.empty() ? "" : fmt::format("did you mean \"{}\"?", near);
-}
-
-TableReader::TableReader(Problems& problems, const toml::table* table, std::string name, int line)
-    : problems_(problems), table_(table), name_(std::move(name)), line_(table != nullptr ? line_of(*table) : line) {}
+TableReader::TableReader(Problems& problems, const toml::table* table, std::string name)
+    : problems_(problems), table_(table), name_(std::move(name)) {}
 
 TableReader::~TableReader() {
   if (table_ == nullptr) return;
   for (const auto& [key, node] : *table_) {
     const std::string word(key.str());
+    if (problems_.full()) return;
     if (std::find(asked_.begin(), asked_.end(), word) != asked_.end()) continue;
-    problems_.error(static_cast<int>(key.source().begin.line), fmt::format("unknown key \"{}\" in {}", word, name_),
-                    fmt::format("one of {}", fmt::join(asked_, ", ")), did_you_mean(word, asked_));
+    const KeyAdvice advice = key_advice(word, asked_);
+    problems_.error(problems_.at(key.source()), fmt::format("unknown key \"{}\" in {}", word, name_), advice.expected,
+                    advice.remedy);
   }
 }
 
-int TableReader::line(const char* key) const {
-  return has(key) ? line_of(*table_->get(key)) : line_;
+Place TableReader::place() const {
+  return present() ? problems_.at(table_->source()) : problems_.at(0);
 }
 
-const toml::node* TableReader::ask(const char* key, bool required, const char* expected) {
+Place TableReader::place(const char* key) const {
+  return has(key) ? problems_.at(table_->get(key)->source()) : place();
+}
+
+Place TableReader::place(const char* key, std::size_t entry) const {
+  const toml::array* list = has(key) ? table_->get(key)->as_array() : nullptr;
+  return list != nullptr && entry < list->size() ? problems_.at((*list)[entry].source()) : place(key);
+}
+
+const toml::node* TableReader::ask(const char* key, bool required, const std::string& expected) {
   asked_.emplace_back(key);
   const toml::node* node = table_ != nullptr ? table_->get(key) : nullptr;
   if (node == nullptr && required) {
-    problems_.error(line_, fmt::format("{} has no \"{}\"", name_, key), expected, fmt::format("add {} = ...", key));
+    problems_.error(place(), fmt::format("{} has no \"{}\"", name_, key), expected, fmt::format("add {} = ...", key));
   }
   return node;
 }
 
-void TableReader::wrong_type(const char* key, const toml::node& node, const char* expected) {
-  problems_.error(line_of(node), fmt::format("{} in {} is {}", key, name_, shown(node)), expected);
+bool TableReader::wrong(const char* key, const toml::node& node, const std::string& expected,
+                        const std::string& remedy) {
+  problems_.error(problems_.at(node.source()), fmt::format("{} in {} is {}", key, name_, shown(node)), expected,
+                  remedy.empty() ? fmt::format("correct {}", key) : remedy);
+  return false;
 }
 
-void TableReader::not_one_of(const char* key, const std::string& word, const std::vector<std::string>& names) {
-  problems_.error(line(key), fmt::format("{} in {} is \"{}\"", key, name_, word),
-                  fmt::format("one of {}", fmt::join(names, ", ")), did_you_mean(word, names));
+bool TableReader::not_one_of(const char* key, const std::string& word, const std::vector<std::string>& known) {
+  problems_.error(place(key), fmt::format("{} in {} is \"{}\"", key, name_, word), one_of(known),
+                  did_you_mean(word, known));
+  return false;
 }
 
-void TableReader::number(const char* key, double& into, const Range& range, bool required) {
+bool TableReader::number(const char* key, double& into, const Range& range, bool required) {
   const toml::node* node = ask(key, required, range.words);
-  if (node == nullptr) return;
-  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-  if (!value || !std::isfinite(*value) || !range.holds(*value)) return wrong_type(key, *node, range.words);
+  if (node == nullptr) return false;
+  const auto value = finite_number(*node);
+  if (!value || !range.holds(*value)) return wrong(key, *node, range.words);
   into = *value;
-}
-
-void TableReader::number(const char* key, std::optional<double>& into, const Range& range) {
-  double value = 0;
-  const std::size_t before = problems_.errors().size();
-  number(key, value, range);
-  if (has(key) && problems_.errors().size() == before) into = value;
-}
-
-void TableReader::integer(const char* key, int& into, int least) {
-  const std::string words = fmt::format("a whole number of at least {}", least);
-  const toml::node* node = ask(key, false, words.c_str());
-  if (node == nullptr) return;
-  const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
-  if (!value || *value < least || *value > 1'000'000'000) return wrong_type(key, *node, words.c_str());
-  into = static_cast<int>(*value);
-}
-
-void TableReader::flag(const char* key, bool& into) {
-  const toml::node* node = ask(key, false, "true or false");
-  if (node == nullptr) return;
-  if (!node->is_boolean()) return wrong_type(key, *node, "true or false");
-  into = *node->value<bool>();
-}
-
-void TableReader::text(const char* key, std::string& into, bool required) {
-  const toml::node* node = ask(key, required, "a text in quotes");
-  if (node == nullptr) return;
-  if (!node->is_string()) return wrong_type(key, *node, "a text in quotes");
-  into = *node->value<std::string>();
-}
-
-void TableReader::texts(const char* key, std::vector<std::string>& into, std::size_t count) {
-  const std::string words = fmt::format("a list of {} names", count);
-  const toml::node* node = ask(key, true, words.c_str());
-  if (node == nullptr) return;
-  const toml::array* list = node->as_array();
-  if (list == nullptr || list->size() != count || !list->is_homogeneous<std::string>()) {
-    return wrong_type(key, *node, words.c_str());
-  }
-  for (const auto& entry : *list) into.push_back(*entry.value<std::string>());
-}
-
-bool TableReader::read_point(const toml::node& node, Point& into) {
-  const toml::array* pair = node.as_array();
-  if (pair == nullptr || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number()) return false;
-  into = Point(*(*pair)[0].value<double>(), *(*pair)[1].value<double>());
-  return into.allFinite() && into.cwiseAbs().maxCoeff() < 1e9;
-}
-
-void TableReader::point(const char* key, Point& into, bool required) {
-  constexpr const char* words = "a pair of numbers [x, y]";
-  const toml::node* node = ask(key, required, words);
-  if (node != nullptr && !read_point(*node, into)) wrong_type(key, *node, words);
-}
-
-void TableReader::points(const char* key, std::vector<Point>& into) {
-  constexpr const char* words = "a list of at least three pairs of numbers [[x, y], ...]";
-  const toml::node* node = ask(key, true, words);
-  if (node == nullptr) return;
-  const toml::array* list = node->as_array();
-  if (list == nullptr || list->size() < 3) return wrong_type(key, *node, words);
-  for (const auto& entry : *list) {
-    Point p;
-    if (!read_point(entry, p)) return wrong_type(key, entry, "a pair of numbers [x, y] in metres");
-    into.push_back(p);
-  }
-}
-
-bool TableReader::read_rows(const char* key, const toml::node& node, TimeTable& into) {
-  constexpr const char* words = "rows [[time_s, value], ...] with increasing times";
-  const toml::array* rows = node.as_array();
-  if (rows == nullptr || rows->empty()) return wrong_type(key, node, words), false;
-  for (const auto& row : *rows) {
-    Point p;
-    if (!read_point(row, p) || (!into.time_s.empty() && p.x() <= into.time_s.back())) {
-      return wrong_type(key, row, words), false;
-    }
-    into.time_s.push_back(p.x());
-    into.value.push_back(p.y());
-  }
   return true;
 }
 
-void TableReader::time_table(const char* key, std::optional<TimeTable>& into, double duration_s) {
-  constexpr const char* words =
-      "a number, { table = [[time_s, value], ...] }, { steps = [[time_s, value], ...] } or "
-      "{ from = value, rate_per_s = value }";
-  const toml::node* node = ask(key, false, words);
-  if (node == nullptr) return;
-  if (node->is_number() && std::isfinite(*node->value<double>())) {
-    into = TimeTable::constant(*node->value<double>());
-    return;
-  }
-  const toml::table* described = node->as_table();
-  if (described == nullptr) return wrong_type(key, *node, words);
-  TableReader inner(problems_, described, fmt::format("{} of {}", key, name_), line_of(*node));
-  const toml::node* table = inner.ask("table", false, words);
-  const toml::node* steps = inner.ask("steps", false, words);
-  double from = 0;
-  double rate = 0;
-  inner.number("from", from);
-  inner.number("rate_per_s", rate);
-  TimeTable read;
-  if (table != nullptr || steps != nullptr) {
-    read.stepwise = steps != nullptr;
-    if (!inner.read_rows(key, steps != nullptr ? *steps : *table, read)) return;
-  } else if (described->contains("from") && described->contains("rate_per_s")) {
-    read = {.time_s = {0, duration_s}, .value = {from, from + rate * duration_s}};
-  } else {
-    return wrong_type(key, *node, words);
-  }
-  into = read;
+bool TableReader::number(const char* key, std::optional<double>& into, const Range& range) {
+  double value = 0;
+  if (!number(key, value, range)) return false;
+  into = value;
+  return true;
 }
 
-int TableReader::reference(const char* key, const char* what, const std::vector<std::string>& names, bool required) {
+bool TableReader::integer(const char* key, int& into, int least) {
+  constexpr int most = 1'000'000;
+  const std::string words = fmt::format("a whole number from {} to {}", least, most);
+  const toml::node* node = ask(key, false, words);
+  if (node == nullptr) return false;
+  const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+  if (!value || *value < least || *value > most) return wrong(key, *node, words);
+  into = static_cast<int>(*value);
+  return true;
+}
+
+bool TableReader::flag(const char* key, bool& into) {
+  const toml::node* node = ask(key, false, "true or false");
+  if (node == nullptr) return false;
+  if (!node->is_boolean()) return wrong(key, *node, "true or false");
+  into = *node->value<bool>();
+  return true;
+}
+
+bool TableReader::text(const char* key, std::string& into, bool required) {
+  const std::string words = required ? "a text that is not empty, in quotes" : "a text in quotes";
+  const toml::node* node = ask(key, required, words);
+  if (node == nullptr) return false;
+  const auto value = node->is_string() ? node->value<std::string>() : std::nullopt;
+  if (!value || (required && value->empty())) return wrong(key, *node, words);
+  into = *value;
+  return true;
+}
+
+bool TableReader::texts(const char* key, std::vector<std::string>& into, std::size_t count) {
+  const std::string words = fmt::format("a list of {} names", count);
+  const toml::node* node = ask(key, true, words);
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != count || !list->is_homogeneous<std::string>()) return wrong(key, *node, words);
+  for (const auto& entry : *list) into.push_back(*entry.value<std::string>());
+  return true;
+}
+
+bool TableReader::point(const char* key, Point& into, bool required) {
+  constexpr const char* words = "a pair of numbers [x, y] within 1e7";
+  const toml::node* node = ask(key, required, words);
+  if (node == nullptr) return false;
+  const auto value = point_of(*node);
+  if (!value) return wrong(key, *node, words);
+  into = *value;
+  return true;
+}
+
+bool TableReader::points(const char* key, std::vector<Point>& into) {
+  const toml::node* node = ask(key, true, "a list of points [[x, y], ...]");
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() < 3 || list->size() > most_vertices) {
+    return wrong(key, *node, fmt::format("a list of 3 to {} points [[x, y], ...]", most_vertices));
+  }
+  std::vector<Point> read;
+  for (const auto& entry : *list) {
+    const auto p = point_of(entry);
+    if (!p) return wrong(key, entry, "a pair of numbers [x, y] in metres, within 1e7");
+    read.push_back(*p);
+  }
+  into = std::move(read);
+  return true;
+}
+
+int TableReader::reference(const char* key, const Names& names, bool required) {
   std::string word;
-  text(key, word, required);
-  if (word.empty()) return -1;
-  const auto found = std::find(names.begin(), names.end(), word);
-  if (found != names.end()) return static_cast<int>(found - names.begin());
-  problems_.error(line(key), fmt::format("{} in {} names no {}: \"{}\"", key, name_, what, word),
-                  fmt::format("one of {}", fmt::join(names, ", ")), did_you_mean(word, names));
+  if (!text(key, word, required) || word.empty()) return -1;
+  const int index = names.find(word);
+  if (index >= 0) return index;
+  problems_.error(place(key), fmt::format("{} in {} names no {}: \"{}\"", key, name_, names.kind(), word),
+                  one_of(names.list()), did_you_mean(word, names.list()));
   return -1;
 }
 

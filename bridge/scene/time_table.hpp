@@ -18,6 +18,7 @@ struct TimeTable {
   [[nodiscard]] double at(double time_s) const;
   [[nodiscard]] double largest() const;
   [[nodiscard]] double smallest() const;
+  bool operator==(const TimeTable&) const = default;
 };
 
 }  // namespace blockweir::scene

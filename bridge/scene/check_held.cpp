@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blocks that would fall for ever: none of what could hold them is beside or below.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "bridge/scene/block_index.hpp"
+#include "bridge/scene/check.hpp"
+#include "bridge/scene/joint_trace.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+constexpr double touching_ratio = 1e-6;
+
+/// Lowest and highest point of an outline on the vertical line at x; low > high where it misses.
+std::pair<double, double> extent_at(const std::vector<Point>& outline, double x) {
+  std::pair<double, double> extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point& a = outline[i];
+    const Point& b = outline[(i + 1) % outline.size()];
+    if ((a.x() > x) == (b.x() > x)) continue;
+    const double y = a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
+    extent = {std::min(extent.first, y), std::max(extent.second, y)};
+  }
+  return extent;
+}
+
+/// Whether a vertical line meets `upper` above `lower`. As the two do not overlap, their order can only change at the
+/// x of a vertex: one line between each two of those says all.
+bool lies_above(const Block& upper, const Block& lower) {
+  std::vector<double> stations;
+  for (const Block* block : {&upper, &lower}) {
+    for (const Point& p : block->vertices) stations.push_back(p.x());
+  }
+  std::sort(stations.begin(), stations.end());
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    if (stations[i] == stations[i + 1]) continue;
+    const double x = (stations[i] + stations[i + 1]) / 2;
+    if (extent_at(lower.vertices, x).first < extent_at(upper.vertices, x).second) return true;
+  }
+  return false;
+}
+
+bool touch(const Block& a, const Block& b) {
+  const double size = std::min(bounds_of(a.vertices).size(), bounds_of(b.vertices).size());
+  return !trace_joint(a, b, touching_ratio * size).pieces.empty();
+}
+
+std::vector<bool> held_by_themselves(const Scene& scene) {
+  std::vector<bool> held;
+  const bool water = scene.fluid != FluidModel::none;
+  for (const Block& block : scene.blocks) {
+    const bool known = block.material >= 0;
+    const bool floats =
+        water && known &&
+        scene.materials[static_cast<std::size_t>(block.material)].density_kg_per_m3 < scene.water.density_kg_per_m3;
+    held.push_back(block.fixed || floats);
+  }
+  for (const Support& support : scene.supports) {
+    if (support.block >= 0 && support.displacement_y_m) held[static_cast<std::size_t>(support.block)] = true;
+  }
+  return held;
+}
+
+}  // namespace
+
+void check_held(const Scene& scene, Problems& problems) {
+  if (scene.analysis.gravity_m_per_s2 == 0) return;
+  const BlockIndex index(scene.blocks);
+  std::vector<bool> held = held_by_themselves(scene);
+  std::vector<std::size_t> holding;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (held[i]) holding.push_back(i);
+  }
+  auto left = static_cast<std::size_t>(std::count(held.begin(), held.end(), false));
+  while (!holding.empty() && left > 0) {
+    const Block& holder = scene.blocks[holding.back()];
+    holding.pop_back();
+    Bounds reach = bounds_of(holder.vertices);
+    const Point margin = Point::Constant(touching_ratio * reach.size());
+    reach = {reach.low - margin, reach.high + margin};
+    reach.high.y() = std::numeric_limits<double>::max();
+    for (const std::size_t i : index.meeting(reach)) {
+      if (held[i] || !(lies_above(scene.blocks[i], holder) || touch(scene.blocks[i], holder))) continue;
+      held[i] = true;
+      --left;
+      holding.push_back(i);
+    }
+  }
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (held[i]) continue;
+    problems.error(problems.at(scene.blocks[i].line),
+                   fmt::format("block \"{}\" is outside any support: nothing that holds is below or beside it",
+                               scene.blocks[i].name),
+                   "a fixed block or a support in y that it touches or lies above, or other blocks in between",
+                   "add a foundation with fixed = true, or a [[support]] with displacement_y_m = 0");
+  }
+}
+
+}  // namespace blockweir::scene

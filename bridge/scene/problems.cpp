@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Collects what is wrong with a scene, so that all of it is reported at once.
+#include "bridge/scene/problems.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace blockweir::scene {
+
+Place Problems::at(const toml::source_region& source) const {
+  // A value of --set carries that as its path and was parsed on its own: its line says nothing.
+  if (source.path && *source.path != file_) return {*source.path, 0};
+  return at(static_cast<int>(source.begin.line));
+}
+
+void Problems::error(const Place& place, std::string found, std::string expected, std::string remedy) {
+  if (full()) return;
+  errors_.push_back(
+      {Diagnostic::Severity::error, place.file, place.line, std::move(found), std::move(expected), std::move(remedy)});
+}
+
+void Problems::note(const Place& place, std::string found, std::string remedy) {
+  notes_.push_back({Diagnostic::Severity::note, place.file, place.line, std::move(found), "", std::move(remedy)});
+}
+
+std::vector<Diagnostic> Problems::errors() const {
+  std::vector<Diagnostic> sorted = errors_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
+  return sorted;
+}
+
+}  // namespace blockweir::scene

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sections of a scene file, a function each, to be read in this order.
+#pragma once
+
+#include <toml++/toml.h>
+#include <string>
+#include <vector>
+
+#include "bridge/scene/names.hpp"
+#include "bridge/scene/problems.hpp"
+#include "bridge/scene/scene.hpp"
+#include "bridge/scene/table_reader.hpp"
+
+namespace blockweir::scene {
+
+/// A file as tables on its way to a scene, with the names that later sections refer to.
+struct Reading {
+  const toml::table& file;
+  Problems& problems;
+  Scene& scene;
+  Names materials{"material"};
+  Names blocks{"block"};
+  std::vector<std::string> sections{};  ///< that were asked for
+
+  /// The table [name]; null where the file has none.
+  const toml::table* section(const char* name);
+
+  /// Calls read(table) for each [[name]].
+  template <class Read>
+  void each(const char* name, Read read) {
+    for (const toml::table* table : entries(name)) {
+      TableReader reader(problems, table, entry_name(name, *table));
+      read(reader);
+    }
+  }
+
+  /// The outline of a block that was read soundly, else null.
+  [[nodiscard]] const Block* sound_block(int index) const;
+
+ private:
+  std::vector<const toml::table*> entries(const char* name);
+  static std::string entry_name(const char* name, const toml::table& table);
+};
+
+void read_heading(Reading& reading);
+void read_analysis(Reading& reading);
+void read_materials(Reading& reading);
+void read_blocks(Reading& reading);
+void read_joints(Reading& reading);
+void read_supports(Reading& reading);
+void read_point_loads(Reading& reading);
+void read_face_pressures(Reading& reading);
+void read_water(Reading& reading);
+void read_fluid(Reading& reading);
+void read_contact(Reading& reading);
+void read_coupling(Reading& reading);
+void read_output(Reading& reading);
+void read_expectations(Reading& reading);
+/// After all others.
+void reject_unknown_sections(Reading& reading);
+
+}  // namespace blockweir::scene

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The water and the model that computes its pressure.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bridge/scene/outline.hpp"
+#include "bridge/scene/sections.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+/// Lowest and highest value that a table takes from time 0 to `duration_s`.
+std::pair<double, double> extremes(const TimeTable& table, double duration_s) {
+  auto [low, high] = std::minmax({table.at(0), table.at(duration_s)});
+  for (std::size_t i = 0; i < table.time_s.size(); ++i) {
+    if (table.time_s[i] < 0 || table.time_s[i] > duration_s) continue;
+    low = std::min(low, table.value[i]);
+    high = std::max(high, table.value[i]);
+  }
+  return {low, high};
+}
+
+/// Crest: the highest vertex of what can move, or of all where nothing can. Bottom: the lowest of all.
+struct Heights {
+  double bottom_m;
+  double crest_m;
+};
+
+std::optional<Heights> heights(const std::vector<Block>& blocks) {
+  std::vector<Point> all;
+  std::vector<Point> movable;
+  for (const Block& block : blocks) {
+    all.insert(all.end(), block.vertices.begin(), block.vertices.end());
+    if (!block.fixed) movable.insert(movable.end(), block.vertices.begin(), block.vertices.end());
+  }
+  if (all.empty()) return std::nullopt;
+  return Heights{bounds_of(all).low.y(), bounds_of(movable.empty() ? all : movable).high.y()};
+}
+
+void check_level(TableReader& table, Reading& reading, const char* key, const std::optional<TimeTable>& level) {
+  const bool sound = std::none_of(reading.scene.blocks.begin(), reading.scene.blocks.end(),
+                                  [](const Block& block) { return block.vertices.empty(); });
+  const auto model = heights(reading.scene.blocks);
+  if (!level || !model || !sound) return;
+  const auto [low, high] = extremes(*level, reading.scene.analysis.duration_s);
+  if (high > model->crest_m && !reading.scene.water.may_overtop) {
+    reading.problems.error(
+        table.place(key),
+        fmt::format("{} reaches {} m, above the structure's highest vertex at {} m", key, high, model->crest_m),
+        "a level within the structure", "lower the level, or set may_overtop = true in [water] if that is meant");
+  }
+  if (low < model->bottom_m) {
+    reading.problems.error(
+        table.place(key),
+        fmt::format("{} falls to {} m, below the model's lowest vertex at {} m", key, low, model->bottom_m),
+        "a level within the model", "raise the level, or leave it out where there is no water");
+  }
+}
+
+}  // namespace
+
+void read_water(Reading& reading) {
+  TableReader table(reading.problems, reading.section("water"), "[water]");
+  Water& w = reading.scene.water;
+  const double duration = reading.scene.analysis.duration_s;
+  table.number("density_kg_per_m3", w.density_kg_per_m3, positive());
+  table.time_table("upstream_level_m", w.upstream_level_m, duration);
+  table.time_table("downstream_level_m", w.downstream_level_m, duration);
+  table.choice<Atmosphere>("atmosphere", w.atmosphere,
+                           {{"none", Atmosphere::none}, {"wet-faces", Atmosphere::wet_faces}});
+  table.number("atmospheric_pressure_pa", w.atmospheric_pressure_pa, not_negative());
+  table.choice<NodalRule>("nodal_rule", w.nodal_rule,
+                          {{"consistent", NodalRule::consistent}, {"lumped", NodalRule::lumped}});
+  table.integer("elements_per_face", w.elements_per_face, 1);
+  table.number("open_crack_width_m", w.open_crack_width_m, positive());
+  table.flag("may_overtop", w.may_overtop);
+  if (!table.present()) return;
+  reading.scene.fluid = FluidModel::hydrostatic;
+  if (!table.has("upstream_level_m") && !table.has("downstream_level_m")) {
+    reading.problems.error(table.place(), "[water] has no level", "upstream_level_m, downstream_level_m or both",
+                           "state a level, or leave [water] out");
+  }
+  check_level(table, reading, "upstream_level_m", w.upstream_level_m);
+  check_level(table, reading, "downstream_level_m", w.downstream_level_m);
+}
+
+void read_fluid(Reading& reading) {
+  const bool water = reading.scene.fluid == FluidModel::hydrostatic;
+  TableReader table(reading.problems, reading.section("fluid"), "[fluid]");
+  table.choice<FluidModel>("model", reading.scene.fluid,
+                           {{"none", FluidModel::none}, {"hydrostatic", FluidModel::hydrostatic}});
+  if (reading.scene.fluid == FluidModel::hydrostatic && !water) {
+    reading.problems.error(table.place("model"), "a hydrostatic fluid, but no [water]", "[water] with a level",
+                           "add [water], or set model = \"none\"");
+  }
+}
+
+}  // namespace blockweir::scene

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_scene
+// Time tables in their four forms, and water levels that do not suit the model.
+#include <gtest/gtest.h>
+
+#include "tests/unit/scene_sample.hpp"
+
+using namespace blockweir::scene;
+using sample::errors;
+using sample::expect_error;
+using sample::text;
+using sample::with;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+namespace {
+
+constexpr const char* level = "upstream_level_m = { table = [[0, 1], [2, 3]] }";
+
+TimeTable level_of(const std::string& value) {
+  return *read_text(with(level, "upstream_level_m = " + value), "s.toml").scene.water.upstream_level_m;
+}
+
+TEST(SceneTimeTable, ANumberIsConstant) {
+  const TimeTable t = level_of("3");
+  EXPECT_EQ(t.at(-1), 3);
+  EXPECT_EQ(t.at(100), 3);
+}
+
+TEST(SceneTimeTable, ATableIsLinearAndHeldOutside) {
+  const TimeTable t = level_of("{ table = [[0.5, 1], [1.5, 3]] }");
+  EXPECT_EQ(t.at(0), 1);
+  EXPECT_EQ(t.at(0.75), 1.5);
+  EXPECT_EQ(t.at(1.5), 3);
+  EXPECT_EQ(t.at(9), 3);
+  EXPECT_EQ(t.smallest(), 1);
+  EXPECT_EQ(t.largest(), 3);
+}
+
+TEST(SceneTimeTable, StepsHoldUntilTheNextRow) {
+  const TimeTable t = level_of("{ steps = [[0, 1], [1, 3]] }");
+  EXPECT_EQ(t.at(0.999), 1);
+  EXPECT_EQ(t.at(1), 3);
+  EXPECT_EQ(t.at(5), 3);
+}
+
+TEST(SceneTimeTable, ARampReachesTheEndOfTheRun) {
+  const TimeTable t = level_of("{ from = 1, rate_per_s = 0.5 }");
+  EXPECT_THAT(t.time_s, ElementsAre(0, 2));
+  EXPECT_THAT(t.value, ElementsAre(1, 2));
+}
+
+TEST(SceneTimeTable, ARampStopsAtItsEnd) {
+  const TimeTable t = level_of("{ from = 3, rate_per_s = -4, to = 1 }");
+  EXPECT_THAT(t.time_s, ElementsAre(0, 0.5));
+  EXPECT_EQ(t.at(0.25), 2);
+  EXPECT_EQ(t.at(2), 1);
+}
+
+TEST(SceneTimeTable, FaultsNameTheirLine) {
+  const auto fault = [](const std::string& value, int line, const std::vector<std::string>& words) {
+    expect_error(with(level, "upstream_level_m = " + value), line, words);
+  };
+  fault("{ table = [[0, 1],\n[1, 2],\n[1, 3]] }", 47, {"goes from time 1 s to 1 s", "times that increase"});
+  fault("{ table = [[1, 1], [0, 2]] }", 45, {"table in upstream_level_m of [water] goes from time 1 s to 0 s"});
+  fault("{ table = [] }", 45, {"rows [[time_s, value], ...]"});
+  fault("{ table = [[0, 1],\n[1]] }", 46, {"a row [time_s, value] of two finite numbers"});
+  fault("{ steps = [[0, inf]] }", 45, {"steps in upstream_level_m of [water]"});
+  fault("{ tabel = [[0, 1]], from = 1, rate_per_s = 0 }", 45, {"unknown key \"tabel\"", "did you mean \"table\"?"});
+  fault("{ table = [[0, 1]], steps = [[0, 1]] }", 45, {"does not state one course in time", "keep one of"});
+  fault("{ }", 45, {"does not state one course in time"});
+  fault("{ from = 1 }", 45, {"has no \"rate_per_s\""});
+  fault("{ from = 1, rate_per_s = -1, to = 3 }", 45, {"never gets from 1 to 3 at -1 per second"});
+  fault("{ from = 1, rate_per_s = 0, to = 3 }", 45, {"never gets from 1 to 3"});
+  fault("{ from = 1, rate_per_s = 1e308 }", 45, {"never gets from 1 to inf"});
+  fault("\"high\"", 45, {"upstream_level_m in [water] is 'high'", "{ table = [[time_s, value], ...] }"});
+  fault("nan", 45, {"upstream_level_m in [water] is nan"});
+}
+
+TEST(SceneWater, ALevelAboveTheStructureIsRefusedUnlessMeant) {
+  const std::string high = with("[2, 3]", "[2, 4.5]");
+  expect_error(high, 45,
+               {"upstream_level_m reaches 4.5 m, above the structure's highest vertex at 4 m", "may_overtop"});
+  EXPECT_THAT(errors(with("[water]", "[water]\nmay_overtop = true", high)), IsEmpty());
+  expect_error(with("[water]", "[water]\ndownstream_level_m = 5"), 45, {"downstream_level_m reaches 5 m"});
+}
+
+TEST(SceneWater, ALevelBetweenTheRowsOrAfterTheRunIsJudgedByTheTimeOfTheRun) {
+  EXPECT_THAT(errors(with("[2, 3]", "[4, 7]")), IsEmpty());
+  expect_error(with("[2, 3]", "[4, 7.1]"), 45, {"reaches 4.05 m"});
+  expect_error(with("{ table = [[0, 1], [2, 3]] }", "{ steps = [[0, 1], [1, 9], [1.1, 1]] }"), 45, {"reaches 9 m"});
+}
+
+TEST(SceneWater, ALevelBelowTheModelIsRefused) {
+  expect_error(with("[0, 1]", "[0, -1.5]"), 45,
+               {"upstream_level_m falls to -1.5 m, below the model's lowest vertex at -1"});
+}
+
+TEST(SceneWater, WaterWithoutALevelIsRefused) {
+  expect_error(with(level, ""), 44, {"[water] has no level", "leave [water] out"});
+}
+
+TEST(SceneWater, AFluidWithoutWaterIsRefused) {
+  expect_error(with(std::string("[water]\n") + level, ""), 46, {"a hydrostatic fluid, but no [water]"});
+}
+
+TEST(SceneWater, TheFluidIsHydrostaticWhereThereIsWaterUnlessTheSceneSaysNone) {
+  EXPECT_EQ(read_text(with("[fluid]\nmodel = \"hydrostatic\"\n", ""), "s").scene.fluid, FluidModel::hydrostatic);
+  EXPECT_EQ(read_text(with("model = \"hydrostatic\"", "model = \"none\""), "s").scene.fluid, FluidModel::none);
+}
+
+}  // namespace
