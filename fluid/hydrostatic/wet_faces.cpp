@@ -165,7 +165,14 @@ WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, d
 
   const double far_left = e.left - pad + tiny_m;
   const double far_right = e.right + pad - tiny_m;
+  const auto add_boundary = [&](const cl::Path& path) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      map_to_edges(outlines, to_metres(path[i]), to_metres(path[(i + 1) % path.size()]), open_crack_width_m / 5,
+                   result.intervals);
+    }
+  };
   for (const cl::Path& component : water) {
+    if (!cl::Orientation(component)) continue;  // a hole: the outline of a block under water, see below
     bool left = false;
     bool right = false;
     for (const cl::IntPoint& corner : component) {
@@ -174,9 +181,9 @@ WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, d
     }
     if (!(pool == Pool::upstream ? left : right)) continue;
     result.breached = result.breached || (left && right);
-    for (std::size_t i = 0; i < component.size(); ++i) {
-      map_to_edges(outlines, to_metres(component[i]), to_metres(component[(i + 1) % component.size()]),
-                   open_crack_width_m / 5, result.intervals);
+    add_boundary(component);
+    for (const cl::Path& hole : water) {
+      if (!cl::Orientation(hole) && cl::PointInPolygon(hole.front(), component) != 0) add_boundary(hole);
     }
   }
   tidy(outlines, level_m, open_crack_width_m, result.intervals);

@@ -123,6 +123,7 @@ Interaction AugmentedLagrangian::contact(const Trial& trial, int index, ContactP
   if (force.state != c.state) ++state_changes_;
   c.state = force.state;
   progress.force = {force.normal, force.shear};
+  c.force = progress.force;
   progress.violated = {force.state == ContactState::open ? 0 : progress.separation.x(),
                        force.state == ContactState::stick ? progress.separation.y() : 0};
 

@@ -24,6 +24,7 @@ struct ContactPoint {
 
   // Memory.
   Eigen::Vector2d multiplier = Eigen::Vector2d::Zero();  ///< (normal, shear) force on the vertex [N per metre]
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();       ///< what acts: multiplier less penalty times separation
   double penalty = 0;                                    ///< N/m per metre
   double bond_length = 0;                                ///< m, bonded part
   bool bonded = false;                                   ///< cohesion and tension not yet lost

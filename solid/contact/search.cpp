@@ -136,6 +136,7 @@ void ContactSearch::inherit(std::vector<ContactPoint>& old) {
   };
   const auto take = [](ContactPoint& heir, const ContactPoint& from) {
     heir.multiplier = from.multiplier;
+    heir.force = from.force;
     heir.penalty = from.penalty;
     heir.bond_length = from.bond_length;
     heir.bonded = from.bonded;

@@ -54,8 +54,8 @@ void capture_contact(const Solid& solid, const ContactPoint& c, ContactRow& row)
   row.bonded = c.bonded;
   row.gap_m = row.normal.dot(row.point_m - a);
   row.slip_m = c.slip_m;
-  row.normal_force_n_per_m = c.state == ContactState::open ? 0 : c.multiplier.x();
-  row.shear_force_n_per_m = c.state == ContactState::open ? 0 : c.multiplier.y();
+  row.normal_force_n_per_m = c.state == ContactState::open ? 0 : c.force.x();
+  row.shear_force_n_per_m = c.state == ContactState::open ? 0 : c.force.y();
   row.length_m = c.length;
 }
 

@@ -112,10 +112,10 @@ void FailureWatch::update_margin(double time_s, double level_m) {
     if (c.state == ContactState::open) continue;
     const JointProperties& law = solid_.laws()[c.law];
     Sum& sum = joints[std::minmax(c.vertex_block, c.edge_block)];
-    sum.strength += c.bonded ? law.cohesion_pa * c.bond_length + c.multiplier.x() * law.friction
-                             : c.multiplier.x() * law.residual_friction;
+    sum.strength +=
+        c.bonded ? law.cohesion_pa * c.bond_length + c.force.x() * law.friction : c.force.x() * law.residual_friction;
     // Shear is counted along the edge of one block: seen from the other it keeps its sign.
-    sum.shear += c.multiplier.y();
+    sum.shear += c.force.y();
   }
   for (const auto& [pair, sum] : joints) {
     if (std::abs(sum.shear) < 1e-6 * std::abs(sum.strength)) continue;

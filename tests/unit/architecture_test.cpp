@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: fmt::fmt
+// The house rules that a compiler does not see: which folder may include which, licences, lengths.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path root = BLOCKWEIR_SOURCE;
+
+struct Source {
+  std::string path;  ///< relative to the root
+  std::string folder;
+  std::vector<std::string> lines;
+  std::set<std::string> includes;  ///< folders of this project
+};
+
+std::vector<Source> sources() {
+  std::vector<Source> all;
+  for (const char* top : {"bridge", "solid", "fluid"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const auto ending = entry.path().extension();
+      if (ending != ".cpp" && ending != ".hpp") continue;
+      Source source{
+          fs::relative(entry.path(), root).string(), fs::relative(entry.path().parent_path(), root).string(), {}, {}};
+      std::ifstream stream(entry.path());
+      for (std::string line; std::getline(stream, line);) {
+        source.lines.push_back(line);
+        for (const char* part : {"bridge", "solid", "fluid"}) {
+          const std::string start = std::string("#include \"") + part + "/";
+          if (line.rfind(start, 0) != 0) continue;
+          const std::string file = line.substr(10, line.rfind('"') - 10);
+          source.includes.insert(fs::path(file).parent_path().string());
+        }
+      }
+      all.push_back(std::move(source));
+    }
+  }
+  return all;
+}
+
+std::string top_of(const std::string& folder) {
+  return folder.substr(0, folder.find('/'));
+}
+
+TEST(Architecture, ArrowsRunOneWay) {
+  const std::vector<std::string> order = {"solid/geometry", "solid/block",  "solid/contact", "solid/solve",
+                                          "solid/step",     "solid/output", "solid"};
+  const auto rank = [&](const std::string& folder) {
+    return std::find(order.begin(), order.end(), folder) - order.begin();
+  };
+  for (const Source& source : sources()) {
+    for (const std::string& to : source.includes) {
+      if (top_of(source.folder) == "bridge") EXPECT_EQ(top_of(to), "bridge") << source.path << " includes " << to;
+      if (top_of(source.folder) == "solid") EXPECT_NE(top_of(to), "fluid") << source.path << " includes " << to;
+      if (top_of(source.folder) == "fluid") EXPECT_NE(top_of(to), "solid") << source.path << " includes " << to;
+      if (top_of(source.folder) == "solid" && top_of(to) == "solid") {
+        EXPECT_LE(rank(to), rank(source.folder)) << source.path << " includes " << to;
+      }
+      if (source.folder == "bridge/wire") EXPECT_EQ(to, "bridge/wire") << source.path;
+      if (source.folder == "bridge/channel")
+        EXPECT_TRUE(to == "bridge/wire" || to == "bridge/channel") << source.path << " includes " << to;
+    }
+  }
+}
+
+TEST(Architecture, NoFoldersIncludeEachOther) {
+  std::map<std::string, std::set<std::string>> arrows;
+  for (const Source& source : sources()) {
+    for (const std::string& to : source.includes) {
+      if (to != source.folder) arrows[source.folder].insert(to);
+    }
+  }
+  for (bool grew = true; grew;) {  // transitive closure
+    grew = false;
+    for (auto& [from, reached] : arrows) {
+      for (const std::string& via : std::set<std::string>(reached)) {
+        for (const std::string& to : arrows[via]) grew = reached.insert(to).second || grew;
+      }
+    }
+  }
+  for (const auto& [from, reached] : arrows) EXPECT_EQ(reached.count(from), 0U) << from << " reaches itself";
+}
+
+TEST(Architecture, EverySourceHasItsLicenceAndAReadableLength) {
+  for (const Source& source : sources()) {
+    ASSERT_FALSE(source.lines.empty()) << source.path;
+    EXPECT_EQ(source.lines.front(), "// SPDX-License-Identifier: GPL-3.0-or-later") << source.path;
+    EXPECT_LE(source.lines.size(), 400U) << source.path;
+  }
+}
+
+}  // namespace

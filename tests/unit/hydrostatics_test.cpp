@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: fluid_hydrostatic solid_block
+// Force and moment of still water against the formulas, by both nodal rules; which faces are wet.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fluid/hydrostatic/hydrostatic_model.hpp"
+#include "solid/block/panel.hpp"
+
+namespace blockweir::hydrostatic {
+namespace {
+
+scene::Scene scene_of(std::vector<std::vector<Point>> outlines, double level) {
+  scene::Scene scene;
+  scene.materials.push_back({"concrete", 50e9, 0.2, 2500});
+  for (auto& outline : outlines) {
+    scene::Block block;
+    block.name = "b" + std::to_string(scene.blocks.size());
+    block.vertices = std::move(outline);
+    scene.blocks.push_back(block);
+  }
+  scene.water.upstream_level_m = scene::TimeTable::constant(level);
+  return scene;
+}
+
+wire::Load load_at_rest(const scene::Scene& scene) {
+  HydrostaticModel model(scene);
+  wire::Motion motion;
+  motion.displacement.resize(scene.blocks.size());
+  motion.velocity.resize(scene.blocks.size());
+  wire::Load load;
+  model.advance(motion, 0, load);
+  return load;
+}
+
+struct Resultant {
+  Point force = Point::Zero();
+  double moment = 0;  ///< about the origin, counter-clockwise
+};
+
+Resultant resultant(const scene::Scene& scene, const wire::Load& load, std::uint32_t on) {
+  Resultant r;
+  for (std::size_t i = 0; i < load.block.size(); ++i) {
+    if (load.block[i] != on) continue;
+    const auto block = solid::make_block(scene.blocks[on], scene.materials[0], scene::Plane::strain);
+    const solid::Placement placement(block.centroid, solid::Vector6::Zero());
+    const auto acting = solid::panel_force(block, placement,
+                                           {static_cast<int>(on), static_cast<int>(load.edge[i]), load.s_from[i],
+                                            load.s_to[i], load.pressure_from_pa[i], load.pressure_to_pa[i]},
+                                           scene.water.nodal_rule);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Point x = placement.position(acting.node[k]);
+      r.force += acting.force[k];
+      r.moment += x.x() * acting.force[k].y() - x.y() * acting.force[k].x();
+    }
+  }
+  return r;
+}
+
+TEST(Hydrostatics, LumpedMomentErrsByOneOverNSquaredAndConsistentIsExact) {
+  for (int n = 1; n <= 64; ++n) {
+    auto scene = scene_of({{{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, 10);
+    scene.water.elements_per_face = n;
+    const double moment = -9810 * 1000.0 / 6;
+    EXPECT_NEAR(resultant(scene, load_at_rest(scene), 0).moment / moment, 1, 1e-12) << n;
+    scene.water.nodal_rule = scene::NodalRule::lumped;
+    const Resultant lumped = resultant(scene, load_at_rest(scene), 0);
+    EXPECT_NEAR(lumped.moment / moment, 1 - 1.0 / (n * n), 1e-10) << n;
+    EXPECT_NEAR(lumped.force.x() / (9810 * 50), 1, 1e-12) << n;
+  }
+}
+
+TEST(Hydrostatics, ASurfaceInsideAnElementSplitsIt) {
+  for (const double level : {9.99, 7.3, 5.0, 0.2}) {
+    auto scene = scene_of({{{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, level);
+    scene.water.elements_per_face = 7;
+    const Resultant r = resultant(scene, load_at_rest(scene), 0);
+    EXPECT_NEAR(r.force.x() / (9810 * level * level / 2), 1, 1e-12) << level;
+    EXPECT_NEAR(r.moment / (-9810 * level * level * level / 6), 1, 1e-12) << level;
+  }
+}
+
+TEST(Hydrostatics, SlopingFacesCarryTheWaterAboveThem) {
+  for (const double slope : {0.1, 0.2, 0.5, -0.2}) {  // horizontal run of the upstream face over its height
+    auto scene = scene_of({{{0, 0}, {8, 0}, {8, 10}, {slope * 10, 10}}}, 9.3);
+    scene.water.elements_per_face = 9;
+    const Resultant r = resultant(scene, load_at_rest(scene), 0);
+    EXPECT_NEAR(r.force.x() / (9810 * 9.3 * 9.3 / 2), 1, 1e-12) << slope;
+    EXPECT_NEAR(r.force.y() / (-9810 * 9.3 * 9.3 * slope / 2), 1, 1e-12) << slope;
+  }
+}
+
+TEST(Hydrostatics, LumpedRuleOnASlopeWithTheSurfaceInsideAnElementKeepsTheForce) {
+  auto scene = scene_of({{{0, 0}, {8, 0}, {8, 10}, {2, 10}}}, 7.7);
+  scene.water.elements_per_face = 5;
+  scene.water.nodal_rule = scene::NodalRule::lumped;
+  EXPECT_NEAR(resultant(scene, load_at_rest(scene), 0).force.x() / (9810 * 7.7 * 7.7 / 2), 1, 1e-12);
+}
+
+TEST(Hydrostatics, ASubmergedBlockLosesTheWeightOfItsWater) {
+  auto scene = scene_of({{{-30, -1}, {30, -1}, {30, 0}, {-30, 0}},
+                         {{20, 0}, {24, 0}, {24, 12}, {20, 12}},
+                         {{-6, 2}, {-3, 1.5}, {-2, 4}, {-5, 5}}},
+                        10);
+  const Resultant r = resultant(scene, load_at_rest(scene), 2);
+  const double area = solid::make_block(scene.blocks[2], scene.materials[0], scene::Plane::strain).area;
+  EXPECT_NEAR(r.force.y() / (9810 * area), 1, 1e-12);
+  EXPECT_NEAR(r.force.x(), 0, 1e-8);
+}
+
+TEST(Hydrostatics, AnAtmosphereOnWetFacesAloneGivesThePapers170KiloPascal) {
+  auto scene = scene_of({{{0, 0}, {4, 0}, {4, 7}, {0, 7}}}, 7);
+  scene.water.atmosphere = scene::Atmosphere::wet_faces;
+  const wire::Load load = load_at_rest(scene);
+  double largest = 0;
+  for (const double p : load.pressure_to_pa) largest = std::max(largest, p);
+  EXPECT_NEAR(largest, 101300 + 9810 * 7, 1e-6);
+}
+
+TEST(Hydrostatics, NarrowGapsCarryNoWaterAndWideOnesDo) {
+  const auto wet_length = [](double gap) {
+    const std::vector<std::vector<Point>> outlines = {{{0, 0}, {4, 0}, {4, 5}, {0, 5}},
+                                                      {{0, 5 + gap}, {4, 5 + gap}, {4, 12}, {0, 12}}};
+    double length = 0;
+    for (const WetInterval& w : wet_faces(outlines, Pool::upstream, 10, 0.05).intervals) {
+      const auto& o = outlines[static_cast<std::size_t>(w.block)];
+      const auto e = static_cast<std::size_t>(w.edge);
+      length += (w.s_to - w.s_from) * (o[(e + 1) % 4] - o[e]).norm();
+    }
+    return length;
+  };
+  EXPECT_NEAR(wet_length(0), 10, 1e-9);
+  EXPECT_NEAR(wet_length(0.01), 10, 0.02);
+  EXPECT_GT(wet_length(0.2), 17);  // both faces of the gap, 4 m each
+}
+
+TEST(Hydrostatics, UpliftLawsGiveTheirShareOfTheMouthPressure) {
+  for (const auto& [law, k] : {std::pair{scene::Uplift::triangular, 0.5}, std::pair{scene::Uplift::full, 1.0}}) {
+    auto scene = scene_of({{{0, 0}, {6, 0}, {6, 2}, {0, 2}}, {{0, 2}, {6, 2}, {6, 9}, {0, 9}}}, 8);
+    scene.joints.push_back({"crack", {0, 1}, {}});
+    scene.joints[0].law.uplift = law;
+    const Resultant r = resultant(scene, load_at_rest(scene), 1);
+    EXPECT_NEAR(r.force.y() / (k * 9810 * 6 * 6), 1, 1e-12);
+  }
+}
+
+TEST(Hydrostatics, NothingIsComputedAgainWhileNothingMoves) {
+  const auto scene = scene_of({{{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, 7);
+  HydrostaticModel model(scene);
+  wire::Motion motion;
+  motion.displacement.resize(1);
+  wire::Load first;
+  model.advance(motion, 0, first);
+  wire::Load second = first;
+  model.advance(motion, 1, second);
+  EXPECT_EQ(model.unchanged(), 1);
+  EXPECT_EQ(second.pressure_from_pa, first.pressure_from_pa);
+  motion.displacement[0][0] = 1e-3;
+  model.advance(motion, 2, second);
+  EXPECT_EQ(model.updates(), 2);
+}
+
+}  // namespace
+}  // namespace blockweir::hydrostatic

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_channel
+// Messages survive the wire; what is no message, or says what cannot be, is refused by name.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "bridge/channel/hello.hpp"
+#include "bridge/wire/codec.hpp"
+
+namespace blockweir::wire {
+namespace {
+
+Load sample() {
+  return {.window = 17,
+          .time_s = 0.17,
+          .upstream_level_m = 22,
+          .downstream_level_m = std::nan(""),
+          .block = {1, 2},
+          .edge = {3, 0},
+          .s_from = {0, 0.25},
+          .s_to = {0.5, 1},
+          .pressure_from_pa = {1e4, 2e4},
+          .pressure_to_pa = {3e4, 0}};
+}
+
+std::string refusal(const Load& load) {
+  flatbuffers::FlatBufferBuilder builder;
+  encode(load, builder);
+  Load into;
+  try {
+    EXPECT_EQ(verify(builder.GetBufferPointer(), builder.GetSize()), Kind::load);
+    decode(builder.GetBufferPointer(), into);
+  } catch (const BadMessage& bad) {
+    return bad.what();
+  }
+  return "";
+}
+
+TEST(Codec, LoadArrivesAsItWasSent) {
+  flatbuffers::FlatBufferBuilder builder;
+  const Load sent = sample();
+  encode(sent, builder);
+  Load got;
+  decode(builder.GetBufferPointer(), got);
+  EXPECT_EQ(got.window, 17U);
+  EXPECT_TRUE(std::isnan(got.downstream_level_m));
+  EXPECT_EQ(got.edge, sent.edge);
+  EXPECT_EQ(got.pressure_to_pa, sent.pressure_to_pa);
+}
+
+TEST(Codec, MotionArrivesAsItWasSent) {
+  flatbuffers::FlatBufferBuilder builder;
+  Motion sent{.window = 3,
+              .time_s = 0.5,
+              .displacement = {{1, 2, 3, 4, 5, 6}, {7, 8, 9, 10, 11, 12}},
+              .velocity = {{0, 0, 0, 0, 0, 1}, {}}};
+  encode(sent, builder);
+  Motion got;
+  decode(builder.GetBufferPointer(), got);
+  EXPECT_EQ(got.displacement, sent.displacement);
+  EXPECT_EQ(got.velocity, sent.velocity);
+}
+
+TEST(Codec, APressureThatIsNotANumberIsNamed) {
+  Load load = sample();
+  load.pressure_to_pa[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(refusal(load), "pressure of panel 1 (block 2, edge 0) is nan in window 17");
+}
+
+TEST(Codec, ColumnsOfUnequalLengthAreRefused) {
+  Load load = sample();
+  load.s_to.pop_back();
+  EXPECT_EQ(refusal(load), "columns of 2 and 1 panels in window 17");
+}
+
+TEST(Codec, FractionsOutsideTheEdgeAreRefused) {
+  Load load = sample();
+  load.s_to[0] = 1.5;
+  EXPECT_THAT(refusal(load), testing::HasSubstr("end of panel 0 (block 1, edge 3) is 1.5"));
+}
+
+TEST(Codec, SpoiledBytesAreRefusedOrReadButNeverCrash) {
+  flatbuffers::FlatBufferBuilder builder;
+  encode(sample(), builder);
+  const std::vector<std::uint8_t> sound(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
+  std::mt19937 random(11);
+  int refused = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::vector<std::uint8_t> bytes = sound;
+    for (int k = 0; k < 1 + i % 4; ++k) bytes[random() % bytes.size()] ^= static_cast<std::uint8_t>(1U << random() % 8);
+    if (i % 3 == 0) bytes.resize(random() % bytes.size());
+    try {
+      Load into;
+      if (verify(bytes.data(), bytes.size()) == Kind::load) decode(bytes.data(), into);
+    } catch (const BadMessage&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 5000);
+}
+
+TEST(Hello, EveryDifferenceIsNamedWithBothValues) {
+  const Hello ours{.role = "solid", .scene_digest = "aa", .window_s = 0.01};
+  const Hello theirs{.role = "hydrostatic", .scene_digest = "bb", .window_s = 0.02};
+  EXPECT_EQ(channel::compare(ours, theirs),
+            "scene digest: solid has aa, hydrostatic has bb; window_s: solid has 0.01, hydrostatic has 0.02");
+  EXPECT_EQ(channel::compare(ours, ours), "");
+}
+
+}  // namespace
+}  // namespace blockweir::wire
