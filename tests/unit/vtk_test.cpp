@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_output VTK::IOXML
+// What is written is what VTK's own reader, and so ParaView, reads.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "solid/output/history_writer.hpp"
+#include "solid/output/vtk_writer.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+namespace fs = std::filesystem;
+
+Frame frame_at(double time_s) {
+  Frame frame{.time_s = time_s, .upstream_level_m = 1.5, .downstream_level_m = std::nan("")};
+  BlockRow block;  // concave: an L
+  block.vertices_m = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  for (std::size_t v = 0; v < 6; ++v) {
+    block.displacement_m.emplace_back(0.1 * static_cast<double>(v), time_s);
+    block.velocity_m_per_s.emplace_back(1, 2);
+  }
+  block.centroid_m = block.centroid_displacement_m = block.centroid_velocity_m_per_s = Point(1, 1);
+  block.stress_yy_pa = -1.25e5;
+  frame.blocks.push_back(block);
+  frame.contacts.push_back(
+      {.point_m = {0, 0}, .normal = {0, 1}, .state = 2, .normal_force_n_per_m = 3e4, .shear_force_n_per_m = 1e4});
+  frame.panels.push_back({.from_m = {0, 1.5}, .to_m = {0, 0}, .pressure_to_pa = 14715});
+  return frame;
+}
+
+vtkUnstructuredGrid* read(vtkXMLUnstructuredGridReader* reader, const fs::path& file) {
+  reader->SetFileName(file.string().c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+class VtkFiles : public testing::Test {
+ protected:
+  VtkFiles() {
+    std::string name = (fs::temp_directory_path() / "blockweir-vtk-XXXXXX").string();
+    folder = mkdtemp(name.data());
+  }
+  ~VtkFiles() override { fs::remove_all(folder); }
+  fs::path folder;
+};
+
+TEST_F(VtkFiles, AreReadBackToTheBit) {
+  VtkWriter writer(folder);
+  writer.write(frame_at(0));
+  writer.write(frame_at(1.0 / 3));
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  auto* blocks = read(reader, folder / "frames/blocks_000001.vtu");
+  ASSERT_EQ(blocks->GetNumberOfCells(), 1);
+  ASSERT_EQ(blocks->GetNumberOfPoints(), 6);
+  EXPECT_EQ(blocks->GetCellType(0), VTK_POLYGON);
+  EXPECT_EQ(blocks->GetPointData()->GetArray("displacement_m")->GetComponent(3, 1), 1.0 / 3);
+  EXPECT_EQ(blocks->GetCellData()->GetArray("stress_pa")->GetComponent(0, 1), -1.25e5);
+  auto* joints = read(reader, folder / "frames/joints_000001.vtu");
+  EXPECT_EQ(joints->GetCellData()->GetArray("state")->GetComponent(0, 0), 2);
+  EXPECT_EQ(joints->GetCellData()->GetArray("force_n_per_m")->GetComponent(0, 1), 3e4);
+  auto* water = read(reader, folder / "frames/water_000001.vtu");
+  EXPECT_EQ(water->GetNumberOfCells(), 2);  // the panel and the surface of one pool
+  EXPECT_EQ(water->GetPointData()->GetArray("pressure_pa")->GetComponent(1, 0), 14715);
+}
+
+TEST_F(VtkFiles, AreListedInTheCollectionWithTheirTimes) {
+  VtkWriter writer(folder);
+  writer.write(frame_at(0.5));
+  std::ostringstream text;
+  text << std::ifstream(folder / "blocks.pvd").rdbuf();
+  for (const char* part :
+       {"timestep=\"0.5\" part=\"0\" name=\"blocks\"", "part=\"1\" name=\"joints\"", "part=\"2\" name=\"water\""}) {
+    EXPECT_THAT(text.str(), testing::HasSubstr(part));
+  }
+}
+
+TEST_F(VtkFiles, ThatCannotBeWrittenGiveOneClearError) {
+  VtkWriter writer(folder);
+  fs::remove_all(folder / "frames");
+  try {
+    writer.write(frame_at(0));
+    FAIL() << "a frame went to a folder that is gone";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("is the disk full, or the folder not writable?"));
+  }
+}
+
+TEST(History, AFullDiskGivesOneClearError) {
+  const fs::path folder = fs::temp_directory_path() / ("blockweir-full-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  fs::create_symlink("/dev/full", folder / "history.csv");
+  scene::Scene scene;
+  try {
+    HistoryWriter writer(folder, scene);
+    FAIL() << "a line went to a full disk";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("history.csv: is the disk full"));
+  }
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace blockweir::solid::output
