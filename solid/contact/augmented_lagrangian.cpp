@@ -9,7 +9,6 @@ namespace {
 
 // Penalties in units of the blocks' own stiffness at the contact: a sweep shrinks the gap to 1/(1 + ratio); much
 // larger ratios cost digits in the factorization.
-constexpr double default_penalty_ratio = 1e4;
 constexpr double largest_penalty_ratio = 1e6;
 constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
 
@@ -55,8 +54,8 @@ Matrix26 rows(const Matrix26& T, const Point& n, const Point& t) {
 }  // namespace
 
 double AugmentedLagrangian::bounded_penalty(double kept, double stiffness) const {
-  const double initial = settings_.initial_penalty.value_or(default_penalty_ratio * stiffness);
-  return std::min(kept > 0 ? kept : initial, default_penalty_ratio * stiffness);
+  const double initial = settings_.initial_penalty.value_or(settings_.penalty_ratio * stiffness);
+  return std::min(kept > 0 ? kept : initial, settings_.penalty_ratio * stiffness);
 }
 
 void AugmentedLagrangian::begin_step(const Trial& trial, const std::vector<Matrix6>& matrix,

@@ -28,6 +28,7 @@ struct MultiplierSettings {
   double force_tolerance_n = 1e-4;        ///< N per metre
   double position_round_off_m = 0;        ///< separations below this are zero, as coordinates know no better
   std::optional<double> initial_penalty;  ///< N/m per metre; default: 100 times the blocks' own stiffness
+  double penalty_ratio = 1e4;             ///< penalty a step starts with, over the blocks' own stiffness
   bool joints_held = false;               ///< every contact in touch sticks, whatever its law says
 };
 

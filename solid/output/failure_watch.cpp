@@ -53,18 +53,18 @@ void FailureWatch::look(double time_s, double upstream_level_m) {
   if (failures_.empty()) update_margin(time_s, upstream_level_m);
 }
 
-/// Of the neighbours that are in touch and do not come along, the one whose joint begins farthest upstream; -1 when
-/// there is none.
+/// Of the neighbours that do not come along, the one whose joint begins farthest upstream; blocks that had no joint
+/// with this one count when they touch it now. -1 when there is none.
 int FailureWatch::neighbour_left_behind(std::size_t b) const {
   int farthest = -1;
   double farthest_x = 0;
   for (const ContactPoint& c : solid_.contacts()) {
-    if (c.state == ContactState::open) continue;
     const bool is_vertex = at(c.vertex_block) == b;
     if (!is_vertex && at(c.edge_block) != b) continue;
     const int other = is_vertex ? c.edge_block : c.vertex_block;
     if (!solid_.blocks()[at(other)].fixed && speed(at(other)) >= speed(b) / 2) continue;
     const auto trace = joint_trace(b, at(other));
+    if (trace.pieces.empty() && c.state == ContactState::open) continue;
     const double x = trace.pieces.empty() ? std::numeric_limits<double>::max() : trace.mouth().x();
     if (farthest >= 0 && x >= farthest_x) continue;
     farthest = other;

@@ -80,6 +80,7 @@ json summary(const Outcome& outcome) {
                {"counts",
                 {{"steps", counts.steps},
                  {"undone_steps", counts.undone_steps},
+                 {"softened_steps", counts.softened_steps},
                  {"iterations", counts.iterations},
                  {"multiplier_sweeps", counts.sweeps},
                  {"state_changes", counts.state_changes},

@@ -21,7 +21,7 @@ void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water)
     // Equal steps up to the end of the window, none longer than allowed; 1e-9 forgives round-off in the quotient.
     const double allowed = std::min(next_dt_, largest_step);
     const double dt = (to_s - time) / std::ceil((to_s - time) / allowed * (1 - 1e-9));
-    if (attempt(dt, time + dt, water)) {
+    if (attempt(dt, time + dt, water) || attempt_softly(dt, time + dt, water)) {
       time += dt;
       next_dt_ = std::min(largest_step, next_dt_ < dt ? next_dt_ * 2 : std::max(next_dt_, dt * 2));
       continue;
@@ -35,6 +35,20 @@ void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water)
                       time, dt));
     }
   }
+}
+
+/// A large penalty leaves a sticking contact a narrow range of slips, in which Newton's method may jump to and fro
+/// between states; a smaller one takes more sweeps to the same answer.
+bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& water) {
+  const double usual = lagrangian_.settings().penalty_ratio;
+  bool solved = false;
+  for (double ratio = usual / 100; !solved && ratio >= usual / 1e6; ratio /= 100) {
+    ++counts_.softened_steps;
+    lagrangian_.settings().penalty_ratio = ratio;
+    solved = attempt(dt, end_s, water);
+  }
+  lagrangian_.settings().penalty_ratio = usual;
+  return solved;
 }
 
 /// One step of length dt, or nothing at all: false leaves the state as it was.

@@ -16,9 +16,10 @@ struct SolveError : std::runtime_error {
 struct Counts {
   long steps = 0;
   long undone_steps = 0;
-  long iterations = 0;     ///< solved linear systems
-  long sweeps = 0;         ///< multiplier updates
-  long state_changes = 0;  ///< open, stick, slip
+  long softened_steps = 0;  ///< tries with a smaller penalty
+  long iterations = 0;      ///< solved linear systems
+  long sweeps = 0;          ///< multiplier updates
+  long state_changes = 0;   ///< open, stick, slip
   long broad_searches = 0;
   long settling_steps = 0;
 };

@@ -52,6 +52,7 @@ class Solid {
   void bond_touching_contacts();
   void start_acceleration(const std::vector<Panel>& water, double from_s);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
+  bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
