@@ -28,7 +28,8 @@ fs::path program(const char* name) {
 fs::path results_folder(const RunOptions& options) {
   if (!options.out.empty()) {
     if (fs::exists(options.out) &&
-        !(fs::is_directory(options.out) && (fs::is_empty(options.out) || fs::exists(options.out / "summary.json")))) {
+        !(fs::is_directory(options.out) && (fs::is_empty(options.out) || (fs::exists(options.out / "summary.json") &&
+                                                                          fs::exists(options.out / "scene.toml"))))) {
       throw std::invalid_argument(
           fmt::format("--out {}: not empty and not a former run; choose another folder", options.out.string()));
     }

@@ -50,6 +50,7 @@ class Solid {
   };
 
   void bond_touching_contacts();
+  void relax(double pseudo_step_s, const std::vector<Panel>& water);
   void start_acceleration(const std::vector<Panel>& water, double from_s);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
