@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <zmq.hpp>
 
 #include "bridge/channel/endpoint.hpp"
@@ -122,24 +123,33 @@ struct Channel::Line {
     waited_s += seconds_since(start);
   }
 
+  /// ZeroMQ hands small messages out from wherever they stand in its own buffer.
+  const void* aligned_bytes() {
+    if (reinterpret_cast<std::uintptr_t>(incoming.data()) % wire::alignment == 0) return incoming.data();
+    realigned.resize(incoming.size() / sizeof realigned.front() + 1);
+    std::memcpy(realigned.data(), incoming.data(), incoming.size());
+    return realigned.data();
+  }
+
   template <class Message>
   void receive(wire::Kind kind, Message& into, double patience_s, const std::string& moment) {
     wait(patience_s, moment);
     const auto start = Clock::now();
+    const void* data = aligned_bytes();
     try {
-      const wire::Kind got = wire::verify(incoming.data(), incoming.size());
+      const wire::Kind got = wire::verify(data, incoming.size());
       if (got == wire::Kind::end) {
         wire::End end;
-        wire::decode(incoming.data(), end);
+        wire::decode(data, end);
         throw PeerEnded(end.reason);
       }
       if (got == wire::Kind::failure) {
         wire::Failure failure;
-        wire::decode(incoming.data(), failure);
+        wire::decode(data, failure);
         throw PeerError(fmt::format("{} stopped {}: {}", options.partner, moment, failure.text));
       }
       if (got != kind) throw wire::BadMessage("a message of another kind than was due");
-      wire::decode(incoming.data(), into);
+      wire::decode(data, into);
     } catch (const wire::BadMessage& bad) {
       throw PeerError(fmt::format("{} sent {} ({})", options.partner, bad.what(), moment));
     }
@@ -151,6 +161,7 @@ struct Channel::Line {
   zmq::socket_t socket;
   zmq::socket_t monitor;
   zmq::message_t incoming;
+  std::vector<std::uint64_t> realigned;
   flatbuffers::FlatBufferBuilder builder;
   bool joined = false;
   bool left = false;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "bridge/wire/messages_generated.h"
 
@@ -27,10 +28,17 @@ std::string text(const flatbuffers::String* from) {
   return from != nullptr ? from->str() : std::string();
 }
 
+/// Byte by byte: the verifier does not look at how a vector's elements are aligned.
+template <class T>
+void copy(const flatbuffers::Vector<T>* from, T* into) {
+  static_assert(FLATBUFFERS_LITTLEENDIAN, "messages are little-endian");
+  std::memcpy(into, from->Data(), from->size() * sizeof(T));
+}
+
 template <class T>
 void copy(const flatbuffers::Vector<T>* from, std::vector<T>& into) {
-  into.clear();
-  if (from != nullptr) into.insert(into.end(), from->begin(), from->end());
+  into.resize(from != nullptr ? from->size() : 0);
+  if (!into.empty()) copy(from, into.data());
 }
 
 auto flat(Builder& builder, const std::vector<std::array<double, 6>>& rows) {
@@ -46,12 +54,13 @@ void read_rows(const flatbuffers::Vector<double>* from, std::vector<std::array<d
   const std::size_t size = from != nullptr ? from->size() : 0;
   if (size % 6 != 0) throw BadMessage(fmt::format("{} holds {} numbers, not six a block", name, size));
   into.resize(size / 6);
+  if (size == 0) return;
+  copy(from, into.front().data());
   for (std::size_t i = 0; i < size; ++i) {
-    const double value = from->Get(static_cast<flatbuffers::uoffset_t>(i));
+    const double value = into[i / 6][i % 6];
     if (!std::isfinite(value)) {
       throw BadMessage(fmt::format("{} {} of block {} is {} in window {}", name, i % 6, i / 6, value, window));
     }
-    into[i / 6][i % 6] = value;
   }
 }
 

@@ -24,6 +24,9 @@ void encode(const Load& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const End& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const Failure& message, flatbuffers::FlatBufferBuilder& builder);
 
+/// What `data` must be aligned to, here and below [bytes].
+inline constexpr std::size_t alignment = 8;
+
 /// What kind of message `size` bytes at `data` hold; throws BadMessage when they are none.
 Kind verify(const void* data, std::size_t size);
 
