@@ -4,8 +4,8 @@
 // contacts [[x, y, state]], panels [[x0, y0, x1, y1, p0, p1]].
 #pragma once
 
+#include "bridge/results/result_file.hpp"
 #include "solid/output/frame.hpp"
-#include "solid/output/result_file.hpp"
 
 namespace blockweir::solid::output {
 
@@ -15,7 +15,7 @@ class FrameLog {
   void write(const Frame& frame);
 
  private:
-  ResultFile file_;
+  results::ResultFile file_;
 };
 
 }  // namespace blockweir::solid::output

@@ -2,8 +2,8 @@
 // history.csv: one row a stored time, one named column a quantity with its unit.
 #pragma once
 
+#include "bridge/results/result_file.hpp"
 #include "solid/output/frame.hpp"
-#include "solid/output/result_file.hpp"
 
 namespace blockweir::solid::output {
 
@@ -13,7 +13,7 @@ class HistoryWriter {
   void write(const Frame& frame);
 
  private:
-  ResultFile file_;
+  results::ResultFile file_;
   int joints_ = 0;
 };
 

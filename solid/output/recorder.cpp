@@ -97,7 +97,7 @@ void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {
     text["stopped"] = stopped;
   }
   text.merge_patch(extra);
-  replace_file(folder_ / "summary.json", text.dump(2) + "\n");
+  results::replace_file(folder_ / "summary.json", text.dump(2) + "\n");
 }
 
 }  // namespace blockweir::solid::output

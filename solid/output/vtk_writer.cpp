@@ -2,60 +2,19 @@
 #include "solid/output/vtk_writer.hpp"
 
 #include <fmt/format.h>
-#include <vtkCellData.h>
-#include <vtkCommand.h>
-#include <vtkDoubleArray.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkObject.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "solid/output/result_file.hpp"
-
 namespace blockweir::solid::output {
 namespace {
 
-/// An unstructured grid under construction. Polygons go as VTK_POLYGON cells: ParaView cuts those into triangles by
-/// their ears, so that concave blocks look right, which the fans of plain poly data do not promise.
-class Grid {
- public:
-  Grid() {
-    points_->SetDataTypeToDouble();
-    grid_->SetPoints(points_);
-  }
-  vtkIdType point(const Point& p) { return points_->InsertNextPoint(p.x(), p.y(), 0); }
-  void cell(int type, const std::vector<vtkIdType>& ids) {
-    grid_->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
-  }
-  vtkDoubleArray* point_data(const char* name, int components) {
-    return array(grid_->GetPointData(), name, components);
-  }
-  vtkDoubleArray* cell_data(const char* name, int components) { return array(grid_->GetCellData(), name, components); }
-  vtkUnstructuredGrid* get() { return grid_; }
+using results::add_vector;
+using results::VtkGrid;
 
- private:
-  static vtkDoubleArray* array(vtkDataSetAttributes* owner, const char* name, int components) {
-    vtkNew<vtkDoubleArray> data;
-    data->SetName(name);
-    data->SetNumberOfComponents(components);
-    owner->AddArray(data);
-    return data;
-  }
-  vtkNew<vtkPoints> points_;
-  vtkNew<vtkUnstructuredGrid> grid_;
-};
-
-void add_vector(vtkDoubleArray* data, const Point& p) {
-  data->InsertNextTuple3(p.x(), p.y(), 0);
-}
-
-void fill_blocks(const Frame& frame, Grid& grid) {
+/// Polygons go as VTK_POLYGON cells: ParaView cuts those into triangles by their ears, so that concave blocks look
+/// right, which the fans of plain poly data do not promise.
+void fill_blocks(const Frame& frame, VtkGrid& grid) {
   auto* displacement = grid.point_data("displacement_m", 3);
   auto* velocity = grid.point_data("velocity_m_per_s", 3);
   auto* id = grid.cell_data("block", 1);
@@ -83,7 +42,7 @@ void fill_blocks(const Frame& frame, Grid& grid) {
   }
 }
 
-void fill_joints(const Frame& frame, Grid& grid) {
+void fill_joints(const Frame& frame, VtkGrid& grid) {
   auto* joint = grid.cell_data("joint", 1);
   auto* state = grid.cell_data("state", 1);  // 0 open, 1 stick, 2 slip
   auto* bonded = grid.cell_data("bonded", 1);
@@ -109,7 +68,7 @@ void fill_joints(const Frame& frame, Grid& grid) {
 }
 
 /// Pressures on wet panels, and the surface of each pool from the model's end to the structure.
-void fill_water(const Frame& frame, Grid& grid) {
+void fill_water(const Frame& frame, VtkGrid& grid) {
   auto* pressure = grid.point_data("pressure_pa", 1);
   auto* block = grid.cell_data("block", 1);
   double left = 0;
@@ -141,42 +100,20 @@ void fill_water(const Frame& frame, Grid& grid) {
 
 }  // namespace
 
-struct VtkWriter::Files {
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-};
-
-VtkWriter::VtkWriter(std::filesystem::path folder) : folder_(std::move(folder)), files_(std::make_unique<Files>()) {
-  std::filesystem::create_directories(folder_ / "frames");
-  vtkObject::GlobalWarningDisplayOff();  // failures are reported by write()
-  files_->writer->SetCompressorTypeToNone();
-  files_->writer->SetDataModeToAppended();
-  files_->writer->EncodeAppendedDataOff();
-}
-
-VtkWriter::~VtkWriter() = default;
+VtkWriter::VtkWriter(const std::filesystem::path& folder) : files_(folder, "blocks.pvd") {}
 
 void VtkWriter::write(const Frame& frame) {
   int part = 0;
-  const auto save = [&](const char* name, void (*fill)(const Frame&, Grid&)) {
-    Grid grid;
+  const auto save = [&](const char* name, void (*fill)(const Frame&, VtkGrid&)) {
+    VtkGrid grid;
     fill(frame, grid);
-    const std::string file = fmt::format("frames/{}_{:06d}.vtu", name, count_);
-    const std::string path = (folder_ / file).string();
-    files_->writer->SetFileName(path.c_str());
-    files_->writer->SetInputData(grid.get());
-    if (files_->writer->Write() == 0 || files_->writer->GetErrorCode() != 0) {
-      throw std::runtime_error(fmt::format("cannot write {}: is the disk full, or the folder not writable?", path));
-    }
-    entries_ += fmt::format("    <DataSet timestep=\"{:.9g}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", frame.time_s,
-                            part++, name, file);
+    files_.add(grid, fmt::format("{}_{:06d}.vtu", name, count_), frame.time_s, name, part++);
   };
   save("blocks", fill_blocks);
   save("joints", fill_joints);
   save("water", fill_water);
   ++count_;
-  replace_file(folder_ / "blocks.pvd",
-               "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + entries_ +
-                   "  </Collection>\n</VTKFile>\n");
+  files_.save();
 }
 
 }  // namespace blockweir::solid::output

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 
+#include "bridge/results/collection.hpp"
 #include "solid/output/frame.hpp"
 
 namespace blockweir::solid::output {
@@ -12,20 +12,14 @@ namespace blockweir::solid::output {
 class VtkWriter {
  public:
   /// Files go to `folder`/frames, the collection to `folder`/blocks.pvd.
-  explicit VtkWriter(std::filesystem::path folder);
-  ~VtkWriter();
-  VtkWriter(const VtkWriter&) = delete;
-  VtkWriter& operator=(const VtkWriter&) = delete;
+  explicit VtkWriter(const std::filesystem::path& folder);
 
   /// Adds a frame. Throws std::runtime_error when a file cannot be written.
   void write(const Frame& frame);
 
  private:
-  struct Files;
-  std::filesystem::path folder_;
-  std::string entries_;
+  results::Collection files_;
   int count_ = 0;
-  std::unique_ptr<Files> files_;
 };
 
 }  // namespace blockweir::solid::output

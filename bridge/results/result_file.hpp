@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace blockweir::solid::output {
+namespace blockweir::results {
 
 class ResultFile {
  public:
@@ -25,4 +25,7 @@ class ResultFile {
 /// Puts `text` in place of the file in one go: a reader sees the old one or the new one.
 void replace_file(const std::filesystem::path& path, const std::string& text);
 
-}  // namespace blockweir::solid::output
+/// Throws the error that says so.
+[[noreturn]] void cannot_write(const std::filesystem::path& path);
+
+}  // namespace blockweir::results

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/output/result_file.hpp"
+#include "bridge/results/result_file.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-namespace blockweir::solid::output {
-namespace {
+namespace blockweir::results {
 
-[[noreturn]] void cannot_write(const std::filesystem::path& path) {
+void cannot_write(const std::filesystem::path& path) {
   throw std::runtime_error(
       fmt::format("cannot write {}: is the disk full, or the folder not writable?", path.string()));
 }
-
-}  // namespace
 
 ResultFile::ResultFile(std::filesystem::path path) : path_(std::move(path)), stream_(path_, std::ios::trunc) {
   if (!stream_) cannot_write(path_);
@@ -33,4 +30,4 @@ void replace_file(const std::filesystem::path& path, const std::string& text) {
   std::filesystem::rename(fresh, path);
 }
 
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::results

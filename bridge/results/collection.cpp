@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/results/collection.hpp"
+
+#include <fmt/format.h>
+#include <vtkObject.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include "bridge/results/result_file.hpp"
+
+namespace blockweir::results {
+
+struct Collection::Writer {
+  vtkNew<vtkXMLUnstructuredGridWriter> vtk;
+};
+
+Collection::Collection(std::filesystem::path folder, std::string name)
+    : folder_(std::move(folder)), name_(std::move(name)), writer_(std::make_unique<Writer>()) {
+  std::filesystem::create_directories(folder_ / "frames");
+  vtkObject::GlobalWarningDisplayOff();  // failures are reported by add()
+  writer_->vtk->SetCompressorTypeToNone();
+  writer_->vtk->SetDataModeToAppended();
+  writer_->vtk->EncodeAppendedDataOff();
+}
+
+Collection::~Collection() = default;
+
+void Collection::add(const VtkGrid& grid, const std::string& file, double time_s, const char* part, int part_number) {
+  const std::string path = (folder_ / "frames" / file).string();
+  writer_->vtk->SetFileName(path.c_str());
+  writer_->vtk->SetInputData(grid.get());
+  if (writer_->vtk->Write() == 0 || writer_->vtk->GetErrorCode() != 0) cannot_write(path);
+  repeat(file, time_s, part, part_number);
+}
+
+void Collection::repeat(const std::string& file, double time_s, const char* part, int part_number) {
+  entries_ += fmt::format("    <DataSet timestep=\"{:.9g}\" part=\"{}\" name=\"{}\" file=\"frames/{}\"/>\n", time_s,
+                          part_number, part, file);
+}
+
+void Collection::save() const {
+  replace_file(folder_ / name_,
+               "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + entries_ +
+                   "  </Collection>\n</VTKFile>\n");
+}
+
+}  // namespace blockweir::results

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A ParaView collection (.pvd): VTK files with the times and parts that they stand for.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "bridge/results/vtk_grid.hpp"
+
+namespace blockweir::results {
+
+class Collection {
+ public:
+  /// The collection goes to `folder`/`name`, its files to `folder`/frames.
+  Collection(std::filesystem::path folder, std::string name);
+  ~Collection();
+  Collection(const Collection&) = delete;
+  Collection& operator=(const Collection&) = delete;
+
+  /// Writes `grid` as frames/`file` and lists it. Throws std::runtime_error when the file cannot be written.
+  void add(const VtkGrid& grid, const std::string& file, double time_s, const char* part, int part_number = 0);
+  /// Lists a file that is there already once more: nothing has changed since.
+  void repeat(const std::string& file, double time_s, const char* part, int part_number = 0);
+  /// Puts the list in place of the former one. Throws std::runtime_error when it cannot be written.
+  void save() const;
+
+ private:
+  struct Writer;
+  std::filesystem::path folder_;
+  std::string name_;
+  std::string entries_;
+  std::unique_ptr<Writer> writer_;
+};
+
+}  // namespace blockweir::results
