@@ -137,8 +137,8 @@ RunResult run(const RunOptions& options) {
                       pipe_ends[1]});
   if (scene.fluid == scene::FluidModel::hydrostatic) {
     commands.push_back({"hydrostatic",
-                        {program("blockweir-hydrostatic"), copy, "--endpoint", socket.endpoint(), "--profile-out",
-                         result.folder / "hydrostatic.json"}});
+                        {program("blockweir-hydrostatic"), copy, "--endpoint", socket.endpoint(), "--out",
+                         result.folder, "--profile-out", result.folder / "hydrostatic.json"}});
   }
   Progress progress(pipe_ends[0], scene.analysis.duration_s, options.quiet);
   const Supervised supervised = supervise(commands, result.folder, grace_s, [&] { progress.update(); });

@@ -145,6 +145,7 @@ struct Coupling {
 struct Output {
   double frame_every_s = 0.1;     ///< a VTK file each
   double history_every_s = 0.01;  ///< a row of history.csv each
+  bool reservoir = false;         ///< the reservoir's mesh and pressures too, reservoir.pvd
   bool operator==(const Output&) const = default;
 };
 

@@ -63,6 +63,7 @@ void read_output(Reading& reading) {
   TableReader table(reading.problems, reading.section("output"), "[output]");
   table.number("frame_every_s", reading.scene.output.frame_every_s, positive());
   table.number("history_every_s", reading.scene.output.history_every_s, positive());
+  table.flag("reservoir", reading.scene.output.reservoir);
 }
 
 void read_expectations(Reading& reading) {

@@ -78,6 +78,7 @@ ExchangeTime run_fluid(channel::Channel& channel, const Windows& windows, FluidS
         load.window = n;
         load.time_s = windows.end_s(n);
         channel.send(load);
+        fluid.record(load.time_s);
       }
     } catch (const channel::PeerEnded&) {
       return;

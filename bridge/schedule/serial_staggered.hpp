@@ -40,6 +40,8 @@ class FluidSide {
   virtual ~FluidSide() = default;
   /// Pressures at to_s for blocks that are where `motion` says.
   virtual void advance(const wire::Motion& motion, double to_s, wire::Load& load) = 0;
+  /// The load of time_s is on its way and the solid steps: the moment to write results.
+  virtual void record(double /*time_s*/) {}
 };
 
 /// Seconds that the exchange cost this side.

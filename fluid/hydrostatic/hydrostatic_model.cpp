@@ -81,6 +81,7 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   last_downstream_m_ = downstream;
   place(motion);
   clear(load);
+  pools_.clear();
   load.upstream_level_m = upstream;
   load.downstream_level_m = downstream;
   if (!std::isnan(upstream)) add_pool(Pool::upstream, upstream, load);
@@ -104,7 +105,16 @@ void HydrostaticModel::add_pool(Pool pool, double level_m, wire::Load& load) {
       .weight_n_per_m3 = w.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2,
       .atmosphere_pa = w.atmosphere == scene::Atmosphere::wet_faces ? w.atmospheric_pressure_pa : 0,
       .level_m = level_m};
+  const std::size_t first = load.block.size();
   add_wet_elements(outlines_, wet.intervals, water, w.elements_per_face, load);
+  if (!scene_.output.reservoir) return;
+  PoolSection& section = pools_.emplace_back(PoolSection{water, wet.region, {}});
+  for (std::size_t i = first; i < load.block.size(); ++i) {
+    const auto& outline = outlines_[load.block[i]];
+    const Point& a = outline[load.edge[i]];
+    const Point span = outline[(load.edge[i] + 1) % outline.size()] - a;
+    section.interface.push_back({a + load.s_from[i] * span, a + load.s_to[i] * span});
+  }
 }
 
 void HydrostaticModel::add_cracks(double upstream_m, double downstream_m, wire::Load& load) {

@@ -4,8 +4,16 @@
 
 #include "bridge/schedule/serial_staggered.hpp"
 #include "fluid/hydrostatic/interface_mesh.hpp"
+#include "fluid/hydrostatic/reservoir_mesh.hpp"
 
 namespace blockweir::hydrostatic {
+
+/// A pool's section, with the interface elements that load the blocks.
+struct PoolSection {
+  Hydrostatics water;
+  std::vector<Ring> region;
+  std::vector<InterfaceElement> interface;
+};
 
 class HydrostaticModel final : public schedule::FluidSide {
  public:
@@ -15,6 +23,8 @@ class HydrostaticModel final : public schedule::FluidSide {
   /// `motion` does not fit the scene.
   void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
 
+  /// The pools as they were at the last advance().
+  [[nodiscard]] const std::vector<PoolSection>& pools() const { return pools_; }
   [[nodiscard]] long updates() const { return updates_; }      ///< windows whose pressures were computed
   [[nodiscard]] long unchanged() const { return unchanged_; }  ///< windows in which neither level nor block moved
 
@@ -33,6 +43,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   std::vector<Point> centroids_;
   std::vector<Crack> cracks_;
   std::vector<std::vector<Point>> outlines_;  ///< current
+  std::vector<PoolSection> pools_;
   wire::Motion last_motion_;
   double last_upstream_m_ = 0;
   double last_downstream_m_ = 0;

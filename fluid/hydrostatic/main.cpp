@@ -6,10 +6,11 @@
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
-#include "fluid/hydrostatic/hydrostatic_model.hpp"
+#include "fluid/hydrostatic/reservoir_output.hpp"
 
 namespace {
 
@@ -19,22 +20,31 @@ struct Arguments {
   std::string scene;
   std::string endpoint;
   std::string profile_out;
+  std::string folder;
   std::vector<std::string> overrides;
 };
 
-void write_profile(const std::string& path, const hydrostatic::HydrostaticModel& model, schedule::ExchangeTime exchange,
-                   double total_s) {
+void write_profile(const std::string& path, const hydrostatic::HydrostaticModel& model,
+                   const hydrostatic::RecordedModel* recorded, schedule::ExchangeTime exchange, double total_s) {
+  const double output_s = recorded != nullptr ? recorded->output_s() : 0;
   const nlohmann::json profile = {{"seconds",
                                    {{"wait", exchange.wait_s},
                                     {"pack", exchange.pack_s},
-                                    {"pressure", total_s - exchange.wait_s - exchange.pack_s}}},
-                                  {"counts", {{"updates", model.updates()}, {"unchanged", model.unchanged()}}}};
+                                    {"output", output_s},
+                                    {"pressure", total_s - exchange.wait_s - exchange.pack_s - output_s}}},
+                                  {"counts",
+                                   {{"updates", model.updates()},
+                                    {"unchanged", model.unchanged()},
+                                    {"meshes", recorded != nullptr ? recorded->meshes() : 0}}}};
   std::ofstream(path) << profile.dump(2) << '\n';
 }
 
 void run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const scene::Scene scene = scene::read(arguments.scene, arguments.overrides).scene;
+  if (scene.output.reservoir && arguments.folder.empty()) {
+    throw std::runtime_error("[output] reservoir = true: say with --out where its files shall go");
+  }
   channel::catch_stop_signals();
   channel::Channel channel({.side = channel::Side::connects,
                             .endpoint = arguments.endpoint,
@@ -43,10 +53,13 @@ void run(const Arguments& arguments) {
                             .open_timeout_s = scene.coupling.timeout_s});
   channel.handshake(schedule::hello(scene, "hydrostatic"));
   hydrostatic::HydrostaticModel model(scene);
-  const auto exchange = schedule::run_fluid(channel, schedule::Windows(scene), model);
+  std::optional<hydrostatic::RecordedModel> recorded;
+  if (scene.output.reservoir) recorded.emplace(model, scene, arguments.folder);
+  const auto exchange = recorded ? schedule::run_fluid(channel, schedule::Windows(scene), *recorded)
+                                 : schedule::run_fluid(channel, schedule::Windows(scene), model);
   if (arguments.profile_out.empty()) return;
   const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
-  write_profile(arguments.profile_out, model, exchange, total.count());
+  write_profile(arguments.profile_out, model, recorded ? &*recorded : nullptr, exchange, total.count());
 }
 
 }  // namespace
@@ -57,6 +70,7 @@ int main(int argc, char** argv) {
   app.add_option("scene", arguments.scene, "scene file or case folder")->required();
   app.add_option("--endpoint", arguments.endpoint, "where the solid process listens: ipc://PATH or tcp://HOST:PORT")
       ->required();
+  app.add_option("--out", arguments.folder, "folder for the reservoir's mesh, where [output] reservoir is true");
   app.add_option("--set", arguments.overrides, "key=value over the scene's own; the same for both processes");
   app.add_option("--profile-out", arguments.profile_out, "file for this process's times (JSON)");
   try {

@@ -166,6 +166,8 @@ WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, d
   const double far_left = e.left - pad + tiny_m;
   const double far_right = e.right + pad - tiny_m;
   const auto add_boundary = [&](const cl::Path& path) {
+    Ring& ring = result.region.emplace_back();
+    for (const cl::IntPoint& p : path) ring.push_back(to_metres(p));
     for (std::size_t i = 0; i < path.size(); ++i) {
       map_to_edges(outlines, to_metres(path[i]), to_metres(path[(i + 1) % path.size()]), open_crack_width_m / 5,
                    result.intervals);

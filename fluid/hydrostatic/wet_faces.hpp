@@ -20,9 +20,13 @@ struct WetInterval {
   double s_to = 1;
 };
 
+/// A closed line; the outer ones run counter-clockwise, holes clockwise.
+using Ring = std::vector<Point>;
+
 struct WetFaces {
   std::vector<WetInterval> intervals;
-  bool breached = false;  ///< open water finds a way from one side of the structure to the other
+  std::vector<Ring> region;  ///< the pool's section: outer rings and holes
+  bool breached = false;     ///< open water finds a way from one side of the structure to the other
 };
 
 /// The pool is what of the half plane under `level_m` is connected to the far left (upstream) or far right

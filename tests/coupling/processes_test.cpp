@@ -79,6 +79,15 @@ TEST_F(Processes, TheLowerCrackFailsFirstUnderOneFillingCurve) {
   EXPECT_LT(time("lower"), time("upper"));
 }
 
+TEST_F(Processes, TheReservoirIsWrittenWhereAskedFor) {
+  const std::string run = programs + "/blockweir run " + cases + "hydrostatic-wall --quiet --out ";
+  EXPECT_EQ(shell(run + "o --set output.reservoir=true"), 0) << text("out");
+  EXPECT_THAT(text("o/reservoir.pvd"), testing::HasSubstr("frames/reservoir_000000.vtu"));
+  EXPECT_TRUE(fs::exists(folder / "o/frames/reservoir_000000.vtu"));
+  EXPECT_EQ(shell(run + "p"), 0);
+  EXPECT_FALSE(fs::exists(folder / "p/reservoir.pvd"));
+}
+
 TEST_F(Processes, TwoShellsAcrossTcpGiveTheLaunchersResult) {
   const std::string scene = cases + "monolith-slides --set analysis.duration_s=1 --endpoint tcp://127.0.0.1:";
   const std::string port = std::to_string(20000 + getpid() % 20000);

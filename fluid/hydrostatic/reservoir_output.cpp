@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/hydrostatic/reservoir_output.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellType.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace blockweir::hydrostatic {
+namespace {
+
+constexpr const char* part = "reservoir";
+
+/// Height of the water over its lowest point [m].
+double depth(const PoolSection& pool) {
+  double lowest = pool.water.level_m;
+  for (const Ring& ring : pool.region) {
+    for (const Point& p : ring) lowest = std::min(lowest, p.y());
+  }
+  return pool.water.level_m - lowest;
+}
+
+void add(const ReservoirMesh& mesh, const Hydrostatics& water, results::VtkGrid& grid, vtkDoubleArray* pressure) {
+  std::vector<vtkIdType> ids;
+  for (const Point& p : mesh.node) {
+    ids.push_back(grid.point(p));
+    pressure->InsertNextValue(water.pressure(std::min(p.y(), water.level_m)));
+  }
+  for (const auto& t : mesh.triangle) grid.cell(VTK_TRIANGLE, {ids[t[0]], ids[t[1]], ids[t[2]]});
+}
+
+}  // namespace
+
+RecordedModel::RecordedModel(HydrostaticModel& model, const scene::Scene& scene, const std::filesystem::path& folder)
+    : model_(model),
+      files_(folder, "reservoir.pvd"),
+      frame_every_s_(scene.output.frame_every_s),
+      elements_per_depth_(scene.water.elements_per_face),
+      near_m_(scene.water.open_crack_width_m / 5) {}
+
+void RecordedModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
+  model_.advance(motion, to_s, load);
+}
+
+void RecordedModel::record(double time_s) {
+  const double soon = 1e-9 * frame_every_s_;  // a time that is due but for round-off is due
+  if (time_s < next_s_ - soon) return;
+  while (next_s_ <= time_s + soon) next_s_ += frame_every_s_;
+  const auto start = std::chrono::steady_clock::now();
+  write(time_s);
+  output_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void RecordedModel::write(double time_s) {
+  if (model_.updates() == written_update_) {
+    files_.repeat(last_file_, time_s, part);
+  } else {
+    results::VtkGrid grid;
+    auto* pressure = grid.point_data("pressure_pa", 1);
+    for (const PoolSection& pool : model_.pools()) {
+      add(mesh_reservoir(pool.region, pool.interface, depth(pool) / elements_per_depth_, near_m_), pool.water, grid,
+          pressure);
+    }
+    last_file_ = fmt::format("reservoir_{:06d}.vtu", meshes_++);
+    files_.add(grid, last_file_, time_s, part);
+    written_update_ = model_.updates();
+  }
+  files_.save();
+}
+
+}  // namespace blockweir::hydrostatic

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reservoir for ParaView: reservoir.pvd, triangles with the pressure at their nodes.
+#pragma once
+
+#include "bridge/results/collection.hpp"
+#include "fluid/hydrostatic/hydrostatic_model.hpp"
+
+namespace blockweir::hydrostatic {
+
+/// The model, which also writes its pools every [output] frame_every_s.
+class RecordedModel final : public schedule::FluidSide {
+ public:
+  /// Files go to `folder`. Throws std::runtime_error when they cannot be written, here and later.
+  RecordedModel(HydrostaticModel& model, const scene::Scene& scene, const std::filesystem::path& folder);
+
+  void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
+  void record(double time_s) override;
+
+  [[nodiscard]] double output_s() const { return output_s_; }  ///< seconds spent on meshes and files
+  [[nodiscard]] long meshes() const { return meshes_; }
+
+ private:
+  void write(double time_s);
+
+  HydrostaticModel& model_;
+  results::Collection files_;
+  double frame_every_s_;
+  double next_s_ = 0;
+  int elements_per_depth_;
+  double near_m_;
+  std::string last_file_;
+  long written_update_ = -1;
+  long meshes_ = 0;
+  double output_s_ = 0;
+};
+
+}  // namespace blockweir::hydrostatic
