@@ -174,6 +174,10 @@ std::string report(const RunResult& result) {
   } else {
     text += fmt::format("STOPPED {}\n", s.value("stopped", ""));
   }
+  if (s.contains("breach")) {
+    text +=
+        fmt::format("BREACH  after {} s: {}\n", number(s["breach"]["time_s"]), s["breach"]["text"].get<std::string>());
+  }
   for (const json& check : s.value("checks", json::array())) {
     text += fmt::format("{}  {}: expected {}, got {}, off by {} (tolerance {})\n",
                         check["passed"].get<bool>() ? "ok    " : "OUT   ", check["name"].get<std::string>(),

@@ -98,7 +98,7 @@ void encode(const Load& m, Builder& builder) {
   const auto p_to = builder.CreateVector(m.pressure_to_pa);
   finish(builder, buffer::Body::Load,
          buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, block, edge, s_from,
-                            s_to, p_from, p_to));
+                            s_to, p_from, p_to, m.breached));
 }
 
 void encode(const End& m, Builder& builder) {
@@ -183,6 +183,7 @@ void decode(const void* data, Load& m) {
   copy(b.s_to(), m.s_to);
   copy(b.pressure_from_pa(), m.pressure_from_pa);
   copy(b.pressure_to_pa(), m.pressure_to_pa);
+  m.breached = b.breached();
   const std::size_t n = m.block.size();
   for (const std::size_t size :
        {m.edge.size(), m.s_from.size(), m.s_to.size(), m.pressure_from_pa.size(), m.pressure_to_pa.size()}) {

@@ -32,6 +32,7 @@ void clear(wire::Load& load) {
   load.s_to.clear();
   load.pressure_from_pa.clear();
   load.pressure_to_pa.clear();
+  load.breached = false;
 }
 
 }  // namespace
@@ -107,6 +108,7 @@ void HydrostaticModel::add_pool(Pool pool, double level_m, wire::Load& load) {
       .level_m = level_m};
   const std::size_t first = load.block.size();
   add_wet_elements(outlines_, wet.intervals, water, w.elements_per_face, load);
+  load.breached = load.breached || wet.breached;
   if (!scene_.output.reservoir) return;
   PoolSection& section = pools_.emplace_back(PoolSection{water, wet.region, {}});
   for (std::size_t i = first; i < load.block.size(); ++i) {

@@ -12,7 +12,8 @@ struct Outcome {
   const Frame& first;  ///< at time 0
   const Frame& last;
   const FailureWatch& failure;
-  double largest_penetration_m = 0;  ///< over the whole run
+  double largest_penetration_m = 0;    ///< over the whole run
+  std::optional<double> breached_s{};  ///< since when open water has passed the structure
 };
 
 std::vector<std::string> quantity_names();

@@ -50,6 +50,7 @@ void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire:
   for (const ContactPoint& c : solid_.contacts()) {
     if (c.state != ContactState::open) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
   }
+  if (load.breached && !breached_s_) breached_s_ = from_s;
   record(load, to_s);
   say_where(motion);
 }
@@ -83,7 +84,8 @@ bool Recorder::finished() const {
 }
 
 void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {
-  const Outcome outcome{solid_, first_.blocks.empty() ? frame_ : first_, frame_, failure_, largest_penetration_m_};
+  const Outcome outcome{solid_,     first_.blocks.empty() ? frame_ : first_, frame_, failure_, largest_penetration_m_,
+                        breached_s_};
   nlohmann::json text;
   if (recorded_s_ >= 0) text = summary(outcome);
   const Profile& profile = solid_.profile();

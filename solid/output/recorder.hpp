@@ -45,6 +45,7 @@ class Recorder final : public schedule::SolidSide {
   double next_frame_s_ = 0;
   double recorded_s_ = -1;  ///< time of frame_
   double largest_penetration_m_ = 0;
+  std::optional<double> breached_s_;
   double step_s_ = 0;    ///< wall time in the solid's steps
   double output_s_ = 0;  ///< wall time in writing
 };

@@ -95,6 +95,12 @@ json summary(const Outcome& outcome) {
     text["outcome"] = "fails";
     text["failure"] = failure(outcome);
   }
+  if (outcome.breached_s) {
+    text["breach"] = {{"time_s", *outcome.breached_s},
+                      {"text",
+                       "open water passes the structure; from then on it would flow, and the pressures of still "
+                       "water no longer hold"}};
+  }
   return text;
 }
 

@@ -79,6 +79,13 @@ TEST_F(Processes, TheLowerCrackFailsFirstUnderOneFillingCurve) {
   EXPECT_LT(time("lower"), time("upper"));
 }
 
+TEST_F(Processes, ABreachIsSaidOnceWaterPassesTheSlidBlock) {
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "cracked-dam-upper --quiet --out o"), 0) << text("out");
+  EXPECT_THAT(text("out"), testing::HasSubstr("BREACH  after "));
+  const auto summary = nlohmann::json::parse(text("o/summary.json"));
+  EXPECT_GT(summary["breach"]["time_s"], summary["failure"]["time_s"]);
+}
+
 TEST_F(Processes, TheReservoirIsWrittenWhereAskedFor) {
   const std::string run = programs + "/blockweir run " + cases + "hydrostatic-wall --quiet --out ";
   EXPECT_EQ(shell(run + "o --set output.reservoir=true"), 0) << text("out");

@@ -135,6 +135,17 @@ TEST(Hydrostatics, NarrowGapsCarryNoWaterAndWideOnesDo) {
   EXPECT_GT(wet_length(0.2), 17);  // both faces of the gap, 4 m each
 }
 
+TEST(Hydrostatics, WaterThatPassesAWideGapIsABreach) {
+  const auto breached = [](double gap, double level) {
+    const auto scene =
+        scene_of({{{0, 0}, {4, 0}, {4, 5}, {0, 5}}, {{0, 5 + gap}, {4, 5 + gap}, {4, 12}, {0, 12}}}, level);
+    return load_at_rest(scene).breached;
+  };
+  EXPECT_FALSE(breached(0.01, 10));
+  EXPECT_TRUE(breached(0.2, 10));
+  EXPECT_FALSE(breached(0.2, 4.9));  // the gap is above the water
+}
+
 TEST(Hydrostatics, UpliftLawsGiveTheirShareOfTheMouthPressure) {
   for (const auto& [law, k] : {std::pair{scene::Uplift::triangular, 0.5}, std::pair{scene::Uplift::full, 1.0}}) {
     auto scene = scene_of({{{0, 0}, {6, 0}, {6, 2}, {0, 2}}, {{0, 2}, {6, 2}, {6, 9}, {0, 9}}}, 8);
