@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 
+#include "bridge/results/folder.hpp"
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "solid/output/recorder.hpp"
@@ -45,10 +46,10 @@ void run(const Arguments& arguments) {
   const auto start = Clock::now();
   const scene::Scene scene = scene::read(arguments.scene, arguments.overrides).scene;
   if (scene.fluid != scene::FluidModel::none && arguments.endpoint.empty()) {
-    throw std::runtime_error("the scene has water: say with --endpoint where to listen for the fluid process");
+    throw std::invalid_argument("the scene has water: say with --endpoint where to listen for the fluid process");
   }
   channel::catch_stop_signals();
-  std::filesystem::create_directories(arguments.folder);
+  results::make_folder(arguments.folder);
   const schedule::Windows windows(scene);
   solid::output::Recorder recorder(scene, arguments.folder,
                                    progress_to(arguments.progress_fd, scene.analysis.duration_s));
@@ -104,6 +105,9 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const scene::SceneError& error) {
     fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "blockweir-solid: {}\n", error.what());
     return 2;
   } catch (const channel::Interrupted&) {
     fmt::print(stderr, "blockweir-solid: stopped on request\n");

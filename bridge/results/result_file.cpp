@@ -23,11 +23,14 @@ void ResultFile::line(const std::string& text) {
 void replace_file(const std::filesystem::path& path, const std::string& text) {
   std::filesystem::path fresh = path;
   fresh += ".new";
-  {
-    std::ofstream stream(fresh, std::ios::trunc);
-    if (!(stream << text << std::flush)) cannot_write(fresh);
-  }
-  std::filesystem::rename(fresh, path);
+  std::error_code error;
+  std::ofstream stream(fresh, std::ios::trunc);
+  const bool whole = static_cast<bool>(stream << text << std::flush);
+  stream.close();
+  if (whole) std::filesystem::rename(fresh, path, error);
+  if (whole && !error) return;
+  std::filesystem::remove(fresh, error);
+  cannot_write(path);
 }
 
 }  // namespace blockweir::results

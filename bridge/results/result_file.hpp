@@ -22,7 +22,8 @@ class ResultFile {
   std::ofstream stream_;
 };
 
-/// Puts `text` in place of the file in one go: a reader sees the old one or the new one.
+/// Puts `text` in place of the file in one go: a reader sees the old one or the new one. Throws std::runtime_error
+/// and leaves the old one when that fails.
 void replace_file(const std::filesystem::path& path, const std::string& text);
 
 /// Throws the error that says so.

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bridge/results/folder.hpp"
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "fluid/hydrostatic/reservoir_output.hpp"
@@ -43,8 +44,9 @@ void run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const scene::Scene scene = scene::read(arguments.scene, arguments.overrides).scene;
   if (scene.output.reservoir && arguments.folder.empty()) {
-    throw std::runtime_error("[output] reservoir = true: say with --out where its files shall go");
+    throw std::invalid_argument("[output] reservoir = true: say with --out where its files shall go");
   }
+  if (scene.output.reservoir) results::make_folder(arguments.folder);
   channel::catch_stop_signals();
   channel::Channel channel({.side = channel::Side::connects,
                             .endpoint = arguments.endpoint,

@@ -21,7 +21,7 @@ double depth(const PoolSection& pool) {
   return pool.water.level_m - lowest;
 }
 
-void add(const ReservoirMesh& mesh, const Hydrostatics& water, results::VtkGrid& grid, vtkDoubleArray* pressure) {
+void add(const ReservoirMesh& mesh, const Hydrostatics& water, vtk::Grid& grid, vtkDoubleArray* pressure) {
   std::vector<vtkIdType> ids;
   for (const Point& p : mesh.node) {
     ids.push_back(grid.point(p));
@@ -56,7 +56,7 @@ void RecordedModel::write(double time_s) {
   if (model_.updates() == written_update_) {
     files_.repeat(last_file_, time_s, part);
   } else {
-    results::VtkGrid grid;
+    vtk::Grid grid;
     auto* pressure = grid.point_data("pressure_pa", 1);
     for (const PoolSection& pool : model_.pools()) {
       add(mesh_reservoir(pool.region, pool.interface, depth(pool) / elements_per_depth_, near_m_), pool.water, grid,

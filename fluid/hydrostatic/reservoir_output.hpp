@@ -2,7 +2,7 @@
 // The reservoir for ParaView: reservoir.pvd, triangles with the pressure at their nodes.
 #pragma once
 
-#include "bridge/results/collection.hpp"
+#include "bridge/vtk/collection.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 
 namespace blockweir::hydrostatic {
@@ -23,7 +23,7 @@ class RecordedModel final : public schedule::FluidSide {
   void write(double time_s);
 
   HydrostaticModel& model_;
-  results::Collection files_;
+  vtk::Collection files_;
   double frame_every_s_;
   double next_s_ = 0;
   int elements_per_depth_;

@@ -9,12 +9,12 @@
 namespace blockweir::solid::output {
 namespace {
 
-using results::add_vector;
-using results::VtkGrid;
+using vtk::add_vector;
+using vtk::Grid;
 
 /// Polygons go as VTK_POLYGON cells: ParaView cuts those into triangles by their ears, so that concave blocks look
 /// right, which the fans of plain poly data do not promise.
-void fill_blocks(const Frame& frame, VtkGrid& grid) {
+void fill_blocks(const Frame& frame, Grid& grid) {
   auto* displacement = grid.point_data("displacement_m", 3);
   auto* velocity = grid.point_data("velocity_m_per_s", 3);
   auto* id = grid.cell_data("block", 1);
@@ -42,7 +42,7 @@ void fill_blocks(const Frame& frame, VtkGrid& grid) {
   }
 }
 
-void fill_joints(const Frame& frame, VtkGrid& grid) {
+void fill_joints(const Frame& frame, Grid& grid) {
   auto* joint = grid.cell_data("joint", 1);
   auto* state = grid.cell_data("state", 1);  // 0 open, 1 stick, 2 slip
   auto* bonded = grid.cell_data("bonded", 1);
@@ -68,7 +68,7 @@ void fill_joints(const Frame& frame, VtkGrid& grid) {
 }
 
 /// Pressures on wet panels, and the surface of each pool from the model's end to the structure.
-void fill_water(const Frame& frame, VtkGrid& grid) {
+void fill_water(const Frame& frame, Grid& grid) {
   auto* pressure = grid.point_data("pressure_pa", 1);
   auto* block = grid.cell_data("block", 1);
   double left = 0;
@@ -104,8 +104,8 @@ VtkWriter::VtkWriter(const std::filesystem::path& folder) : files_(folder, "bloc
 
 void VtkWriter::write(const Frame& frame) {
   int part = 0;
-  const auto save = [&](const char* name, void (*fill)(const Frame&, VtkGrid&)) {
-    VtkGrid grid;
+  const auto save = [&](const char* name, void (*fill)(const Frame&, Grid&)) {
+    Grid grid;
     fill(frame, grid);
     files_.add(grid, fmt::format("{}_{:06d}.vtu", name, count_), frame.time_s, name, part++);
   };

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "bridge/results/collection.hpp"
+#include "bridge/vtk/collection.hpp"
 #include "solid/output/frame.hpp"
 
 namespace blockweir::solid::output {
@@ -18,7 +18,7 @@ class VtkWriter {
   void write(const Frame& frame);
 
  private:
-  results::Collection files_;
+  vtk::Collection files_;
   int count_ = 0;
 };
 

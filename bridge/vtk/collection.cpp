@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/results/collection.hpp"
+#include "bridge/vtk/collection.hpp"
 
 #include <fmt/format.h>
 #include <vtkObject.h>
@@ -7,7 +7,7 @@
 
 #include "bridge/results/result_file.hpp"
 
-namespace blockweir::results {
+namespace blockweir::vtk {
 
 struct Collection::Writer {
   vtkNew<vtkXMLUnstructuredGridWriter> vtk;
@@ -24,11 +24,11 @@ Collection::Collection(std::filesystem::path folder, std::string name)
 
 Collection::~Collection() = default;
 
-void Collection::add(const VtkGrid& grid, const std::string& file, double time_s, const char* part, int part_number) {
+void Collection::add(const Grid& grid, const std::string& file, double time_s, const char* part, int part_number) {
   const std::string path = (folder_ / "frames" / file).string();
   writer_->vtk->SetFileName(path.c_str());
   writer_->vtk->SetInputData(grid.get());
-  if (writer_->vtk->Write() == 0 || writer_->vtk->GetErrorCode() != 0) cannot_write(path);
+  if (writer_->vtk->Write() == 0 || writer_->vtk->GetErrorCode() != 0) results::cannot_write(path);
   repeat(file, time_s, part, part_number);
 }
 
@@ -38,9 +38,9 @@ void Collection::repeat(const std::string& file, double time_s, const char* part
 }
 
 void Collection::save() const {
-  replace_file(folder_ / name_,
-               "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + entries_ +
-                   "  </Collection>\n</VTKFile>\n");
+  results::replace_file(folder_ / name_,
+                        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" +
+                            entries_ + "  </Collection>\n</VTKFile>\n");
 }
 
-}  // namespace blockweir::results
+}  // namespace blockweir::vtk

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/results/vtk_grid.hpp"
+#include "bridge/vtk/grid.hpp"
 
 #include <vtkCellData.h>
 #include <vtkPointData.h>
 
-namespace blockweir::results {
+namespace blockweir::vtk {
 namespace {
 
 vtkDoubleArray* array(vtkDataSetAttributes* owner, const char* name, int components) {
@@ -17,17 +17,17 @@ vtkDoubleArray* array(vtkDataSetAttributes* owner, const char* name, int compone
 
 }  // namespace
 
-VtkGrid::VtkGrid() {
+Grid::Grid() {
   points_->SetDataTypeToDouble();
   grid_->SetPoints(points_);
 }
 
-vtkDoubleArray* VtkGrid::point_data(const char* name, int components) {
+vtkDoubleArray* Grid::point_data(const char* name, int components) {
   return array(grid_->GetPointData(), name, components);
 }
 
-vtkDoubleArray* VtkGrid::cell_data(const char* name, int components) {
+vtkDoubleArray* Grid::cell_data(const char* name, int components) {
   return array(grid_->GetCellData(), name, components);
 }
 
-}  // namespace blockweir::results
+}  // namespace blockweir::vtk

@@ -10,11 +10,11 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace blockweir::results {
+namespace blockweir::vtk {
 
-class VtkGrid {
+class Grid {
  public:
-  VtkGrid();
+  Grid();
   vtkIdType point(const Eigen::Vector2d& p) { return points_->InsertNextPoint(p.x(), p.y(), 0); }
   void cell(int type, const std::vector<vtkIdType>& ids) {
     grid_->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
@@ -33,4 +33,4 @@ inline void add_vector(vtkDoubleArray* data, const Eigen::Vector2d& p) {
   data->InsertNextTuple3(p.x(), p.y(), 0);
 }
 
-}  // namespace blockweir::results
+}  // namespace blockweir::vtk

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "bridge/results/vtk_grid.hpp"
+#include "bridge/vtk/grid.hpp"
 
-namespace blockweir::results {
+namespace blockweir::vtk {
 
 class Collection {
  public:
@@ -19,7 +19,7 @@ class Collection {
   Collection& operator=(const Collection&) = delete;
 
   /// Writes `grid` as frames/`file` and lists it. Throws std::runtime_error when the file cannot be written.
-  void add(const VtkGrid& grid, const std::string& file, double time_s, const char* part, int part_number = 0);
+  void add(const Grid& grid, const std::string& file, double time_s, const char* part, int part_number = 0);
   /// Lists a file that is there already once more: nothing has changed since.
   void repeat(const std::string& file, double time_s, const char* part, int part_number = 0);
   /// Puts the list in place of the former one. Throws std::runtime_error when it cannot be written.
@@ -33,4 +33,4 @@ class Collection {
   std::unique_ptr<Writer> writer_;
 };
 
-}  // namespace blockweir::results
+}  // namespace blockweir::vtk
