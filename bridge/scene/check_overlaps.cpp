@@ -3,34 +3,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/geometry/geometries/polygon.hpp>
+#include <cmath>
+#include <polyclipping/clipper.hpp>
 
 #include "bridge/scene/block_index.hpp"
 #include "bridge/scene/check.hpp"
+#include "bridge/scene/polygon.hpp"
 
 namespace blockweir::scene {
 namespace {
 
-namespace bg = boost::geometry;
-using BoostPoint = bg::model::d2::point_xy<double>;
-using BoostPolygon = bg::model::polygon<BoostPoint, /*ClockWise=*/false>;
+namespace cl = ClipperLib;
 
 constexpr double depth_ratio = 1e-6;  ///< what is shallower counts as touching: coordinates in files are rounded
 
-BoostPolygon boost_polygon(const Block& block, const Point& origin) {
-  BoostPolygon polygon;
-  for (const Point& p : block.vertices) bg::append(polygon.outer(), BoostPoint(p.x() - origin.x(), p.y() - origin.y()));
-  bg::correct(polygon);
-  return polygon;
+/// Metres about an origin to Clipper's integers and back, as fine as they can be.
+struct Grid {
+  Point origin;
+  double per_m = 1;
+
+  [[nodiscard]] cl::Path path(const Block& block) const {
+    cl::Path path;
+    for (const Point& p : block.vertices) {
+      const Point q = per_m * (p - origin);
+      path.emplace_back(std::llround(q.x()), std::llround(q.y()));
+    }
+    return path;
+  }
+  [[nodiscard]] std::vector<Point> metres(const cl::Path& path) const {
+    std::vector<Point> points;
+    for (const cl::IntPoint& p : path)
+      points.push_back(origin + Point(static_cast<double>(p.X), static_cast<double>(p.Y)) / per_m);
+    return points;
+  }
+};
+
+double perimeter(const std::vector<Point>& outline) {
+  double sum = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) sum += (outline[(i + 1) % outline.size()] - outline[i]).norm();
+  return sum;
 }
 
-/// Pieces that both blocks cover, relative to `origin`, without those shallower than `tolerance`.
-std::vector<BoostPolygon> common_area(const Block& a, const Block& b, const Point& origin, double tolerance) {
-  std::vector<BoostPolygon> pieces;
-  bg::intersection(boost_polygon(a, origin), boost_polygon(b, origin), pieces);
-  std::erase_if(pieces, [&](const BoostPolygon& piece) {
-    return 2 * bg::area(piece) <= tolerance * bg::perimeter(piece);  // the depth of a slender piece
-  });
+/// Pieces that both blocks cover, without those shallower than `tolerance`.
+std::vector<std::vector<Point>> common_area(const Block& a, const Block& b, const Grid& grid, double tolerance) {
+  cl::Paths common;
+  cl::Clipper clipper;
+  clipper.AddPath(grid.path(a), cl::ptSubject, true);
+  clipper.AddPath(grid.path(b), cl::ptClip, true);
+  clipper.Execute(cl::ctIntersection, common, cl::pftNonZero, cl::pftNonZero);
+  std::vector<std::vector<Point>> pieces;
+  for (const cl::Path& path : common) {
+    std::vector<Point> piece = grid.metres(path);
+    // Twice the area over the perimeter is the depth of a slender piece.
+    if (2 * signed_area(piece) > tolerance * perimeter(piece)) pieces.push_back(std::move(piece));
+  }
   return pieces;
 }
 
@@ -40,17 +66,16 @@ void check_pair(const Block& a, const Block& b, Problems& problems) {
   const double tolerance = depth_ratio * std::min(box_a.size(), box_b.size());
   const Point depth = box_a.high.cwiseMin(box_b.high) - box_a.low.cwiseMax(box_b.low);
   if (depth.minCoeff() <= tolerance) return;
-  // About a near origin, so that far-away blocks lose no digits.
-  const Point origin = box_a.low;
-  const auto pieces = common_area(a, b, origin, tolerance);
+  const double reach = std::max(box_a.size(), box_b.size()) + (box_b.low - box_a.low).cwiseAbs().maxCoeff();
+  constexpr double finest = 1e17;  // well below the largest integer that Clipper multiplies soundly
+  const auto pieces = common_area(a, b, {box_a.low, finest / reach}, tolerance);
   if (pieces.empty()) return;
   double area = 0;
-  for (const BoostPolygon& piece : pieces) area += bg::area(piece);
-  BoostPoint middle;
-  bg::centroid(pieces.front(), middle);
+  for (const auto& piece : pieces) area += signed_area(piece);
+  const Point middle = centroid(pieces.front());
   problems.error(problems.at(std::max(a.line, b.line)),
                  fmt::format("blocks \"{}\" and \"{}\" overlap by {:.4g} m2 near ({:.4g}, {:.4g})", a.name, b.name,
-                             area, middle.x() + origin.x(), middle.y() + origin.y()),
+                             area, middle.x(), middle.y()),
                  "blocks that at most touch", "move the vertices of one of them to the common boundary");
 }
 
@@ -65,14 +90,7 @@ void check_overlaps(const Scene& scene, Problems& problems) {
     std::sort(near.begin(), near.end());
     for (const std::size_t j : near) {
       if (j <= i || problems.full()) continue;
-      try {
-        check_pair(block, scene.blocks[j], problems);
-      } catch (const bg::exception& exception) {
-        problems.error(problems.at(std::max(block.line, scene.blocks[j].line)),
-                       fmt::format("blocks \"{}\" and \"{}\" cannot be intersected ({})", block.name,
-                                   scene.blocks[j].name, exception.what()),
-                       "outlines that coincide or are clearly apart", "round the coordinates of both alike");
-      }
+      check_pair(block, scene.blocks[j], problems);
     }
   }
 }

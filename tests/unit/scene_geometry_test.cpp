@@ -113,6 +113,14 @@ TEST(SceneOverlap, BlocksThatTouchOrInterlockAreSound) {
               IsEmpty());
 }
 
+TEST(SceneOverlap, ASmallBlockOnALongSlopeIsSound) {  // rounding to the long one's size would sink it in
+  EXPECT_THAT(errors(scene_of({{"slope", "[-2121, 707], [7778, -9192], [8485, -8485], [-1414, 1414]", true},
+                               {"a",
+                                "[0, 0], [0.353553390593, -0.353553390593], [0.494974746831, -0.212132034356], "
+                                "[0.141421356237, 0.141421356237]"}})),
+              IsEmpty());
+}
+
 /// rows x rows blocks in bond, far from the origin.
 std::string wall(int rows) {
   std::vector<Outline> blocks{{"ground", "[99990, -1], [101000, -1], [101000, 0], [99990, 0]", true}};
