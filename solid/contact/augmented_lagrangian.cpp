@@ -201,10 +201,18 @@ bool AugmentedLagrangian::sweep(const std::vector<int>& contact_ids, std::vector
 
 bool AugmentedLagrangian::break_bonds(const std::vector<int>& contact_ids, std::vector<ContactPoint>& contacts) const {
   if (settings_.joints_held) return false;
+  const auto brittle = [&](const ContactPoint& c) { return c.bonded && !laws_[c.law].keeps_cohesion; };
+  const auto joint = [](const ContactPoint& c) { return std::minmax(c.vertex_block, c.edge_block); };
+  const auto held = [&](const ContactPoint& slipping) {
+    return std::any_of(contact_ids.begin(), contact_ids.end(), [&](int k) {
+      const ContactPoint& c = contacts[at(k)];
+      return c.state == ContactState::stick && brittle(c) && joint(c) == joint(slipping);
+    });
+  };
   bool broken = false;
   for (const int k : contact_ids) {
     ContactPoint& c = contacts[at(k)];
-    if (!c.bonded || c.state == ContactState::stick || laws_[c.law].keeps_cohesion) continue;
+    if (!brittle(c) || c.state == ContactState::stick || (c.state == ContactState::slip && held(c))) continue;
     c.bonded = false;
     broken = true;
   }

@@ -52,7 +52,9 @@ class AugmentedLagrangian {
   bool sweep(const std::vector<int>& contact_ids, std::vector<ContactPoint>& contacts,
              const std::vector<int>& support_ids, std::vector<Support>& supports);
 
-  /// Bonds that the converged forces have broken; true if there were any.
+  /// Breaks the bonds that the converged forces exceed; true if there were any. A contact that opens has lost its
+  /// own. In shear the joint of two blocks breaks as a whole, once no contact of it sticks: before, one that slips
+  /// hands its share to the others, wherever along the joint the bond is.
   bool break_bonds(const std::vector<int>& contact_ids, std::vector<ContactPoint>& contacts) const;
 
   /// Slip and anchors of an accepted step.
@@ -61,7 +63,7 @@ class AugmentedLagrangian {
   /// Counted up by one for each contact whose state differs from the evaluation before.
   [[nodiscard]] long state_changes() const { return state_changes_; }
 
- public:
+ private:
   /// Per contact or support, for the step at hand.
   struct Progress {
     Eigen::Vector2d separation = Eigen::Vector2d::Zero();  ///< (gap, slip) at the trial [m]

@@ -57,18 +57,6 @@ bool Solid::find_equilibrium(IslandSystem& s) {
     bool symmetric = true;
     const double unbalanced = assemble(s, symmetric);
     if (!std::isfinite(unbalanced)) return false;
-    if (getenv("DBG")) {
-      fprintf(stderr, "dt %.1e it %d unb %.3e sym %d |", matrices_dt_, iteration, unbalanced, symmetric);
-      if (contacts_.size() < 20)
-        for (int k : s.island.contacts) {
-          auto& c = contacts_[at(k)];
-          auto pr = lagrangian_.contacts_[at(k)];
-          fprintf(stderr, " [%d.%d-%d.%d %d%s N%.6g T%.6g F%.6g,%.6g g%.1e s%.1e p%.1e L%.3g g0 %.2e]", c.vertex_block,
-                  c.vertex, c.edge_block, c.edge, int(c.state), c.bonded ? "b" : "", c.multiplier.x(), c.multiplier.y(),
-                  pr.force.x(), pr.force.y(), pr.separation.x(), pr.separation.y(), c.penalty, c.length, c.gap);
-        }
-      fprintf(stderr, "\n");
-    }
     if (!swept && unbalanced <= lagrangian_.settings().force_tolerance_n) {
       ++counts_.sweeps;
       if (lagrangian_.sweep(s.island.contacts, contacts_, s.island.supports, supports_) &&

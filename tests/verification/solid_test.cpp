@@ -145,6 +145,30 @@ TEST(Solid, KeptCohesionAddsItsForceToFriction) {
   }
 }
 
+TEST(Solid, ABrittleBondBreaksInShearOnceAllOfItsJointSlips) {
+  // Uneven normal forces let one end of the joint slip at about 0.94 of the push that the joint can bear.
+  const double weight = 4 * 2500 * 9.81;
+  const double strength = weight * std::tan(std::numbers::pi / 6) + 20e3 * 4;
+  for (const auto& [share, slides] : {std::pair{0.99, false}, std::pair{1.01, true}}) {
+    auto scene = empty_scene();
+    scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 30;
+    scene.default_joint.cohesion_pa = 20e3;
+    add(scene, {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, true);
+    add(scene, {{0, 0}, {4, 0}, {4, 1}, {0, 1}});
+    scene::PointLoad load{.block = 1, .point_m = Point(0, 0.2)};
+    load.force_x_n_per_m = {.time_s = {0, 0.5}, .value = {0, share * strength}};
+    load.force_y_n_per_m = scene::TimeTable::constant(0);
+    scene.point_loads.push_back(load);
+    Solid solid(scene);
+    solid.settle({});
+    run(solid, 1);
+    bool bonded = false;
+    for (const ContactPoint& c : solid.contacts()) bonded = bonded || c.bonded;
+    EXPECT_EQ(bonded, !slides) << share;
+    EXPECT_EQ(solid.states()[1].velocity[0] > 1e-3, slides) << share;
+  }
+}
+
 TEST(Solid, ALedPointGoesWhereItsTableSays) {
   auto scene = empty_scene();
   scene.analysis.gravity_m_per_s2 = 0;
