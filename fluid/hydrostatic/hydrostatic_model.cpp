@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "bridge/scene/polygon.hpp"
 #include "bridge/wire/placement.hpp"
@@ -37,28 +36,10 @@ void clear(wire::Load& load) {
 
 }  // namespace
 
-HydrostaticModel::HydrostaticModel(const scene::Scene& scene) : scene_(scene) {
-  double size = 0;
+HydrostaticModel::HydrostaticModel(const scene::Scene& scene) : scene_(scene), cracks_(find_cracks(scene)) {
   for (const scene::Block& block : scene.blocks) {
     centroids_.push_back(scene::centroid(block.vertices));
     outlines_.push_back(block.vertices);
-    for (const Point& p : block.vertices) size = std::max(size, p.cwiseAbs().maxCoeff());
-  }
-  std::set<std::pair<int, int>> named;
-  const auto add = [&](int a, int b, scene::Uplift law) {
-    if (law == scene::Uplift::none) return;
-    auto trace = scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], 1e-6 * size);
-    if (!trace.pieces.empty()) cracks_.push_back({a, b, law, std::move(trace)});
-  };
-  for (const scene::Joint& joint : scene.joints) {
-    add(joint.between[0], joint.between[1], joint.law.uplift);
-    named.insert(std::minmax(joint.between[0], joint.between[1]));
-  }
-  if (scene.default_joint.uplift == scene::Uplift::none) return;
-  for (int a = 0; a < static_cast<int>(scene.blocks.size()); ++a) {
-    for (int b = a + 1; b < static_cast<int>(scene.blocks.size()); ++b) {
-      if (named.count({a, b}) == 0) add(a, b, scene.default_joint.uplift);
-    }
   }
 }
 
@@ -122,13 +103,15 @@ void HydrostaticModel::add_pool(Pool pool, double level_m, wire::Load& load) {
 void HydrostaticModel::add_cracks(double upstream_m, double downstream_m, wire::Load& load) {
   const double weight = scene_.water.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2;
   for (const Crack& crack : cracks_) {
-    const auto pressure = [&](const Point& outline_point, double level_m) {
-      const double y =
-          wire::place(centroids_[at(crack.block_a)], last_motion_.displacement[at(crack.block_a)], outline_point).y();
+    const auto pressure = [&](const CrackPart& part, const Point& outline_point, double level_m) {
+      const auto b = at(part.block_a);
+      const double y = wire::place(centroids_[b], last_motion_.displacement[b], outline_point).y();
       return std::isnan(level_m) ? 0.0 : weight * std::max(0.0, level_m - y);
     };
-    add_crack_elements(crack.trace, crack.block_a, crack.block_b, crack.law, pressure(crack.trace.mouth(), upstream_m),
-                       pressure(crack.trace.end(), downstream_m), load);
+    const CrackPart& first = crack.parts.front();
+    const CrackPart& last = crack.parts.back();
+    add_crack_elements(crack, pressure(first, first.trace.mouth(), upstream_m),
+                       pressure(last, last.trace.end(), downstream_m), load);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bridge/schedule/serial_staggered.hpp"
+#include "fluid/hydrostatic/cracks.hpp"
 #include "fluid/hydrostatic/interface_mesh.hpp"
 #include "fluid/hydrostatic/reservoir_mesh.hpp"
 
@@ -29,12 +30,6 @@ class HydrostaticModel final : public schedule::FluidSide {
   [[nodiscard]] long unchanged() const { return unchanged_; }  ///< windows in which neither level nor block moved
 
  private:
-  struct Crack {
-    int block_a;
-    int block_b;
-    scene::Uplift law;
-    scene::JointTrace trace;
-  };
   void place(const wire::Motion& motion);
   void add_pool(Pool pool, double level_m, wire::Load& load);
   void add_cracks(double upstream_m, double downstream_m, wire::Load& load);

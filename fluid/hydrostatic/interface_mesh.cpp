@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace blockweir::hydrostatic {
-namespace {
 
 void add_panel(wire::Load& load, int block, int edge, double s_from, double s_to, double p_from, double p_to) {
   load.block.push_back(static_cast<std::uint32_t>(block));
@@ -15,8 +14,6 @@ void add_panel(wire::Load& load, int block, int edge, double s_from, double s_to
   load.pressure_from_pa.push_back(p_from);
   load.pressure_to_pa.push_back(p_to);
 }
-
-}  // namespace
 
 void add_wet_elements(const std::vector<std::vector<Point>>& outlines, const std::vector<WetInterval>& wet,
                       const Hydrostatics& water, int elements_per_face, wire::Load& load) {
@@ -33,26 +30,6 @@ void add_wet_elements(const std::vector<std::vector<Point>>& outlines, const std
       if (next > s) add_panel(load, w.block, w.edge, s, next, pressure(s), pressure(next));
       s = std::max(s, next);
     }
-  }
-}
-
-void add_crack_elements(const scene::JointTrace& trace, int block_a, int block_b, scene::Uplift law,
-                        double mouth_pressure_pa, double end_pressure_pa, wire::Load& load) {
-  const double fall = law == scene::Uplift::full ? 0 : mouth_pressure_pa - end_pressure_pa;
-  double travelled = 0;
-  for (const scene::TracePiece& piece : trace.pieces) {
-    const double p_from = mouth_pressure_pa - fall * travelled / trace.length_m;
-    travelled += (piece.to_m - piece.from_m).norm();
-    const double p_to = mouth_pressure_pa - fall * travelled / trace.length_m;
-    const auto face = [&](int block, int edge, double s_from, double s_to) {
-      if (s_from <= s_to) {
-        add_panel(load, block, edge, s_from, s_to, p_from, p_to);
-      } else {
-        add_panel(load, block, edge, s_to, s_from, p_to, p_from);
-      }
-    };
-    face(block_a, piece.edge_a, piece.s_from_a, piece.s_to_a);
-    face(block_b, piece.edge_b, piece.s_from_b, piece.s_to_b);
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "bridge/scene/joint_trace.hpp"
 #include "bridge/wire/message.hpp"
 #include "fluid/hydrostatic/wet_faces.hpp"
 
@@ -21,14 +20,12 @@ struct Hydrostatics {
   }
 };
 
+/// Adds one element: fractions 0..1 along the edge, pressures at both.
+void add_panel(wire::Load& load, int block, int edge, double s_from, double s_to, double p_from, double p_to);
+
 /// Adds the elements of wet intervals to `load`. Elements are counted from an edge's ends, n to an edge, so that
 /// they stay where they are when the level moves; the one that the surface cuts keeps its wet part.
 void add_wet_elements(const std::vector<std::vector<Point>>& outlines, const std::vector<WetInterval>& wet,
                       const Hydrostatics& water, int elements_per_face, wire::Load& load);
-
-/// Adds the water pressure on both faces of a crack: at its mouth that of the pool; uniform along the crack (full
-/// uplift), or falling linearly along it to `end_pressure_pa` (triangular).
-void add_crack_elements(const scene::JointTrace& trace, int block_a, int block_b, scene::Uplift law,
-                        double mouth_pressure_pa, double end_pressure_pa, wire::Load& load);
 
 }  // namespace blockweir::hydrostatic

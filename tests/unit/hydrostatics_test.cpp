@@ -156,6 +156,17 @@ TEST(Hydrostatics, UpliftLawsGiveTheirShareOfTheMouthPressure) {
   }
 }
 
+TEST(Hydrostatics, JointsInALineAreOneCrackWhosePressureFallsAlongAllOfIt) {
+  auto scene = scene_of(
+      {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{2, 0}, {6, 0}, {6, 2}, {2, 2}}, {{0, 2}, {6, 2}, {6, 9}, {0, 9}}}, 8);
+  scene.default_joint.uplift = scene::Uplift::triangular;  // the joint between the lower two as well, across the crack
+  const wire::Load load = load_at_rest(scene);
+  const Resultant r = resultant(scene, load, 2);
+  EXPECT_NEAR(r.force.y() / (9810 * 6 * 6 / 2.0), 1, 1e-12);
+  const double push = 9810 * 6 * 6 / 2.0;  // on the upstream face, 2 m over its foot at the height of 2 m
+  EXPECT_NEAR(r.moment / (9810 * 6 * 6 / 2.0 * 2 - push * 4), 1, 1e-12);
+}
+
 TEST(Hydrostatics, NothingIsComputedAgainWhileNothingMoves) {
   const auto scene = scene_of({{{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, 7);
   HydrostaticModel model(scene);
