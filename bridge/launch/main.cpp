@@ -17,10 +17,11 @@ using namespace blockweir;
 
 int check_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   const scene::ReadScene read = scene::read(path, overrides);
+  for (const auto& variant : read.scene.variants) scene::read_variant(path, variant.name, overrides);
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
-  fmt::print("{}: sound; {} blocks, {} joints, {} s in steps of {} s\n", read.scene.file.string(),
-             read.scene.blocks.size(), read.scene.joints.size(), read.scene.analysis.duration_s,
-             read.scene.analysis.step_s);
+  fmt::print("{}: sound; {} blocks, {} joints, {} variants, {} s in steps of {} s\n", read.scene.file.string(),
+             read.scene.blocks.size(), read.scene.joints.size(), read.scene.variants.size(),
+             read.scene.analysis.duration_s, read.scene.analysis.step_s);
   return 0;
 }
 
@@ -47,6 +48,7 @@ int run_command(int argc, char** argv) {
   auto* run_cmd = app.add_subcommand("run", "run a scene and say how it ends");
   run_cmd->add_option("scene", run.scene, "scene file or case folder")->required();
   run_cmd->add_option("--out", run.out, "folder for the results (default: runs/CASE)");
+  run_cmd->add_option("--variant", run.variant, "name of one of the scene's variants");
   run_cmd->add_option("--set", run.overrides, "key=value over the scene's own, e.g. analysis.step_s=0.001");
   run_cmd->add_flag("--quiet", run.quiet, "no progress");
   auto* check_cmd = app.add_subcommand("check", "say all that is wrong with a scene, without running it");

@@ -11,6 +11,9 @@
 
 #include "bridge/launch/progress.hpp"
 #include "bridge/launch/supervisor.hpp"
+#include "bridge/launch/temporary_folder.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
 #include "bridge/scene/read.hpp"
 
 namespace blockweir::launch {
@@ -25,11 +28,17 @@ fs::path program(const char* name) {
   return fs::read_symlink("/proc/self/exe").parent_path() / name;
 }
 
+/// Does the folder hold what no run has written? What is no folder at all is make_folder's to refuse.
+bool is_anothers(const fs::path& folder) {
+  std::error_code unreadable;
+  const fs::directory_iterator contents(folder, unreadable);
+  const bool a_run = fs::exists(folder / "scene.toml", unreadable) && fs::exists(folder / "solid.log", unreadable);
+  return contents != fs::directory_iterator() && !a_run;
+}
+
 fs::path results_folder(const RunOptions& options) {
   if (!options.out.empty()) {
-    if (fs::exists(options.out) &&
-        !(fs::is_directory(options.out) && (fs::is_empty(options.out) || (fs::exists(options.out / "summary.json") &&
-                                                                          fs::exists(options.out / "scene.toml"))))) {
+    if (is_anothers(options.out)) {
       throw std::invalid_argument(
           fmt::format("--out {}: not empty and not a former run; choose another folder", options.out.string()));
     }
@@ -43,33 +52,6 @@ fs::path results_folder(const RunOptions& options) {
   fs::path out = fs::path("runs") / name;
   for (int n = 2; fs::exists(out); ++n) out = fs::path("runs") / fmt::format("{}-{}", name.string(), n);
   return out;
-}
-
-/// A private folder for the socket, gone with this object.
-class SocketFolder {
- public:
-  SocketFolder() {
-    std::string name = (fs::temp_directory_path() / "blockweir-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw std::runtime_error("cannot make a folder for the socket in " + fs::temp_directory_path().string());
-    path_ = name;
-  }
-  ~SocketFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  SocketFolder(const SocketFolder&) = delete;
-  SocketFolder& operator=(const SocketFolder&) = delete;
-  [[nodiscard]] std::string endpoint() const { return "ipc://" + (path_ / "line").string(); }
-
- private:
-  fs::path path_;
-};
-
-void write_text(const fs::path& path, const std::string& text) {
-  std::ofstream stream(path, std::ios::trunc);
-  if (!(stream << text << std::flush))
-    throw std::runtime_error("cannot write " + path.string() + ": is the disk full?");
 }
 
 json read_json(const fs::path& path) {
@@ -107,38 +89,38 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
     for (const auto& [what, count] : fluid["counts"].items()) summary["counts"]["fluid_" + what] = count;
     fs::remove(folder / "hydrostatic.json");
   }
-  write_text(folder / "summary.json.new", summary.dump(2) + "\n");
-  fs::rename(folder / "summary.json.new", folder / "summary.json");
+  results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
 }
 
 }  // namespace
 
 RunResult run(const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const scene::ReadScene read = scene::read(options.scene, options.overrides);
+  const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
   const scene::Scene& scene = read.scene;
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
 
   RunResult result;
   result.folder = results_folder(options);
-  fs::create_directories(result.folder);
+  const TemporaryFolder socket_folder;
+  const std::string endpoint = "ipc://" + (socket_folder.path() / "line").string();
+  results::make_folder(result.folder);
   fs::remove(result.folder / "summary.json");
   fs::remove_all(result.folder / "frames");
   const std::string copy = (result.folder / "scene.toml").string();
-  write_text(copy, scene.text);
+  results::replace_file(copy, scene.text);
 
-  const SocketFolder socket;
   int pipe_ends[2];
   if (::pipe2(pipe_ends, O_CLOEXEC | O_NONBLOCK) != 0) throw std::runtime_error("cannot open a pipe");
   std::vector<Command> commands;
   commands.push_back({"solid",
-                      {program("blockweir-solid"), copy, "--out", result.folder, "--endpoint", socket.endpoint(),
+                      {program("blockweir-solid"), copy, "--out", result.folder, "--endpoint", endpoint,
                        "--progress-fd", std::to_string(pipe_ends[1])},
                       pipe_ends[1]});
   if (scene.fluid == scene::FluidModel::hydrostatic) {
     commands.push_back({"hydrostatic",
-                        {program("blockweir-hydrostatic"), copy, "--endpoint", socket.endpoint(), "--out",
-                         result.folder, "--profile-out", result.folder / "hydrostatic.json"}});
+                        {program("blockweir-hydrostatic"), copy, "--endpoint", endpoint, "--out", result.folder,
+                         "--profile-out", result.folder / "hydrostatic.json"}});
   }
   Progress progress(pipe_ends[0], scene.analysis.duration_s, options.quiet);
   const Supervised supervised = supervise(commands, result.folder, grace_s, [&] { progress.update(); });

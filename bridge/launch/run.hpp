@@ -11,8 +11,9 @@ namespace blockweir::launch {
 
 struct RunOptions {
   std::filesystem::path scene;
-  std::filesystem::path out;  ///< empty: runs/CASE, or the first free runs/CASE-N
-  std::vector<std::string> overrides;
+  std::filesystem::path out{};  ///< empty: runs/CASE, or the first free runs/CASE-N
+  std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
+  std::vector<std::string> overrides{};
   bool quiet = false;
 };
 

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "bridge/launch/run.hpp"
+#include "bridge/launch/temporary_folder.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/scene/read.hpp"
 
 namespace blockweir::launch {
 namespace {
@@ -32,20 +35,30 @@ std::vector<fs::path> all_cases() {
   return cases;
 }
 
-struct Variant {
-  std::string name;
-  std::vector<std::string> overrides;
+/// One run of a case: as it is, or one of its variants, with a point of the sweep.
+struct Trial {
+  std::string label;  ///< for the table
+  RunOptions run;
 };
 
-std::vector<Variant> variants(const ValidateOptions& options) {
-  if (!options.sweep) return {{"", options.overrides}};
-  std::vector<Variant> all;
-  for (const char* penalty : {"5e6", "1e9", "1e12"}) {
-    for (const char* step : {"1e-2", "1e-3"}) {
-      Variant v{fmt::format(" p={} dt={}", penalty, step), options.overrides};
-      v.overrides.push_back(fmt::format("contact.initial_penalty_n_per_m2={}", penalty));
-      v.overrides.push_back(fmt::format("analysis.step_s={}", step));
-      all.push_back(v);
+std::vector<Trial> trials(const fs::path& path, const ValidateOptions& options) {
+  std::vector<Trial> all;
+  std::vector<std::string> variants{""};
+  for (const auto& variant : scene::read(path).scene.variants) variants.push_back(variant.name);
+  for (const std::string& variant : variants) {
+    Trial trial{path.filename().string() + (variant.empty() ? "" : ", " + variant),
+                {.scene = path, .variant = variant, .overrides = options.overrides, .quiet = true}};
+    if (!options.sweep) {
+      all.push_back(trial);
+      continue;
+    }
+    for (const char* penalty : {"5e6", "1e9", "1e12"}) {
+      for (const char* step : {"1e-2", "1e-3"}) {
+        Trial& point = all.emplace_back(trial);
+        point.label += fmt::format(" p={} dt={}", penalty, step);
+        point.run.overrides.push_back(fmt::format("contact.initial_penalty_n_per_m2={}", penalty));
+        point.run.overrides.push_back(fmt::format("analysis.step_s={}", step));
+      }
     }
   }
   return all;
@@ -55,54 +68,50 @@ std::string number(const json& value) {
   return value.is_number() ? fmt::format("{:.9g}", value.get<double>()) : "none";
 }
 
+/// Prints the row of one figure.
+void show(const std::string& label, const json& check, double wall_time_s, bool passed) {
+  fmt::print(
+      "{:<58} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8.3g}{}\n", label, check["name"].get<std::string>(),
+      number(check["expected"]), number(check["got"]),
+      check["relative_error"].is_number() ? fmt::format("{:.2e}", check["relative_error"].get<double>()) : "none",
+      number(check["tolerance"]), wall_time_s, passed ? "" : "  OUT");
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int validate(const ValidateOptions& options) {
-  std::string scratch = (fs::temp_directory_path() / "blockweir-validate-XXXXXX").string();
-  if (::mkdtemp(scratch.data()) == nullptr)
-    throw std::runtime_error("cannot make a folder in " + fs::temp_directory_path().string());
+  std::vector<Trial> all;  // a wrong scene is found before anything runs
+  for (const fs::path& path : options.cases.empty() ? all_cases() : options.cases) {
+    for (Trial& trial : trials(path, options)) all.push_back(std::move(trial));
+  }
+  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  const TemporaryFolder scratch;
   json rows = json::array();
   bool sound = true;
-  fmt::print("{:<46} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8}\n", "case", "quantity", "expected", "got", "error",
+  fmt::print("{:<58} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8}\n", "case", "quantity", "expected", "got", "error",
              "tolerance", "time s");
-  int count = 0;
-  for (const fs::path& path : options.cases.empty() ? all_cases() : options.cases) {
-    for (const Variant& variant : variants(options)) {
-      const RunResult result =
-          run({path, fs::path(scratch) / std::to_string(count++), variant.overrides, /*quiet=*/true});
-      const std::string name = path.filename().string() + variant.name;
-      if (result.exit_code != 0) {
-        fmt::print("{:<46} {}\n", name, result.trouble);
-        sound = false;
-        if (result.exit_code == 130) {
-          fs::remove_all(scratch);
-          return 130;
-        }
-      }
-      for (json check : result.summary.value("checks", json::array())) {
-        const bool passed = result.exit_code == 0 && check["passed"].get<bool>();
-        sound = sound && passed;
-        fmt::print(
-            "{:<46} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8.3g}{}\n", name, check["name"].get<std::string>(),
-            number(check["expected"]), number(check["got"]),
-            check["relative_error"].is_number() ? fmt::format("{:.2e}", check["relative_error"].get<double>()) : "none",
-            number(check["tolerance"]), result.summary["wall_time_s"].get<double>(), passed ? "" : "  OUT");
-        std::fflush(stdout);
-        check["case"] = name;
-        check["wall_time_s"] = result.summary["wall_time_s"];
-        rows.push_back(check);
-      }
-      fs::remove_all(result.folder);
+  for (Trial& trial : all) {
+    trial.run.out = scratch.path() / "run";
+    const RunResult result = run(trial.run);
+    if (result.exit_code != 0) fmt::print("{:<58} {}\n", trial.label, result.trouble);
+    if (result.exit_code == 130) return 130;
+    sound = sound && result.exit_code == 0;
+    for (json check : result.summary.value("checks", json::array())) {
+      const bool passed = result.exit_code == 0 && check["passed"].get<bool>();
+      sound = sound && passed;
+      show(trial.label, check, result.summary["wall_time_s"].get<double>(), passed);
+      check["case"] = trial.label;
+      check["wall_time_s"] = result.summary["wall_time_s"];
+      rows.push_back(check);
     }
+    fs::remove_all(result.folder);
   }
-  fs::remove_all(scratch);
   if (rows.empty()) {
     fmt::print("no case states a figure\n");
     return 1;
   }
-  if (!options.json.empty() && !(std::ofstream(options.json) << rows.dump(2) << '\n')) {
-    throw std::runtime_error("cannot write " + options.json.string());
-  }
+  if (!options.json.empty()) results::replace_file(options.json, rows.dump(2) + "\n");
   fmt::print("{} figures, {}\n", rows.size(), sound ? "all within tolerance" : "NOT all within tolerance");
   return sound ? 0 : 1;
 }

@@ -11,6 +11,7 @@
 #include "bridge/scene/check.hpp"
 #include "bridge/scene/digest.hpp"
 #include "bridge/scene/key_depth.hpp"
+#include "bridge/scene/nearest.hpp"
 #include "bridge/scene/overrides.hpp"
 #include "bridge/scene/sections.hpp"
 
@@ -62,7 +63,7 @@ void read_sections(Reading& reading) {
   for (const auto read : {read_blocks, read_supports}) read(reading);
   const bool structure_sound = reading.problems.count() == before;
   for (const auto read : {read_joints, read_point_loads, read_face_pressures, read_water, read_fluid, read_contact,
-                          read_coupling, read_output, read_expectations}) {
+                          read_coupling, read_output, read_expectations, read_variants}) {
     read(reading);
   }
   reject_unknown_sections(reading);
@@ -98,6 +99,22 @@ ReadScene read(const std::filesystem::path& path, const std::vector<std::string>
   std::error_code failed;
   const std::filesystem::path file = std::filesystem::is_directory(path, failed) ? path / "scene.toml" : path;
   return read_text(text_of(file), file.string(), overrides);
+}
+
+ReadScene read_variant(const std::filesystem::path& path, const std::string& name,
+                       const std::vector<std::string>& overrides) {
+  if (name.empty()) return read(path, overrides);
+  const Scene scene = read(path).scene;
+  std::vector<std::string> names;
+  for (const Variant& variant : scene.variants) {
+    names.push_back(variant.name);
+    if (variant.name != name) continue;
+    std::vector<std::string> all = variant.set;
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return read(path, all);
+  }
+  refuse(scene.file.string(), 0, fmt::format("there is no variant \"{}\"", name),
+         names.empty() ? "a scene with a [[variant]]" : one_of(names), did_you_mean(name, names));
 }
 
 }  // namespace blockweir::scene

@@ -21,6 +21,11 @@ struct ReadScene {
 /// Throws SceneError with everything that is wrong at once.
 ReadScene read(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
+/// The scene with what its [[variant]] `name` sets, and `overrides` over that. An empty name is the scene itself.
+/// Throws SceneError as read() does, and when there is no such variant.
+ReadScene read_variant(const std::filesystem::path& path, const std::string& name,
+                       const std::vector<std::string>& overrides = {});
+
 /// The same for text that is already in memory; `name` stands for the file in messages.
 ReadScene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {});
 

@@ -160,6 +160,13 @@ struct Expectation {
   bool operator==(const Expectation&) const = default;
 };
 
+/// The scene with some keys set otherwise: another case with the same geometry.
+struct Variant {
+  std::string name;
+  std::vector<std::string> set;  ///< "dotted.key=value", as --set takes them
+  bool operator==(const Variant&) const = default;
+};
+
 struct Scene {
   std::filesystem::path file;
   std::string title;
@@ -178,6 +185,7 @@ struct Scene {
   Coupling coupling;
   Output output;
   std::vector<Expectation> expectations;
+  std::vector<Variant> variants;
   std::string text;    ///< the file as read, overrides applied: what the digest covers
   std::string digest;  ///< 16 hexadecimal digits
   bool operator==(const Scene&) const = default;

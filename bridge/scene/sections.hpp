@@ -56,6 +56,7 @@ void read_contact(Reading& reading);
 void read_coupling(Reading& reading);
 void read_output(Reading& reading);
 void read_expectations(Reading& reading);
+void read_variants(Reading& reading);
 /// After all others.
 void reject_unknown_sections(Reading& reading);
 

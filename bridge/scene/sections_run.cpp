@@ -90,4 +90,18 @@ void read_expectations(Reading& reading) {
   });
 }
 
+void read_variants(Reading& reading) {
+  Names names("variant");
+  reading.each("variant", [&](TableReader& table) {
+    Variant variant;
+    table.text("name", variant.name, true);
+    table.texts("set", variant.set);
+    if (!variant.name.empty() && !names.add(variant.name)) {
+      reading.problems.error(table.place("name"), fmt::format("a second variant is called \"{}\"", variant.name),
+                             "names that differ", "rename one of them");
+    }
+    reading.scene.variants.push_back(std::move(variant));
+  });
+}
+
 }  // namespace blockweir::scene

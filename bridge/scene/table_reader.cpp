@@ -150,12 +150,13 @@ bool TableReader::text(const char* key, std::string& into, bool required) {
   return true;
 }
 
-bool TableReader::texts(const char* key, std::vector<std::string>& into, std::size_t count) {
-  const std::string words = fmt::format("a list of {} names", count);
+bool TableReader::texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count) {
+  const std::string words = count ? fmt::format("a list of {} names", *count) : "a list of texts";
   const toml::node* node = ask(key, true, words);
   if (node == nullptr) return false;
   const toml::array* list = node->as_array();
-  if (list == nullptr || list->size() != count || !list->is_homogeneous<std::string>()) return wrong(key, *node, words);
+  if (list == nullptr || list->size() != count.value_or(list->size()) || !list->is_homogeneous<std::string>())
+    return wrong(key, *node, words);
   for (const auto& entry : *list) into.push_back(*entry.value<std::string>());
   return true;
 }

@@ -47,7 +47,8 @@ class TableReader {
   bool integer(const char* key, int& into, int least);
   bool flag(const char* key, bool& into);
   bool text(const char* key, std::string& into, bool required = false);
-  bool texts(const char* key, std::vector<std::string>& into, std::size_t count);
+  /// A list of `count` texts; without it, of any number but none.
+  bool texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count = {});
   bool point(const char* key, Point& into, bool required = false);
   /// An outline: 3 to 10,000 points; empty when one is wrong.
   bool points(const char* key, std::vector<Point>& into);

@@ -56,25 +56,31 @@ struct PlaneJoint {
   Point mouth;
 };
 
-/// The dip is that of the gentlest piece: a rigid block slides along its shallowest tread and the risers open.
+/// The dip is that of the gentlest piece: a rigid block slides along its shallowest tread and the risers open. Other
+/// joints that the same block stands on lengthen the crack.
 PlaneJoint plane_joint(const Scene& s, const std::string& name) {
-  const scene::Joint& joint = joint_named(s, name);
-  const scene::Block& a = s.blocks[at(joint.between[0])];
-  const scene::Block& b = s.blocks[at(joint.between[1])];
-  const auto trace = scene::trace_joint(a, b, 1e-6);
-  if (trace.pieces.empty()) throw std::runtime_error(fmt::format("the blocks of joint \"{}\" do not touch", name));
-  PlaneJoint plane;
-  plane.upper = scene::centroid(a.vertices).y() > scene::centroid(b.vertices).y() ? &a : &b;
-  plane.mouth = trace.mouth();
-  plane.length = trace.length_m;
+  const scene::Joint& named = joint_named(s, name);
+  const auto higher_of = [&](const scene::Joint& joint) {
+    const auto height = [&](int block) { return scene::centroid(s.blocks[at(block)].vertices).y(); };
+    return joint.between[height(joint.between[0]) > height(joint.between[1]) ? 0 : 1];
+  };
+  const int upper = higher_of(named);
+  PlaneJoint plane{.dip = std::numbers::pi / 2, .upper = &s.blocks[at(upper)]};
   plane.weight = weight(s, *plane.upper);
-  plane.friction = std::tan(joint.law.friction_angle_deg * std::numbers::pi / 180);
-  plane.cohesion = joint.law.cohesion_pa * joint.law.bonded_length_m.value_or(trace.length_m);
-  plane.uplift = joint.law.uplift == scene::Uplift::none ? 0 : joint.law.uplift == scene::Uplift::full ? 1 : 0.5;
-  plane.dip = std::numbers::pi / 2;
-  for (const auto& piece : trace.pieces) {
-    const Point d = piece.to_m - piece.from_m;
-    plane.dip = std::min(plane.dip, std::atan2(-d.y(), d.x()));
+  plane.friction = std::tan(named.law.friction_angle_deg * std::numbers::pi / 180);
+  plane.uplift = named.law.uplift == scene::Uplift::none ? 0 : named.law.uplift == scene::Uplift::full ? 1 : 0.5;
+  for (const scene::Joint& joint : s.joints) {
+    if (higher_of(joint) != upper) continue;
+    const auto trace = scene::trace_joint(s.blocks[at(joint.between[0])], s.blocks[at(joint.between[1])], 1e-6);
+    if (&joint == &named && trace.pieces.empty())
+      throw std::runtime_error(fmt::format("the blocks of joint \"{}\" do not touch", name));
+    if (&joint == &named) plane.mouth = trace.mouth();
+    plane.length += trace.length_m;
+    plane.cohesion += joint.law.cohesion_pa * joint.law.bonded_length_m.value_or(trace.length_m);
+    for (const auto& piece : trace.pieces) {
+      const Point d = piece.to_m - piece.from_m;
+      plane.dip = std::min(plane.dip, std::atan2(-d.y(), d.x()));
+    }
   }
   return plane;
 }

@@ -192,4 +192,17 @@ TEST(SceneKeys, AFileOfNothingButErrorsIsCutShort) {
   EXPECT_THAT(errors(scene), SizeIs(200));
 }
 
+TEST(SceneKeys, VariantsHaveANameOfTheirOwnAndAListOfTexts) {
+  const std::string slow = "[[variant]]\nname = \"slow\"\nset = [\"analysis.duration_s=9\"]\n";
+  EXPECT_THAT(errors(text + slow), testing::IsEmpty());
+  expect_error(text + slow + slow, 60, {"a second variant is called \"slow\"", "rename one of them"});
+  expect_error(text + "[[variant]]\nname = \"slow\"\n", 56, {"[[variant]] \"slow\" has no \"set\""});
+  expect_error(text + "[[variant]]\nname = \"slow\"\nset = [7]\n", 58,
+               {"set in [[variant]] \"slow\"", "a list of texts"});
+}
+
+TEST(SceneKeys, TheReservoirIsAskedForByAFlag) {
+  expect_error(with("frame_every_s = 0.5", "reservoir = 1"), 51, {"reservoir in [output] is 1", "true or false"});
+}
+
 }  // namespace
