@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/launch/supervisor.hpp"
 
+extern "C" {  // glibc 2.36 forgets to say so itself
+#include <sys/pidfd.h>
+}
+
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,7 +18,6 @@
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
-#include <thread>
 
 namespace blockweir::launch {
 namespace {
@@ -25,14 +29,40 @@ extern "C" void count_stop(int /*signal*/) {
   stop_signals = stop_signals + 1;
 }
 
-struct Child {
-  std::string name;
-  pid_t pid = -1;
-  std::filesystem::path log;
-  bool running = true;
+/// Counts SIGINT and SIGTERM for as long as it lives. They come only while somebody waits with `outside()` as mask, so
+/// that none is missed between a look at the count and the wait.
+class StopSignals {
+ public:
+  StopSignals() {
+    stop_signals = 0;
+    sigset_t ours;
+    sigemptyset(&ours);
+    sigaddset(&ours, SIGINT);
+    sigaddset(&ours, SIGTERM);
+    ::sigprocmask(SIG_BLOCK, &ours, &outside_);
+    struct sigaction action = {};
+    action.sa_handler = count_stop;
+    sigemptyset(&action.sa_mask);
+    ::sigaction(SIGINT, &action, &old_int_);
+    ::sigaction(SIGTERM, &action, &old_term_);
+  }
+  ~StopSignals() {
+    ::sigaction(SIGINT, &old_int_, nullptr);
+    ::sigaction(SIGTERM, &old_term_, nullptr);
+    ::sigprocmask(SIG_SETMASK, &outside_, nullptr);
+  }
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+  [[nodiscard]] const sigset_t& outside() const { return outside_; }
+
+ private:
+  sigset_t outside_{};
+  struct sigaction old_int_ {};
+  struct sigaction old_term_ {};
 };
 
-[[noreturn]] void become(const Command& command, const std::filesystem::path& log) {
+[[noreturn]] void become(const Command& command, const std::filesystem::path& log, const StopSignals& signals) {
+  ::sigprocmask(SIG_SETMASK, &signals.outside(), nullptr);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   ::setpgid(0, 0);  // Ctrl-C reaches us alone; we pass it on in order
   const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
@@ -60,24 +90,49 @@ int exit_code(int status) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-void signal_all(const std::vector<Child>& children, int signal) {
-  for (const Child& child : children) {
-    if (child.running) ::kill(child.pid, signal);
-  }
-}
+struct Child {
+  std::string name;
+  std::filesystem::path log;
+  pid_t pid = -1;
+  int end = -1;  ///< a descriptor that becomes readable when the process has ended
+  bool running = false;
+};
 
-/// Waits without blocking; true when a child has ended.
-bool reap(std::vector<Child>& children, Supervised& result) {
-  bool any = false;
-  for (Child& child : children) {
-    int status = 0;
-    if (!child.running || ::waitpid(child.pid, &status, WNOHANG) != child.pid) continue;
-    child.running = false;
-    any = true;
-    result.ends.push_back({child.name, exit_code(status), last_line(child.log)});
+struct Children {
+  std::vector<Child> all{};
+
+  Children() = default;
+  Children(const Children&) = delete;
+  Children& operator=(const Children&) = delete;
+  ~Children() {
+    for (const Child& child : all) {
+      if (child.end >= 0) ::close(child.end);
+    }
   }
-  return any;
-}
+  [[nodiscard]] bool running() const {
+    return std::any_of(all.begin(), all.end(), [](const Child& c) { return c.running; });
+  }
+  void signal(int number) const {
+    for (const Child& child : all) {
+      if (child.running) ::kill(child.pid, number);
+    }
+  }
+  /// Until a child ends, a signal comes, or 50 ms have passed; adds those that have ended to `result`.
+  void wait(const StopSignals& signals, Supervised& result) {
+    std::vector<pollfd> watched;
+    for (const Child& child : all) {
+      if (child.running) watched.push_back({child.end, POLLIN, 0});
+    }
+    const timespec longest{0, 50'000'000};
+    ::ppoll(watched.data(), watched.size(), &longest, &signals.outside());
+    for (Child& child : all) {
+      int status = 0;
+      if (!child.running || ::waitpid(child.pid, &status, WNOHANG) != child.pid) continue;
+      child.running = false;
+      result.ends.push_back({child.name, exit_code(status), last_line(child.log)});
+    }
+  }
+};
 
 }  // namespace
 
@@ -87,56 +142,43 @@ bool Supervised::all_fine() const {
 
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
                      const std::function<void()>& tick) {
-  struct sigaction action = {};
-  action.sa_handler = count_stop;
-  sigemptyset(&action.sa_mask);
-  struct sigaction old_int = {};
-  struct sigaction old_term = {};
-  stop_signals = 0;
-  sigaction(SIGINT, &action, &old_int);
-  sigaction(SIGTERM, &action, &old_term);
-
-  std::vector<Child> children;
+  const StopSignals signals;
+  Children children;
   for (const Command& command : commands) {
-    Child child{.name = command.name, .log = log_folder / (command.name + ".log")};
+    Child& child = children.all.emplace_back();
+    child.name = command.name;
+    child.log = log_folder / (command.name + ".log");
     child.pid = ::fork();
-    if (child.pid == 0) become(command, child.log);
-    if (child.pid < 0) {
-      signal_all(children, SIGKILL);
-      throw std::runtime_error("cannot start " + command.name + ": " + std::strerror(errno));
+    if (child.pid == 0) become(command, child.log, signals);
+    if (child.pid > 0) child.end = ::pidfd_open(child.pid, 0);
+    if (child.end < 0) {
+      const std::string reason = std::strerror(errno);
+      child.running = child.pid > 0;
+      children.signal(SIGKILL);
+      throw std::runtime_error("cannot start " + command.name + ": " + reason);
     }
-    children.push_back(child);
+    child.running = true;
   }
 
   Supervised result;
-  const auto running = [&] {
-    return std::any_of(children.begin(), children.end(), [](const Child& c) { return c.running; });
-  };
   Clock::time_point trouble = Clock::time_point::max();
   int sent = 0;  // 0 nothing, 1 SIGTERM, 2 SIGKILL
-  auto last_tick = Clock::now();
-  while (running()) {
+  while (children.running()) {
+    children.wait(signals, result);
+    tick();
     const auto now = Clock::now();
-    if (!reap(children, result)) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    if (now - last_tick > std::chrono::milliseconds(50)) {
-      last_tick = now;
-      tick();
-    }
     if (stop_signals > 0 && !result.interrupted) {
       result.interrupted = true;
-      signal_all(children, SIGTERM);
+      children.signal(SIGTERM);
       trouble = now;
       sent = 1;
     }
     if (trouble == Clock::time_point::max() && !result.all_fine()) trouble = now;
     if (trouble == Clock::time_point::max()) continue;
     const double waited = std::chrono::duration<double>(now - trouble).count();
-    if (sent < 1 && waited > grace_s) signal_all(children, SIGTERM), sent = 1;
-    if (sent < 2 && waited > 2 * grace_s) signal_all(children, SIGKILL), sent = 2;
+    if (sent < 1 && waited > grace_s) children.signal(SIGTERM), sent = 1;
+    if (sent < 2 && waited > 2 * grace_s) children.signal(SIGKILL), sent = 2;
   }
-  tick();
-  sigaction(SIGINT, &old_int, nullptr);
-  sigaction(SIGTERM, &old_term, nullptr);
   return result;
 }
 
