@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "bridge/results/folder.hpp"
+#include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "solid/output/recorder.hpp"
@@ -100,20 +101,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  try {
+  return scene::exit_status("blockweir-solid", [&] {
     run(arguments);
     return 0;
-  } catch (const scene::SceneError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "blockweir-solid: {}\n", error.what());
-    return 2;
-  } catch (const channel::Interrupted&) {
-    fmt::print(stderr, "blockweir-solid: stopped on request\n");
-    return 1;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "blockweir-solid: {}\n", error.what());
-    return 1;
-  }
+  });
 }

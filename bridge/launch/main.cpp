@@ -8,6 +8,7 @@
 #include "bridge/launch/plot.hpp"
 #include "bridge/launch/run.hpp"
 #include "bridge/launch/validate.hpp"
+#include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/nearest.hpp"
 #include "bridge/scene/read.hpp"
 
@@ -85,16 +86,5 @@ int run_command(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run_command(argc, argv);
-  } catch (const scene::SceneError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "blockweir: {}\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "blockweir: {}\n", error.what());
-    return 1;
-  }
+  return scene::exit_status("blockweir", [&] { return run_command(argc, argv); });
 }

@@ -13,7 +13,8 @@ struct PlotOptions {
 };
 
 /// Writes displacements, velocities, rotations, level, snapshots and picture (.png or .svg) into the run's folder and
-/// names them on standard output. Throws std::runtime_error when the folder holds no run or gnuplot is missing.
+/// names them on standard output. Throws std::invalid_argument when the folder holds no
+/// run, std::runtime_error when gnuplot is missing.
 void plot(const PlotOptions& options);
 
 }  // namespace blockweir::launch

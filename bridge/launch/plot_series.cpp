@@ -19,7 +19,7 @@ std::vector<std::string> columns_of(const fs::path& file) {
   std::ifstream stream(file);
   std::string line;
   if (!std::getline(stream, line)) {
-    throw std::runtime_error(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
+    throw std::invalid_argument(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
   }
   std::vector<std::string> names(1);
   bool quoted = false;

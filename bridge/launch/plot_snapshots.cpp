@@ -25,7 +25,7 @@ std::vector<json> read_frames(const fs::path& file) {
     if (frame.is_object()) frames.push_back(std::move(frame));  // a killed run may leave half a line
   }
   if (frames.empty())
-    throw std::runtime_error(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
+    throw std::invalid_argument(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
   return frames;
 }
 

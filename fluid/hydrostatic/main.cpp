@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bridge/results/folder.hpp"
+#include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "fluid/hydrostatic/reservoir_output.hpp"
@@ -80,17 +81,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  try {
+  return scene::exit_status("blockweir-hydrostatic", [&] {
     run(arguments);
     return 0;
-  } catch (const scene::SceneError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  } catch (const channel::Interrupted&) {
-    fmt::print(stderr, "blockweir-hydrostatic: stopped on request\n");
-    return 1;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "blockweir-hydrostatic: {}\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// What goes wrong around the real programs: killed partners, taken and wrong endpoints, folders and disks that take
+// nothing, scenes that do not fit. One clear line, a non-zero status, results so far readable, no orphan.
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+using Faults = Processes;
+
+TEST_F(Faults, AKilledPartnerIsNoticedAtTenMomentsOnEitherSide) {
+  const std::string end = " --endpoint ipc://" + (folder / "line").string();
+  const std::string scene = cases + "cracked-dam-upper --set analysis.step_s=0.001 --set coupling.timeout_s=5";
+  for (int moment = 0; moment < 20; ++moment) {
+    const bool kill_solid = moment % 2 == 0;
+    const pid_t fluid = start(programs + "/blockweir-hydrostatic " + scene + end, "fluid");
+    const pid_t solid = start(programs + "/blockweir-solid " + scene + " --out o" + end, "solid");
+    ASSERT_TRUE(under_way("o"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(37 * (moment / 2)));
+    kill(kill_solid ? solid : fluid, SIGKILL);
+    EXPECT_EQ(end_of(kill_solid ? solid : fluid, 5), 128 + SIGKILL);
+    EXPECT_EQ(end_of(kill_solid ? fluid : solid, 6), 1);
+    EXPECT_THAT(text(kill_solid ? "fluid" : "solid"), HasSubstr("closed the line in window"));
+    if (!kill_solid) {
+      EXPECT_EQ(nlohmann::json::parse(text("o/summary.json"))["outcome"], "stopped");
+    }
+    EXPECT_GT(text("o/history.csv").size(), 2000U);
+    fs::remove_all(folder / "o");
+  }
+}
+
+TEST_F(Faults, CtrlCEndsBothAndLeavesNoOrphan) {
+  const pid_t run =
+      start(programs + "/blockweir run " + cases + "cracked-dam-upper --out o --set analysis.step_s=0.001", "log");
+  ASSERT_TRUE(under_way("o"));
+  kill(run, SIGINT);
+  EXPECT_EQ(end_of(run, 10), 130) << text("log");
+  EXPECT_THAT(text("log"), HasSubstr("STOPPED"));
+  EXPECT_FALSE(orphan()) << text("out");
+}
+
+TEST_F(Faults, ATakenEndpointIsRefused) {
+  const std::string end = " --endpoint ipc://" + (folder / "line").string() + " --set coupling.timeout_s=5";
+  const pid_t first = start(programs + "/blockweir-solid " + cases + "monolith-slides --out a" + end, "first");
+  for (int wait = 0; wait < 1000 && !fs::exists(folder / "line"); ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(shell(programs + "/blockweir-solid " + cases + "monolith-slides --out b" + end), 1);
+  EXPECT_THAT(text("out"), HasSubstr("another process listens there already"));
+  EXPECT_EQ(end_of(first, 20), 1);
+  EXPECT_THAT(text("first"), HasSubstr("has not come to ipc://"));
+}
+
+TEST_F(Faults, ABadSceneEndsWithStatusTwoAndWritesNothing) {
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --out o --set analysis.stp_s=1"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("step_s"));
+  EXPECT_FALSE(fs::exists(folder / "o"));
+  EXPECT_EQ(shell(programs + "/blockweir rnu"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("did you mean \"run\"?"));
+}
+
+TEST_F(Faults, ProcessesOfDifferentScenesRefuseEachOther) {
+  const std::string end = " --endpoint ipc://" + (folder / "line").string();
+  const pid_t fluid = start(programs + "/blockweir-hydrostatic " + cases + "monolith-overturns" + end, "fluid");
+  const pid_t solid = start(programs + "/blockweir-solid " + cases + "monolith-slides --out o" + end, "solid");
+  EXPECT_EQ(end_of(solid, 30), 1);
+  EXPECT_EQ(end_of(fluid, 30), 1);
+  EXPECT_THAT(text("solid"), HasSubstr("handshake refused: scene digest: solid has "));
+  EXPECT_THAT(text("fluid"), HasSubstr("handshake refused: scene digest: hydrostatic has "));
+}
+
+TEST_F(Faults, AFolderThatCannotBeMadeIsRefusedBeforeAnythingStarts) {
+  std::ofstream(folder / "file") << "text";
+  for (const std::string out : {"file", "file/o", "/proc/o"}) {
+    EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --out " + out), 2) << out;
+    EXPECT_THAT(text("out"), HasSubstr("blockweir: --out " + out + ": "));
+    EXPECT_THAT(text("out"), HasSubstr("expected a folder that can be made and written; choose another --out"));
+  }
+  EXPECT_EQ(shell(programs + "/blockweir-solid " + cases + "incline --out file/o"), 2);
+  EXPECT_EQ(text("file"), "text");
+}
+
+TEST_F(Faults, AFolderOfOtherFilesIsNotTouched) {
+  fs::create_directory(folder / "mine");
+  std::ofstream(folder / "mine/scene.toml") << "mine";
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --out mine"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("not empty and not a former run; choose another folder"));
+  EXPECT_EQ(text("mine/scene.toml"), "mine");
+}
+
+TEST_F(Faults, AFileForTheTableThatCannotBeWrittenIsRefusedBeforeAnythingRuns) {
+  EXPECT_EQ(shell(programs + "/blockweir validate " + cases + "incline --json no/where.json"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("--json no/where.json: "));
+  EXPECT_THAT(text("out"), testing::Not(HasSubstr("tolerance")));
+}
+
+TEST_F(Faults, AnUnknownVariantIsRefused) {
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --variant 'frictoin 10 deg' --out o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("did you mean \"friction 10 deg\"?"));
+  EXPECT_FALSE(fs::exists(folder / "o"));
+}
+
+TEST_F(Faults, APlotOfNoRunIsRefused) {
+  EXPECT_EQ(shell(programs + "/blockweir plot nowhere"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("is this the folder of a run?"));
+}
+
+/// Files may grow to `blocks` half kilobytes, as if the disk were full then.
+std::string on_a_full_disk(int blocks, const std::string& command) {
+  return "sh -c \"trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; exec " + command + "\"";
+}
+
+TEST_F(Faults, ADiskThatFillsUpEndsTheRunWithOneLine) {
+  const std::string run = programs + "/blockweir run " + cases + "cracked-dam-upper --quiet --out ";
+  EXPECT_EQ(shell(on_a_full_disk(64, run + "o")), 1);
+  EXPECT_THAT(text("out"), HasSubstr("is the disk full, or the folder not writable?")) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("STOPPED"));
+  EXPECT_EQ(nlohmann::json::parse(text("o/summary.json"))["outcome"], "stopped");
+  EXPECT_GT(text("o/history.csv").size(), 20000U);
+  EXPECT_EQ(shell(on_a_full_disk(1, run + "p")), 1);
+  EXPECT_THAT(text("out"), HasSubstr("cannot write p/scene.toml"));
+  EXPECT_EQ(shell(on_a_full_disk(0, run + "q")), 1);  // not even the message can be written
+  EXPECT_FALSE(orphan());
+}
+
+TEST_F(Faults, AProcessThatIsKilledIsNamedByTheLauncher) {
+  for (const std::string name : {"solid", "hydrostatic"}) {
+    const pid_t run = start(
+        programs + "/blockweir run " + cases + "cracked-dam-upper --quiet --set analysis.step_s=0.001 --out " + name,
+        "log");
+    ASSERT_TRUE(under_way(name));
+    EXPECT_EQ(shell("pkill -KILL -f '[b]lockweir-" + name + " " + name + "/'"), 0);
+    EXPECT_EQ(end_of(run, 15), 1) << text("log");
+    EXPECT_THAT(text("log"), HasSubstr("the " + name + " process was ended by signal 9"));
+    EXPECT_EQ(nlohmann::json::parse(text(name + "/summary.json"))["outcome"], "stopped");
+    EXPECT_FALSE(orphan());
+  }
+}
+
+TEST_F(Faults, AKilledLauncherLeavesNoOrphan) {
+  const pid_t run =
+      start(programs + "/blockweir run " + cases + "cracked-dam-upper --set analysis.step_s=0.001 --out o", "log");
+  ASSERT_TRUE(under_way("o"));
+  kill(run, SIGKILL);
+  EXPECT_EQ(end_of(run, 5), 128 + SIGKILL);
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  EXPECT_FALSE(orphan());
+  EXPECT_EQ(nlohmann::json::parse(text("o/summary.json"))["outcome"], "stopped");
+}
+
+TEST_F(Faults, AWrongPortIsSaidWithinTheTimeOut) {
+  const std::string scene = cases + "monolith-slides --set coupling.timeout_s=1 --endpoint ";
+  EXPECT_EQ(shell(programs + "/blockweir-hydrostatic " + scene + "tcp://127.0.0.1:9"), 1);
+  EXPECT_THAT(text("out"), HasSubstr("tcp://127.0.0.1:9"));
+  for (const std::string wrong : {"tcp://127.0.0.1:notaport", "tcp://", "nonsense", "tcp://127.0.0.1:99999"}) {
+    EXPECT_NE(shell(programs + "/blockweir-solid " + scene + wrong + " --out o"), 0) << wrong;
+    EXPECT_THAT(text("out"), HasSubstr(wrong)) << text("out");
+  }
+}
+
+}  // namespace
+}  // namespace blockweir::test

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real programs, started and ended in a folder of the test's own.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+
+namespace blockweir::test {
+
+namespace fs = std::filesystem;
+inline const std::string programs = BLOCKWEIR_PROGRAMS;
+inline const std::string cases = std::string(BLOCKWEIR_SOURCE) + "/cases/";
+
+class Processes : public testing::Test {
+ protected:
+  Processes() {
+    std::string name = (fs::temp_directory_path() / "blockweir-test-XXXXXX").string();
+    folder = mkdtemp(name.data());
+  }
+  ~Processes() override { fs::remove_all(folder); }
+
+  [[nodiscard]] std::string text(const std::string& file) const {
+    std::ostringstream all;
+    all << std::ifstream(folder / file).rdbuf();
+    return all.str();
+  }
+  /// Exit status of a shell command; its output goes to the file "out".
+  [[nodiscard]] int shell(const std::string& command) const {
+    const int status = std::system(("cd " + folder.string() + " && timeout 120 " + command + " >out 2>&1").c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  }
+  [[nodiscard]] pid_t start(const std::string& command, const std::string& log) const {
+    const pid_t pid = fork();
+    if (pid == 0) {
+      const std::string line = "cd " + folder.string() + " && exec " + command + " >" + log + " 2>&1";
+      execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+      _exit(127);
+    }
+    return pid;
+  }
+  /// Exit status, or -1 when it still runs after `patience_s`.
+  static int end_of(pid_t pid, double patience_s) {
+    for (const auto begin = std::chrono::steady_clock::now();
+         std::chrono::steady_clock::now() - begin < std::chrono::duration<double>(patience_s);) {
+      int status = 0;
+      if (waitpid(pid, &status, WNOHANG) == pid)
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return -1;
+  }
+
+  /// Until the run in `run` has written its first rows; false when it does not within 10 s.
+  [[nodiscard]] bool under_way(const std::string& run) const {
+    for (int wait = 0; wait < 2000 && text(run + "/history.csv").size() < 2000; ++wait)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return text(run + "/history.csv").size() >= 2000;
+  }
+  /// Does a process of this test's folder still run?
+  [[nodiscard]] bool orphan() const {
+    return shell("pgrep -f '[b]lockweir-(solid|hydrostatic).*" + folder.filename().string() + "'") == 0;
+  }
+
+  fs::path folder;
+};
+
+}  // namespace blockweir::test
