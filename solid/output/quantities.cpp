@@ -23,7 +23,8 @@ std::size_t block_index(const Outcome& o, const std::string& name) {
     return blocks[a].centroid.y() > blocks[b].centroid.y() ? a : b;
   }
   const auto found = std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) { return b.name == name; });
-  if (found == blocks.end()) throw std::runtime_error(fmt::format("[[expect]] of = \"{}\" names no block or joint", name));
+  if (found == blocks.end())
+    throw std::runtime_error(fmt::format("[[expect]] of = \"{}\" names no block or joint", name));
   return static_cast<std::size_t>(found - blocks.begin());
 }
 
@@ -39,9 +40,8 @@ double displacement(const Outcome& o, const std::string& of) {
   return (o.last.blocks[b].centroid_m - o.first.blocks[b].centroid_m).norm();
 }
 
-/// Mean over the run from rest: 2 s/t^2.
 double acceleration(const Outcome& o, const std::string& of) {
-  return 2 * displacement(o, of) / (o.last.time_s * o.last.time_s);
+  return o.acceleration.of(block_index(o, of));
 }
 
 /// Vertical force of all contacts on a block, upwards on its neighbours.

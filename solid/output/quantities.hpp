@@ -2,6 +2,7 @@
 // Figures of a finished run that [[expect]] can name.
 #pragma once
 
+#include "solid/output/acceleration_fit.hpp"
 #include "solid/output/failure_watch.hpp"
 
 namespace blockweir::solid::output {
@@ -12,6 +13,7 @@ struct Outcome {
   const Frame& first;  ///< at time 0
   const Frame& last;
   const FailureWatch& failure;
+  const AccelerationFit& acceleration;
   double largest_penetration_m = 0;    ///< over the whole run
   std::optional<double> breached_s{};  ///< since when open water has passed the structure
 };

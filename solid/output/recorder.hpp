@@ -33,6 +33,7 @@ class Recorder final : public schedule::SolidSide {
 
   Solid solid_;
   FailureWatch failure_;
+  AccelerationFit acceleration_;
   std::filesystem::path folder_;
   HistoryWriter history_;
   FrameLog frame_log_;

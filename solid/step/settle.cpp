@@ -84,7 +84,7 @@ void Solid::relax(double pseudo_step_s, const std::vector<Panel>& water) {
   const double at_rest_m = 1e-12 * size_;
   for (int step = 0; step < most_steps; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (!attempt(pseudo_step_s, 0, water)) break;
+    if (!attempt(pseudo_step_s, 0, water) && !attempt_softly(pseudo_step_s, 0, water)) break;
     ++counts_.settling_steps;
     const double moved = largest_increment();
     if (moved <= at_rest_m) return;
