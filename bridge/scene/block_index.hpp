@@ -24,6 +24,7 @@ class BlockIndex {
     std::vector<Entry> found;
     tree_.query(boost::geometry::index::intersects(box(bounds)), std::back_inserter(found));
     std::vector<std::size_t> blocks;
+    blocks.reserve(found.size());
     for (const Entry& entry : found) blocks.push_back(entry.second);
     return blocks;
   }

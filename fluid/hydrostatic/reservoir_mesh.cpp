@@ -83,6 +83,7 @@ class BoundaryChains {
     std::vector<std::pair<Corner, std::size_t>> found;
     tree_.query(bg::index::intersects(Box({low.x(), low.y()}, {high.x(), high.y()})), std::back_inserter(found));
     std::vector<Point> points;
+    points.reserve(found.size());
     for (const auto& [corner, i] : found) points.push_back(nodes_[i]);
     return points;
   }

@@ -37,11 +37,40 @@ double FailureWatch::travel(std::size_t b) const {
   return farthest;
 }
 
+/// A contact that sticks and another that is closed, elsewhere, leave a block no rigid motion of its own: it strains, or
+/// is carried.
+bool FailureWatch::held(std::size_t b) const {
+  const auto point = [&](const ContactPoint& c) -> Point {
+    const auto v = at(c.vertex_block);
+    return solid_.placements()[v].position(solid_.blocks()[v].vertices[at(c.vertex)]);
+  };
+  const auto closed = [&](const ContactPoint& c) {
+    return c.state != ContactState::open && (at(c.vertex_block) == b || at(c.edge_block) == b);
+  };
+  const auto& contacts = solid_.contacts();
+  const auto sticking = std::find_if(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
+    return closed(c) && c.state == ContactState::stick;
+  });
+  if (sticking == contacts.end()) return false;
+  const Point pivot = point(*sticking);
+  const double elsewhere = 1e-3 * solid_.blocks()[b].radius;
+  return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
+    return closed(c) && (point(c) - pivot).norm() > elsewhere;
+  });
+}
+
+bool FailureWatch::at_rest(std::size_t b) const {
+  constexpr double straining = 100;  // speeds of loads that come fast, far below those of a block that is carried away
+  const double rest = solid_.scene().analysis.rest_speed_m_per_s;
+  const double fastest = speed(b);
+  return fastest <= rest || (fastest <= straining * rest && held(b));
+}
+
 void FailureWatch::look(double time_s, double upstream_level_m) {
   const scene::Analysis& analysis = solid_.scene().analysis;
   for (std::size_t b = 0; b < rest_.size(); ++b) {
     if (solid_.blocks()[b].fixed || rest_[b].failed) continue;
-    if (speed(b) <= analysis.rest_speed_m_per_s || time_s == 0) {
+    if (at_rest(b) || time_s == 0) {
       rest_[b] = {.time_s = time_s, .level_m = upstream_level_m, .displacement = solid_.states()[b].displacement};
     } else if (travel(b) > analysis.failure_displacement_m) {
       rest_[b].failed = true;

@@ -51,6 +51,8 @@ class FailureWatch {
     bool failed = false;
   };
   [[nodiscard]] double speed(std::size_t block) const;
+  [[nodiscard]] bool held(std::size_t block) const;
+  [[nodiscard]] bool at_rest(std::size_t block) const;
   [[nodiscard]] double travel(std::size_t block) const;
   [[nodiscard]] Failure describe(std::size_t block) const;
   [[nodiscard]] int neighbour_left_behind(std::size_t block) const;

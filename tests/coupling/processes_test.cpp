@@ -22,6 +22,15 @@ TEST_F(Processes, TheLowerCrackFailsFirstUnderOneFillingCurve) {
   EXPECT_LT(time("lower"), time("upper"));
 }
 
+TEST_F(Processes, AStepOfATenthOfAMillisecondFindsTheSameLevel) {
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases +
+                  "cracked-dam-upper --quiet --out o --set analysis.step_s=1e-4 --set analysis.duration_s=3 "
+                  "--set analysis.stop_at_failure=true --set 'water.upstream_level_m={table=[[0,21.97],[3,22.12]]}'"),
+            0)
+      << text("out");
+  EXPECT_NEAR(nlohmann::json::parse(text("o/summary.json"))["failure"]["head_m"].get<double>() / 6.99964615, 1, 1e-3);
+}
+
 TEST_F(Processes, ABreachIsSaidOnceWaterPassesTheSlidBlock) {
   EXPECT_EQ(shell(programs + "/blockweir run " + cases + "cracked-dam-upper --quiet --out o"), 0) << text("out");
   EXPECT_THAT(text("out"), testing::HasSubstr("BREACH  after "));
