@@ -60,6 +60,7 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
     vertices_on_edges(b, a);
   }
   inherit(contacts);
+  drop_edges_seen_from_within();
   keep_one_of_each_meeting();
   contacts.swap(found_);
 }
@@ -183,6 +184,27 @@ void ContactSearch::inherit(std::vector<ContactPoint>& old) {
     take(*nearest, *was);
     inherited_[static_cast<std::size_t>(nearest - found_.data())] = 1;
   }
+}
+
+/// A vertex that touches one edge of a block near a corner lies far behind the next one, which it has never met: only
+/// closed contacts, and of the others the least penetrated, may press from within.
+void ContactSearch::drop_edges_seen_from_within() {
+  const auto seen_better = [this](const ContactPoint& c) {
+    const auto better = [&](const ContactPoint& other) {
+      return other.vertex_block == c.vertex_block && other.vertex == c.vertex && other.edge_block == c.edge_block &&
+             other.gap > c.gap;
+    };
+    return std::any_of(found_.begin(), found_.end(), better);
+  };
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    const ContactPoint& c = found_[i];
+    if (c.state == ContactState::open && c.gap < -coincidence_ && seen_better(c)) continue;
+    inherited_[kept] = inherited_[i];
+    found_[kept++] = found_[i];
+  }
+  found_.resize(kept);
+  inherited_.resize(kept);
 }
 
 /// Where two convex vertices meet, up to four vertex-edge candidates describe one contact.

@@ -27,6 +27,7 @@ class ContactSearch {
  private:
   void refresh_pairs(const std::vector<Placement>& placements);
   void vertices_on_edges(int vertex_block, int edge_block);
+  void drop_edges_seen_from_within();
   void keep_one_of_each_meeting();
   void inherit(std::vector<ContactPoint>& old);
 

@@ -22,6 +22,32 @@ TEST_F(Processes, TheLowerCrackFailsFirstUnderOneFillingCurve) {
   EXPECT_LT(time("lower"), time("upper"));
 }
 
+TEST_F(Processes, InExampleTwoTheLargeBlockSlidesFirstThenAllMove) {
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "cracked-dam-lower --variant 'all move' --quiet --out o"), 0)
+      << text("out");
+  std::istringstream history(text("o/history.csv"));
+  std::vector<std::string> names;
+  std::map<std::string, std::vector<double>> columns;
+  const auto cells = [](const std::string& line, const auto& each) {
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) each(cell);
+  };
+  std::string line;
+  std::getline(history, line);
+  cells(line, [&](const std::string& name) { names.push_back(name); });
+  while (std::getline(history, line)) {
+    std::size_t column = 0;
+    cells(line, [&](const std::string& cell) { columns[names[column++]].push_back(std::stod(cell)); });
+  }
+  const auto moved = [&](int block, std::size_t row) {
+    return columns["block " + std::to_string(block) + ".displacement_x_m"].at(row);
+  };
+  EXPECT_GT(moved(2, 300), 0.01);  // rows every 0.01 s
+  EXPECT_LT(moved(1, 300), 0.001);
+  EXPECT_LT(moved(3, 300), 0.001);
+  for (const int block : {1, 2, 3}) EXPECT_GT(moved(block, 1200), 10) << block;
+}
+
 TEST_F(Processes, AStepOfATenthOfAMillisecondFindsTheSameLevel) {
   EXPECT_EQ(shell(programs + "/blockweir run " + cases +
                   "cracked-dam-upper --quiet --out o --set analysis.step_s=1e-4 --set analysis.duration_s=3 "
