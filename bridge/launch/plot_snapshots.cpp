@@ -80,9 +80,12 @@ std::string pool(int& number, const json& frame, const View& view, const char* k
       crest_y = p[1];
     }
   }
-  // The pool ends where its last wet panel does; without panels, at the crest.
+  // The pool ends where its last wet panel does, cracks apart; without panels, at the crest.
   double reach = -1e300;
-  for (const json& panel : frame["panels"]) reach = std::max({reach, panel[0].get<double>(), panel[2].get<double>()});
+  for (const json& panel : frame["panels"]) {
+    const bool in_crack = panel.at(6) != 0;
+    if (!in_crack) reach = std::max({reach, panel[0].get<double>(), panel[2].get<double>()});
+  }
   if (reach == -1e300 || frame["downstream_level_m"].is_number()) reach = crest_x;
   if (crest_y == -1e300) return "";
   const bool upstream = std::string(key) == "upstream_level_m";

@@ -98,7 +98,7 @@ void encode(const Load& m, Builder& builder) {
   const auto p_to = builder.CreateVector(m.pressure_to_pa);
   finish(builder, buffer::Body::Load,
          buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, block, edge, s_from,
-                            s_to, p_from, p_to, m.breached));
+                            s_to, p_from, p_to, m.breached, m.cracks_from));
 }
 
 void encode(const End& m, Builder& builder) {
@@ -184,11 +184,14 @@ void decode(const void* data, Load& m) {
   copy(b.pressure_from_pa(), m.pressure_from_pa);
   copy(b.pressure_to_pa(), m.pressure_to_pa);
   m.breached = b.breached();
+  m.cracks_from = b.cracks_from();
   const std::size_t n = m.block.size();
   for (const std::size_t size :
        {m.edge.size(), m.s_from.size(), m.s_to.size(), m.pressure_from_pa.size(), m.pressure_to_pa.size()}) {
     if (size != n) throw BadMessage(fmt::format("columns of {} and {} panels in window {}", n, size, m.window));
   }
+  if (m.cracks_from > n)
+    throw BadMessage(fmt::format("cracks from panel {} of {} in window {}", m.cracks_from, n, m.window));
   for (std::size_t i = 0; i < n; ++i) {
     const auto panel = [&](const char* what, double value) {
       return fmt::format("{} of panel {} (block {}, edge {}) is {} in window {}", what, i, m.block[i], m.edge[i], value,

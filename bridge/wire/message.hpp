@@ -11,7 +11,7 @@
 namespace blockweir::wire {
 
 /// Raised whenever a message changes its meaning; partners of different versions refuse each other.
-inline constexpr std::uint32_t protocol_version = 2;
+inline constexpr std::uint32_t protocol_version = 3;
 
 /// First message of either side. Everything in it must agree, but for `role` and `build`.
 struct Hello {
@@ -52,7 +52,8 @@ struct Load {
   std::vector<double> s_to;
   std::vector<double> pressure_from_pa;
   std::vector<double> pressure_to_pa;
-  bool breached = false;  ///< open water has found a way past the structure
+  std::uint32_t cracks_from = 0;  ///< panels from this index on lie in cracks, those before on open water
+  bool breached = false;          ///< open water has found a way past the structure
 };
 
 /// The run is over; the partner may leave.

@@ -101,6 +101,7 @@ void HydrostaticModel::add_pool(Pool pool, double level_m, wire::Load& load) {
 }
 
 void HydrostaticModel::add_cracks(double upstream_m, double downstream_m, wire::Load& load) {
+  load.cracks_from = static_cast<std::uint32_t>(load.block.size());
   const double weight = scene_.water.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2;
   for (const Crack& crack : cracks_) {
     const auto pressure = [&](const CrackPart& part, const Point& outline_point, double level_m) {

@@ -100,7 +100,8 @@ void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& f
                  .from_m = placement.position(acting.node[0]),
                  .to_m = placement.position(acting.node[1]),
                  .pressure_from_pa = panel.pressure_from_pa,
-                 .pressure_to_pa = panel.pressure_to_pa};
+                 .pressure_to_pa = panel.pressure_to_pa,
+                 .in_crack = frame.panels.size() >= load.cracks_from};
     BlockRow& block = frame.blocks[at(panel.block)];
     for (std::size_t i = 0; i < 2; ++i) {
       const Point& node = i == 0 ? row.from_m : row.to_m;

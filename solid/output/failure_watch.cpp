@@ -37,8 +37,8 @@ double FailureWatch::travel(std::size_t b) const {
   return farthest;
 }
 
-/// A contact that sticks and another that is closed, elsewhere, leave a block no rigid motion of its own: it strains, or
-/// is carried.
+/// A contact that sticks and another that is closed, elsewhere, leave a block no rigid motion of its own: it strains,
+/// or is carried.
 bool FailureWatch::held(std::size_t b) const {
   const auto point = [&](const ContactPoint& c) -> Point {
     const auto v = at(c.vertex_block);
@@ -54,9 +54,8 @@ bool FailureWatch::held(std::size_t b) const {
   if (sticking == contacts.end()) return false;
   const Point pivot = point(*sticking);
   const double elsewhere = 1e-3 * solid_.blocks()[b].radius;
-  return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
-    return closed(c) && (point(c) - pivot).norm() > elsewhere;
-  });
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [&](const ContactPoint& c) { return closed(c) && (point(c) - pivot).norm() > elsewhere; });
 }
 
 bool FailureWatch::at_rest(std::size_t b) const {

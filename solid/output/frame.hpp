@@ -49,6 +49,7 @@ struct PanelRow {
   Point to_m;
   double pressure_from_pa = 0;
   double pressure_to_pa = 0;
+  bool in_crack = false;  ///< loaded by the crack's uplift law, not by open water
 };
 
 struct Frame {

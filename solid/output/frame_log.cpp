@@ -32,8 +32,8 @@ void FrameLog::write(const Frame& frame) {
   fmt::format_to(out, R"(],"panels":[)");
   bool first_panel = true;
   for (const PanelRow& p : frame.panels) {
-    fmt::format_to(out, "{}[{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g}]", separator(first_panel), p.from_m.x(),
-                   p.from_m.y(), p.to_m.x(), p.to_m.y(), p.pressure_from_pa, p.pressure_to_pa);
+    fmt::format_to(out, "{}[{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{}]", separator(first_panel), p.from_m.x(),
+                   p.from_m.y(), p.to_m.x(), p.to_m.y(), p.pressure_from_pa, p.pressure_to_pa, p.in_crack ? 1 : 0);
   }
   fmt::format_to(out, "]}}");
   file_.line(fmt::to_string(text));

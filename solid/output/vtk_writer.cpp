@@ -71,6 +71,7 @@ void fill_joints(const Frame& frame, Grid& grid) {
 void fill_water(const Frame& frame, Grid& grid) {
   auto* pressure = grid.point_data("pressure_pa", 1);
   auto* block = grid.cell_data("block", 1);
+  auto* in_crack = grid.cell_data("in_crack", 1);
   double left = 0;
   double right = 0;
   Point crest(0, -1e300);
@@ -87,12 +88,14 @@ void fill_water(const Frame& frame, Grid& grid) {
     pressure->InsertNextValue(0);
     pressure->InsertNextValue(0);
     block->InsertNextValue(-1);
+    in_crack->InsertNextValue(0);
   };
   for (const PanelRow& p : frame.panels) {
     grid.cell(VTK_LINE, {grid.point(p.from_m), grid.point(p.to_m)});
     pressure->InsertNextValue(p.pressure_from_pa);
     pressure->InsertNextValue(p.pressure_to_pa);
     block->InsertNextValue(p.block);
+    in_crack->InsertNextValue(p.in_crack ? 1 : 0);
   }
   surface(frame.upstream_level_m, left, crest.x());
   surface(frame.downstream_level_m, crest.x(), right);

@@ -24,7 +24,9 @@ Load sample() {
           .s_from = {0, 0.25},
           .s_to = {0.5, 1},
           .pressure_from_pa = {1e4, 2e4},
-          .pressure_to_pa = {3e4, 0}};
+          .pressure_to_pa = {3e4, 0},
+          .cracks_from = 1,
+          .breached = true};
 }
 
 std::string refusal(const Load& load) {
@@ -50,6 +52,8 @@ TEST(Codec, LoadArrivesAsItWasSent) {
   EXPECT_TRUE(std::isnan(got.downstream_level_m));
   EXPECT_EQ(got.edge, sent.edge);
   EXPECT_EQ(got.pressure_to_pa, sent.pressure_to_pa);
+  EXPECT_EQ(got.cracks_from, 1U);
+  EXPECT_TRUE(got.breached);
 }
 
 TEST(Codec, MotionArrivesAsItWasSent) {
@@ -75,6 +79,12 @@ TEST(Codec, ColumnsOfUnequalLengthAreRefused) {
   Load load = sample();
   load.s_to.pop_back();
   EXPECT_EQ(refusal(load), "columns of 2 and 1 panels in window 17");
+}
+
+TEST(Codec, CracksBeyondThePanelsAreRefused) {
+  Load load = sample();
+  load.cracks_from = 3;
+  EXPECT_EQ(refusal(load), "cracks from panel 3 of 2 in window 17");
 }
 
 TEST(Codec, FractionsOutsideTheEdgeAreRefused) {
