@@ -98,6 +98,23 @@ TEST(Hydrostatics, LumpedRuleOnASlopeWithTheSurfaceInsideAnElementKeepsTheForce)
   EXPECT_NEAR(resultant(scene, load_at_rest(scene), 0).force.x() / (9810 * 7.7 * 7.7 / 2), 1, 1e-12);
 }
 
+TEST(Hydrostatics, LumpedMomentErrsByTheCubesOfItsElementsOnASlopeWithTheSurfaceInsideOne) {
+  // Lumping is the trapezoidal rule of p s: off by sum d^3 / L^3 of the wet length L, 1/N^2 where all d are L/N.
+  constexpr double level = 7.3;
+  for (const double slope : {0.0, 0.2, -0.3}) {
+    for (int n = 1; n <= 64; ++n) {
+      auto scene = scene_of({{{0, 0}, {8, 0}, {8, 10}, {slope * 10, 10}}}, level);
+      scene.water.elements_per_face = n;
+      scene.water.nodal_rule = scene::NodalRule::lumped;
+      const double d = 10.0 / n / level;
+      const double whole = std::floor(1 / d);
+      const double off = whole * std::pow(d, 3) + std::pow(1 - whole * d, 3);
+      const double moment = -9810 * std::pow(level, 3) / 6 * (1 + slope * slope);
+      EXPECT_NEAR(resultant(scene, load_at_rest(scene), 0).moment / moment, 1 - off, 1e-10) << slope << ' ' << n;
+    }
+  }
+}
+
 TEST(Hydrostatics, ASubmergedBlockLosesTheWeightOfItsWater) {
   auto scene = scene_of({{{-30, -1}, {30, -1}, {30, 0}, {-30, 0}},
                          {{20, 0}, {24, 0}, {24, 12}, {20, 12}},
