@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // When has a structure failed, at which level, and how? Found from the motion, not from a threshold on the load.
 //
-// A block is at rest while no vertex is faster than rest_speed_m_per_s. A motion that carries a vertex farther than
-// failure_displacement_m without coming to rest in between is a failure: elastic settling and a slip that finds a
-// new equilibrium both come to rest before. The failure began, and the level is read, when the block was last at
-// rest.
+// A block is at rest while no vertex is faster than rest_speed_m_per_s, or up to a hundred times that while it is held
+// (one contact sticks, another is closed): then it strains under a load that comes fast. A motion that carries a vertex
+// farther than failure_displacement_m without coming to rest in between is a failure: elastic settling and a slip that
+// finds a new equilibrium both come to rest before. The failure began, and the level is read, at the last rest.
 #pragma once
 
 #include <optional>
@@ -34,14 +34,18 @@ class FailureWatch {
   /// Failures so far, the earliest first.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
 
-  /// Lowest ratio of shear strength to shear force over all joints while nothing has failed, and where.
+  /// The worst that a joint came to while nothing had failed.
   struct Margin {
-    double factor = 0;
+    double value = 0;
     double time_s = 0;
     double level_m = 0;
     std::string joint;
   };
-  [[nodiscard]] const std::optional<Margin>& margin() const { return margin_; }
+  /// Lowest ratio of shear strength to shear force. None where no joint carries shear.
+  [[nodiscard]] const std::optional<Margin>& sliding() const { return sliding_; }
+  /// Shortest way of the normal forces' resultant to an end of its joint, over the joint's length: 1/2 in the middle,
+  /// below 1/3 an end would open if the joint were elastic, 0 where the block overturns. None without joints.
+  [[nodiscard]] const std::optional<Margin>& overturning() const { return overturning_; }
 
  private:
   struct Rest {
@@ -58,12 +62,13 @@ class FailureWatch {
   [[nodiscard]] int neighbour_left_behind(std::size_t block) const;
   [[nodiscard]] scene::JointTrace joint_trace(std::size_t a, std::size_t b) const;
   [[nodiscard]] std::string joint_name(int a, int b) const;
-  void update_margin(double time_s, double level_m);
+  void update_margins(double time_s, double level_m);
 
   const Solid& solid_;
   std::vector<Rest> rest_;
   std::vector<Failure> failures_;
-  std::optional<Margin> margin_;
+  std::optional<Margin> sliding_;
+  std::optional<Margin> overturning_;
 };
 
 }  // namespace blockweir::solid::output

@@ -35,16 +35,23 @@ json failure(const Outcome& o) {
 }
 
 json margin(const Outcome& o) {
-  const auto& m = o.failure.margin();
-  if (!m) return {{"text", "no joint carries shear"}};
-  std::string text =
-      fmt::format("lowest sliding factor {:.4g} on joint \"{}\" at {:.4g} s", m->factor, m->joint, m->time_s);
-  if (!std::isnan(m->level_m)) text += fmt::format(", level {:.5g} m", m->level_m);
-  return {{"sliding_factor", m->factor},
-          {"joint", m->joint},
-          {"level_m", m->level_m},
-          {"time_s", m->time_s},
-          {"text", text}};
+  const auto place = [](const FailureWatch::Margin& m) {
+    return fmt::format(" joint \"{}\" at {:.4g} s", m.joint, m.time_s) +
+           (std::isnan(m.level_m) ? "" : fmt::format(", level {:.5g} m", m.level_m));
+  };
+  json found;
+  std::string text = "no joint carries shear";
+  if (const auto& m = o.failure.sliding()) {
+    found = {{"sliding_factor", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
+    text = fmt::format("lowest sliding factor {:.4g} on", m->value) + place(*m);
+  }
+  if (const auto& m = o.failure.overturning()) {
+    found["overturning"] = {
+        {"end_distance", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
+    text += fmt::format("; resultant nearest to an end (0: overturns): {:.4g} of the length of", m->value) + place(*m);
+  }
+  found["text"] = text;
+  return found;
 }
 
 }  // namespace

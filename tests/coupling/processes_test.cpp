@@ -22,6 +22,21 @@ TEST_F(Processes, TheLowerCrackFailsFirstUnderOneFillingCurve) {
   EXPECT_LT(time("lower"), time("upper"));
 }
 
+TEST_F(Processes, AStructureThatStandsSaysHowFarItIsFromSlidingAndOverturning) {
+  const std::string run = programs + "/blockweir run " + cases;
+  EXPECT_EQ(
+      shell(run + "cracked-dam-upper --quiet --out o --set water.upstream_level_m=21 --set analysis.duration_s=1"), 0);
+  EXPECT_THAT(text("out"), testing::HasSubstr("STANDS  lowest sliding factor 1.119 on joint \"crack\""));
+  auto margin = nlohmann::json::parse(text("o/summary.json"))["margin"];
+  EXPECT_NEAR(margin["sliding_factor"].get<double>() / 1.118851, 1, 1e-3);  // N tan(30)/T at a head of 6 m
+  EXPECT_EQ(
+      shell(run + "monolith-overturns --quiet --out p --set water.upstream_level_m=7.1 --set analysis.duration_s=1"),
+      0);
+  margin = nlohmann::json::parse(text("p/summary.json"))["margin"];
+  // (W B/2 - 2/3 B U - rho g H^3/6)/((W - U) B)
+  EXPECT_NEAR(margin["overturning"]["end_distance"].get<double>() / 0.0261417, 1, 0.01);
+}
+
 TEST_F(Processes, InExampleTwoTheLargeBlockSlidesFirstThenAllMove) {
   EXPECT_EQ(shell(programs + "/blockweir run " + cases + "cracked-dam-lower --variant 'all move' --quiet --out o"), 0)
       << text("out");
@@ -46,6 +61,20 @@ TEST_F(Processes, InExampleTwoTheLargeBlockSlidesFirstThenAllMove) {
   EXPECT_LT(moved(1, 300), 0.001);
   EXPECT_LT(moved(3, 300), 0.001);
   for (const int block : {1, 2, 3}) EXPECT_GT(moved(block, 1200), 10) << block;
+}
+
+TEST_F(Processes, AFastFillingReadsTheLevelToAWindowsRise) {
+  for (const double rate : {0.2, 1.0}) {  // m/s; a window is 0.01 s
+    const std::string filling =
+        " --set 'water.upstream_level_m={from=21.8,rate_per_s=" + std::to_string(rate) + ",to=22.4}'";
+    EXPECT_EQ(shell(programs + "/blockweir run " + cases +
+                    "cracked-dam-upper --quiet --out o --set analysis.duration_s=4 "
+                    "--set analysis.stop_at_failure=true" +
+                    filling),
+              0);
+    const auto head = nlohmann::json::parse(text("o/summary.json"))["failure"]["head_m"].get<double>();
+    EXPECT_NEAR(head, 6.99964615, 1.5 * rate * 0.01) << rate;
+  }
 }
 
 TEST_F(Processes, AStepOfATenthOfAMillisecondFindsTheSameLevel) {
