@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+
+#include "solid/output/joint_name.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -78,7 +79,6 @@ void FailureWatch::look(double time_s, double upstream_level_m) {
   }
   std::stable_sort(failures_.begin(), failures_.end(),
                    [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
-  if (failures_.empty()) update_margins(time_s, upstream_level_m);
 }
 
 /// Of the neighbours that do not come along, the one whose joint begins farthest upstream; blocks that had no joint
@@ -118,75 +118,10 @@ Failure FailureWatch::describe(std::size_t b) const {
     return failure;
   }
   failure.mode = share < 0.1 ? "sliding" : share > 0.4 ? "overturning" : "sliding and overturning";
-  failure.joint = joint_name(static_cast<int>(b), other);
+  failure.joint = joint_name(solid_, static_cast<int>(b), other);
   const auto trace = joint_trace(b, at(other));
   if (!trace.pieces.empty()) failure.head_m = failure.level_m - trace.mouth().y();
   return failure;
-}
-
-std::string FailureWatch::joint_name(int a, int b) const {
-  const scene::Scene& scene = solid_.scene();
-  const int joint = solid_.laws()[solid_.laws().between(a, b)].joint;
-  return joint >= 0 ? scene.joints[at(joint)].name : scene.blocks[at(a)].name + " on " + scene.blocks[at(b)].name;
-}
-
-namespace {
-
-/// What the contacts of one joint bear together.
-struct JointSum {
-  double strength = 0;
-  double shear = 0;
-  double normal = 0;
-  Point moment = Point::Zero();  ///< sum of normal force times place
-  Point low = Point::Zero();     ///< ends of the joint, as far as contacts reach
-  Point high = Point::Zero();
-
-  void add(const ContactPoint& c, const JointProperties& law, const Point& place) {
-    if (normal == 0 && strength == 0 && low.isZero() && high.isZero()) low = high = place;
-    const auto before = [](const Point& p, const Point& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
-    if (before(place, low)) low = place;
-    if (before(high, place)) high = place;
-    if (c.state == ContactState::open) return;
-    strength +=
-        c.bonded ? law.cohesion_pa * c.bond_length + c.force.x() * law.friction : c.force.x() * law.residual_friction;
-    // Shear is counted along the edge of one block: seen from the other it keeps its sign.
-    shear += c.force.y();
-    normal += c.force.x();
-    moment += c.force.x() * place;
-  }
-  /// Of the resultant from the nearer end, over the joint's length; negative outside.
-  [[nodiscard]] double end_distance() const {
-    const Point along = high - low;
-    const double s = along.dot(moment / normal - low) / along.squaredNorm();
-    return std::min(s, 1 - s);
-  }
-};
-
-void keep_lowest(std::optional<FailureWatch::Margin>& lowest, const FailureWatch::Margin& now) {
-  if (!lowest || now.value < lowest->value) lowest = now;
-}
-
-}  // namespace
-
-void FailureWatch::update_margins(double time_s, double level_m) {
-  constexpr double negligible = 1e-6;
-  std::map<std::pair<int, int>, JointSum> joints;
-  for (const ContactPoint& c : solid_.contacts()) {
-    const auto v = at(c.vertex_block);
-    joints[std::minmax(c.vertex_block, c.edge_block)].add(
-        c, solid_.laws()[c.law], solid_.placements()[v].position(solid_.blocks()[v].vertices[at(c.vertex)]));
-  }
-  for (const auto& [pair, sum] : joints) {
-    const auto margin = [&, &of = pair](double value) {
-      return Margin{value, time_s, level_m, joint_name(of.first, of.second)};
-    };
-    if (std::abs(sum.shear) > negligible * (std::abs(sum.strength) + std::abs(sum.normal))) {
-      keep_lowest(sliding_, margin(sum.strength / std::abs(sum.shear)));
-    }
-    if (sum.normal > 0 && (sum.high - sum.low).norm() > negligible * solid_.size_m()) {
-      keep_lowest(overturning_, margin(sum.end_distance()));
-    }
-  }
 }
 
 }  // namespace blockweir::solid::output

@@ -7,8 +7,6 @@
 // finds a new equilibrium both come to rest before. The failure began, and the level is read, at the last rest.
 #pragma once
 
-#include <optional>
-
 #include "bridge/scene/joint_trace.hpp"
 #include "solid/output/frame.hpp"
 #include "solid/step/solid.hpp"
@@ -34,19 +32,6 @@ class FailureWatch {
   /// Failures so far, the earliest first.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
 
-  /// The worst that a joint came to while nothing had failed.
-  struct Margin {
-    double value = 0;
-    double time_s = 0;
-    double level_m = 0;
-    std::string joint;
-  };
-  /// Lowest ratio of shear strength to shear force. None where no joint carries shear.
-  [[nodiscard]] const std::optional<Margin>& sliding() const { return sliding_; }
-  /// Shortest way of the normal forces' resultant to an end of its joint, over the joint's length: 1/2 in the middle,
-  /// below 1/3 an end would open if the joint were elastic, 0 where the block overturns. None without joints.
-  [[nodiscard]] const std::optional<Margin>& overturning() const { return overturning_; }
-
  private:
   struct Rest {
     double time_s = 0;
@@ -61,14 +46,10 @@ class FailureWatch {
   [[nodiscard]] Failure describe(std::size_t block) const;
   [[nodiscard]] int neighbour_left_behind(std::size_t block) const;
   [[nodiscard]] scene::JointTrace joint_trace(std::size_t a, std::size_t b) const;
-  [[nodiscard]] std::string joint_name(int a, int b) const;
-  void update_margins(double time_s, double level_m);
 
   const Solid& solid_;
   std::vector<Rest> rest_;
   std::vector<Failure> failures_;
-  std::optional<Margin> sliding_;
-  std::optional<Margin> overturning_;
 };
 
 }  // namespace blockweir::solid::output

@@ -4,6 +4,7 @@
 
 #include "solid/output/acceleration_fit.hpp"
 #include "solid/output/failure_watch.hpp"
+#include "solid/output/margins.hpp"
 
 namespace blockweir::solid::output {
 
@@ -13,6 +14,7 @@ struct Outcome {
   const Frame& first;  ///< at time 0
   const Frame& last;
   const FailureWatch& failure;
+  const Margins& margins;
   const AccelerationFit& acceleration;
   double largest_penetration_m = 0;    ///< over the whole run
   std::optional<double> breached_s{};  ///< since when open water has passed the structure

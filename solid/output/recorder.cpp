@@ -37,6 +37,7 @@ void Recorder::start(const wire::Load& load) {
     if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(panels_of(load, solid_.blocks()));
   }
   failure_.look(0, load.upstream_level_m);
+  margins_.look(solid_, 0, load.upstream_level_m);
   acceleration_.add(0, solid_.states());
   record(load, 0);
   first_ = frame_;
@@ -47,6 +48,7 @@ void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire:
     const Stopwatch watch(step_s_);
     solid_.advance(from_s, to_s, panels_of(load, solid_.blocks()));
     failure_.look(to_s, load.upstream_level_m);
+    if (failure_.failures().empty()) margins_.look(solid_, to_s, load.upstream_level_m);
     acceleration_.add(to_s, solid_.states());
   }
   for (const ContactPoint& c : solid_.contacts()) {
@@ -90,6 +92,7 @@ void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {
                         .first = first_.blocks.empty() ? frame_ : first_,
                         .last = frame_,
                         .failure = failure_,
+                        .margins = margins_,
                         .acceleration = acceleration_,
                         .largest_penetration_m = largest_penetration_m_,
                         .breached_s = breached_s_};

@@ -33,6 +33,7 @@ class Recorder final : public schedule::SolidSide {
 
   Solid solid_;
   FailureWatch failure_;
+  Margins margins_;  ///< while nothing has failed
   AccelerationFit acceleration_;
   std::filesystem::path folder_;
   HistoryWriter history_;

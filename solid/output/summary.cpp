@@ -35,17 +35,17 @@ json failure(const Outcome& o) {
 }
 
 json margin(const Outcome& o) {
-  const auto place = [](const FailureWatch::Margin& m) {
+  const auto place = [](const Margin& m) {
     return fmt::format(" joint \"{}\" at {:.4g} s", m.joint, m.time_s) +
            (std::isnan(m.level_m) ? "" : fmt::format(", level {:.5g} m", m.level_m));
   };
   json found;
   std::string text = "no joint carries shear";
-  if (const auto& m = o.failure.sliding()) {
+  if (const auto& m = o.margins.sliding()) {
     found = {{"sliding_factor", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
     text = fmt::format("lowest sliding factor {:.4g} on", m->value) + place(*m);
   }
-  if (const auto& m = o.failure.overturning()) {
+  if (const auto& m = o.margins.overturning()) {
     found["overturning"] = {
         {"end_distance", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
     text += fmt::format("; resultant nearest to an end (0: overturns): {:.4g} of the length of", m->value) + place(*m);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a joint is called in reports.
+#pragma once
+
+#include <string>
+
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid::output {
+
+/// Its own name, or "a on b" where the scene gives it none.
+inline std::string joint_name(const Solid& solid, int a, int b) {
+  const scene::Scene& scene = solid.scene();
+  const int joint = solid.laws()[solid.laws().between(a, b)].joint;
+  const auto block = [&](int index) { return scene.blocks[static_cast<std::size_t>(index)].name; };
+  return joint >= 0 ? scene.joints[static_cast<std::size_t>(joint)].name : block(a) + " on " + block(b);
+}
+
+}  // namespace blockweir::solid::output

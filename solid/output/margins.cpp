@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/margins.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "solid/output/joint_name.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+/// What the contacts of one joint bear together.
+struct JointSum {
+  double strength = 0;
+  double shear = 0;
+  double normal = 0;
+  Point moment = Point::Zero();  ///< sum of normal force times place
+  Point low =
+      Point::Constant(std::numeric_limits<double>::infinity());  ///< ends of the joint, as far as contacts reach
+  Point high = -low;
+
+  void add(const ContactPoint& c, const JointProperties& law, const Point& place) {
+    const auto before = [](const Point& p, const Point& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
+    if (before(place, low)) low = place;
+    if (before(high, place)) high = place;
+    if (c.state == ContactState::open) return;
+    strength +=
+        c.bonded ? law.cohesion_pa * c.bond_length + c.force.x() * law.friction : c.force.x() * law.residual_friction;
+    // Shear is counted along the edge of one block: seen from the other it keeps its sign.
+    shear += c.force.y();
+    normal += c.force.x();
+    moment += c.force.x() * place;
+  }
+  /// Of the resultant from the nearer end, over the joint's length; negative outside.
+  [[nodiscard]] double end_distance() const {
+    const Point along = high - low;
+    const double s = along.dot(moment / normal - low) / along.squaredNorm();
+    return std::min(s, 1 - s);
+  }
+};
+
+}  // namespace
+
+void Margins::look(const Solid& solid, double time_s, double level_m) {
+  constexpr double negligible = 1e-6;
+  std::map<std::pair<int, int>, JointSum> joints;
+  for (const ContactPoint& c : solid.contacts()) {
+    const auto v = static_cast<std::size_t>(c.vertex_block);
+    joints[std::minmax(c.vertex_block, c.edge_block)].add(
+        c, solid.laws()[c.law],
+        solid.placements()[v].position(solid.blocks()[v].vertices[static_cast<std::size_t>(c.vertex)]));
+  }
+  for (const auto& [pair, sum] : joints) {
+    const auto keep_lowest = [&, &of = pair](std::optional<Margin>& lowest, double value) {
+      if (lowest && lowest->value <= value) return;
+      lowest = Margin{value, time_s, level_m, joint_name(solid, of.first, of.second)};
+    };
+    if (std::abs(sum.shear) > negligible * (std::abs(sum.strength) + std::abs(sum.normal))) {
+      keep_lowest(sliding_, sum.strength / std::abs(sum.shear));
+    }
+    if (sum.normal > 0 && (sum.high - sum.low).norm() > negligible * solid.size_m()) {
+      keep_lowest(overturning_, sum.end_distance());
+    }
+  }
+}
+
+}  // namespace blockweir::solid::output

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far a structure that stands is from sliding and from overturning, by the forces in its joints.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid::output {
+
+/// The worst that a joint came to.
+struct Margin {
+  double value = 0;
+  double time_s = 0;
+  double level_m = 0;  ///< NaN without a pool
+  std::string joint;
+};
+
+class Margins {
+ public:
+  /// Looks at the state at `time_s`, reached under `upstream_level_m`.
+  void look(const Solid& solid, double time_s, double upstream_level_m);
+
+  /// Lowest ratio of shear strength to shear force. None where no joint carries shear.
+  [[nodiscard]] const std::optional<Margin>& sliding() const { return sliding_; }
+  /// Shortest way of the normal forces' resultant to an end of its joint, over the joint's length: 1/2 in the middle,
+  /// 0 where the block overturns. None without joints.
+  [[nodiscard]] const std::optional<Margin>& overturning() const { return overturning_; }
+
+ private:
+  std::optional<Margin> sliding_;
+  std::optional<Margin> overturning_;
+};
+
+}  // namespace blockweir::solid::output
