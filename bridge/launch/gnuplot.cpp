@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/launch/gnuplot.hpp"
 
+#include <fmt/format.h>
+
 #include <sys/wait.h>
 
 #include <csignal>
@@ -29,6 +31,24 @@ std::string gnuplot_text(const std::string& text) {
     quoted += c == '\n' ? ' ' : c;
   }
   return quoted + "\"";
+}
+
+std::string gnuplot_path(const std::filesystem::path& path) {
+  std::string quoted = "'";
+  for (const char c : path.string()) {
+    if (c == '\'') quoted += '\'';
+    quoted += c;
+  }
+  return quoted + "'";
+}
+
+std::string gnuplot_polygon(int number, const std::vector<Eigen::Vector2d>& outline, const std::string& style) {
+  std::string text = fmt::format("set object {} polygon", number);
+  for (std::size_t i = 0; i <= outline.size(); ++i) {
+    const Eigen::Vector2d& p = outline[i % outline.size()];
+    text += fmt::format(" {} {},{}", i == 0 ? "from" : "to", p.x(), p.y());
+  }
+  return text + " " + style + "\n";
 }
 
 }  // namespace blockweir::launch

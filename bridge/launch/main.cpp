@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "bridge/launch/cut.hpp"
 #include "bridge/launch/plot.hpp"
 #include "bridge/launch/run.hpp"
 #include "bridge/launch/validate.hpp"
@@ -44,6 +45,7 @@ int run_command(int argc, char** argv) {
   launch::RunOptions run;
   launch::ValidateOptions validate;
   launch::PlotOptions plot;
+  launch::CutOptions cut;
   std::string checked;
 
   auto* run_cmd = app.add_subcommand("run", "run a scene and say how it ends");
@@ -55,6 +57,10 @@ int run_command(int argc, char** argv) {
   auto* check_cmd = app.add_subcommand("check", "say all that is wrong with a scene, without running it");
   check_cmd->add_option("scene", checked, "scene file or case folder")->required();
   check_cmd->add_option("--set", run.overrides, "key=value over the scene's own");
+  auto* cut_cmd = app.add_subcommand("cut", "draw the blocks of a scene, without running it");
+  cut_cmd->add_option("scene", cut.scene, "scene file or case folder")->required();
+  cut_cmd->add_option("--out", cut.out, "picture, .png or .svg (default: cut.png)");
+  cut_cmd->add_option("--set", cut.overrides, "key=value over the scene's own");
   auto* plot_cmd = app.add_subcommand("plot", "draw the figures of a run");
   plot_cmd->add_option("run", plot.run, "folder of a run")->required();
   plot_cmd->add_flag("--svg", plot.svg, "SVG instead of PNG");
@@ -78,6 +84,7 @@ int run_command(int argc, char** argv) {
     return result.exit_code;
   }
   if (check_cmd->parsed()) return check_scene(checked, run.overrides);
+  if (cut_cmd->parsed()) return launch::cut(cut), 0;
   if (plot_cmd->parsed()) return launch::plot(plot), 0;
   if (validate_cmd->parsed()) return launch::validate(validate);
   throw std::invalid_argument("tests run in a source tree: ./blockweir test");

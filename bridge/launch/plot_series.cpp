@@ -45,8 +45,8 @@ std::string panel(const fs::path& file, const std::vector<std::string>& columns,
       continue;
     std::string title = name.substr(0, name.size() - quantity.size());
     if (!title.empty() && title.back() == '.') title.pop_back();
-    curves += fmt::format("{}{} using 1:{} with lines lw 2 title {}", curves.empty() ? "" : ", ",
-                          gnuplot_text(file.string()), i + 1, gnuplot_text(title));
+    curves += fmt::format("{}{} using 1:{} with lines lw 2 title {}", curves.empty() ? "" : ", ", gnuplot_path(file),
+                          i + 1, gnuplot_text(title));
   }
   if (curves.empty()) return "";
   return fmt::format("set ylabel \"{}\"\nplot {}\n", label, curves);
@@ -72,8 +72,8 @@ std::string series_script(const fs::path& run, const nlohmann::json& summary, co
     if (body.empty()) return;
     script += fmt::format(
         "set terminal {} size 1000,{}\nset output {}\nset multiplot layout {},1 title {}\n{}unset multiplot\n",
-        terminal, 60 + 340 * panels.size(), gnuplot_text((run / (name + ending)).string()), panels.size(),
-        gnuplot_text(title), body);
+        terminal, 60 + 340 * panels.size(), gnuplot_path(run / (name + ending)), panels.size(), gnuplot_text(title),
+        body);
   };
   const std::string title = summary.value("title", run.filename().string());
   figure("displacements", title + ": displacements of the centroids",

@@ -60,12 +60,9 @@ View view_of(const std::vector<json>& frames) {
 }
 
 std::string polygon(int& number, const json& outline, const char* style) {
-  std::string text = fmt::format("set object {} polygon", ++number);
-  for (std::size_t i = 0; i <= outline.size(); ++i) {
-    const json& p = outline[i % outline.size()];
-    text += fmt::format(" {} {},{}", i == 0 ? "from" : "to", p[0].get<double>(), p[1].get<double>());
-  }
-  return text + " " + style + "\n";
+  std::vector<Eigen::Vector2d> points;
+  for (const json& p : outline) points.emplace_back(p[0].get<double>(), p[1].get<double>());
+  return gnuplot_polygon(++number, points, style);
 }
 
 /// The pool up to its level, from the view's edge to the crest; the blocks are drawn over it.
@@ -149,7 +146,7 @@ std::string snapshot_script(const fs::path& run, const json& summary, const std:
   std::string script = "reset\nset size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\n";
   const auto begin = [&](const char* name, double width, double height) {
     script += fmt::format("set terminal {} size {:.0f},{:.0f}\nset output {}\n", terminal, width, height,
-                          gnuplot_text((run / (name + ending)).string()));
+                          gnuplot_path(run / (name + ending)));
   };
   const int columns = 3;
   const int rows = static_cast<int>((picks.size() + 2) / 3);

@@ -20,6 +20,7 @@ struct Reading {
   Scene& scene;
   Names materials{"material"};
   Names blocks{"block"};
+  bool residual_given = false;          ///< [joint] states the residual angle
   std::vector<std::string> sections{};  ///< that were asked for
 
   /// The table [name]; null where the file has none.
@@ -42,9 +43,16 @@ struct Reading {
   static std::string entry_name(const char* name, const toml::table& table);
 };
 
+/// The law of a joint. `residual_given`: whether [joint] or this table states the residual angle; else it is the peak
+/// angle.
+void read_law(TableReader& table, JointLaw& law, bool& residual_given);
+
 void read_heading(Reading& reading);
 void read_analysis(Reading& reading);
 void read_materials(Reading& reading);
+void read_default_joint(Reading& reading);
+/// [section] with its regions, cuts and joint sets: adds the blocks and the joints that they make.
+void read_section(Reading& reading);
 void read_blocks(Reading& reading);
 void read_joints(Reading& reading);
 void read_supports(Reading& reading);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands: materials, blocks and the joints between them.
+// What stands: materials and blocks.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
-#include "bridge/scene/nearest.hpp"
 #include "bridge/scene/outline.hpp"
 #include "bridge/scene/polygon.hpp"
 #include "bridge/scene/sections.hpp"
@@ -50,40 +48,6 @@ void read_block(TableReader& table, Reading& reading) {
   reading.scene.blocks.push_back(std::move(block));
 }
 
-/// `residual_given`: whether [joint] or this table states the residual angle; else it is the peak angle.
-void read_law(TableReader& table, JointLaw& law, bool& residual_given) {
-  const Range angle{[](double degrees) { return degrees >= 0 && degrees < 90; },
-                    "an angle of at least 0 and below 90 degrees"};
-  table.number("friction_angle_deg", law.friction_angle_deg, angle);
-  if (table.number("residual_friction_angle_deg", law.residual_friction_angle_deg, angle)) residual_given = true;
-  if (!residual_given) law.residual_friction_angle_deg = law.friction_angle_deg;
-  table.number("cohesion_pa", law.cohesion_pa, not_negative());
-  table.number("tension_strength_pa", law.tension_strength_pa, not_negative());
-  table.number("bonded_length_m", law.bonded_length_m, not_negative());
-  table.flag("keeps_cohesion", law.keeps_cohesion);
-  table.choice<Uplift>("uplift", law.uplift,
-                       {{"none", Uplift::none}, {"triangular", Uplift::triangular}, {"full", Uplift::full}});
-}
-
-std::array<int, 2> read_between(TableReader& table, Reading& reading) {
-  std::array<int, 2> between{-1, -1};
-  std::vector<std::string> words;
-  if (!table.texts("between", words, 2)) return between;
-  for (std::size_t i = 0; i < 2; ++i) {
-    between[i] = reading.blocks.find(words[i]);
-    if (between[i] >= 0) continue;
-    reading.problems.error(table.place("between", i),
-                           fmt::format("between in {} names no block: \"{}\"", table.name(), words[i]),
-                           one_of(reading.blocks.list()), did_you_mean(words[i], reading.blocks.list()));
-  }
-  if (between[0] >= 0 && between[0] == between[1]) {
-    reading.problems.error(table.place("between"),
-                           fmt::format("{} joins block \"{}\" to itself", table.name(), words[0]),
-                           "two different blocks", "name the block on its other side");
-  }
-  return between;
-}
-
 }  // namespace
 
 void read_materials(Reading& reading) {
@@ -114,37 +78,10 @@ void read_materials(Reading& reading) {
 
 void read_blocks(Reading& reading) {
   reading.each("block", [&](TableReader& table) { read_block(table, reading); });
-  if (!reading.scene.blocks.empty() || reading.file.contains("block")) return;
+  if (!reading.scene.blocks.empty() || reading.file.contains("block") || reading.file.contains("section")) return;
   reading.problems.error(reading.problems.at(0), "the scene has no block",
-                         "[[block]] with name, material and vertices_m", "add the blocks of the structure");
-}
-
-void read_joints(Reading& reading) {
-  bool residual_given = false;
-  {
-    TableReader table(reading.problems, reading.section("joint"), "[joint]");
-    read_law(table, reading.scene.default_joint, residual_given);
-  }
-  std::set<std::string> names;
-  std::set<std::array<int, 2>> pairs;
-  reading.each("joints", [&](TableReader& table) {
-    Joint joint{.law = reading.scene.default_joint};
-    table.text("name", joint.name, true);
-    joint.between = read_between(table, reading);
-    bool own_residual = residual_given;
-    read_law(table, joint.law, own_residual);
-    const auto [low, high] = std::minmax(joint.between[0], joint.between[1]);
-    if (!names.insert(joint.name).second && !joint.name.empty()) {
-      reading.problems.error(table.place("name"), fmt::format("a second joint is called \"{}\"", joint.name),
-                             "names that differ", "rename one of them");
-    }
-    if (low >= 0 && !pairs.insert({low, high}).second) {
-      reading.problems.error(table.place("between"),
-                             fmt::format("{} is a second joint of its two blocks", table.name()),
-                             "one joint for each pair of blocks", "leave one of the two out");
-    }
-    reading.scene.joints.push_back(std::move(joint));
-  });
+                         "[[block]] with name, material and vertices_m, or a [section] to be cut",
+                         "add the blocks of the structure");
 }
 
 }  // namespace blockweir::scene

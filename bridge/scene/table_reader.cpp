@@ -171,12 +171,26 @@ bool TableReader::point(const char* key, Point& into, bool required) {
   return true;
 }
 
-bool TableReader::points(const char* key, std::vector<Point>& into) {
+bool TableReader::points(const char* key, std::vector<Point>& into, std::size_t least) {
   const toml::node* node = ask(key, true, "a list of points [[x, y], ...]");
+  return node != nullptr && points_of(key, *node, into, least);
+}
+
+bool TableReader::outlines(const char* key, std::vector<std::vector<Point>>& into) {
+  const toml::node* node = ask(key, false, "");
   if (node == nullptr) return false;
   const toml::array* list = node->as_array();
-  if (list == nullptr || list->size() < 3 || list->size() > most_vertices) {
-    return wrong(key, *node, fmt::format("a list of 3 to {} points [[x, y], ...]", most_vertices));
+  if (list == nullptr) return wrong(key, *node, "a list of outlines [[[x, y], ...], ...]");
+  for (const auto& entry : *list) {
+    if (!points_of(key, entry, into.emplace_back(), 3)) return false;
+  }
+  return true;
+}
+
+bool TableReader::points_of(const char* key, const toml::node& node, std::vector<Point>& into, std::size_t least) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->size() < least || list->size() > most_vertices) {
+    return wrong(key, node, fmt::format("a list of {} to {} points [[x, y], ...]", least, most_vertices));
   }
   std::vector<Point> read;
   for (const auto& entry : *list) {

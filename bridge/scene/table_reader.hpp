@@ -50,8 +50,10 @@ class TableReader {
   /// A list of `count` texts; without it, of any number but none.
   bool texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count = {});
   bool point(const char* key, Point& into, bool required = false);
-  /// An outline: 3 to 10,000 points; empty when one is wrong.
-  bool points(const char* key, std::vector<Point>& into);
+  /// `least` (an outline: 3) to 10,000 points; empty when one is wrong.
+  bool points(const char* key, std::vector<Point>& into, std::size_t least = 3);
+  /// A list of outlines; may be absent.
+  bool outlines(const char* key, std::vector<std::vector<Point>>& into);
   /// `duration_s` is where a ramp without `to` ends.
   bool time_table(const char* key, std::optional<TimeTable>& into, double duration_s);
   /// An index into `names`; -1 when it is wrong or absent.
@@ -76,6 +78,7 @@ class TableReader {
   const toml::node* ask(const char* key, bool required, const std::string& expected);
   bool wrong(const char* key, const toml::node& node, const std::string& expected, const std::string& remedy = "");
   bool not_one_of(const char* key, const std::string& word, const std::vector<std::string>& known);
+  bool points_of(const char* key, const toml::node& node, std::vector<Point>& into, std::size_t least);
   bool rows(const char* key, TimeTable& into);
   bool ramp(TimeTable& into, double duration_s);
 

@@ -27,7 +27,8 @@ using Arrangement = CGAL::Arrangement_2<Traits, CGAL::Arr_face_extended_dcel<Tra
 using Halfedge = Arrangement::Halfedge_const_handle;
 using Face = Arrangement::Face_handle;
 
-constexpr int boundary = -1;  ///< what edges of the section's outline and holes carry
+constexpr double thinnest_ratio = 1e-8;  ///< of the section's size: what is thinner is no block
+constexpr int boundary = -1;             ///< what edges of the section's outline and holes carry
 
 Kernel::Point_2 exact(const Point& p) {
   return {p.x(), p.y()};
@@ -44,6 +45,13 @@ void add(std::vector<Traits::Curve_2>& curves, const Point& a, const Point& b, i
 }
 void add_ring(std::vector<Traits::Curve_2>& curves, const std::vector<Point>& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) add(curves, ring[i], ring[(i + 1) % ring.size()], boundary);
+}
+
+double size_of(const Section& section) {
+  Point low = section.outline.front();
+  Point high = low;
+  for (const Point& p : section.outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return (high - low).maxCoeff();
 }
 
 int boundaries(const Halfedge& e) {
@@ -111,14 +119,28 @@ Ring outer_ring(Face face) {
   return ring;
 }
 
-/// Corners of a ring; points on straight lines are none.
-Piece piece_of(const Ring& ring) {
-  Piece piece;
+/// Corners of a ring: not what lies on a straight line, nor within `tolerance` of it or of another corner.
+Piece piece_of(const Ring& ring, double tolerance) {
+  std::vector<Point> points;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const auto& before = ring[(i + ring.size() - 1) % ring.size()];
-    if (!CGAL::collinear(before, ring[i], ring[(i + 1) % ring.size()])) piece.vertices.push_back(rounded(ring[i]));
+    if (!CGAL::collinear(before, ring[i], ring[(i + 1) % ring.size()])) points.push_back(rounded(ring[i]));
   }
-  return piece;
+  const auto needless = [&](std::size_t i) {
+    const Point& before = points[(i + points.size() - 1) % points.size()];
+    const Point in = points[i] - before;
+    const Point through = points[(i + 1) % points.size()] - before;
+    return std::abs(in.x() * through.y() - in.y() * through.x()) <= tolerance * std::max(through.norm(), in.norm());
+  };
+  for (std::size_t i = 0; points.size() > 3 && i < points.size();) {
+    if (needless(i)) {
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
+      i = i > 0 ? i - 1 : 0;
+    } else {
+      ++i;
+    }
+  }
+  return {std::move(points)};
 }
 
 /// What the face encloses: holes in it, and what hangs on its boundary by one point.
@@ -135,6 +157,42 @@ std::vector<Point> enclosed_by(Face face, Ring ring) {
   return corners;
 }
 
+/// Depth of a slender face: twice its area over its perimeter.
+double depth_of(Face face) {
+  double area = 0;
+  double perimeter = 0;
+  const Point origin = rounded(face->outer_ccb()->source()->point());
+  around(face, [&](Arrangement::Halfedge_handle e) {
+    const Point a = rounded(e->source()->point()) - origin;
+    const Point b = rounded(e->target()->point()) - origin;
+    area += (a.x() * b.y() - a.y() * b.x()) / 2;
+    perimeter += (b - a).norm();
+  });
+  return 2 * area / perimeter;
+}
+
+/// Lines that almost meet leave faces thinner than any block: each joins the neighbour with which it shares most.
+bool merge_a_sliver(Arrangement& arrangement, double thinnest) {
+  for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) {
+    if (face->data().depth % 2 != 1 || depth_of(face) >= thinnest) continue;
+    std::map<Face, double> shared;
+    around(face, [&](Arrangement::Halfedge_handle e) {
+      if (boundaries(e) == 0) shared[e->twin()->face()] += length(e);
+    });
+    if (shared.empty()) continue;
+    const Face into = std::max_element(shared.begin(), shared.end(), [](const auto& p, const auto& q) {
+                        return p.second < q.second;
+                      })->first;
+    std::vector<Arrangement::Halfedge_handle> edges;
+    around(face, [&](Arrangement::Halfedge_handle e) {
+      if (boundaries(e) == 0 && e->twin()->face() == into) edges.push_back(e);
+    });
+    for (const auto& e : edges) arrangement.remove_edge(e);
+    return true;
+  }
+  return false;
+}
+
 Point lowest(const Piece& piece) {
   return *std::min_element(piece.vertices.begin(), piece.vertices.end(), [](const Point& p, const Point& q) {
     return p.y() != q.y() ? p.y() < q.y() : p.x() < q.x();
@@ -142,14 +200,14 @@ Point lowest(const Piece& piece) {
 }
 
 /// Faces inside the section, as pieces in their order.
-void collect_pieces(Arrangement& arrangement, Cut& result) {
+void collect_pieces(Arrangement& arrangement, double tolerance, Cut& result) {
   std::vector<std::pair<Piece, Face>> found;
   for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) {
     if (face->data().depth % 2 != 1) continue;
     const Ring ring = outer_ring(face);
     const std::vector<Point> enclosed = enclosed_by(face, ring);
     result.enclosed.insert(result.enclosed.end(), enclosed.begin(), enclosed.end());
-    if (enclosed.empty()) found.emplace_back(piece_of(ring), face);
+    if (enclosed.empty()) found.emplace_back(piece_of(ring, tolerance), face);
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     const Point p = lowest(a.first);
@@ -194,7 +252,12 @@ Cut cut(const Section& section, const std::vector<Line>& lines) {
   mark_inside(arrangement);
   remove_dangling(arrangement, result.dangling_m);
   mark_inside(arrangement);
-  collect_pieces(arrangement, result);
+  const double thinnest = thinnest_ratio * size_of(section);
+  while (merge_a_sliver(arrangement, thinnest)) {
+    remove_dangling(arrangement, result.dangling_m);
+    mark_inside(arrangement);
+  }
+  collect_pieces(arrangement, thinnest, result);
   collect_neighbours(arrangement, result);
   return result;
 }

@@ -40,6 +40,7 @@ struct Cut {
   std::vector<Point> enclosed;
 };
 
+/// What would be thinner than 1e-8 of the section's size joins a neighbour.
 /// Parts of lines outside the section are ignored, dangling ones removed. Coordinates are rounded once, at the end, the
 /// same for all pieces that meet in a point. Pieces that enclose something are left out and told by `enclosed`.
 Cut cut(const Section& section, const std::vector<Line>& lines);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "solid/output/joint_name.hpp"
 
@@ -38,39 +39,59 @@ double FailureWatch::travel(std::size_t b) const {
   return farthest;
 }
 
-/// A contact that sticks and another that is closed, elsewhere, leave a block no rigid motion of its own: it strains,
-/// or is carried.
-bool FailureWatch::held(std::size_t b) const {
-  const auto point = [&](const ContactPoint& c) -> Point {
-    const auto v = at(c.vertex_block);
-    return solid_.placements()[v].position(solid_.blocks()[v].vertices[at(c.vertex)]);
+/// Contacts with blocks at rest, one that sticks and another that is closed elsewhere, leave a block no rigid motion of
+/// its own: it only strains.
+bool FailureWatch::held(std::size_t b, const std::vector<const ContactPoint*>& closed,
+                        const std::vector<bool>& resting) const {
+  const auto point = [&](const ContactPoint* c) -> Point {
+    const auto v = at(c->vertex_block);
+    return solid_.placements()[v].position(solid_.blocks()[v].vertices[at(c->vertex)]);
   };
-  const auto closed = [&](const ContactPoint& c) {
-    return c.state != ContactState::open && (at(c.vertex_block) == b || at(c.edge_block) == b);
+  const auto holds = [&](const ContactPoint* c) {
+    return resting[at(at(c->vertex_block) == b ? c->edge_block : c->vertex_block)];
   };
-  const auto& contacts = solid_.contacts();
-  const auto sticking = std::find_if(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
-    return closed(c) && c.state == ContactState::stick;
-  });
-  if (sticking == contacts.end()) return false;
+  const auto sticking = std::find_if(
+      closed.begin(), closed.end(), [&](const ContactPoint* c) { return c->state == ContactState::stick && holds(c); });
+  if (sticking == closed.end()) return false;
   const Point pivot = point(*sticking);
   const double elsewhere = 1e-3 * solid_.blocks()[b].radius;
-  return std::any_of(contacts.begin(), contacts.end(),
-                     [&](const ContactPoint& c) { return closed(c) && (point(c) - pivot).norm() > elsewhere; });
+  return std::any_of(closed.begin(), closed.end(),
+                     [&](const ContactPoint* c) { return holds(c) && (point(c) - pivot).norm() > elsewhere; });
 }
 
-bool FailureWatch::at_rest(std::size_t b) const {
-  constexpr double straining = 100;  // speeds of loads that come fast, far below those of a block that is carried away
+/// Blocks that are slow, and those that a load strains faster while others at rest hold them.
+std::vector<bool> FailureWatch::resting() const {
+  constexpr double straining =
+      100;  // far above what fillings cause, far below the speed of a block that is carried away
   const double rest = solid_.scene().analysis.rest_speed_m_per_s;
-  const double fastest = speed(b);
-  return fastest <= rest || (fastest <= straining * rest && held(b));
+  std::vector<bool> resting(rest_.size());
+  std::map<std::size_t, std::vector<const ContactPoint*>> strained;  // with their closed contacts
+  for (std::size_t b = 0; b < rest_.size(); ++b) {
+    const double fastest = solid_.blocks()[b].fixed ? 0 : speed(b);
+    resting[b] = fastest <= rest;
+    if (!resting[b] && fastest <= straining * rest) strained[b];
+  }
+  if (strained.empty()) return resting;
+  for (const ContactPoint& c : solid_.contacts()) {
+    if (c.state == ContactState::open) continue;
+    for (const int b : {c.vertex_block, c.edge_block}) {
+      if (const auto found = strained.find(at(b)); found != strained.end()) found->second.push_back(&c);
+    }
+  }
+  const auto come_to_rest = [&](const auto& block) {
+    return resting[block.first] = held(block.first, block.second, resting);
+  };
+  while (std::erase_if(strained, come_to_rest) > 0) {
+  }
+  return resting;
 }
 
 void FailureWatch::look(double time_s, double upstream_level_m) {
   const scene::Analysis& analysis = solid_.scene().analysis;
+  const std::vector<bool> at_rest = resting();
   for (std::size_t b = 0; b < rest_.size(); ++b) {
     if (solid_.blocks()[b].fixed || rest_[b].failed) continue;
-    if (at_rest(b) || time_s == 0) {
+    if (at_rest[b] || time_s == 0) {
       rest_[b] = {.time_s = time_s, .level_m = upstream_level_m, .displacement = solid_.states()[b].displacement};
     } else if (travel(b) > analysis.failure_displacement_m) {
       rest_[b].failed = true;

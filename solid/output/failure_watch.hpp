@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // When has a structure failed, at which level, and how? Found from the motion, not from a threshold on the load.
 //
-// A block is at rest while no vertex is faster than rest_speed_m_per_s, or up to a hundred times that while it is held
-// (one contact sticks, another is closed): then it strains under a load that comes fast. A motion that carries a vertex
-// farther than failure_displacement_m without coming to rest in between is a failure: elastic settling and a slip that
-// finds a new equilibrium both come to rest before. The failure began, and the level is read, at the last rest.
+// A block is at rest while no vertex is faster than rest_speed_m_per_s, or up to a hundred times that while blocks at
+// rest hold it (one contact sticks, another is closed): then it strains under a load that comes fast. A motion that
+// carries a vertex farther than failure_displacement_m without coming to rest in between is a failure: elastic settling
+// and a slip that finds a new equilibrium both come to rest before. The failure began, and the level is read, at the
+// last rest.
 #pragma once
 
 #include "bridge/scene/joint_trace.hpp"
@@ -40,8 +41,9 @@ class FailureWatch {
     bool failed = false;
   };
   [[nodiscard]] double speed(std::size_t block) const;
-  [[nodiscard]] bool held(std::size_t block) const;
-  [[nodiscard]] bool at_rest(std::size_t block) const;
+  [[nodiscard]] bool held(std::size_t block, const std::vector<const ContactPoint*>& closed,
+                          const std::vector<bool>& resting) const;
+  [[nodiscard]] std::vector<bool> resting() const;
   [[nodiscard]] double travel(std::size_t block) const;
   [[nodiscard]] Failure describe(std::size_t block) const;
   [[nodiscard]] int neighbour_left_behind(std::size_t block) const;

@@ -115,13 +115,24 @@ TEST_F(Processes, TwoShellsAcrossTcpGiveTheLaunchersResult) {
 }
 
 TEST_F(Processes, PlotDrawsEveryFigure) {
-  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "monolith-overturns --quiet --out o"), 0);
-  EXPECT_EQ(shell(programs + "/blockweir plot o"), 0) << text("out");
+  // A name with what gnuplot might take for markup or for the end of a text.
+  const std::string run = "a_run's ^2";
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "monolith-overturns --quiet --out \"" + run + "\""), 0);
+  EXPECT_EQ(shell(programs + "/blockweir plot \"" + run + "\""), 0) << text("out");
   for (const char* name : {"displacements", "velocities", "rotations", "level", "snapshots", "picture"}) {
-    const std::string png = text("o/" + std::string(name) + ".png");
+    const std::string png = text(run + "/" + name + ".png");
     EXPECT_EQ(png.substr(1, 3), "PNG") << name;
     EXPECT_GT(png.size(), 5000U) << name;
   }
+}
+
+TEST_F(Processes, CutDrawsTheBlocksWithoutARun) {
+  EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section --out a_b.png"), 0) << text("out");
+  EXPECT_THAT(text("out"), testing::HasSubstr(" blocks (1 fixed) of "));
+  EXPECT_EQ(text("a_b.png").substr(1, 3), "PNG");
+  EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section --out a.pdf"), 2);
+  EXPECT_THAT(text("out"), testing::HasSubstr("expected a name that ends in .png or .svg"));
+  EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section --out no/a.png"), 2);
 }
 
 }  // namespace

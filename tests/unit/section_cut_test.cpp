@@ -94,6 +94,17 @@ TEST(SectionCut, ALoopThatHangsOnAPointIsEnclosed) {
   EXPECT_EQ(hung.pieces.size(), 1U);
 }
 
+TEST(SectionCut, LinesThatAlmostMeetLeaveNoSliver) {
+  const Cut four = cut(square, {{{{0, 0}, {4, 4}}, 0}, {{{0, 4}, {4, 0}}, 1}, {{{0, 1e-12}, {4, 4 + 1e-12}}, 2}});
+  EXPECT_EQ(four.pieces.size(), 4U);
+  EXPECT_NEAR(area(four), 16, 1e-10);
+  for (const Piece& piece : four.pieces) EXPECT_FALSE(scene::outline_fault(piece.vertices).has_value());
+}
+
+TEST(SectionCut, ASlenderBlockOfOneToAThousandStays) {
+  EXPECT_EQ(cut(square, {{{{0, 2}, {4, 2}}, 0}, {{{0, 2.004}, {4, 2.004}}, 1}}).pieces.size(), 3U);
+}
+
 TEST(SectionCut, RandomLinesFillTheSectionWithSoundBlocksThatMeetExactly) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-1, 5);

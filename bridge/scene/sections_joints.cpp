@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joints: the law of all, and the pairs of blocks that differ.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "bridge/scene/nearest.hpp"
+#include "bridge/scene/sections.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+std::array<int, 2> read_between(TableReader& table, Reading& reading) {
+  std::array<int, 2> between{-1, -1};
+  std::vector<std::string> words;
+  if (!table.texts("between", words, 2)) return between;
+  for (std::size_t i = 0; i < 2; ++i) {
+    between[i] = reading.blocks.find(words[i]);
+    if (between[i] >= 0) continue;
+    reading.problems.error(table.place("between", i),
+                           fmt::format("between in {} names no block: \"{}\"", table.name(), words[i]),
+                           one_of(reading.blocks.list()), did_you_mean(words[i], reading.blocks.list()));
+  }
+  if (between[0] >= 0 && between[0] == between[1]) {
+    reading.problems.error(table.place("between"),
+                           fmt::format("{} joins block \"{}\" to itself", table.name(), words[0]),
+                           "two different blocks", "name the block on its other side");
+  }
+  return between;
+}
+
+}  // namespace
+
+void read_law(TableReader& table, JointLaw& law, bool& residual_given) {
+  const Range angle{[](double degrees) { return degrees >= 0 && degrees < 90; },
+                    "an angle of at least 0 and below 90 degrees"};
+  table.number("friction_angle_deg", law.friction_angle_deg, angle);
+  if (table.number("residual_friction_angle_deg", law.residual_friction_angle_deg, angle)) residual_given = true;
+  if (!residual_given) law.residual_friction_angle_deg = law.friction_angle_deg;
+  table.number("cohesion_pa", law.cohesion_pa, not_negative());
+  table.number("tension_strength_pa", law.tension_strength_pa, not_negative());
+  table.number("bonded_length_m", law.bonded_length_m, not_negative());
+  table.flag("keeps_cohesion", law.keeps_cohesion);
+  table.choice<Uplift>("uplift", law.uplift,
+                       {{"none", Uplift::none}, {"triangular", Uplift::triangular}, {"full", Uplift::full}});
+}
+
+void read_default_joint(Reading& reading) {
+  TableReader table(reading.problems, reading.section("joint"), "[joint]");
+  read_law(table, reading.scene.default_joint, reading.residual_given);
+}
+
+void read_joints(Reading& reading) {
+  std::set<std::string> names;
+  std::set<std::array<int, 2>> pairs;
+  for (const Joint& cut : reading.scene.joints) {
+    names.insert(cut.name);
+    const auto [low, high] = std::minmax(cut.between[0], cut.between[1]);
+    pairs.insert({low, high});
+  }
+  reading.each("joints", [&](TableReader& table) {
+    Joint joint{.law = reading.scene.default_joint};
+    table.text("name", joint.name, true);
+    joint.between = read_between(table, reading);
+    bool own_residual = reading.residual_given;
+    read_law(table, joint.law, own_residual);
+    const auto [low, high] = std::minmax(joint.between[0], joint.between[1]);
+    if (!names.insert(joint.name).second && !joint.name.empty()) {
+      reading.problems.error(table.place("name"), fmt::format("a second joint is called \"{}\"", joint.name),
+                             "names that differ", "rename one of them");
+    }
+    if (low >= 0 && !pairs.insert({low, high}).second) {
+      reading.problems.error(table.place("between"),
+                             fmt::format("{} is a second joint of its two blocks", table.name()),
+                             "one joint for each pair of blocks", "leave one of the two out");
+    }
+    reading.scene.joints.push_back(std::move(joint));
+  });
+}
+
+}  // namespace blockweir::scene

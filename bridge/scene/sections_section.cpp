@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A section cut into blocks: its outline, regions of other materials, cuts and sets of joints.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "bridge/scene/outline.hpp"
+#include "bridge/scene/sections.hpp"
+#include "bridge/section/joint_set.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+constexpr std::size_t most_lines = 20000;
+
+/// Blocks in it are of its material, and may not move.
+struct Region {
+  int material = 0;
+  bool fixed = false;
+  std::vector<Point> outline;
+};
+
+/// What cuts the section, with the law and name of the joints along it; edges of regions follow [joint].
+struct Cuts {
+  std::vector<section::Line> lines;
+  std::vector<Joint> joints;  ///< by a line's id; without blocks yet
+
+  int add(const std::string& name, const JointLaw& law) {
+    joints.push_back({.name = name, .between = {-1, -1}, .law = law});
+    return static_cast<int>(joints.size()) - 1;
+  }
+};
+
+bool sound(TableReader& table, Reading& reading, const char* key, const std::string& what,
+           const std::vector<Point>& outline) {
+  if (outline.empty()) return false;
+  const auto fault = outline_fault(outline);
+  if (!fault) return true;
+  reading.problems.error(table.place(key), fmt::format("{} {}", what, fault->found), fault->expected, fault->remedy);
+  return false;
+}
+
+std::vector<Region> read_regions(Reading& reading, Cuts& cuts) {
+  std::vector<Region> regions;
+  reading.each("region", [&](TableReader& table) {
+    Region region;
+    region.material = table.reference("material", reading.materials);
+    table.flag("fixed", region.fixed);
+    table.points("outline_m", region.outline);
+    if (!sound(table, reading, "outline_m", "the outline of a region", region.outline)) return;
+    std::vector<Point> ring = region.outline;
+    ring.push_back(ring.front());
+    cuts.lines.push_back({ring, cuts.add("region", reading.scene.default_joint)});
+    regions.push_back(std::move(region));
+  });
+  return regions;
+}
+
+void read_cuts(Reading& reading, Cuts& cuts) {
+  reading.each("cut", [&](TableReader& table) {
+    std::string name;
+    JointLaw law = reading.scene.default_joint;
+    std::vector<Point> points;
+    table.text("name", name, true);
+    table.points("points_m", points, 2);
+    bool own_residual = reading.residual_given;
+    read_law(table, law, own_residual);
+    cuts.lines.push_back({points, cuts.add(name, law)});
+  });
+}
+
+void read_joint_sets(Reading& reading, const Bounds& bounds, Cuts& cuts) {
+  reading.each("joint_set", [&](TableReader& table) {
+    section::JointSet set;
+    std::string name;
+    JointLaw law = reading.scene.default_joint;
+    table.text("name", name, true);
+    table.number("dip_deg", set.dip_deg, {[](double d) { return d >= -90 && d <= 90; }, "an angle from -90 to 90"},
+                 true);
+    const bool spaced = table.number("spacing_m", set.spacing_m, positive(), true);
+    table.number("offset_m", set.offset_m);
+    table.number("persistence", set.persistence,
+                 {[](double p) { return p > 0 && p <= 1; }, "a number above 0, up to 1"});
+    table.number("trace_length_m", set.trace_length_m, positive(), set.persistence < 1);
+    table.number("spacing_deviation", set.spacing_deviation,
+                 {[](double d) { return d >= 0 && d <= 1; }, "a number from 0 to 1"});
+    int seed = 1;
+    if (table.integer("seed", seed, 0)) set.seed = static_cast<std::uint64_t>(seed);
+    bool own_residual = reading.residual_given;
+    read_law(table, law, own_residual);
+    const int id = cuts.add(name, law);
+    const double length = 2 * bounds.size();
+    const double shortest = set.persistence < 1 ? std::max(set.trace_length_m, 1e-9 * length) : length;
+    const double count = length / set.spacing_m * std::max(1.0, length / shortest);
+    if (!spaced || (set.persistence < 1 && set.trace_length_m <= 0)) return;
+    if (count > static_cast<double>(most_lines)) {
+      reading.problems.error(
+          table.place("spacing_m"), fmt::format("{} would draw about {:.3g} joints", table.name(), count),
+          fmt::format("at most {} in a section", most_lines), "make spacing_m or trace_length_m larger");
+      return;
+    }
+    for (section::Line& line : section::joints_of(set, bounds.low, bounds.high, id)) {
+      cuts.lines.push_back(std::move(line));
+    }
+  });
+}
+
+/// A point of the block near the middle of its longest edge: centroids may lie outside.
+Point inner_point(const std::vector<Point>& outline) {
+  Point best = outline.front();
+  double longest = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point span = outline[(i + 1) % outline.size()] - outline[i];
+    if (span.norm() <= longest) continue;
+    longest = span.norm();
+    best = outline[i] + span / 2 + 1e-6 * Point(-span.y(), span.x());
+  }
+  return best;
+}
+
+/// All of a block lies in one region or in none, since the regions' edges cut; of several the first counts.
+const Region& region_of(const Block& block, const std::vector<Region>& regions, const Region& otherwise) {
+  const Point inside = inner_point(block.vertices);
+  const auto holds = [&](const Region& region) { return holds_point(region.outline, inside, 0); };
+  const auto found = std::find_if(regions.begin(), regions.end(), holds);
+  return found == regions.end() ? otherwise : *found;
+}
+
+/// Joints along cuts: one that parts two blocks alone has the cut's name, of several each adds its blocks'.
+void add_joints(Reading& reading, const section::Cut& cut, const Cuts& cuts, std::size_t first_block) {
+  std::map<int, int> uses;
+  for (const section::Neighbours& pair : cut.neighbours) ++uses[pair.id];
+  for (const section::Neighbours& pair : cut.neighbours) {
+    if (pair.id < 0) continue;
+    Joint joint = cuts.joints[static_cast<std::size_t>(pair.id)];
+    joint.between = {static_cast<int>(first_block) + pair.a, static_cast<int>(first_block) + pair.b};
+    if (uses[pair.id] > 1) {
+      const auto name = [&](int b) { return reading.scene.blocks[static_cast<std::size_t>(b)].name; };
+      joint.name += fmt::format(", {} and {}", name(joint.between[0]), name(joint.between[1]));
+    }
+    reading.scene.joints.push_back(std::move(joint));
+  }
+}
+
+}  // namespace
+
+void read_section(Reading& reading) {
+  const toml::table* given = reading.section("section");
+  TableReader table(reading.problems, given, "[section]");
+  Cuts cuts;
+  std::string prefix = "s";
+  section::Section section;
+  Region whole{.material = -1};
+  if (table.present()) {
+    table.text("name_prefix", prefix);
+    whole.material = table.reference("material", reading.materials);
+    table.flag("fixed", whole.fixed);
+    table.points("outline_m", section.outline);
+    table.outlines("holes_m", section.holes);
+  }
+  bool ready = sound(table, reading, "outline_m", "the section's outline", section.outline);
+  for (const auto& hole : section.holes)
+    ready = ready && sound(table, reading, "holes_m", "a hole of the section", hole);
+  const Bounds bounds = ready ? bounds_of(section.outline) : Bounds{Point::Zero(), Point::Ones()};
+  const std::size_t errors = reading.problems.count();
+  const std::vector<Region> regions = read_regions(reading, cuts);
+  read_cuts(reading, cuts);
+  read_joint_sets(reading, bounds, cuts);
+  if (!table.present() && !cuts.joints.empty()) {
+    reading.problems.error(reading.problems.at(0),
+                           "[[region]], [[cut]] and [[joint_set]] cut a section, and there is none",
+                           "[section] with material and outline_m", "add the section, or leave them out");
+  }
+  if (!ready || reading.problems.count() > errors) return;
+
+  const section::Cut cut = section::cut(section, cuts.lines);
+  for (const Point& p : cut.enclosed) {
+    reading.problems.error(table.place(),
+                           fmt::format("a block encloses a hole or a closed line at ({:.6g}, {:.6g})", p.x(), p.y()),
+                           "blocks without holes", "add a [[cut]] from there to the block's outside");
+  }
+  const std::size_t first = reading.scene.blocks.size();
+  for (const section::Piece& piece : cut.pieces) {
+    Block block{.name = fmt::format("{}{}", prefix, reading.scene.blocks.size() - first + 1)};
+    block.vertices = piece.vertices;
+    const Region& region = region_of(block, regions, whole);
+    block.material = region.material;
+    block.fixed = region.fixed;
+    block.line = table.place().line;
+    reading.blocks.add(block.name);
+    reading.scene.blocks.push_back(std::move(block));
+  }
+  add_joints(reading, cut, cuts, first);
+}
+
+}  // namespace blockweir::scene

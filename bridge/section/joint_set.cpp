@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/section/joint_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace blockweir::section {
+namespace {
+
+/// 0 to 1. Distributions of the standard library differ between libraries, its engines do not.
+class Uniform {
+ public:
+  explicit Uniform(std::uint64_t seed) : engine_(seed) {}
+  double operator()() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace
+
+std::vector<Line> joints_of(const JointSet& set, const Point& low, const Point& high, int id) {
+  const double dip = set.dip_deg * std::numbers::pi / 180;
+  const Point along(std::cos(dip), -std::sin(dip));
+  const Point up(std::sin(dip), std::cos(dip));
+  const Point middle = (low + high) / 2;
+  const double radius = (high - low).norm() / 2;
+  const double from = along.dot(middle) - radius;
+  const double to = along.dot(middle) + radius;
+  const double bridge = set.trace_length_m * (1 - set.persistence) / set.persistence;
+  const bool bridged = set.persistence < 1;
+
+  Uniform uniform(set.seed);
+  std::vector<Line> lines;
+  const double first = std::ceil((up.dot(middle) - radius - set.offset_m) / set.spacing_m - 1);
+  const double last = std::floor((up.dot(middle) + radius - set.offset_m) / set.spacing_m + 1);
+  for (double k = first; k <= last; ++k) {
+    const double shift = set.spacing_deviation * (uniform() - 0.5);
+    const double height = set.offset_m + (k + shift) * set.spacing_m;
+    double start = bridged ? from - uniform() * (set.trace_length_m + bridge) : from;
+    while (start < to) {
+      const double end = bridged ? start + set.trace_length_m : to;
+      lines.push_back({{height * up + start * along, height * up + end * along}, id});
+      start = end + (bridged ? bridge : 1);
+    }
+  }
+  return lines;
+}
+
+}  // namespace blockweir::section

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_scene
+// A section cut into blocks by the scene: names, materials, joints, and what is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "bridge/scene/polygon.hpp"
+#include "bridge/section/joint_set.hpp"
+#include "tests/unit/scene_sample.hpp"
+
+using namespace blockweir::scene;
+using sample::errors;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+namespace {
+
+const std::string head = R"([analysis]
+duration_s = 1
+[material.concrete]
+youngs_modulus_pa = 30e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2400
+[material.rock]
+youngs_modulus_pa = 50e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2600
+[joint]
+friction_angle_deg = 35
+)";
+const std::string section = R"([section]
+material = "concrete"
+outline_m = [[0, 0], [4, 0], [4, 4], [0, 4]]
+[[region]]
+material = "rock"
+fixed = true
+outline_m = [[0, 0], [4, 0], [4, 1], [0, 1]]
+)";
+
+Scene scene_of(const std::string& cuts) {
+  return read_text(head + section + cuts, "s.toml").scene;
+}
+
+TEST(SceneSection, RegionsGiveMaterialAndHoldTheirBlocks) {
+  const Scene scene = scene_of("");
+  ASSERT_THAT(scene.blocks, SizeIs(2));
+  EXPECT_EQ(scene.blocks[0].name, "s1");
+  EXPECT_TRUE(scene.blocks[0].fixed);
+  EXPECT_EQ(scene.materials[static_cast<std::size_t>(scene.blocks[0].material)].name, "rock");
+  EXPECT_FALSE(scene.blocks[1].fixed);
+  EXPECT_EQ(scene.materials[static_cast<std::size_t>(scene.blocks[1].material)].name, "concrete");
+}
+
+TEST(SceneSection, ACutNamesItsJointAndGivesItsLaw) {
+  const Scene scene = scene_of("[[cut]]\nname = \"crack\"\npoints_m = [[0, 3], [4, 2]]\ncohesion_pa = 1e5\n");
+  ASSERT_THAT(scene.blocks, SizeIs(3));
+  ASSERT_THAT(scene.joints, SizeIs(2));
+  const Joint& crack = scene.joints[1];
+  EXPECT_EQ(crack.name, "crack");
+  EXPECT_EQ(crack.between, (std::array{1, 2}));
+  EXPECT_EQ(crack.law.cohesion_pa, 1e5);
+  EXPECT_EQ(crack.law.friction_angle_deg, 35);
+}
+
+TEST(SceneSection, JointsOfASetAreNamedByTheirBlocks) {
+  const Scene scene =
+      scene_of("[[joint_set]]\nname = \"bedding\"\ndip_deg = 0\nspacing_m = 1\nfriction_angle_deg = 20\n");
+  ASSERT_THAT(scene.blocks, SizeIs(4));
+  EXPECT_EQ(scene.joints.back().name, "bedding, s3 and s4");
+  EXPECT_EQ(scene.joints.back().law.friction_angle_deg, 20);
+  EXPECT_EQ(scene.joints.back().law.residual_friction_angle_deg, 20);
+}
+
+TEST(SceneSection, BlocksOfOnesOwnStandBesideIt) {
+  const Scene scene = scene_of(
+      "[[block]]\nname = \"cap\"\nmaterial = \"rock\"\nvertices_m = [[0, 4], [4, 4], [2, 5]]\n"
+      "[[joints]]\nname = \"cap joint\"\nbetween = [\"s2\", \"cap\"]\n");
+  EXPECT_EQ(scene.blocks.back().name, "cap");
+  EXPECT_EQ(scene.joints.back().between, (std::array{1, 2}));
+}
+
+void expect_refusal(const std::string& cuts, const std::vector<std::string>& words) {
+  const auto found = errors(head + section + cuts);
+  ASSERT_THAT(found, SizeIs(1)) << cuts;
+  for (const std::string& word : words) EXPECT_THAT(found[0], HasSubstr(word));
+}
+
+TEST(SceneSection, WhatIsWrongIsNamed) {
+  expect_refusal("[[cut]]\nname = \"ring\"\npoints_m = [[1, 2], [2, 2], [2, 3], [1, 2]]\n",
+                 {"a block encloses a hole or a closed line at (", "add a [[cut]] from there"});
+  expect_refusal("[[cut]]\nname = \"c\"\npoints_m = [[1, 2]]\n", {"a list of 2 to 10000 points"});
+  expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 0\nspacing_m = 1e-5\n", {"would draw about", "spacing_m"});
+  expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 100\nspacing_m = 1\n", {"dip_deg", "an angle from -90 to 90"});
+  expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 0\nspacing_m = 1\npersistence = 0.5\n",
+                 {"has no \"trace_length_m\""});
+  expect_refusal("[[region]]\nmaterial = \"rock\"\noutline_m = [[0, 0], [2, 2], [2, 0], [0, 2]]\n",
+                 {"the outline of a region crosses itself"});
+  EXPECT_THAT(errors(head + "[[cut]]\nname = \"c\"\npoints_m = [[1, 2], [3, 4]]\n"),
+              testing::Contains(HasSubstr("cut a section, and there is none")));
+}
+
+TEST(JointSets, KeepSpacingAndPersistence) {
+  using namespace blockweir::section;
+  JointSet set{.dip_deg = 30, .spacing_m = 2, .persistence = 0.6, .trace_length_m = 3, .seed = 5};
+  double length = 0;
+  double whole = 0;
+  const auto lines = joints_of(set, {0, 0}, {400, 400}, 0);
+  for (const Line& line : lines) length += (line.points[1] - line.points[0]).norm();
+  std::set<long> heights;
+  for (const Line& line : lines) {
+    const double height = std::sin(M_PI / 6) * line.points[0].x() + std::cos(M_PI / 6) * line.points[0].y();
+    EXPECT_NEAR(std::remainder(height, 2), 0, 1e-9);
+    heights.insert(std::lround(height / 2));
+  }
+  whole = static_cast<double>(heights.size()) * std::sqrt(2.0) * 400;
+  EXPECT_NEAR(length / whole, 0.6, 0.02);
+  EXPECT_EQ(lines.size(), joints_of(set, {0, 0}, {400, 400}, 0).size());
+  EXPECT_EQ(lines[7].points, joints_of(set, {0, 0}, {400, 400}, 0)[7].points);
+  set.seed = 6;
+  EXPECT_NE(lines[7].points, joints_of(set, {0, 0}, {400, 400}, 0)[7].points);
+}
+
+}  // namespace
