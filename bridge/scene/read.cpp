@@ -13,6 +13,7 @@
 #include "bridge/scene/key_depth.hpp"
 #include "bridge/scene/nearest.hpp"
 #include "bridge/scene/overrides.hpp"
+#include "bridge/scene/section_drawing.hpp"
 #include "bridge/scene/sections.hpp"
 
 namespace blockweir::scene {
@@ -81,8 +82,11 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   Scene& scene = result.scene;
   scene.file = name;
   scene.text = text;
-  if (!overrides.empty()) {
-    apply_overrides(file, overrides, problems);
+  if (!overrides.empty()) apply_overrides(file, overrides, problems);
+  const std::size_t before = problems.count();
+  const bool drawn = take_drawing(file, std::filesystem::path(name).parent_path(), problems);
+  if (problems.count() > before) throw SceneError(problems.errors());
+  if (drawn || !overrides.empty()) {
     std::ostringstream merged;
     merged << file << '\n';
     scene.text = merged.str();

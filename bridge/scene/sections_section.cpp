@@ -144,6 +144,26 @@ void add_joints(Reading& reading, const section::Cut& cut, const Cuts& cuts, std
   }
 }
 
+/// Holds each point in the block that has it, the first of several.
+void hold(Reading& reading, TableReader& table, const std::vector<Point>& points, std::size_t first, double tolerance) {
+  auto& blocks = reading.scene.blocks;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto block = std::find_if(blocks.begin() + static_cast<std::ptrdiff_t>(first), blocks.end(),
+                                    [&](const Block& b) { return holds_point(b.vertices, points[i], tolerance); });
+    if (block == blocks.end()) {
+      reading.problems.error(
+          table.place("held_points_m", i),
+          fmt::format("no block of the section has the point ({}, {})", points[i].x(), points[i].y()),
+          "points of the section", "move it onto the section");
+      continue;
+    }
+    reading.scene.supports.push_back({.block = static_cast<int>(block - blocks.begin()),
+                                      .point_m = points[i],
+                                      .displacement_x_m = TimeTable::constant(0),
+                                      .displacement_y_m = TimeTable::constant(0)});
+  }
+}
+
 }  // namespace
 
 void read_section(Reading& reading) {
@@ -152,6 +172,7 @@ void read_section(Reading& reading) {
   Cuts cuts;
   std::string prefix = "s";
   section::Section section;
+  std::vector<Point> held;
   Region whole{.material = -1};
   if (table.present()) {
     table.text("name_prefix", prefix);
@@ -159,6 +180,7 @@ void read_section(Reading& reading) {
     table.flag("fixed", whole.fixed);
     table.points("outline_m", section.outline);
     table.outlines("holes_m", section.holes);
+    if (table.has("held_points_m")) table.points("held_points_m", held, 1);
   }
   bool ready = sound(table, reading, "outline_m", "the section's outline", section.outline);
   for (const auto& hole : section.holes)
@@ -193,6 +215,7 @@ void read_section(Reading& reading) {
     reading.scene.blocks.push_back(std::move(block));
   }
   add_joints(reading, cut, cuts, first);
+  hold(reading, table, held, first, 1e-9 * bounds.size());
 }
 
 }  // namespace blockweir::scene

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_scene
+// A section from a DXF drawing: layers, laws, supports, and drawings that do not serve.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "bridge/scene/polygon.hpp"
+#include "tests/unit/scene_sample.hpp"
+
+using namespace blockweir::scene;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+namespace {
+
+std::string entity(const std::string& kind, const std::string& layer, const std::string& rest) {
+  return "0\n" + kind + "\n8\n" + layer + "\n" + rest;
+}
+std::string point(double x, double y, int code = 0) {
+  return std::to_string(10 + code) + "\n" + std::to_string(x) + "\n" + std::to_string(20 + code) + "\n" +
+         std::to_string(y) + "\n";
+}
+std::string line(const std::string& layer, double x0, double y0, double x1, double y1) {
+  return entity("LINE", layer, point(x0, y0) + point(x1, y1, 1));
+}
+std::string polyline(const std::string& layer, bool closed, const std::vector<Point>& points) {
+  std::string text = "90\n" + std::to_string(points.size()) + "\n70\n" + (closed ? "1\n" : "0\n");
+  for (const Point& p : points) text += point(p.x(), p.y());
+  return entity("LWPOLYLINE", layer, text);
+}
+std::string drawing(const std::string& entities) {
+  return "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+}
+
+const std::string square = polyline("Section", true, {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+
+class Drawing : public testing::Test {
+ protected:
+  Drawing() { std::filesystem::create_directories(folder_); }
+  ~Drawing() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::filesystem::path scene(const std::string& dxf, const std::string& more = "",
+                                            const std::string& section = "") const {
+    std::ofstream(folder_ / "d.dxf") << dxf;
+    std::ofstream(folder_ / "scene.toml")
+        << "[analysis]\nduration_s = 1\n[material.concrete]\nyoungs_modulus_pa = 30e9\n"
+           "poissons_ratio = 0.2\ndensity_kg_per_m3 = 2400\n[section]\n"
+           "material = \"concrete\"\ndxf = \"d.dxf\"\n"
+        << section << more;
+    return folder_;
+  }
+  static std::string error(const std::filesystem::path& path) {
+    try {
+      read(path);
+    } catch (const SceneError& error) {
+      EXPECT_EQ(error.diagnostics().size(), 1u);
+      return error.what();
+    }
+    return "";
+  }
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("blockweir-drawing-" + std::to_string(getpid()));
+};
+
+TEST_F(Drawing, GivesOutlineCutsAndSupports) {
+  const Scene s =
+      read(scene(drawing(square + line("joints crack", 0, 2, 4, 2) + entity("POINT", "supports", point(1, 0))),
+                 "[[cut]]\nname = \"crack\"\ncohesion_pa = 7\n"))
+          .scene;
+  ASSERT_THAT(s.blocks, SizeIs(2));
+  ASSERT_THAT(s.joints, SizeIs(1));
+  EXPECT_EQ(s.joints[0].name, "crack");
+  EXPECT_EQ(s.joints[0].law.cohesion_pa, 7);
+  ASSERT_THAT(s.supports, SizeIs(1));
+  EXPECT_EQ(s.supports[0].point_m, Point(1, 0));
+  // Its text says all by itself: the processes read that.
+  const Scene again = read_text(s.text, s.file.string()).scene;
+  EXPECT_EQ(again.blocks[1].vertices, s.blocks[1].vertices);
+  EXPECT_EQ(again.joints, s.joints);
+  EXPECT_EQ(again.supports, s.supports);
+}
+
+TEST_F(Drawing, LinesThatMeetCloseTheOutlineAndSmallerRingsAreHoles) {
+  const std::string lines = line("section", 0, 0, 4, 0) + line("section", 4, 4, 4, 0) + line("section", 4, 4, 0, 4) +
+                            line("section", 0, 0, 0, 4);
+  const std::string hole = polyline("section", true, {{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+  const Scene s = read(scene(drawing(lines + hole + polyline("joints", false, {{0, 1.5}, {1, 1.5}}) +
+                                     line("joints", 2, 1.5, 4, 1.5) + entity("POINT", "supports", point(0, 0)) +
+                                     entity("POINT", "supports", point(0, 4)))))
+                      .scene;
+  EXPECT_THAT(s.blocks, SizeIs(2));
+}
+
+TEST_F(Drawing, UnitsAreMetresUnlessSaid) {
+  const Scene s =
+      read(scene(drawing(square + entity("POINT", "supports", point(0, 0))), "", "dxf_unit_m = 0.5\n")).scene;
+  EXPECT_EQ(signed_area(s.blocks[0].vertices), 4);
+}
+
+TEST_F(Drawing, ThatDoesNotServeIsRefused) {
+  EXPECT_THAT(error(scene(drawing(line("joints", 0, 0, 1, 1)))), HasSubstr("no closed line on the layer \"section\""));
+  EXPECT_THAT(error(scene(drawing(line("section", 0, 0, 1, 1)))), HasSubstr("no closed line on the layer \"section\""));
+  EXPECT_THAT(error(scene(drawing(square + entity("CIRCLE", "joints", point(0, 0) + "40\n1\n")))),
+              HasSubstr("1 arcs or other curves"));
+  EXPECT_THAT(error(scene("not a drawing")), HasSubstr("scene.toml:9: error: the drawing d.dxf: it holds no line"));
+  EXPECT_THAT(error(scene(drawing(square + entity("POINT", "supports", point(9, 9))))),
+              HasSubstr("no block of the section has the point (9, 9)"));
+  static_cast<void>(scene(drawing(square)));
+  std::filesystem::remove(folder_ / "d.dxf");
+  EXPECT_THAT(error(folder_), HasSubstr("the drawing d.dxf: it cannot be read; expected a DXF file"));
+}
+
+}  // namespace
