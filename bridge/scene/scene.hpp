@@ -21,6 +21,7 @@ struct Material {
   double youngs_modulus_pa = 0;
   double poissons_ratio = 0;
   double density_kg_per_m3 = 0;
+  double damping_ratio = 0;  ///< of a block's lowest natural frequency of strain
   bool operator==(const Material&) const = default;
 };
 
@@ -104,6 +105,7 @@ struct Analysis {
   double step_s = 0.01;                  ///< the largest step
   double max_displacement_ratio = 0.01;  ///< largest displacement in a step over half the model's height
   double gravity_m_per_s2 = 9.81;
+  double mass_damping_per_s = 0;         ///< drag on all motion, over the mass
   double rest_speed_m_per_s = 1e-5;      ///< below it a block counts as at rest (failure report)
   double failure_displacement_m = 0.02;  ///< an unbroken motion longer than this is a failure
   bool stop_at_failure = false;          ///< end the run once the failure is certain

@@ -34,6 +34,7 @@ void read_analysis(Reading& reading) {
   table.number("step_s", a.step_s, positive());
   table.number("max_displacement_ratio", a.max_displacement_ratio, positive());
   table.number("gravity_m_per_s2", a.gravity_m_per_s2, not_negative());
+  table.number("mass_damping_per_s", a.mass_damping_per_s, not_negative());
   table.number("rest_speed_m_per_s", a.rest_speed_m_per_s, positive());
   table.number("failure_displacement_m", a.failure_displacement_m, positive());
   table.flag("stop_at_failure", a.stop_at_failure);

@@ -71,6 +71,8 @@ void read_materials(Reading& reading) {
       table.number("youngs_modulus_pa", material.youngs_modulus_pa, positive(), true);
       table.number("poissons_ratio", material.poissons_ratio, poissons_ratio(reading.scene.analysis.plane), true);
       table.number("density_kg_per_m3", material.density_kg_per_m3, positive(), true);
+      table.number("damping_ratio", material.damping_ratio,
+                   {[](double zeta) { return zeta >= 0 && zeta <= 1; }, "a number from 0 to 1"});
     }
     reading.scene.materials.push_back(std::move(material));
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/block/block.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 #include "solid/geometry/polygon_moments.hpp"
 
@@ -36,6 +38,15 @@ Matrix6 mass_matrix(const PolygonMoments& m, double density) {
   return density * M;
 }
 
+/// 2 zeta / omega, omega the lowest natural frequency at which the free block strains [s].
+double retardation_time(const Block& block, double damping_ratio) {
+  if (damping_ratio == 0) return 0;
+  const Eigen::Matrix3d K = block.stiffness.bottomRightCorner<3, 3>();
+  const Eigen::Matrix3d M = block.mass.bottomRightCorner<3, 3>();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> modes(K, M, Eigen::EigenvaluesOnly);
+  return 2 * damping_ratio / std::sqrt(modes.eigenvalues().minCoeff());
+}
+
 }  // namespace
 
 Block make_block(const scene::Block& described, const scene::Material& material, scene::Plane plane) {
@@ -52,6 +63,7 @@ Block make_block(const scene::Block& described, const scene::Material& material,
   block.mass = mass_matrix(moments, material.density_kg_per_m3);
   block.stiffness.setZero();
   block.stiffness.bottomRightCorner<3, 3>() = moments.area * elastic_matrix(material, plane);
+  block.damping = retardation_time(block, material.damping_ratio) * block.stiffness;
   return block;
 }
 

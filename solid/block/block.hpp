@@ -27,6 +27,7 @@ struct Block {
   bool fixed = false;
   Matrix6 mass;       ///< integral of density T^T T, T the first-order shape matrix (1)-(3)
   Matrix6 stiffness;  ///< area * elastic matrix in the strain rows, zero elsewhere [N per metre]
+  Matrix6 damping;    ///< Kelvin-Voigt: proportional to the stiffness by the material's damping ratio
 
   [[nodiscard]] double mass_per_m() const { return mass(0, 0); }
 };

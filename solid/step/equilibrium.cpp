@@ -27,7 +27,8 @@ void Solid::prepare_matrices(double dt) {
   if (dt == matrices_dt_) return;
   matrices_dt_ = dt;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    matrix_[b] = newmark_.mass_factor(dt) * blocks_[b].mass + blocks_[b].stiffness;
+    matrix_[b] = newmark_.mass_factor(dt) * blocks_[b].mass + blocks_[b].stiffness +
+                 newmark_.velocity_factor(dt) * blocks_[b].damping;
   }
 }
 
@@ -153,8 +154,11 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
   set_block_matrices(s);
   for (const int block : s.island.blocks) {
     const auto b = at(block);
-    balance_[b] = external_[b] - blocks_[b].stiffness * (states_[b].displacement + increment_[b]);
-    round_off_[b] = round_off * magnitude(external_[b], blocks_[b].radius);
+    const Vector6 velocity =
+        newmark_.velocity_factor(matrices_dt_) * increment_[b] + newmark_.past_velocity(states_[b], matrices_dt_);
+    const Vector6 drag = blocks_[b].damping * velocity;
+    balance_[b] = external_[b] - blocks_[b].stiffness * (states_[b].displacement + increment_[b]) - drag;
+    round_off_[b] = round_off * (magnitude(external_[b], blocks_[b].radius) + magnitude(drag, blocks_[b].radius));
   }
 
   const auto add = [&](const Interaction& action) {

@@ -14,6 +14,7 @@ struct Newmark {
   double gamma = 1;
   double alpha_m = 0;
   double alpha_f = 0;
+  bool damps = true;  ///< false where velocities mean nothing: quasi-static steps and the search for a state of rest
 
   static Newmark of(scene::Integrator integrator, double spectral_radius) {
     if (integrator == scene::Integrator::shi) return {};
@@ -25,6 +26,13 @@ struct Newmark {
 
   /// Factor of the mass in the step's matrix, the balance divided by (1 - alpha_f).
   [[nodiscard]] double mass_factor(double dt) const { return (1 - alpha_m) / (1 - alpha_f) / (beta * dt * dt); }
+
+  /// v1 = velocity_factor d + past_velocity, for viscous forces.
+  [[nodiscard]] double velocity_factor(double dt) const { return damps ? gamma / (beta * dt) : 0; }
+  [[nodiscard]] Vector6 past_velocity(const BlockState& s, double dt) const {
+    if (!damps) return Vector6::Zero();
+    return (1 - gamma / beta) * s.velocity + dt * (1 - 0.5 * gamma / beta) * s.acceleration;
+  }
 
   /// What the past contributes to the right-hand side, divided by (1 - alpha_f).
   [[nodiscard]] Vector6 history(const Matrix6& mass, const BlockState& s, double dt) const {

@@ -42,7 +42,7 @@ void Solid::settle(const std::vector<Panel>& water) {
   const std::vector<BlockState> released = states_;
   const std::vector<bool> waiting = unanchored();
   for (std::size_t b = 0; b < blocks_.size(); ++b) frozen_[b] = fixed[b] || waiting[b];
-  const Newmark scheme = std::exchange(newmark_, Newmark{});
+  const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
   lagrangian_.settings().joints_held = true;
   matrices_dt_ = -1;
   islands_.clear();

@@ -67,6 +67,8 @@ Solid::Solid(const scene::Scene& scene)
       // Two blocks may each move by the largest displacement of a step, one towards the other.
       search_(blocks_, laws_, size_, 2.5 * scene.analysis.max_displacement_ratio * size_) {
   const std::size_t n = blocks_.size();
+  newmark_.damps = scene.analysis.kind == scene::AnalysisKind::dynamic;
+  for (Block& block : blocks_) block.damping += scene.analysis.mass_damping_per_s * block.mass;
   states_.resize(n);
   for (std::size_t b = 0; b < n; ++b) {
     if (blocks_[b].fixed) continue;

@@ -201,6 +201,12 @@ TEST(SceneKeys, VariantsHaveANameOfTheirOwnAndAListOfTexts) {
                {"set in [[variant]] \"slow\"", "a list of texts"});
 }
 
+TEST(SceneKeys, DampingIsARatioAndARate) {
+  expect_error(with("density_kg_per_m3 = 2500", "density_kg_per_m3 = 2500\ndamping_ratio = 5"), 12,
+               {"damping_ratio in [material.concrete] is 5", "a number from 0 to 1"});
+  expect_error(with("step_s = 0.01", "mass_damping_per_s = -1"), 5, {"mass_damping_per_s in [analysis] is -1"});
+}
+
 TEST(SceneKeys, TheReservoirIsAskedForByAFlag) {
   expect_error(with("frame_every_s = 0.5", "reservoir = 1"), 51, {"reservoir in [output] is 1", "true or false"});
 }
