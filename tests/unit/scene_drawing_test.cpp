@@ -2,9 +2,6 @@
 // links: bridge_scene
 // A section from a DXF drawing: layers, laws, supports, and drawings that do not serve.
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include "bridge/scene/polygon.hpp"
 #include "tests/unit/scene_sample.hpp"
@@ -36,31 +33,18 @@ std::string drawing(const std::string& entities) {
 
 const std::string square = polyline("Section", true, {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
 
-class Drawing : public testing::Test {
+class Drawing : public sample::SceneFolder {
  protected:
-  Drawing() { std::filesystem::create_directories(folder_); }
-  ~Drawing() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::filesystem::path scene(const std::string& dxf, const std::string& more = "",
                                             const std::string& section = "") const {
-    std::ofstream(folder_ / "d.dxf") << dxf;
-    std::ofstream(folder_ / "scene.toml")
-        << "[analysis]\nduration_s = 1\n[material.concrete]\nyoungs_modulus_pa = 30e9\n"
-           "poissons_ratio = 0.2\ndensity_kg_per_m3 = 2400\n[section]\n"
-           "material = \"concrete\"\ndxf = \"d.dxf\"\n"
-        << section << more;
+    static_cast<void>(write("d.dxf", dxf));
+    static_cast<void>(write("scene.toml",
+                            "[analysis]\nduration_s = 1\n[material.concrete]\nyoungs_modulus_pa = 30e9\n"
+                            "poissons_ratio = 0.2\ndensity_kg_per_m3 = 2400\n[section]\n"
+                            "material = \"concrete\"\ndxf = \"d.dxf\"\n" +
+                                section + more));
     return folder_;
   }
-  static std::string error(const std::filesystem::path& path) {
-    try {
-      read(path);
-    } catch (const SceneError& error) {
-      EXPECT_EQ(error.diagnostics().size(), 1u);
-      return error.what();
-    }
-    return "";
-  }
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("blockweir-drawing-" + std::to_string(getpid()));
 };
 
 TEST_F(Drawing, GivesOutlineCutsAndSupports) {

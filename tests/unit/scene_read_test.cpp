@@ -96,26 +96,7 @@ TEST(SceneRead, TheResidualAngleIsThePeakAngleUnlessStated) {
       18);
 }
 
-class SceneFile : public testing::Test {
- protected:
-  SceneFile() { std::filesystem::create_directories(folder_); }
-  ~SceneFile() override { std::filesystem::remove_all(folder_); }
-  [[nodiscard]] std::filesystem::path write(const std::string& name, const std::string& content) const {
-    std::ofstream(folder_ / name) << content;
-    return folder_ / name;
-  }
-  static std::string error(const std::filesystem::path& path) {
-    try {
-      read(path);
-    } catch (const SceneError& error) {
-      EXPECT_EQ(error.diagnostics().size(), 1u);
-      return error.what();
-    }
-    return "";
-  }
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("blockweir-scene-" + std::to_string(getpid()));
-};
+using SceneFile = sample::SceneFolder;
 
 TEST_F(SceneFile, IsGivenAsAFileOrAsItsFolder) {
   const auto file = write("scene.toml", text);

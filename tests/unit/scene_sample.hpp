@@ -3,6 +3,11 @@
 #pragma once
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -97,5 +102,28 @@ inline void expect_error(const std::string& scene, int line, const std::vector<s
   EXPECT_THAT(found[0], ::testing::StartsWith(place + ": error: "));
   for (const std::string& word : words) EXPECT_THAT(found[0], ::testing::HasSubstr(word));
 }
+
+/// A folder of the test's own for files, gone with it.
+class SceneFolder : public ::testing::Test {
+ protected:
+  SceneFolder() { std::filesystem::create_directories(folder_); }
+  ~SceneFolder() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::filesystem::path write(const std::string& name, const std::string& content) const {
+    std::ofstream(folder_ / name) << content;
+    return folder_ / name;
+  }
+  /// What the reader says of a file with one error; empty when it reads it.
+  static std::string error(const std::filesystem::path& path) {
+    try {
+      read(path);
+    } catch (const SceneError& error) {
+      EXPECT_EQ(error.diagnostics().size(), 1u);
+      return error.what();
+    }
+    return "";
+  }
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("blockweir-scene-" + std::to_string(::getpid()));
+};
 
 }  // namespace blockweir::scene::sample
