@@ -9,6 +9,7 @@
 #include "bridge/scene/dxf.hpp"
 #include "bridge/scene/outline.hpp"
 #include "bridge/scene/polygon.hpp"
+#include "bridge/scene/table_reader.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -98,9 +99,16 @@ void scale(DxfDrawing& drawing, double unit_m) {
 
 bool take_drawing(toml::table& file, const std::filesystem::path& folder, Problems& problems) {
   toml::table* section = file["section"].as_table();
-  const auto name = section == nullptr ? std::nullopt : (*section)["dxf"].value<std::string>();
-  if (!name) return false;
+  if (section == nullptr || !section->contains("dxf")) return false;
   const Place place = problems.at(section->get("dxf")->source());
+  const auto name = (*section)["dxf"].value<std::string>();
+  const toml::node* given_unit = section->get("dxf_unit_m");
+  const std::optional<double> unit = given_unit == nullptr ? 1.0 : finite_number(*given_unit);
+  if (!name || !unit || *unit <= 0 || section->contains("outline_m")) {
+    problems.error(place, "dxf in [section] is not the path of a drawing alone",
+                   "a text, dxf_unit_m above 0 if any, and no outline_m beside it", "correct the section");
+    return true;
+  }
   const auto refuse = [&](const std::string& found, const std::string& expected, const std::string& remedy) {
     problems.error(place, fmt::format("the drawing {}: {}", *name, found), expected, remedy);
     return true;
@@ -115,7 +123,7 @@ bool take_drawing(toml::table& file, const std::filesystem::path& folder, Proble
     return refuse(fmt::format("{} arcs or other curves", drawing.curves), "lines, polylines and points",
                   "approximate curves by polylines");
   }
-  scale(drawing, (*section)["dxf_unit_m"].value_or(1.0));
+  scale(drawing, *unit);
   std::vector<Ring> pieces;
   for (const DxfDrawing::Line& line : drawing.lines) {
     if (line.layer == "section") pieces.push_back(line.points);

@@ -128,15 +128,17 @@ const Region& region_of(const Block& block, const std::vector<Region>& regions, 
   return found == regions.end() ? otherwise : *found;
 }
 
-/// Joints along cuts: one that parts two blocks alone has the cut's name, of several each adds its blocks'.
+/// Joints along cuts: one that bears the cut's name alone has just that, of several each adds its blocks'.
 void add_joints(Reading& reading, const section::Cut& cut, const Cuts& cuts, std::size_t first_block) {
-  std::map<int, int> uses;
-  for (const section::Neighbours& pair : cut.neighbours) ++uses[pair.id];
+  const auto cut_of = [&](const section::Neighbours& pair) -> const Joint& {
+    return cuts.joints[static_cast<std::size_t>(pair.id)];
+  };
+  std::map<std::string, int> uses;  // several cuts may share a name
+  for (const section::Neighbours& pair : cut.neighbours) ++uses[cut_of(pair).name];
   for (const section::Neighbours& pair : cut.neighbours) {
-    if (pair.id < 0) continue;
-    Joint joint = cuts.joints[static_cast<std::size_t>(pair.id)];
+    Joint joint = cut_of(pair);
     joint.between = {static_cast<int>(first_block) + pair.a, static_cast<int>(first_block) + pair.b};
-    if (uses[pair.id] > 1) {
+    if (uses[joint.name] > 1) {
       const auto name = [&](int b) { return reading.scene.blocks[static_cast<std::size_t>(b)].name; };
       joint.name += fmt::format(", {} and {}", name(joint.between[0]), name(joint.between[1]));
     }

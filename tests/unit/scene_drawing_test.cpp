@@ -82,6 +82,24 @@ TEST_F(Drawing, UnitsAreMetresUnlessSaid) {
   EXPECT_EQ(signed_area(s.blocks[0].vertices), 4);
 }
 
+TEST_F(Drawing, KeysBesideItAreChecked) {
+  for (const std::string wrong :
+       {"dxf_unit_m = -1\n", "dxf_unit_m = \"mm\"\n", "outline_m = [[0, 0], [1, 0], [0, 1]]\n"}) {
+    EXPECT_THAT(error(scene(drawing(square), "", wrong)), HasSubstr("is not the path of a drawing alone")) << wrong;
+  }
+  const auto file = write("n.toml", "[analysis]\nduration_s = 1\n[section]\ndxf = 7\n");
+  EXPECT_THAT(error(file), HasSubstr("n.toml:4: error: dxf in [section] is not the path"));
+}
+
+TEST_F(Drawing, LinesOfOneLayerShareItsNameAndAddTheirBlocks) {
+  const Scene s = read(scene(drawing(square + line("joints", 0, 1, 4, 1) + line("joints", 0, 3, 4, 3) +
+                                     entity("POINT", "supports", point(1, 0)))))
+                      .scene;
+  ASSERT_THAT(s.joints, SizeIs(2));
+  EXPECT_EQ(s.joints[0].name, "joint, s1 and s2");
+  EXPECT_EQ(s.joints[1].name, "joint, s2 and s3");
+}
+
 TEST_F(Drawing, ThatDoesNotServeIsRefused) {
   EXPECT_THAT(error(scene(drawing(line("joints", 0, 0, 1, 1)))), HasSubstr("no closed line on the layer \"section\""));
   EXPECT_THAT(error(scene(drawing(line("section", 0, 0, 1, 1)))), HasSubstr("no closed line on the layer \"section\""));
