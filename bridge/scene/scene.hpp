@@ -38,6 +38,9 @@ struct JointLaw {
   double tension_strength_pa = 0;
   std::optional<double> bonded_length_m;  ///< of the whole joint; default: all of it
   bool keeps_cohesion = false;            ///< true: cohesion and tension survive slip and opening
+  double softening_slip_m = 0;            ///< slip over which cohesion, tension and peak friction fade; 0: brittle
+  double dilation_angle_deg = 0;          ///< slip opens the joint by its tangent
+  std::optional<double> dilation_limit_m;  ///< slip beyond which it opens no further
   Uplift uplift = Uplift::none;
   bool operator==(const JointLaw&) const = default;
 };
@@ -54,6 +57,7 @@ struct Block {
   int material = 0;             ///< index into Scene::materials
   std::vector<Point> vertices;  ///< m, counter-clockwise
   bool fixed = false;           ///< does not move and has no degrees of freedom
+  bool rigid = false;           ///< moves, but does not strain
   Point initial_velocity_m_per_s = Point::Zero();
   double initial_spin_deg_per_s = 0;
   int line = 0;  ///< where the scene file states it
@@ -112,8 +116,14 @@ struct Analysis {
   bool operator==(const Analysis&) const = default;
 };
 
+enum class ContactFormulation { augmented_lagrangian, lagrange_multiplier, penalty };
+
 struct Contact {
-  std::optional<double> initial_penalty_n_per_m2;  ///< per metre of thickness; default: chosen from the blocks
+  ContactFormulation formulation = ContactFormulation::augmented_lagrangian;
+  std::optional<double> initial_penalty_n_per_m2;  ///< augmented Lagrangian; default: chosen from the blocks
+  std::optional<double> stiffness_n_per_m2;        ///< penalty method: of a contact's spring, per metre of thickness
+  double dashpot_ratio = 0;                        ///< penalty method: of the spring's critical damping
+  bool measure_condition = false;                  ///< report the largest condition number of the systems solved
   double penetration_tolerance_m = 1e-9;
   double force_tolerance = 1e-10;  ///< of the weight of all that can move
   int max_iterations = 200;

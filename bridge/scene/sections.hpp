@@ -45,7 +45,7 @@ struct Reading {
 
 /// The law of a joint. `residual_given`: whether [joint] or this table states the residual angle; else it is the peak
 /// angle.
-void read_law(TableReader& table, JointLaw& law, bool& residual_given);
+void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residual_given);
 
 void read_heading(Reading& reading);
 void read_analysis(Reading& reading);

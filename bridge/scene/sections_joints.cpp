@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "bridge/scene/nearest.hpp"
@@ -30,25 +32,40 @@ std::array<int, 2> read_between(TableReader& table, Reading& reading) {
   return between;
 }
 
+void note_tension_beyond_apex(TableReader& table, const JointLaw& law, Problems& problems) {
+  const double apex = law.cohesion_pa / std::tan(law.friction_angle_deg * std::numbers::pi / 180);
+  if (law.tension_strength_pa <= apex) return;
+  problems.note(table.place("tension_strength_pa"),
+                fmt::format("in {} the joint bears no shear under a tension above {:.6g} Pa, cohesion over "
+                            "tan(friction angle); tension_strength_pa is {:.6g}",
+                            table.name(), apex, law.tension_strength_pa),
+                "a bond under such a tension breaks with the first shear; give it cohesion_pa");
+}
+
 }  // namespace
 
-void read_law(TableReader& table, JointLaw& law, bool& residual_given) {
+void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residual_given) {
   const Range angle{[](double degrees) { return degrees >= 0 && degrees < 90; },
                     "an angle of at least 0 and below 90 degrees"};
   table.number("friction_angle_deg", law.friction_angle_deg, angle);
   if (table.number("residual_friction_angle_deg", law.residual_friction_angle_deg, angle)) residual_given = true;
   if (!residual_given) law.residual_friction_angle_deg = law.friction_angle_deg;
   table.number("cohesion_pa", law.cohesion_pa, not_negative());
-  table.number("tension_strength_pa", law.tension_strength_pa, not_negative());
+  if (table.number("tension_strength_pa", law.tension_strength_pa, not_negative())) {
+    note_tension_beyond_apex(table, law, reading.problems);
+  }
   table.number("bonded_length_m", law.bonded_length_m, not_negative());
   table.flag("keeps_cohesion", law.keeps_cohesion);
+  table.number("softening_slip_m", law.softening_slip_m, not_negative());
+  table.number("dilation_angle_deg", law.dilation_angle_deg, angle);
+  table.number("dilation_limit_m", law.dilation_limit_m, not_negative());
   table.choice<Uplift>("uplift", law.uplift,
                        {{"none", Uplift::none}, {"triangular", Uplift::triangular}, {"full", Uplift::full}});
 }
 
 void read_default_joint(Reading& reading) {
   TableReader table(reading.problems, reading.section("joint"), "[joint]");
-  read_law(table, reading.scene.default_joint, reading.residual_given);
+  read_law(table, reading.scene.default_joint, reading, reading.residual_given);
 }
 
 void read_joints(Reading& reading) {
@@ -64,7 +81,7 @@ void read_joints(Reading& reading) {
     table.text("name", joint.name, true);
     joint.between = read_between(table, reading);
     bool own_residual = reading.residual_given;
-    read_law(table, joint.law, own_residual);
+    read_law(table, joint.law, reading, own_residual);
     const auto [low, high] = std::minmax(joint.between[0], joint.between[1]);
     if (!names.insert(joint.name).second && !joint.name.empty()) {
       reading.problems.error(table.place("name"), fmt::format("a second joint is called \"{}\"", joint.name),

@@ -44,6 +44,21 @@ void read_analysis(Reading& reading) {
 void read_contact(Reading& reading) {
   TableReader table(reading.problems, reading.section("contact"), "[contact]");
   Contact& c = reading.scene.contact;
+  table.choice<ContactFormulation>("formulation", c.formulation,
+                                   {{"augmented-lagrangian", ContactFormulation::augmented_lagrangian},
+                                    {"lagrange-multiplier", ContactFormulation::lagrange_multiplier},
+                                    {"penalty", ContactFormulation::penalty}});
+  const auto only_for = [&](const char* key, ContactFormulation formulation, const char* name) {
+    if (!table.has(key) || c.formulation == formulation) return;
+    reading.problems.error(table.place(key), fmt::format("{} belongs to another formulation", key),
+                           fmt::format("formulation = \"{}\" beside it", name),
+                           fmt::format("leave {} out, or change the formulation", key));
+  };
+  only_for("stiffness_n_per_m2", ContactFormulation::penalty, "penalty");
+  only_for("dashpot_ratio", ContactFormulation::penalty, "penalty");
+  table.number("stiffness_n_per_m2", c.stiffness_n_per_m2, positive());
+  table.number("dashpot_ratio", c.dashpot_ratio, not_negative());
+  table.flag("measure_condition", c.measure_condition);
   table.number("initial_penalty_n_per_m2", c.initial_penalty_n_per_m2, positive());
   table.number("penetration_tolerance_m", c.penetration_tolerance_m, positive());
   table.number("force_tolerance", c.force_tolerance, positive());

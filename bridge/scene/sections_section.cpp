@@ -66,7 +66,7 @@ void read_cuts(Reading& reading, Cuts& cuts) {
     table.text("name", name, true);
     table.points("points_m", points, 2);
     bool own_residual = reading.residual_given;
-    read_law(table, law, own_residual);
+    read_law(table, law, reading, own_residual);
     cuts.lines.push_back({points, cuts.add(name, law)});
   });
 }
@@ -89,7 +89,7 @@ void read_joint_sets(Reading& reading, const Bounds& bounds, Cuts& cuts) {
     int seed = 1;
     if (table.integer("seed", seed, 0)) set.seed = static_cast<std::uint64_t>(seed);
     bool own_residual = reading.residual_given;
-    read_law(table, law, own_residual);
+    read_law(table, law, reading, own_residual);
     const int id = cuts.add(name, law);
     const double length = 2 * bounds.size();
     const double shortest = set.persistence < 1 ? std::max(set.trace_length_m, 1e-9 * length) : length;

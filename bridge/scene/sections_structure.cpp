@@ -39,6 +39,7 @@ void read_block(TableReader& table, Reading& reading) {
   block.material = table.reference("material", reading.materials);
   if (table.points("vertices_m", block.vertices)) mend_outline(table, block, reading.problems);
   table.flag("fixed", block.fixed);
+  table.flag("rigid", block.rigid);
   table.point("initial_velocity_m_per_s", block.initial_velocity_m_per_s);
   table.number("initial_spin_deg_per_s", block.initial_spin_deg_per_s);
   if (!reading.blocks.add(block.name) && !block.name.empty()) {

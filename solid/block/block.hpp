@@ -25,10 +25,12 @@ struct Block {
   double area = 0;              ///< m2
   double radius = 0;            ///< m, farthest vertex from the centroid
   bool fixed = false;
-  Matrix6 mass;       ///< integral of density T^T T, T the first-order shape matrix (1)-(3)
-  Matrix6 stiffness;  ///< area * elastic matrix in the strain rows, zero elsewhere [N per metre]
-  Matrix6 damping;    ///< Kelvin-Voigt: proportional to the stiffness by the material's damping ratio
+  bool rigid = false;  ///< its strains stay as they are
+  Matrix6 mass;        ///< integral of density T^T T, T the first-order shape matrix (1)-(3)
+  Matrix6 stiffness;   ///< area * elastic matrix in the strain rows, zero elsewhere [N per metre]
+  Matrix6 damping;     ///< Kelvin-Voigt: proportional to the stiffness by the material's damping ratio
 
+  [[nodiscard]] int unknowns() const { return rigid ? 3 : 6; }
   [[nodiscard]] double mass_per_m() const { return mass(0, 0); }
 };
 

@@ -26,10 +26,14 @@ struct ContactPoint {
   Eigen::Vector2d multiplier = Eigen::Vector2d::Zero();  ///< (normal, shear) force on the vertex [N per metre]
   Eigen::Vector2d force = Eigen::Vector2d::Zero();       ///< what acts: multiplier less penalty times separation
   double penalty = 0;                                    ///< N/m per metre
-  double bond_length = 0;                                ///< m, bonded part
-  bool bonded = false;                                   ///< cohesion and tension not yet lost
+  double bond_length = 0;                                ///< m, part of the joint that was bonded at the start
+  double bond = 0;                                       ///< what is left of cohesion and tension: 1 all, 0 none
   ContactState state = ContactState::open;
-  double slip_m = 0;  ///< signed sum of slip along the edge
+  double slip_m = 0;        ///< signed sum of slip along the edge
+  double slip_path_m = 0;   ///< sum of its magnitude
+  double elastic_slip = 0;  ///< m of the step's slip that a contact spring gives back
+
+  [[nodiscard]] bool bonded() const { return bond > 0; }
 
   [[nodiscard]] bool same_key(const ContactPoint& other) const {
     return vertex_block == other.vertex_block && vertex == other.vertex && edge_block == other.edge_block &&

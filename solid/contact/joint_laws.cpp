@@ -15,6 +15,9 @@ JointProperties properties(const scene::JointLaw& law, int joint) {
           .tension_pa = law.tension_strength_pa,
           .bonded_length_m = law.bonded_length_m.value_or(-1),
           .keeps_cohesion = law.keeps_cohesion,
+          .softening_slip_m = law.softening_slip_m,
+          .dilation = tangent(law.dilation_angle_deg),
+          .dilation_limit_m = law.dilation_limit_m.value_or(std::numeric_limits<double>::infinity()),
           .joint = joint};
 }
 

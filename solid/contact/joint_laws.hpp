@@ -2,7 +2,10 @@
 // Which law holds between which two blocks.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -19,7 +22,32 @@ struct JointProperties {
   double tension_pa = 0;
   double bonded_length_m = -1;  ///< of the whole joint; negative: all of it
   bool keeps_cohesion = false;
-  int joint = -1;  ///< index into Scene::joints, -1 for the default
+  double softening_slip_m = 0;  ///< path of slip over which a bond fades; 0: it is brittle
+  double dilation = 0;          ///< opening per slip
+  double dilation_limit_m = std::numeric_limits<double>::infinity();  ///< slip beyond which it opens no further
+  int joint = -1;                                                     ///< index into Scene::joints, -1 for the default
+
+  /// Of a contact whose bond of that length is left to the part `bond`.
+  [[nodiscard]] Strength strength(double bond, double length) const {
+    return {.friction = residual_friction + bond * (friction - residual_friction),
+            .cohesion = bond * cohesion_pa * length,
+            .tension = bond * tension_pa * length};
+  }
+  /// What is left of a softening bond after so long a path of slip.
+  [[nodiscard]] double bond_after(double slip_path_m) const {
+    if (keeps_cohesion || softening_slip_m == 0) return 1;
+    return std::max(0.0, 1 - slip_path_m / softening_slip_m);
+  }
+  /// Gap that a joint has when its faces ride on each other's roughness after so much slip: a saw tooth of this law's
+  /// slope.
+  [[nodiscard]] double dilation_m(double slip_m) const {
+    return dilation * std::min(std::abs(slip_m), dilation_limit_m);
+  }
+  /// -d dilation_m / d slip; at zero slip in the given direction.
+  [[nodiscard]] double dilation_slope(double slip_m, double direction) const {
+    if (std::abs(slip_m) >= dilation_limit_m) return 0;
+    return -dilation * std::copysign(1.0, slip_m != 0 ? slip_m : direction);
+  }
 };
 
 class JointLaws {

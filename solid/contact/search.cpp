@@ -140,9 +140,10 @@ void ContactSearch::inherit(std::vector<ContactPoint>& old) {
     heir.force = from.force;
     heir.penalty = from.penalty;
     heir.bond_length = from.bond_length;
-    heir.bonded = from.bonded;
+    heir.bond = from.bond;
     heir.state = from.state;
     heir.slip_m = from.slip_m;
+    heir.slip_path_m = from.slip_path_m;
   };
   inherited_.assign(found_.size(), 0);
   std::vector<const ContactPoint*> gone;

@@ -51,7 +51,7 @@ void capture_contact(const Solid& solid, const ContactPoint& c, ContactRow& row)
   row.edge_block = c.edge_block;
   row.joint = solid.laws()[c.law].joint;
   row.state = static_cast<int>(c.state);
-  row.bonded = c.bonded;
+  row.bonded = c.bonded();
   row.gap_m = row.normal.dot(row.point_m - a);
   row.slip_m = c.slip_m;
   row.normal_force_n_per_m = c.state == ContactState::open ? 0 : c.force.x();

@@ -26,8 +26,8 @@ struct JointSum {
     if (before(place, low)) low = place;
     if (before(high, place)) high = place;
     if (c.state == ContactState::open) return;
-    strength +=
-        c.bonded ? law.cohesion_pa * c.bond_length + c.force.x() * law.friction : c.force.x() * law.residual_friction;
+    const Strength here = law.strength(c.bond, c.bond_length);
+    strength += here.cohesion + c.force.x() * here.friction;
     // Shear is counted along the edge of one block: seen from the other it keeps its sign.
     shear += c.force.y();
     normal += c.force.x();

@@ -95,6 +95,7 @@ json summary(const Outcome& outcome) {
                  {"settling_steps", counts.settling_steps},
                  {"blocks", outcome.solid.blocks().size()},
                  {"contacts", outcome.solid.contacts().size()}}}};
+  if (scene.contact.measure_condition) text["largest_condition_number"] = counts.condition_number;
   if (outcome.failure.failures().empty()) {
     text["outcome"] = "stands";
     text["margin"] = margin(outcome);

@@ -7,32 +7,43 @@
 namespace blockweir::solid {
 namespace {
 
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
 class DenseSystem final : public LinearSystem {
  public:
-  explicit DenseSystem(int blocks) : k_(6 * blocks, 6 * blocks), lu_(6 * blocks) {}
+  explicit DenseSystem(const Unknowns& unknowns) : u_(unknowns), k_(u_.total, u_.total), lu_(u_.total) {}
 
   void set_zero() override { k_.setZero(); }
-  void add(int row, int column, const Matrix6& k) override { k_.block<6, 6>(6 * row, 6 * column) += k; }
+  void add(int row, int column, const Matrix6& k) override {
+    const int rows = u_.count[at(row)];
+    const int columns = u_.count[at(column)];
+    k_.block(u_.first[at(row)], u_.first[at(column)], rows, columns) += k.topLeftCorner(rows, columns);
+  }
   bool solve(bool /*symmetric*/, const Eigen::VectorXd& f, Eigen::VectorXd& d) override {
     lu_.compute(k_);
     d = lu_.solve(f);
     return d.allFinite();
   }
+  [[nodiscard]] Eigen::MatrixXd dense() const override { return k_; }
 
  private:
+  Unknowns u_;
   Eigen::MatrixXd k_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };
 
 }  // namespace
 
-std::unique_ptr<LinearSystem> make_dense_system(int blocks) {
-  return std::make_unique<DenseSystem>(blocks);
+std::unique_ptr<LinearSystem> make_dense_system(const Unknowns& unknowns) {
+  return std::make_unique<DenseSystem>(unknowns);
 }
 
-std::unique_ptr<LinearSystem> make_linear_system(int blocks, const std::vector<std::pair<int, int>>& couples) {
-  constexpr int largest_dense = 12;
-  return blocks <= largest_dense ? make_dense_system(blocks) : make_sparse_system(blocks, couples);
+std::unique_ptr<LinearSystem> make_linear_system(const Unknowns& unknowns,
+                                                 const std::vector<std::pair<int, int>>& couples) {
+  constexpr int largest_dense = 72;  // unknowns: 12 deformable blocks
+  return unknowns.total <= largest_dense ? make_dense_system(unknowns) : make_sparse_system(unknowns, couples);
 }
 
 }  // namespace blockweir::solid

@@ -40,14 +40,14 @@ void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water)
 /// A large penalty leaves a sticking contact a narrow range of slips, in which Newton's method may jump to and fro
 /// between states; a smaller one takes more sweeps to the same answer.
 bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& water) {
-  const double usual = lagrangian_.settings().penalty_ratio;
+  const double usual = formulation_->settings().penalty_ratio;
   bool solved = false;
   for (double ratio = usual / 100; !solved && ratio >= usual / 1e6; ratio /= 100) {
     ++counts_.softened_steps;
-    lagrangian_.settings().penalty_ratio = ratio;
+    formulation_->settings().penalty_ratio = ratio;
     solved = attempt(dt, end_s, water);
   }
-  lagrangian_.settings().penalty_ratio = usual;
+  formulation_->settings().penalty_ratio = usual;
   return solved;
 }
 
@@ -66,6 +66,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     increment_[b] = frozen_[b] ? Vector6::Zero() : Vector6(dt * states_[b].velocity);
     history_[b] = newmark_.history(blocks_[b].mass, states_[b], dt);
+    past_velocity_[b] = newmark_.past_velocity(states_[b], dt);
     placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
   }
   for (Support& support : supports_) {
@@ -73,7 +74,8 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     support.separation =
         start_[b].position(support.material) - blocks_[b].centroid - support.material - support.target(end_s);
   }
-  lagrangian_.begin_step({blocks_, start_, increment_, start_}, matrix_, frozen_, contacts_, supports_);
+  const Trial at_start{blocks_, start_, still_, start_, past_velocity_, newmark_.velocity_factor(dt)};
+  formulation_->begin_step(at_start, matrix_, frozen_, contacts_, supports_);
 
   bool solved = true;
   for (IslandSystem& island : islands_) solved = solved && find_equilibrium(island);
@@ -94,10 +96,10 @@ void Solid::accept(double dt) {
     newmark_.finish(states_[b], increment_[b], dt);
     states_[b].force = balance_[b];
   }
-  if (newmark_.flips_held_velocities()) {
+  if (newmark_.flips_held_velocities() && formulation_->holds_exactly()) {
     for (IslandSystem& island : islands_) quiet_held_directions(island, dt);
   }
-  lagrangian_.accept(trial(), contacts_);
+  formulation_->accept(trial(), contacts_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (frozen_[b]) continue;
     states_[b].displacement += increment_[b];

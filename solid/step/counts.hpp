@@ -22,6 +22,7 @@ struct Counts {
   long state_changes = 0;   ///< open, stick, slip
   long broad_searches = 0;
   long settling_steps = 0;
+  double condition_number = 0;  ///< largest of all systems solved, where the scene asks for it
 };
 
 /// Seconds spent so far.

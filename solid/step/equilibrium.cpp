@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibrium of one island at the end of a step: Newton's method on (5)-(6) with the open-close states inside,
 // multipliers swept (8) each time it has converged.
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +18,15 @@ std::size_t at(int i) {
 }
 
 /// A generalized force as a plain one: moments and strain forces over the block's radius [N per metre].
-double magnitude(const Vector6& force, double radius) {
-  return std::max(force.head<2>().cwiseAbs().maxCoeff(), force.tail<4>().cwiseAbs().maxCoeff() / radius);
+double magnitude(const Vector6& force, const Block& block) {
+  const double turning = force.segment(2, block.unknowns() - 2).cwiseAbs().maxCoeff();
+  return std::max(force.head<2>().cwiseAbs().maxCoeff(), turning / block.radius);
+}
+
+/// In the 2-norm.
+double condition_number(const Eigen::MatrixXd& k) {
+  const Eigen::VectorXd singular = k.bdcSvd().singularValues();
+  return singular[0] / singular[singular.size() - 1];
 }
 
 }  // namespace
@@ -43,12 +51,9 @@ void Solid::prepare_islands() {
   for (const Support& s : supports_) support_blocks.push_back(s.block);
   islands_.clear();
   for (Island& island : find_islands(frozen_, links_, support_blocks)) {
-    IslandSystem system;
-    system.system = make_linear_system(static_cast<int>(island.blocks.size()), island.couples);
-    system.residual.resize(static_cast<Eigen::Index>(6 * island.blocks.size()));
-    system.correction.resize(system.residual.size());
-    system.island = std::move(island);
-    islands_.push_back(std::move(system));
+    std::vector<int> counts;
+    for (const int b : island.blocks) counts.push_back(blocks_[at(b)].unknowns());
+    islands_.emplace_back(std::move(island), Unknowns(counts));
   }
 }
 
@@ -58,26 +63,57 @@ bool Solid::find_equilibrium(IslandSystem& s) {
     bool symmetric = true;
     const double unbalanced = assemble(s, symmetric);
     if (!std::isfinite(unbalanced)) return false;
-    if (!swept && unbalanced <= lagrangian_.settings().force_tolerance_n) {
+    if (!swept && unbalanced <= formulation_->settings().force_tolerance_n) {
       ++counts_.sweeps;
-      if (lagrangian_.sweep(s.island.contacts, contacts_, s.island.supports, supports_) &&
-          !lagrangian_.break_bonds(s.island.contacts, contacts_)) {
+      if (formulation_->sweep({s.island.contacts, contacts_, s.island.supports, supports_}) &&
+          (formulation_->settings().joints_held || !break_bonds(laws_, s.island.contacts, contacts_))) {
         return true;
       }
       swept = true;
       continue;
     }
     swept = false;
-    const Stopwatch watch(profile_.solve);
-    if (!s.system->solve(symmetric, s.residual, s.correction)) return false;
-    ++counts_.iterations;
-    for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
-      const auto b = at(s.island.blocks[k]);
-      increment_[b] += s.correction.segment<6>(static_cast<Eigen::Index>(6 * k));
-      placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
-    }
+    if (!correct(s, symmetric)) return false;
   }
   return false;
+}
+
+/// One solution of the linearized equations, added to the trial.
+bool Solid::correct(IslandSystem& s, bool symmetric) {
+  const Stopwatch watch(profile_.solve);
+  if (s.unknown_forces.empty()) {
+    if (!s.system->solve(symmetric, s.residual, s.correction)) return false;
+  } else {
+    if (!s.saddle.solve(s.residual, s.correction, s.forces)) return false;
+    correct_forces(s);
+  }
+  ++counts_.iterations;
+  if (scene_.contact.measure_condition) {
+    counts_.condition_number = std::max(
+        counts_.condition_number, condition_number(s.unknown_forces.empty() ? s.system->dense() : s.saddle.dense()));
+  }
+  for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
+    const auto b = at(s.island.blocks[k]);
+    const int n = s.unknowns.count[k];
+    increment_[b].head(n) += s.correction.segment(s.unknowns.first[k], n);
+    placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
+  }
+  return true;
+}
+
+void Solid::correct_forces(IslandSystem& s) {
+  std::size_t next = 0;  // of the unknown forces; those of a contact or support follow each other
+  const auto force_of = [&](bool support, int index) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (; next < s.unknown_forces.size(); ++next) {
+      const UnknownForce& unknown = s.unknown_forces[next];
+      if (unknown.support != support || unknown.index != index) break;
+      sum += s.forces[static_cast<Eigen::Index>(next)] * unknown.force;
+    }
+    return sum;
+  };
+  for (const int k : s.island.contacts) formulation_->correct_contact(k, contacts_[at(k)], force_of(false, k));
+  for (const int k : s.island.supports) formulation_->correct_support(k, supports_[at(k)], force_of(true, k));
 }
 
 /// The blocks' own matrices on the diagonal.
@@ -103,6 +139,21 @@ void Solid::add_stiffness(LinearSystem& system, const Interaction& action) const
   add(action.block_j, action.shape_j, action.block_i, action.shape_i, -1);
 }
 
+/// Forces that are unknowns: their columns and equations.
+void Solid::add_constraints(IslandSystem& s, const Interaction& action, bool support, int index) const {
+  for (int i = 0; i < action.constraint_count; ++i) {
+    const Constraint& c = action.constraints[at(i)];
+    s.saddle.add_force(c.violation, c.compliance);
+    s.unknown_forces.push_back({support, index, c.force});
+    const auto couple = [&](int block, const Matrix26& shape, double sign) {
+      if (block < 0 || frozen_[at(block)]) return;
+      s.saddle.couple(local_[at(block)], sign * (shape.transpose() * c.force), sign * (shape.transpose() * c.row));
+    };
+    couple(action.block_i, action.shape_i, 1);
+    couple(action.block_j, action.shape_j, -1);
+  }
+}
+
 /// Velocities along held directions (closed contacts, sticking ones along the edge too, supports) become the mean of
 /// the step: the velocities get the smallest change, in the metric of the step's matrix, that does so. Friction of a
 /// slipping contact has no part in it: with that coupling the projection could grow what it should remove.
@@ -114,35 +165,39 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
     return shape * (increment_[at(block)] / dt - states_[at(block)].velocity);
   };
   std::vector<Interaction> actions;
-  for (const int k : s.island.contacts) actions.push_back(lagrangian_.contact(trial(), k, contacts_[at(k)]));
-  for (const int k : s.island.supports) actions.push_back(lagrangian_.support(trial(), k, supports_[at(k)]));
+  for (const int k : s.island.contacts) actions.push_back(formulation_->contact(trial(), k, contacts_[at(k)]));
+  for (const int k : s.island.supports) actions.push_back(formulation_->support(trial(), k, supports_[at(k)]));
   std::vector<Eigen::Vector2d> pull(actions.size(), Eigen::Vector2d::Zero());
   for (std::size_t k = 0; k < actions.size(); ++k) {
     const Interaction& a = actions[k];
     if (!a.acts()) continue;
     const Eigen::Vector2d m = mismatch(a.block_i, a.shape_i) - mismatch(a.block_j, a.shape_j);
     for (int axis = 0; axis < 2; ++axis) {
-      pull[k][axis] = a.stiffness(axis, axis) * m[axis];
-      if (a.stiffness(axis, axis) > 0) loudest = std::max(loudest, std::abs(m[axis]));
+      pull[k][axis] = a.held[axis] * m[axis];
+      if (a.held[axis] > 0) loudest = std::max(loudest, std::abs(m[axis]));
     }
   }
   if (loudest <= unheard_m_per_s) return;
 
   set_block_matrices(s);
   s.residual.setZero();
+  const auto add = [&](int block, const Vector6& push) {
+    if (block < 0 || frozen_[at(block)]) return;
+    const auto k = at(local_[at(block)]);
+    s.residual.segment(s.unknowns.first[k], s.unknowns.count[k]) += push.head(s.unknowns.count[k]);
+  };
   for (std::size_t k = 0; k < actions.size(); ++k) {
     Interaction& a = actions[k];
     if (!a.acts()) continue;
-    a.stiffness = a.stiffness.diagonal().asDiagonal().toDenseMatrix();
+    a.stiffness = a.held.asDiagonal().toDenseMatrix();
     add_stiffness(*s.system, a);
-    if (!frozen_[at(a.block_i)]) s.residual.segment<6>(6 * local_[at(a.block_i)]) += a.shape_i.transpose() * pull[k];
-    if (a.block_j >= 0 && !frozen_[at(a.block_j)]) {
-      s.residual.segment<6>(6 * local_[at(a.block_j)]) -= a.shape_j.transpose() * pull[k];
-    }
+    add(a.block_i, a.shape_i.transpose() * pull[k]);
+    if (a.block_j >= 0) add(a.block_j, -(a.shape_j.transpose() * pull[k]));
   }
   if (!s.system->solve(/*symmetric=*/true, s.residual, s.correction)) return;
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
-    states_[at(s.island.blocks[k])].velocity += s.correction.segment<6>(static_cast<Eigen::Index>(6 * k));
+    const int n = s.unknowns.count[k];
+    states_[at(s.island.blocks[k])].velocity.head(n) += s.correction.segment(s.unknowns.first[k], n);
   }
 }
 
@@ -150,42 +205,46 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
 double Solid::assemble(IslandSystem& s, bool& symmetric) {
   const Stopwatch watch(profile_.assembly);
   const double mass_factor = newmark_.mass_factor(matrices_dt_);
-  const auto count = static_cast<int>(s.island.blocks.size());
   set_block_matrices(s);
   for (const int block : s.island.blocks) {
     const auto b = at(block);
-    const Vector6 velocity =
-        newmark_.velocity_factor(matrices_dt_) * increment_[b] + newmark_.past_velocity(states_[b], matrices_dt_);
+    const Vector6 velocity = newmark_.velocity_factor(matrices_dt_) * increment_[b] + past_velocity_[b];
     const Vector6 drag = blocks_[b].damping * velocity;
     balance_[b] = external_[b] - blocks_[b].stiffness * (states_[b].displacement + increment_[b]) - drag;
-    round_off_[b] = round_off * (magnitude(external_[b], blocks_[b].radius) + magnitude(drag, blocks_[b].radius));
+    round_off_[b] = round_off * (magnitude(external_[b], blocks_[b]) + magnitude(drag, blocks_[b]));
   }
 
-  const auto add = [&](const Interaction& action) {
+  s.saddle.set_zero();
+  s.unknown_forces.clear();
+  const auto add = [&](const Interaction& action, bool support, int index) {
     if (!action.acts()) return;
-    symmetric = symmetric && action.stiffness(1, 0) == action.stiffness(0, 1);
     const auto side = [&](int block, const Matrix26& shape, double sign) {
       if (block < 0 || frozen_[at(block)]) return;
       const Vector6 force = sign * (shape.transpose() * action.force);
       balance_[at(block)] += force;
-      round_off_[at(block)] += round_off * magnitude(force, blocks_[at(block)].radius) + action.round_off;
+      round_off_[at(block)] += round_off * magnitude(force, blocks_[at(block)]) + action.round_off;
     };
     side(action.block_i, action.shape_i, 1);
     side(action.block_j, action.shape_j, -1);
+    if (action.constraint_count > 0) return add_constraints(s, action, support, index);
+    symmetric = symmetric && action.stiffness(1, 0) == action.stiffness(0, 1);
     add_stiffness(*s.system, action);
   };
-  for (const int k : s.island.contacts) add(lagrangian_.contact(trial(), k, contacts_[at(k)]));
-  for (const int k : s.island.supports) add(lagrangian_.support(trial(), k, supports_[at(k)]));
+  for (const int k : s.island.contacts) add(formulation_->contact(trial(), k, contacts_[at(k)]), false, k);
+  for (const int k : s.island.supports) add(formulation_->support(trial(), k, supports_[at(k)]), true, k);
+  if (!s.unknown_forces.empty()) {
+    for (const int b : s.island.blocks) s.saddle.add(local_[at(b)], matrix_[at(b)]);
+  }
 
   double unbalanced = 0;
-  for (int k = 0; k < count; ++k) {
-    const auto b = at(s.island.blocks[at(k)]);
+  for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
+    const auto b = at(s.island.blocks[k]);
     const Vector6 inertia = mass_factor * (blocks_[b].mass * increment_[b]);
     const Vector6 residual = balance_[b] - inertia + history_[b];
-    s.residual.segment<6>(6 * k) = residual;
+    s.residual.segment(s.unknowns.first[k], s.unknowns.count[k]) = residual.head(s.unknowns.count[k]);
     const double noise =
-        round_off_[b] + round_off * (magnitude(inertia, blocks_[b].radius) + magnitude(history_[b], blocks_[b].radius));
-    const double force = magnitude(residual, blocks_[b].radius);
+        round_off_[b] + round_off * (magnitude(inertia, blocks_[b]) + magnitude(history_[b], blocks_[b]));
+    const double force = magnitude(residual, blocks_[b]);
     unbalanced = std::isfinite(force) ? std::max(unbalanced, force - noise) : force;
     if (!std::isfinite(unbalanced)) break;
   }

@@ -43,7 +43,7 @@ void Solid::settle(const std::vector<Panel>& water) {
   const std::vector<bool> waiting = unanchored();
   for (std::size_t b = 0; b < blocks_.size(); ++b) frozen_[b] = fixed[b] || waiting[b];
   const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
-  lagrangian_.settings().joints_held = true;
+  formulation_->settings().joints_held = true;
   matrices_dt_ = -1;
   islands_.clear();
 
@@ -59,7 +59,7 @@ void Solid::settle(const std::vector<Panel>& water) {
     if (largest_increment() <= at_rest_m) break;
   }
 
-  lagrangian_.settings().joints_held = false;
+  formulation_->settings().joints_held = false;
   relax(pseudo_step_s, water);
   counts_.steps = 0;
   newmark_ = scheme;

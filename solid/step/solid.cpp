@@ -36,6 +36,12 @@ double weight_of_all(const std::vector<Block>& blocks, double gravity) {
   return mass > 0 ? mass * (gravity > 0 ? gravity : 1.0) : 1.0;
 }
 
+double largest_modulus(const scene::Scene& scene) {
+  double largest = 0;
+  for (const auto& material : scene.materials) largest = std::max(largest, material.youngs_modulus_pa);
+  return largest;
+}
+
 std::vector<Support> make_supports(const scene::Scene& scene, const std::vector<Block>& blocks) {
   std::vector<Support> supports;
   for (const auto& described : scene.supports) {
@@ -60,10 +66,14 @@ Solid::Solid(const scene::Scene& scene)
       supports_(make_supports(scene, blocks_)),
       next_dt_(scene.analysis.step_s),
       newmark_(Newmark::of(scene.analysis.integrator, scene.analysis.spectral_radius)),
-      lagrangian_(laws_, {.penetration_tolerance_m = scene.contact.penetration_tolerance_m,
-                          .force_tolerance_n = scene.contact.force_tolerance * force_scale_,
-                          .position_round_off_m = 2 * std::numeric_limits<double>::epsilon() * size_,
-                          .initial_penalty = scene.contact.initial_penalty_n_per_m2}),
+      formulation_(make_formulation(scene.contact.formulation, laws_,
+                                    {.penetration_tolerance_m = scene.contact.penetration_tolerance_m,
+                                     .force_tolerance_n = scene.contact.force_tolerance * force_scale_,
+                                     .position_round_off_m = 2 * std::numeric_limits<double>::epsilon() * size_,
+                                     .initial_penalty = scene.contact.initial_penalty_n_per_m2,
+                                     .contact_stiffness = scene.contact.stiffness_n_per_m2,
+                                     .dashpot_ratio = scene.contact.dashpot_ratio,
+                                     .largest_modulus_pa = largest_modulus(scene)})),
       // Two blocks may each move by the largest displacement of a step, one towards the other.
       search_(blocks_, laws_, size_, 2.5 * scene.analysis.max_displacement_ratio * size_) {
   const std::size_t n = blocks_.size();
@@ -82,7 +92,9 @@ Solid::Solid(const scene::Scene& scene)
   matrix_.resize(n);
   external_.resize(n);
   history_.resize(n);
+  past_velocity_.assign(n, Vector6::Zero());
   increment_.assign(n, Vector6::Zero());
+  still_ = increment_;
   placement_ = start_;
   balance_.assign(n, Vector6::Zero());
   round_off_.resize(n);
@@ -97,14 +109,14 @@ void Solid::bond_touching_contacts() {
   const auto pair = [](const ContactPoint& c) { return std::minmax(c.vertex_block, c.edge_block); };
   for (ContactPoint& c : contacts_) {
     if (std::abs(c.gap) > touching) continue;
-    c.bonded = true;
+    c.bond = 1;
     c.state = ContactState::stick;
   }
   for (ContactPoint& c : contacts_) {
-    if (!c.bonded) continue;
+    if (!c.bonded()) continue;
     double whole = 0;
     for (const ContactPoint& other : contacts_) {
-      if (other.bonded && pair(other) == pair(c)) whole += other.length;
+      if (other.bonded() && pair(other) == pair(c)) whole += other.length;
     }
     const double bonded = laws_[c.law].bonded_length_m;
     c.bond_length = bonded < 0 || whole == 0 ? c.length : c.length * std::min(1.0, bonded / whole);
@@ -113,7 +125,7 @@ void Solid::bond_touching_contacts() {
 
 Counts Solid::counts() const {
   Counts counts = counts_;
-  counts.state_changes = lagrangian_.state_changes();
+  counts.state_changes = formulation_->state_changes();
   counts.broad_searches = search_.broad_searches();
   return counts;
 }

@@ -7,10 +7,11 @@
 
 #include "bridge/scene/scene.hpp"
 #include "solid/block/loads.hpp"
-#include "solid/contact/augmented_lagrangian.hpp"
+#include "solid/contact/bonds.hpp"
+#include "solid/contact/formulation.hpp"
 #include "solid/contact/search.hpp"
 #include "solid/solve/islands.hpp"
-#include "solid/solve/linear_system.hpp"
+#include "solid/solve/saddle_point.hpp"
 #include "solid/step/counts.hpp"
 #include "solid/step/newmark.hpp"
 
@@ -42,11 +43,28 @@ class Solid {
   [[nodiscard]] double largest_displacement_m() const;
 
  private:
+  /// A force that is solved for, of a contact or a support: what a unit of it exerts (normal, shear).
+  struct UnknownForce {
+    bool support;
+    int index;
+    Eigen::Vector2d force;
+  };
   struct IslandSystem {
+    IslandSystem(Island of, const Unknowns& its)
+        : island(std::move(of)),
+          unknowns(its),
+          system(make_linear_system(unknowns, island.couples)),
+          saddle(unknowns),
+          residual(unknowns.total),
+          correction(unknowns.total) {}
     Island island;
+    Unknowns unknowns;
     std::unique_ptr<LinearSystem> system;
+    SaddlePoint saddle;  ///< instead of it while there are unknown forces
+    std::vector<UnknownForce> unknown_forces;
     Eigen::VectorXd residual;
     Eigen::VectorXd correction;
+    Eigen::VectorXd forces;
   };
 
   void bond_touching_contacts();
@@ -57,13 +75,18 @@ class Solid {
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
+  bool correct(IslandSystem& island, bool symmetric);
+  void correct_forces(IslandSystem& island);
   double assemble(IslandSystem& island, bool& symmetric);
   void set_block_matrices(IslandSystem& island);
   void add_stiffness(LinearSystem& system, const Interaction& action) const;
+  void add_constraints(IslandSystem& island, const Interaction& action, bool support, int index) const;
   void quiet_held_directions(IslandSystem& island, double dt);
   void accept(double dt);
   [[nodiscard]] double largest_increment() const;
-  [[nodiscard]] Trial trial() const { return {blocks_, start_, increment_, placement_}; }
+  [[nodiscard]] Trial trial() const {
+    return {blocks_, start_, increment_, placement_, past_velocity_, newmark_.velocity_factor(matrices_dt_)};
+  }
   void require_finite(double time_s) const;
   [[nodiscard]] std::vector<bool> unanchored() const;
 
@@ -85,15 +108,17 @@ class Solid {
 
   // The step at hand.
   Newmark newmark_;
-  AugmentedLagrangian lagrangian_;
+  std::unique_ptr<Formulation> formulation_;
   ContactSearch search_;
-  std::vector<bool> frozen_;         ///< fixed, or waiting while others settle
-  double matrices_dt_ = -1;          ///< step that matrix_ was made for
-  std::vector<Matrix6> matrix_;      ///< inertia and elasticity of each block
-  std::vector<Matrix6> compliance_;  ///< its inverse, zero for frozen blocks
-  std::vector<Vector6> external_;    ///< loads at the end of the step
-  std::vector<Vector6> history_;     ///< what inertia remembers
+  std::vector<bool> frozen_;            ///< fixed, or waiting while others settle
+  double matrices_dt_ = -1;             ///< step that matrix_ was made for
+  std::vector<Matrix6> matrix_;         ///< inertia and elasticity of each block
+  std::vector<Matrix6> compliance_;     ///< its inverse, zero for frozen blocks
+  std::vector<Vector6> external_;       ///< loads at the end of the step
+  std::vector<Vector6> history_;        ///< what inertia remembers
+  std::vector<Vector6> past_velocity_;  ///< what velocity would be at the end of the step without an increment
   std::vector<Vector6> increment_;
+  std::vector<Vector6> still_;  ///< no increment
   std::vector<Placement> placement_;
   std::vector<Vector6> balance_;   ///< all forces but inertia
   std::vector<double> round_off_;  ///< what is uncertain of balance_ [N per metre]

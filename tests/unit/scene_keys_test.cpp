@@ -30,7 +30,7 @@ TEST(SceneKeys, AnUnknownKeyNamesTheNearest) {
 }
 
 TEST(SceneKeys, AnUnknownKeyWithoutRelativesListsTheRightOnes) {
-  expect_error(with("max_iterations = 100", "zebra = 100"), 7, {"one of initial_penalty_n_per_m2, "});
+  expect_error(with("max_iterations = 100", "zebra = 100"), 7, {"one of formulation, "});
 }
 
 TEST(SceneKeys, AnUnknownSectionNamesTheNearest) {
@@ -50,6 +50,18 @@ TEST(SceneKeys, AWrongUnitNamesTheRightOne) {
   expect_error(with("[water]", "[water]\nlevel_mm = 3"), 45, {"unknown key \"level_mm\"", "upstream_level_m, in m;"});
   expect_error(with("step_s = 0.01", "step = 0.01"), 5, {"expected step_s, in s;"});
   expect_error(with("window_s", "window_ms"), 49, {"expected window_s, in s;"});
+}
+
+TEST(SceneKeys, KeysOfAnotherContactFormulationAreRefused) {
+  expect_error(with("max_iterations = 100", "dashpot_ratio = 0.1"), 7,
+               {"dashpot_ratio belongs to another formulation", "expected formulation = \"penalty\" beside it"});
+  EXPECT_THAT(errors(with("max_iterations = 100", "formulation = \"penalty\"\nstiffness_n_per_m2 = 1e12")), IsEmpty());
+}
+
+TEST(SceneKeys, ATensionBeyondTheApexOfMohrCoulombIsNoted) {
+  const auto read = blockweir::scene::read_text(with("[joint]\n", "[joint]\ntension_strength_pa = 1e5\n"), "s.toml");
+  ASSERT_THAT(read.notes, SizeIs(1));
+  EXPECT_THAT(read.notes[0].text(), HasSubstr("bears no shear under a tension above"));
 }
 
 TEST(SceneKeys, AMissingKeyIsNamed) {

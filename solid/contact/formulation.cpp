@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/contact/formulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blockweir::solid {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, const JointLaws& laws,
+                                              const FormulationSettings& settings) {
+  switch (which) {
+    case scene::ContactFormulation::penalty:
+      return make_penalty(laws, settings);
+    case scene::ContactFormulation::lagrange_multiplier:
+      return make_lagrange_multiplier(laws, settings);
+    case scene::ContactFormulation::augmented_lagrangian:
+      break;
+  }
+  return make_augmented_lagrangian(laws, settings);
+}
+
+void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+                        const std::vector<ContactPoint>& contacts, const std::vector<Support>& supports) {
+  // Rayleigh quotient of the block's matrix along a point's motion: no mode that the point can excite is stiffer
+  // by much. (Its inverse counterpart 1/(n W n) sees the softest mode, and sweeps then stall in the stiff ones.)
+  const auto flexibility = [&](int block, const Eigen::Matrix<double, 1, 6>& shape) {
+    if (frozen[at(block)]) return 0.0;
+    const int n = trial.blocks[at(block)].unknowns();
+    const Eigen::VectorXd motion = shape.head(n).transpose();
+    return motion.squaredNorm() * motion.squaredNorm() / motion.dot(matrix[at(block)].topLeftCorner(n, n) * motion);
+  };
+  contacts_.assign(contacts.size(), {});
+  supports_.assign(supports.size(), {});
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const ContactPoint& c = contacts[k];
+    const Point n = edge_frame(trial, c).n;
+    const Matrix26 Tv = trial.placement[at(c.vertex_block)].shape(vertex_point(trial, c));
+    const Matrix26 Te = trial.placement[at(c.edge_block)].shape(edge_point(trial, c, c.anchor));
+    contacts_[k].stiffness =
+        1 / (flexibility(c.vertex_block, n.transpose() * Tv) + flexibility(c.edge_block, n.transpose() * Te));
+    contacts_[k].slip_force = c.multiplier.y();
+  }
+  for (std::size_t k = 0; k < supports.size(); ++k) {
+    const Support& s = supports[k];
+    const Matrix26 T = trial.placement[at(s.block)].shape(s.material);
+    supports_[k].stiffness = 2 / (flexibility(s.block, T.row(0)) + flexibility(s.block, T.row(1)));
+  }
+}
+
+Formulation::Progress& Formulation::follow(const Trial& trial, int index, const ContactPoint& c,
+                                           const EdgeFrame& edge) {
+  Progress& progress = contacts_[at(index)];
+  progress.separation = separation_of(trial, c, edge);
+  progress.separation.value.x() -= laws_[c.law].dilation_m(c.slip_m + progress.separation.value.y());
+  return progress;
+}
+
+double Formulation::dilation_slope(const ContactPoint& c, const Progress& progress) const {
+  if (c.state != ContactState::slip) return 0;
+  return laws_[c.law].dilation_slope(c.slip_m + progress.separation.value.y(), -progress.slip_force);
+}
+
+JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::Vector2d& stuck) {
+  JointForce force;
+  if (settings_.joints_held) {
+    if (c.state != ContactState::open) force = {ContactState::stick, stuck.x(), stuck.y(), 0};
+  } else {
+    force = admissible(laws_[c.law].strength(c.bond, c.bond_length), stuck.x(), stuck.y());
+    // Slip may not reverse without passing through stick: Newton's method would jump to and fro across the narrow
+    // range of slips in which the penalty keeps the shear force within its bounds.
+    progress.turning = c.state == ContactState::slip && force.state == ContactState::slip &&
+                       std::signbit(force.shear) != std::signbit(progress.slip_force);
+    if (progress.turning) force = {ContactState::stick, stuck.x(), stuck.y(), 0};
+  }
+  progress.slip_force = force.shear;
+  if (force.state != c.state) ++state_changes_;
+  c.state = force.state;
+  progress.force = {force.normal, force.shear};
+  c.force = progress.force;
+  progress.violated = {force.state == ContactState::open ? 0 : progress.separation.value.x(),
+                       force.state == ContactState::stick ? progress.separation.value.y() : 0};
+  return force;
+}
+
+void Formulation::accept(const Trial& trial, std::vector<ContactPoint>& contacts) const {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    ContactPoint& c = contacts[k];
+    if (c.state != ContactState::slip) continue;
+    const double slip = contacts_[k].separation.value.y() - c.elastic_slip;
+    c.slip_m += slip;
+    c.slip_path_m += std::abs(slip);
+    c.anchor += slip / edge_frame(trial, c).length;
+    if (c.bond > 0) c.bond = std::min(c.bond, laws_[c.law].bond_after(c.slip_path_m));
+  }
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How contacts and supports are enforced: the interface that penalty, Lagrange multipliers and the augmented Lagrangian
+// share.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bridge/scene/scene.hpp"
+#include "solid/contact/joint_laws.hpp"
+#include "solid/contact/trial.hpp"
+
+namespace blockweir::solid {
+
+struct FormulationSettings {
+  double penetration_tolerance_m = 1e-9;
+  double force_tolerance_n = 1e-4;          ///< N per metre
+  double position_round_off_m = 0;          ///< separations below this are zero, as coordinates know no better
+  std::optional<double> initial_penalty;    ///< augmented Lagrangian; N/m per metre
+  std::optional<double> contact_stiffness;  ///< penalty method; N/m per metre
+  double dashpot_ratio = 0;                 ///< penalty method; of critical damping
+  double largest_modulus_pa = 0;            ///< of the scene's materials
+  double penalty_ratio = 1e4;               ///< penalty a step starts with, over the blocks' own stiffness
+  bool joints_held = false;                 ///< every contact in touch sticks, whatever its law says
+};
+
+/// What an island hands over: indices of its contacts and supports, and all of them.
+struct Held {
+  std::span<const int> contact_ids;
+  std::vector<ContactPoint>& contacts;
+  std::span<const int> support_ids;
+  std::vector<Support>& supports;
+};
+
+class Formulation {
+ public:
+  virtual ~Formulation() = default;
+
+  /// For the step at hand; `matrix[b]` is block b's own matrix in it (inertia and elasticity). Frozen blocks do not
+  /// move.
+  virtual void begin_step(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+                          std::vector<ContactPoint>& contacts, std::vector<Support>& supports) = 0;
+
+  /// Admissible force of contact `index` at the trial positions, with its linearization; sets the contact's state.
+  virtual Interaction contact(const Trial& trial, int index, ContactPoint& point) = 0;
+  virtual Interaction support(const Trial& trial, int index, Support& point) = 0;
+
+  /// Called in equilibrium: true when contacts and supports are within tolerance; else their memory was updated and
+  /// equilibrium is to be found again.
+  virtual bool sweep(const Held& held) = 0;
+
+  /// Where forces are unknowns of the system: their correction, as solved for.
+  virtual void correct_contact(int /*index*/, ContactPoint& /*point*/, const Eigen::Vector2d& /*force*/) {}
+  virtual void correct_support(int /*index*/, Support& /*point*/, const Eigen::Vector2d& /*force*/) {}
+
+  /// Is a velocity along a closed contact an error of the time integration? Not where contacts are springs.
+  [[nodiscard]] virtual bool holds_exactly() const { return true; }
+
+  /// Slip, dilation and anchors of an accepted step.
+  void accept(const Trial& trial, std::vector<ContactPoint>& contacts) const;
+
+  FormulationSettings& settings() { return settings_; }
+  /// Counted up by one for each contact whose state differs from the evaluation before.
+  [[nodiscard]] long state_changes() const { return state_changes_; }
+
+ protected:
+  Formulation(const JointLaws& laws, const FormulationSettings& settings) : laws_(laws), settings_(settings) {}
+
+  /// Of a contact or support, in the step at hand.
+  struct Progress {
+    Separation separation;                               ///< at the trial
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();     ///< admissible force there
+    Eigen::Vector2d violated = Eigen::Vector2d::Zero();  ///< part of the separation that should be zero
+    double round_off = 0;                                ///< uncertainty of the force [N per metre]
+    double slip_force = 0;  ///< shear force of the evaluation before, whose sign is the direction of slip
+    bool turning = false;   ///< slip was about to reverse and is tried as stick; not a state to end in
+    double last_violation = std::numeric_limits<double>::infinity();  ///< at the sweep before
+    double stiffness = 0;  ///< of the blocks against the contact [N/m per metre]
+  };
+
+  /// Prepares a Progress each, with the stiffness by which the blocks themselves resist at the contact.
+  void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+             const std::vector<ContactPoint>& contacts, const std::vector<Support>& supports);
+
+  /// Separation that the contact resists: the gap less what dilation has opened, and the slip.
+  Progress& follow(const Trial& trial, int index, const ContactPoint& c, const EdgeFrame& edge);
+
+  /// State and admissible force from those that would act if the contact stuck; notes what of the separation is
+  /// violated.
+  JointForce judge(Progress& progress, ContactPoint& c, const Eigen::Vector2d& stuck);
+
+  /// d(resisted gap)/d(slip) of a slipping contact that dilates; else 0.
+  [[nodiscard]] double dilation_slope(const ContactPoint& c, const Progress& progress) const;
+
+  const JointLaws& laws_;
+  FormulationSettings settings_;
+  std::vector<Progress> contacts_;
+  std::vector<Progress> supports_;
+
+ private:
+  long state_changes_ = 0;
+};
+
+std::unique_ptr<Formulation> make_penalty(const JointLaws& laws, const FormulationSettings& settings);
+std::unique_ptr<Formulation> make_lagrange_multiplier(const JointLaws& laws, const FormulationSettings& settings);
+std::unique_ptr<Formulation> make_augmented_lagrangian(const JointLaws& laws, const FormulationSettings& settings);
+std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, const JointLaws& laws,
+                                              const FormulationSettings& settings);
+
+}  // namespace blockweir::solid

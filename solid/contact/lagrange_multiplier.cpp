@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Classical Lagrange multipliers: contact forces are unknowns beside the displacements, gaps and slips their equations.
+// States follow the primal-dual active set: a contact is closed, sticks or slips by what multiplier less c * separation
+// would be admissible to, for any c > 0.
+#include <cmath>
+
+#include "solid/contact/formulation.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+// Contacts between two stiff faces are often redundant, the saddle-point matrix then singular: constraints give way by
+// this much of the blocks' own compliance, and Newton's iterations take its trace out of the answer.
+constexpr double regularization = 1e-9;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+class LagrangeMultiplier final : public Formulation {
+ public:
+  LagrangeMultiplier(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
+
+  void begin_step(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+                  std::vector<ContactPoint>& contacts, std::vector<Support>& supports) override {
+    begin(trial, matrix, frozen, contacts, supports);
+    for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k].penalty = contacts_[k].stiffness;
+    for (std::size_t k = 0; k < supports.size(); ++k) supports[k].penalty = supports_[k].stiffness;
+  }
+
+  Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
+    const EdgeFrame edge = edge_frame(trial, c);
+    Progress& progress = follow(trial, index, c, edge);
+    const JointForce stuck = judge(progress, c, c.multiplier - c.penalty * progress.separation.value);
+    if (stuck.state == ContactState::open) return {.block_i = c.vertex_block, .block_j = c.edge_block};
+    Interaction action = interaction_of(trial, c, edge, progress.separation.value.y());
+    const double compliance = regularization / c.penalty;
+    double shear = c.multiplier.y();
+    double slope = 0;
+    if (stuck.state == ContactState::slip) {
+      const Strength strength = laws_[c.law].strength(c.bond, c.bond_length);
+      const double bound = std::max(0.0, strength.cohesion + c.multiplier.x() * strength.friction);
+      shear = std::copysign(bound, stuck.shear);
+      slope = dilation_slope(c, progress);
+    } else {
+      action.constraints[1] = {{0, 1}, {0, 1}, progress.separation.value.y(), compliance};
+    }
+    action.constraints[0] = {{1, slope}, {1, stuck.shear_per_normal}, progress.separation.value.x(), compliance};
+    action.constraint_count = stuck.state == ContactState::stick ? 2 : 1;
+    action.force = c.force = progress.force = {c.multiplier.x(), shear};
+    action.held = {c.penalty, stuck.state == ContactState::stick ? c.penalty : 0};
+    return action;
+  }
+
+  Interaction support(const Trial& trial, int index, Support& s) override {
+    Progress& progress = supports_[at(index)];
+    progress.separation = separation_of(trial, s);
+    progress.violated = progress.separation.value;
+    Interaction action = interaction_of(trial, s);
+    action.force = s.multiplier;
+    action.held = s.penalty * s.held();
+    for (int axis = 0; axis < 2; ++axis) {
+      if (s.held()[axis] == 0) continue;
+      const Eigen::Vector2d unit = Eigen::Vector2d::Unit(axis);
+      action.constraints[at(action.constraint_count++)] = {unit, unit, progress.violated[axis],
+                                                           regularization / s.penalty};
+    }
+    return action;
+  }
+
+  bool sweep(const Held& held) override {
+    bool settled = true;
+    const auto within = [this](const Progress& p) {
+      return !p.turning && p.violated.cwiseAbs().maxCoeff() <= settings_.penetration_tolerance_m;
+    };
+    for (const int k : held.contact_ids) {
+      ContactPoint& c = held.contacts[at(k)];
+      if (c.state == ContactState::open) c.multiplier.setZero();
+      settled = settled && within(contacts_[at(k)]);
+    }
+    for (const int k : held.support_ids) settled = settled && within(supports_[at(k)]);
+    return settled;
+  }
+
+  /// Axes without a constraint get what the law says at the corrected normal force.
+  void correct_contact(int index, ContactPoint& c, const Eigen::Vector2d& force) override {
+    if (c.state == ContactState::open) return c.multiplier.setZero(), void();
+    c.multiplier = contacts_[at(index)].force + force;
+  }
+  void correct_support(int /*index*/, Support& s, const Eigen::Vector2d& force) override { s.multiplier += force; }
+};
+
+}  // namespace
+
+std::unique_ptr<Formulation> make_lagrange_multiplier(const JointLaws& laws, const FormulationSettings& settings) {
+  return std::make_unique<LagrangeMultiplier>(laws, settings);
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Penalty method: a contact is a spring, and a dashpot where the scene says so. The penetration is what the spring
+// needs.
+#include <Eigen/LU>
+#include <cmath>
+
+#include "solid/contact/formulation.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+constexpr double stiffness_over_modulus = 40;  // springs that give a tenth of a per cent of a block's own strain
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+class Penalty final : public Formulation {
+ public:
+  Penalty(const JointLaws& laws, const FormulationSettings& settings)
+      : Formulation(laws, settings),
+        spring_(settings.contact_stiffness.value_or(stiffness_over_modulus * settings.largest_modulus_pa)) {}
+
+  void begin_step(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+                  std::vector<ContactPoint>& contacts, std::vector<Support>& supports) override {
+    begin(trial, matrix, frozen, contacts, supports);
+    for (ContactPoint& c : contacts) c.penalty = spring_;
+    for (Support& s : supports) s.penalty = spring_;
+    dashpots_.assign(contacts.size(), {});
+    if (settings_.dashpot_ratio > 0 && trial.velocity_factor > 0) {
+      for (std::size_t k = 0; k < contacts.size(); ++k) dashpots_[k] = dashpot(trial, frozen, contacts[k]);
+    }
+  }
+
+  Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
+    const EdgeFrame edge = edge_frame(trial, c);
+    Progress& progress = follow(trial, index, c, edge);
+    const Dashpot& dashpot = dashpots_[at(index)];
+    const Separation& apart = progress.separation;
+    progress.round_off = separation_round_off * c.penalty * apart.moved;
+    const Eigen::Vector2d moved = apart.value - dashpot.start;  // since the start of the step
+    const Eigen::Vector2d rate = trial.velocity_factor * moved + dashpot.past_rate;
+    const JointForce force = judge(progress, c, -spring_ * apart.value - dashpot.coefficient * rate);
+    c.elastic_slip = force.state == ContactState::slip ? -force.shear / spring_ : 0;
+    if (force.state == ContactState::open) return {.block_i = c.vertex_block, .block_j = c.edge_block};
+    Interaction action = interaction_of(trial, c, edge, apart.value.y());
+    action.force = progress.force;
+    action.round_off = progress.round_off;
+    const double stiffness = spring_ + dashpot.coefficient * trial.velocity_factor;
+    action.stiffness(0, 0) = stiffness;
+    if (force.state == ContactState::stick) {
+      action.stiffness(1, 1) = stiffness;
+    } else {
+      action.stiffness(0, 1) = dilation_slope(c, progress) * stiffness;
+      action.stiffness.row(1) = force.shear_per_normal * action.stiffness.row(0);
+    }
+    return action;
+  }
+
+  Interaction support(const Trial& trial, int index, Support& s) override {
+    Progress& progress = supports_[at(index)];
+    progress.separation = separation_of(trial, s);
+    Interaction action = interaction_of(trial, s);
+    action.force = -spring_ * progress.separation.value;
+    action.round_off = separation_round_off * spring_ * progress.separation.moved;
+    action.stiffness = (spring_ * s.held()).asDiagonal().toDenseMatrix();
+    s.multiplier = action.force;
+    return action;
+  }
+
+  bool sweep(const Held& held) override {
+    for (const int k : held.contact_ids) {
+      if (contacts_[at(k)].turning) return false;
+      held.contacts[at(k)].multiplier = held.contacts[at(k)].force;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool holds_exactly() const override { return false; }
+
+ private:
+  struct Dashpot {
+    double coefficient = 0;                               ///< N s/m per metre
+    Eigen::Vector2d start = Eigen::Vector2d::Zero();      ///< separation at the start of the step [m]
+    Eigen::Vector2d past_rate = Eigen::Vector2d::Zero();  ///< of separation, with no further movement [m/s]
+  };
+
+  /// The ratio is of the critical damping of the spring with the mass that both blocks put against it, as if they were
+  /// rigid and alone: 1/m = n^T M^-1 n over both.
+  [[nodiscard]] Dashpot dashpot(const Trial& trial, const std::vector<bool>& frozen, const ContactPoint& c) const {
+    const EdgeFrame edge = edge_frame(trial, c);
+    const Interaction action = interaction_of(trial, c, edge, 0);
+    double inverse_mass = 0;
+    Dashpot dashpot{.start = separation_of(trial, c, edge).value};
+    const auto add = [&](int block, const Matrix26& shape, double sign) {
+      if (frozen[at(block)]) return;
+      const Eigen::Matrix<double, 1, 3> n = shape.row(0).head<3>();
+      const Eigen::Matrix3d mass = trial.blocks[at(block)].mass.topLeftCorner<3, 3>();
+      inverse_mass += n.dot(mass.inverse() * n.transpose());
+      dashpot.past_rate += sign * (shape * trial.past_velocity[at(block)]);
+    };
+    add(c.vertex_block, action.shape_i, 1);
+    add(c.edge_block, action.shape_j, -1);
+    if (inverse_mass > 0) dashpot.coefficient = 2 * settings_.dashpot_ratio * std::sqrt(spring_ / inverse_mass);
+    return dashpot;
+  }
+
+  double spring_;  ///< N/m per metre
+  std::vector<Dashpot> dashpots_;
+};
+
+}  // namespace
+
+std::unique_ptr<Formulation> make_penalty(const JointLaws& laws, const FormulationSettings& settings) {
+  return std::make_unique<Penalty>(laws, settings);
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/contact/trial.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+Matrix26 rows(const Matrix26& T, const EdgeFrame& edge) {
+  Matrix26 J;
+  J.row(0) = edge.n.transpose() * T;
+  J.row(1) = edge.t.transpose() * T;
+  return J;
+}
+
+}  // namespace
+
+EdgeFrame edge_frame(const Trial& trial, const ContactPoint& c) {
+  const auto& vertices = trial.blocks[at(c.edge_block)].vertices;
+  const Point& a = vertices[at(c.edge)];
+  const Point& b = vertices[(at(c.edge) + 1) % vertices.size()];
+  const Point span = trial.placement[at(c.edge_block)].vector(b - a);
+  const double length = span.norm();
+  const Point t = span / length;
+  return {t, Point(t.y(), -t.x()), length};
+}
+
+const Point& vertex_point(const Trial& trial, const ContactPoint& c) {
+  return trial.blocks[at(c.vertex_block)].vertices[at(c.vertex)];
+}
+
+Point edge_point(const Trial& trial, const ContactPoint& c, double fraction) {
+  const auto& vertices = trial.blocks[at(c.edge_block)].vertices;
+  const Point& a = vertices[at(c.edge)];
+  const Point& b = vertices[(at(c.edge) + 1) % vertices.size()];
+  return a + fraction * (b - a);
+}
+
+Interaction interaction_of(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge, double slip) {
+  Interaction action;
+  action.block_i = c.vertex_block;
+  action.block_j = c.edge_block;
+  const double foot = c.anchor + slip / edge.length;
+  action.shape_i = rows(trial.placement[at(c.vertex_block)].shape(vertex_point(trial, c)), edge);
+  action.shape_j = rows(trial.placement[at(c.edge_block)].shape(edge_point(trial, c, foot)), edge);
+  return action;
+}
+
+Interaction interaction_of(const Trial& trial, const Support& s) {
+  Interaction action;
+  action.block_i = s.block;
+  action.shape_i = trial.placement[at(s.block)].shape(s.material);
+  return action;
+}
+
+Separation separation_of(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge) {
+  const auto v = at(c.vertex_block);
+  const auto e = at(c.edge_block);
+  const Point vertex_moved = trial.start[v].increment(trial.increment[v], vertex_point(trial, c));
+  const Point edge_moved = trial.start[e].increment(trial.increment[e], edge_point(trial, c, c.anchor));
+  const Point apart = c.separation + vertex_moved - edge_moved;
+  return {{edge.n.dot(apart), edge.t.dot(apart)}, vertex_moved.norm() + edge_moved.norm()};
+}
+
+Separation separation_of(const Trial& trial, const Support& s) {
+  const Point moved = trial.start[at(s.block)].increment(trial.increment[at(s.block)], s.material);
+  return {s.held().cwiseProduct(s.separation + moved), moved.norm()};
+}
+
+}  // namespace blockweir::solid
