@@ -166,6 +166,7 @@ std::string report(const RunResult& result) {
                         number(check["expected"]), number(check["got"]), number(check["relative_error"]),
                         number(check["tolerance"]));
   }
+  for (const json& skip : s.value("skips", json::array())) text += fmt::format("skipped {}\n", skip.get<std::string>());
   text += fmt::format("time    {} s of wall time for {} s simulated\n", number(s["wall_time_s"]),
                       number(s.value("simulated_s", json())));
   text += fmt::format("results {} (blocks.pvd opens in ParaView; \"blockweir plot {}\" draws figures)\n",

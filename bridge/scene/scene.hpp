@@ -99,6 +99,10 @@ enum class Plane { strain, stress };
 /// held, then releases them at time 0; `unstressed` starts without any stress or contact force.
 enum class Start { equilibrium, unstressed };
 
+/// Which blocks have no strains: those that the scene names, all, none, or beside the named ones those whose contact
+/// forces follow from equilibrium alone and whose own strain moves them little (automatic).
+enum class Rigid { named, automatic, all, none };
+
 struct Analysis {
   AnalysisKind kind = AnalysisKind::dynamic;
   Integrator integrator = Integrator::shi;
@@ -113,6 +117,9 @@ struct Analysis {
   double rest_speed_m_per_s = 1e-5;      ///< below it a block counts as at rest (failure report)
   double failure_displacement_m = 0.02;  ///< an unbroken motion longer than this is a failure
   bool stop_at_failure = false;          ///< end the run once the failure is certain
+  bool islands = true;                   ///< solve groups of blocks in contact apart
+  bool sleep = true;                     ///< leave islands at rest under unchanging loads as they are
+  Rigid rigid = Rigid::named;
   bool operator==(const Analysis&) const = default;
 };
 

@@ -38,6 +38,10 @@ void read_analysis(Reading& reading) {
   table.number("rest_speed_m_per_s", a.rest_speed_m_per_s, positive());
   table.number("failure_displacement_m", a.failure_displacement_m, positive());
   table.flag("stop_at_failure", a.stop_at_failure);
+  table.flag("islands", a.islands);
+  table.flag("sleep", a.sleep);
+  table.choice<Rigid>("rigid", a.rigid,
+                      {{"named", Rigid::named}, {"auto", Rigid::automatic}, {"all", Rigid::all}, {"none", Rigid::none}});
   if (duration) reject_longer_than_duration(table, reading, "step_s", a.step_s);
 }
 

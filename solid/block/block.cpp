@@ -56,7 +56,6 @@ Block make_block(const scene::Block& described, const scene::Material& material,
   block.centroid = moments.centroid;
   block.area = moments.area;
   block.fixed = described.fixed;
-  block.rigid = described.rigid;
   for (const Point& vertex : described.vertices) {
     block.vertices.push_back(vertex - moments.centroid);
     block.radius = std::max(block.radius, block.vertices.back().norm());

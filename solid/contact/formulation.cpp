@@ -57,6 +57,7 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
 Formulation::Progress& Formulation::follow(const Trial& trial, int index, const ContactPoint& c,
                                            const EdgeFrame& edge) {
   Progress& progress = contacts_[at(index)];
+  progress.evaluated = true;
   progress.separation = separation_of(trial, c, edge);
   progress.separation.value.x() -= laws_[c.law].dilation_m(c.slip_m + progress.separation.value.y());
   return progress;
@@ -92,7 +93,7 @@ JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::
 void Formulation::accept(const Trial& trial, std::vector<ContactPoint>& contacts) const {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     ContactPoint& c = contacts[k];
-    if (c.state != ContactState::slip) continue;
+    if (c.state != ContactState::slip || !contacts_[k].evaluated) continue;
     const double slip = contacts_[k].separation.value.y() - c.elastic_slip;
     c.slip_m += slip;
     c.slip_path_m += std::abs(slip);

@@ -71,6 +71,7 @@ class Formulation {
 
   /// Of a contact or support, in the step at hand.
   struct Progress {
+    bool evaluated = false;                              ///< in the step at hand: not where blocks sleep
     Separation separation;                               ///< at the trial
     Eigen::Vector2d force = Eigen::Vector2d::Zero();     ///< admissible force there
     Eigen::Vector2d violated = Eigen::Vector2d::Zero();  ///< part of the separation that should be zero

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solid/output/formulas.hpp"
@@ -54,6 +55,30 @@ json margin(const Outcome& o) {
   return found;
 }
 
+/// What this scene did not need, in words.
+json skips(const Outcome& o) {
+  json list = json::array();
+  const Counts counts = o.solid.counts();
+  const Profile& profile = o.solid.profile();
+  const auto& blocks = o.solid.blocks();
+  const auto rigid = std::count_if(blocks.begin(), blocks.end(), [](const Block& b) { return b.rigid; });
+  if (rigid > 0) {
+    const bool found = o.solid.scene().analysis.rigid == scene::Rigid::automatic;
+    list.push_back(
+        fmt::format("strains of {} blocks: {}", rigid,
+                    found ? "contact forces follow from equilibrium alone, and own strain moves points by less "
+                            "than 1 % of failure_displacement_m"
+                          : "the scene calls them rigid"));
+  }
+  if (counts.slept_islands > 0) {
+    const double each = (profile.assembly + profile.solve) / static_cast<double>(std::max(1L, counts.solved_islands));
+    list.push_back(fmt::format("{} of {} solutions of islands that slept, saved about {:.2g} s", counts.slept_islands,
+                               counts.slept_islands + counts.solved_islands,
+                               each * static_cast<double>(counts.slept_islands)));
+  }
+  return list;
+}
+
 }  // namespace
 
 json checks(const Outcome& outcome) {
@@ -84,6 +109,7 @@ json summary(const Outcome& outcome) {
                {"largest_displacement_m", outcome.last.largest_displacement_m},
                {"largest_penetration_m", outcome.largest_penetration_m},
                {"checks", checks(outcome)},
+               {"skips", skips(outcome)},
                {"counts",
                 {{"steps", counts.steps},
                  {"undone_steps", counts.undone_steps},
@@ -93,6 +119,8 @@ json summary(const Outcome& outcome) {
                  {"state_changes", counts.state_changes},
                  {"broad_searches", counts.broad_searches},
                  {"settling_steps", counts.settling_steps},
+                 {"solved_islands", counts.solved_islands},
+                 {"slept_islands", counts.slept_islands},
                  {"blocks", outcome.solid.blocks().size()},
                  {"contacts", outcome.solid.contacts().size()}}}};
   if (scene.contact.measure_condition) text["largest_condition_number"] = counts.condition_number;

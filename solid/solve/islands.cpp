@@ -61,4 +61,16 @@ std::vector<Island> find_islands(const std::vector<bool>& fixed, const std::vect
   return islands;
 }
 
+Island join(const std::vector<Island>& islands) {
+  Island all;
+  for (const Island& island : islands) {
+    const auto first = static_cast<int>(all.blocks.size());
+    all.blocks.insert(all.blocks.end(), island.blocks.begin(), island.blocks.end());
+    all.contacts.insert(all.contacts.end(), island.contacts.begin(), island.contacts.end());
+    all.supports.insert(all.supports.end(), island.supports.begin(), island.supports.end());
+    for (const auto& [a, b] : island.couples) all.couples.emplace_back(first + a, first + b);
+  }
+  return all;
+}
+
 }  // namespace blockweir::solid

@@ -19,4 +19,7 @@ struct Island {
 std::vector<Island> find_islands(const std::vector<bool>& fixed, const std::vector<std::pair<int, int>>& links,
                                  const std::vector<int>& support_blocks);
 
+/// All of them as one: what is not coupled is solved together.
+Island join(const std::vector<Island>& islands);
+
 }  // namespace blockweir::solid

@@ -78,7 +78,15 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   formulation_->begin_step(at_start, matrix_, frozen_, contacts_, supports_);
 
   bool solved = true;
-  for (IslandSystem& island : islands_) solved = solved && find_equilibrium(island);
+  for (IslandSystem& island : islands_) {
+    island.asleep = may_sleep(island);
+    if (island.asleep) {
+      put_to_sleep(island);
+    } else {
+      ++counts_.solved_islands;
+      solved = solved && find_equilibrium(island);
+    }
+  }
   solved = solved && largest_increment() <= scene_.analysis.max_displacement_ratio * size_;
   if (!solved) {
     contacts_ = contacts_before;
@@ -91,13 +99,14 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
 }
 
 void Solid::accept(double dt) {
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (frozen_[b]) continue;
-    newmark_.finish(states_[b], increment_[b], dt);
-    states_[b].force = balance_[b];
-  }
-  if (newmark_.flips_held_velocities() && formulation_->holds_exactly()) {
-    for (IslandSystem& island : islands_) quiet_held_directions(island, dt);
+  for (IslandSystem& island : islands_) {
+    if (island.asleep) continue;
+    for (const int block : island.island.blocks) {
+      const auto b = static_cast<std::size_t>(block);
+      newmark_.finish(states_[b], increment_[b], dt);
+      states_[b].force = balance_[b];
+    }
+    if (newmark_.flips_held_velocities() && formulation_->holds_exactly()) quiet_held_directions(island, dt);
   }
   formulation_->accept(trial(), contacts_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -105,7 +114,35 @@ void Solid::accept(double dt) {
     states_[b].displacement += increment_[b];
     start_[b] = Placement(blocks_[b].centroid, states_[b].displacement);
   }
+  sleep_.look(blocks_, states_, external_, dt);
   ++counts_.steps;
+}
+
+bool Solid::may_sleep(const IslandSystem& s) const {
+  if (!scene_.analysis.sleep || settling_) return false;
+  const double tolerance_n = formulation_->settings().force_tolerance_n;
+  const auto rests = [&](int b) { return sleep_.rests(static_cast<std::size_t>(b), blocks_, external_, tolerance_n); };
+  const auto in_place = [&](int k) {
+    const Support& support = supports_[static_cast<std::size_t>(k)];
+    return support.held().cwiseProduct(support.separation).norm() <= formulation_->settings().penetration_tolerance_m;
+  };
+  const auto rests_on = [&](int k) {
+    const ContactPoint& c = contacts_[static_cast<std::size_t>(k)];
+    return rests(c.vertex_block) && rests(c.edge_block);
+  };
+  return std::all_of(s.island.blocks.begin(), s.island.blocks.end(), rests) &&
+         std::all_of(s.island.supports.begin(), s.island.supports.end(), in_place) &&
+         std::all_of(s.island.contacts.begin(), s.island.contacts.end(), rests_on);
+}
+
+void Solid::put_to_sleep(const IslandSystem& s) {
+  ++counts_.slept_islands;
+  for (const int block : s.island.blocks) {
+    const auto b = static_cast<std::size_t>(block);
+    increment_[b].setZero();
+    states_[b].velocity.setZero();
+    states_[b].acceleration.setZero();
+  }
 }
 
 /// Largest displacement of any vertex in the step at hand [m].

@@ -50,7 +50,9 @@ void Solid::prepare_islands() {
   std::vector<int> support_blocks;
   for (const Support& s : supports_) support_blocks.push_back(s.block);
   islands_.clear();
-  for (Island& island : find_islands(frozen_, links_, support_blocks)) {
+  std::vector<Island> found = find_islands(frozen_, links_, support_blocks);
+  if (!scene_.analysis.islands) found = {join(found)};
+  for (Island& island : found) {
     std::vector<int> counts;
     for (const int b : island.blocks) counts.push_back(blocks_[at(b)].unknowns());
     islands_.emplace_back(std::move(island), Unknowns(counts));

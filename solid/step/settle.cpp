@@ -43,6 +43,7 @@ void Solid::settle(const std::vector<Panel>& water) {
   const std::vector<bool> waiting = unanchored();
   for (std::size_t b = 0; b < blocks_.size(); ++b) frozen_[b] = fixed[b] || waiting[b];
   const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
+  settling_ = true;
   formulation_->settings().joints_held = true;
   matrices_dt_ = -1;
   islands_.clear();
@@ -61,6 +62,7 @@ void Solid::settle(const std::vector<Panel>& water) {
 
   formulation_->settings().joints_held = false;
   relax(pseudo_step_s, water);
+  settling_ = false;
   counts_.steps = 0;
   newmark_ = scheme;
   frozen_ = fixed;

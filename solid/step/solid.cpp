@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "solid/step/determinacy.hpp"
+
 namespace blockweir::solid {
 namespace {
 
@@ -65,6 +67,7 @@ Solid::Solid(const scene::Scene& scene)
       force_scale_(weight_of_all(blocks_, scene.analysis.gravity_m_per_s2)),
       supports_(make_supports(scene, blocks_)),
       next_dt_(scene.analysis.step_s),
+      sleep_(blocks_.size(), size_),
       newmark_(Newmark::of(scene.analysis.integrator, scene.analysis.spectral_radius)),
       formulation_(make_formulation(scene.contact.formulation, laws_,
                                     {.penetration_tolerance_m = scene.contact.penetration_tolerance_m,
@@ -101,6 +104,8 @@ Solid::Solid(const scene::Scene& scene)
   local_.resize(n);
   search_.update(start_, contacts_);
   bond_touching_contacts();
+  const std::vector<bool> rigid = rigid_blocks(scene, blocks_, contacts_);
+  for (std::size_t b = 0; b < n; ++b) blocks_[b].rigid = rigid[b];
 }
 
 /// Blocks that touch in the scene's outline are joined by a bond, with its strength and its peak friction.

@@ -14,6 +14,7 @@
 #include "solid/solve/saddle_point.hpp"
 #include "solid/step/counts.hpp"
 #include "solid/step/newmark.hpp"
+#include "solid/step/sleep.hpp"
 
 namespace blockweir::solid {
 
@@ -65,6 +66,7 @@ class Solid {
     Eigen::VectorXd residual;
     Eigen::VectorXd correction;
     Eigen::VectorXd forces;
+    bool asleep = false;  ///< in the step at hand
   };
 
   void bond_touching_contacts();
@@ -83,6 +85,8 @@ class Solid {
   void add_constraints(IslandSystem& island, const Interaction& action, bool support, int index) const;
   void quiet_held_directions(IslandSystem& island, double dt);
   void accept(double dt);
+  [[nodiscard]] bool may_sleep(const IslandSystem& island) const;
+  void put_to_sleep(const IslandSystem& island);
   [[nodiscard]] double largest_increment() const;
   [[nodiscard]] Trial trial() const {
     return {blocks_, start_, increment_, placement_, past_velocity_, newmark_.velocity_factor(matrices_dt_)};
@@ -105,6 +109,8 @@ class Solid {
   std::vector<Support> supports_;
   double next_dt_ = 0;  ///< step that the last advance ended with
   bool started_ = false;
+  bool settling_ = false;
+  Sleep sleep_;
 
   // The step at hand.
   Newmark newmark_;
@@ -113,7 +119,6 @@ class Solid {
   std::vector<bool> frozen_;            ///< fixed, or waiting while others settle
   double matrices_dt_ = -1;             ///< step that matrix_ was made for
   std::vector<Matrix6> matrix_;         ///< inertia and elasticity of each block
-  std::vector<Matrix6> compliance_;     ///< its inverse, zero for frozen blocks
   std::vector<Vector6> external_;       ///< loads at the end of the step
   std::vector<Vector6> history_;        ///< what inertia remembers
   std::vector<Vector6> past_velocity_;  ///< what velocity would be at the end of the step without an increment

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_step
+// What a scene does not need is not done, and the answer is the same: islands apart, sleep, rigid blocks.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/verification/scenes.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+/// Two stacks on one floor, far from each other; the left one stands, the right one is hit after 0.5 s.
+scene::Scene two_stacks() {
+  auto scene = empty_scene();
+  scene.analysis.step_s = 0.01;
+  add(scene, {{-9, -1}, {19, -1}, {19, 0}, {-9, 0}}, true);
+  for (const double x : {0.0, 10.0}) {
+    for (int row = 0; row < 4; ++row)
+      add(scene, {{x, row * 1.0}, {x + 2, row * 1.0}, {x + 2, row + 1.0}, {x, row + 1.0}});
+  }
+  scene::PointLoad push{.block = 8, .point_m = Point(10, 3.5)};
+  push.force_x_n_per_m = {.time_s = {0, 0.5, 0.51}, .value = {0, 0, 40e3}};
+  push.force_y_n_per_m = scene::TimeTable::constant(0);
+  scene.point_loads.push_back(push);
+  return scene;
+}
+
+struct Result {
+  std::vector<Vector6> displacement;
+  Counts counts;
+};
+
+Result result_of(const scene::Scene& scene, double duration_s = 1.5) {
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, duration_s);
+  Result result{.displacement = {}, .counts = solid.counts()};
+  for (const BlockState& state : solid.states()) result.displacement.push_back(state.displacement);
+  return result;
+}
+
+double largest_difference(const Result& a, const Result& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.displacement.size(); ++i) {
+    largest = std::max(largest, (a.displacement[i] - b.displacement[i]).cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+TEST(Skips, SleepingIslandsLeaveTheAnswerAsItIs) {
+  auto scene = two_stacks();
+  const Result with = result_of(scene);
+  scene.analysis.sleep = false;
+  const Result without = result_of(scene);
+  EXPECT_GT(with.counts.slept_islands, 150);  // the left stack nearly always, the right one until it is pushed
+  EXPECT_EQ(without.counts.slept_islands, 0);
+  EXPECT_LT(with.counts.iterations, without.counts.iterations);
+  EXPECT_GT(with.displacement[8][0], 0.1);  // pushed off
+  EXPECT_LT(largest_difference(with, without), 1e-9);
+}
+
+TEST(Skips, IslandsSolvedApartOrTogetherGiveTheSame) {
+  auto scene = two_stacks();
+  scene.analysis.sleep = false;
+  const Result apart = result_of(scene);
+  scene.analysis.islands = false;
+  EXPECT_LT(largest_difference(apart, result_of(scene)), 1e-9);
+}
+
+TEST(Skips, ABlockThatIsReleasedDoesNotSleepHoweverShortTheStep) {
+  auto scene = empty_scene();
+  scene.analysis.step_s = 1e-6;
+  add(scene, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  Solid solid(scene);
+  run(solid, 1e-4);
+  EXPECT_NEAR(solid.states()[0].displacement[1] / (-9.81 * 1e-8 / 2), 1, 1e-3);
+}
+
+std::vector<std::string> rigid_blocks_of(const scene::Scene& scene) {
+  const Solid solid(scene);
+  std::vector<std::string> names;
+  for (const Block& block : solid.blocks()) {
+    if (block.rigid) names.push_back(block.name);
+  }
+  return names;
+}
+
+TEST(Skips, AStackIsFoundRigidAndAWallIsNot) {
+  using testing::ElementsAre;
+  auto scene = two_stacks();
+  EXPECT_THAT(rigid_blocks_of(scene), ElementsAre());
+  scene.analysis.rigid = scene::Rigid::automatic;
+  EXPECT_THAT(rigid_blocks_of(scene), ElementsAre("b1", "b2", "b3", "b4", "b5", "b6", "b7", "b8"));
+  add(scene, {{2, 0}, {3, 0}, {3, 1}, {2, 1}});  // touches the left stack's lowest block, and the floor
+  EXPECT_THAT(rigid_blocks_of(scene), ElementsAre("b5", "b6", "b7", "b8"));
+  scene.materials[0].youngs_modulus_pa = 1e6;  // soft: strain moves points by millimetres
+  EXPECT_THAT(rigid_blocks_of(scene), ElementsAre());
+}
+
+TEST(Skips, RigidBlocksFailAtTheSameLoadAndSlideAsTheFormulaSaysAtAnyStep) {
+  const double weight = 4 * 2500 * 9.81;
+  const double strength = weight * std::tan(std::numbers::pi / 6);
+  for (const double dt : {1e-2, 1e-3, 1e-4}) {
+    for (const double share : {0.999, 1.1}) {
+      auto scene = empty_scene();
+      scene.analysis.rigid = scene::Rigid::all;
+      scene.analysis.step_s = dt;
+      add(scene, {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, true);
+      add(scene, {{0, 0}, {4, 0}, {4, 1}, {0, 1}});
+      scene::PointLoad load{.block = 1, .point_m = Point(0, 0.2)};
+      load.force_x_n_per_m = scene::TimeTable::constant(share * strength);
+      load.force_y_n_per_m = scene::TimeTable::constant(0);
+      scene.point_loads.push_back(load);
+      const double moved = result_of(scene, 0.2).displacement[1][0];
+      const double expected = share < 1 ? 0 : (share - 1) * strength / (4 * 2500) * 0.2 * 0.2 / 2;
+      EXPECT_NEAR(moved, expected, 1e-9) << dt << " " << share;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace blockweir::solid
