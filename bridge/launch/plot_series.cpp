@@ -35,6 +35,17 @@ std::vector<std::string> columns_of(const fs::path& file) {
   return names;
 }
 
+/// Whether the run has no value for a column: levels of a scene without water.
+bool is_empty(const fs::path& file, std::size_t column) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  std::getline(stream, line);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < column && begin != std::string::npos; ++i) begin = line.find(',', begin) + 1;
+  return line.compare(begin, 3, "nan") == 0;
+}
+
 /// One panel: all columns that end as asked, each under its block's name.
 std::string panel(const fs::path& file, const std::vector<std::string>& columns, const std::string& quantity,
                   const std::string& label) {
@@ -43,6 +54,7 @@ std::string panel(const fs::path& file, const std::vector<std::string>& columns,
     const std::string& name = columns[i];
     if (name.size() < quantity.size() || name.compare(name.size() - quantity.size(), quantity.size(), quantity) != 0)
       continue;
+    if (is_empty(file, i)) continue;
     std::string title = name.substr(0, name.size() - quantity.size());
     if (!title.empty() && title.back() == '.') title.pop_back();
     curves += fmt::format("{}{} using 1:{} with lines lw 2 title {}", curves.empty() ? "" : ", ", gnuplot_path(file),

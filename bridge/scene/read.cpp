@@ -15,6 +15,7 @@
 #include "bridge/scene/overrides.hpp"
 #include "bridge/scene/section_drawing.hpp"
 #include "bridge/scene/sections.hpp"
+#include "bridge/scene/time_record.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -63,8 +64,9 @@ void read_sections(Reading& reading) {
   const std::size_t before = reading.problems.count();
   for (const auto read : {read_section, read_blocks, read_supports}) read(reading);
   const bool structure_sound = reading.problems.count() == before;
-  for (const auto read : {read_joints, read_point_loads, read_face_pressures, read_water, read_fluid, read_contact,
-                          read_coupling, read_output, read_expectations, read_variants}) {
+  for (const auto read :
+       {read_joints, read_point_loads, read_face_pressures, read_line_loads, read_body_loads, read_base_motion,
+        read_water, read_fluid, read_contact, read_coupling, read_output, read_expectations, read_variants}) {
     read(reading);
   }
   reject_unknown_sections(reading);
@@ -84,9 +86,11 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   scene.text = text;
   if (!overrides.empty()) apply_overrides(file, overrides, problems);
   const std::size_t before = problems.count();
-  const bool drawn = take_drawing(file, std::filesystem::path(name).parent_path(), problems);
+  const auto folder = std::filesystem::path(name).parent_path();
+  const bool drawn = take_drawing(file, folder, problems);
+  const bool recorded = take_records(file, folder, problems);
   if (problems.count() > before) throw SceneError(problems.errors());
-  if (drawn || !overrides.empty()) {
+  if (drawn || recorded || !overrides.empty()) {
     std::ostringstream merged;
     merged << file << '\n';
     scene.text = merged.str();

@@ -21,7 +21,8 @@ struct Material {
   double youngs_modulus_pa = 0;
   double poissons_ratio = 0;
   double density_kg_per_m3 = 0;
-  double damping_ratio = 0;  ///< of a block's lowest natural frequency of strain
+  double damping_ratio = 0;                                     ///< of a block's lowest natural frequency of strain
+  Eigen::Vector3d initial_stress_pa = Eigen::Vector3d::Zero();  ///< (xx, yy, xy) where there is no strain
   bool operator==(const Material&) const = default;
 };
 
@@ -36,10 +37,10 @@ struct JointLaw {
   double residual_friction_angle_deg = 30;  ///< after the bond has failed; default: the peak angle
   double cohesion_pa = 0;
   double tension_strength_pa = 0;
-  std::optional<double> bonded_length_m;  ///< of the whole joint; default: all of it
-  bool keeps_cohesion = false;            ///< true: cohesion and tension survive slip and opening
-  double softening_slip_m = 0;            ///< slip over which cohesion, tension and peak friction fade; 0: brittle
-  double dilation_angle_deg = 0;          ///< slip opens the joint by its tangent
+  std::optional<double> bonded_length_m;   ///< of the whole joint; default: all of it
+  bool keeps_cohesion = false;             ///< true: cohesion and tension survive slip and opening
+  double softening_slip_m = 0;             ///< slip over which cohesion, tension and peak friction fade; 0: brittle
+  double dilation_angle_deg = 0;           ///< slip opens the joint by its tangent
   std::optional<double> dilation_limit_m;  ///< slip beyond which it opens no further
   Uplift uplift = Uplift::none;
   bool operator==(const JointLaw&) const = default;
@@ -60,7 +61,8 @@ struct Block {
   bool rigid = false;           ///< moves, but does not strain
   Point initial_velocity_m_per_s = Point::Zero();
   double initial_spin_deg_per_s = 0;
-  int line = 0;  ///< where the scene file states it
+  std::optional<Eigen::Vector3d> initial_stress_pa{};  ///< default: the material's
+  int line = 0;                                        ///< where the scene file states it
   bool operator==(const Block&) const = default;
 };
 
@@ -91,7 +93,49 @@ struct FacePressure {
   bool operator==(const FacePressure&) const = default;
 };
 
-enum class AnalysisKind { dynamic, quasi_static };
+/// Force on a straight part of a block's outline, linear from one end to the other, along the scene's axes.
+struct LineLoad {
+  int block = 0;
+  Point from_m;  ///< both ends lie on one edge of the block
+  Point to_m;
+  std::array<TimeTable, 2> force_from_n_per_m2;  ///< x and y, a metre of the edge as the scene draws it
+  std::array<TimeTable, 2> force_to_n_per_m2;
+  bool operator==(const LineLoad&) const = default;
+};
+
+/// Force on the volume of blocks, along the scene's axes.
+struct BodyLoad {
+  std::vector<int> blocks;         ///< indices into Scene::blocks
+  bool per_mass = true;            ///< value is an acceleration [m/s2], else a force per volume [N/m3]
+  std::array<TimeTable, 2> value;  ///< x and y
+  bool operator==(const BodyLoad&) const = default;
+};
+
+/// A bar between two blocks, or between a block and the ground: elastic, then plastic at a constant force.
+struct Bolt {
+  std::string name;
+  std::array<int, 2> blocks{-1, -1};  ///< of from_m and to_m; -1: the ground
+  Point from_m;
+  Point to_m;
+  double stiffness_n_per_m2 = 0;  ///< force over elongation, per metre of thickness
+  double prestress_n_per_m = 0;   ///< tension at time 0 as the scene draws it
+  std::optional<double> yield_n_per_m;
+  bool takes_compression = false;
+  bool operator==(const Bolt&) const = default;
+};
+
+/// How the ground's acceleration acts: as an inertia force on all that can move, motions then being relative to the
+/// base; or by moving fixed blocks and held points, the acceleration integrated twice.
+enum class BaseForm { inertia, support };
+
+struct BaseMotion {
+  BaseForm form = BaseForm::inertia;
+  TimeTable acceleration_x_m_per_s2 = TimeTable::constant(0);
+  TimeTable acceleration_y_m_per_s2 = TimeTable::constant(0);
+  bool operator==(const BaseMotion&) const = default;
+};
+
+enum class AnalysisKind { dynamic, quasi_static, at_rest };
 enum class Integrator { shi, trapezoidal, generalized_alpha };
 enum class Plane { strain, stress };
 
@@ -120,6 +164,7 @@ struct Analysis {
   bool islands = true;                   ///< solve groups of blocks in contact apart
   bool sleep = true;                     ///< leave islands at rest under unchanging loads as they are
   Rigid rigid = Rigid::named;
+  double residual_tolerance = 1e-8;  ///< at_rest: largest unbalanced force over the weight of all that can move
   bool operator==(const Analysis&) const = default;
 };
 
@@ -197,6 +242,10 @@ struct Scene {
   std::vector<Support> supports;
   std::vector<PointLoad> point_loads;
   std::vector<FacePressure> face_pressures;
+  std::vector<LineLoad> line_loads;
+  std::vector<BodyLoad> body_loads;
+  std::vector<Bolt> bolts;
+  std::optional<BaseMotion> base_motion;
   Analysis analysis;
   Contact contact;
   Water water;

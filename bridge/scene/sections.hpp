@@ -20,6 +20,7 @@ struct Reading {
   Scene& scene;
   Names materials{"material"};
   Names blocks{"block"};
+  Names bolts{"bolt"};
   bool residual_given = false;          ///< [joint] states the residual angle
   std::vector<std::string> sections{};  ///< that were asked for
 
@@ -58,6 +59,10 @@ void read_joints(Reading& reading);
 void read_supports(Reading& reading);
 void read_point_loads(Reading& reading);
 void read_face_pressures(Reading& reading);
+void read_line_loads(Reading& reading);
+void read_body_loads(Reading& reading);
+void read_bolts(Reading& reading);
+void read_base_motion(Reading& reading);
 void read_water(Reading& reading);
 void read_fluid(Reading& reading);
 void read_contact(Reading& reading);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds and pushes the blocks: supports, point loads, pressures on faces.
+// What holds and pushes the blocks: supports, point and line loads, pressures on faces, body loads.
 #include <fmt/format.h>
 
+#include "bridge/scene/nearest.hpp"
 #include "bridge/scene/outline.hpp"
 #include "bridge/scene/sections.hpp"
 
@@ -46,7 +47,9 @@ void read_force(TableReader& table, Reading& reading, PointLoad& load) {
   load.force_y_n_per_m = y.value_or(TimeTable::constant(force.y()));
 }
 
-void read_face(TableReader& table, Reading& reading, FacePressure& load) {
+/// Reads block, from_m and to_m, two points of one edge.
+template <class Load>
+void read_face(TableReader& table, Reading& reading, Load& load) {
   load.block = table.reference("block", reading.blocks);
   const bool from = table.point("from_m", load.from_m, true);
   const bool to = table.point("to_m", load.to_m, true);
@@ -60,8 +63,42 @@ void read_face(TableReader& table, Reading& reading, FacePressure& load) {
         table.place("from_m"),
         fmt::format("{} from ({}, {}) to ({}, {}) does not lie on one edge of block \"{}\"", table.name(),
                     load.from_m.x(), load.from_m.y(), load.to_m.x(), load.to_m.y(), block->name),
-        "two points of one edge", "use one [[face_pressure]] for each edge");
+        "two points of one edge", "state a load for each edge");
   }
+}
+
+/// A component of a line load: uniform, or its values at both ends. False when it is stated in half or twice.
+bool read_ends(TableReader& table, double duration, const char* uniform_key, const char* from_key, const char* to_key,
+               TimeTable& at_from, TimeTable& at_to) {
+  std::optional<TimeTable> uniform;
+  std::optional<TimeTable> from;
+  std::optional<TimeTable> to;
+  table.time_table(uniform_key, uniform, duration);
+  table.time_table(from_key, from, duration);
+  table.time_table(to_key, to, duration);
+  at_from = from.value_or(uniform.value_or(TimeTable::constant(0)));
+  at_to = to.value_or(uniform.value_or(TimeTable::constant(0)));
+  return table.has(from_key) == table.has(to_key) && !(table.has(uniform_key) && table.has(from_key));
+}
+
+/// The blocks named, or all that can move.
+std::vector<int> read_loaded_blocks(TableReader& table, Reading& reading) {
+  std::vector<int> blocks;
+  std::vector<std::string> words;
+  if (!table.texts_if_any("blocks", words)) {
+    for (std::size_t b = 0; b < reading.scene.blocks.size(); ++b) {
+      if (!reading.scene.blocks[b].fixed) blocks.push_back(static_cast<int>(b));
+    }
+    return blocks;
+  }
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    blocks.push_back(reading.blocks.find(words[i]));
+    if (blocks.back() >= 0) continue;
+    reading.problems.error(table.place("blocks", i),
+                           fmt::format("blocks in {} names no block: \"{}\"", table.name(), words[i]),
+                           one_of(reading.blocks.list()), did_you_mean(words[i], reading.blocks.list()));
+  }
+  return blocks;
 }
 
 }  // namespace
@@ -110,6 +147,68 @@ void read_face_pressures(Reading& reading) {
     load.pressure_to_pa = to.value_or(uniform.value_or(TimeTable::constant(0)));
     reading.scene.face_pressures.push_back(std::move(load));
   });
+}
+
+void read_line_loads(Reading& reading) {
+  const double duration = reading.scene.analysis.duration_s;
+  reading.each("line_load", [&](TableReader& table) {
+    LineLoad load;
+    read_face(table, reading, load);
+    const bool x = read_ends(table, duration, "force_x_n_per_m2", "force_from_x_n_per_m2", "force_to_x_n_per_m2",
+                             load.force_from_n_per_m2[0], load.force_to_n_per_m2[0]);
+    const bool y = read_ends(table, duration, "force_y_n_per_m2", "force_from_y_n_per_m2", "force_to_y_n_per_m2",
+                             load.force_from_n_per_m2[1], load.force_to_n_per_m2[1]);
+    const bool any = table.has("force_x_n_per_m2") || table.has("force_y_n_per_m2") ||
+                     table.has("force_from_x_n_per_m2") || table.has("force_from_y_n_per_m2");
+    if (!x || !y || !any) {
+      reject(table, reading.problems, "does not state one force",
+             "force_x_n_per_m2, force_y_n_per_m2, or for either axis both force_from_... and force_to_...",
+             "keep one of the two ways for each axis");
+    }
+    reading.scene.line_loads.push_back(std::move(load));
+  });
+}
+
+void read_body_loads(Reading& reading) {
+  const double duration = reading.scene.analysis.duration_s;
+  reading.each("body_load", [&](TableReader& table) {
+    BodyLoad load{.blocks = read_loaded_blocks(table, reading)};
+    std::optional<TimeTable> acceleration[2];
+    std::optional<TimeTable> force[2];
+    table.time_table("acceleration_x_m_per_s2", acceleration[0], duration);
+    table.time_table("acceleration_y_m_per_s2", acceleration[1], duration);
+    table.time_table("force_x_n_per_m3", force[0], duration);
+    table.time_table("force_y_n_per_m3", force[1], duration);
+    load.per_mass = table.has("acceleration_x_m_per_s2") || table.has("acceleration_y_m_per_s2");
+    if (load.per_mass == (table.has("force_x_n_per_m3") || table.has("force_y_n_per_m3"))) {
+      reject(table, reading.problems, load.per_mass ? "states both acceleration and force" : "has no load",
+             "acceleration_x_m_per_s2 and acceleration_y_m_per_s2, or force_x_n_per_m3 and force_y_n_per_m3",
+             "keep one of the two ways");
+    }
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      load.value[axis] = acceleration[axis].value_or(force[axis].value_or(TimeTable::constant(0)));
+    }
+    reading.scene.body_loads.push_back(std::move(load));
+  });
+}
+
+void read_base_motion(Reading& reading) {
+  TableReader table(reading.problems, reading.section("base_motion"), "[base_motion]");
+  const double duration = reading.scene.analysis.duration_s;
+  BaseMotion base;
+  std::optional<TimeTable> x;
+  std::optional<TimeTable> y;
+  table.choice<BaseForm>("form", base.form, {{"inertia", BaseForm::inertia}, {"support", BaseForm::support}});
+  table.time_table("acceleration_x_m_per_s2", x, duration);
+  table.time_table("acceleration_y_m_per_s2", y, duration);
+  if (!table.present()) return;
+  if (!table.has("acceleration_x_m_per_s2") && !table.has("acceleration_y_m_per_s2")) {
+    reject(table, reading.problems, "moves nothing", "acceleration_x_m_per_s2, acceleration_y_m_per_s2 or both",
+           "state an acceleration, or leave [base_motion] out");
+  }
+  if (x) base.acceleration_x_m_per_s2 = *x;
+  if (y) base.acceleration_y_m_per_s2 = *y;
+  reading.scene.base_motion = std::move(base);
 }
 
 }  // namespace blockweir::scene

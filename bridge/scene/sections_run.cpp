@@ -87,9 +87,10 @@ void read_output(Reading& reading) {
 }
 
 void read_expectations(Reading& reading) {
-  Names named("block or joint");
+  Names named("block, joint or bolt");
   for (const Block& block : reading.scene.blocks) named.add(block.name);
   for (const Joint& joint : reading.scene.joints) named.add(joint.name);
+  for (const Bolt& bolt : reading.scene.bolts) named.add(bolt.name);
   reading.each("expect", [&](TableReader& table) {
     Expectation e;
     table.text("quantity", e.quantity, true);

@@ -42,6 +42,7 @@ void read_block(TableReader& table, Reading& reading) {
   table.flag("rigid", block.rigid);
   table.point("initial_velocity_m_per_s", block.initial_velocity_m_per_s);
   table.number("initial_spin_deg_per_s", block.initial_spin_deg_per_s);
+  table.stress("initial_stress_pa", block.initial_stress_pa);
   if (!reading.blocks.add(block.name) && !block.name.empty()) {
     reading.problems.error(table.place("name"), fmt::format("a second block is called \"{}\"", block.name),
                            "names that differ", "rename one of them");
@@ -74,6 +75,8 @@ void read_materials(Reading& reading) {
       table.number("density_kg_per_m3", material.density_kg_per_m3, positive(), true);
       table.number("damping_ratio", material.damping_ratio,
                    {[](double zeta) { return zeta >= 0 && zeta <= 1; }, "a number from 0 to 1"});
+      std::optional<Eigen::Vector3d> stress;
+      if (table.stress("initial_stress_pa", stress)) material.initial_stress_pa = *stress;
     }
     reading.scene.materials.push_back(std::move(material));
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bridge/scene/outline.hpp"
 #include "bridge/scene/sections.hpp"
@@ -12,12 +13,13 @@ namespace {
 
 /// Lowest and highest value that a table takes from time 0 to `duration_s`.
 std::pair<double, double> extremes(const TimeTable& table, double duration_s) {
-  auto [low, high] = std::minmax({table.at(0), table.at(duration_s)});
+  auto [low, high] = std::minmax({table.rows_at(0), table.rows_at(duration_s)});
   for (std::size_t i = 0; i < table.time_s.size(); ++i) {
     if (table.time_s[i] < 0 || table.time_s[i] > duration_s) continue;
     low = std::min(low, table.value[i]);
     high = std::max(high, table.value[i]);
   }
+  if (table.sine) low -= std::abs(table.sine->amplitude), high += std::abs(table.sine->amplitude);
   return {low, high};
 }
 

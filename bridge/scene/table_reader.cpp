@@ -161,6 +161,29 @@ bool TableReader::texts(const char* key, std::vector<std::string>& into, std::op
   return true;
 }
 
+bool TableReader::texts_if_any(const char* key, std::vector<std::string>& into) {
+  asked_.emplace_back(key);
+  if (!has(key)) return false;
+  texts(key, into);
+  return true;
+}
+
+bool TableReader::stress(const char* key, std::optional<Eigen::Vector3d>& into) {
+  constexpr const char* words = "three finite numbers [xx, yy, xy]";
+  const toml::node* node = ask(key, false, words);
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != 3) return wrong(key, *node, words);
+  Eigen::Vector3d read;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = finite_number((*list)[i]);
+    if (!value) return wrong(key, (*list)[i], words);
+    read[static_cast<Eigen::Index>(i)] = *value;
+  }
+  into = read;
+  return true;
+}
+
 bool TableReader::point(const char* key, Point& into, bool required) {
   constexpr const char* words = "a pair of numbers [x, y] within 1e7";
   const toml::node* node = ask(key, required, words);

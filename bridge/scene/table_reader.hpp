@@ -49,6 +49,10 @@ class TableReader {
   bool text(const char* key, std::string& into, bool required = false);
   /// A list of `count` texts; without it, of any number but none.
   bool texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count = {});
+  /// The same where the key may be absent; false when it is.
+  bool texts_if_any(const char* key, std::vector<std::string>& into);
+  /// Components xx, yy and xy.
+  bool stress(const char* key, std::optional<Eigen::Vector3d>& into);
   bool point(const char* key, Point& into, bool required = false);
   /// `least` (an outline: 3) to 10,000 points; empty when one is wrong.
   bool points(const char* key, std::vector<Point>& into, std::size_t least = 3);
@@ -81,6 +85,7 @@ class TableReader {
   bool points_of(const char* key, const toml::node& node, std::vector<Point>& into, std::size_t least);
   bool rows(const char* key, TimeTable& into);
   bool ramp(TimeTable& into, double duration_s);
+  bool wave(TimeTable& into);
 
   Problems& problems_;
   const toml::table* table_;

@@ -2,6 +2,7 @@
 #include "bridge/scene/time_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace blockweir::scene {
 
@@ -10,6 +11,11 @@ TimeTable TimeTable::constant(double value) {
 }
 
 double TimeTable::at(double time) const {
+  if (!sine) return rows_at(time);
+  return rows_at(time) + sine->amplitude * std::sin(sine->angular_frequency * time + sine->phase);
+}
+
+double TimeTable::rows_at(double time) const {
   if (time <= time_s.front()) return value.front();
   if (time >= time_s.back()) return value.back();
   const auto after = static_cast<std::size_t>(std::upper_bound(time_s.begin(), time_s.end(), time) - time_s.begin());
@@ -17,14 +23,6 @@ double TimeTable::at(double time) const {
   if (stepwise) return value[before];
   const double fraction = (time - time_s[before]) / (time_s[after] - time_s[before]);
   return value[before] + fraction * (value[after] - value[before]);
-}
-
-double TimeTable::largest() const {
-  return *std::max_element(value.begin(), value.end());
-}
-
-double TimeTable::smallest() const {
-  return *std::min_element(value.begin(), value.end());
 }
 
 }  // namespace blockweir::scene

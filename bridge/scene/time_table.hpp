@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A quantity that a scene states over time: constant, ramp, steps or table.
+// A quantity that a scene states over time: constant, ramp, steps, table or sine.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace blockweir::scene {
 
-/// Piecewise function of time, held constant before the first and after the last row.
+/// amplitude sin(2 pi f t + phase)
+struct Sine {
+  double amplitude = 0;
+  double angular_frequency = 0;  ///< rad/s
+  double phase = 0;              ///< rad
+  bool operator==(const Sine&) const = default;
+};
+
+/// Piecewise function of time, held constant before the first and after the last row; a sine may go on top of it.
 /// Linear between rows, or stepwise: a row's value then holds until the next row's time.
 struct TimeTable {
   std::vector<double> time_s;  ///< strictly increasing, at least one row
   std::vector<double> value;   ///< same length; unit as the owner's name says
   bool stepwise = false;
+  std::optional<Sine> sine{};
 
   static TimeTable constant(double value);
 
   [[nodiscard]] double at(double time_s) const;
-  [[nodiscard]] double largest() const;
-  [[nodiscard]] double smallest() const;
+  [[nodiscard]] double rows_at(double time_s) const;  ///< without the sine
   bool operator==(const TimeTable&) const = default;
 };
 

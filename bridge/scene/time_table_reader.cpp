@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The four ways in which a scene states a quantity over time: constant, linear table, steps, ramp.
+// The ways in which a scene states a quantity over time: constant, linear table, steps, ramp, sine. A table in a file
+// has become one of the scene's own before (records.hpp).
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "bridge/scene/table_reader.hpp"
 
@@ -10,8 +12,8 @@ namespace blockweir::scene {
 namespace {
 
 constexpr const char* forms =
-    "a number, { table = [[time_s, value], ...] }, { steps = [[time_s, value], ...] } or "
-    "{ from = value, rate_per_s = value }";
+    "a number, { table = [[time_s, value], ...] }, { steps = [[time_s, value], ...] }, "
+    "{ from = value, rate_per_s = value }, { sine = amplitude, frequency_hz = value } or { file = \"record.csv\" }";
 
 }  // namespace
 
@@ -31,15 +33,18 @@ bool TableReader::time_table(const char* key, std::optional<TimeTable>& into, do
   const bool linear_read = inner.rows("table", linear);
   const bool steps_read = inner.rows("steps", steps);
   const bool ramp_read = inner.ramp(ramp, duration_s);
-  if (inner.has("table") + inner.has("steps") + inner.has("from") != 1) {
+  TimeTable wave;
+  const bool wave_read = inner.wave(wave);
+  if (inner.has("table") + inner.has("steps") + inner.has("from") + inner.has("sine") != 1) {
     problems_.error(inner.place(), fmt::format("{} does not state one course in time", inner.name()), forms,
-                    "keep one of table, steps and from");
+                    "keep one of table, steps, from and sine");
     return false;
   }
   if (linear_read) into = std::move(linear);
   if (steps_read) into = std::move(steps);
   if (ramp_read) into = std::move(ramp);
-  return linear_read || steps_read || ramp_read;
+  if (wave_read) into = std::move(wave);
+  return linear_read || steps_read || ramp_read || wave_read;
 }
 
 bool TableReader::rows(const char* key, TimeTable& into) {
@@ -81,6 +86,23 @@ bool TableReader::ramp(TimeTable& into, double duration_s) {
     return false;
   }
   into = {.time_s = {0, end_s}, .value = {from, end}};
+  return true;
+}
+
+bool TableReader::wave(TimeTable& into) {
+  double mean = 0;
+  double phase_deg = 0;
+  double frequency_hz = 0;
+  Sine sine;
+  const bool swings = number("sine", sine.amplitude);
+  const bool beats = number("frequency_hz", frequency_hz, positive(), has("sine"));
+  number("phase_deg", phase_deg);
+  number("mean", mean);
+  if (!swings || !beats) return false;
+  sine.angular_frequency = 2 * std::numbers::pi * frequency_hz;
+  sine.phase = phase_deg * std::numbers::pi / 180;
+  into = TimeTable::constant(mean);
+  into.sine = sine;
   return true;
 }
 

@@ -63,12 +63,13 @@ Block make_block(const scene::Block& described, const scene::Material& material,
   block.mass = mass_matrix(moments, material.density_kg_per_m3);
   block.stiffness.setZero();
   block.stiffness.bottomRightCorner<3, 3>() = moments.area * elastic_matrix(material, plane);
+  block.initial_stress = described.initial_stress_pa.value_or(material.initial_stress_pa);
   block.damping = retardation_time(block, material.damping_ratio) * block.stiffness;
   return block;
 }
 
 Eigen::Vector3d stress_in_block(const Block& block, const Vector6& displacement) {
-  return block.stiffness.bottomRightCorner<3, 3>() * displacement.tail<3>() / block.area;
+  return block.initial_stress + block.stiffness.bottomRightCorner<3, 3>() * displacement.tail<3>() / block.area;
 }
 
 }  // namespace blockweir::solid

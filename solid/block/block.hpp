@@ -29,6 +29,7 @@ struct Block {
   Matrix6 mass;        ///< integral of density T^T T, T the first-order shape matrix (1)-(3)
   Matrix6 stiffness;   ///< area * elastic matrix in the strain rows, zero elsewhere [N per metre]
   Matrix6 damping;     ///< Kelvin-Voigt: proportional to the stiffness by the material's damping ratio
+  Eigen::Vector3d initial_stress = Eigen::Vector3d::Zero();  ///< (xx, yy, xy) where there is no strain [Pa]
 
   [[nodiscard]] int unknowns() const { return rigid ? 3 : 6; }
   [[nodiscard]] double mass_per_m() const { return mass(0, 0); }

@@ -35,10 +35,11 @@ Panel panel_between(const Block& block, int index, const Point& from, const Poin
 }  // namespace
 
 Loads::Loads(const scene::Scene& scene, const std::vector<Block>& blocks)
-    : blocks_(blocks), rule_(scene.water.nodal_rule) {
+    : blocks_(blocks), scene_(scene), base_(scene) {
   for (const Block& block : blocks) {
-    weight_.emplace_back(Vector6::Zero());
-    weight_.back()[1] = -block.mass_per_m() * scene.analysis.gravity_m_per_s2;
+    constant_.emplace_back(Vector6::Zero());
+    constant_.back()[1] = -block.mass_per_m() * scene.analysis.gravity_m_per_s2;
+    constant_.back().tail<3>() = -block.area * block.initial_stress;
   }
   for (const auto& load : scene.point_loads) {
     points_.push_back({load.block, load.point_m - blocks[at(load.block)].centroid, &load});
@@ -48,14 +49,19 @@ Loads::Loads(const scene::Scene& scene, const std::vector<Block>& blocks)
     faces_.push_back(
         {panel_between(block, load.block, load.from_m - block.centroid, load.to_m - block.centroid), &load});
   }
+  for (const auto& load : scene.line_loads) {
+    const Block& block = blocks[at(load.block)];
+    lines_.push_back({panel_between(block, load.block, load.from_m - block.centroid, load.to_m - block.centroid),
+                      (load.to_m - load.from_m).norm(), &load});
+  }
 }
 
 void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::vector<Placement>& placements,
                      std::vector<Vector6>& forces) const {
-  forces = weight_;
+  forces = constant_;
   const auto add_panel = [&](const Panel& panel) {
     const Placement& placement = placements[at(panel.block)];
-    const PanelForce acting = panel_force(blocks_[at(panel.block)], placement, panel, rule_);
+    const PanelForce acting = panel_force(blocks_[at(panel.block)], placement, panel, scene_.water.nodal_rule);
     forces[at(panel.block)] += generalized_force(placement, acting);
   };
   for (const PointForce& point : points_) {
@@ -74,6 +80,37 @@ void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::
     add_panel(panel);
   }
   for (const Panel& panel : water) add_panel(panel);
+  add_lines(time_s, placements, forces);
+  add_bodies(time_s, forces);
+}
+
+/// Ends as stated, so that the first stays the first: f_i = L (2 q_i + q_j)/6 in each component.
+void Loads::add_lines(double time_s, const std::vector<Placement>& placements, std::vector<Vector6>& forces) const {
+  for (const Line& line : lines_) {
+    const Placement& placement = placements[at(line.panel.block)];
+    const auto nodes = panel_force(blocks_[at(line.panel.block)], placement, line.panel, scene::NodalRule::consistent);
+    std::array<Point, 2> force;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto component =
+          nodal_forces(scene::NodalRule::consistent, line.length, line.load->force_from_n_per_m2[axis].at(time_s),
+                       line.load->force_to_n_per_m2[axis].at(time_s));
+      for (std::size_t i = 0; i < 2; ++i) force[i][static_cast<Eigen::Index>(axis)] = component[i];
+    }
+    forces[at(line.panel.block)] += generalized_force(placement, PanelForce{nodes.node, force});
+  }
+}
+
+/// A uniform force on the volume acts at the centroid and strains nothing.
+void Loads::add_bodies(double time_s, std::vector<Vector6>& forces) const {
+  for (const auto& load : scene_.body_loads) {
+    const Point value(load.value[0].at(time_s), load.value[1].at(time_s));
+    for (const int b : load.blocks) {
+      forces[at(b)].head<2>() += (load.per_mass ? blocks_[at(b)].mass_per_m() : blocks_[at(b)].area) * value;
+    }
+  }
+  if (!base_started_) return;
+  const Point inertia = base_.inertia(time_s);
+  for (std::size_t b = 0; b < forces.size(); ++b) forces[b].head<2>() -= blocks_[b].mass_per_m() * inertia;
 }
 
 }  // namespace blockweir::solid

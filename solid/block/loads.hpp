@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Given loads of a scene as generalized forces: weight, point loads, pressures on faces.
+// Given loads of a scene as generalized forces: weight, initial stress, inertia of a moving base, point, line and body
+// loads, pressures on faces.
 #pragma once
 
 #include <vector>
 
+#include "solid/block/base_motion.hpp"
 #include "solid/block/panel.hpp"
 
 namespace blockweir::solid {
@@ -11,6 +13,9 @@ namespace blockweir::solid {
 class Loads {
  public:
   Loads(const scene::Scene& scene, const std::vector<Block>& blocks);
+
+  /// The base moves from now on: before, weight and first loads settle on a base at rest.
+  void start_base() { base_started_ = true; }
 
   /// External generalized forces [N per metre, N] on every block at `time_s`, with the water's panels; directions
   /// follow the placements given.
@@ -27,11 +32,22 @@ class Loads {
     Panel panel;
     const scene::FacePressure* load;
   };
+  struct Line {
+    Panel panel;    ///< where it acts; without pressure
+    double length;  ///< m, as the scene draws it
+    const scene::LineLoad* load;
+  };
+  void add_lines(double time_s, const std::vector<Placement>& placements, std::vector<Vector6>& forces) const;
+  void add_bodies(double time_s, std::vector<Vector6>& forces) const;
+
   const std::vector<Block>& blocks_;
-  std::vector<Vector6> weight_;
+  const scene::Scene& scene_;
+  std::vector<Vector6> constant_;  ///< weight and initial stress
   std::vector<PointForce> points_;
   std::vector<Face> faces_;
-  scene::NodalRule rule_;
+  std::vector<Line> lines_;
+  BaseMotion base_;
+  bool base_started_ = false;
 };
 
 }  // namespace blockweir::solid

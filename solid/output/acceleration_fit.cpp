@@ -6,13 +6,13 @@
 
 namespace blockweir::solid::output {
 
-void AccelerationFit::add(double time_s, const std::vector<BlockState>& states) {
+void AccelerationFit::add(double time_s, const std::vector<BlockState>& states, const Point& base_displacement) {
   double power = 1;
   for (double& sum : time_powers_) sum += power, power *= time_s;
   const Eigen::Vector3d powers(1, time_s, time_s * time_s);
   moments_.resize(states.size(), Eigen::Matrix<double, 3, 2>::Zero());
   for (std::size_t b = 0; b < states.size(); ++b) {
-    moments_[b] += powers * states[b].displacement.head<2>().transpose();
+    moments_[b] += powers * (states[b].displacement.head<2>() - base_displacement).transpose();
   }
 }
 

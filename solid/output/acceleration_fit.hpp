@@ -9,10 +9,10 @@
 
 namespace blockweir::solid::output {
 
-/// Fits u(t) = a + b t + c t^2 to each block's displacement.
+/// Fits u(t) = a + b t + c t^2 to each block's displacement against the base.
 class AccelerationFit {
  public:
-  void add(double time_s, const std::vector<BlockState>& states);
+  void add(double time_s, const std::vector<BlockState>& states, const Point& base_displacement = Point::Zero());
   /// 2 |c| [m/s2]; not a number for fewer than three times.
   [[nodiscard]] double of(std::size_t block) const;
 

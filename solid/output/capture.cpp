@@ -85,6 +85,8 @@ void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& f
   frame.upstream_level_m = load.upstream_level_m;
   frame.downstream_level_m = load.downstream_level_m;
   frame.largest_displacement_m = solid.largest_displacement_m();
+  frame.base_displacement_m = solid.base().displacement(time_s);
+  frame.base_acceleration_m_per_s2 = solid.base().acceleration(time_s);
   frame.blocks.resize(blocks.size());
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     capture_block(blocks[b], solid.states()[b], solid.placements()[b], frame.blocks[b]);

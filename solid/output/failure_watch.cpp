@@ -23,8 +23,9 @@ FailureWatch::FailureWatch(const Solid& solid) : solid_(solid), rest_(solid.bloc
 
 double FailureWatch::speed(std::size_t b) const {
   double fastest = 0;
+  const Point base = solid_.base().velocity(solid_.time_s());
   for (const Point& X : solid_.blocks()[b].vertices) {
-    fastest = std::max(fastest, (solid_.placements()[b].shape(X) * solid_.states()[b].velocity).norm());
+    fastest = std::max(fastest, (solid_.placements()[b].shape(X) * solid_.states()[b].velocity - base).norm());
   }
   return fastest;
 }
@@ -32,9 +33,10 @@ double FailureWatch::speed(std::size_t b) const {
 /// Farthest that a vertex has come since the block's last rest [m].
 double FailureWatch::travel(std::size_t b) const {
   const Placement then(solid_.blocks()[b].centroid, rest_[b].displacement);
+  const Point base = solid_.base().displacement(solid_.time_s()) - solid_.base().displacement(rest_[b].time_s);
   double farthest = 0;
   for (const Point& X : solid_.blocks()[b].vertices) {
-    farthest = std::max(farthest, (solid_.placements()[b].position(X) - then.position(X)).norm());
+    farthest = std::max(farthest, (solid_.placements()[b].position(X) - then.position(X) - base).norm());
   }
   return farthest;
 }

@@ -54,9 +54,11 @@ struct PanelRow {
 
 struct Frame {
   double time_s = 0;
-  double upstream_level_m = 0;    ///< NaN: no pool
-  double downstream_level_m = 0;  ///< NaN: no pool
-  double largest_displacement_m = 0;
+  double upstream_level_m = 0;        ///< NaN: no pool
+  double downstream_level_m = 0;      ///< NaN: no pool
+  double largest_displacement_m = 0;  ///< against the base
+  Point base_displacement_m = Point::Zero();
+  Point base_acceleration_m_per_s2 = Point::Zero();
   std::vector<BlockRow> blocks;
   std::vector<ContactRow> contacts;
   std::vector<PanelRow> panels;

@@ -19,6 +19,9 @@ std::string quoted(const std::string& name) {
 
 std::string header(const scene::Scene& scene) {
   std::string text = "time_s,upstream_level_m,downstream_level_m,largest_displacement_m";
+  if (scene.base_motion) {
+    text += ",base.displacement_x_m,base.displacement_y_m,base.acceleration_x_m_per_s2,base.acceleration_y_m_per_s2";
+  }
   for (const auto& block : scene.blocks) {
     if (block.fixed) continue;
     for (const char* quantity : {"displacement_x_m", "displacement_y_m", "rotation_rad", "velocity_x_m_per_s",
@@ -41,6 +44,7 @@ HistoryWriter::HistoryWriter(const std::filesystem::path& folder, const scene::S
     : file_(folder / "history.csv") {
   file_.line(header(scene));
   joints_ = static_cast<int>(scene.joints.size());
+  shaken_ = scene.base_motion.has_value();
 }
 
 void HistoryWriter::write(const Frame& frame) {
@@ -48,6 +52,9 @@ void HistoryWriter::write(const Frame& frame) {
   const auto add = [&](double value) { fmt::format_to(std::back_inserter(row), ",{:.12g}", value); };
   fmt::format_to(std::back_inserter(row), "{:.12g}", frame.time_s);
   for (const double v : {frame.upstream_level_m, frame.downstream_level_m, frame.largest_displacement_m}) add(v);
+  if (shaken_) {
+    for (const Point& p : {frame.base_displacement_m, frame.base_acceleration_m_per_s2}) add(p.x()), add(p.y());
+  }
   for (const BlockRow& b : frame.blocks) {
     if (b.fixed) continue;
     for (const double v :

@@ -15,6 +15,7 @@ class HistoryWriter {
  private:
   results::ResultFile file_;
   int joints_ = 0;
+  bool shaken_ = false;
 };
 
 }  // namespace blockweir::solid::output

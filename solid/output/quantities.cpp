@@ -35,9 +35,10 @@ double of_first_failure(const Outcome& o, const std::string&) {
   return o.failure.failures().empty() ? nan : o.failure.failures().front().*Member;
 }
 
+/// Against the base.
 double displacement(const Outcome& o, const std::string& of) {
   const std::size_t b = block_index(o, of);
-  return (o.last.blocks[b].centroid_m - o.first.blocks[b].centroid_m).norm();
+  return (o.last.blocks[b].centroid_m - o.first.blocks[b].centroid_m - o.last.base_displacement_m).norm();
 }
 
 double acceleration(const Outcome& o, const std::string& of) {

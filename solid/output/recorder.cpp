@@ -49,7 +49,7 @@ void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire:
     solid_.advance(from_s, to_s, panels_of(load, solid_.blocks()));
     failure_.look(to_s, load.upstream_level_m);
     if (failure_.failures().empty()) margins_.look(solid_, to_s, load.upstream_level_m);
-    acceleration_.add(to_s, solid_.states());
+    acceleration_.add(to_s, solid_.states(), solid_.base().displacement(to_s));
   }
   for (const ContactPoint& c : solid_.contacts()) {
     if (c.state != ContactState::open) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);

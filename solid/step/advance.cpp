@@ -14,6 +14,7 @@ void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water)
   const double largest_step = scene_.analysis.step_s;
   const double smallest_step = 1e-6 * largest_step;
   double time = from_s;
+  loads_.start_base();
   if (!std::exchange(started_, true) && scene_.analysis.integrator != scene::Integrator::shi) {
     start_acceleration(water, from_s);
   }
@@ -69,10 +70,11 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     past_velocity_[b] = newmark_.past_velocity(states_[b], dt);
     placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
   }
+  carry_fixed_blocks(end_s);
   for (Support& support : supports_) {
     const auto b = static_cast<std::size_t>(support.block);
-    support.separation =
-        start_[b].position(support.material) - blocks_[b].centroid - support.material - support.target(end_s);
+    support.separation = start_[b].position(support.material) - blocks_[b].centroid - support.material -
+                         support.target(end_s) - base_.displacement(end_s);
   }
   const Trial at_start{blocks_, start_, still_, start_, past_velocity_, newmark_.velocity_factor(dt)};
   formulation_->begin_step(at_start, matrix_, frozen_, contacts_, supports_);
@@ -93,12 +95,26 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     supports_ = supports_before;
     return false;
   }
-  accept(dt);
+  accept(dt, end_s);
   require_finite(end_s);
   return true;
 }
 
-void Solid::accept(double dt) {
+/// Fixed blocks have no unknowns: the step finds them where a moving base takes them.
+void Solid::carry_fixed_blocks(double end_s) {
+  if (!base_.moves_supports()) return;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!blocks_[b].fixed) continue;
+    increment_[b].head<2>() = base_.displacement(end_s) - states_[b].displacement.head<2>();
+    placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
+  }
+}
+
+void Solid::accept(double dt, double end_s) {
+  time_s_ = end_s;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (blocks_[b].fixed) states_[b].velocity.head<2>() = base_.velocity(end_s);
+  }
   for (IslandSystem& island : islands_) {
     if (island.asleep) continue;
     for (const int block : island.island.blocks) {
@@ -110,7 +126,7 @@ void Solid::accept(double dt) {
   }
   formulation_->accept(trial(), contacts_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (frozen_[b]) continue;
+    if (frozen_[b] && !base_.moves_supports()) continue;
     states_[b].displacement += increment_[b];
     start_[b] = Placement(blocks_[b].centroid, states_[b].displacement);
   }
@@ -149,7 +165,7 @@ void Solid::put_to_sleep(const IslandSystem& s) {
 double Solid::largest_increment() const {
   double largest = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (frozen_[b]) continue;
+    if (frozen_[b] && !base_.moves_supports()) continue;
     for (const Point& X : blocks_[b].vertices) {
       largest = std::max(largest, start_[b].increment(increment_[b], X).norm());
     }

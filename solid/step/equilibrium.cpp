@@ -163,7 +163,7 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   constexpr double unheard_m_per_s = 1e-9;
   double loudest = 0;
   const auto mismatch = [&](int block, const Matrix26& shape) -> Eigen::Vector2d {
-    if (block < 0 || frozen_[at(block)]) return Eigen::Vector2d::Zero();
+    if (block < 0) return Eigen::Vector2d::Zero();
     return shape * (increment_[at(block)] / dt - states_[at(block)].velocity);
   };
   std::vector<Interaction> actions;

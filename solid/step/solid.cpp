@@ -63,6 +63,7 @@ Solid::Solid(const scene::Scene& scene)
       blocks_(make_blocks(scene)),
       laws_(scene),
       loads_(scene, blocks_),
+      base_(scene),
       size_(model_size(scene)),
       force_scale_(weight_of_all(blocks_, scene.analysis.gravity_m_per_s2)),
       supports_(make_supports(scene, blocks_)),
@@ -137,10 +138,11 @@ Counts Solid::counts() const {
 
 double Solid::largest_displacement_m() const {
   double largest = 0;
+  const Point base = base_.displacement(time_s_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].fixed) continue;
     for (const Point& X : blocks_[b].vertices) {
-      largest = std::max(largest, (start_[b].position(X) - blocks_[b].centroid - X).norm());
+      largest = std::max(largest, (start_[b].position(X) - blocks_[b].centroid - X - base).norm());
     }
   }
   return largest;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bridge/scene/scene.hpp"
+#include "solid/block/base_motion.hpp"
 #include "solid/block/loads.hpp"
 #include "solid/contact/bonds.hpp"
 #include "solid/contact/formulation.hpp"
@@ -36,12 +37,14 @@ class Solid {
   [[nodiscard]] const std::vector<ContactPoint>& contacts() const { return contacts_; }
   [[nodiscard]] const std::vector<Support>& supports() const { return supports_; }
   [[nodiscard]] const JointLaws& laws() const { return laws_; }
+  [[nodiscard]] const BaseMotion& base() const { return base_; }
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] const Profile& profile() const { return profile_; }
   [[nodiscard]] double size_m() const { return size_; }  ///< half the height of what can move, at least half its width
 
-  /// Largest displacement of any vertex since the scene's outline [m].
+  /// Largest displacement of any vertex since the scene's outline, against the base [m].
   [[nodiscard]] double largest_displacement_m() const;
+  [[nodiscard]] double time_s() const { return time_s_; }
 
  private:
   /// A force that is solved for, of a contact or a support: what a unit of it exerts (normal, shear).
@@ -84,7 +87,8 @@ class Solid {
   void add_stiffness(LinearSystem& system, const Interaction& action) const;
   void add_constraints(IslandSystem& island, const Interaction& action, bool support, int index) const;
   void quiet_held_directions(IslandSystem& island, double dt);
-  void accept(double dt);
+  void carry_fixed_blocks(double end_s);
+  void accept(double dt, double end_s);
   [[nodiscard]] bool may_sleep(const IslandSystem& island) const;
   void put_to_sleep(const IslandSystem& island);
   [[nodiscard]] double largest_increment() const;
@@ -99,6 +103,7 @@ class Solid {
   std::vector<Block> blocks_;
   JointLaws laws_;
   Loads loads_;
+  BaseMotion base_;
   double size_ = 0;
   double force_scale_ = 0;  ///< weight of all that can move [N per metre]
 
@@ -109,6 +114,7 @@ class Solid {
   std::vector<Support> supports_;
   double next_dt_ = 0;  ///< step that the last advance ended with
   bool started_ = false;
+  double time_s_ = 0;  ///< of states_
   bool settling_ = false;
   Sleep sleep_;
 

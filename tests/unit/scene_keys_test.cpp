@@ -133,7 +133,7 @@ TEST(SceneKeys, NamesThatNothingHasNameTheNearest) {
                {"block in [[support]] names no block: \"bsae\"", "one of ground, base, top", "did you mean \"base\"?"});
   expect_error(with("between = [\"base\", \"top\"]", "between = [\"base\", \"tpo\"]"), 29,
                {"between in [[joints]] \"crack\" names no block: \"tpo\"", "did you mean \"top\"?"});
-  expect_error(with("of = \"crack\"", "of = \"crak\""), 55, {"names no block or joint: \"crak\"", "\"crack\""});
+  expect_error(with("of = \"crack\"", "of = \"crak\""), 55, {"names no block, joint or bolt: \"crak\"", "\"crack\""});
   expect_error(with("\"concrete\"\nfixed", "\"concret\"\nfixed"), 16,
                {"material in [[block]] \"ground\" names no material: \"concret\"", "did you mean \"concrete\"?"});
 }

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_scene
+// Loads in time: base motion, line and body loads, initial stress, records in files.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/unit/scene_sample.hpp"
+
+using namespace blockweir::scene;
+using sample::errors;
+using sample::expect_error;
+using sample::SceneFolder;
+using sample::text;
+using sample::with;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+namespace {
+
+/// The sample with another section at its end, whose first line is line 56.
+std::string and_also(const std::string& section) {
+  return text + section;
+}
+
+Scene scene_of(const std::string& scene) {
+  return read_text(scene, "s.toml").scene;
+}
+
+TEST(SceneLoads, ASineSwingsAboutItsMean) {
+  const Scene scene = scene_of(and_also(
+      "[base_motion]\nacceleration_x_m_per_s2 = { sine = 3, frequency_hz = 0.5, phase_deg = 90, mean = 1 }\n"));
+  const TimeTable& a = scene.base_motion->acceleration_x_m_per_s2;
+  EXPECT_DOUBLE_EQ(a.at(0), 4);
+  EXPECT_NEAR(a.at(0.5), 1, 1e-12);
+  EXPECT_NEAR(a.at(1), -2, 1e-12);
+  EXPECT_EQ(scene.base_motion->acceleration_y_m_per_s2.at(1), 0);
+  EXPECT_EQ(scene.base_motion->form, BaseForm::inertia);
+  expect_error(and_also("[base_motion]\nacceleration_x_m_per_s2 = { sine = 3 }\n"), 57, {"has no \"frequency_hz\""});
+  expect_error(and_also("[base_motion]\nacceleration_x_m_per_s2 = { sine = 3, frequency_hz = 0 }\n"), 57,
+               {"frequency_hz in", "is 0", "a number above 0"});
+  expect_error(and_also("[base_motion]\nacceleration_x_m_per_s2 = { sine = 3, frequency_hz = 1, from = 2, "
+                        "rate_per_s = 1 }\n"),
+               57, {"does not state one course in time", "sine"});
+}
+
+TEST(SceneLoads, AWaterLevelThatSwingsStaysWithinTheModel) {
+  expect_error(with("{ table = [[0, 1], [2, 3]] }", "{ sine = 2, frequency_hz = 1, mean = 3 }"), 45,
+               {"upstream_level_m reaches 5 m"});
+}
+
+TEST(SceneLoads, ABaseMotionMovesSomethingInOneOfTwoForms) {
+  expect_error(and_also("[base_motion]\nform = \"support\"\n"), 56, {"[base_motion] moves nothing"});
+  expect_error(and_also("[base_motion]\nform = \"bodies\"\nacceleration_x_m_per_s2 = 1\n"), 57,
+               {"one of inertia, support"});
+}
+
+TEST(SceneLoads, ALineLoadStatesEachAxisOnce) {
+  const std::string load = "[[line_load]]\nblock = \"top\"\nfrom_m = [3, 2]\nto_m = [3, 4]\n";
+  const Scene scene = scene_of(and_also(load + "force_x_n_per_m2 = 5\nforce_from_y_n_per_m2 = 1\n"
+                                               "force_to_y_n_per_m2 = { from = 2, rate_per_s = 1 }\n"));
+  EXPECT_EQ(scene.line_loads[0].force_from_n_per_m2[0].at(0), 5);
+  EXPECT_EQ(scene.line_loads[0].force_to_n_per_m2[0].at(0), 5);
+  EXPECT_EQ(scene.line_loads[0].force_from_n_per_m2[1].at(1), 1);
+  EXPECT_EQ(scene.line_loads[0].force_to_n_per_m2[1].at(1), 3);
+  expect_error(and_also(load), 56, {"[[line_load]] does not state one force"});
+  expect_error(and_also(load + "force_from_x_n_per_m2 = 5\n"), 56, {"does not state one force"});
+  expect_error(and_also(load + "force_x_n_per_m2 = 5\nforce_from_x_n_per_m2 = 5\nforce_to_x_n_per_m2 = 5\n"), 56,
+               {"does not state one force", "keep one of the two ways for each axis"});
+  expect_error(and_also("[[line_load]]\nblock = \"top\"\nfrom_m = [3, 2]\nto_m = [0, 4]\nforce_x_n_per_m2 = 5\n"), 58,
+               {"does not lie on one edge of block \"top\""});
+  expect_error(and_also("[[line_load]]\nblock = \"top\"\nfrom_m = [3, 2]\nto_m = [3, 2]\nforce_x_n_per_m2 = 5\n"), 56,
+               {"begins and ends at the same point"});
+}
+
+TEST(SceneLoads, ABodyLoadIsOnNamedBlocksOrOnAllThatMove) {
+  const Scene scene =
+      scene_of(and_also("[[body_load]]\nacceleration_x_m_per_s2 = 2\n"
+                        "[[body_load]]\nblocks = [\"top\"]\nforce_y_n_per_m3 = 3\n"));
+  EXPECT_THAT(scene.body_loads[0].blocks, ElementsAre(1, 2));
+  EXPECT_TRUE(scene.body_loads[0].per_mass);
+  EXPECT_THAT(scene.body_loads[1].blocks, ElementsAre(2));
+  EXPECT_FALSE(scene.body_loads[1].per_mass);
+  EXPECT_EQ(scene.body_loads[1].value[1].at(0), 3);
+  expect_error(and_also("[[body_load]]\nblocks = [\"tpo\"]\nforce_y_n_per_m3 = 3\n"), 57,
+               {"blocks in [[body_load]] names no block: \"tpo\"", "did you mean \"top\"?"});
+  expect_error(and_also("[[body_load]]\nblocks = \"top\"\nforce_y_n_per_m3 = 3\n"), 57, {"a list of texts"});
+  expect_error(and_also("[[body_load]]\n"), 56, {"[[body_load]] has no load"});
+  expect_error(and_also("[[body_load]]\nforce_y_n_per_m3 = 3\nacceleration_x_m_per_s2 = 1\n"), 56,
+               {"states both acceleration and force"});
+}
+
+TEST(SceneLoads, AnInitialStressHasThreeComponents) {
+  const std::string scene = with("name = \"top\"", "name = \"top\"\ninitial_stress_pa = [-1, -2, 3]");
+  EXPECT_EQ(*scene_of(scene).blocks[2].initial_stress_pa, Eigen::Vector3d(-1, -2, 3));
+  EXPECT_FALSE(scene_of(scene).blocks[1].initial_stress_pa.has_value());
+  EXPECT_EQ(scene_of(with("poissons_ratio = 0.2", "poissons_ratio = 0.2\ninitial_stress_pa = [0, -5, 0]"))
+                .materials[0]
+                .initial_stress_pa[1],
+            -5);
+  expect_error(with("name = \"top\"", "name = \"top\"\ninitial_stress_pa = [-1, -2]"), 25,
+               {"initial_stress_pa", "three finite numbers [xx, yy, xy]"});
+  expect_error(with("name = \"top\"", "name = \"top\"\ninitial_stress_pa = [-1, nan, 3]"), 25, {"is nan"});
+}
+
+class SceneRecord : public SceneFolder {
+ protected:
+  /// The scene of a base that follows a record.
+  std::filesystem::path shaken(const std::string& record, const std::string& keys = "") {
+    return write("scene.toml",
+                 with("\n[water]\nupstream_level_m = { table = [[0, 1], [2, 3]] }\n[fluid]\nmodel = "
+                      "\"hydrostatic\"",
+                      "\n[base_motion]\nacceleration_x_m_per_s2 = { file = \"" + record + "\"" + keys + " }"));
+  }
+  /// What the reader says of the record "r.csv" that holds this.
+  std::string complaint(const std::string& rows, const std::string& keys = "") {
+    static_cast<void>(write("r.csv", rows));
+    return error(shaken("r.csv", keys));
+  }
+};
+
+TEST_F(SceneRecord, IsReadByColumnStepAndScale) {
+  static_cast<void>(write("r.csv", "# station 7\ntime_s, east_g, north_g\n0, 1, 10\n\n0.5, +2e0, 20\n1, 3, 30\n"));
+  const TimeTable second = read(shaken("r.csv")).scene.base_motion->acceleration_x_m_per_s2;
+  EXPECT_THAT(second.time_s, ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(second.value, ElementsAre(1, 2, 3));
+  const TimeTable third = read(shaken("r.csv", ", column = 3, scale = 0.5")).scene.base_motion->acceleration_x_m_per_s2;
+  EXPECT_THAT(third.value, ElementsAre(5, 10, 15));
+  static_cast<void>(write("r.txt", "1\n2\n  4\n"));
+  const TimeTable plain = read(shaken("r.txt", ", step_s = 0.25")).scene.base_motion->acceleration_x_m_per_s2;
+  EXPECT_THAT(plain.time_s, ElementsAre(0, 0.25, 0.5));
+  EXPECT_THAT(plain.value, ElementsAre(1, 2, 4));
+}
+
+TEST_F(SceneRecord, BecomesPartOfTheTextAndItsDigest) {
+  static_cast<void>(write("r.csv", "0 1\n1 0.1\n"));
+  const Scene scene = read(shaken("r.csv")).scene;
+  EXPECT_THAT(scene.text, testing::Not(HasSubstr("r.csv")));
+  const Scene again = read_text(scene.text, "elsewhere/scene.toml").scene;
+  EXPECT_EQ(again.base_motion, scene.base_motion);
+  EXPECT_EQ(again.digest, scene.digest);
+  static_cast<void>(write("r.csv", "0 1\n1 0.2\n"));
+  EXPECT_NE(read(shaken("r.csv")).scene.digest, scene.digest);
+}
+
+TEST_F(SceneRecord, FaultsNameTheFileAndItsLine) {
+  EXPECT_THAT(error(shaken("none.csv")), HasSubstr(":45: error: the record none.csv: it cannot be read"));
+  EXPECT_THAT(error(shaken("")), HasSubstr("file in a record in a file is ''"));
+  EXPECT_THAT(complaint("0,1\n1,x\n"), HasSubstr("the record r.csv: \"x\" at line 2 is not a number"));
+  EXPECT_THAT(complaint("0,1\n1,nan\n"), HasSubstr("\"nan\" at line 2 is not a number"));
+  EXPECT_THAT(complaint("t,a\nu,b\n"), HasSubstr("\"u\" at line 2 is not a number"));
+  EXPECT_THAT(complaint("0,1\n1,\n"), HasSubstr("\"\" at line 2 is not a number"));
+  EXPECT_THAT(complaint("0,1\n1\n"), HasSubstr("line 2 has no column 2"));
+  EXPECT_THAT(complaint("0,1\n1,2\n", ", column = 3"), HasSubstr("line 1 has no column 3"));
+  EXPECT_THAT(complaint("0,1\n1,2\n1,3\n"), HasSubstr("time goes from 1 s to 1 s at line 3"));
+  EXPECT_THAT(complaint("0,1\n"), HasSubstr("1 rows; expected two rows or more"));
+  EXPECT_THAT(complaint(""), HasSubstr("0 rows"));
+  EXPECT_THAT(complaint("0,1e300\n1,2\n", ", scale = 1e300"), HasSubstr("the value at line 1 is too large"));
+  EXPECT_THAT(complaint("0,1\n1,2\n", ", step_s = 0"), HasSubstr("step_s in a record in a file is 0"));
+  EXPECT_THAT(complaint("0,1\n1,2\n", ", colum = 2"), HasSubstr("did you mean \"column\"?"));
+  std::string rows;
+  for (int i = 0; i <= 100'000; ++i) rows += "1\n";
+  EXPECT_THAT(complaint(rows, ", step_s = 1"), HasSubstr("more than 100000 rows"));
+}
+
+}  // namespace
