@@ -60,7 +60,8 @@ struct Block {
   bool rigid = false;           ///< moves, but does not strain
   Point initial_velocity_m_per_s = Point::Zero();
   double initial_spin_deg_per_s = 0;
-  int line = 0;  ///< where the scene file states it
+  double mesh_size_m = 0;  ///< of the triangles that the solid cuts it into; 0: none, one strain for all of it
+  int line = 0;            ///< where the scene file states it
   bool operator==(const Block&) const = default;
 };
 

@@ -34,17 +34,16 @@ Panel panel_between(const Block& block, int index, const Point& from, const Poin
 
 }  // namespace
 
-Loads::Loads(const scene::Scene& scene, const std::vector<Block>& blocks)
-    : blocks_(blocks), rule_(scene.water.nodal_rule) {
-  for (const Block& block : blocks) {
+Loads::Loads(const scene::Scene& scene, const Parts& parts) : parts_(parts), rule_(scene.water.nodal_rule) {
+  for (const Block& block : parts.blocks) {
     weight_.emplace_back(Vector6::Zero());
     weight_.back()[1] = -block.mass_per_m() * scene.analysis.gravity_m_per_s2;
   }
   for (const auto& load : scene.point_loads) {
-    points_.push_back({load.block, load.point_m - blocks[at(load.block)].centroid, &load});
+    points_.push_back({parts.anchor(load.block, load.point_m), &load});
   }
   for (const auto& load : scene.face_pressures) {
-    const Block& block = blocks[at(load.block)];
+    const Block& block = parts.blocks[at(load.block)];
     faces_.push_back(
         {panel_between(block, load.block, load.from_m - block.centroid, load.to_m - block.centroid), &load});
   }
@@ -53,14 +52,19 @@ Loads::Loads(const scene::Scene& scene, const std::vector<Block>& blocks)
 void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::vector<Placement>& placements,
                      std::vector<Vector6>& forces) const {
   forces = weight_;
-  const auto add_panel = [&](const Panel& panel) {
-    const Placement& placement = placements[at(panel.block)];
-    const PanelForce acting = panel_force(blocks_[at(panel.block)], placement, panel, rule_);
-    forces[at(panel.block)] += generalized_force(placement, acting);
+  std::vector<Panel> pieces;
+  const auto add_panel = [&](const Panel& whole) {
+    pieces.clear();
+    parts_.split(whole, pieces);
+    for (const Panel& panel : pieces) {
+      const Placement& placement = placements[at(panel.block)];
+      const PanelForce acting = panel_force(parts_.blocks[at(panel.block)], placement, panel, rule_);
+      forces[at(panel.block)] += generalized_force(placement, acting);
+    }
   };
   for (const PointForce& point : points_) {
     const Point force(point.load->force_x_n_per_m.at(time_s), point.load->force_y_n_per_m.at(time_s));
-    forces[at(point.block)] += placements[at(point.block)].shape(point.material).transpose() * force;
+    forces[at(point.at.part)] += placements[at(point.at.part)].shape(point.at.material).transpose() * force;
   }
   for (const Face& face : faces_) {
     Panel panel = face.panel;

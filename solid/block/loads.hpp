@@ -4,30 +4,29 @@
 
 #include <vector>
 
-#include "solid/block/panel.hpp"
+#include "solid/block/parts.hpp"
 
 namespace blockweir::solid {
 
 class Loads {
  public:
-  Loads(const scene::Scene& scene, const std::vector<Block>& blocks);
+  Loads(const scene::Scene& scene, const Parts& parts);
 
-  /// External generalized forces [N per metre, N] on every block at `time_s`, with the water's panels; directions
-  /// follow the placements given.
+  /// External generalized forces [N per metre, N] on every part at `time_s`, with the water's panels on the scene's
+  /// blocks; directions follow the placements given.
   void evaluate(double time_s, const std::vector<Panel>& water, const std::vector<Placement>& placements,
                 std::vector<Vector6>& forces) const;
 
  private:
   struct PointForce {
-    int block;
-    Point material;
+    Anchor at;
     const scene::PointLoad* load;
   };
   struct Face {
     Panel panel;
     const scene::FacePressure* load;
   };
-  const std::vector<Block>& blocks_;
+  const Parts& parts_;
   std::vector<Vector6> weight_;
   std::vector<PointForce> points_;
   std::vector<Face> faces_;

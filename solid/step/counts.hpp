@@ -22,7 +22,7 @@ struct Counts {
   long state_changes = 0;   ///< open, stick, slip
   long broad_searches = 0;
   long settling_steps = 0;
-  long solved_islands = 0;  ///< summed over steps
+  long solved_islands = 0;      ///< summed over steps
   long slept_islands = 0;       ///< islands that a step left as they were, summed over steps
   double condition_number = 0;  ///< largest of all systems solved, where the scene asks for it
 };
