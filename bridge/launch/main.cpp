@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "bridge/launch/compare.hpp"
 #include "bridge/launch/cut.hpp"
 #include "bridge/launch/plot.hpp"
 #include "bridge/launch/run.hpp"
@@ -46,6 +47,7 @@ int run_command(int argc, char** argv) {
   launch::ValidateOptions validate;
   launch::PlotOptions plot;
   launch::CutOptions cut;
+  launch::CompareOptions compare;
   std::string checked;
 
   auto* run_cmd = app.add_subcommand("run", "run a scene and say how it ends");
@@ -69,6 +71,10 @@ int run_command(int argc, char** argv) {
   validate_cmd->add_option("--json", validate.json, "file for the table as JSON");
   validate_cmd->add_option("--set", validate.overrides, "key=value over the scenes' own");
   validate_cmd->add_flag("--sweep", validate.sweep, "for penalties 5e6, 1e9, 1e12 and steps 1e-2, 1e-3 s");
+  auto* compare_cmd = app.add_subcommand("compare", "the three contact formulations on the same scenes, side by side");
+  compare_cmd->add_option("cases", compare.cases, "case folders (default: five of them)");
+  compare_cmd->add_option("--json", compare.json, "file for the table as JSON");
+  compare_cmd->add_option("--set", compare.overrides, "key=value over the scenes' own");
   app.add_subcommand("test", "set up, build and run every test (in a source tree: ./blockweir test)");
 
   refuse_unknown_command(argc, argv, app);
@@ -87,6 +93,7 @@ int run_command(int argc, char** argv) {
   if (cut_cmd->parsed()) return launch::cut(cut), 0;
   if (plot_cmd->parsed()) return launch::plot(plot), 0;
   if (validate_cmd->parsed()) return launch::validate(validate);
+  if (compare_cmd->parsed()) return launch::compare(compare);
   throw std::invalid_argument("tests run in a source tree: ./blockweir test");
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bridge/launch/cases_folder.hpp"
 #include "bridge/launch/run.hpp"
 #include "bridge/launch/temporary_folder.hpp"
 #include "bridge/results/folder.hpp"
@@ -16,15 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-/// The cases of the source tree, or of an install: both stand at a fixed place from the program.
-fs::path cases_folder() {
-  const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
-  for (const char* place : {"../../../cases", "../share/blockweir/cases"}) {
-    if (fs::is_directory(here / place)) return fs::canonical(here / place);
-  }
-  throw std::invalid_argument("there is no folder of cases beside the program; name the cases to validate");
-}
 
 std::vector<fs::path> all_cases() {
   std::vector<fs::path> cases;

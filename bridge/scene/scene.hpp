@@ -62,7 +62,8 @@ struct Block {
   Point initial_velocity_m_per_s = Point::Zero();
   double initial_spin_deg_per_s = 0;
   std::optional<Eigen::Vector3d> initial_stress_pa{};  ///< default: the material's
-  int line = 0;                                        ///< where the scene file states it
+  double mesh_size_m = 0;  ///< of the triangles that the solid cuts it into; 0: none, one strain for all of it
+  int line = 0;            ///< where the scene file states it
   bool operator==(const Block&) const = default;
 };
 

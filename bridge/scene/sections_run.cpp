@@ -40,8 +40,9 @@ void read_analysis(Reading& reading) {
   table.flag("stop_at_failure", a.stop_at_failure);
   table.flag("islands", a.islands);
   table.flag("sleep", a.sleep);
-  table.choice<Rigid>("rigid", a.rigid,
-                      {{"named", Rigid::named}, {"auto", Rigid::automatic}, {"all", Rigid::all}, {"none", Rigid::none}});
+  table.choice<Rigid>(
+      "rigid", a.rigid,
+      {{"named", Rigid::named}, {"auto", Rigid::automatic}, {"all", Rigid::all}, {"none", Rigid::none}});
   if (duration) reject_longer_than_duration(table, reading, "step_s", a.step_s);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "bridge/scene/mesh_size.hpp"
 #include "bridge/scene/outline.hpp"
 #include "bridge/scene/sections.hpp"
 #include "bridge/section/joint_set.hpp"
@@ -15,10 +16,11 @@ namespace {
 
 constexpr std::size_t most_lines = 20000;
 
-/// Blocks in it are of its material, and may not move.
+/// Blocks in it are of its material, have its mesh, and may not move.
 struct Region {
   int material = 0;
   bool fixed = false;
+  double mesh_size_m = 0;
   std::vector<Point> outline;
 };
 
@@ -42,13 +44,14 @@ bool sound(TableReader& table, Reading& reading, const char* key, const std::str
   return false;
 }
 
-std::vector<Region> read_regions(Reading& reading, Cuts& cuts) {
+std::vector<Region> read_regions(Reading& reading, double mesh_size_m, Cuts& cuts) {
   std::vector<Region> regions;
   reading.each("region", [&](TableReader& table) {
-    Region region;
+    Region region{.mesh_size_m = mesh_size_m};
     region.material = table.reference("material", reading.materials);
     table.flag("fixed", region.fixed);
     table.points("outline_m", region.outline);
+    read_mesh_size(table, reading, region.fixed ? "fixed" : nullptr, region.outline, region.mesh_size_m);
     if (!sound(table, reading, "outline_m", "the outline of a region", region.outline)) return;
     std::vector<Point> ring = region.outline;
     ring.push_back(ring.front());
@@ -182,6 +185,7 @@ void read_section(Reading& reading) {
     table.flag("fixed", whole.fixed);
     table.points("outline_m", section.outline);
     table.outlines("holes_m", section.holes);
+    read_mesh_size(table, reading, whole.fixed ? "fixed" : nullptr, section.outline, whole.mesh_size_m);
     if (table.has("held_points_m")) table.points("held_points_m", held, 1);
   }
   bool ready = sound(table, reading, "outline_m", "the section's outline", section.outline);
@@ -189,7 +193,7 @@ void read_section(Reading& reading) {
     ready = ready && sound(table, reading, "holes_m", "a hole of the section", hole);
   const Bounds bounds = ready ? bounds_of(section.outline) : Bounds{Point::Zero(), Point::Ones()};
   const std::size_t errors = reading.problems.count();
-  const std::vector<Region> regions = read_regions(reading, cuts);
+  const std::vector<Region> regions = read_regions(reading, whole.mesh_size_m, cuts);
   read_cuts(reading, cuts);
   read_joint_sets(reading, bounds, cuts);
   if (!table.present() && !cuts.joints.empty()) {
@@ -212,6 +216,7 @@ void read_section(Reading& reading) {
     const Region& region = region_of(block, regions, whole);
     block.material = region.material;
     block.fixed = region.fixed;
+    block.mesh_size_m = region.fixed ? 0 : region.mesh_size_m;
     block.line = table.place().line;
     reading.blocks.add(block.name);
     reading.scene.blocks.push_back(std::move(block));

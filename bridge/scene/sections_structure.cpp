@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bridge/scene/mesh_size.hpp"
 #include "bridge/scene/outline.hpp"
 #include "bridge/scene/polygon.hpp"
 #include "bridge/scene/sections.hpp"
@@ -43,6 +44,11 @@ void read_block(TableReader& table, Reading& reading) {
   table.point("initial_velocity_m_per_s", block.initial_velocity_m_per_s);
   table.number("initial_spin_deg_per_s", block.initial_spin_deg_per_s);
   table.stress("initial_stress_pa", block.initial_stress_pa);
+  read_mesh_size(table, reading,
+                 block.fixed   ? "fixed"
+                 : block.rigid ? "rigid"
+                               : nullptr,
+                 block.vertices, block.mesh_size_m);
   if (!reading.blocks.add(block.name) && !block.name.empty()) {
     reading.problems.error(table.place("name"), fmt::format("a second block is called \"{}\"", block.name),
                            "names that differ", "rename one of them");

@@ -38,7 +38,8 @@ Matrix6 mass_matrix(const PolygonMoments& m, double density) {
   return density * M;
 }
 
-/// 2 zeta / omega, omega the lowest natural frequency at which the free block strains [s].
+}  // namespace
+
 double retardation_time(const Block& block, double damping_ratio) {
   if (damping_ratio == 0) return 0;
   const Eigen::Matrix3d K = block.stiffness.bottomRightCorner<3, 3>();
@@ -46,8 +47,6 @@ double retardation_time(const Block& block, double damping_ratio) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> modes(K, M, Eigen::EigenvaluesOnly);
   return 2 * damping_ratio / std::sqrt(modes.eigenvalues().minCoeff());
 }
-
-}  // namespace
 
 Block make_block(const scene::Block& described, const scene::Material& material, scene::Plane plane) {
   const PolygonMoments moments = polygon_moments(described.vertices);
@@ -62,14 +61,15 @@ Block make_block(const scene::Block& described, const scene::Material& material,
   }
   block.mass = mass_matrix(moments, material.density_kg_per_m3);
   block.stiffness.setZero();
-  block.stiffness.bottomRightCorner<3, 3>() = moments.area * elastic_matrix(material, plane);
+  block.elasticity = elastic_matrix(material, plane);
+  block.stiffness.bottomRightCorner<3, 3>() = moments.area * block.elasticity;
   block.initial_stress = described.initial_stress_pa.value_or(material.initial_stress_pa);
   block.damping = retardation_time(block, material.damping_ratio) * block.stiffness;
   return block;
 }
 
 Eigen::Vector3d stress_in_block(const Block& block, const Vector6& displacement) {
-  return block.initial_stress + block.stiffness.bottomRightCorner<3, 3>() * displacement.tail<3>() / block.area;
+  return block.initial_stress + block.elasticity * displacement.tail<3>();
 }
 
 }  // namespace blockweir::solid

@@ -34,39 +34,43 @@ Panel panel_between(const Block& block, int index, const Point& from, const Poin
 
 }  // namespace
 
-Loads::Loads(const scene::Scene& scene, const std::vector<Block>& blocks)
-    : blocks_(blocks), scene_(scene), base_(scene) {
-  for (const Block& block : blocks) {
+Loads::Loads(const scene::Scene& scene, const Parts& parts) : parts_(parts), scene_(scene), base_(scene) {
+  for (const Block& block : parts.blocks) {
     constant_.emplace_back(Vector6::Zero());
     constant_.back()[1] = -block.mass_per_m() * scene.analysis.gravity_m_per_s2;
     constant_.back().tail<3>() = -block.area * block.initial_stress;
   }
   for (const auto& load : scene.point_loads) {
-    points_.push_back({load.block, load.point_m - blocks[at(load.block)].centroid, &load});
+    points_.push_back({parts.anchor(load.block, load.point_m), &load});
   }
   for (const auto& load : scene.face_pressures) {
-    const Block& block = blocks[at(load.block)];
+    const Block& block = parts.blocks[at(load.block)];
     faces_.push_back(
         {panel_between(block, load.block, load.from_m - block.centroid, load.to_m - block.centroid), &load});
   }
   for (const auto& load : scene.line_loads) {
-    const Block& block = blocks[at(load.block)];
-    lines_.push_back({panel_between(block, load.block, load.from_m - block.centroid, load.to_m - block.centroid),
-                      (load.to_m - load.from_m).norm(), &load});
+    const Block& block = parts.blocks[at(load.block)];
+    lines_.push_back(
+        {panel_between(block, load.block, load.from_m - block.centroid, load.to_m - block.centroid), &load});
   }
 }
 
 void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::vector<Placement>& placements,
                      std::vector<Vector6>& forces) const {
   forces = constant_;
-  const auto add_panel = [&](const Panel& panel) {
-    const Placement& placement = placements[at(panel.block)];
-    const PanelForce acting = panel_force(blocks_[at(panel.block)], placement, panel, scene_.water.nodal_rule);
-    forces[at(panel.block)] += generalized_force(placement, acting);
+  std::vector<Panel> pieces;
+  const auto add_panel = [&](const Panel& whole) {
+    pieces.clear();
+    parts_.split(whole, pieces);
+    for (const Panel& panel : pieces) {
+      const Placement& placement = placements[at(panel.block)];
+      const PanelForce acting = panel_force(parts_.blocks[at(panel.block)], placement, panel, scene_.water.nodal_rule);
+      forces[at(panel.block)] += generalized_force(placement, acting);
+    }
   };
   for (const PointForce& point : points_) {
     const Point force(point.load->force_x_n_per_m.at(time_s), point.load->force_y_n_per_m.at(time_s));
-    forces[at(point.block)] += placements[at(point.block)].shape(point.material).transpose() * force;
+    forces[at(point.at.part)] += placements[at(point.at.part)].shape(point.at.material).transpose() * force;
   }
   for (const Face& face : faces_) {
     Panel panel = face.panel;
@@ -84,33 +88,50 @@ void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::
   add_bodies(time_s, forces);
 }
 
-/// Ends as stated, so that the first stays the first: f_i = L (2 q_i + q_j)/6 in each component.
+/// In each component f_i = L (2 q_i + q_j)/6, L as the scene draws it.
 void Loads::add_lines(double time_s, const std::vector<Placement>& placements, std::vector<Vector6>& forces) const {
+  std::vector<Panel> pieces;
   for (const Line& line : lines_) {
-    const Placement& placement = placements[at(line.panel.block)];
-    const auto nodes = panel_force(blocks_[at(line.panel.block)], placement, line.panel, scene::NodalRule::consistent);
-    std::array<Point, 2> force;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const auto component =
-          nodal_forces(scene::NodalRule::consistent, line.length, line.load->force_from_n_per_m2[axis].at(time_s),
-                       line.load->force_to_n_per_m2[axis].at(time_s));
-      for (std::size_t i = 0; i < 2; ++i) force[i][static_cast<Eigen::Index>(axis)] = component[i];
+      Panel whole = line.panel;
+      whole.pressure_from_pa = line.load->force_from_n_per_m2[axis].at(time_s);
+      whole.pressure_to_pa = line.load->force_to_n_per_m2[axis].at(time_s);
+      if (whole.s_from > whole.s_to) {
+        std::swap(whole.s_from, whole.s_to);
+        std::swap(whole.pressure_from_pa, whole.pressure_to_pa);
+      }
+      pieces.clear();
+      parts_.split(whole, pieces);
+      for (const Panel& piece : pieces) {
+        const Placement& placement = placements[at(piece.block)];
+        auto acting = panel_force(parts_.blocks[at(piece.block)], placement, piece, scene::NodalRule::consistent);
+        const double length = (acting.node[1] - acting.node[0]).norm();
+        const auto component =
+            nodal_forces(scene::NodalRule::consistent, length, piece.pressure_from_pa, piece.pressure_to_pa);
+        for (std::size_t i = 0; i < 2; ++i)
+          acting.force[i] = component[i] * Point::Unit(static_cast<Eigen::Index>(axis));
+        forces[at(piece.block)] += generalized_force(placement, acting);
+      }
     }
-    forces[at(line.panel.block)] += generalized_force(placement, PanelForce{nodes.node, force});
   }
 }
 
 /// A uniform force on the volume acts at the centroid and strains nothing.
 void Loads::add_bodies(double time_s, std::vector<Vector6>& forces) const {
+  const auto add = [&](int part, const scene::BodyLoad& load, const Point& value) {
+    const Block& block = parts_.blocks[at(part)];
+    forces[at(part)].head<2>() += (load.per_mass ? block.mass_per_m() : block.area) * value;
+  };
   for (const auto& load : scene_.body_loads) {
     const Point value(load.value[0].at(time_s), load.value[1].at(time_s));
     for (const int b : load.blocks) {
-      forces[at(b)].head<2>() += (load.per_mass ? blocks_[at(b)].mass_per_m() : blocks_[at(b)].area) * value;
+      add(b, load, value);
+      for (const int triangle : parts_.triangles[at(b)]) add(triangle, load, value);
     }
   }
   if (!base_started_) return;
   const Point inertia = base_.inertia(time_s);
-  for (std::size_t b = 0; b < forces.size(); ++b) forces[b].head<2>() -= blocks_[b].mass_per_m() * inertia;
+  for (std::size_t b = 0; b < forces.size(); ++b) forces[b].head<2>() -= parts_.blocks[b].mass_per_m() * inertia;
 }
 
 }  // namespace blockweir::solid

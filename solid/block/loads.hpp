@@ -6,26 +6,25 @@
 #include <vector>
 
 #include "solid/block/base_motion.hpp"
-#include "solid/block/panel.hpp"
+#include "solid/block/parts.hpp"
 
 namespace blockweir::solid {
 
 class Loads {
  public:
-  Loads(const scene::Scene& scene, const std::vector<Block>& blocks);
+  Loads(const scene::Scene& scene, const Parts& parts);
 
   /// The base moves from now on: before, weight and first loads settle on a base at rest.
   void start_base() { base_started_ = true; }
 
-  /// External generalized forces [N per metre, N] on every block at `time_s`, with the water's panels; directions
-  /// follow the placements given.
+  /// External generalized forces [N per metre, N] on every part at `time_s`, with the water's panels on the scene's
+  /// blocks; directions follow the placements given.
   void evaluate(double time_s, const std::vector<Panel>& water, const std::vector<Placement>& placements,
                 std::vector<Vector6>& forces) const;
 
  private:
   struct PointForce {
-    int block;
-    Point material;
+    Anchor at;
     const scene::PointLoad* load;
   };
   struct Face {
@@ -33,14 +32,13 @@ class Loads {
     const scene::FacePressure* load;
   };
   struct Line {
-    Panel panel;    ///< where it acts; without pressure
-    double length;  ///< m, as the scene draws it
+    Panel panel;  ///< where it acts; without pressure
     const scene::LineLoad* load;
   };
   void add_lines(double time_s, const std::vector<Placement>& placements, std::vector<Vector6>& forces) const;
   void add_bodies(double time_s, std::vector<Vector6>& forces) const;
 
-  const std::vector<Block>& blocks_;
+  const Parts& parts_;
   const scene::Scene& scene_;
   std::vector<Vector6> constant_;  ///< weight and initial stress
   std::vector<PointForce> points_;

@@ -31,6 +31,12 @@ class Placement {
   [[nodiscard]] const Point& centre() const { return centre_; }
   [[nodiscard]] Point turn(const Point& p) const { return {cos_ * p.x() - sin_ * p.y(), sin_ * p.x() + cos_ * p.y()}; }
 
+  /// R^T p: from global axes to the block's own.
+  [[nodiscard]] Point unturn(const Point& p) const {
+    return {cos_ * p.x() + sin_ * p.y(), -sin_ * p.x() + cos_ * p.y()};
+  }
+  [[nodiscard]] const Eigen::Vector3d& strain() const { return strain_; }
+
   /// Vector between two material points, or from the centroid: R (I + E) X.
   [[nodiscard]] Point vector(const Point& X) const { return turn(X + strained(strain_, X)); }
   [[nodiscard]] Point position(const Point& X) const { return centre_ + vector(X); }
@@ -67,7 +73,8 @@ class Placement {
   double sin_ = 0;
 };
 
-/// What a step changes of a block.
+/// What a step changes of a block. Of a triangle of a mesh, rates and force are those of its corners (x, y of each), in
+/// global axes: so inertia is linear, and triangles that share a corner agree on them.
 struct BlockState {
   Vector6 displacement = Vector6::Zero();
   Vector6 velocity = Vector6::Zero();

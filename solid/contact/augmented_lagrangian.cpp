@@ -34,7 +34,7 @@ class AugmentedLagrangian final : public Formulation {
     Progress& progress = follow(trial, index, c, edge);
     progress.round_off = separation_round_off * c.penalty * progress.separation.moved;
     const JointForce force = judge(progress, c, c.multiplier - c.penalty * progress.separation.value);
-    if (force.state == ContactState::open) return {.block_i = c.vertex_block, .block_j = c.edge_block};
+    if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
     Interaction action = interaction_of(trial, c, edge, progress.separation.value.y());
     action.force = progress.force;
     action.round_off = progress.round_off;

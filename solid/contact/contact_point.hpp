@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One vertex of a block against one edge of another, with the memory that it keeps from step to step.
+// One vertex of a block's outline against one edge of another's, with the memory that it keeps from step to step.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,6 +14,12 @@ struct ContactPoint {
   int vertex = 0;
   int edge_block = 0;
   int edge = 0;
+  // The parts of those blocks that meet, with the material points of vertex and edge on them.
+  int vertex_part = 0;
+  int edge_part = 0;
+  Eigen::Vector2d vertex_at = Eigen::Vector2d::Zero();
+  Eigen::Vector2d edge_from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d edge_to = Eigen::Vector2d::Zero();
   int law = 0;  ///< index into the model's joint laws
 
   // Geometry at the start of the step.

@@ -41,10 +41,10 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const ContactPoint& c = contacts[k];
     const Point n = edge_frame(trial, c).n;
-    const Matrix26 Tv = trial.placement[at(c.vertex_block)].shape(vertex_point(trial, c));
-    const Matrix26 Te = trial.placement[at(c.edge_block)].shape(edge_point(trial, c, c.anchor));
+    const Matrix26 Tv = trial.placement[at(c.vertex_part)].shape(c.vertex_at);
+    const Matrix26 Te = trial.placement[at(c.edge_part)].shape(edge_point(c, c.anchor));
     contacts_[k].stiffness =
-        1 / (flexibility(c.vertex_block, n.transpose() * Tv) + flexibility(c.edge_block, n.transpose() * Te));
+        1 / (flexibility(c.vertex_part, n.transpose() * Tv) + flexibility(c.edge_part, n.transpose() * Te));
     contacts_[k].slip_force = c.multiplier.y();
   }
   for (std::size_t k = 0; k < supports.size(); ++k) {

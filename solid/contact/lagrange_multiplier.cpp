@@ -32,7 +32,7 @@ class LagrangeMultiplier final : public Formulation {
     const EdgeFrame edge = edge_frame(trial, c);
     Progress& progress = follow(trial, index, c, edge);
     const JointForce stuck = judge(progress, c, c.multiplier - c.penalty * progress.separation.value);
-    if (stuck.state == ContactState::open) return {.block_i = c.vertex_block, .block_j = c.edge_block};
+    if (stuck.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
     Interaction action = interaction_of(trial, c, edge, progress.separation.value.y());
     const double compliance = regularization / c.penalty;
     double shear = c.multiplier.y();

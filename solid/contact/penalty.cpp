@@ -42,7 +42,7 @@ class Penalty final : public Formulation {
     const Eigen::Vector2d rate = trial.velocity_factor * moved + dashpot.past_rate;
     const JointForce force = judge(progress, c, -spring_ * apart.value - dashpot.coefficient * rate);
     c.elastic_slip = force.state == ContactState::slip ? -force.shear / spring_ : 0;
-    if (force.state == ContactState::open) return {.block_i = c.vertex_block, .block_j = c.edge_block};
+    if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
     Interaction action = interaction_of(trial, c, edge, apart.value.y());
     action.force = progress.force;
     action.round_off = progress.round_off;
@@ -99,8 +99,8 @@ class Penalty final : public Formulation {
       inverse_mass += n.dot(mass.inverse() * n.transpose());
       dashpot.past_rate += sign * (shape * trial.past_velocity[at(block)]);
     };
-    add(c.vertex_block, action.shape_i, 1);
-    add(c.edge_block, action.shape_j, -1);
+    add(c.vertex_part, action.shape_i, 1);
+    add(c.edge_part, action.shape_j, -1);
     if (inverse_mass > 0) dashpot.coefficient = 2 * settings_.dashpot_ratio * std::sqrt(spring_ / inverse_mass);
     return dashpot;
   }

@@ -44,11 +44,11 @@ double overlap(const Point& vertex, const Point& end, const Point& a, const Poin
 
 }  // namespace
 
-ContactSearch::ContactSearch(const std::vector<Block>& blocks, const JointLaws& laws, double size_m, double reach_m)
-    : blocks_(blocks), laws_(laws), reach_(reach_m), coincidence_(1e-7 * size_m), margin_(2 * reach_m) {
-  corners_.resize(blocks.size());
-  boxes_.resize(blocks.size());
-  for (std::size_t b = 0; b < blocks.size(); ++b) corners_[b].resize(blocks[b].vertices.size());
+ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m)
+    : parts_(parts), laws_(laws), reach_(reach_m), coincidence_(1e-7 * size_m), margin_(2 * reach_m) {
+  corners_.resize(parts.outlines.size());
+  boxes_.resize(parts.outlines.size());
+  for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
 }
 
 void ContactSearch::update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts) {
@@ -67,10 +67,11 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
 
 void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
   bool stale = corners_at_pairs_.empty();
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+  for (std::size_t b = 0; b < corners_.size(); ++b) {
     boxes_[b].setEmpty();
     for (std::size_t v = 0; v < corners_[b].size(); ++v) {
-      corners_[b][v] = placements[b].position(blocks_[b].vertices[v]);
+      corners_[b][v] = placements[static_cast<std::size_t>(parts_.outlines[b][v].part)].position(
+          parts_.vertex(parts_.outlines[b][v]));
       boxes_[b].extend(corners_[b][v]);
       stale = stale || (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > margin_ / 2;
     }
@@ -80,11 +81,11 @@ void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
   if (!stale) return;
   corners_at_pairs_ = corners_;
   std::vector<Box> wide = boxes_;
-  std::vector<bool> movable(blocks_.size());
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+  std::vector<bool> movable(corners_.size());
+  for (std::size_t b = 0; b < corners_.size(); ++b) {
     wide[b].min().array() -= margin_ / 2;
     wide[b].max().array() += margin_ / 2;
-    movable[b] = !blocks_[b].fixed;
+    movable[b] = !parts_.blocks[b].fixed;
   }
   pairs_ = neighbours(wide, movable);
   ++broad_searches_;
@@ -100,7 +101,8 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
     const Point& after = V[next(v, V.size())];
     const Point to_before = (before - V[v]).normalized();
     const Point to_after = (after - V[v]).normalized();
-    if (cross(to_after, to_before) < -1e-9) continue;  // a reflex vertex cannot enter anything
+    // A reflex vertex cannot enter anything; a node on a face that has bent can.
+    if (cross(to_after, to_before) < -parallel_tolerance) continue;
     for (std::size_t e = 0; e < E.size(); ++e) {
       const Point& a = E[e];
       const Point span = E[next(e, E.size())] - a;
@@ -116,6 +118,13 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       contact.vertex = static_cast<int>(v);
       contact.edge_block = edge_block;
       contact.edge = static_cast<int>(e);
+      const OutlineSide& at_vertex = parts_.outlines[static_cast<std::size_t>(vertex_block)][v];
+      const OutlineSide& at_edge = parts_.outlines[static_cast<std::size_t>(edge_block)][e];
+      contact.vertex_part = at_vertex.part;
+      contact.vertex_at = parts_.vertex(at_vertex);
+      contact.edge_part = at_edge.part;
+      contact.edge_from = parts_.vertex(at_edge);
+      contact.edge_to = parts_.end(at_edge);
       contact.law = laws_.between(vertex_block, edge_block);
       contact.gap = gap;
       contact.anchor = s / edge_length;
@@ -213,9 +222,10 @@ void ContactSearch::keep_one_of_each_meeting() {
   const auto vertex_of = [this](const ContactPoint& c) -> const Point& {
     return corners_[static_cast<std::size_t>(c.vertex_block)][static_cast<std::size_t>(c.vertex)];
   };
-  const auto convex = [this](int block, std::size_t v) {
+  const auto convex = [this](int block, std::size_t v) {  // or straight: a node on a face
     const auto& P = corners_[static_cast<std::size_t>(block)];
-    return cross(P[v] - P[previous(v, P.size())], P[next(v, P.size())] - P[v]) > 0;
+    const Point in = (P[v] - P[previous(v, P.size())]).normalized();
+    return cross(in, (P[next(v, P.size())] - P[v]).normalized()) > -parallel_tolerance;
   };
   /// The vertex of the edge's block that the contact's vertex lies at, or -1.
   const auto met_vertex = [&](const ContactPoint& c) {
@@ -245,6 +255,7 @@ void ContactSearch::keep_one_of_each_meeting() {
         const ContactPoint& c = found_[k];
         return std::make_tuple(c.length > 2 * coincidence_, inherited_[k] != 0 && c.state != ContactState::open, c.gap);
       };
+      if (same) a.length = b.length = a.length + b.length;  // two edges of one face, which go on from each other
       if (rank(j) > rank(i)) {
         drop[i] = 1;
         break;

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solid/block/motion.hpp"
+#include "solid/block/parts.hpp"
 #include "solid/contact/contact_point.hpp"
 #include "solid/contact/joint_laws.hpp"
 #include "solid/contact/neighbours.hpp"
@@ -16,7 +16,7 @@ namespace blockweir::solid {
 class ContactSearch {
  public:
   /// `reach_m`: gaps up to this are contacts in waiting; must exceed what two blocks can approach in a step.
-  ContactSearch(const std::vector<Block>& blocks, const JointLaws& laws, double size_m, double reach_m);
+  ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m);
 
   /// Contacts for a step that starts from `placements`; a contact that was in `contacts` keeps its memory, one
   /// that takes over its place (the vertex passed to the next edge, or its twin across the joint) inherits it.
@@ -31,12 +31,12 @@ class ContactSearch {
   void keep_one_of_each_meeting();
   void inherit(std::vector<ContactPoint>& old);
 
-  const std::vector<Block>& blocks_;
+  const Parts& parts_;
   const JointLaws& laws_;
   double reach_;                             ///< m
   double coincidence_;                       ///< m, closer points are one
   double margin_;                            ///< m, pairs stay valid while no block has moved half of it
-  std::vector<std::vector<Point>> corners_;  ///< current vertices
+  std::vector<std::vector<Point>> corners_;  ///< current outlines of the scene's blocks
   std::vector<Box> boxes_;                   ///< current, by `reach`
   std::vector<std::vector<Point>> corners_at_pairs_;
   std::vector<std::pair<int, int>> pairs_;

@@ -18,33 +18,23 @@ Matrix26 rows(const Matrix26& T, const EdgeFrame& edge) {
 }  // namespace
 
 EdgeFrame edge_frame(const Trial& trial, const ContactPoint& c) {
-  const auto& vertices = trial.blocks[at(c.edge_block)].vertices;
-  const Point& a = vertices[at(c.edge)];
-  const Point& b = vertices[(at(c.edge) + 1) % vertices.size()];
-  const Point span = trial.placement[at(c.edge_block)].vector(b - a);
+  const Point span = trial.placement[at(c.edge_part)].vector(c.edge_to - c.edge_from);
   const double length = span.norm();
   const Point t = span / length;
   return {t, Point(t.y(), -t.x()), length};
 }
 
-const Point& vertex_point(const Trial& trial, const ContactPoint& c) {
-  return trial.blocks[at(c.vertex_block)].vertices[at(c.vertex)];
-}
-
-Point edge_point(const Trial& trial, const ContactPoint& c, double fraction) {
-  const auto& vertices = trial.blocks[at(c.edge_block)].vertices;
-  const Point& a = vertices[at(c.edge)];
-  const Point& b = vertices[(at(c.edge) + 1) % vertices.size()];
-  return a + fraction * (b - a);
+Point edge_point(const ContactPoint& c, double fraction) {
+  return c.edge_from + fraction * (c.edge_to - c.edge_from);
 }
 
 Interaction interaction_of(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge, double slip) {
   Interaction action;
-  action.block_i = c.vertex_block;
-  action.block_j = c.edge_block;
+  action.block_i = c.vertex_part;
+  action.block_j = c.edge_part;
   const double foot = c.anchor + slip / edge.length;
-  action.shape_i = rows(trial.placement[at(c.vertex_block)].shape(vertex_point(trial, c)), edge);
-  action.shape_j = rows(trial.placement[at(c.edge_block)].shape(edge_point(trial, c, foot)), edge);
+  action.shape_i = rows(trial.placement[at(c.vertex_part)].shape(c.vertex_at), edge);
+  action.shape_j = rows(trial.placement[at(c.edge_part)].shape(edge_point(c, foot)), edge);
   return action;
 }
 
@@ -56,10 +46,10 @@ Interaction interaction_of(const Trial& trial, const Support& s) {
 }
 
 Separation separation_of(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge) {
-  const auto v = at(c.vertex_block);
-  const auto e = at(c.edge_block);
-  const Point vertex_moved = trial.start[v].increment(trial.increment[v], vertex_point(trial, c));
-  const Point edge_moved = trial.start[e].increment(trial.increment[e], edge_point(trial, c, c.anchor));
+  const auto v = at(c.vertex_part);
+  const auto e = at(c.edge_part);
+  const Point vertex_moved = trial.start[v].increment(trial.increment[v], c.vertex_at);
+  const Point edge_moved = trial.start[e].increment(trial.increment[e], edge_point(c, c.anchor));
   const Point apart = c.separation + vertex_moved - edge_moved;
   return {{edge.n.dot(apart), edge.t.dot(apart)}, vertex_moved.norm() + edge_moved.norm()};
 }

@@ -29,9 +29,8 @@ struct EdgeFrame {
 };
 
 EdgeFrame edge_frame(const Trial& trial, const ContactPoint& c);
-const Point& vertex_point(const Trial& trial, const ContactPoint& c);
-/// Material point of the edge's block at that fraction of the edge.
-Point edge_point(const Trial& trial, const ContactPoint& c, double fraction);
+/// Material point of the edge's part at that fraction of the edge.
+Point edge_point(const ContactPoint& c, double fraction);
 
 /// Both blocks' shape matrices at the vertex and at its foot on the edge, in the edge's frame; force and stiffness
 /// open.

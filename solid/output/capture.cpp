@@ -10,15 +10,20 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-void capture_block(const Block& block, const BlockState& state, const Placement& placement, BlockRow& row) {
+void capture_block(const Solid& solid, std::size_t b, BlockRow& row) {
+  const Block& block = solid.blocks()[b];
+  const BlockState& state = solid.states()[b];
+  const Placement& placement = solid.placements()[b];
   row.fixed = block.fixed;
   row.vertices_m.clear();
   row.displacement_m.clear();
   row.velocity_m_per_s.clear();
-  for (const Point& X : block.vertices) {
-    row.vertices_m.push_back(placement.position(X));
-    row.displacement_m.push_back(row.vertices_m.back() - block.centroid - X);
-    row.velocity_m_per_s.emplace_back(placement.shape(X) * state.velocity);
+  for (const OutlineSide& side : solid.parts().outlines[b]) {
+    const auto part = at(side.part);
+    const Point& X = solid.parts().vertex(side);
+    row.vertices_m.push_back(solid.placements()[part].position(X));
+    row.displacement_m.push_back(row.vertices_m.back() - solid.blocks()[part].centroid - X);
+    row.velocity_m_per_s.emplace_back(solid.placements()[part].shape(X) * solid.velocity(part));
   }
   row.centroid_m = placement.centre();
   row.centroid_displacement_m = state.displacement.head<2>();
@@ -39,13 +44,11 @@ void capture_block(const Block& block, const BlockState& state, const Placement&
 }
 
 void capture_contact(const Solid& solid, const ContactPoint& c, ContactRow& row) {
-  const auto& edge_vertices = solid.blocks()[at(c.edge_block)].vertices;
-  const Placement& edge_placement = solid.placements()[at(c.edge_block)];
-  const Point a = edge_placement.position(edge_vertices[at(c.edge)]);
-  const Point b = edge_placement.position(edge_vertices[(at(c.edge) + 1) % edge_vertices.size()]);
+  const Placement& edge_placement = solid.placements()[at(c.edge_part)];
+  const Point a = edge_placement.position(c.edge_from);
+  const Point b = edge_placement.position(c.edge_to);
   const Point t = (b - a).normalized();
-  row.point_m =
-      solid.placements()[at(c.vertex_block)].position(solid.blocks()[at(c.vertex_block)].vertices[at(c.vertex)]);
+  row.point_m = solid.place(c);
   row.normal = Point(t.y(), -t.x());
   row.vertex_block = c.vertex_block;
   row.edge_block = c.edge_block;
@@ -87,30 +90,35 @@ void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& f
   frame.largest_displacement_m = solid.largest_displacement_m();
   frame.base_displacement_m = solid.base().displacement(time_s);
   frame.base_acceleration_m_per_s2 = solid.base().acceleration(time_s);
-  frame.blocks.resize(blocks.size());
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    capture_block(blocks[b], solid.states()[b], solid.placements()[b], frame.blocks[b]);
-  }
+  frame.blocks.resize(solid.described());
+  for (std::size_t b = 0; b < frame.blocks.size(); ++b) capture_block(solid, b, frame.blocks[b]);
   frame.contacts.resize(solid.contacts().size());
   for (std::size_t k = 0; k < frame.contacts.size(); ++k)
     capture_contact(solid, solid.contacts()[k], frame.contacts[k]);
   frame.panels.clear();
-  for (const Panel& panel : panels_of(load, blocks)) {
-    const Placement& placement = solid.placements()[at(panel.block)];
-    const PanelForce acting = panel_force(blocks[at(panel.block)], placement, panel, solid.scene().water.nodal_rule);
-    PanelRow row{.block = panel.block,
-                 .from_m = placement.position(acting.node[0]),
-                 .to_m = placement.position(acting.node[1]),
-                 .pressure_from_pa = panel.pressure_from_pa,
-                 .pressure_to_pa = panel.pressure_to_pa,
-                 .in_crack = frame.panels.size() >= load.cracks_from};
-    BlockRow& block = frame.blocks[at(panel.block)];
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Point& node = i == 0 ? row.from_m : row.to_m;
-      block.water_force_n_per_m += acting.force[i];
-      block.water_moment_n += node.x() * acting.force[i].y() - node.y() * acting.force[i].x();
+  std::vector<Panel> pieces;
+  std::size_t described = 0;  // panels of the load so far
+  for (const Panel& whole : panels_of(load, blocks)) {
+    pieces.clear();
+    solid.parts().split(whole, pieces);
+    for (const Panel& panel : pieces) {
+      const Placement& placement = solid.placements()[at(panel.block)];
+      const PanelForce acting = panel_force(blocks[at(panel.block)], placement, panel, solid.scene().water.nodal_rule);
+      PanelRow row{.block = whole.block,
+                   .from_m = placement.position(acting.node[0]),
+                   .to_m = placement.position(acting.node[1]),
+                   .pressure_from_pa = panel.pressure_from_pa,
+                   .pressure_to_pa = panel.pressure_to_pa,
+                   .in_crack = described >= load.cracks_from};
+      BlockRow& block = frame.blocks[at(whole.block)];
+      for (std::size_t i = 0; i < 2; ++i) {
+        const Point& node = i == 0 ? row.from_m : row.to_m;
+        block.water_force_n_per_m += acting.force[i];
+        block.water_moment_n += node.x() * acting.force[i].y() - node.y() * acting.force[i].x();
+      }
+      frame.panels.push_back(row);
     }
-    frame.panels.push_back(row);
+    ++described;
   }
 }
 

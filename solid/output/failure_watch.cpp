@@ -19,7 +19,7 @@ std::size_t at(int i) {
 
 }  // namespace
 
-FailureWatch::FailureWatch(const Solid& solid) : solid_(solid), rest_(solid.blocks().size()) {}
+FailureWatch::FailureWatch(const Solid& solid) : solid_(solid), rest_(solid.described()) {}
 
 double FailureWatch::speed(std::size_t b) const {
   double fastest = 0;
@@ -45,10 +45,7 @@ double FailureWatch::travel(std::size_t b) const {
 /// its own: it only strains.
 bool FailureWatch::held(std::size_t b, const std::vector<const ContactPoint*>& closed,
                         const std::vector<bool>& resting) const {
-  const auto point = [&](const ContactPoint* c) -> Point {
-    const auto v = at(c->vertex_block);
-    return solid_.placements()[v].position(solid_.blocks()[v].vertices[at(c->vertex)]);
-  };
+  const auto point = [&](const ContactPoint* c) { return solid_.place(*c); };
   const auto holds = [&](const ContactPoint* c) {
     return resting[at(at(c->vertex_block) == b ? c->edge_block : c->vertex_block)];
   };

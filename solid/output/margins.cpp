@@ -47,10 +47,7 @@ void Margins::look(const Solid& solid, double time_s, double level_m) {
   constexpr double negligible = 1e-6;
   std::map<std::pair<int, int>, JointSum> joints;
   for (const ContactPoint& c : solid.contacts()) {
-    const auto v = static_cast<std::size_t>(c.vertex_block);
-    joints[std::minmax(c.vertex_block, c.edge_block)].add(
-        c, solid.laws()[c.law],
-        solid.placements()[v].position(solid.blocks()[v].vertices[static_cast<std::size_t>(c.vertex)]));
+    joints[std::minmax(c.vertex_block, c.edge_block)].add(c, solid.laws()[c.law], solid.place(c));
   }
   for (const auto& [pair, sum] : joints) {
     const auto keep_lowest = [&, &of = pair](std::optional<Margin>& lowest, double value) {

@@ -22,7 +22,7 @@ void Recorder::place(wire::Motion& motion) {
 }
 
 void Recorder::say_where(wire::Motion& motion) const {
-  const std::size_t n = solid_.blocks().size();
+  const std::size_t n = solid_.described();
   motion.displacement.resize(n);
   motion.velocity.resize(n);
   for (std::size_t b = 0; b < n; ++b) {

@@ -121,7 +121,8 @@ json summary(const Outcome& outcome) {
                  {"settling_steps", counts.settling_steps},
                  {"solved_islands", counts.solved_islands},
                  {"slept_islands", counts.slept_islands},
-                 {"blocks", outcome.solid.blocks().size()},
+                 {"blocks", outcome.solid.described()},
+                 {"triangles", outcome.solid.blocks().size() - outcome.solid.described()},
                  {"contacts", outcome.solid.contacts().size()}}}};
   if (scene.contact.measure_condition) text["largest_condition_number"] = counts.condition_number;
   if (outcome.failure.failures().empty()) {

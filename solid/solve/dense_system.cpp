@@ -43,6 +43,7 @@ std::unique_ptr<LinearSystem> make_dense_system(const Unknowns& unknowns) {
 std::unique_ptr<LinearSystem> make_linear_system(const Unknowns& unknowns,
                                                  const std::vector<std::pair<int, int>>& couples) {
   constexpr int largest_dense = 72;  // unknowns: 12 deformable blocks
+  if (unknowns.shared()) return make_nodal_system(unknowns, couples);
   return unknowns.total <= largest_dense ? make_dense_system(unknowns) : make_sparse_system(unknowns, couples);
 }
 

@@ -19,15 +19,18 @@ int root(std::vector<int>& parent, int b) {
 }  // namespace
 
 std::vector<Island> find_islands(const std::vector<bool>& fixed, const std::vector<std::pair<int, int>>& links,
-                                 const std::vector<int>& support_blocks) {
+                                 const std::vector<int>& support_blocks,
+                                 const std::vector<std::pair<int, int>>& joined) {
   std::vector<int> parent(fixed.size());
   std::iota(parent.begin(), parent.end(), 0);
-  for (const auto& [a, b] : links) {
-    if (fixed[at(a)] || fixed[at(b)]) continue;
-    const int ra = root(parent, a);
-    const int rb = root(parent, b);
+  const auto join = [&](const std::pair<int, int>& pair) {
+    if (fixed[at(pair.first)] || fixed[at(pair.second)]) return;
+    const int ra = root(parent, pair.first);
+    const int rb = root(parent, pair.second);
     parent[at(std::max(ra, rb))] = std::min(ra, rb);
-  }
+  };
+  std::for_each(links.begin(), links.end(), join);
+  std::for_each(joined.begin(), joined.end(), join);
 
   std::vector<Island> islands;
   std::vector<int> island_of(fixed.size(), -1);
@@ -48,6 +51,10 @@ std::vector<Island> find_islands(const std::vector<bool>& fixed, const std::vect
     Island& island = islands[at(island_of[at(fixed[at(a)] ? b : a)])];
     island.contacts.push_back(static_cast<int>(k));
     if (!fixed[at(a)] && !fixed[at(b)]) island.couples.emplace_back(std::minmax({local[at(a)], local[at(b)]}));
+  }
+  for (const auto& [a, b] : joined) {
+    if (fixed[at(a)] || fixed[at(b)]) continue;
+    islands[at(island_of[at(a)])].couples.emplace_back(std::minmax({local[at(a)], local[at(b)]}));
   }
   for (std::size_t k = 0; k < support_blocks.size(); ++k) {
     if (!fixed[at(support_blocks[k])]) {

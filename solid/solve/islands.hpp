@@ -14,10 +14,12 @@ struct Island {
   std::vector<std::pair<int, int>> couples;  ///< local indices of block pairs in contact, low first, each once
 };
 
-/// `links[k]` = the two blocks of contact k; `support_blocks[k]` the block of support k. Fixed blocks join nothing.
+/// `links[k]` = the two blocks of contact k; `support_blocks[k]` the block of support k. `joined`: pairs of movable
+/// blocks that belong together without a contact. Fixed blocks join nothing.
 /// Every movable block is in exactly one island. Islands are ordered by their first block.
 std::vector<Island> find_islands(const std::vector<bool>& fixed, const std::vector<std::pair<int, int>>& links,
-                                 const std::vector<int>& support_blocks);
+                                 const std::vector<int>& support_blocks,
+                                 const std::vector<std::pair<int, int>>& joined = {});
 
 /// All of them as one: what is not coupled is solved together.
 Island join(const std::vector<Island>& islands);

@@ -6,19 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "solid/block/block.hpp"
+#include "solid/solve/unknowns.hpp"
 
 namespace blockweir::solid {
-
-/// Where the unknowns of an island's blocks stand: 6 each, 3 where a block is rigid.
-struct Unknowns {
-  explicit Unknowns(const std::vector<int>& count_of) : count(count_of) {
-    for (const int n : count) first.push_back(total), total += n;
-  }
-  std::vector<int> count;
-  std::vector<int> first;
-  int total = 0;
-};
 
 class LinearSystem {
  public:
@@ -35,12 +25,14 @@ class LinearSystem {
   [[nodiscard]] virtual Eigen::MatrixXd dense() const = 0;
 };
 
-/// Dense for small islands, sparse above.
+/// Dense for small islands, sparse above. Where blocks share unknowns, these must outlive the system.
 std::unique_ptr<LinearSystem> make_linear_system(const Unknowns& unknowns,
                                                  const std::vector<std::pair<int, int>>& couples);
 
 std::unique_ptr<LinearSystem> make_dense_system(const Unknowns& unknowns);
 std::unique_ptr<LinearSystem> make_sparse_system(const Unknowns& unknowns,
                                                  const std::vector<std::pair<int, int>>& couples);
+std::unique_ptr<LinearSystem> make_nodal_system(const Unknowns& unknowns,
+                                                const std::vector<std::pair<int, int>>& couples);
 
 }  // namespace blockweir::solid

@@ -5,23 +5,18 @@
 #include <Eigen/UmfPackSupport>
 
 namespace blockweir::solid {
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 void SaddlePoint::set_zero() {
   entries_.clear();
   violations_.clear();
 }
 
-void SaddlePoint::add(int block, const Matrix6& k) {
-  const int first = u_.first[at(block)];
-  for (int j = 0; j < u_.count[at(block)]; ++j) {
-    for (int i = 0; i < u_.count[at(block)]; ++i) entries_.emplace_back(first + i, first + j, k(i, j));
+void SaddlePoint::add(int row, int column, const Matrix6& k) {
+  const Matrix6 mapped = u_.mapped(row, column, k);
+  for (std::size_t j = 0; j < u_.of(column).size(); ++j) {
+    for (std::size_t i = 0; i < u_.of(row).size(); ++i) {
+      entries_.emplace_back(u_.of(row)[i], u_.of(column)[j],
+                            mapped(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    }
   }
 }
 
@@ -33,9 +28,11 @@ void SaddlePoint::add_force(double violation, double compliance) {
 
 void SaddlePoint::couple(int block, const Vector6& column, const Vector6& row) {
   const int unknown = u_.total + static_cast<int>(violations_.size()) - 1;
-  for (int i = 0; i < u_.count[at(block)]; ++i) {
-    entries_.emplace_back(u_.first[at(block)] + i, unknown, -column[i]);
-    entries_.emplace_back(unknown, u_.first[at(block)] + i, row[i]);
+  const Vector6 push = u_.mapped(block, column);
+  const Vector6 violated = u_.mapped(block, row);
+  for (std::size_t i = 0; i < u_.of(block).size(); ++i) {
+    entries_.emplace_back(u_.of(block)[i], unknown, -push[static_cast<Eigen::Index>(i)]);
+    entries_.emplace_back(unknown, u_.of(block)[i], violated[static_cast<Eigen::Index>(i)]);
   }
 }
 

@@ -11,11 +11,12 @@ namespace blockweir::solid {
 
 class SaddlePoint {
  public:
+  /// The unknowns must outlive it.
   explicit SaddlePoint(const Unknowns& unknowns) : u_(unknowns) {}
 
   void set_zero();
-  /// A block's own matrix.
-  void add(int block, const Matrix6& k);
+  /// Adds to the blocks' own matrix at local (row, column).
+  void add(int row, int column, const Matrix6& k);
   /// A new force: begins its equation.
   void add_force(double violation, double compliance);
   /// What the latest force does to a block, and what the block's displacement does to its equation.
@@ -28,7 +29,7 @@ class SaddlePoint {
  private:
   [[nodiscard]] Eigen::SparseMatrix<double> matrix() const;
 
-  Unknowns u_;
+  const Unknowns& u_;
   std::vector<Eigen::Triplet<double>> entries_;
   std::vector<double> violations_;
 };

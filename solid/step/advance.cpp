@@ -66,10 +66,11 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   loads_.evaluate(end_s, water, start_, external_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     increment_[b] = frozen_[b] ? Vector6::Zero() : Vector6(dt * states_[b].velocity);
-    history_[b] = newmark_.history(blocks_[b].mass, states_[b], dt);
-    past_velocity_[b] = newmark_.past_velocity(states_[b], dt);
+    history_[b] = newmark_.history(inertia(b), states_[b], dt);
+    past_velocity_[b] = rate(b, start_[b], newmark_.past_velocity(states_[b], dt));
     placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
   }
+  predict_nodes(dt);
   carry_fixed_blocks(end_s);
   for (Support& support : supports_) {
     const auto b = static_cast<std::size_t>(support.block);
@@ -119,8 +120,8 @@ void Solid::accept(double dt, double end_s) {
     if (island.asleep) continue;
     for (const int block : island.island.blocks) {
       const auto b = static_cast<std::size_t>(block);
-      newmark_.finish(states_[b], increment_[b], dt);
-      states_[b].force = balance_[b];
+      newmark_.finish(states_[b], blocks_[b].is_part() ? corner_increment(b) : increment_[b], dt);
+      states_[b].force = at_corners(b, balance_[b]);
     }
     if (newmark_.flips_held_velocities() && formulation_->holds_exactly()) quiet_held_directions(island, dt);
   }
@@ -130,6 +131,7 @@ void Solid::accept(double dt, double end_s) {
     states_[b].displacement += increment_[b];
     start_[b] = Placement(blocks_[b].centroid, states_[b].displacement);
   }
+  follow_triangles();
   sleep_.look(blocks_, states_, external_, dt);
   ++counts_.steps;
 }
@@ -144,7 +146,7 @@ bool Solid::may_sleep(const IslandSystem& s) const {
   };
   const auto rests_on = [&](int k) {
     const ContactPoint& c = contacts_[static_cast<std::size_t>(k)];
-    return rests(c.vertex_block) && rests(c.edge_block);
+    return rests(c.vertex_part) && rests(c.edge_part);
   };
   return std::all_of(s.island.blocks.begin(), s.island.blocks.end(), rests) &&
          std::all_of(s.island.supports.begin(), s.island.supports.end(), in_place) &&

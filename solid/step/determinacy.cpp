@@ -31,10 +31,11 @@ std::vector<bool> rigid_blocks(const scene::Scene& scene, const std::vector<Bloc
                                const std::vector<ContactPoint>& contacts) {
   const scene::Rigid rule = scene.analysis.rigid;
   std::vector<bool> rigid(blocks.size());
-  std::vector<bool> fixed(blocks.size());
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
+  std::vector<bool> fixed(scene.blocks.size());
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     fixed[b] = blocks[b].fixed;
-    rigid[b] = !fixed[b] && (rule == scene::Rigid::all || (rule != scene::Rigid::none && scene.blocks[b].rigid));
+    rigid[b] = !fixed[b] && !blocks[b].meshed &&
+               (rule == scene::Rigid::all || (rule != scene::Rigid::none && scene.blocks[b].rigid));
   }
   if (rule != scene::Rigid::automatic) return rigid;
 
@@ -52,7 +53,8 @@ std::vector<bool> rigid_blocks(const scene::Scene& scene, const std::vector<Bloc
     for (const int b : group.blocks) {
       const scene::Material& material = scene.materials[at(scene.blocks[at(b)].material)];
       const double displacement = elastic_displacement(scene, blocks[at(b)], material, weight);
-      if (determinate && displacement < 1e-2 * scene.analysis.failure_displacement_m) rigid[at(b)] = true;
+      if (determinate && !blocks[at(b)].meshed && displacement < 1e-2 * scene.analysis.failure_displacement_m)
+        rigid[at(b)] = true;
     }
   }
   return rigid;

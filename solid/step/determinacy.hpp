@@ -11,10 +11,10 @@
 
 namespace blockweir::solid {
 
-/// Which movable blocks are rigid. Automatic: where every face that is closed at the start carries one block (as many
-/// faces and supports as blocks in the group, three unknown forces a face, three equations a block), and the block's
-/// own strain under the weight of the whole group moves its points by less than a hundredth of the displacement that
-/// counts as failure.
+/// Which movable blocks are rigid; none with a mesh is. Automatic: where every face that is closed at the start carries
+/// one block (as many faces and supports as blocks in the group, three unknown forces a face, three equations a block),
+/// and the block's own strain under the weight of the whole group moves its points by less than a hundredth of the
+/// displacement that counts as failure.
 std::vector<bool> rigid_blocks(const scene::Scene& scene, const std::vector<Block>& blocks,
                                const std::vector<ContactPoint>& contacts);
 

@@ -44,18 +44,30 @@ void Solid::prepare_matrices(double dt) {
 void Solid::prepare_islands() {
   const Stopwatch watch(profile_.search);
   std::vector<std::pair<int, int>> links;
-  for (const ContactPoint& c : contacts_) links.emplace_back(c.vertex_block, c.edge_block);
+  for (const ContactPoint& c : contacts_) links.emplace_back(c.vertex_part, c.edge_part);
   if (links == links_ && !islands_.empty()) return;
   links_ = std::move(links);
   std::vector<int> support_blocks;
   for (const Support& s : supports_) support_blocks.push_back(s.block);
+  std::vector<std::pair<int, int>> joined;
+  for (const StrainCoupling& c : parts_.couplings) joined.emplace_back(c.i, c.j);
   islands_.clear();
-  std::vector<Island> found = find_islands(frozen_, links_, support_blocks);
+  std::vector<std::size_t> island_of(blocks_.size());
+  std::vector<Island> found = find_islands(frozen_, links_, support_blocks, joined);
   if (!scene_.analysis.islands) found = {join(found)};
   for (Island& island : found) {
     std::vector<int> counts;
-    for (const int b : island.blocks) counts.push_back(blocks_[at(b)].unknowns());
-    islands_.emplace_back(std::move(island), Unknowns(counts));
+    std::vector<std::array<int, 3>> nodes;
+    for (const int b : island.blocks) {
+      counts.push_back(blocks_[at(b)].unknowns());
+      nodes.push_back(blocks_[at(b)].nodes);
+      island_of[at(b)] = islands_.size();
+    }
+    islands_.emplace_back(std::move(island), std::make_unique<Unknowns>(counts, nodes));
+  }
+  for (std::size_t c = 0; c < parts_.couplings.size(); ++c) {
+    const auto part = at(parts_.couplings[c].i);
+    if (!frozen_[part]) islands_[island_of[part]].couplings.push_back(static_cast<int>(c));
   }
 }
 
@@ -94,10 +106,14 @@ bool Solid::correct(IslandSystem& s, bool symmetric) {
     counts_.condition_number = std::max(
         counts_.condition_number, condition_number(s.unknown_forces.empty() ? s.system->dense() : s.saddle.dense()));
   }
+  for (const auto& [node, first] : s.unknowns->nodes) node_increment_[at(node)] += s.correction.segment<2>(first);
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
     const auto b = at(s.island.blocks[k]);
-    const int n = s.unknowns.count[k];
-    increment_[b].head(n) += s.correction.segment(s.unknowns.first[k], n);
+    if (blocks_[b].is_part()) {
+      follow_corners(b);
+      continue;
+    }
+    increment_[b] += s.unknowns->take(static_cast<int>(k), s.correction);
     placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
   }
   return true;
@@ -118,14 +134,24 @@ void Solid::correct_forces(IslandSystem& s) {
   for (const int k : s.island.supports) formulation_->correct_support(k, supports_[at(k)], force_of(true, k));
 }
 
-/// The blocks' own matrices on the diagonal.
-void Solid::set_block_matrices(IslandSystem& s) {
-  s.system->set_zero();
-  for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
-    const auto b = at(s.island.blocks[k]);
-    local_[b] = static_cast<int>(k);
-    s.system->add(local_[b], local_[b], matrix_[b]);
+/// The blocks' own matrices on the diagonal, and what triangles of a mesh share beside it.
+template <class System>
+void Solid::add_own(System& system, const IslandSystem& s) const {
+  for (const int b : s.island.blocks) system.add(local_[at(b)], local_[at(b)], matrix_[at(b)]);
+  for (const int k : s.couplings) {
+    const StrainCoupling& c = parts_.couplings[at(k)];
+    Matrix6 shared = Matrix6::Zero();
+    shared.bottomRightCorner<3, 3>() = (1 + newmark_.velocity_factor(matrices_dt_) * c.retardation_s) * c.stiffness;
+    system.add(local_[at(c.i)], local_[at(c.j)], shared);
+    system.add(local_[at(c.j)], local_[at(c.i)], shared);
   }
+}
+
+void Solid::set_block_matrices(IslandSystem& s) {
+  for (std::size_t k = 0; k < s.island.blocks.size(); ++k) local_[at(s.island.blocks[k])] = static_cast<int>(k);
+  if (s.unknowns->shared()) set_corner_maps(s);
+  s.system->set_zero();
+  add_own(*s.system, s);
 }
 
 /// What a contact or support adds to the matrix: J^T C J on the diagonal of each block, -J^T C J between the two.
@@ -164,7 +190,7 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   double loudest = 0;
   const auto mismatch = [&](int block, const Matrix26& shape) -> Eigen::Vector2d {
     if (block < 0) return Eigen::Vector2d::Zero();
-    return shape * (increment_[at(block)] / dt - states_[at(block)].velocity);
+    return shape * (increment_[at(block)] / dt - rate(at(block), placement_[at(block)], states_[at(block)].velocity));
   };
   std::vector<Interaction> actions;
   for (const int k : s.island.contacts) actions.push_back(formulation_->contact(trial(), k, contacts_[at(k)]));
@@ -185,8 +211,7 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   s.residual.setZero();
   const auto add = [&](int block, const Vector6& push) {
     if (block < 0 || frozen_[at(block)]) return;
-    const auto k = at(local_[at(block)]);
-    s.residual.segment(s.unknowns.first[k], s.unknowns.count[k]) += push.head(s.unknowns.count[k]);
+    s.unknowns->add(local_[at(block)], push, s.residual);
   };
   for (std::size_t k = 0; k < actions.size(); ++k) {
     Interaction& a = actions[k];
@@ -198,8 +223,7 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   }
   if (!s.system->solve(/*symmetric=*/true, s.residual, s.correction)) return;
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
-    const int n = s.unknowns.count[k];
-    states_[at(s.island.blocks[k])].velocity.head(n) += s.correction.segment(s.unknowns.first[k], n);
+    states_[at(s.island.blocks[k])].velocity += s.unknowns->take_own(static_cast<int>(k), s.correction);
   }
 }
 
@@ -215,6 +239,7 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
     balance_[b] = external_[b] - blocks_[b].stiffness * (states_[b].displacement + increment_[b]) - drag;
     round_off_[b] = round_off * (magnitude(external_[b], blocks_[b]) + magnitude(drag, blocks_[b]));
   }
+  balance_couplings(s);
 
   s.saddle.set_zero();
   s.unknown_forces.clear();
@@ -234,23 +259,27 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
   };
   for (const int k : s.island.contacts) add(formulation_->contact(trial(), k, contacts_[at(k)]), false, k);
   for (const int k : s.island.supports) add(formulation_->support(trial(), k, supports_[at(k)]), true, k);
-  if (!s.unknown_forces.empty()) {
-    for (const int b : s.island.blocks) s.saddle.add(local_[at(b)], matrix_[at(b)]);
-  }
+  if (!s.unknown_forces.empty()) add_own(s.saddle, s);
 
   double unbalanced = 0;
+  s.residual.setZero();
+  s.uncertain.setZero(s.residual.size());
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
     const auto b = at(s.island.blocks[k]);
+    if (blocks_[b].is_part()) {
+      add_residual_at_corners(s, static_cast<int>(k));
+      continue;
+    }
     const Vector6 inertia = mass_factor * (blocks_[b].mass * increment_[b]);
     const Vector6 residual = balance_[b] - inertia + history_[b];
-    s.residual.segment(s.unknowns.first[k], s.unknowns.count[k]) = residual.head(s.unknowns.count[k]);
+    s.unknowns->add(static_cast<int>(k), residual, s.residual);
     const double noise =
         round_off_[b] + round_off * (magnitude(inertia, blocks_[b]) + magnitude(history_[b], blocks_[b]));
     const double force = magnitude(residual, blocks_[b]);
     unbalanced = std::isfinite(force) ? std::max(unbalanced, force - noise) : force;
-    if (!std::isfinite(unbalanced)) break;
+    if (!std::isfinite(unbalanced)) return unbalanced;
   }
-  return unbalanced;
+  return std::max(unbalanced, unbalanced_at_nodes(s));
 }
 
 }  // namespace blockweir::solid

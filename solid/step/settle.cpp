@@ -17,11 +17,14 @@ std::vector<bool> Solid::unanchored() const {
   for (const Support& s : supports_) anchored[static_cast<std::size_t>(s.block)] = true;
   for (bool grew = true; grew;) {
     grew = false;
+    const auto join = [&](int a, int b) {
+      const auto i = static_cast<std::size_t>(a);
+      const auto j = static_cast<std::size_t>(b);
+      if (anchored[i] != anchored[j]) anchored[i] = anchored[j] = grew = true;
+    };
+    for (const StrainCoupling& c : parts_.couplings) join(c.i, c.j);
     for (const ContactPoint& c : contacts_) {
-      const auto i = static_cast<std::size_t>(c.vertex_block);
-      const auto j = static_cast<std::size_t>(c.edge_block);
-      if (c.state == ContactState::open || anchored[i] == anchored[j]) continue;
-      anchored[i] = anchored[j] = grew = true;
+      if (c.state != ContactState::open) join(c.vertex_part, c.edge_part);
     }
   }
   anchored.flip();
@@ -118,7 +121,7 @@ void Solid::start_acceleration(const std::vector<Panel>& water, double from_s) {
   if (!solved) return;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     states_[b].acceleration = first[b].acceleration;
-    states_[b].force = blocks_[b].mass * first[b].acceleration;
+    states_[b].force = inertia(b) * first[b].acceleration;
   }
 }
 

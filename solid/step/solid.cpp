@@ -12,15 +12,6 @@
 namespace blockweir::solid {
 namespace {
 
-std::vector<Block> make_blocks(const scene::Scene& scene) {
-  std::vector<Block> blocks;
-  for (const auto& block : scene.blocks) {
-    blocks.push_back(
-        make_block(block, scene.materials[static_cast<std::size_t>(block.material)], scene.analysis.plane));
-  }
-  return blocks;
-}
-
 /// Half the height of what can move, or half its width if that is less flat.
 double model_size(const scene::Scene& scene) {
   Box box;
@@ -34,7 +25,7 @@ double model_size(const scene::Scene& scene) {
 /// Weight of all that can move; without gravity their mass at 1 m/s2.
 double weight_of_all(const std::vector<Block>& blocks, double gravity) {
   double mass = 0;
-  for (const Block& block : blocks) mass += block.fixed ? 0 : block.mass_per_m();
+  for (const Block& block : blocks) mass += block.fixed || block.is_part() ? 0 : block.mass_per_m();
   return mass > 0 ? mass * (gravity > 0 ? gravity : 1.0) : 1.0;
 }
 
@@ -44,12 +35,13 @@ double largest_modulus(const scene::Scene& scene) {
   return largest;
 }
 
-std::vector<Support> make_supports(const scene::Scene& scene, const std::vector<Block>& blocks) {
+std::vector<Support> make_supports(const scene::Scene& scene, const Parts& parts) {
   std::vector<Support> supports;
   for (const auto& described : scene.supports) {
+    const Anchor anchor = parts.anchor(described.block, described.point_m);
     Support support;
-    support.block = described.block;
-    support.material = described.point_m - blocks[static_cast<std::size_t>(described.block)].centroid;
+    support.block = anchor.part;
+    support.material = anchor.material;
     support.described = &described;
     supports.push_back(support);
   }
@@ -60,13 +52,14 @@ std::vector<Support> make_supports(const scene::Scene& scene, const std::vector<
 
 Solid::Solid(const scene::Scene& scene)
     : scene_(scene),
-      blocks_(make_blocks(scene)),
+      parts_(make_parts(scene)),
+      blocks_(parts_.blocks),
       laws_(scene),
-      loads_(scene, blocks_),
+      loads_(scene, parts_),
       base_(scene),
       size_(model_size(scene)),
       force_scale_(weight_of_all(blocks_, scene.analysis.gravity_m_per_s2)),
-      supports_(make_supports(scene, blocks_)),
+      supports_(make_supports(scene, parts_)),
       next_dt_(scene.analysis.step_s),
       sleep_(blocks_.size(), size_),
       newmark_(Newmark::of(scene.analysis.integrator, scene.analysis.spectral_radius)),
@@ -79,20 +72,29 @@ Solid::Solid(const scene::Scene& scene)
                                      .dashpot_ratio = scene.contact.dashpot_ratio,
                                      .largest_modulus_pa = largest_modulus(scene)})),
       // Two blocks may each move by the largest displacement of a step, one towards the other.
-      search_(blocks_, laws_, size_, 2.5 * scene.analysis.max_displacement_ratio * size_) {
+      search_(parts_, laws_, size_, 2.5 * scene.analysis.max_displacement_ratio * size_) {
   const std::size_t n = blocks_.size();
   newmark_.damps = scene.analysis.kind == scene::AnalysisKind::dynamic;
   for (Block& block : blocks_) block.damping += scene.analysis.mass_damping_per_s * block.mass;
   states_.resize(n);
-  for (std::size_t b = 0; b < n; ++b) {
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     if (blocks_[b].fixed) continue;
     states_[b].velocity.head<2>() = scene.blocks[b].initial_velocity_m_per_s;
     states_[b].velocity[2] = scene.blocks[b].initial_spin_deg_per_s * std::numbers::pi / 180;
+    const Placement placement(blocks_[b].centroid, Vector6::Zero());
+    for (const int part : parts_.triangles[b]) {
+      const Block& triangle = blocks_[static_cast<std::size_t>(part)];
+      for (int i = 0; i < 3; ++i) {
+        const Point X = triangle.centroid + triangle.vertices[static_cast<std::size_t>(i)] - blocks_[b].centroid;
+        states_[static_cast<std::size_t>(part)].velocity.segment<2>(2 * i) = placement.shape(X) * states_[b].velocity;
+      }
+    }
   }
   for (const Block& block : blocks_) {
     start_.emplace_back(block.centroid, Vector6::Zero());
-    frozen_.push_back(block.fixed);
+    frozen_.push_back(block.fixed || block.meshed);
   }
+  node_increment_.resize(static_cast<std::size_t>(parts_.nodes));
   matrix_.resize(n);
   external_.resize(n);
   history_.resize(n);
@@ -140,7 +142,7 @@ double Solid::largest_displacement_m() const {
   double largest = 0;
   const Point base = base_.displacement(time_s_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (blocks_[b].fixed) continue;
+    if (blocks_[b].fixed || blocks_[b].meshed) continue;
     for (const Point& X : blocks_[b].vertices) {
       largest = std::max(largest, (start_[b].position(X) - blocks_[b].centroid - X - base).norm());
     }

@@ -31,10 +31,20 @@ class Solid {
   void advance(double from_s, double to_s, const std::vector<Panel>& water);
 
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+  [[nodiscard]] const Parts& parts() const { return parts_; }
+  /// The scene's blocks in its order, then the triangles of meshes; so are states and placements. A block with a mesh
+  /// has the mean motion of its triangles.
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
+  [[nodiscard]] std::size_t described() const { return scene_.blocks.size(); }  ///< number of the scene's blocks
   [[nodiscard]] const std::vector<BlockState>& states() const { return states_; }
   [[nodiscard]] const std::vector<Placement>& placements() const { return start_; }
   [[nodiscard]] const std::vector<ContactPoint>& contacts() const { return contacts_; }
+  /// Rate of the six unknowns, of a triangle as of any block.
+  [[nodiscard]] Vector6 velocity(std::size_t b) const { return rate(b, start_[b], states_[b].velocity); }
+  /// Where the vertex of a contact is now [m].
+  [[nodiscard]] Point place(const ContactPoint& c) const {
+    return start_[static_cast<std::size_t>(c.vertex_part)].position(c.vertex_at);
+  }
   [[nodiscard]] const std::vector<Support>& supports() const { return supports_; }
   [[nodiscard]] const JointLaws& laws() const { return laws_; }
   [[nodiscard]] const BaseMotion& base() const { return base_; }
@@ -54,22 +64,24 @@ class Solid {
     Eigen::Vector2d force;
   };
   struct IslandSystem {
-    IslandSystem(Island of, const Unknowns& its)
+    IslandSystem(Island of, std::unique_ptr<Unknowns> its)
         : island(std::move(of)),
-          unknowns(its),
-          system(make_linear_system(unknowns, island.couples)),
-          saddle(unknowns),
-          residual(unknowns.total),
-          correction(unknowns.total) {}
+          unknowns(std::move(its)),
+          system(make_linear_system(*unknowns, island.couples)),
+          saddle(*unknowns),
+          residual(unknowns->total),
+          correction(unknowns->total) {}
     Island island;
-    Unknowns unknowns;
+    std::unique_ptr<Unknowns> unknowns;
     std::unique_ptr<LinearSystem> system;
     SaddlePoint saddle;  ///< instead of it while there are unknown forces
     std::vector<UnknownForce> unknown_forces;
     Eigen::VectorXd residual;
     Eigen::VectorXd correction;
     Eigen::VectorXd forces;
-    bool asleep = false;  ///< in the step at hand
+    bool asleep = false;         ///< in the step at hand
+    std::vector<int> couplings;  ///< indices into Parts::couplings
+    Eigen::VectorXd uncertain;   ///< round-off of the residual at nodes
   };
 
   void bond_touching_contacts();
@@ -87,6 +99,19 @@ class Solid {
   void add_stiffness(LinearSystem& system, const Interaction& action) const;
   void add_constraints(IslandSystem& island, const Interaction& action, bool support, int index) const;
   void quiet_held_directions(IslandSystem& island, double dt);
+  [[nodiscard]] Vector6 rate(std::size_t b, const Placement& placement, const Vector6& of_state) const;
+  [[nodiscard]] Vector6 at_corners(std::size_t b, const Vector6& force) const;
+  [[nodiscard]] Matrix6 inertia(std::size_t b) const;
+  void predict_nodes(double dt);
+  void set_corner_maps(IslandSystem& island);
+  template <class System>
+  void add_own(System& system, const IslandSystem& island) const;
+  void balance_couplings(IslandSystem& island);
+  void add_residual_at_corners(IslandSystem& island, int triangle);
+  [[nodiscard]] static double unbalanced_at_nodes(const IslandSystem& island);
+  void follow_corners(std::size_t triangle);
+  [[nodiscard]] Vector6 corner_increment(std::size_t triangle) const;
+  void follow_triangles();
   void carry_fixed_blocks(double end_s);
   void accept(double dt, double end_s);
   [[nodiscard]] bool may_sleep(const IslandSystem& island) const;
@@ -100,7 +125,8 @@ class Solid {
 
   // Constant.
   const scene::Scene& scene_;
-  std::vector<Block> blocks_;
+  Parts parts_;
+  std::vector<Block>& blocks_;  ///< of parts_
   JointLaws laws_;
   Loads loads_;
   BaseMotion base_;
@@ -126,14 +152,15 @@ class Solid {
   double matrices_dt_ = -1;             ///< step that matrix_ was made for
   std::vector<Matrix6> matrix_;         ///< inertia and elasticity of each block
   std::vector<Vector6> external_;       ///< loads at the end of the step
-  std::vector<Vector6> history_;        ///< what inertia remembers
+  std::vector<Vector6> history_;        ///< what inertia remembers; of triangles, at their corners
   std::vector<Vector6> past_velocity_;  ///< what velocity would be at the end of the step without an increment
   std::vector<Vector6> increment_;
   std::vector<Vector6> still_;  ///< no increment
   std::vector<Placement> placement_;
-  std::vector<Vector6> balance_;   ///< all forces but inertia
-  std::vector<double> round_off_;  ///< what is uncertain of balance_ [N per metre]
-  std::vector<int> local_;         ///< index of a block within its island
+  std::vector<Point> node_increment_;  ///< of meshes [m]
+  std::vector<Vector6> balance_;       ///< all forces but inertia
+  std::vector<double> round_off_;      ///< what is uncertain of balance_ [N per metre]
+  std::vector<int> local_;             ///< index of a block within its island
   std::vector<std::pair<int, int>> links_;
   std::vector<IslandSystem> islands_;
   Counts counts_;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/launch/compare.hpp"
+
+#include <fmt/format.h>
+
+#include "bridge/launch/cases_folder.hpp"
+#include "bridge/launch/run.hpp"
+#include "bridge/launch/temporary_folder.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+
+namespace blockweir::launch {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::array formulations = {"penalty", "lagrange-multiplier", "augmented-lagrangian"};
+constexpr std::array usual_cases = {"incline", "column", "monolith-slides", "cracked-dam-upper", "cracked-dam-lower"};
+
+std::vector<fs::path> chosen(const CompareOptions& options) {
+  if (!options.cases.empty()) return options.cases;
+  std::vector<fs::path> cases;
+  for (const char* name : usual_cases) cases.push_back(cases_folder() / name);
+  return cases;
+}
+
+/// Twice: what a run takes, and then with the condition numbers, which take far longer than the run.
+json measured(RunOptions options) {
+  const RunResult timed = run(options);
+  if (timed.exit_code != 0) return {{"trouble", timed.trouble}};
+  options.overrides.emplace_back("contact.measure_condition=true");
+  const RunResult conditioned = run(options);
+  json summary = timed.summary;
+  summary["largest_condition_number"] = conditioned.summary.value("largest_condition_number", json());
+  fs::remove_all(options.out);
+  return summary;
+}
+
+std::string number(const json& value, const char* format) {
+  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "none";
+}
+
+}  // namespace
+
+int compare(const CompareOptions& options) {
+  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  const TemporaryFolder scratch;
+  json rows = json::array();
+  bool sound = true;
+  fmt::print("{:<20} {:<21} {:<28} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8}\n", "case", "formulation", "quantity",
+             "error", "penetration", "condition", "systems", "steps", "time s");
+  for (const fs::path& scene : chosen(options)) {
+    for (const char* formulation : formulations) {
+      RunOptions one{.scene = scene, .out = scratch.path() / "run", .overrides = options.overrides, .quiet = true};
+      one.overrides.push_back(fmt::format("contact.formulation={}", formulation));
+      const json s = measured(one);
+      const std::string name = scene.filename().string();
+      if (s.contains("trouble")) {
+        sound = false;
+        fmt::print("{:<20} {:<21} {}\n", name, formulation, s["trouble"].get<std::string>());
+        rows.push_back({{"case", name}, {"formulation", formulation}, {"trouble", s["trouble"]}});
+        continue;
+      }
+      for (const json& check : s["checks"]) {
+        fmt::print("{:<20} {:<21} {:<28} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8}\n", name, formulation,
+                   check["name"].get<std::string>(), number(check["relative_error"], "{:.2e}"),
+                   number(s["largest_penetration_m"], "{:.2e}"), number(s["largest_condition_number"], "{:.2e}"),
+                   s["counts"]["iterations"].get<long>(), s["counts"]["steps"].get<long>(),
+                   number(s["wall_time_s"], "{:.3g}"));
+        std::fflush(stdout);
+        rows.push_back({{"case", name},
+                        {"formulation", formulation},
+                        {"name", check["name"]},
+                        {"expected", check["expected"]},
+                        {"got", check["got"]},
+                        {"relative_error", check["relative_error"]},
+                        {"largest_penetration_m", s["largest_penetration_m"]},
+                        {"largest_condition_number", s["largest_condition_number"]},
+                        {"iterations", s["counts"]["iterations"]},
+                        {"multiplier_sweeps", s["counts"]["multiplier_sweeps"]},
+                        {"steps", s["counts"]["steps"]},
+                        {"wall_time_s", s["wall_time_s"]}});
+      }
+    }
+  }
+  if (!options.json.empty()) results::replace_file(options.json, rows.dump(2) + "\n");
+  return sound ? 0 : 1;
+}
+
+}  // namespace blockweir::launch

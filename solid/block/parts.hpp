@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The blocks that move: each block of the scene, and in place of one with a mesh its triangles.
+#pragma once
+
+#include <vector>
+
+#include "solid/block/panel.hpp"
+
+namespace blockweir::solid {
+
+/// A straight side of a block's outline, and the part that has it.
+struct OutlineSide {
+  int part = 0;
+  int edge = 0;            ///< of the part, from its vertex of that number to the next
+  int described_edge = 0;  ///< of the scene's block, with the fractions that the side covers
+  double s_from = 0;
+  double s_to = 1;
+};
+
+/// Strain energy e_i . stiffness e_j that two triangles with a common side share.
+struct StrainCoupling {
+  int i = 0;
+  int j = 0;
+  Eigen::Matrix3d stiffness;  ///< N per metre
+  double retardation_s = 0;   ///< damping over stiffness
+};
+
+/// A material point of a part.
+struct Anchor {
+  int part = 0;
+  Point material;  ///< m, relative to the part's centroid
+};
+
+struct Parts {
+  std::vector<Block> blocks;                       ///< the scene's, in its order; then all triangles
+  std::vector<std::vector<OutlineSide>> outlines;  ///< of the scene's blocks
+  std::vector<std::vector<int>> triangles;         ///< of the scene's blocks; empty without a mesh
+  std::vector<StrainCoupling> couplings;
+  int nodes = 0;  ///< of all meshes
+
+  /// Where a side begins and ends, as material points of its part.
+  [[nodiscard]] const Point& vertex(const OutlineSide& side) const { return corner(side, 0); }
+  [[nodiscard]] const Point& end(const OutlineSide& side) const { return corner(side, 1); }
+  /// The part of scene block `block` that has the point, or is nearest to it.
+  [[nodiscard]] Anchor anchor(int block, const Point& point) const;
+  /// Adds a panel of a scene block to `panels` as panels of its parts.
+  void split(const Panel& panel, std::vector<Panel>& panels) const;
+
+ private:
+  [[nodiscard]] const Point& corner(const OutlineSide& side, std::size_t further) const {
+    const auto& vertices = blocks[static_cast<std::size_t>(side.part)].vertices;
+    return vertices[(static_cast<std::size_t>(side.edge) + further) % vertices.size()];
+  }
+};
+
+/// Triangles have linear displacements. Their strains are smoothed over the domains of sides, each a third of the
+/// triangles beside it (edge-based smoothed finite elements, Liu, Nguyen-Thoi and Lam 2009): with single triangles a
+/// block would be too stiff in bending.
+Parts make_parts(const scene::Scene& scene);
+
+/// Strain (ex, ey, gxy) of triangle `part` in its own frame, as smoothed: the mean over its three side domains.
+std::vector<Eigen::Vector3d> smoothed_strains(const Parts& parts, const std::vector<Vector6>& displacement);
+
+}  // namespace blockweir::solid

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which unknowns of an island's equations a block has: six of its own, three where it is rigid, or, a triangle of a
+// mesh, the displacements of its three corners, which it shares with its neighbours.
+#pragma once
+
+#include <array>
+#include <unordered_map>
+#include <vector>
+
+#include "solid/block/block.hpp"
+
+namespace blockweir::solid {
+
+class Unknowns {
+ public:
+  /// 6 or 3 of each block. `nodes`: of triangles, numbered at will; -1 for other blocks; empty where there are none.
+  explicit Unknowns(const std::vector<int>& count_of, const std::vector<std::array<int, 3>>& nodes_of = {})
+      : count(count_of), map_(count_of.size(), Matrix6::Identity()) {
+    std::unordered_map<int, int> first_of;  // node: its x displacement
+    for (std::size_t b = 0; b < count.size(); ++b) {
+      const bool triangle = !nodes_of.empty() && nodes_of[b][0] >= 0;
+      first.push_back(total);
+      auto& own = number_.emplace_back();
+      for (int i = 0; !triangle && i < count[b]; ++i) own.push_back(total++);
+      for (std::size_t i = 0; triangle && i < 3; ++i) {
+        const auto [found, is_new] = first_of.emplace(nodes_of[b][i], total);
+        if (is_new) {
+          nodes.emplace_back(nodes_of[b][i], total);
+          total += 2;
+        }
+        own.insert(own.end(), {found->second, found->second + 1});
+      }
+    }
+  }
+
+  std::vector<int> count;
+  std::vector<int> first;                  ///< of a block's own unknowns; they follow each other
+  std::vector<std::pair<int, int>> nodes;  ///< with their first unknown, x displacement; y follows
+  int total = 0;
+
+  [[nodiscard]] int blocks() const { return static_cast<int>(count.size()); }
+  [[nodiscard]] bool shared() const { return !nodes.empty(); }
+  [[nodiscard]] const std::vector<int>& of(int block) const { return number_[at(block)]; }
+
+  /// d = map * (displacements of the corners) of a triangle, from now on.
+  void set_map(int block, const Matrix6& map) { map_[at(block)] = map; }
+  /// Matrix between two blocks as one between their unknowns; of rigid ones the first rows or columns count.
+  [[nodiscard]] Matrix6 mapped(int row, int column, const Matrix6& k) const {
+    return shared() ? Matrix6(map_[at(row)].transpose() * k * map_[at(column)]) : k;
+  }
+  /// Generalized force of a block as forces of its unknowns.
+  [[nodiscard]] Vector6 mapped(int block, const Vector6& force) const {
+    return shared() ? Vector6(map_[at(block)].transpose() * force) : force;
+  }
+  /// Adds a block's generalized force to all.
+  void add(int block, const Vector6& force, Eigen::VectorXd& all) const {
+    all(of(block)) += mapped(block, force).head(count[at(block)]);
+  }
+  /// A block's displacement, of a rigid one without strains, of all.
+  [[nodiscard]] Vector6 take(int block, const Eigen::VectorXd& all) const {
+    Vector6 d = take_own(block, all);
+    return shared() ? Vector6(map_[at(block)] * d) : d;
+  }
+  /// A block's unknowns as they are: of a triangle, displacements of its corners.
+  [[nodiscard]] Vector6 take_own(int block, const Eigen::VectorXd& all) const {
+    Vector6 d = Vector6::Zero();
+    d.head(count[at(block)]) = all(of(block));
+    return d;
+  }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  std::vector<std::vector<int>> number_;
+  std::vector<Matrix6> map_;
+};
+
+}  // namespace blockweir::solid

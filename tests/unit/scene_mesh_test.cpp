@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_scene
+// The key mesh_size_m: who has it, and what is refused.
+#include <gtest/gtest.h>
+
+#include "tests/unit/scene_sample.hpp"
+
+using namespace blockweir::scene;
+using sample::expect_error;
+using sample::with;
+
+namespace {
+
+std::string meshed(const std::string& value, const std::string& name = "base") {
+  return with("name = \"" + name + "\"\n", "name = \"" + name + "\"\nmesh_size_m = " + value + "\n");
+}
+
+TEST(SceneMesh, ABlockHasTheSizeOfItsTriangles) {
+  const auto scene = read_text(meshed("0.5"), "s.toml").scene;
+  EXPECT_EQ(scene.blocks[0].mesh_size_m, 0);
+  EXPECT_EQ(scene.blocks[1].mesh_size_m, 0.5);
+}
+
+TEST(SceneMesh, ASizeOfZeroIsRefused) {
+  expect_error(meshed("0"), 21, {"mesh_size_m", "above 0"});
+}
+
+TEST(SceneMesh, AFixedBlockTakesNone) {
+  expect_error(meshed("0.5", "ground"), 16, {"is fixed and has a mesh_size_m", "leave out one of the two"});
+}
+
+TEST(SceneMesh, ARigidBlockTakesNone) {
+  expect_error(meshed("0.5\nrigid = true"), 21, {"is rigid and has a mesh_size_m", "where something can strain"});
+}
+
+TEST(SceneMesh, MoreTrianglesThanCanBeMeantAreRefused) {
+  expect_error(meshed("0.003"), 21, {"about 3.3e+06 triangles", "at most 20000", "make mesh_size_m larger"});
+}
+
+TEST(SceneMesh, ASectionGivesItsSizeToBlocksThatMove) {
+  const auto scene = read_text(R"([analysis]
+duration_s = 1
+[material.m]
+youngs_modulus_pa = 30e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2400
+[section]
+material = "m"
+mesh_size_m = 0.7
+outline_m = [[0, 0], [4, 0], [4, 4], [0, 4]]
+[[region]]
+material = "m"
+fixed = true
+outline_m = [[0, 0], [4, 0], [4, 1], [0, 1]]
+[[region]]
+material = "m"
+mesh_size_m = 0.3
+outline_m = [[0, 1], [4, 1], [4, 2], [0, 2]]
+)",
+                               "s.toml")
+                         .scene;
+  ASSERT_EQ(scene.blocks.size(), 3U);
+  EXPECT_EQ(scene.blocks[0].mesh_size_m, 0);
+  EXPECT_EQ(scene.blocks[1].mesh_size_m, 0.3);
+  EXPECT_EQ(scene.blocks[2].mesh_size_m, 0.7);
+}
+
+}  // namespace
