@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "solid/output/energy.hpp"
+
 namespace blockweir::solid::output {
 namespace {
 
@@ -87,6 +89,10 @@ void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& f
   frame.largest_displacement_m = solid.largest_displacement_m();
   frame.base_displacement_m = solid.base().displacement(time_s);
   frame.base_acceleration_m_per_s2 = solid.base().acceleration(time_s);
+  const Energy energy = energy_of(solid);
+  frame.kinetic_energy_j_per_m = energy.kinetic;
+  frame.strain_energy_j_per_m = energy.strain;
+  frame.potential_energy_j_per_m = energy.potential;
   frame.blocks.resize(blocks.size());
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     capture_block(blocks[b], solid.states()[b], solid.placements()[b], frame.blocks[b]);
