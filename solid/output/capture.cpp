@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "solid/output/energy.hpp"
+
 namespace blockweir::solid::output {
 namespace {
 
@@ -92,6 +94,10 @@ void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& f
   frame.base_acceleration_m_per_s2 = solid.base().acceleration(time_s);
   frame.blocks.resize(solid.described());
   for (std::size_t b = 0; b < frame.blocks.size(); ++b) capture_block(solid, b, frame.blocks[b]);
+  const Energy energy = energy_of(solid);
+  frame.kinetic_energy_j_per_m = energy.kinetic;
+  frame.strain_energy_j_per_m = energy.strain;
+  frame.potential_energy_j_per_m = energy.potential;
   frame.contacts.resize(solid.contacts().size());
   for (std::size_t k = 0; k < frame.contacts.size(); ++k)
     capture_contact(solid, solid.contacts()[k], frame.contacts[k]);

@@ -14,9 +14,10 @@ using scene::Scene;
 
 /// By name; each gets the scene and what the expectation is `of`.
 using Formulas = std::map<std::string, double (*)(const Scene&, const std::string&)>;
-const Formulas& block_formulas();   ///< under their own weight
-const Formulas& dam_formulas();     ///< limit equilibrium and pressures of water
-const Formulas& motion_formulas();  ///< sliding
+const Formulas& block_formulas();     ///< under their own weight
+const Formulas& dam_formulas();       ///< limit equilibrium and pressures of water
+const Formulas& dynamics_formulas();  ///< oscillation, impact, rocking, waves
+const Formulas& motion_formulas();    ///< sliding
 
 /// Throw std::runtime_error where there is none of that name.
 const scene::Block& block_named(const Scene& s, const std::string& name);

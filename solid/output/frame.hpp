@@ -59,6 +59,9 @@ struct Frame {
   double largest_displacement_m = 0;  ///< against the base
   Point base_displacement_m = Point::Zero();
   Point base_acceleration_m_per_s2 = Point::Zero();
+  double kinetic_energy_j_per_m = 0;
+  double strain_energy_j_per_m = 0;
+  double potential_energy_j_per_m = 0;
   std::vector<BlockRow> blocks;
   std::vector<ContactRow> contacts;
   std::vector<PanelRow> panels;

@@ -18,7 +18,9 @@ std::string quoted(const std::string& name) {
 }
 
 std::string header(const scene::Scene& scene) {
-  std::string text = "time_s,upstream_level_m,downstream_level_m,largest_displacement_m";
+  std::string text =
+      "time_s,upstream_level_m,downstream_level_m,largest_displacement_m,kinetic_energy_j_per_m,strain_energy_j_per_m,"
+      "potential_energy_j_per_m";
   if (scene.base_motion) {
     text += ",base.displacement_x_m,base.displacement_y_m,base.acceleration_x_m_per_s2,base.acceleration_y_m_per_s2";
   }
@@ -51,7 +53,10 @@ void HistoryWriter::write(const Frame& frame) {
   fmt::memory_buffer row;
   const auto add = [&](double value) { fmt::format_to(std::back_inserter(row), ",{:.12g}", value); };
   fmt::format_to(std::back_inserter(row), "{:.12g}", frame.time_s);
-  for (const double v : {frame.upstream_level_m, frame.downstream_level_m, frame.largest_displacement_m}) add(v);
+  for (const double v : {frame.upstream_level_m, frame.downstream_level_m, frame.largest_displacement_m,
+                         frame.kinetic_energy_j_per_m, frame.strain_energy_j_per_m, frame.potential_energy_j_per_m}) {
+    add(v);
+  }
   if (shaken_) {
     for (const Point& p : {frame.base_displacement_m, frame.base_acceleration_m_per_s2}) add(p.x()), add(p.y());
   }

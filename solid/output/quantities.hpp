@@ -3,8 +3,10 @@
 #pragma once
 
 #include "solid/output/acceleration_fit.hpp"
+#include "solid/output/energy.hpp"
 #include "solid/output/failure_watch.hpp"
 #include "solid/output/margins.hpp"
+#include "solid/output/time_series.hpp"
 
 namespace blockweir::solid::output {
 
@@ -16,6 +18,8 @@ struct Outcome {
   const FailureWatch& failure;
   const Margins& margins;
   const AccelerationFit& acceleration;
+  const TimeSeries& series;
+  const EnergyWatch& energy;
   double largest_penetration_m = 0;    ///< over the whole run
   std::optional<double> breached_s{};  ///< since when open water has passed the structure
 };

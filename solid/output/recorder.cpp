@@ -11,6 +11,7 @@ namespace blockweir::solid::output {
 Recorder::Recorder(const scene::Scene& scene, const std::filesystem::path& folder, Progress progress)
     : solid_(scene),
       failure_(solid_),
+      series_(solid_),
       folder_(folder),
       history_(folder, scene),
       frame_log_(folder),
@@ -36,9 +37,7 @@ void Recorder::start(const wire::Load& load) {
     const Stopwatch watch(step_s_);
     if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(panels_of(load, solid_.blocks()));
   }
-  failure_.look(0, load.upstream_level_m);
-  margins_.look(solid_, 0, load.upstream_level_m);
-  acceleration_.add(0, solid_.states());
+  observe(load, 0);
   record(load, 0);
   first_ = frame_;
 }
@@ -47,9 +46,7 @@ void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire:
   {
     const Stopwatch watch(step_s_);
     solid_.advance(from_s, to_s, panels_of(load, solid_.blocks()));
-    failure_.look(to_s, load.upstream_level_m);
-    if (failure_.failures().empty()) margins_.look(solid_, to_s, load.upstream_level_m);
-    acceleration_.add(to_s, solid_.states(), solid_.base().displacement(to_s));
+    observe(load, to_s);
   }
   for (const ContactPoint& c : solid_.contacts()) {
     if (c.state != ContactState::open) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
@@ -57,6 +54,14 @@ void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire:
   if (load.breached && !breached_s_) breached_s_ = from_s;
   record(load, to_s);
   say_where(motion);
+}
+
+void Recorder::observe(const wire::Load& load, double time_s) {
+  failure_.look(time_s, load.upstream_level_m);
+  if (failure_.failures().empty()) margins_.look(solid_, time_s, load.upstream_level_m);
+  acceleration_.add(time_s, solid_.states(), solid_.base().displacement(time_s));
+  series_.look(solid_, time_s);
+  energy_.look(solid_);
 }
 
 void Recorder::record(const wire::Load& load, double time_s) {
@@ -94,6 +99,8 @@ void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {
                         .failure = failure_,
                         .margins = margins_,
                         .acceleration = acceleration_,
+                        .series = series_,
+                        .energy = energy_,
                         .largest_penetration_m = largest_penetration_m_,
                         .breached_s = breached_s_};
   nlohmann::json text;

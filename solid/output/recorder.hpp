@@ -28,6 +28,7 @@ class Recorder final : public schedule::SolidSide {
   void finish(const nlohmann::json& extra, const std::string& stopped);
 
  private:
+  void observe(const wire::Load& load, double time_s);
   void record(const wire::Load& load, double time_s);
   void say_where(wire::Motion& motion) const;
 
@@ -35,6 +36,8 @@ class Recorder final : public schedule::SolidSide {
   FailureWatch failure_;
   Margins margins_;  ///< while nothing has failed
   AccelerationFit acceleration_;
+  TimeSeries series_;
+  EnergyWatch energy_;
   std::filesystem::path folder_;
   HistoryWriter history_;
   FrameLog frame_log_;

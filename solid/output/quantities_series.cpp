@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figures from the course of a block's motion: oscillation, rebound, rocking, waves.
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "solid/output/quantity_parts.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+const Course& course_of(const Outcome& o, const std::string& of) {
+  return o.series.of(block_index(o.solid, of));
+}
+
+/// Of the displacements in x and y the one that swings more.
+Eigen::VectorXd signal_of(std::span<const Sample> course) {
+  Eigen::Matrix<double, Eigen::Dynamic, 2> u(static_cast<Eigen::Index>(course.size()), 2);
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    u.row(static_cast<Eigen::Index>(i)) = course[i].displacement.head<2>().transpose();
+  }
+  const Eigen::RowVector2d range = u.colwise().maxCoeff() - u.colwise().minCoeff();
+  return range[1] >= range[0] ? u.col(1) : u.col(0);
+}
+
+/// Samples at equal steps: without the last, where the run's end cuts the step.
+std::span<const Sample> equally_spaced(const Course& course) {
+  std::size_t n = course.size();
+  const auto spacing = [&](std::size_t i) { return course[i].time_s - course[i - 1].time_s; };
+  if (n > 2 && std::abs(spacing(n - 1) / spacing(1) - 1) > 1e-6) --n;
+  return {course.data(), n};
+}
+
+/// The recurrence u_n = f_1 u_n-1 + ... + f_p u_n-p + c that fits the signal best (Prony's method).
+struct Recurrence {
+  Eigen::VectorXd factors;
+  double misfit = 0;  ///< root mean square, over the signal's largest value
+
+  Recurrence(const Eigen::VectorXd& u, Eigen::Index order) {
+    const Eigen::Index n = u.size() - order;
+    Eigen::MatrixXd past = Eigen::MatrixXd::Ones(n, order + 1);
+    for (Eigen::Index k = 0; k < order; ++k) past.col(k) = u.segment(order - 1 - k, n);
+    const Eigen::VectorXd fit = past.colPivHouseholderQr().solve(u.tail(n));
+    misfit = (past * fit - u.tail(n)).norm() / std::sqrt(static_cast<double>(n));
+    factors = fit.head(order);
+  }
+
+  /// Its size is the decay a step, its angle the frequency.
+  [[nodiscard]] std::complex<double> largest_root() const {
+    const Eigen::Index order = factors.size();
+    Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(order, order);
+    companion.row(0) = factors.transpose();
+    companion.diagonal(-1).setOnes();
+    const Eigen::VectorXcd roots = Eigen::EigenSolver<Eigen::MatrixXd>(companion, false).eigenvalues();
+    Eigen::Index largest = 0;
+    roots.cwiseAbs().maxCoeff(&largest);
+    return roots[largest];
+  }
+};
+
+/// Of the recurrence of lowest order that the signal follows: one oscillator under a one-step scheme follows one of
+/// order two, or three where the scheme remembers accelerations.
+std::complex<double> dominant_root(const Outcome& o, const std::string& of) {
+  constexpr double followed = 1e-9;
+  const std::span<const Sample> course = equally_spaced(course_of(o, of));
+  if (course.size() < 8) return nan;
+  Eigen::VectorXd u = signal_of(course);
+  u.array() -= u.mean();
+  u /= u.cwiseAbs().maxCoeff();
+  const Recurrence two(u, 2);
+  return two.misfit < followed ? two.largest_root() : Recurrence(u, 3).largest_root();
+}
+
+double step_of(const Outcome& o, const std::string& of) {
+  const std::span<const Sample> course = equally_spaced(course_of(o, of));
+  return (course.back().time_s - course.front().time_s) / static_cast<double>(course.size() - 1);
+}
+
+double decay_per_step(const Outcome& o, const std::string& of) {
+  return std::abs(dominant_root(o, of));
+}
+
+double oscillation_period(const Outcome& o, const std::string& of) {
+  const double angle = std::abs(std::arg(dominant_root(o, of)));
+  return angle == 0 ? std::numeric_limits<double>::infinity() : 2 * std::numbers::pi / angle * step_of(o, of);
+}
+
+double oscillation_damping(const Outcome& o, const std::string& of) {
+  const std::complex<double> s = std::log(dominant_root(o, of));
+  return -s.real() / std::abs(s);
+}
+
+/// Stretches of the course over which `rate` keeps its sign; the largest |rate| of each.
+struct Swing {
+  double fastest = 0;
+  double time_s = 0;  ///< of it
+};
+
+std::vector<Swing> swings(const Course& course, Eigen::Index unknown) {
+  std::vector<Swing> all;
+  double sign = 0;
+  for (const Sample& s : course) {
+    const double rate = s.velocity[unknown];
+    if (rate == 0) continue;
+    if (rate * sign <= 0) all.emplace_back();
+    sign = rate;
+    if (std::abs(rate) > all.back().fastest) all.back() = {std::abs(rate), s.time_s};
+  }
+  return all;
+}
+
+/// Largest speed after the first return of the vertical velocity over the largest before.
+double rebound_ratio(const Outcome& o, const std::string& of) {
+  const auto all = swings(course_of(o, of), 1);
+  return all.empty() ? nan : all.size() < 2 ? 0 : all[1].fastest / all[0].fastest;
+}
+
+/// Four times the time from release to the fastest spin, which is at the impact.
+double rocking_period(const Outcome& o, const std::string& of) {
+  const auto all = swings(course_of(o, of), 2);
+  return all.empty() ? nan : 4 * all[0].time_s;
+}
+
+/// Spin after over spin before the first impact: a swing back is as fast at its end as the impact left it.
+double impact_ratio(const Outcome& o, const std::string& of) {
+  const auto all = swings(course_of(o, of), 2);
+  return all.size() < 2 ? nan : all[1].fastest / all[0].fastest;
+}
+
+/// Mean speed of the centroid over the last tenth of the run.
+double late_speed(const Outcome& o, const std::string& of) {
+  const Course& course = course_of(o, of);
+  double sum = 0;
+  int count = 0;
+  for (const Sample& s : course) {
+    if (s.time_s < 0.9 * course.back().time_s) continue;
+    sum += s.velocity.head<2>().norm();
+    ++count;
+  }
+  return sum / count;
+}
+
+/// Distance from the first pressure's face to the block, over the time when the front passed it: where the straight
+/// line of its late displacements meets zero, which ripples behind the front do not shift.
+double wave_speed(const Outcome& o, const std::string& of) {
+  const auto& loads = o.solid.scene().face_pressures;
+  if (loads.empty()) return nan;
+  const Point from = (loads.front().from_m + loads.front().to_m) / 2;
+  const double distance = (o.solid.blocks()[block_index(o.solid, of)].centroid - from).norm();
+  const Course& course = course_of(o, of);
+  const auto late = static_cast<Eigen::Index>(course.size() / 4);
+  Eigen::Matrix<double, Eigen::Dynamic, 2> times(late, 2);
+  Eigen::VectorXd moved(late);
+  for (Eigen::Index i = 0; i < late; ++i) {
+    const Sample& s = course[course.size() - static_cast<std::size_t>(late - i)];
+    times.row(i) << 1, s.time_s;
+    moved[i] = s.displacement.head<2>().norm();
+  }
+  const Eigen::Vector2d line = times.colPivHouseholderQr().solve(moved);
+  return distance / (-line[0] / line[1]);
+}
+
+/// Largest change of the moment of momentum about the centroid, over its first value.
+double angular_momentum_error(const Outcome& o, const std::string& of) {
+  const Matrix6& mass = o.solid.blocks()[block_index(o.solid, of)].mass;
+  const Course& course = course_of(o, of);
+  const double first = mass.row(2).dot(course.front().velocity);
+  double largest = 0;
+  for (const Sample& s : course) largest = std::max(largest, std::abs(mass.row(2).dot(s.velocity) / first - 1));
+  return largest;
+}
+
+}  // namespace
+
+const Quantities& series_quantities() {
+  static const Quantities all = {{"decay_per_step", decay_per_step},
+                                 {"oscillation_period_s", oscillation_period},
+                                 {"oscillation_damping_ratio", oscillation_damping},
+                                 {"rebound_ratio", rebound_ratio},
+                                 {"rocking_period_s", rocking_period},
+                                 {"impact_ratio", impact_ratio},
+                                 {"late_speed_m_per_s", late_speed},
+                                 {"wave_speed_m_per_s", wave_speed},
+                                 {"angular_momentum_error", angular_momentum_error}};
+  return all;
+}
+
+}  // namespace blockweir::solid::output

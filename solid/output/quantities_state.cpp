@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figures from the first and last frames of a run, and from what was watched on the way.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bridge/scene/polygon.hpp"
+#include "solid/output/quantity_parts.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <double Failure::*Member>
+double of_first_failure(const Outcome& o, const std::string&) {
+  return o.failure.failures().empty() ? nan : o.failure.failures().front().*Member;
+}
+
+/// Against the base.
+double displacement(const Outcome& o, const std::string& of) {
+  const std::size_t b = block_index(o.solid, of);
+  return (o.last.blocks[b].centroid_m - o.first.blocks[b].centroid_m - o.last.base_displacement_m).norm();
+}
+
+double acceleration(const Outcome& o, const std::string& of) {
+  return o.acceleration.of(block_index(o.solid, of));
+}
+
+/// Vertical force of all contacts on a block, upwards on its neighbours.
+double reaction(const Outcome& o, const std::string& of) {
+  const auto b = static_cast<int>(block_index(o.solid, of));
+  double sum = 0;
+  for (const ContactRow& c : o.last.contacts) {
+    const Point tangent(-c.normal.y(), c.normal.x());
+    const double up = (c.normal_force_n_per_m * c.normal + c.shear_force_n_per_m * tangent).y();
+    if (c.edge_block == b) sum += up;
+    if (c.vertex_block == b) sum -= up;
+  }
+  return sum;
+}
+
+double stress_yy(const Outcome& o, const std::string& of) {
+  return o.last.blocks[block_index(o.solid, of)].stress_yy_pa;
+}
+
+/// Loss of height between the block's lowest and highest vertex, from its strain: positions would lose digits.
+double shortening(const Outcome& o, const std::string& of) {
+  const std::size_t b = block_index(o.solid, of);
+  const auto& vertices = o.solid.blocks()[b].vertices;
+  const auto by_height = [](const Point& p, const Point& q) { return p.y() < q.y(); };
+  const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end(), by_height);
+  return -o.solid.states()[b].displacement[4] * (high->y() - low->y());
+}
+
+double water_force_x(const Outcome& o, const std::string& of) {
+  return o.last.blocks[block_index(o.solid, of)].water_force_n_per_m.x();
+}
+double water_moment(const Outcome& o, const std::string& of) {
+  return o.last.blocks[block_index(o.solid, of)].water_moment_n;
+}
+double penetration(const Outcome& o, const std::string&) {
+  return o.largest_penetration_m;
+}
+
+/// Largest water pressure on the block.
+double water_pressure(const Outcome& o, const std::string& of) {
+  const auto b = static_cast<int>(block_index(o.solid, of));
+  double largest = 0;
+  for (const PanelRow& p : o.last.panels) {
+    if (p.block == b) largest = std::max({largest, p.pressure_from_pa, p.pressure_to_pa});
+  }
+  return largest;
+}
+
+double stress_xx(const Outcome& o, const std::string& of) {
+  return o.last.blocks[block_index(o.solid, of)].stress_xx_pa;
+}
+double stress_xy(const Outcome& o, const std::string& of) {
+  return o.last.blocks[block_index(o.solid, of)].stress_xy_pa;
+}
+double kinetic_energy(const Outcome& o, const std::string&) {
+  return energy_of(o.solid).kinetic;
+}
+double energy_gain(const Outcome& o, const std::string&) {
+  return o.energy.gain();
+}
+
+/// Change of the block's area by more than its strain says.
+double area_error(const Outcome& o, const std::string& of) {
+  const std::size_t b = block_index(o.solid, of);
+  const auto strain = o.solid.states()[b].displacement.tail<3>();
+  const double strained = (1 + strain[0]) * (1 + strain[1]) - strain[2] * strain[2] / 4;
+  return std::abs(scene::signed_area(o.last.blocks[b].vertices_m) / (o.solid.blocks()[b].area * strained) - 1);
+}
+
+}  // namespace
+
+const Quantities& state_quantities() {
+  static const Quantities all = {{"failure_level_m", of_first_failure<&Failure::level_m>},
+                                 {"failure_head_m", of_first_failure<&Failure::head_m>},
+                                 {"failure_time_s", of_first_failure<&Failure::time_s>},
+                                 {"displacement_m", displacement},
+                                 {"acceleration_m_per_s2", acceleration},
+                                 {"reaction_n_per_m", reaction},
+                                 {"stress_yy_pa", stress_yy},
+                                 {"shortening_m", shortening},
+                                 {"water_force_x_n_per_m", water_force_x},
+                                 {"water_moment_n", water_moment},
+                                 {"water_pressure_pa", water_pressure},
+                                 {"largest_penetration_m", penetration},
+                                 {"stress_xx_pa", stress_xx},
+                                 {"stress_xy_pa", stress_xy},
+                                 {"kinetic_energy_j_per_m", kinetic_energy},
+                                 {"energy_gain", energy_gain},
+                                 {"area_error", area_error}};
+  return all;
+}
+
+}  // namespace blockweir::solid::output

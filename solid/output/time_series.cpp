@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/time_series.hpp"
+
+#include "solid/output/quantity_parts.hpp"
+
+namespace blockweir::solid::output {
+
+TimeSeries::TimeSeries(const Solid& solid) {
+  for (const scene::Expectation& e : solid.scene().expectations) {
+    if (series_quantities().contains(e.quantity)) courses_[block_index(solid, e.of)];
+  }
+}
+
+void TimeSeries::look(const Solid& solid, double time_s) {
+  for (auto& [block, course] : courses_) {
+    course.push_back({time_s, solid.states()[block].displacement, solid.states()[block].velocity});
+  }
+}
+
+const Course& TimeSeries::of(std::size_t block) const {
+  static const Course none;
+  const auto found = courses_.find(block);
+  return found == courses_.end() ? none : found->second;
+}
+
+}  // namespace blockweir::solid::output

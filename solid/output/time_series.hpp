@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The course of the motion of those blocks that an expectation needs it of; of no others.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid::output {
+
+struct Sample {
+  double time_s = 0;
+  Vector6 displacement;
+  Vector6 velocity;
+};
+using Course = std::vector<Sample>;
+
+class TimeSeries {
+ public:
+  explicit TimeSeries(const Solid& solid);
+  void look(const Solid& solid, double time_s);
+  /// Empty for a block that is not watched.
+  [[nodiscard]] const Course& of(std::size_t block) const;
+
+ private:
+  std::map<std::size_t, Course> courses_;
+};
+
+}  // namespace blockweir::solid::output

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_output
+// Energies of motions whose energy is known.
+#include "solid/output/energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace blockweir::solid::output {
+namespace {
+
+scene::Scene one_block() {
+  scene::Scene scene;
+  scene.materials.push_back({"concrete", 50e9, 0, 2500});
+  scene.analysis.plane = scene::Plane::stress;
+  scene.analysis.max_displacement_ratio = 1;
+  scene.blocks.push_back({.name = "block", .vertices = {{0, 0}, {2, 0}, {2, 1}, {0, 1}}});
+  return scene;
+}
+
+TEST(Energy, AFallTurnsWeightIntoMotion) {
+  auto scene = one_block();
+  scene.blocks[0].initial_velocity_m_per_s = Point(3, 0);
+  scene.blocks[0].initial_spin_deg_per_s = 90;
+  Solid solid(scene);
+  const double mass = 5000;
+  const double spin = std::acos(-1.0) / 2;
+  EXPECT_NEAR(energy_of(solid).kinetic, mass * 9 / 2 + mass * 5 / 12 * spin * spin / 2, 1e-6);
+  EnergyWatch watch;
+  const double before = energy_of(solid).total();
+  for (int n = 0; n < 50; ++n) {
+    solid.advance(n * 0.01, (n + 1) * 0.01, {});
+    watch.look(solid);
+  }
+  EXPECT_NEAR(energy_of(solid).potential, -mass * 9.81 * 9.81 * 0.125, 1e-6);
+  EXPECT_NEAR(energy_of(solid).total(), before, 1e-9 * before);
+  EXPECT_LT(watch.gain(), 1e-9);
+}
+
+TEST(Energy, StrainHoldsTheWorkOfALoad) {
+  auto scene = one_block();
+  scene.analysis.gravity_m_per_s2 = 0;
+  scene.analysis.kind = scene::AnalysisKind::quasi_static;
+  for (const double x : {0.0, 2.0}) {
+    scene::PointLoad load{.block = 0, .point_m = Point(x, 0.5)};
+    load.force_x_n_per_m = scene::TimeTable::constant(x == 0 ? -1e6 : 1e6);
+    load.force_y_n_per_m = scene::TimeTable::constant(0);
+    scene.point_loads.push_back(load);
+  }
+  Solid solid(scene);
+  EnergyWatch watch;
+  watch.look(solid);
+  for (int n = 0; n < 5; ++n) solid.advance(n * 0.01, (n + 1) * 0.01, {});
+  watch.look(solid);
+  EXPECT_NEAR(energy_of(solid).strain, 1e6 * 1e6 * 2 / (2 * 50e9), 1e-6);  // F^2 L/(2 E A)
+  EXPECT_NEAR(watch.gain(), 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace blockweir::solid::output
