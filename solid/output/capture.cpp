@@ -56,7 +56,8 @@ void capture_contact(const Solid& solid, const ContactPoint& c, ContactRow& row)
   row.edge_block = c.edge_block;
   row.joint = solid.laws()[c.law].joint;
   row.state = static_cast<int>(c.state);
-  row.bonded = c.bonded();
+  const JointProperties& law = solid.laws()[c.law];
+  row.bonded_length_m = law.cohesion_pa > 0 || law.tension_pa > 0 ? c.bond * c.bond_length : 0;
   row.gap_m = row.normal.dot(row.point_m - a);
   row.slip_m = c.slip_m;
   row.normal_force_n_per_m = c.state == ContactState::open ? 0 : c.force.x();

@@ -33,9 +33,9 @@ struct ContactRow {
   Point normal;  ///< out of the edge's block
   int vertex_block = 0;
   int edge_block = 0;
-  int joint = -1;  ///< index into Scene::joints; -1 for the default joint
-  int state = 0;   ///< 0 open, 1 stick, 2 slip
-  bool bonded = false;
+  int joint = -1;                   ///< index into Scene::joints; -1 for the default joint
+  int state = 0;                    ///< 0 open, 1 stick, 2 slip
+  double bonded_length_m = 0;       ///< that still has cohesion or tension strength, by what is left of them
   double gap_m = 0;                 ///< negative: penetration
   double slip_m = 0;                ///< since the start, signed along the edge
   double normal_force_n_per_m = 0;  ///< compression positive

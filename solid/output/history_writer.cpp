@@ -33,7 +33,8 @@ std::string header(const scene::Scene& scene) {
     }
   }
   for (const auto& joint : scene.joints) {
-    for (const char* quantity : {"normal_force_n_per_m", "shear_force_n_per_m", "slip_m", "opening_m"}) {
+    for (const char* quantity :
+         {"normal_force_n_per_m", "shear_force_n_per_m", "slip_m", "opening_m", "bonded_length_m"}) {
       text += "," + quoted(joint.name + "." + quantity);
     }
   }
@@ -74,14 +75,16 @@ void HistoryWriter::write(const Frame& frame) {
     double shear = 0;
     double slip = 0;
     double opening = 0;
+    double bonded = 0;
     for (const ContactRow& c : frame.contacts) {
       if (c.joint != j) continue;
       normal += c.normal_force_n_per_m;
       shear += c.shear_force_n_per_m;
       slip = std::abs(c.slip_m) > std::abs(slip) ? c.slip_m : slip;
       opening = std::max(opening, c.gap_m);
+      bonded += c.bonded_length_m;
     }
-    for (const double v : {normal, shear, slip, opening}) add(v);
+    for (const double v : {normal, shear, slip, opening, bonded}) add(v);
   }
   file_.line(fmt::to_string(row));
 }

@@ -45,7 +45,7 @@ void fill_blocks(const Frame& frame, Grid& grid) {
 void fill_joints(const Frame& frame, Grid& grid) {
   auto* joint = grid.cell_data("joint", 1);
   auto* state = grid.cell_data("state", 1);  // 0 open, 1 stick, 2 slip
-  auto* bonded = grid.cell_data("bonded", 1);
+  auto* bonded = grid.cell_data("bonded_length_m", 1);
   auto* gap = grid.cell_data("gap_m", 1);
   auto* slip = grid.cell_data("slip_m", 1);
   auto* length = grid.cell_data("length_m", 1);
@@ -56,7 +56,7 @@ void fill_joints(const Frame& frame, Grid& grid) {
     grid.cell(VTK_VERTEX, {grid.point(c.point_m)});
     joint->InsertNextValue(c.joint);
     state->InsertNextValue(c.state);
-    bonded->InsertNextValue(c.bonded ? 1 : 0);
+    bonded->InsertNextValue(c.bonded_length_m);
     gap->InsertNextValue(c.gap_m);
     slip->InsertNextValue(c.slip_m);
     length->InsertNextValue(c.length_m);

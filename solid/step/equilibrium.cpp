@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibrium of one island at the end of a step: Newton's method on (5)-(6) with the open-close states inside,
 // multipliers swept (8) each time it has converged.
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
+#include "solid/solve/condition_number.hpp"
 #include "solid/step/solid.hpp"
 #include "solid/step/stopwatch.hpp"
 
@@ -21,12 +21,6 @@ std::size_t at(int i) {
 double magnitude(const Vector6& force, const Block& block) {
   const double turning = force.segment(2, block.unknowns() - 2).cwiseAbs().maxCoeff();
   return std::max(force.head<2>().cwiseAbs().maxCoeff(), turning / block.radius);
-}
-
-/// In the 2-norm.
-double condition_number(const Eigen::MatrixXd& k) {
-  const Eigen::VectorXd singular = k.bdcSvd().singularValues();
-  return singular[0] / singular[singular.size() - 1];
 }
 
 }  // namespace

@@ -11,6 +11,18 @@ TEST_F(Processes, EveryCaseMeetsItsFigures) {
   EXPECT_THAT(text("out"), testing::HasSubstr("all within tolerance"));
 }
 
+TEST_F(Processes, TheThreeContactFormulationsAreCompared) {
+  EXPECT_EQ(shell(programs + "/blockweir compare " + cases + "own-weight --json table.json"), 0) << text("out");
+  const auto rows = nlohmann::json::parse(text("table.json"));
+  ASSERT_EQ(rows.size(), 6U);  // stress and shortening
+  for (const auto& row : rows) {
+    const bool gives_way = row["formulation"] == "penalty";
+    EXPECT_EQ(row["largest_penetration_m"].get<double>() > 1e-9, gives_way) << row;
+    EXPECT_LT(row["relative_error"].get<double>(), gives_way ? 1e-2 : 1e-9) << row;
+    EXPECT_GT(row["largest_condition_number"].get<double>(), 1) << row;
+  }
+}
+
 TEST_F(Processes, TheLowerCrackFailsFirstUnderOneFillingCurve) {
   const std::string filling =
       " --quiet --set 'water.upstream_level_m={table=[[0,20.0],[12,22.4]]}' --set analysis.stop_at_failure=true";
