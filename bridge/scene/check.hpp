@@ -11,8 +11,9 @@ namespace blockweir::scene {
 void check_overlaps(const Scene& scene, Problems& problems);
 
 /// Reports blocks that would fall for ever. A block is held if it is fixed, if a support holds a point of it in y,
-/// if its material is lighter than the scene's water, or if it shares a boundary with a block that is held or lies
-/// vertically above a part of one. Without gravity nothing falls.
+/// if a bolt ties it to the ground or to a block that is held, if its material is lighter than the scene's water, or if
+/// it shares a boundary with a block that is held or lies vertically above a part of one. Without gravity nothing
+/// falls.
 void check_held(const Scene& scene, Problems& problems);
 
 }  // namespace blockweir::scene

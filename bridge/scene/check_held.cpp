@@ -61,6 +61,9 @@ std::vector<bool> held_by_themselves(const Scene& scene) {
   for (const Support& support : scene.supports) {
     if (support.block >= 0 && support.displacement_y_m) held[static_cast<std::size_t>(support.block)] = true;
   }
+  for (const Bolt& bolt : scene.bolts) {
+    if (bolt.blocks[0] >= 0 && bolt.blocks[1] < 0) held[static_cast<std::size_t>(bolt.blocks[0])] = true;
+  }
   return held;
 }
 
@@ -76,17 +79,27 @@ void check_held(const Scene& scene, Problems& problems) {
   }
   auto left = static_cast<std::size_t>(std::count(held.begin(), held.end(), false));
   while (!holding.empty() && left > 0) {
-    const Block& holder = scene.blocks[holding.back()];
+    const std::size_t at = holding.back();
+    const Block& holder = scene.blocks[at];
     holding.pop_back();
+    const auto hold = [&](std::size_t i) {
+      if (held[i]) return;
+      held[i] = true;
+      --left;
+      holding.push_back(i);
+    };
+    for (const Bolt& bolt : scene.bolts) {
+      const auto [a, b] = bolt.blocks;
+      if (a < 0 || b < 0) continue;
+      if (static_cast<std::size_t>(a) == at) hold(static_cast<std::size_t>(b));
+      if (static_cast<std::size_t>(b) == at) hold(static_cast<std::size_t>(a));
+    }
     Bounds reach = bounds_of(holder.vertices);
     const Point margin = Point::Constant(touching_ratio * reach.size());
     reach = {reach.low - margin, reach.high + margin};
     reach.high.y() = std::numeric_limits<double>::max();
     for (const std::size_t i : index.meeting(reach)) {
-      if (held[i] || !(lies_above(scene.blocks[i], holder) || touch(scene.blocks[i], holder))) continue;
-      held[i] = true;
-      --left;
-      holding.push_back(i);
+      if (!held[i] && (lies_above(scene.blocks[i], holder) || touch(scene.blocks[i], holder))) hold(i);
     }
   }
   for (std::size_t i = 0; i < held.size(); ++i) {

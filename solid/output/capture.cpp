@@ -65,6 +65,20 @@ void capture_contact(const Solid& solid, const ContactPoint& c, ContactRow& row)
   row.length_m = c.length;
 }
 
+BoltRow bolt_row(const Solid& solid, const Bolt& bolt) {
+  const auto end = [&](std::size_t i) -> Point {
+    const int b = bolt.part[i];
+    return b < 0 ? Point(bolt.material[i] + solid.base().displacement(solid.time_s()))
+                 : solid.placements()[at(b)].position(bolt.material[i]);
+  };
+  return {.from_m = end(0),
+          .to_m = end(1),
+          .force_n_per_m = bolt.acting.tension_n_per_m,
+          .elongation_m = bolt.elongation_m,
+          .plastic_elongation_m = bolt.plastic_m,
+          .state = static_cast<int>(bolt.acting.state)};
+}
+
 }  // namespace
 
 std::vector<Panel> panels_of(const wire::Load& load, const std::vector<Block>& blocks) {
@@ -102,6 +116,8 @@ void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& f
   frame.contacts.resize(solid.contacts().size());
   for (std::size_t k = 0; k < frame.contacts.size(); ++k)
     capture_contact(solid, solid.contacts()[k], frame.contacts[k]);
+  frame.bolts.clear();
+  for (const Bolt& bolt : solid.bolts()) frame.bolts.push_back(bolt_row(solid, bolt));
   frame.panels.clear();
   std::vector<Panel> pieces;
   std::size_t described = 0;  // panels of the load so far

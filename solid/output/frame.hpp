@@ -52,6 +52,15 @@ struct PanelRow {
   bool in_crack = false;  ///< loaded by the crack's uplift law, not by open water
 };
 
+struct BoltRow {
+  Point from_m;  ///< ends as they are
+  Point to_m;
+  double force_n_per_m = 0;  ///< tension positive
+  double elongation_m = 0;
+  double plastic_elongation_m = 0;
+  int state = 0;  ///< 0 elastic, 1 yielding, 2 slack
+};
+
 struct Frame {
   double time_s = 0;
   double upstream_level_m = 0;        ///< NaN: no pool
@@ -65,6 +74,7 @@ struct Frame {
   std::vector<BlockRow> blocks;
   std::vector<ContactRow> contacts;
   std::vector<PanelRow> panels;
+  std::vector<BoltRow> bolts;
 };
 
 }  // namespace blockweir::solid::output

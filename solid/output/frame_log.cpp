@@ -35,6 +35,12 @@ void FrameLog::write(const Frame& frame) {
     fmt::format_to(out, "{}[{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{}]", separator(first_panel), p.from_m.x(),
                    p.from_m.y(), p.to_m.x(), p.to_m.y(), p.pressure_from_pa, p.pressure_to_pa, p.in_crack ? 1 : 0);
   }
+  fmt::format_to(out, R"(],"bolts":[)");
+  bool first_bolt = true;
+  for (const BoltRow& b : frame.bolts) {
+    fmt::format_to(out, "{}[{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{}]", separator(first_bolt), b.from_m.x(), b.from_m.y(),
+                   b.to_m.x(), b.to_m.y(), b.force_n_per_m, b.state);
+  }
   fmt::format_to(out, "]}}");
   file_.line(fmt::to_string(text));
 }

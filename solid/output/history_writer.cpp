@@ -38,6 +38,11 @@ std::string header(const scene::Scene& scene) {
       text += "," + quoted(joint.name + "." + quantity);
     }
   }
+  for (const auto& bolt : scene.bolts) {
+    for (const char* quantity : {"force_n_per_m", "elongation_m", "plastic_elongation_m", "state"}) {
+      text += "," + quoted(bolt.name + "." + quantity);
+    }
+  }
   return text;
 }
 
@@ -85,6 +90,11 @@ void HistoryWriter::write(const Frame& frame) {
       bonded += c.bonded_length_m;
     }
     for (const double v : {normal, shear, slip, opening, bonded}) add(v);
+  }
+  for (const BoltRow& b : frame.bolts) {
+    for (const double v : {b.force_n_per_m, b.elongation_m, b.plastic_elongation_m, static_cast<double>(b.state)}) {
+      add(v);
+    }
   }
   file_.line(fmt::to_string(row));
 }

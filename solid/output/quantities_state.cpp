@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "bridge/scene/polygon.hpp"
 #include "solid/output/quantity_parts.hpp"
@@ -95,6 +96,20 @@ double area_error(const Outcome& o, const std::string& of) {
   return std::abs(scene::signed_area(o.last.blocks[b].vertices_m) / (o.solid.blocks()[b].area * strained) - 1);
 }
 
+const BoltRow& bolt_named(const Outcome& o, const std::string& name) {
+  const auto& bolts = o.solid.scene().bolts;
+  for (std::size_t k = 0; k < bolts.size(); ++k) {
+    if (bolts[k].name == name) return o.last.bolts.at(k);
+  }
+  throw std::runtime_error("[[expect]] of = \"" + name + "\" names no bolt");
+}
+double bolt_force_now(const Outcome& o, const std::string& of) {
+  return bolt_named(o, of).force_n_per_m;
+}
+double bolt_elongation(const Outcome& o, const std::string& of) {
+  return bolt_named(o, of).elongation_m;
+}
+
 }  // namespace
 
 const Quantities& state_quantities() {
@@ -114,7 +129,9 @@ const Quantities& state_quantities() {
                                  {"stress_xy_pa", stress_xy},
                                  {"kinetic_energy_j_per_m", kinetic_energy},
                                  {"energy_gain", energy_gain},
-                                 {"area_error", area_error}};
+                                 {"area_error", area_error},
+                                 {"bolt_force_n_per_m", bolt_force_now},
+                                 {"bolt_elongation_m", bolt_elongation}};
   return all;
 }
 

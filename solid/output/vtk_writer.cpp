@@ -101,6 +101,18 @@ void fill_water(const Frame& frame, Grid& grid) {
   surface(frame.downstream_level_m, crest.x(), right);
 }
 
+void fill_bolts(const Frame& frame, Grid& grid) {
+  auto* force = grid.cell_data("force_n_per_m", 1);
+  auto* elongation = grid.cell_data("elongation_m", 1);
+  auto* state = grid.cell_data("state", 1);  // 0 elastic, 1 yielding, 2 slack
+  for (const BoltRow& b : frame.bolts) {
+    grid.cell(VTK_LINE, {grid.point(b.from_m), grid.point(b.to_m)});
+    force->InsertNextValue(b.force_n_per_m);
+    elongation->InsertNextValue(b.elongation_m);
+    state->InsertNextValue(b.state);
+  }
+}
+
 }  // namespace
 
 VtkWriter::VtkWriter(const std::filesystem::path& folder) : files_(folder, "blocks.pvd") {}
@@ -115,6 +127,7 @@ void VtkWriter::write(const Frame& frame) {
   save("blocks", fill_blocks);
   save("joints", fill_joints);
   save("water", fill_water);
+  if (!frame.bolts.empty()) save("bolts", fill_bolts);
   ++count_;
   files_.save();
 }

@@ -57,6 +57,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   if (scene_.analysis.kind == scene::AnalysisKind::quasi_static) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
   }
+  end_s_ = end_s;
   const std::vector<ContactPoint> contacts_before = contacts_;
   const std::vector<Support> supports_before = supports_;
 
@@ -126,6 +127,7 @@ void Solid::accept(double dt, double end_s) {
     if (newmark_.flips_held_velocities() && formulation_->holds_exactly()) quiet_held_directions(island, dt);
   }
   formulation_->accept(trial(), contacts_);
+  for (Bolt& bolt : bolts_) solid::accept(trial(), base_.displacement(end_s), bolt);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (frozen_[b] && !base_.moves_supports()) continue;
     states_[b].displacement += increment_[b];
@@ -148,7 +150,12 @@ bool Solid::may_sleep(const IslandSystem& s) const {
     const ContactPoint& c = contacts_[static_cast<std::size_t>(k)];
     return rests(c.vertex_part) && rests(c.edge_part);
   };
+  const auto hangs_still = [&](int k) {
+    const auto& ends = bolts_[static_cast<std::size_t>(k)].part;
+    return std::all_of(ends.begin(), ends.end(), [&](int b) { return b < 0 ? !base_.moves_supports() : rests(b); });
+  };
   return std::all_of(s.island.blocks.begin(), s.island.blocks.end(), rests) &&
+         std::all_of(s.bolts.begin(), s.bolts.end(), hangs_still) &&
          std::all_of(s.island.supports.begin(), s.island.supports.end(), in_place) &&
          std::all_of(s.island.contacts.begin(), s.island.contacts.end(), rests_on);
 }

@@ -39,6 +39,11 @@ void Solid::prepare_islands() {
   const Stopwatch watch(profile_.search);
   std::vector<std::pair<int, int>> links;
   for (const ContactPoint& c : contacts_) links.emplace_back(c.vertex_part, c.edge_part);
+  for (const Bolt& bolt : bolts_) {
+    if (bolt.part[1] >= 0 && !frozen_[at(bolt.part[0])] && !frozen_[at(bolt.part[1])]) {
+      links.emplace_back(bolt.part[0], bolt.part[1]);
+    }
+  }
   if (links == links_ && !islands_.empty()) return;
   links_ = std::move(links);
   std::vector<int> support_blocks;
@@ -62,6 +67,24 @@ void Solid::prepare_islands() {
   for (std::size_t c = 0; c < parts_.couplings.size(); ++c) {
     const auto part = at(parts_.couplings[c].i);
     if (!frozen_[part]) islands_[island_of[part]].couplings.push_back(static_cast<int>(c));
+  }
+  give_bolts_to_islands();
+}
+
+/// Links beyond those of contacts were bolts' own; a bolt belongs to the island of what moves at its ends.
+void Solid::give_bolts_to_islands() {
+  const auto contacts = static_cast<int>(contacts_.size());
+  std::vector<std::size_t> island_of(blocks_.size(), islands_.size());
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    std::erase_if(islands_[i].island.contacts, [&](int k) { return k >= contacts; });
+    for (const int b : islands_[i].island.blocks) island_of[at(b)] = i;
+  }
+  for (std::size_t k = 0; k < bolts_.size(); ++k) {
+    for (const int b : bolts_[k].part) {
+      if (b < 0 || island_of[at(b)] == islands_.size()) continue;
+      islands_[island_of[at(b)]].bolts.push_back(static_cast<int>(k));
+      break;
+    }
   }
 }
 
@@ -149,7 +172,8 @@ void Solid::set_block_matrices(IslandSystem& s) {
 }
 
 /// What a contact or support adds to the matrix: J^T C J on the diagonal of each block, -J^T C J between the two.
-void Solid::add_stiffness(LinearSystem& system, const Interaction& action) const {
+template <class System>
+void Solid::add_stiffness(System& system, const Interaction& action) const {
   const auto moves = [this](int block) { return block >= 0 && !frozen_[at(block)]; };
   const auto add = [&](int row, const Matrix26& row_shape, int column, const Matrix26& column_shape, double sign) {
     if (!moves(row) || !moves(column)) return;
@@ -253,7 +277,13 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
   };
   for (const int k : s.island.contacts) add(formulation_->contact(trial(), k, contacts_[at(k)]), false, k);
   for (const int k : s.island.supports) add(formulation_->support(trial(), k, supports_[at(k)]), true, k);
-  if (!s.unknown_forces.empty()) add_own(s.saddle, s);
+  std::vector<Interaction> bolts;
+  for (const int k : s.bolts) bolts.push_back(interaction_of(trial(), bolts_[at(k)], base_.displacement(end_s_)));
+  for (const Interaction& bolt : bolts) add(bolt, false, -1);
+  if (!s.unknown_forces.empty()) {
+    add_own(s.saddle, s);
+    for (const Interaction& bolt : bolts) add_stiffness(s.saddle, bolt);
+  }
 
   double unbalanced = 0;
   s.residual.setZero();

@@ -10,11 +10,14 @@
 
 namespace blockweir::solid {
 
-/// Blocks that hang on nothing: no chain of touching contacts leads to the ground or to a support.
+/// Blocks that hang on nothing: no chain of touching contacts and bolts leads to the ground or to a support.
 std::vector<bool> Solid::unanchored() const {
   std::vector<bool> anchored(blocks_.size());
   for (std::size_t b = 0; b < blocks_.size(); ++b) anchored[b] = blocks_[b].fixed;
   for (const Support& s : supports_) anchored[static_cast<std::size_t>(s.block)] = true;
+  for (const Bolt& bolt : bolts_) {
+    if (bolt.part[1] < 0) anchored[static_cast<std::size_t>(bolt.part[0])] = true;
+  }
   for (bool grew = true; grew;) {
     grew = false;
     const auto join = [&](int a, int b) {
@@ -25,6 +28,9 @@ std::vector<bool> Solid::unanchored() const {
     for (const StrainCoupling& c : parts_.couplings) join(c.i, c.j);
     for (const ContactPoint& c : contacts_) {
       if (c.state != ContactState::open) join(c.vertex_part, c.edge_part);
+    }
+    for (const Bolt& bolt : bolts_) {
+      if (bolt.part[1] >= 0) join(bolt.part[0], bolt.part[1]);
     }
   }
   anchored.flip();
@@ -86,6 +92,7 @@ void Solid::relax(double pseudo_step_s, const std::vector<Panel>& water) {
   const auto start = start_;
   const auto contacts = contacts_;
   const auto supports = supports_;
+  const auto bolts = bolts_;
   const double at_rest_m = 1e-12 * size_;
   for (int step = 0; step < most_steps; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
@@ -99,6 +106,7 @@ void Solid::relax(double pseudo_step_s, const std::vector<Panel>& water) {
   start_ = start;
   contacts_ = contacts;
   supports_ = supports;
+  bolts_ = bolts;
 }
 
 /// Second-order schemes need the acceleration that the run starts with: a step of Shi's scheme, undone, gives it.
@@ -107,6 +115,7 @@ void Solid::start_acceleration(const std::vector<Panel>& water, double from_s) {
   const auto start = start_;
   const auto contacts = contacts_;
   const auto supports = supports_;
+  const auto bolts = bolts_;
   const Newmark scheme = std::exchange(newmark_, Newmark{});
   const double dt = 1e-2 * scene_.analysis.step_s;
   matrices_dt_ = -1;
@@ -118,6 +127,7 @@ void Solid::start_acceleration(const std::vector<Panel>& water, double from_s) {
   start_ = start;
   contacts_ = contacts;
   supports_ = supports;
+  bolts_ = bolts;
   if (!solved) return;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     states_[b].acceleration = first[b].acceleration;

@@ -105,6 +105,7 @@ Solid::Solid(const scene::Scene& scene)
   balance_.assign(n, Vector6::Zero());
   round_off_.resize(n);
   local_.resize(n);
+  for (const scene::Bolt& bolt : scene.bolts) bolts_.push_back(make_bolt(bolt, parts_));
   search_.update(start_, contacts_);
   bond_touching_contacts();
   const std::vector<bool> rigid = rigid_blocks(scene, blocks_, contacts_);

@@ -8,6 +8,7 @@
 #include "bridge/scene/scene.hpp"
 #include "solid/block/base_motion.hpp"
 #include "solid/block/loads.hpp"
+#include "solid/contact/bolt.hpp"
 #include "solid/contact/bonds.hpp"
 #include "solid/contact/formulation.hpp"
 #include "solid/contact/search.hpp"
@@ -46,6 +47,7 @@ class Solid {
     return start_[static_cast<std::size_t>(c.vertex_part)].position(c.vertex_at);
   }
   [[nodiscard]] const std::vector<Support>& supports() const { return supports_; }
+  [[nodiscard]] const std::vector<Bolt>& bolts() const { return bolts_; }
   [[nodiscard]] const JointLaws& laws() const { return laws_; }
   [[nodiscard]] const BaseMotion& base() const { return base_; }
   [[nodiscard]] Counts counts() const;
@@ -72,6 +74,7 @@ class Solid {
           residual(unknowns->total),
           correction(unknowns->total) {}
     Island island;
+    std::vector<int> bolts;
     std::unique_ptr<Unknowns> unknowns;
     std::unique_ptr<LinearSystem> system;
     SaddlePoint saddle;  ///< instead of it while there are unknown forces
@@ -96,7 +99,9 @@ class Solid {
   void correct_forces(IslandSystem& island);
   double assemble(IslandSystem& island, bool& symmetric);
   void set_block_matrices(IslandSystem& island);
-  void add_stiffness(LinearSystem& system, const Interaction& action) const;
+  template <class System>
+  void add_stiffness(System& system, const Interaction& action) const;
+  void give_bolts_to_islands();
   void add_constraints(IslandSystem& island, const Interaction& action, bool support, int index) const;
   void quiet_held_directions(IslandSystem& island, double dt);
   [[nodiscard]] Vector6 rate(std::size_t b, const Placement& placement, const Vector6& of_state) const;
@@ -138,6 +143,7 @@ class Solid {
   std::vector<Placement> start_;  ///< of states_
   std::vector<ContactPoint> contacts_;
   std::vector<Support> supports_;
+  std::vector<Bolt> bolts_;
   double next_dt_ = 0;  ///< step that the last advance ended with
   bool started_ = false;
   double time_s_ = 0;  ///< of states_
@@ -149,6 +155,7 @@ class Solid {
   std::unique_ptr<Formulation> formulation_;
   ContactSearch search_;
   std::vector<bool> frozen_;            ///< fixed, or waiting while others settle
+  double end_s_ = 0;                    ///< of the step
   double matrices_dt_ = -1;             ///< step that matrix_ was made for
   std::vector<Matrix6> matrix_;         ///< inertia and elasticity of each block
   std::vector<Vector6> external_;       ///< loads at the end of the step
