@@ -156,6 +156,7 @@ std::string report(const RunResult& result) {
   } else {
     text += fmt::format("STOPPED {}\n", s.value("stopped", ""));
   }
+  if (s.contains("rest")) text += fmt::format("STATIC  {}\n", s["rest"]["text"].get<std::string>());
   if (s.contains("breach")) {
     text +=
         fmt::format("BREACH  after {} s: {}\n", number(s["breach"]["time_s"]), s["breach"]["text"].get<std::string>());

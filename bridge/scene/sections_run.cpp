@@ -21,7 +21,9 @@ void read_analysis(Reading& reading) {
   TableReader table(reading.problems, section, "[analysis]");
   Analysis& a = reading.scene.analysis;
   table.choice<AnalysisKind>("kind", a.kind,
-                             {{"dynamic", AnalysisKind::dynamic}, {"quasi-static", AnalysisKind::quasi_static}});
+                             {{"dynamic", AnalysisKind::dynamic},
+                              {"quasi-static", AnalysisKind::quasi_static},
+                              {"static", AnalysisKind::at_rest}});
   table.choice<Integrator>("integrator", a.integrator,
                            {{"shi", Integrator::shi},
                             {"trapezoidal", Integrator::trapezoidal},
@@ -38,6 +40,7 @@ void read_analysis(Reading& reading) {
   table.number("rest_speed_m_per_s", a.rest_speed_m_per_s, positive());
   table.number("failure_displacement_m", a.failure_displacement_m, positive());
   table.flag("stop_at_failure", a.stop_at_failure);
+  table.number("residual_tolerance", a.residual_tolerance, positive());
   table.flag("islands", a.islands);
   table.flag("sleep", a.sleep);
   table.choice<Rigid>(

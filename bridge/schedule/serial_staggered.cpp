@@ -37,10 +37,14 @@ void require_window(const Message& message, std::uint64_t window, const char* se
 Windows::Windows(const scene::Scene& scene)
     : window_s_(scene.coupling.window_s),
       duration_s_(scene.analysis.duration_s),
-      count_(static_cast<std::uint64_t>(std::max(1.0, std::ceil(duration_s_ / window_s_ * (1 - 1e-12))))) {}
+      at_rest_(scene.analysis.kind == scene::AnalysisKind::at_rest) {
+  constexpr std::uint64_t most_sweeps = 1000;
+  count_ = at_rest_ ? most_sweeps
+                    : static_cast<std::uint64_t>(std::max(1.0, std::ceil(duration_s_ / window_s_ * (1 - 1e-12))));
+}
 
 double Windows::end_s(std::uint64_t window) const {
-  return window >= count_ ? duration_s_ : static_cast<double>(window) * window_s_;
+  return at_rest_ || window >= count_ ? duration_s_ : static_cast<double>(window) * window_s_;
 }
 
 ExchangeTime run_solid(channel::Channel& channel, const Windows& windows, SolidSide& solid) {

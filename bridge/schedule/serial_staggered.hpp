@@ -8,7 +8,8 @@
 
 namespace blockweir::schedule {
 
-/// Coupling windows: window n ends at n * window_s, the last one at the run's duration.
+/// Coupling windows: window n ends at n * window_s, the last one at the run's duration. Those of a static analysis are
+/// all at its end: the sides take turns until the solid has come to rest.
 class Windows {
  public:
   explicit Windows(const scene::Scene& scene);
@@ -18,7 +19,8 @@ class Windows {
  private:
   double window_s_;
   double duration_s_;
-  std::uint64_t count_;
+  bool at_rest_;
+  std::uint64_t count_ = 0;
 };
 
 /// The solid as the schedule sees it. It may take as many steps in a window as it needs.

@@ -1,12 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/output/recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "bridge/scene/repeat.hpp"
 #include "solid/output/capture.hpp"
 #include "solid/step/stopwatch.hpp"
 
 namespace blockweir::solid::output {
+
+namespace {
+
+/// The water's panels as a scene states pressures.
+std::vector<scene::FacePressure> face_pressures_of(const std::vector<Panel>& water, const scene::Scene& scene) {
+  std::vector<scene::FacePressure> loads;
+  for (const Panel& panel : water) {
+    const auto& outline = scene.blocks[static_cast<std::size_t>(panel.block)].vertices;
+    const auto edge = static_cast<std::size_t>(panel.edge);
+    const Point& a = outline[edge];
+    const Point span = outline[(edge + 1) % outline.size()] - a;
+    if (panel.s_to - panel.s_from < 1e-6) continue;
+    loads.push_back({.block = panel.block,
+                     .from_m = a + panel.s_from * span,
+                     .to_m = a + panel.s_to * span,
+                     .pressure_from_pa = scene::TimeTable::constant(panel.pressure_from_pa),
+                     .pressure_to_pa = scene::TimeTable::constant(panel.pressure_to_pa)});
+  }
+  return loads;
+}
+
+}  // namespace
 
 Recorder::Recorder(const scene::Scene& scene, const std::filesystem::path& folder, Progress progress)
     : solid_(scene),
@@ -33,27 +58,38 @@ void Recorder::say_where(wire::Motion& motion) const {
 }
 
 void Recorder::start(const wire::Load& load) {
-  {
-    const Stopwatch watch(step_s_);
-    if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(panels_of(load, solid_.blocks()));
-  }
+  solve(load, solid_.scene().coupling.window_s, [&](const std::vector<Panel>& water) {
+    if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(water);
+  });
   observe(load, 0);
   record(load, 0);
   first_ = frame_;
 }
 
 void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire::Motion& motion) {
-  {
-    const Stopwatch watch(step_s_);
-    solid_.advance(from_s, to_s, panels_of(load, solid_.blocks()));
-    observe(load, to_s);
-  }
+  solve(load, to_s, [&](const std::vector<Panel>& water) { solid_.advance(from_s, to_s, water); });
+  observe(load, to_s);
   for (const ContactPoint& c : solid_.contacts()) {
     if (c.state != ContactState::open) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
   }
   if (load.breached && !breached_s_) breached_s_ = from_s;
   record(load, to_s);
   say_where(motion);
+}
+
+void Recorder::solve(const wire::Load& load, double until_s,
+                     const std::function<void(const std::vector<Panel>&)>& step) {
+  const Stopwatch watch(step_s_);
+  const std::vector<Panel> water = panels_of(load, solid_.blocks());
+  try {
+    step(water);
+  } catch (const NotFinite& error) {
+    const scene::Scene& scene = solid_.scene();
+    const std::string file = (folder_ / "repeat.toml").string();
+    results::replace_file(
+        file, scene::repeat_text(scene, std::max(until_s, scene.analysis.step_s), face_pressures_of(water, scene)));
+    throw NotFinite(fmt::format("{}; \"blockweir run {}\" repeats it", error.what(), file));
+  }
 }
 
 void Recorder::observe(const wire::Load& load, double time_s) {
@@ -89,7 +125,13 @@ void Recorder::record(const wire::Load& load, double time_s) {
 }
 
 bool Recorder::finished() const {
-  return solid_.scene().analysis.stop_at_failure && !failure_.failures().empty();
+  const scene::Analysis& analysis = solid_.scene().analysis;
+  const bool sought = solid_.rest().steps > 0;
+  // A static analysis ends when water that has followed the blocks moves them no more, or nothing holds them.
+  if (analysis.kind == scene::AnalysisKind::at_rest && sought) {
+    return !solid_.rest().found || solid_.rest().steps == 1;
+  }
+  return analysis.stop_at_failure && !failure_.failures().empty();
 }
 
 void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {

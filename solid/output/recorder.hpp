@@ -28,6 +28,8 @@ class Recorder final : public schedule::SolidSide {
   void finish(const nlohmann::json& extra, const std::string& stopped);
 
  private:
+  /// Calls step(panels of the load); a step that meets what is not a number leaves repeat.toml behind.
+  void solve(const wire::Load& load, double until_s, const std::function<void(const std::vector<Panel>&)>& step);
   void observe(const wire::Load& load, double time_s);
   void record(const wire::Load& load, double time_s);
   void say_where(wire::Motion& motion) const;

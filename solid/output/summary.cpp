@@ -132,6 +132,21 @@ json summary(const Outcome& outcome) {
     text["outcome"] = "fails";
     text["failure"] = failure(outcome);
   }
+  if (scene.analysis.kind == scene::AnalysisKind::at_rest) {
+    const Rest& rest = outcome.solid.rest();
+    text["rest"] = {{"found", rest.found}, {"unbalanced_ratio", rest.unbalanced}, {"steps", counts.steps}};
+    text["rest"]["text"] =
+        rest.found
+            ? fmt::format("at rest after {} steps, {:.3g} of the weight unbalanced", counts.steps, rest.unbalanced)
+            : fmt::format(
+                  "no equilibrium: {:.3g} of the weight unbalanced after {} steps, largest displacement "
+                  "{:.4g} m",
+                  rest.unbalanced, counts.steps, outcome.last.largest_displacement_m);
+    if (!rest.found && outcome.failure.failures().empty()) {
+      text["outcome"] = "stopped";
+      text["stopped"] = text["rest"]["text"];
+    }
+  }
   if (outcome.breached_s) {
     text["breach"] = {{"time_s", *outcome.breached_s},
                       {"text",

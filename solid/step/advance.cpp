@@ -11,6 +11,7 @@
 namespace blockweir::solid {
 
 void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water) {
+  if (scene_.analysis.kind == scene::AnalysisKind::at_rest) return come_to_rest(water);
   const double largest_step = scene_.analysis.step_s;
   const double smallest_step = 1e-6 * largest_step;
   double time = from_s;
@@ -65,6 +66,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   prepare_islands();
   prepare_matrices(dt);
   loads_.evaluate(end_s, water, start_, external_);
+  require_finite_loads(end_s);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     increment_[b] = frozen_[b] ? Vector6::Zero() : Vector6(dt * states_[b].velocity);
     history_[b] = newmark_.history(inertia(b), states_[b], dt);
@@ -182,11 +184,28 @@ double Solid::largest_increment() const {
   return largest;
 }
 
+void Solid::refuse(std::size_t b, const char* what, double time_s) const {
+  throw NotFinite(fmt::format("{} of block \"{}\" is not a finite number at {:.6g} s (step {})", what, blocks_[b].name,
+                              time_s, counts_.steps + 1));
+}
+
 void Solid::require_finite(double time_s) const {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (states_[b].displacement.allFinite() && states_[b].velocity.allFinite()) continue;
-    throw SolveError(fmt::format("block \"{}\" has a displacement that is not a number at {:.6g} s (step {})",
-                                 blocks_[b].name, time_s, counts_.steps));
+    refuse(b, "the displacement", time_s);
+  }
+}
+
+void Solid::require_finite_loads(double time_s) const {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!external_[b].allFinite()) refuse(b, "the load", time_s);
+  }
+}
+
+/// Forces that overflow may do so for too long a step; those that are no numbers end the run.
+void Solid::require_numbers(const IslandSystem& s) const {
+  for (const int b : s.island.blocks) {
+    if (balance_[static_cast<std::size_t>(b)].hasNaN()) refuse(static_cast<std::size_t>(b), "the force", end_s_);
   }
 }
 

@@ -12,6 +12,18 @@ struct SolveError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A load, a force or a displacement was not a finite number: no smaller step mends that.
+struct NotFinite : SolveError {
+  using SolveError::SolveError;
+};
+
+/// What a static analysis has found.
+struct Rest {
+  bool found = false;
+  int steps = 0;
+  double unbalanced = 0;  ///< largest unbalanced force over the weight of all that can move
+};
+
 /// Work done so far.
 struct Counts {
   long steps = 0;

@@ -93,7 +93,10 @@ bool Solid::find_equilibrium(IslandSystem& s) {
   for (int iteration = 0; iteration < scene_.contact.max_iterations; ++iteration) {
     bool symmetric = true;
     const double unbalanced = assemble(s, symmetric);
-    if (!std::isfinite(unbalanced)) return false;
+    if (!std::isfinite(unbalanced)) {
+      require_numbers(s);
+      return false;
+    }
     if (!swept && unbalanced <= formulation_->settings().force_tolerance_n) {
       ++counts_.sweeps;
       if (formulation_->sweep({s.island.contacts, contacts_, s.island.supports, supports_}) &&

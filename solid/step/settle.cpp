@@ -37,14 +37,24 @@ std::vector<bool> Solid::unanchored() const {
   return anchored;
 }
 
+/// Long against every elastic period, so that inertia only regularizes: 2 M/dt^2 is 1e-4 of the elastic modulus.
+double Solid::pseudo_step_s() const {
+  double longest = 0;
+  for (const Block& block : blocks_) {
+    const double modulus = block.stiffness(3, 3) / block.area;
+    if (modulus > 0) longest = std::max(longest, std::sqrt(2e4 * block.mass_per_m() / modulus));
+  }
+  return longest;
+}
+
+/// The time whose loads settle: a static analysis has those of its end.
+double Solid::settling_time_s() const {
+  return scene_.analysis.kind == scene::AnalysisKind::at_rest ? scene_.analysis.duration_s : 0;
+}
+
 void Solid::settle(const std::vector<Panel>& water) {
   constexpr int most_steps = 200;
-  // Long against every elastic period, so that inertia only regularizes: 2 M/dt^2 is 1e-4 of the elastic modulus.
-  double pseudo_step_s = 0;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const double modulus = blocks_[b].stiffness(3, 3) / blocks_[b].area;
-    pseudo_step_s = std::max(pseudo_step_s, std::sqrt(2e4 * blocks_[b].mass_per_m() / modulus));
-  }
+  const double pseudo_step = pseudo_step_s();
   const double at_rest_m = 1e-13 * size_;
 
   const std::vector<bool> fixed = frozen_;
@@ -59,7 +69,7 @@ void Solid::settle(const std::vector<Panel>& water) {
 
   for (int step = 0;; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (step == most_steps || !attempt(pseudo_step_s, 0, water)) {
+    if (step == most_steps || !attempt(pseudo_step, settling_time_s(), water)) {
       throw SolveError(
           fmt::format("no equilibrium under the first loads was found with all joints held ({} steps); "
                       "set [analysis] start = \"unstressed\" if the structure moves from the start",
@@ -70,7 +80,7 @@ void Solid::settle(const std::vector<Panel>& water) {
   }
 
   formulation_->settings().joints_held = false;
-  relax(pseudo_step_s, water);
+  relax(pseudo_step, water);
   settling_ = false;
   counts_.steps = 0;
   newmark_ = scheme;
@@ -86,7 +96,7 @@ void Solid::settle(const std::vector<Panel>& water) {
 
 /// Shear that joints cannot carry by their own laws slips away at rest, so that its release does not set the blocks
 /// ringing. A structure that finds no rest is on the move already: it starts from the held state.
-void Solid::relax(double pseudo_step_s, const std::vector<Panel>& water) {
+void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   constexpr int most_steps = 200;
   const auto states = states_;
   const auto start = start_;
@@ -96,7 +106,8 @@ void Solid::relax(double pseudo_step_s, const std::vector<Panel>& water) {
   const double at_rest_m = 1e-12 * size_;
   for (int step = 0; step < most_steps; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (!attempt(pseudo_step_s, 0, water) && !attempt_softly(pseudo_step_s, 0, water)) break;
+    if (!attempt(pseudo_step, settling_time_s(), water) && !attempt_softly(pseudo_step, settling_time_s(), water))
+      break;
     ++counts_.settling_steps;
     const double moved = largest_increment();
     if (moved <= at_rest_m) return;

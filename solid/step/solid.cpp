@@ -74,6 +74,7 @@ Solid::Solid(const scene::Scene& scene)
       // Two blocks may each move by the largest displacement of a step, one towards the other.
       search_(parts_, laws_, size_, 2.5 * scene.analysis.max_displacement_ratio * size_) {
   const std::size_t n = blocks_.size();
+  if (scene.analysis.kind == scene::AnalysisKind::at_rest) loads_.start_base();
   newmark_.damps = scene.analysis.kind == scene::AnalysisKind::dynamic;
   for (Block& block : blocks_) block.damping += scene.analysis.mass_damping_per_s * block.mass;
   states_.resize(n);

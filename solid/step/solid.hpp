@@ -50,6 +50,8 @@ class Solid {
   [[nodiscard]] const std::vector<Bolt>& bolts() const { return bolts_; }
   [[nodiscard]] const JointLaws& laws() const { return laws_; }
   [[nodiscard]] const BaseMotion& base() const { return base_; }
+  /// Of a static analysis, as the last advance left it.
+  [[nodiscard]] const Rest& rest() const { return rest_; }
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] const Profile& profile() const { return profile_; }
   [[nodiscard]] double size_m() const { return size_; }  ///< half the height of what can move, at least half its width
@@ -88,7 +90,7 @@ class Solid {
   };
 
   void bond_touching_contacts();
-  void relax(double pseudo_step_s, const std::vector<Panel>& water);
+  void relax(double pseudo_step, const std::vector<Panel>& water);
   void start_acceleration(const std::vector<Panel>& water, double from_s);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
@@ -127,6 +129,13 @@ class Solid {
   }
   void require_finite(double time_s) const;
   [[nodiscard]] std::vector<bool> unanchored() const;
+  [[nodiscard]] double pseudo_step_s() const;
+  [[nodiscard]] double settling_time_s() const;
+  void come_to_rest(const std::vector<Panel>& water);
+  [[nodiscard]] double unbalanced_ratio() const;
+  void require_finite_loads(double time_s) const;
+  void require_numbers(const IslandSystem& island) const;
+  [[noreturn]] void refuse(std::size_t b, const char* what, double time_s) const;
 
   // Constant.
   const scene::Scene& scene_;
@@ -147,6 +156,7 @@ class Solid {
   double next_dt_ = 0;  ///< step that the last advance ended with
   bool started_ = false;
   double time_s_ = 0;  ///< of states_
+  Rest rest_;
   bool settling_ = false;
   Sleep sleep_;
 

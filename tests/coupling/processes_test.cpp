@@ -147,5 +147,17 @@ TEST_F(Processes, CutDrawsTheBlocksWithoutARun) {
   EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section --out no/a.png"), 2);
 }
 
+TEST_F(Processes, AStaticAnalysisFindsRestBelowTheLevelOfFailureOnly) {
+  for (const auto& [level, holds] : {std::pair{"21.95", true}, std::pair{"22.05", false}}) {
+    const std::string run = programs + "/blockweir run " + cases + "cracked-dam-upper --out " + level +
+                            " --set analysis.kind=static --set water.upstream_level_m=" + level;
+    EXPECT_EQ(shell(run), 0);
+    const auto summary = nlohmann::json::parse(text(std::string(level) + "/summary.json"));
+    EXPECT_EQ(summary["rest"]["found"], holds);
+    EXPECT_EQ(summary["outcome"], holds ? "stands" : "fails");
+    EXPECT_THAT(text("out"), testing::HasSubstr(holds ? "STATIC  at rest after" : "STATIC  no equilibrium: "));
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::test

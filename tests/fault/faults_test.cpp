@@ -159,5 +159,23 @@ TEST_F(Faults, AWrongPortIsSaidWithinTheTimeOut) {
   }
 }
 
+TEST_F(Faults, ALoadBeyondAllNumbersEndsTheRunAndLeavesASceneThatRepeatsIt) {
+  std::ifstream original(cases + "cracked-dam-upper/scene.toml");
+  std::ofstream scene(folder / "scene.toml");
+  scene << original.rdbuf();
+  for (int i = 0; i < 2; ++i) {
+    scene << "[[point_load]]\nblock = \"top\"\npoint_m = [0, 22]\n"
+             "force_x_n_per_m = { steps = [[0, 0], [0.055, 1.5e308]] }\n";
+  }
+  scene.close();
+  const auto says = HasSubstr("of block \"top\" is not a finite number at 0.06 s (step 6)");
+  EXPECT_EQ(shell(programs + "/blockweir run scene.toml --out o"), 1);
+  EXPECT_THAT(text("out"), says);
+  EXPECT_THAT(text("out"), HasSubstr("repeat.toml"));
+  EXPECT_EQ(shell(programs + "/blockweir run o/repeat.toml --out again"), 1);
+  EXPECT_THAT(text("out"), says);
+  EXPECT_FALSE(fs::exists(folder / "again/hydrostatic.log"));
+}
+
 }  // namespace
 }  // namespace blockweir::test

@@ -109,6 +109,8 @@ TEST(SceneKeys, NumbersOutOfRangeAreRefused) {
   expect_error(with("duration_s = 2.0", "duration_s = 0"), 4, {"duration_s", "above 0"});
   expect_error(with("window_s = 0.02", "window_s = -0.02"), 49, {"window_s", "above 0"});
   expect_error(with("[water]", "[water]\nelements_per_face = 0"), 45, {"elements_per_face", "from 1 to"});
+  expect_error(with("step_s = 0.01", "residual_tolerance = 0"), 5, {"residual_tolerance", "above 0"});
+  expect_error(with("step_s = 0.01", "kind = \"statical\""), 5, {"did you mean \"static\"?"});
   expect_error(with("step_s = 0.01", "spectral_radius = 1.1"), 5, {"a number from 0 to 1"});
 }
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/scene/repeat.hpp"
+
+#include <toml++/toml.h>
+
+#include <sstream>
+
+namespace blockweir::scene {
+namespace {
+
+toml::table table_of(const FacePressure& load, const std::vector<Block>& blocks) {
+  return toml::table{{"block", blocks[static_cast<std::size_t>(load.block)].name},
+                     {"from_m", toml::array{load.from_m.x(), load.from_m.y()}},
+                     {"to_m", toml::array{load.to_m.x(), load.to_m.y()}},
+                     {"pressure_from_pa", load.pressure_from_pa.at(0)},
+                     {"pressure_to_pa", load.pressure_to_pa.at(0)}};
+}
+
+}  // namespace
+
+std::string repeat_text(const Scene& scene, double duration_s, const std::vector<FacePressure>& in_place_of_water) {
+  toml::table file = toml::parse(scene.text);
+  file["analysis"].as_table()->insert_or_assign("duration_s", duration_s);
+  for (const char* section : {"water", "fluid", "expect", "variant"}) file.erase(section);
+  if (!in_place_of_water.empty()) {
+    if (!file.contains("face_pressure")) file.insert("face_pressure", toml::array{});
+    for (const FacePressure& load : in_place_of_water) {
+      file["face_pressure"].as_array()->push_back(table_of(load, scene.blocks));
+    }
+  }
+  std::ostringstream text;
+  text << file << '\n';
+  return text.str();
+}
+
+}  // namespace blockweir::scene

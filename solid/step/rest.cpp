@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Static analysis: quasi-static steps until what is unbalanced is small, or the structure is on the move.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid {
+
+/// With velocities reset at every step, inertia is what the forces leave unbalanced.
+double Solid::unbalanced_ratio() const {
+  double largest = 0;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (frozen_[b]) continue;
+    const Vector6 inertia = newmark_.mass_factor(matrices_dt_) * (blocks_[b].mass * increment_[b]);
+    largest = std::max({largest, inertia.head<2>().cwiseAbs().maxCoeff(), std::abs(inertia[2]) / blocks_[b].radius});
+  }
+  return largest / force_scale_;
+}
+
+void Solid::come_to_rest(const std::vector<Panel>& water) {
+  constexpr int most_steps = 1000;
+  constexpr double shortest = 1e-6;  // of the pseudo-step that the search begins with
+  const double at_s = scene_.analysis.duration_s;
+  const double longest = pseudo_step_s();
+  const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
+  const double before_m = largest_displacement_m();
+  loads_.start_base();
+  matrices_dt_ = -1;
+  rest_ = {};
+  for (double dt = longest; rest_.steps < most_steps && dt > shortest * longest;) {
+    for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
+    if (!attempt(dt, at_s, water) && !attempt_softly(dt, at_s, water)) {
+      dt /= 4;
+      continue;
+    }
+    ++rest_.steps;
+    dt = std::min(longest, 2 * dt);
+    rest_.unbalanced = unbalanced_ratio();
+    rest_.found = rest_.unbalanced <= scene_.analysis.residual_tolerance;
+    if (rest_.found || largest_displacement_m() - before_m > scene_.analysis.failure_displacement_m) break;
+  }
+  newmark_ = scheme;
+  matrices_dt_ = -1;
+  if (!rest_.found) return;  // velocities tell where it goes
+  for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
+}
+
+}  // namespace blockweir::solid
