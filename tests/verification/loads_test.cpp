@@ -45,7 +45,7 @@ TEST(Loads, ATriangularLineLoadPushesAndTurns) {
     scene.line_loads.push_back(load);
     Solid solid(scene);
     std::vector<Vector6> forces(1);
-    Loads(scene, solid.blocks()).evaluate(0, {}, solid.placements(), forces);
+    Loads(scene, solid.parts()).evaluate(0, {}, solid.placements(), forces);
     EXPECT_NEAR(forces[0][0], 0, 1e-9);
     EXPECT_NEAR(forces[0][1], 6000, 1e-9);
     EXPECT_NEAR(forces[0][2], 2000, 1e-9);
@@ -60,7 +60,7 @@ TEST(Loads, ALineLoadKeepsItsDirectionAndForceAsTheBlockTurns) {
   turned[2] = 1;
   turned[4] = 0.1;
   std::vector<Vector6> forces(1);
-  Loads(scene, solid.blocks()).evaluate(0, {}, {Placement(solid.blocks()[0].centroid, turned)}, forces);
+  Loads(scene, solid.parts()).evaluate(0, {}, {Placement(solid.blocks()[0].centroid, turned)}, forces);
   EXPECT_NEAR(forces[0][0], 500, 1e-9);
   EXPECT_NEAR(forces[0][1], -300, 1e-9);
 }
