@@ -93,11 +93,11 @@ class Penalty final : public Formulation {
     double inverse_mass = 0;
     Dashpot dashpot{.start = separation_of(trial, c, edge).value};
     const auto add = [&](int block, const Matrix26& shape, double sign) {
+      dashpot.past_rate += sign * (shape * trial.past_velocity[at(block)]);  // a moving base carries fixed blocks too
       if (frozen[at(block)]) return;
       const Eigen::Matrix<double, 1, 3> n = shape.row(0).head<3>();
       const Eigen::Matrix3d mass = trial.blocks[at(block)].mass.topLeftCorner<3, 3>();
       inverse_mass += n.dot(mass.inverse() * n.transpose());
-      dashpot.past_rate += sign * (shape * trial.past_velocity[at(block)]);
     };
     add(c.vertex_part, action.shape_i, 1);
     add(c.edge_part, action.shape_j, -1);

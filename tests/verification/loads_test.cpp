@@ -122,5 +122,26 @@ TEST(Loads, AMovingBaseCarriesHeldPointsAndFixedBlocks) {
   EXPECT_LT(solid.largest_displacement_m(), 1e-3);
 }
 
+TEST(Loads, ADashpotFollowsAMovingBase) {
+  // Both forms: the base rises with 1 m/s2, a contact of spring and dashpot bears m (g + 1).
+  for (const auto form : {scene::BaseForm::inertia, scene::BaseForm::support}) {
+    auto scene = free_block();
+    scene.analysis.gravity_m_per_s2 = 9.81;
+    scene.contact.formulation = scene::ContactFormulation::penalty;
+    scene.contact.dashpot_ratio = 0.5;
+    scene.base_motion.emplace();
+    scene.base_motion->form = form;
+    scene.base_motion->acceleration_y_m_per_s2 = scene::TimeTable::constant(1);
+    scene.blocks.push_back({.name = "ground", .vertices = {{-1, -1}, {3, -1}, {3, 0}, {-1, 0}}, .fixed = true});
+    Solid solid(scene);
+    solid.settle({});
+    run(solid, 0.5);
+    double normal = 0;
+    for (const ContactPoint& c : solid.contacts()) normal += c.force.x();
+    EXPECT_NEAR(normal / (5000 * 10.81), 1, 1e-3);
+    EXPECT_LT(solid.largest_displacement_m(), 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::solid
