@@ -15,7 +15,7 @@ class Determinism : public blockweir::test::Processes {
     const std::string run = "env" + variables + " " + programs + "/blockweir run " + cases + scene + " --quiet --out r";
     EXPECT_EQ(shell(run), 0) << text("out");
     std::string all = text("r/history.csv") + text("r/frames.jsonl");
-    fs::remove_all(folder / "r");
+    blockweir::test::fs::remove_all(folder / "r");
     return all;
   }
 };
