@@ -93,6 +93,23 @@ std::string pool(int& number, const json& frame, const View& view, const char* k
                      ++number, std::min(edge, inner), view.bottom, std::max(edge, inner), level);
 }
 
+/// Vertical stress of meshed blocks: red where tension, blue where compression, by `largest`.
+std::string stress(int& number, const json& frame, double& largest) {
+  std::string text;
+  const json triangles = frame.value("triangles", json::array());
+  for (const json& t : triangles) largest = std::max(largest, std::abs(t[6].get<double>()));
+  for (const json& t : triangles) {
+    const double share = largest > 0 ? t[6].get<double>() / largest : 0;
+    const auto pale = static_cast<int>(std::lround(255 * (1 - std::min(1.0, std::abs(share)))));
+    const std::string colour =
+        share > 0 ? fmt::format("#ff{0:02x}{0:02x}", pale) : fmt::format("#{0:02x}{0:02x}ff", pale);
+    const json corners = {{t[0], t[1]}, {t[2], t[3]}, {t[4], t[5]}};
+    text += polygon(number, corners,
+                    fmt::format("fc rgb '{0}' fillstyle solid border lc rgb '{0}' lw 0.5", colour).c_str());
+  }
+  return text;
+}
+
 std::string moment(const json& frame, const View& view, bool contacts) {
   int number = 0;
   std::string text = "unset object\n";
@@ -103,11 +120,15 @@ std::string moment(const json& frame, const View& view, bool contacts) {
                     block["fixed"].get<bool>() ? "fc rgb '#8d7f6d' fillstyle solid border lc rgb '#5b5146' lw 1"
                                                : "fc rgb '#c9c9c4' fillstyle solid border lc rgb '#303030' lw 1.5");
   }
+  double largest = 0;
+  text += stress(number, frame, largest);
+  const std::string scale =
+      largest > 0 ? fmt::format(", vertical stress: blue -{0:.3g} MPa, red +{0:.3g} MPa", largest / 1e6) : "";
   const std::string level = frame["upstream_level_m"].is_number()
                                 ? fmt::format(", level {:.2f} m", frame["upstream_level_m"].get<double>())
                                 : "";
-  text += fmt::format("set title \"{:.2f} s{}\"\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-                      frame["time_s"].get<double>(), level, view.left, view.right, view.bottom, view.top);
+  text += fmt::format("set title \"{:.2f} s{}{}\"\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
+                      frame["time_s"].get<double>(), level, scale, view.left, view.right, view.bottom, view.top);
   std::string points;
   for (const json& c : frame["contacts"]) {
     const int state = c[2];

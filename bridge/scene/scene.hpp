@@ -218,9 +218,10 @@ struct Output {
 struct Expectation {
   std::string quantity;  ///< see solid/output/quantities
   std::optional<double> value;
-  std::string formula;      ///< see solid/output/formulas
-  std::string of;           ///< the block or joint that quantity and formula speak of; may be empty
-  double tolerance = 1e-3;  ///< relative
+  std::string formula;        ///< see solid/output/formulas
+  std::string of;             ///< the block or joint that quantity and formula speak of; may be empty
+  std::optional<Point> at_m;  ///< the point of that block, as in the scene's outline
+  double tolerance = 1e-3;    ///< relative
   std::string source;
   bool operator==(const Expectation&) const = default;
 };

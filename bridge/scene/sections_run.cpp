@@ -2,6 +2,9 @@
 // How the run goes: analysis, contact, coupling, output, and what it is expected to give.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "bridge/scene/outline.hpp"
 #include "bridge/scene/sections.hpp"
 
 namespace blockweir::scene {
@@ -12,6 +15,25 @@ void reject_longer_than_duration(TableReader& table, Reading& reading, const cha
   if (value <= duration) return;
   reading.problems.error(table.place(key), fmt::format("{} {} is longer than duration_s {}", key, value, duration),
                          "a time within the duration", fmt::format("shorten {} or lengthen duration_s", key));
+}
+
+/// at_m; the point is on the block that `of` names.
+void read_point(TableReader& table, Reading& reading, Expectation& e) {
+  Point point;
+  if (!table.has("at_m") || !table.point("at_m", point)) return;
+  e.at_m = point;
+  const auto& blocks = reading.scene.blocks;
+  const auto block = std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) { return b.name == e.of; });
+  if (block == blocks.end()) {
+    reading.problems.error(table.place("at_m"), fmt::format("{} has at_m and no block", table.name()),
+                           "of = the block that has the point", "name the block");
+  } else if (!block->vertices.empty() &&
+             !holds_point(block->vertices, point, 1e-6 * bounds_of(block->vertices).size())) {
+    reading.problems.error(
+        table.place("at_m"),
+        fmt::format("at_m ({}, {}) in {} is outside block \"{}\"", point.x(), point.y(), table.name(), block->name),
+        "a point in the block or on its outline", "move the point or name the block that it is on");
+  }
 }
 
 }  // namespace
@@ -101,6 +123,7 @@ void read_expectations(Reading& reading) {
     table.number("value", e.value);
     table.text("formula", e.formula);
     table.text("of", e.of);
+    read_point(table, reading, e);
     table.number("tolerance", e.tolerance, positive());
     table.text("source", e.source);
     if (table.has("of") && !e.of.empty()) static_cast<void>(table.reference("of", named));

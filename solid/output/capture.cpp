@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "solid/output/energy.hpp"
+#include "solid/output/stress_field.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -43,6 +44,17 @@ void capture_block(const Solid& solid, std::size_t b, BlockRow& row) {
   row.stress_xy_pa = stress(0, 1);
   row.water_force_n_per_m.setZero();
   row.water_moment_n = 0;
+}
+
+MeshRow capture_mesh(const Solid& solid, std::size_t b) {
+  const StressField field(solid, b);
+  MeshRow row{.block = static_cast<int>(b),
+              .nodes_m = field.places(),
+              .displacement_m = field.places(),
+              .stress_pa = field.at_nodes(),
+              .triangles = field.triangles()};
+  for (std::size_t n = 0; n < row.nodes_m.size(); ++n) row.displacement_m[n] -= field.nodes()[n];
+  return row;
 }
 
 void capture_contact(const Solid& solid, const ContactPoint& c, ContactRow& row) {
@@ -113,6 +125,10 @@ void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& f
   frame.kinetic_energy_j_per_m = energy.kinetic;
   frame.strain_energy_j_per_m = energy.strain;
   frame.potential_energy_j_per_m = energy.potential;
+  frame.meshes.clear();
+  for (std::size_t b = 0; b < frame.blocks.size(); ++b) {
+    if (blocks[b].meshed) frame.meshes.push_back(capture_mesh(solid, b));
+  }
   frame.contacts.resize(solid.contacts().size());
   for (std::size_t k = 0; k < frame.contacts.size(); ++k)
     capture_contact(solid, solid.contacts()[k], frame.contacts[k]);

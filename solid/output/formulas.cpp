@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "solid/output/formula_parts.hpp"
+#include "solid/output/point_figures.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -25,10 +26,15 @@ const Formulas& formulas() {
 std::vector<std::string> formula_names() {
   std::vector<std::string> names;
   for (const auto& [name, function] : formulas()) names.push_back(name);
+  for (const auto& [name, function] : point_formulas()) names.push_back(name);
   return names;
 }
 
 double formula(const Scene& scene, const scene::Expectation& expectation) {
+  const auto at_point = point_formulas().find(expectation.formula);
+  if (at_point != point_formulas().end() && expectation.at_m) {
+    return at_point->second(scene, block_named(scene, expectation.of), *expectation.at_m);
+  }
   const auto found = formulas().find(expectation.formula);
   if (found == formulas().end()) {
     throw std::runtime_error(fmt::format("[[expect]] names no formula: \"{}\"", expectation.formula));

@@ -61,6 +61,15 @@ struct BoltRow {
   int state = 0;  ///< 0 elastic, 1 yielding, 2 slack
 };
 
+/// The mesh of a block.
+struct MeshRow {
+  int block = 0;
+  std::vector<Point> nodes_m;  ///< current
+  std::vector<Point> displacement_m;
+  std::vector<Eigen::Vector3d> stress_pa;  ///< (xx, yy, xy) at the nodes, tension positive, global axes
+  std::vector<std::array<int, 3>> triangles;
+};
+
 struct Frame {
   double time_s = 0;
   double upstream_level_m = 0;        ///< NaN: no pool
@@ -75,6 +84,7 @@ struct Frame {
   std::vector<ContactRow> contacts;
   std::vector<PanelRow> panels;
   std::vector<BoltRow> bolts;
+  std::vector<MeshRow> meshes;
 };
 
 }  // namespace blockweir::solid::output

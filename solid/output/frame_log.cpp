@@ -41,6 +41,22 @@ void FrameLog::write(const Frame& frame) {
     fmt::format_to(out, "{}[{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{}]", separator(first_bolt), b.from_m.x(), b.from_m.y(),
                    b.to_m.x(), b.to_m.y(), b.force_n_per_m, b.state);
   }
+  if (!frame.meshes.empty()) {
+    fmt::format_to(out, R"(],"triangles":[)");  // corners and vertical stress
+    bool first = true;
+    for (const MeshRow& mesh : frame.meshes) {
+      for (const auto& triangle : mesh.triangles) {
+        double stress = 0;
+        fmt::format_to(out, "{}[", separator(first));
+        for (const int corner : triangle) {
+          const Point& p = mesh.nodes_m[static_cast<std::size_t>(corner)];
+          stress += mesh.stress_pa[static_cast<std::size_t>(corner)][1] / 3;
+          fmt::format_to(out, "{:.7g},{:.7g},", p.x(), p.y());
+        }
+        fmt::format_to(out, "{:.5g}]", stress);
+      }
+    }
+  }
   fmt::format_to(out, "]}}");
   file_.line(fmt::to_string(text));
 }

@@ -8,6 +8,8 @@
 
 #include "solid/output/quantity_parts.hpp"
 
+#include "solid/output/point_figures.hpp"
+
 namespace blockweir::solid::output {
 namespace {
 
@@ -39,10 +41,19 @@ std::size_t block_index(const Solid& solid, const std::string& name) {
 std::vector<std::string> quantity_names() {
   std::vector<std::string> names;
   for (const auto& [name, function] : quantities()) names.push_back(name);
+  for (const auto& [name, function] : point_quantities()) names.push_back(name);
   return names;
 }
 
 double quantity(const Outcome& outcome, const scene::Expectation& expectation) {
+  const auto at_point = point_quantities().find(expectation.quantity);
+  if ((at_point != point_quantities().end()) != expectation.at_m.has_value()) {
+    throw std::runtime_error(
+        fmt::format("[[expect]] quantity = \"{}\" {}", expectation.quantity,
+                    expectation.at_m ? "is none at a point: leave out at_m" : "needs at_m = [x, y]"));
+  }
+  if (expectation.at_m)
+    return at_point->second(outcome.solid, block_index(outcome.solid, expectation.of), *expectation.at_m);
   const auto found = quantities().find(expectation.quantity);
   if (found == quantities().end()) {
     throw std::runtime_error(fmt::format("[[expect]] names no quantity: \"{}\"", expectation.quantity));

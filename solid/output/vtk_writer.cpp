@@ -42,6 +42,33 @@ void fill_blocks(const Frame& frame, Grid& grid) {
   }
 }
 
+/// Triangles of meshed blocks, with stresses at their nodes.
+void fill_mesh(const Frame& frame, Grid& grid) {
+  auto* displacement = grid.point_data("displacement_m", 3);
+  auto* stress = grid.point_data("stress_pa", 3);
+  auto* principal = grid.point_data("principal_stress_pa", 2);
+  auto* block = grid.cell_data("block", 1);
+  stress->SetComponentName(0, "xx");
+  stress->SetComponentName(1, "yy");
+  stress->SetComponentName(2, "xy");
+  for (const MeshRow& mesh : frame.meshes) {
+    std::vector<vtkIdType> ids;
+    for (std::size_t n = 0; n < mesh.nodes_m.size(); ++n) {
+      const Eigen::Vector3d& s = mesh.stress_pa[n];
+      ids.push_back(grid.point(mesh.nodes_m[n]));
+      add_vector(displacement, mesh.displacement_m[n]);
+      stress->InsertNextTuple3(s[0], s[1], s[2]);
+      const double radius = std::hypot((s[0] - s[1]) / 2, s[2]);
+      principal->InsertNextTuple2((s[0] + s[1]) / 2 + radius, (s[0] + s[1]) / 2 - radius);
+    }
+    for (const auto& t : mesh.triangles) {
+      const auto id = [&](int corner) { return ids[static_cast<std::size_t>(corner)]; };
+      grid.cell(VTK_TRIANGLE, {id(t[0]), id(t[1]), id(t[2])});
+      block->InsertNextValue(mesh.block);
+    }
+  }
+}
+
 void fill_joints(const Frame& frame, Grid& grid) {
   auto* joint = grid.cell_data("joint", 1);
   auto* state = grid.cell_data("state", 1);  // 0 open, 1 stick, 2 slip
@@ -128,6 +155,7 @@ void VtkWriter::write(const Frame& frame) {
   save("joints", fill_joints);
   save("water", fill_water);
   if (!frame.bolts.empty()) save("bolts", fill_bolts);
+  if (!frame.meshes.empty()) save("mesh", fill_mesh);
   ++count_;
   files_.save();
 }

@@ -37,6 +37,26 @@ TEST(SceneMesh, MoreTrianglesThanCanBeMeantAreRefused) {
   expect_error(meshed("0.003"), 21, {"about 3.3e+06 triangles", "at most 20000", "make mesh_size_m larger"});
 }
 
+std::string expecting(const std::string& more) {
+  return with("quantity = \"failure_head_m\"\nvalue = 1.0\nof = \"crack\"\n",
+              "quantity = \"point_stress_yy_pa\"\nvalue = 1.0\n" + more);
+}
+
+TEST(SceneMesh, AFigureIsTakenAtAPointOfABlock) {
+  const auto scene = read_text(expecting("of = \"base\"\nat_m = [0, 1]\n"), "s.toml").scene;
+  ASSERT_TRUE(scene.expectations[0].at_m.has_value());
+  EXPECT_EQ(scene.expectations[0].at_m->y(), 1);
+}
+
+TEST(SceneMesh, APointBesideItsBlockIsRefused) {
+  expect_error(expecting("of = \"base\"\nat_m = [0, 3]\n"), 56,
+               {"at_m (0, 3)", "outside block \"base\"", "move the point"});
+}
+
+TEST(SceneMesh, APointOfNoBlockIsRefused) {
+  expect_error(expecting("at_m = [0, 1]\n"), 55, {"has at_m and no block", "name the block"});
+}
+
 TEST(SceneMesh, ASectionGivesItsSizeToBlocksThatMove) {
   const auto scene = read_text(R"([analysis]
 duration_s = 1
