@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "solid/solve/islands.hpp"
@@ -14,18 +15,58 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Displacement that the group's weight, put on the block's own width, causes over its height [m].
+double largest(const scene::TimeTable& course) {
+  return std::max(std::abs(course.largest()), std::abs(course.smallest()));
+}
+
+/// Sum of the largest forces that the scene itself puts on a block, weight among them. Water comes on top.
+double largest_load(const scene::Scene& scene, const Block& block, int index) {
+  const double mass = block.mass_per_m();
+  double sum = mass * scene.analysis.gravity_m_per_s2;
+  for (const auto& load : scene.point_loads) {
+    if (load.block == index) sum += largest(load.force_x_n_per_m) + largest(load.force_y_n_per_m);
+  }
+  for (const auto& load : scene.face_pressures) {
+    const double pressure = largest(load.pressure_from_pa) + largest(load.pressure_to_pa);
+    if (load.block == index) sum += pressure / 2 * (load.to_m - load.from_m).norm();
+  }
+  for (const auto& load : scene.line_loads) {
+    if (load.block != index) continue;
+    for (const auto& end : {load.force_from_n_per_m2, load.force_to_n_per_m2}) {
+      for (const auto& axis : end) sum += largest(axis) / 2 * (load.to_m - load.from_m).norm();
+    }
+  }
+  for (const auto& load : scene.body_loads) {
+    if (std::find(load.blocks.begin(), load.blocks.end(), index) == load.blocks.end()) continue;
+    for (const auto& axis : load.value) sum += largest(axis) * (load.per_mass ? mass : block.area);
+  }
+  if (const auto& base = scene.base_motion) {
+    sum += mass * (largest(base->acceleration_x_m_per_s2) + largest(base->acceleration_y_m_per_s2));
+  }
+  return sum;
+}
+
+/// Displacement over the block's size that its group's loads cause, all put on the block's own width [m].
 double elastic_displacement(const scene::Scene& scene, const Block& block, const scene::Material& material,
-                            double weight) {
+                            double load) {
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& v : block.vertices) box.extend(v);
   const double water = scene.fluid == scene::FluidModel::none
                            ? 0
                            : scene.water.density_kg_per_m3 * scene.analysis.gravity_m_per_s2 * box.sizes().y();
-  return (weight / box.sizes().x() + water) / material.youngs_modulus_pa * box.sizes().maxCoeff();
+  return (load / box.sizes().minCoeff() + water) / material.youngs_modulus_pa * box.sizes().maxCoeff();
 }
 
-}  // namespace
+/// A bolt is one support more.
+bool bolted(const scene::Scene& scene, int block) {
+  return std::any_of(scene.bolts.begin(), scene.bolts.end(),
+                     [&](const scene::Bolt& bolt) { return bolt.blocks[0] == block || bolt.blocks[1] == block; });
+}
+
+/// What only a block that strains can show.
+bool must_strain(const Block& block) {
+  return block.meshed || !block.initial_stress.isZero(0);
+}
 
 std::vector<bool> rigid_blocks(const scene::Scene& scene, const std::vector<Block>& blocks,
                                const std::vector<ContactPoint>& contacts) {
@@ -47,14 +88,16 @@ std::vector<bool> rigid_blocks(const scene::Scene& scene, const std::vector<Bloc
   std::vector<int> supports;
   for (const scene::Support& s : scene.supports) supports.push_back(s.block);
   for (const Island& group : find_islands(fixed, links, supports)) {
-    double weight = 0;
-    for (const int b : group.blocks) weight += blocks[at(b)].mass_per_m() * scene.analysis.gravity_m_per_s2;
-    const bool determinate = group.contacts.size() + group.supports.size() <= group.blocks.size();
+    double load = 0;
+    bool free_to_choose = group.contacts.size() + group.supports.size() <= group.blocks.size();
+    for (const int b : group.blocks) {
+      load += largest_load(scene, blocks[at(b)], b);
+      free_to_choose = free_to_choose && !must_strain(blocks[at(b)]) && !bolted(scene, b);
+    }
     for (const int b : group.blocks) {
       const scene::Material& material = scene.materials[at(scene.blocks[at(b)].material)];
-      const double displacement = elastic_displacement(scene, blocks[at(b)], material, weight);
-      if (determinate && !blocks[at(b)].meshed && displacement < 1e-2 * scene.analysis.failure_displacement_m)
-        rigid[at(b)] = true;
+      const double displacement = elastic_displacement(scene, blocks[at(b)], material, load);
+      if (free_to_choose && displacement < 1e-2 * scene.analysis.failure_displacement_m) rigid[at(b)] = true;
     }
   }
   return rigid;

@@ -95,6 +95,13 @@ TEST(Skips, AStackIsFoundRigidAndAWallIsNot) {
   EXPECT_THAT(rigid_blocks_of(scene), ElementsAre("b1", "b2", "b3", "b4", "b5", "b6", "b7", "b8"));
   add(scene, {{2, 0}, {3, 0}, {3, 1}, {2, 1}});  // touches the left stack's lowest block, and the floor
   EXPECT_THAT(rigid_blocks_of(scene), ElementsAre("b5", "b6", "b7", "b8"));
+  const auto without_load = scene;
+  scene.point_loads[0].force_x_n_per_m.value.back() = 1e9;  // would strain b8 by millimetres
+  EXPECT_THAT(rigid_blocks_of(scene), ElementsAre());
+  scene = without_load;
+  scene.blocks[6].initial_stress_pa = Eigen::Vector3d(0, -1e5, 0);
+  EXPECT_THAT(rigid_blocks_of(scene), ElementsAre());
+  scene = without_load;
   scene.materials[0].youngs_modulus_pa = 1e6;  // soft: strain moves points by millimetres
   EXPECT_THAT(rigid_blocks_of(scene), ElementsAre());
 }

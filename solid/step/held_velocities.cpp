@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shi's scheme turns a velocity that is held into its opposite, undamped: such velocities are put right after the step.
+#include <algorithm>
+#include <cmath>
+
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+/// Velocities along held directions (closed contacts, sticking ones along the edge too, supports) become the mean of
+/// the step: the velocities get the smallest change, in the metric of the step's matrix, that does so. Friction of a
+/// slipping contact has no part in it: with that coupling the projection could grow what it should remove.
+void Solid::quiet_held_directions(IslandSystem& s, double dt) {
+  constexpr double unheard_m_per_s = 1e-9;
+  double loudest = 0;
+  const auto mismatch = [&](int block, const Matrix26& shape) -> Eigen::Vector2d {
+    if (block < 0) return Eigen::Vector2d::Zero();
+    return shape * (increment_[at(block)] / dt - rate(at(block), placement_[at(block)], states_[at(block)].velocity));
+  };
+  std::vector<Interaction> actions;
+  for (const int k : s.island.contacts) actions.push_back(formulation_->contact(trial(), k, contacts_[at(k)]));
+  for (const int k : s.island.supports) actions.push_back(formulation_->support(trial(), k, supports_[at(k)]));
+  std::vector<Eigen::Vector2d> pull(actions.size(), Eigen::Vector2d::Zero());
+  for (std::size_t k = 0; k < actions.size(); ++k) {
+    const Interaction& a = actions[k];
+    if (!a.acts()) continue;
+    const Eigen::Vector2d m = mismatch(a.block_i, a.shape_i) - mismatch(a.block_j, a.shape_j);
+    for (int axis = 0; axis < 2; ++axis) {
+      pull[k][axis] = a.held[axis] * m[axis];
+      if (a.held[axis] > 0) loudest = std::max(loudest, std::abs(m[axis]));
+    }
+  }
+  if (loudest <= unheard_m_per_s) return;
+
+  set_block_matrices(s);
+  s.residual.setZero();
+  const auto add = [&](int block, const Vector6& push) {
+    if (block < 0 || frozen_[at(block)]) return;
+    s.unknowns->add(local_[at(block)], push, s.residual);
+  };
+  for (std::size_t k = 0; k < actions.size(); ++k) {
+    Interaction& a = actions[k];
+    if (!a.acts()) continue;
+    a.stiffness = a.held.asDiagonal().toDenseMatrix();
+    add_stiffness(*s.system, a);
+    add(a.block_i, a.shape_i.transpose() * pull[k]);
+    if (a.block_j >= 0) add(a.block_j, -(a.shape_j.transpose() * pull[k]));
+  }
+  if (!s.system->solve(/*symmetric=*/true, s.residual, s.correction)) return;
+  for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
+    states_[at(s.island.blocks[k])].velocity += s.unknowns->take_own(static_cast<int>(k), s.correction);
+  }
+}
+
+}  // namespace blockweir::solid
