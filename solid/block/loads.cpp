@@ -38,7 +38,7 @@ Loads::Loads(const scene::Scene& scene, const std::vector<Block>& blocks)
     : blocks_(blocks), rule_(scene.water.nodal_rule) {
   for (const Block& block : blocks) {
     weight_.emplace_back(Vector6::Zero());
-    weight_.back()[1] = -block.mass_per_m() * scene.analysis.gravity_m_per_s2;
+    weight_.back().head<2>() = block.mass_per_m() * scene.analysis.gravity();
   }
   for (const auto& load : scene.point_loads) {
     points_.push_back({load.block, load.point_m - blocks[at(load.block)].centroid, &load});

@@ -7,10 +7,9 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
 
-#include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/polygon.hpp"
+#include "solid/output/plane_joint.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -22,67 +21,8 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-const scene::Block& block_named(const Scene& s, const std::string& name) {
-  for (const auto& block : s.blocks) {
-    if (block.name == name) return block;
-  }
-  throw std::runtime_error(fmt::format("[[expect]] of = \"{}\" names no block", name));
-}
-
-const scene::Joint& joint_named(const Scene& s, const std::string& name) {
-  for (const auto& joint : s.joints) {
-    if (joint.name == name) return joint;
-  }
-  throw std::runtime_error(fmt::format("[[expect]] of = \"{}\" names no joint", name));
-}
-
-double weight(const Scene& s, const scene::Block& b) {
-  return scene::signed_area(b.vertices) * s.materials[at(b.material)].density_kg_per_m3 * s.analysis.gravity_m_per_s2;
-}
-
 double unit_weight_of_water(const Scene& s) {
   return s.water.density_kg_per_m3 * s.analysis.gravity_m_per_s2;
-}
-
-/// A block on a plane joint: what limit equilibrium needs.
-struct PlaneJoint {
-  double dip = 0;       ///< rad, positive downwards to the downstream side
-  double length = 0;    ///< m along the trace
-  double weight = 0;    ///< of the block above
-  double friction = 0;  ///< tan(phi)
-  double cohesion = 0;  ///< c times bonded length [N per metre]
-  double uplift = 0;    ///< k: 0 dry, 1/2 triangular, 1 full
-  const scene::Block* upper = nullptr;
-  Point mouth;
-};
-
-/// The dip is that of the gentlest piece: a rigid block slides along its shallowest tread and the risers open. Other
-/// joints that the same block stands on lengthen the crack.
-PlaneJoint plane_joint(const Scene& s, const std::string& name) {
-  const scene::Joint& named = joint_named(s, name);
-  const auto higher_of = [&](const scene::Joint& joint) {
-    const auto height = [&](int block) { return scene::centroid(s.blocks[at(block)].vertices).y(); };
-    return joint.between[height(joint.between[0]) > height(joint.between[1]) ? 0 : 1];
-  };
-  const int upper = higher_of(named);
-  PlaneJoint plane{.dip = std::numbers::pi / 2, .upper = &s.blocks[at(upper)]};
-  plane.weight = weight(s, *plane.upper);
-  plane.friction = std::tan(named.law.friction_angle_deg * std::numbers::pi / 180);
-  plane.uplift = named.law.uplift == scene::Uplift::none ? 0 : named.law.uplift == scene::Uplift::full ? 1 : 0.5;
-  for (const scene::Joint& joint : s.joints) {
-    if (higher_of(joint) != upper) continue;
-    const auto trace = scene::trace_joint(s.blocks[at(joint.between[0])], s.blocks[at(joint.between[1])], 1e-6);
-    if (&joint == &named && trace.pieces.empty())
-      throw std::runtime_error(fmt::format("the blocks of joint \"{}\" do not touch", name));
-    if (&joint == &named) plane.mouth = trace.mouth();
-    plane.length += trace.length_m;
-    plane.cohesion += joint.law.cohesion_pa * joint.law.bonded_length_m.value_or(trace.length_m);
-    for (const auto& piece : trace.pieces) {
-      const Point d = piece.to_m - piece.from_m;
-      plane.dip = std::min(plane.dip, std::atan2(-d.y(), d.x()));
-    }
-  }
-  return plane;
 }
 
 /// T - N tan(phi) - c L at head z: H = rho g z^2/2, U = k rho g z L, N = W cos a - H sin a - U, T = H cos a + W sin a.
@@ -148,10 +88,11 @@ double incline_displacement(const Scene& s, const std::string& of) {
   return s.analysis.gravity_m_per_s2 * (std::sin(p.dip) - std::cos(p.dip) * p.friction) * t * t / 2;
 }
 
+/// Its part along the y axis, against which a reaction stands.
 double weight_of_all(const Scene& s, const std::string&) {
   double sum = 0;
   for (const auto& block : s.blocks) sum += block.fixed ? 0 : weight(s, block);
-  return sum;
+  return sum * -s.analysis.gravity().normalized().y();
 }
 
 struct OwnWeight {

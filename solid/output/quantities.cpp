@@ -13,21 +13,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// The block of that name; a joint stands for the upper of its two blocks.
-std::size_t block_index(const Outcome& o, const std::string& name) {
-  const auto& blocks = o.solid.blocks();
-  for (const scene::Joint& joint : o.solid.scene().joints) {
-    if (joint.name != name) continue;
-    const auto a = static_cast<std::size_t>(joint.between[0]);
-    const auto b = static_cast<std::size_t>(joint.between[1]);
-    return blocks[a].centroid.y() > blocks[b].centroid.y() ? a : b;
-  }
-  const auto found = std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) { return b.name == name; });
-  if (found == blocks.end())
-    throw std::runtime_error(fmt::format("[[expect]] of = \"{}\" names no block or joint", name));
-  return static_cast<std::size_t>(found - blocks.begin());
-}
-
 using Quantity = double (*)(const Outcome&, const std::string& of);
 
 template <double Failure::*Member>
@@ -107,6 +92,20 @@ const std::map<std::string, Quantity>& quantities() {
 }
 
 }  // namespace
+
+std::size_t block_index(const Outcome& o, const std::string& name) {
+  const auto& blocks = o.solid.blocks();
+  for (const scene::Joint& joint : o.solid.scene().joints) {
+    if (joint.name != name) continue;
+    const auto a = static_cast<std::size_t>(joint.between[0]);
+    const auto b = static_cast<std::size_t>(joint.between[1]);
+    return blocks[a].centroid.y() > blocks[b].centroid.y() ? a : b;
+  }
+  const auto found = std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) { return b.name == name; });
+  if (found == blocks.end())
+    throw std::runtime_error(fmt::format("of = \"{}\" names no block or joint", name));
+  return static_cast<std::size_t>(found - blocks.begin());
+}
 
 std::vector<std::string> quantity_names() {
   std::vector<std::string> names;

@@ -22,6 +22,9 @@ struct Outcome {
 
 std::vector<std::string> quantity_names();
 
+/// The block of that name; a joint stands for the upper of its two blocks. Throws std::runtime_error.
+std::size_t block_index(const Outcome& outcome, const std::string& name);
+
 /// NaN when the run has no such figure (a failure level of a dam that stands).
 double quantity(const Outcome& outcome, const scene::Expectation& expectation);
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/plane_joint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/polygon.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+using scene::Point;
+using scene::Scene;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+const scene::Block& block_named(const Scene& s, const std::string& name) {
+  for (const auto& block : s.blocks) {
+    if (block.name == name) return block;
+  }
+  throw std::runtime_error(fmt::format("of = \"{}\" names no block", name));
+}
+
+const scene::Joint& joint_named(const Scene& s, const std::string& name) {
+  for (const auto& joint : s.joints) {
+    if (joint.name == name) return joint;
+  }
+  throw std::runtime_error(fmt::format("of = \"{}\" names no joint", name));
+}
+
+double weight(const Scene& s, const scene::Block& b) {
+  return scene::signed_area(b.vertices) * s.materials[at(b.material)].density_kg_per_m3 * s.analysis.gravity_m_per_s2;
+}
+
+PlaneJoint plane_joint(const Scene& s, const std::string& name) {
+  const scene::Joint& named = joint_named(s, name);
+  const auto higher_of = [&](const scene::Joint& joint) {
+    const auto height = [&](int block) { return scene::centroid(s.blocks[at(block)].vertices).y(); };
+    return joint.between[height(joint.between[0]) > height(joint.between[1]) ? 0 : 1];
+  };
+  const int upper = higher_of(named);
+  PlaneJoint plane{.dip = std::numbers::pi / 2, .upper = &s.blocks[at(upper)]};
+  plane.weight = weight(s, *plane.upper);
+  plane.friction = std::tan(named.law.friction_angle_deg * std::numbers::pi / 180);
+  plane.uplift = named.law.uplift == scene::Uplift::none ? 0 : named.law.uplift == scene::Uplift::full ? 1 : 0.5;
+  for (const scene::Joint& joint : s.joints) {
+    if (higher_of(joint) != upper) continue;
+    const auto trace = scene::trace_joint(s.blocks[at(joint.between[0])], s.blocks[at(joint.between[1])], 1e-6);
+    if (&joint == &named && trace.pieces.empty())
+      throw std::runtime_error(fmt::format("the blocks of joint \"{}\" do not touch", name));
+    if (&joint == &named) plane.mouth = trace.mouth();
+    plane.length += trace.length_m;
+    plane.cohesion += joint.law.cohesion_pa * joint.law.bonded_length_m.value_or(trace.length_m);
+    for (const auto& piece : trace.pieces) {
+      const Point d = piece.to_m - piece.from_m;
+      plane.dip = std::min(plane.dip, std::atan2(-d.y(), d.x()));
+    }
+  }
+  plane.dip += s.analysis.gravity_tilt_deg * std::numbers::pi / 180;
+  return plane;
+}
+
+}  // namespace blockweir::solid::output
