@@ -9,6 +9,7 @@
 #include "bridge/launch/cut.hpp"
 #include "bridge/launch/plot.hpp"
 #include "bridge/launch/run.hpp"
+#include "bridge/launch/study.hpp"
 #include "bridge/launch/validate.hpp"
 #include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/nearest.hpp"
@@ -21,10 +22,11 @@ using namespace blockweir;
 int check_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   const scene::ReadScene read = scene::read(path, overrides);
   for (const auto& variant : read.scene.variants) scene::read_variant(path, variant.name, overrides);
+  const std::size_t studies = launch::study_tasks(path, overrides).size();
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
-  fmt::print("{}: sound; {} blocks, {} joints, {} variants, {} s in steps of {} s\n", read.scene.file.string(),
-             read.scene.blocks.size(), read.scene.joints.size(), read.scene.variants.size(),
-             read.scene.analysis.duration_s, read.scene.analysis.step_s);
+  fmt::print("{}: sound; {} blocks, {} joints, {} variants, {} studies, {} s in steps of {} s\n",
+             read.scene.file.string(), read.scene.blocks.size(), read.scene.joints.size(), read.scene.variants.size(),
+             studies, read.scene.analysis.duration_s, read.scene.analysis.step_s);
   return 0;
 }
 
@@ -48,6 +50,7 @@ int run_command(int argc, char** argv) {
   launch::PlotOptions plot;
   launch::CutOptions cut;
   launch::CompareOptions compare;
+  launch::StudyOptions study;
   std::string checked;
 
   auto* run_cmd = app.add_subcommand("run", "run a scene and say how it ends");
@@ -66,6 +69,11 @@ int run_command(int argc, char** argv) {
   auto* plot_cmd = app.add_subcommand("plot", "draw the figures of a run");
   plot_cmd->add_option("run", plot.run, "folder of a run")->required();
   plot_cmd->add_flag("--svg", plot.svg, "SVG instead of PNG");
+  auto* study_cmd = app.add_subcommand("study", "make the runs of a scene's studies and compare");
+  study_cmd->add_option("scene", study.scene, "scene file or case folder")->required();
+  study_cmd->add_option("--name", study.name, "one of the studies (default: all)");
+  study_cmd->add_option("--out", study.out, "folder for their tables (JSON) and figures (PNG)");
+  study_cmd->add_option("--set", study.overrides, "key=value over the scene's own");
   auto* validate_cmd = app.add_subcommand("validate", "run every case that has an answer and compare");
   validate_cmd->add_option("cases", validate.cases, "case folders (default: all)");
   validate_cmd->add_option("--json", validate.json, "file for the table as JSON");
@@ -92,6 +100,7 @@ int run_command(int argc, char** argv) {
   if (check_cmd->parsed()) return check_scene(checked, run.overrides);
   if (cut_cmd->parsed()) return launch::cut(cut), 0;
   if (plot_cmd->parsed()) return launch::plot(plot), 0;
+  if (study_cmd->parsed()) return launch::study(study);
   if (validate_cmd->parsed()) return launch::validate(validate);
   if (compare_cmd->parsed()) return launch::compare(compare);
   throw std::invalid_argument("tests run in a source tree: ./blockweir test");

@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "bridge/launch/cases_folder.hpp"
+#include "bridge/launch/figure.hpp"
 #include "bridge/launch/run.hpp"
+#include "bridge/launch/study.hpp"
 #include "bridge/launch/temporary_folder.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
@@ -56,56 +58,94 @@ std::vector<Trial> trials(const fs::path& path, const ValidateOptions& options) 
   return all;
 }
 
-std::string number(const json& value) {
-  return value.is_number() ? fmt::format("{:.9g}", value.get<double>()) : "none";
+/// The table: printed row by row, kept for --json.
+class Table {
+ public:
+  Table() {
+    fmt::print("{:<58} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8}\n", "case", "quantity", "expected", "got", "error",
+               "tolerance", "time s");
+  }
+  /// A figure of `label`; `sound`: whether its run went to its end.
+  void add(const std::string& label, json check, double wall_time_s, bool sound) {
+    const bool passed = sound && check["passed"].get<bool>();
+    all_passed_ = all_passed_ && passed;
+    const json& error = check["relative_error"];
+    fmt::print("{:<58} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8.3g}{}\n", label, check["name"].get<std::string>(),
+               figure(check["expected"]), figure(check["got"]),
+               error.is_number() ? fmt::format("{:.2e}", error.get<double>()) : "none", figure(check["tolerance"]),
+               wall_time_s, passed ? "" : "  OUT");
+    std::fflush(stdout);
+    check["case"] = label;
+    check["wall_time_s"] = wall_time_s;
+    rows_.push_back(std::move(check));
+  }
+  void trouble(const std::string& label, const std::string& text) {
+    all_passed_ = false;
+    fmt::print("{:<58} {}\n", label, text);
+  }
+  [[nodiscard]] const json& rows() const { return rows_; }
+  [[nodiscard]] bool all_passed() const { return all_passed_; }
+
+ private:
+  json rows_ = json::array();
+  bool all_passed_ = true;
+};
+
+void add_trial(Table& table, const Trial& trial) {
+  const RunResult result = run(trial.run);
+  if (result.exit_code == 130) throw Interrupted();
+  if (result.exit_code != 0) table.trouble(trial.label, result.trouble);
+  for (const json& check : result.summary.value("checks", json::array())) {
+    table.add(trial.label, check, result.summary["wall_time_s"].get<double>(), result.exit_code == 0);
+  }
+  fs::remove_all(result.folder);
 }
 
-/// Prints the row of one figure.
-void show(const std::string& label, const json& check, double wall_time_s, bool passed) {
-  fmt::print(
-      "{:<58} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8.3g}{}\n", label, check["name"].get<std::string>(),
-      number(check["expected"]), number(check["got"]),
-      check["relative_error"].is_number() ? fmt::format("{:.2e}", check["relative_error"].get<double>()) : "none",
-      number(check["tolerance"]), wall_time_s, passed ? "" : "  OUT");
-  std::fflush(stdout);
+void add_study(Table& table, const std::string& label, const StudyTask& task, const fs::path& path,
+               const Settings& overrides) {
+  const StudyResult result = go(task, path, overrides, [](const std::string&, const std::string&) {});
+  if (result.check.contains("trouble")) return table.trouble(label, result.check["trouble"].get<std::string>());
+  table.add(label, result.check, result.check["wall_time_s"].get<double>(), true);
 }
 
 }  // namespace
 
 int validate(const ValidateOptions& options) {
-  std::vector<Trial> all;  // a wrong scene is found before anything runs
+  struct Case {
+    fs::path path;
+    std::vector<Trial> trials;
+    std::vector<StudyTask> studies;
+  };
+  std::vector<Case> all;  // a wrong scene is found before anything runs
   for (const fs::path& path : options.cases.empty() ? all_cases() : options.cases) {
-    for (Trial& trial : trials(path, options)) all.push_back(std::move(trial));
+    all.push_back({path, trials(path, options), {}});
+    if (!options.sweep) all.back().studies = study_tasks(path, options.overrides);
   }
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
   const TemporaryFolder scratch;
-  json rows = json::array();
-  bool sound = true;
-  fmt::print("{:<58} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8}\n", "case", "quantity", "expected", "got", "error",
-             "tolerance", "time s");
-  for (Trial& trial : all) {
-    trial.run.out = scratch.path() / "run";
-    const RunResult result = run(trial.run);
-    if (result.exit_code != 0) fmt::print("{:<58} {}\n", trial.label, result.trouble);
-    if (result.exit_code == 130) return 130;
-    sound = sound && result.exit_code == 0;
-    for (json check : result.summary.value("checks", json::array())) {
-      const bool passed = result.exit_code == 0 && check["passed"].get<bool>();
-      sound = sound && passed;
-      show(trial.label, check, result.summary["wall_time_s"].get<double>(), passed);
-      check["case"] = trial.label;
-      check["wall_time_s"] = result.summary["wall_time_s"];
-      rows.push_back(check);
+  Table table;
+  try {
+    for (Case& one : all) {
+      for (Trial& trial : one.trials) {
+        trial.run.out = scratch.path() / "run";
+        add_trial(table, trial);
+      }
+      for (const StudyTask& task : one.studies) {
+        add_study(table, fmt::format("{}, {}", one.path.filename().string(), task.name), task, one.path,
+                  options.overrides);
+      }
     }
-    fs::remove_all(result.folder);
+  } catch (const Interrupted&) {
+    return 130;
   }
-  if (rows.empty()) {
+  if (table.rows().empty()) {
     fmt::print("no case states a figure\n");
     return 1;
   }
-  if (!options.json.empty()) results::replace_file(options.json, rows.dump(2) + "\n");
-  fmt::print("{} figures, {}\n", rows.size(), sound ? "all within tolerance" : "NOT all within tolerance");
-  return sound ? 0 : 1;
+  if (!options.json.empty()) results::replace_file(options.json, table.rows().dump(2) + "\n");
+  fmt::print("{} figures, {}\n", table.rows().size(),
+             table.all_passed() ? "all within tolerance" : "NOT all within tolerance");
+  return table.all_passed() ? 0 : 1;
 }
 
 }  // namespace blockweir::launch

@@ -67,11 +67,22 @@ std::vector<bool> held_by_themselves(const Scene& scene) {
   return held;
 }
 
+/// The blocks turned so that gravity points down the y axis.
+std::vector<Block> upright(const Scene& scene) {
+  std::vector<Block> blocks = scene.blocks;
+  const Point down = scene.analysis.gravity().normalized();
+  for (Block& block : blocks) {
+    for (Point& p : block.vertices) p = Point(down.x() * p.y() - down.y() * p.x(), -down.dot(p));
+  }
+  return blocks;
+}
+
 }  // namespace
 
 void check_held(const Scene& scene, Problems& problems) {
   if (scene.analysis.gravity_m_per_s2 == 0) return;
-  const BlockIndex index(scene.blocks);
+  const std::vector<Block> blocks = scene.analysis.gravity_tilt_deg == 0 ? scene.blocks : upright(scene);
+  const BlockIndex index(blocks);
   std::vector<bool> held = held_by_themselves(scene);
   std::vector<std::size_t> holding;
   for (std::size_t i = 0; i < held.size(); ++i) {
@@ -80,7 +91,7 @@ void check_held(const Scene& scene, Problems& problems) {
   auto left = static_cast<std::size_t>(std::count(held.begin(), held.end(), false));
   while (!holding.empty() && left > 0) {
     const std::size_t at = holding.back();
-    const Block& holder = scene.blocks[at];
+    const Block& holder = blocks[at];
     holding.pop_back();
     const auto hold = [&](std::size_t i) {
       if (held[i]) return;
@@ -99,7 +110,7 @@ void check_held(const Scene& scene, Problems& problems) {
     reach = {reach.low - margin, reach.high + margin};
     reach.high.y() = std::numeric_limits<double>::max();
     for (const std::size_t i : index.meeting(reach)) {
-      if (!held[i] && (lies_above(scene.blocks[i], holder) || touch(scene.blocks[i], holder))) hold(i);
+      if (!held[i] && (lies_above(blocks[i], holder) || touch(blocks[i], holder))) hold(i);
     }
   }
   for (std::size_t i = 0; i < held.size(); ++i) {

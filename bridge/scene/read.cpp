@@ -62,11 +62,11 @@ toml::table parse(const std::string& text, const std::string& name) {
 void read_sections(Reading& reading) {
   for (const auto read : {read_heading, read_analysis, read_materials, read_default_joint}) read(reading);
   const std::size_t before = reading.problems.count();
-  for (const auto read : {read_section, read_blocks, read_supports}) read(reading);
+  for (const auto read : {read_section, read_arches, read_walls, read_heaps, read_blocks, read_supports}) read(reading);
   const bool structure_sound = reading.problems.count() == before;
   for (const auto read : {read_joints, read_point_loads, read_face_pressures, read_line_loads, read_body_loads,
                           read_bolts, read_base_motion, read_water, read_fluid, read_contact, read_coupling,
-                          read_output, read_expectations, read_variants}) {
+                          read_output, read_expectations, read_variants, read_studies}) {
     read(reading);
   }
   reject_unknown_sections(reading);

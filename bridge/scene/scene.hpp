@@ -5,7 +5,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -158,14 +160,21 @@ struct Analysis {
   double step_s = 0.01;                  ///< the largest step
   double max_displacement_ratio = 0.01;  ///< largest displacement in a step over half the model's height
   double gravity_m_per_s2 = 9.81;
-  double mass_damping_per_s = 0;         ///< drag on all motion, over the mass
-  double rest_speed_m_per_s = 1e-5;      ///< below it a block counts as at rest (failure report)
+  double gravity_tilt_deg = 0;       ///< gravity turned about the origin, as if the ground dipped downstream by as much
+  double mass_damping_per_s = 0;     ///< drag on all motion, over the mass
+  double rest_speed_m_per_s = 1e-5;  ///< below it a block counts as at rest (failure report)
   double failure_displacement_m = 0.02;  ///< an unbroken motion longer than this is a failure
   bool stop_at_failure = false;          ///< end the run once the failure is certain
   bool islands = true;                   ///< solve groups of blocks in contact apart
   bool sleep = true;                     ///< leave islands at rest under unchanging loads as they are
   Rigid rigid = Rigid::named;
   double residual_tolerance = 1e-8;  ///< at_rest: largest unbalanced force over the weight of all that can move
+
+  /// Acceleration of gravity [m/s2].
+  [[nodiscard]] Point gravity() const {
+    const double tilt = gravity_tilt_deg * std::numbers::pi / 180;
+    return gravity_m_per_s2 * Point(std::sin(tilt), -std::cos(tilt));
+  }
   bool operator==(const Analysis&) const = default;
 };
 
@@ -214,10 +223,11 @@ struct Output {
   bool operator==(const Output&) const = default;
 };
 
-/// One figure that the case states, to be compared after the run; exactly one of value and formula.
+/// One figure that the case states, to be compared after the run; exactly one of value, word and formula.
 struct Expectation {
   std::string quantity;  ///< see solid/output/quantities
   std::optional<double> value;
+  std::string word;           ///< of a quantity that is no number, as the mode of failure
   std::string formula;        ///< see solid/output/formulas
   std::string of;             ///< the block or joint that quantity and formula speak of; may be empty
   std::optional<Point> at_m;  ///< the point of that block, as in the scene's outline
@@ -233,12 +243,65 @@ struct Variant {
   bool operator==(const Variant&) const = default;
 };
 
+/// Many runs of the scene with one or two keys set otherwise: what all kinds of studies state.
+struct Study {
+  std::string name;
+  std::vector<std::string> set;  ///< holds in all runs of the study, as --set takes it
+  Expectation expected;          ///< the answer; what it speaks of and what its tolerance means depends on the kind
+  bool operator==(const Study&) const = default;
+};
+
+/// Between which values of a key does the outcome change? Found by bisection over whole runs.
+struct LimitStudy : Study {
+  std::string key;
+  double from = 0;
+  double to = 0;
+  double width = 1e-3;            ///< of the bracket at the end, over its middle
+  std::string outcome = "fails";  ///< that one end has and the other has not; or a mode of failure
+  bool operator==(const LimitStudy&) const = default;
+};
+
+/// With which power of a key does the error of a quantity vanish?
+struct OrderStudy : Study {
+  std::string key;
+  std::vector<double> values;
+  double order = 0;
+  double order_tolerance = 0.1;  ///< absolute
+  bool operator==(const OrderStudy&) const = default;
+};
+
+/// The mode of failure over two keys, each cell against the word of a formula.
+struct MapStudy : Study {
+  std::array<std::string, 2> keys;
+  std::array<std::vector<double>, 2> values;
+  bool operator==(const MapStudy&) const = default;
+};
+
+struct Studies {
+  std::vector<LimitStudy> limits;
+  std::vector<OrderStudy> orders;
+  std::vector<MapStudy> maps;
+  bool operator==(const Studies&) const = default;
+};
+
+/// A ring of equal voussoirs; the scene's blocks hold them too.
+struct Arch {
+  std::string name;
+  Point centre_m = Point::Zero();
+  double mean_radius_m = 0;
+  double thickness_m = 0;
+  double embrace_deg = 180;  ///< of the whole ring, its crown being above the centre
+  int voussoirs = 0;
+  bool operator==(const Arch&) const = default;
+};
+
 struct Scene {
   std::filesystem::path file;
   std::string title;
   std::string note;  ///< provenance: what is published, what reconstructed
   std::vector<Material> materials;
   std::vector<Block> blocks;
+  std::vector<Arch> arches;  ///< that some of the blocks form
   JointLaw default_joint;
   std::vector<Joint> joints;  ///< pairs that are not listed follow default_joint
   std::vector<Support> supports;
@@ -256,6 +319,7 @@ struct Scene {
   Output output;
   std::vector<Expectation> expectations;
   std::vector<Variant> variants;
+  Studies studies;
   std::string text;    ///< the file as read, overrides applied: what the digest covers
   std::string digest;  ///< 16 hexadecimal digits
   bool operator==(const Scene&) const = default;

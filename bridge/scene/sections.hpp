@@ -52,8 +52,17 @@ void read_heading(Reading& reading);
 void read_analysis(Reading& reading);
 void read_materials(Reading& reading);
 void read_default_joint(Reading& reading);
+/// Takes up a block that is sound but for its name, which has to be its own.
+void add_block(Reading& reading, const Place& place, Block block);
+/// Reports what has not exactly one of value, word and formula.
+void require_one_answer(TableReader& table, Reading& reading);
+
 /// [section] with its regions, cuts and joint sets: adds the blocks and the joints that they make.
 void read_section(Reading& reading);
+/// [[arch]], [[wall]] and [[heap]] make ordinary blocks.
+void read_arches(Reading& reading);
+void read_walls(Reading& reading);
+void read_heaps(Reading& reading);
 void read_blocks(Reading& reading);
 void read_joints(Reading& reading);
 void read_supports(Reading& reading);
@@ -70,6 +79,8 @@ void read_coupling(Reading& reading);
 void read_output(Reading& reading);
 void read_expectations(Reading& reading);
 void read_variants(Reading& reading);
+/// [[limit]], [[order]] and [[map]].
+void read_studies(Reading& reading);
 /// After all others.
 void reject_unknown_sections(Reading& reading);
 

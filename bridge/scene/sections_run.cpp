@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bridge/scene/outline.hpp"
 #include "bridge/scene/sections.hpp"
@@ -58,6 +59,8 @@ void read_analysis(Reading& reading) {
   table.number("step_s", a.step_s, positive());
   table.number("max_displacement_ratio", a.max_displacement_ratio, positive());
   table.number("gravity_m_per_s2", a.gravity_m_per_s2, not_negative());
+  table.number("gravity_tilt_deg", a.gravity_tilt_deg,
+               {[](double tilt) { return std::abs(tilt) <= 90; }, "an angle from -90 to 90 degrees"});
   table.number("mass_damping_per_s", a.mass_damping_per_s, not_negative());
   table.number("rest_speed_m_per_s", a.rest_speed_m_per_s, positive());
   table.number("failure_displacement_m", a.failure_displacement_m, positive());
@@ -112,28 +115,37 @@ void read_output(Reading& reading) {
   table.flag("reservoir", reading.scene.output.reservoir);
 }
 
+void require_one_answer(TableReader& table, Reading& reading) {
+  std::vector<std::string> given;
+  for (const char* answer : {"value", "word", "formula"}) {
+    if (table.has(answer)) given.emplace_back(answer);
+  }
+  if (given.size() == 1) return;
+  reading.problems.error(table.place(),
+                         fmt::format("{} has {}", table.name(),
+                                     given.empty() ? "no answer" : fmt::format("both {} and {}", given[0], given[1])),
+                         "exactly one of value, word and formula",
+                         "give a number or a word, or the name of the formula that yields it");
+}
+
 void read_expectations(Reading& reading) {
   Names named("block, joint or bolt");
   for (const Block& block : reading.scene.blocks) named.add(block.name);
   for (const Joint& joint : reading.scene.joints) named.add(joint.name);
   for (const Bolt& bolt : reading.scene.bolts) named.add(bolt.name);
+  for (const Arch& arch : reading.scene.arches) named.add(arch.name);
   reading.each("expect", [&](TableReader& table) {
     Expectation e;
     table.text("quantity", e.quantity, true);
     table.number("value", e.value);
+    table.text("word", e.word);
     table.text("formula", e.formula);
     table.text("of", e.of);
     read_point(table, reading, e);
     table.number("tolerance", e.tolerance, positive());
     table.text("source", e.source);
     if (table.has("of") && !e.of.empty()) static_cast<void>(table.reference("of", named));
-    if (table.has("value") == table.has("formula")) {
-      reading.problems.error(table.place(),
-                             fmt::format("{} has {} value {} formula", table.name(), e.value ? "both" : "neither",
-                                         e.value ? "and" : "nor"),
-                             "exactly one of value and formula",
-                             "give a number, or the name of the formula that yields it");
-    }
+    require_one_answer(table, reading);
     reading.scene.expectations.push_back(std::move(e));
   });
 }

@@ -49,14 +49,18 @@ void read_block(TableReader& table, Reading& reading) {
                  : block.rigid ? "rigid"
                                : nullptr,
                  block.vertices, block.mesh_size_m);
-  if (!reading.blocks.add(block.name) && !block.name.empty()) {
-    reading.problems.error(table.place("name"), fmt::format("a second block is called \"{}\"", block.name),
-                           "names that differ", "rename one of them");
-  }
-  reading.scene.blocks.push_back(std::move(block));
+  add_block(reading, table.place("name"), std::move(block));
 }
 
 }  // namespace
+
+void add_block(Reading& reading, const Place& place, Block block) {
+  if (!reading.blocks.add(block.name) && !block.name.empty()) {
+    reading.problems.error(place, fmt::format("a second block is called \"{}\"", block.name), "names that differ",
+                           "rename one of them");
+  }
+  reading.scene.blocks.push_back(std::move(block));
+}
 
 void read_materials(Reading& reading) {
   Problems& problems = reading.problems;
@@ -90,7 +94,10 @@ void read_materials(Reading& reading) {
 
 void read_blocks(Reading& reading) {
   reading.each("block", [&](TableReader& table) { read_block(table, reading); });
-  if (!reading.scene.blocks.empty() || reading.file.contains("block") || reading.file.contains("section")) return;
+  if (!reading.scene.blocks.empty()) return;
+  for (const char* source : {"block", "section", "arch", "wall", "heap"}) {
+    if (reading.file.contains(source)) return;
+  }
   reading.problems.error(reading.problems.at(0), "the scene has no block",
                          "[[block]] with name, material and vertices_m, or a [section] to be cut",
                          "add the blocks of the structure");

@@ -83,6 +83,10 @@ void read_water(Reading& reading) {
     reading.problems.error(table.place(), "[water] has no level", "upstream_level_m, downstream_level_m or both",
                            "state a level, or leave [water] out");
   }
+  if (reading.scene.analysis.gravity_tilt_deg != 0) {
+    reading.problems.error(table.place(), "[water] in a scene whose gravity is tilted", "gravity along the y axis",
+                           "set gravity_tilt_deg = 0 in [analysis] and turn the blocks instead");
+  }
   check_level(table, reading, "upstream_level_m", w.upstream_level_m);
   check_level(table, reading, "downstream_level_m", w.downstream_level_m);
 }

@@ -121,6 +121,20 @@ bool TableReader::number(const char* key, std::optional<double>& into, const Ran
   return true;
 }
 
+bool TableReader::numbers(const char* key, std::vector<double>& into, const Range& range, std::size_t least) {
+  const std::string words = fmt::format("a list of at least {}, each {}", least, range.words);
+  const toml::node* node = ask(key, true, words);
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() < least) return wrong(key, *node, words);
+  for (const auto& entry : *list) {
+    const auto value = finite_number(entry);
+    if (!value || !range.holds(*value)) return wrong(key, entry, range.words);
+    into.push_back(*value);
+  }
+  return true;
+}
+
 bool TableReader::integer(const char* key, int& into, int least) {
   constexpr int most = 1'000'000;
   const std::string words = fmt::format("a whole number from {} to {}", least, most);

@@ -44,6 +44,8 @@ class TableReader {
 
   bool number(const char* key, double& into, const Range& range = any_number(), bool required = false);
   bool number(const char* key, std::optional<double>& into, const Range& range = any_number());
+  /// At least `least` numbers, required.
+  bool numbers(const char* key, std::vector<double>& into, const Range& range = any_number(), std::size_t least = 1);
   bool integer(const char* key, int& into, int least);
   bool flag(const char* key, bool& into);
   bool text(const char* key, std::string& into, bool required = false);

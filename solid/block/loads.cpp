@@ -37,7 +37,7 @@ Panel panel_between(const Block& block, int index, const Point& from, const Poin
 Loads::Loads(const scene::Scene& scene, const Parts& parts) : parts_(parts), scene_(scene), base_(scene) {
   for (const Block& block : parts.blocks) {
     constant_.emplace_back(Vector6::Zero());
-    constant_.back()[1] = -block.mass_per_m() * scene.analysis.gravity_m_per_s2;
+    constant_.back().head<2>() = block.mass_per_m() * scene.analysis.gravity();
     constant_.back().tail<3>() = -block.area * block.initial_stress;
   }
   for (const auto& load : scene.point_loads) {

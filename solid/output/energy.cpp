@@ -16,7 +16,7 @@ Energy energy_of(const Solid& solid) {
     sum.kinetic += velocity.dot(block.mass * velocity) / 2;
     sum.strain += s.displacement.dot(block.stiffness * s.displacement) / 2 +
                   block.area * block.initial_stress.dot(s.displacement.tail<3>());
-    sum.potential += block.mass_per_m() * solid.scene().analysis.gravity_m_per_s2 * s.displacement[1];
+    sum.potential -= block.mass_per_m() * solid.scene().analysis.gravity().dot(s.displacement.head<2>());
   }
   for (const StrainCoupling& c : solid.parts().couplings) {
     const auto strain = [&](int t) { return solid.states()[static_cast<std::size_t>(t)].displacement.tail<3>(); };

@@ -126,18 +126,37 @@ scene::JointTrace FailureWatch::joint_trace(std::size_t a, std::size_t b) const 
   return scene::trace_joint(blocks[a], blocks[b], 1e-6 * solid_.size_m());
 }
 
+/// Farthest that a closed contact of the two has slipped since the block's last rest [m].
+double FailureWatch::slip(std::size_t b, std::size_t other) const {
+  double farthest = 0;
+  for (const ContactPoint& c : solid_.contacts()) {
+    const std::size_t v = at(c.vertex_block);
+    const std::size_t e = at(c.edge_block);
+    if (c.state == ContactState::open || std::minmax(v, e) != std::minmax(b, other)) continue;
+    const auto then = [&](std::size_t block, int part, const Point& X) {
+      const Point& centroid = solid_.blocks()[block].centroid;
+      return Placement(centroid, rest_[block].displacement).position(X + solid_.blocks()[at(part)].centroid - centroid);
+    };
+    const Point foot = c.edge_from + c.anchor * (c.edge_to - c.edge_from);
+    farthest = std::max(farthest, (then(v, c.vertex_part, c.vertex_at) - then(e, c.edge_part, foot)).norm());
+  }
+  return farthest;
+}
+
 Failure FailureWatch::describe(std::size_t b) const {
   Failure failure{.block = static_cast<int>(b), .time_s = rest_[b].time_s, .level_m = rest_[b].level_m, .head_m = nan};
-  const double turned =
-      std::abs(solid_.states()[b].displacement[2] - rest_[b].displacement[2]) * solid_.blocks()[b].radius;
-  const double share =
-      turned / travel(b);  // 0: pure translation; a block that turns about its toe has about 1/2 or more
   const int other = neighbour_left_behind(b);
   if (other < 0) {
     failure.mode = "falling";
     return failure;
   }
-  failure.mode = share < 0.1 ? "sliding" : share > 0.4 ? "overturning" : "sliding and overturning";
+  // Shares of the way: a block that turns about its toe has about 1/2 of it from the turning, one that slides none.
+  constexpr double turns = 0.02;
+  constexpr double slides = 0.002;
+  const double turned = std::abs(solid_.states()[b].displacement[2] - rest_[b].displacement[2]);
+  const bool turning = turned * solid_.blocks()[b].radius > turns * travel(b);
+  const bool sliding = slip(b, at(other)) > slides * travel(b);
+  failure.mode = !turning ? "sliding" : sliding ? "sliding and overturning" : "overturning";
   failure.joint = joint_name(solid_, static_cast<int>(b), other);
   const auto trace = joint_trace(b, at(other));
   if (!trace.pieces.empty()) failure.head_m = failure.level_m - trace.mouth().y();

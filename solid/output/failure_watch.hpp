@@ -5,7 +5,7 @@
 // rest hold it (one contact sticks, another is closed): then it strains under a load that comes fast. A motion that
 // carries a vertex farther than failure_displacement_m without coming to rest in between is a failure: elastic settling
 // and a slip that finds a new equilibrium both come to rest before. The failure began, and the level is read, at the
-// last rest.
+// last rest. A block that turns overturns, one whose contacts slip slides, and it may do both.
 #pragma once
 
 #include "bridge/scene/joint_trace.hpp"
@@ -45,6 +45,7 @@ class FailureWatch {
                           const std::vector<bool>& resting) const;
   [[nodiscard]] std::vector<bool> resting() const;
   [[nodiscard]] double travel(std::size_t block) const;
+  [[nodiscard]] double slip(std::size_t block, std::size_t other) const;
   [[nodiscard]] Failure describe(std::size_t block) const;
   [[nodiscard]] int neighbour_left_behind(std::size_t block) const;
   [[nodiscard]] scene::JointTrace joint_trace(std::size_t a, std::size_t b) const;

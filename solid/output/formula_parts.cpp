@@ -72,6 +72,7 @@ PlaneJoint plane_joint(const Scene& s, const std::string& name) {
       plane.dip = std::min(plane.dip, std::atan2(-d.y(), d.x()));
     }
   }
+  plane.dip += s.analysis.gravity_tilt_deg * std::numbers::pi / 180;
   return plane;
 }
 

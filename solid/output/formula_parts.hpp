@@ -29,7 +29,7 @@ double height(const scene::Block& b);
 
 /// A block on a plane joint: what limit equilibrium needs.
 struct PlaneJoint {
-  double dip = 0;       ///< rad, positive downwards to the downstream side
+  double dip = 0;       ///< rad against the level, positive downwards to the downstream side
   double length = 0;    ///< m along the trace
   double weight = 0;    ///< of the block above
   double friction = 0;  ///< tan(phi)

@@ -5,10 +5,11 @@
 namespace blockweir::solid::output {
 namespace {
 
+/// Its part along the y axis, against which a reaction stands.
 double weight_of_all(const Scene& s, const std::string&) {
   double sum = 0;
   for (const auto& block : s.blocks) sum += block.fixed ? 0 : weight(s, block);
-  return sum;
+  return sum * -s.analysis.gravity().normalized().y();
 }
 
 /// -rho g h/2

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "solid/output/quantity_parts.hpp"
-
 #include "solid/output/point_figures.hpp"
+#include "solid/output/quantity_parts.hpp"
 
 namespace blockweir::solid::output {
 namespace {

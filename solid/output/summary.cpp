@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "solid/output/formulas.hpp"
+#include "solid/output/words.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -79,22 +80,40 @@ json skips(const Outcome& o) {
   return list;
 }
 
+json number_check(const Outcome& outcome, const scene::Expectation& e) {
+  const double got = quantity(outcome, e);
+  if (!e.word.empty()) throw std::runtime_error(fmt::format("{} is a number, and the answer a word", e.quantity));
+  const double expected = e.value ? *e.value : formula(outcome.solid.scene(), e);
+  const double error = expected == 0 ? std::abs(got) : std::abs(got / expected - 1);
+  return {{"expected", expected},
+          {"got", got},
+          {"relative_error", error},
+          {"tolerance", e.tolerance},
+          {"passed", error <= e.tolerance}};
+}
+
+/// Right or wrong: a word has no error between.
+json word_check(const Outcome& outcome, const scene::Expectation& e) {
+  const std::string got = word(outcome, e);
+  if (e.value) throw std::runtime_error(fmt::format("{} is a word, and the answer a number", e.quantity));
+  const std::string expected = e.word.empty() ? word_formula(outcome.solid.scene(), e) : e.word;
+  return {{"expected", expected},
+          {"got", got},
+          {"relative_error", got == expected ? 0.0 : 1.0},
+          {"tolerance", 0.0},
+          {"passed", got == expected}};
+}
+
 }  // namespace
 
 json checks(const Outcome& outcome) {
   json list = json::array();
   for (const scene::Expectation& e : outcome.solid.scene().expectations) {
-    const double got = quantity(outcome, e);
-    const double expected = e.value ? *e.value : formula(outcome.solid.scene(), e);
-    const double error = expected == 0 ? std::abs(got) : std::abs(got / expected - 1);
-    list.push_back({{"name", e.of.empty() ? e.quantity : e.quantity + " of " + e.of},
-                    {"expected", expected},
-                    {"got", got},
-                    {"relative_error", error},
-                    {"tolerance", e.tolerance},
-                    {"passed", error <= e.tolerance},
-                    {"formula", e.formula},
-                    {"source", e.source}});
+    json check = is_word(e.quantity) ? word_check(outcome, e) : number_check(outcome, e);
+    check["name"] = e.of.empty() ? e.quantity : e.quantity + " of " + e.of;
+    check["formula"] = e.formula;
+    check["source"] = e.source;
+    list.push_back(std::move(check));
   }
   return list;
 }

@@ -165,7 +165,7 @@ TEST(SceneKeys, ASceneWithoutBlocksOrMaterialsIsRefused) {
 }
 
 TEST(SceneKeys, ExpectationsHaveExactlyOneFigure) {
-  expect_error(with("value = 1.0\n", ""), 52, {"[[expect]] has neither value nor formula", "exactly one"});
+  expect_error(with("value = 1.0\n", ""), 52, {"[[expect]] has no answer", "exactly one of value, word and formula"});
   expect_error(with("value = 1.0", "value = 1.0\nformula = \"f\""), 52, {"[[expect]] has both value and formula"});
 }
 

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/launch/study.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cctype>
+
+#include "bridge/launch/figure.hpp"
+#include "bridge/launch/gnuplot.hpp"
+#include "bridge/launch/run.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/scene/nearest.hpp"
+#include "bridge/scene/read.hpp"
+
+namespace blockweir::launch {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The scene's [[expect]] replaced by this one; texts in JSON's quotes are texts in TOML's.
+std::string only_expectation(const scene::Expectation& e) {
+  std::string entry = fmt::format("quantity={}", json(e.quantity).dump());
+  if (e.value) entry += fmt::format(",value={}", *e.value);
+  for (const auto& [key, text] : {std::pair{"word", e.word}, {"formula", e.formula}, {"of", e.of}}) {
+    if (!text.empty()) entry += fmt::format(",{}={}", key, json(text).dump());
+  }
+  return "expect=[{" + entry + "}]";
+}
+
+Settings joined(Settings first, const Settings& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// A study's name as that of a file.
+std::string file_name(std::string name) {
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+  }
+  return name;
+}
+
+StudyTask chosen(const std::vector<StudyTask>& tasks, const std::string& name) {
+  std::vector<std::string> names;
+  for (const StudyTask& task : tasks) {
+    if (task.name == name) return task;
+    names.push_back(task.name);
+  }
+  const std::string near = scene::nearest(name, names);
+  throw std::invalid_argument(fmt::format("the scene has no study \"{}\"; it has {}{}", name,
+                                          names.empty() ? "none" : scene::one_of(names),
+                                          near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
+}
+
+}  // namespace
+
+StudyRuns::StudyRuns(fs::path scene, Settings overrides, Listener heard)
+    : scene_(std::move(scene)), overrides_(std::move(overrides)), heard_(std::move(heard)) {}
+
+json StudyRuns::run(const Settings& settings, const scene::Expectation& expected) {
+  Settings all = joined(overrides_, settings);
+  all.push_back(only_expectation(expected));
+  const RunResult result =
+      launch::run({.scene = scene_, .out = scratch_.path() / "run", .overrides = std::move(all), .quiet = true});
+  if (result.exit_code == 130) throw Interrupted();
+  if (result.exit_code != 0) throw std::runtime_error(fmt::format("{}: {}", fmt::join(settings, ", "), result.trouble));
+  wall_time_s_ += result.summary["wall_time_s"].get<double>();
+  heard_(fmt::format("{}", fmt::join(settings, ", ")), outcome_word(result.summary));
+  return result.summary;
+}
+
+std::string outcome_word(const json& summary) {
+  const std::string outcome = summary.value("outcome", "stopped");
+  return outcome == "fails" ? summary["failure"]["mode"].get<std::string>() : outcome;
+}
+
+std::string setting(const std::string& key, double value) {
+  return fmt::format("{}={}", key, value);
+}
+
+std::vector<StudyTask> study_tasks(const fs::path& scene, const Settings& overrides) {
+  const scene::Studies studies = scene::read(scene, overrides).scene.studies;
+  std::vector<StudyTask> tasks;
+  for (const auto& limit : studies.limits) tasks.push_back(limit_task(limit));
+  for (const auto& order : studies.orders) tasks.push_back(order_task(order));
+  for (const auto& map : studies.maps) tasks.push_back(map_task(map));
+  for (const StudyTask& task : tasks) {
+    for (const Settings& extreme : task.extremes) scene::read(scene, joined(joined(task.set, overrides), extreme));
+  }
+  return tasks;
+}
+
+StudyResult go(const StudyTask& task, const fs::path& scene, const Settings& overrides,
+               const StudyRuns::Listener& heard) {
+  StudyRuns runs(scene, joined(task.set, overrides), heard);
+  StudyResult result;
+  try {
+    result = task.go(runs);
+  } catch (const std::runtime_error& error) {
+    result.check = {
+        {"name", "none"},       {"expected", nullptr}, {"got", nullptr},         {"relative_error", nullptr},
+        {"tolerance", nullptr}, {"passed", false},     {"trouble", error.what()}};
+  }
+  result.check["wall_time_s"] = runs.wall_time_s();
+  return result;
+}
+
+int study(const StudyOptions& options) {
+  std::vector<StudyTask> tasks = study_tasks(options.scene, options.overrides);
+  if (!options.name.empty()) tasks = {chosen(tasks, options.name)};
+  if (tasks.empty()) throw std::invalid_argument("the scene has no study: [[limit]], [[order]] or [[map]]");
+  if (!options.out.empty()) results::make_folder(options.out);
+  bool sound = true;
+  for (const StudyTask& task : tasks) {
+    int count = 0;
+    const auto tell = [&](const std::string& settings, const std::string& outcome) {
+      fmt::print(stderr, "{}, run {}: {}: {}\n", task.name, ++count, settings, outcome);
+    };
+    StudyResult result;
+    try {
+      result = go(task, options.scene, options.overrides, tell);
+    } catch (const Interrupted&) {
+      fmt::print(stderr, "stopped on request\n");
+      return 130;
+    }
+    fmt::print("{}\n{}", task.name, result.text);
+    const bool passed = result.check["passed"].get<bool>();
+    sound = sound && passed;
+    if (result.check.contains("trouble")) {
+      fmt::print("STOPPED {}\n", result.check["trouble"].get<std::string>());
+      continue;
+    }
+    fmt::print("{} {}: expected {}, got {}, off by {} (tolerance {})\n", passed ? "ok " : "OUT",
+               result.check["name"].get<std::string>(), figure(result.check["expected"]), figure(result.check["got"]),
+               figure(result.check["relative_error"]), figure(result.check["tolerance"]));
+    if (options.out.empty()) continue;
+    const fs::path file = options.out / file_name(task.name);
+    const json table = {{"name", task.name}, {"check", result.check}, {"runs", result.runs}};
+    results::replace_file(file.string() + ".json", table.dump(2) + "\n");
+    gnuplot(fmt::format("set terminal pngcairo font 'sans,12' size 800,600\nset output {}\nset title {}\n{}",
+                        gnuplot_path(file.string() + ".png"), gnuplot_text(task.name), result.figure));
+    fmt::print("{0}.json\n{0}.png\n", file.string());
+  }
+  return sound ? 0 : 1;
+}
+
+}  // namespace blockweir::launch

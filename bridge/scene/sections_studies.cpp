@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Studies: which runs of the scene are to be made, and what is to come out.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bridge/scene/sections.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+/// Studies of all kinds by their names, and what `of` may name.
+struct Known {
+  Names studies{"study"};
+  Names parts{"block, joint or arch"};
+};
+
+/// What all kinds have in common; the quantity is that of the kind.
+void read_study(TableReader& table, Reading& reading, Known& known, Study& study) {
+  Expectation& e = study.expected;
+  table.text("name", study.name, true);
+  if (table.has("set")) table.texts("set", study.set);
+  table.text("formula", e.formula);
+  table.text("of", e.of);
+  table.text("source", e.source);
+  if (table.has("of") && !e.of.empty()) static_cast<void>(table.reference("of", known.parts));
+  if (!study.name.empty() && !known.studies.add(study.name)) {
+    reading.problems.error(table.place("name"), fmt::format("a second study is called \"{}\"", study.name),
+                           "names that differ", "rename one of them");
+  }
+}
+
+void read_limit(TableReader& table, Reading& reading, Known& known) {
+  LimitStudy study;
+  read_study(table, reading, known, study);
+  table.text("key", study.key, true);
+  table.text("outcome", study.outcome);
+  table.number("value", study.expected.value);
+  require_one_answer(table, reading);
+  table.number("tolerance", study.expected.tolerance, positive());
+  study.width = study.expected.tolerance / 4;
+  table.number("width", study.width, positive());
+  const bool both =
+      table.number("from", study.from, any_number(), true) & table.number("to", study.to, any_number(), true);
+  if (both && study.from == study.to) {
+    reading.problems.error(table.place("to"),
+                           fmt::format("{} looks for a limit from {} to {}", table.name(), study.from, study.to),
+                           "two values, with the limit between them", "move one of them");
+  }
+  reading.scene.studies.limits.push_back(std::move(study));
+}
+
+void read_order(TableReader& table, Reading& reading, Known& known) {
+  OrderStudy study;
+  read_study(table, reading, known, study);
+  table.text("key", study.key, true);
+  table.numbers("values", study.values, positive(), 3);
+  table.text("quantity", study.expected.quantity, true);
+  table.number("value", study.expected.value);
+  require_one_answer(table, reading);
+  table.number("order", study.order, any_number(), true);
+  table.number("tolerance", study.order_tolerance, positive());
+  reading.scene.studies.orders.push_back(std::move(study));
+}
+
+void read_map(TableReader& table, Reading& reading, Known& known) {
+  MapStudy study;
+  read_study(table, reading, known, study);
+  study.expected.quantity = "mode";
+  table.text("x_key", study.keys[0], true);
+  table.numbers("x_values", study.values[0]);
+  table.text("y_key", study.keys[1], true);
+  table.numbers("y_values", study.values[1]);
+  require_one_answer(table, reading);
+  reading.scene.studies.maps.push_back(std::move(study));
+}
+
+}  // namespace
+
+void read_studies(Reading& reading) {
+  Known known;
+  for (const Block& block : reading.scene.blocks) known.parts.add(block.name);
+  for (const Joint& joint : reading.scene.joints) known.parts.add(joint.name);
+  for (const Arch& arch : reading.scene.arches) known.parts.add(arch.name);
+  reading.each("limit", [&](TableReader& table) { read_limit(table, reading, known); });
+  reading.each("order", [&](TableReader& table) { read_order(table, reading, known); });
+  reading.each("map", [&](TableReader& table) { read_map(table, reading, known); });
+}
+
+}  // namespace blockweir::scene

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bridge/scene/polygon.hpp"
+#include "solid/output/formula_parts.hpp"
+#include "solid/output/quantity_parts.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+std::string mode(const Outcome& o, const std::string& of) {
+  const auto& failures = o.failure.failures();
+  const auto found = std::find_if(failures.begin(), failures.end(), [&](const Failure& f) {
+    return of.empty() || static_cast<std::size_t>(f.block) == block_index(o.solid, of);
+  });
+  return found == failures.end() ? "stands" : found->mode;
+}
+
+/// A rectangular block of breadth over height r on a plane of dip a, from rest. It slides as a whole where friction is
+/// below both tan(a) and r: T = N tan(phi) then has its resultant within the base. Else it turns where r < tan(a), with
+/// q = 0.75 (sin a - r cos a)/(1 + r^2) its angular acceleration times h/2g, and on its toe T/N = (sin a - q)/(cos a +
+/// r q): beyond tan(phi) the toe slips too.
+std::string slide_or_topple(const scene::Scene& scene, const std::string& of) {
+  const PlaneJoint p = plane_joint(scene, of);
+  const double r = p.length * p.length / scene::signed_area(p.upper->vertices);
+  if (std::tan(p.dip) > p.friction && r >= p.friction) return "sliding";
+  if (r >= std::tan(p.dip)) return "stands";
+  const double q = 0.75 * (std::sin(p.dip) - r * std::cos(p.dip)) / (1 + r * r);
+  const double shear_per_normal = (std::sin(p.dip) - q) / (std::cos(p.dip) + r * q);
+  return shear_per_normal <= p.friction ? "overturning" : "sliding and overturning";
+}
+
+}  // namespace
+
+bool is_word(const std::string& quantity) {
+  return quantity == "mode";
+}
+
+std::string word(const Outcome& outcome, const scene::Expectation& expectation) {
+  return mode(outcome, expectation.of);
+}
+
+std::string word_formula(const scene::Scene& scene, const scene::Expectation& expectation) {
+  if (expectation.formula == "slide-or-topple") return slide_or_topple(scene, expectation.of);
+  throw std::runtime_error(fmt::format("no formula for a mode of failure is called \"{}\"", expectation.formula));
+}
+
+}  // namespace blockweir::solid::output

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figures of a finished run that are words: how a block fails, and how a formula says that it does.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solid/output/quantities.hpp"
+
+namespace blockweir::solid::output {
+
+/// Is this quantity a word and no number?
+bool is_word(const std::string& quantity);
+
+/// "mode": how the block (of a joint: the upper one) fails, or the first that does where none is named; "stands".
+std::string word(const Outcome& outcome, const scene::Expectation& expectation);
+
+/// The word of `expectation.formula` for this scene. Throws std::runtime_error when there is no such formula, or the
+/// scene has not what it speaks of.
+std::string word_formula(const scene::Scene& scene, const scene::Expectation& expectation);
+
+}  // namespace blockweir::solid::output
