@@ -71,6 +71,7 @@ void read_map(TableReader& table, Reading& reading, Known& known) {
   table.numbers("x_values", study.values[0]);
   table.text("y_key", study.keys[1], true);
   table.numbers("y_values", study.values[1]);
+  table.text("word", study.expected.word);
   require_one_answer(table, reading);
   reading.scene.studies.maps.push_back(std::move(study));
 }

@@ -16,7 +16,9 @@ std::size_t at(int i) {
 }
 
 double largest(const scene::TimeTable& course) {
-  return std::max(std::abs(course.largest()), std::abs(course.smallest()));
+  double size = 0;
+  for (const double value : course.value) size = std::max(size, std::abs(value));
+  return size + (course.sine ? std::abs(course.sine->amplitude) : 0);
 }
 
 /// Sum of the largest forces that the scene itself puts on a block, weight among them. Water comes on top.
@@ -67,6 +69,8 @@ bool bolted(const scene::Scene& scene, int block) {
 bool must_strain(const Block& block) {
   return block.meshed || !block.initial_stress.isZero(0);
 }
+
+}  // namespace
 
 std::vector<bool> rigid_blocks(const scene::Scene& scene, const std::vector<Block>& blocks,
                                const std::vector<ContactPoint>& contacts) {

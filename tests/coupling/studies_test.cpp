@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// Studies with the real programs: a limit, an order and a map, right ones and wrong ones.
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Studies : public Processes {
+ protected:
+  /// A small block on a plane, gravity tilted, with a study.
+  void write_scene(const std::string& study) const {
+    std::ofstream(folder / "scene.toml") << R"([analysis]
+duration_s = 0.3
+step_s = 0.01
+gravity_tilt_deg = 20
+failure_displacement_m = 0.002
+stop_at_failure = true
+[material.rock]
+youngs_modulus_pa = 50e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2500
+[joint]
+friction_angle_deg = 30
+[[block]]
+name = "plane"
+material = "rock"
+fixed = true
+vertices_m = [[-2, -1], [6, -1], [6, 0], [-2, 0]]
+[[wall]]
+name = "b"
+material = "rock"
+rows = 1
+columns = 1
+brick_length_m = 1.0
+brick_height_m = 0.5
+[[joints]]
+name = "base"
+between = ["plane", "b1-1"]
+)" << study;
+  }
+  [[nodiscard]] int study() const { return shell(programs + "/blockweir study scene.toml --out s"); }
+  [[nodiscard]] nlohmann::json result(const std::string& name) const {
+    return nlohmann::json::parse(text("s/" + name + ".json"));
+  }
+};
+
+TEST_F(Studies, ALimitIsFoundByBisection) {
+  write_scene(
+      "[[limit]]\nname = 'slope'\nkey = 'analysis.gravity_tilt_deg'\nfrom = 20\nto = 40\nvalue = 30\ntolerance = "
+      "0.02\n");
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_NEAR(result("slope")["check"]["got"].get<double>(), 30, 0.6);
+  EXPECT_GT(fs::file_size(folder / "s/slope.png"), 1000U);
+}
+
+TEST_F(Studies, AWrongLimitIsOutAndOneThatIsNotBracketedSaysSo) {
+  write_scene(
+      "[[limit]]\nname = 'slope'\nkey = 'analysis.gravity_tilt_deg'\nfrom = 20\nto = 40\nvalue = 33\ntolerance = "
+      "0.02\n");
+  EXPECT_EQ(study(), 1);
+  EXPECT_THAT(text("out"), HasSubstr("OUT limit of analysis.gravity_tilt_deg: expected 33"));
+  write_scene("[[limit]]\nname = 'slope'\nkey = 'analysis.gravity_tilt_deg'\nfrom = 10\nto = 20\nvalue = 33\n");
+  EXPECT_EQ(study(), 1);
+  EXPECT_THAT(text("out"),
+              HasSubstr("no limit of analysis.gravity_tilt_deg from 10 to 20: both ends have not the outcome"));
+}
+
+TEST_F(Studies, AnOrderIsTheSlopeOfTheErrors) {
+  // Sliding with drag: a/alpha (t - (1 - exp(-alpha t))/alpha), which Shi's scheme meets to first order.
+  write_scene(
+      "[[order]]\nname = 'fall'\nset = ['joint.friction_angle_deg=5', 'analysis.stop_at_failure=false', "
+      "'analysis.mass_damping_per_s=5', 'analysis.max_displacement_ratio=1', 'analysis.rigid=all']\n"
+      "key = 'analysis.step_s'\nvalues = [0.0025, 0.005, 0.01, 0.02]\n"
+      "quantity = 'displacement_m'\nof = 'b1-1'\nvalue = 0.0737220628028\norder = 1\ntolerance = 0.1\n");
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_EQ(result("fall")["runs"].size(), 4U);
+}
+
+TEST_F(Studies, AMapCountsItsWrongCells) {
+  const std::string map =
+      "[[map]]\nname = 'modes'\nx_key = 'analysis.gravity_tilt_deg'\nx_values = [20, 40]\n"
+      "y_key = 'wall.b.brick_length_m'\ny_values = [0.1, 1.0]\n";
+  write_scene(map + "formula = 'slide-or-topple'\nof = 'base'\n");
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_EQ(result("modes")["runs"].size(), 4U);
+  write_scene(map + "word = 'stands'\n");
+  EXPECT_EQ(study(), 1);
+  EXPECT_THAT(text("out"), HasSubstr("OUT wrong of 4 cells: expected 0, got 3"));
+}
+
+TEST_F(Studies, OneThatIsNotThereIsNamed) {
+  write_scene("");
+  EXPECT_EQ(shell(programs + "/blockweir study scene.toml"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("the scene has no study"));
+}
+
+}  // namespace
+}  // namespace blockweir::test

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_scene
+// Studies in a scene: what they say, and each message about what is wrong in them.
+#include <gtest/gtest.h>
+
+#include "tests/unit/scene_sample.hpp"
+
+namespace {
+
+using blockweir::scene::sample::errors;
+using blockweir::scene::sample::text;
+
+std::string with_study(const std::string& study) {
+  return text + study;
+}
+
+/// One error and no other, with these words in it.
+void expect_some_error(const std::string& scene, const std::vector<std::string>& words) {
+  const auto found = errors(scene);
+  ASSERT_THAT(found, testing::SizeIs(1));
+  for (const std::string& word : words) EXPECT_THAT(found[0], testing::HasSubstr(word));
+}
+
+TEST(SceneStudies, ThreeKindsAreRead) {
+  const auto scene =
+      blockweir::scene::read_text(
+          with_study(
+              "[[limit]]\nname = 'l'\nkey = 'a.b'\nfrom = 1\nto = 2\nvalue = 1.5\ntolerance = 0.01\n"
+              "[[order]]\nname = 'o'\nkey = 'a.b'\nvalues = [1, 2, 4]\nquantity = 'q'\nvalue = 0\norder = 2\n"
+              "[[map]]\nname = 'm'\nx_key = 'a'\nx_values = [1]\ny_key = 'b'\ny_values = [1, 2]\nword = 'stands'\n"),
+          "s.toml")
+          .scene;
+  ASSERT_EQ(scene.studies.limits.size(), 1U);
+  EXPECT_EQ(scene.studies.limits[0].width, 0.0025);
+  EXPECT_EQ(scene.studies.limits[0].outcome, "fails");
+  ASSERT_EQ(scene.studies.orders.size(), 1U);
+  EXPECT_EQ(scene.studies.orders[0].values.size(), 3U);
+  ASSERT_EQ(scene.studies.maps.size(), 1U);
+  EXPECT_EQ(scene.studies.maps[0].expected.word, "stands");
+}
+
+TEST(SceneStudies, AnAnswerIsStatedOnce) {
+  const std::string limit = "[[limit]]\nname = 'l'\nkey = 'a'\nfrom = 1\nto = 2\n";
+  expect_some_error(with_study(limit), {"[[limit]] \"l\" has no answer", "exactly one of value, word and formula"});
+  expect_some_error(with_study(limit + "value = 1\nformula = 'f'\n"), {"has both value and formula"});
+}
+
+TEST(SceneStudies, ALimitNeedsTwoEnds) {
+  expect_some_error(with_study("[[limit]]\nname = 'l'\nkey = 'a'\nfrom = 1\nto = 1\nvalue = 1\n"),
+                    {"looks for a limit from 1 to 1", "move one of them"});
+  expect_some_error(with_study("[[limit]]\nname = 'l'\nkey = 'a'\nfrom = 1\nvalue = 1\n"), {"has no \"to\""});
+}
+
+TEST(SceneStudies, AnOrderNeedsThreeValues) {
+  expect_some_error(
+      with_study("[[order]]\nname = 'o'\nkey = 'a'\nvalues = [1, 2]\nquantity = 'q'\nvalue = 0\norder = 1\n"),
+      {"expected a list of at least 3"});
+}
+
+TEST(SceneStudies, NamesDifferAndPartsExist) {
+  const std::string limit = "[[limit]]\nname = 'l'\nkey = 'a'\nfrom = 1\nto = 2\nvalue = 1\n";
+  expect_some_error(with_study(limit + limit), {"a second study is called \"l\"", "rename one of them"});
+  expect_some_error(with_study(limit + "of = 'nobody'\n"), {"names no block, joint or arch: \"nobody\""});
+}
+
+}  // namespace
