@@ -48,8 +48,8 @@ int compare(const CompareOptions& options) {
   const TemporaryFolder scratch;
   json rows = json::array();
   bool sound = true;
-  fmt::print("{:<20} {:<21} {:<28} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8}\n", "case", "formulation", "quantity",
-             "error", "penetration", "condition", "systems", "steps", "time s");
+  fmt::print("{:<20} {:<21} {:<28} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8} {:>8}\n", "case", "formulation", "quantity",
+             "error", "penetration", "condition", "systems", "steps", "retried", "time s");
   for (const fs::path& scene : chosen(options)) {
     for (const char* formulation : formulations) {
       RunOptions one{.scene = scene, .out = scratch.path() / "run", .overrides = options.overrides, .quiet = true};
@@ -63,11 +63,11 @@ int compare(const CompareOptions& options) {
         continue;
       }
       for (const json& check : s["checks"]) {
-        fmt::print("{:<20} {:<21} {:<28} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8}\n", name, formulation,
+        fmt::print("{:<20} {:<21} {:<28} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8} {:>8}\n", name, formulation,
                    check["name"].get<std::string>(), number(check["relative_error"], "{:.2e}"),
                    number(s["largest_penetration_m"], "{:.2e}"), number(s["largest_condition_number"], "{:.2e}"),
                    s["counts"]["iterations"].get<long>(), s["counts"]["steps"].get<long>(),
-                   number(s["wall_time_s"], "{:.3g}"));
+                   s["counts"]["softened_steps"].get<long>(), number(s["wall_time_s"], "{:.3g}"));
         std::fflush(stdout);
         rows.push_back({{"case", name},
                         {"formulation", formulation},
@@ -80,6 +80,7 @@ int compare(const CompareOptions& options) {
                         {"iterations", s["counts"]["iterations"]},
                         {"multiplier_sweeps", s["counts"]["multiplier_sweeps"]},
                         {"steps", s["counts"]["steps"]},
+                        {"softened_steps", s["counts"]["softened_steps"]},
                         {"wall_time_s", s["wall_time_s"]}});
       }
     }

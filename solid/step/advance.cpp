@@ -40,8 +40,18 @@ void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water)
 }
 
 /// A large penalty leaves a sticking contact a narrow range of slips, in which Newton's method may jump to and fro
-/// between states; a smaller one takes more sweeps to the same answer.
+/// between states; a smaller one takes more sweeps to the same answer. Where contacts are redundant, the states of
+/// Lagrange multipliers run in circles: the augmented Lagrangian, whose answer is the same, makes such a step.
 bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& water) {
+  if (substitute_) {
+    ++counts_.softened_steps;
+    for (ContactPoint& c : contacts_) c.penalty = 0;
+    for (Support& s : supports_) s.penalty = 0;
+    formulation_.swap(substitute_);
+    const bool solved = attempt(dt, end_s, water);
+    formulation_.swap(substitute_);
+    return solved;
+  }
   const double usual = formulation_->settings().penalty_ratio;
   bool solved = false;
   for (double ratio = usual / 100; !solved && ratio >= usual / 1e6; ratio /= 100) {

@@ -108,6 +108,9 @@ Solid::Solid(const scene::Scene& scene)
   local_.resize(n);
   for (const scene::Bolt& bolt : scene.bolts) bolts_.push_back(make_bolt(bolt, parts_));
   search_.update(start_, contacts_);
+  if (scene.contact.formulation == scene::ContactFormulation::lagrange_multiplier) {
+    substitute_ = make_augmented_lagrangian(laws_, formulation_->settings());
+  }
   bond_touching_contacts();
   const std::vector<bool> rigid = rigid_blocks(scene, blocks_, contacts_);
   for (std::size_t b = 0; b < n; ++b) blocks_[b].rigid = rigid[b];

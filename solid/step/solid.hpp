@@ -163,6 +163,7 @@ class Solid {
   // The step at hand.
   Newmark newmark_;
   std::unique_ptr<Formulation> formulation_;
+  std::unique_ptr<Formulation> substitute_;  ///< for steps that Lagrange multipliers cannot settle
   ContactSearch search_;
   std::vector<bool> frozen_;            ///< fixed, or waiting while others settle
   double end_s_ = 0;                    ///< of the step
