@@ -42,6 +42,18 @@ double overlap(const Point& vertex, const Point& end, const Point& a, const Poin
   return std::max(0.0, std::min(std::max(s0, s1), length) - std::max(std::min(s0, s1), 0.0));
 }
 
+/// Does the outline enclose the point? Edges that cross its height on its right are counted.
+bool encloses(const std::vector<Point>& outline, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point& a = outline[i];
+    const Point& b = outline[next(i, outline.size())];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    if (a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) > p.x()) inside = !inside;
+  }
+  return inside;
+}
+
 }  // namespace
 
 ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m)
@@ -95,6 +107,8 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
   const auto& V = corners_[static_cast<std::size_t>(vertex_block)];
   const auto& E = corners_[static_cast<std::size_t>(edge_block)];
   const Box& zone = boxes_[static_cast<std::size_t>(edge_block)];
+  // Less deep, a vertex that slipped past an acute corner keeps its contact.
+  const double deep = std::max(coincidence_, 1e-3 * (zone.sizes().minCoeff() - reach_));
   for (std::size_t v = 0; v < V.size(); ++v) {
     if (!zone.contains(V[v])) continue;
     const Point& before = V[previous(v, V.size())];
@@ -113,6 +127,7 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       const double s = t.dot(V[v] - a);
       if (std::abs(gap) > reach_ || s < -coincidence_ || s > edge_length + coincidence_) continue;
       if (n.dot(to_before) < -parallel_tolerance || n.dot(to_after) < -parallel_tolerance) continue;
+      if (gap < -deep && !encloses(E, V[v])) continue;  // on the block's far side, not in it
       ContactPoint contact;
       contact.vertex_block = vertex_block;
       contact.vertex = static_cast<int>(v);

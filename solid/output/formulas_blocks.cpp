@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blocks under their own weight.
+#include "bridge/scene/polygon.hpp"
 #include "solid/output/formula_parts.hpp"
 
 namespace blockweir::solid::output {
@@ -10,6 +11,16 @@ double weight_of_all(const Scene& s, const std::string&) {
   double sum = 0;
   for (const auto& block : s.blocks) sum += block.fixed ? 0 : weight(s, block);
   return sum * -s.analysis.gravity().normalized().y();
+}
+
+/// On a level joint: weights of all that can move and lies higher than it, whatever is beside it.
+double weight_above(const Scene& s, const std::string& of) {
+  const double level = plane_joint(s, of).mouth.y();
+  double sum = 0;
+  for (const auto& block : s.blocks) {
+    if (!block.fixed && scene::centroid(block.vertices).y() > level) sum += weight(s, block);
+  }
+  return sum;
 }
 
 /// -rho g h/2
@@ -28,6 +39,7 @@ double own_weight_shortening(const Scene& s, const std::string& of) {
 
 const Formulas& block_formulas() {
   static const Formulas all = {{"weight-of-all", weight_of_all},
+                               {"weight-above", weight_above},
                                {"own-weight-stress", own_weight_stress},
                                {"own-weight-shortening", own_weight_shortening}};
   return all;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blocks on the move.
 #include <cmath>
+#include <numbers>
 
+#include "bridge/scene/polygon.hpp"
 #include "solid/output/formula_parts.hpp"
 
 namespace blockweir::solid::output {
@@ -12,6 +14,24 @@ double incline_displacement(const Scene& s, const std::string& of) {
   const PlaneJoint p = plane_joint(s, of);
   const double t = s.analysis.duration_s;
   return s.analysis.gravity_m_per_s2 * (std::sin(p.dip) - std::cos(p.dip) * p.friction) * t * t / 2;
+}
+
+/// s = (F - N tan phi)/m t^2/2: blocks pushed as one over level ground by constant forces at points, F along it,
+/// against the friction of the joints that have no law of their own; N is their weight, less what the forces lift.
+double pushed_displacement(const Scene& s, const std::string&) {
+  double mass = 0;
+  for (const scene::Block& b : s.blocks) {
+    if (!b.fixed) mass += scene::signed_area(b.vertices) * material_of(s, b).density_kg_per_m3;
+  }
+  double push = 0;
+  double normal = mass * s.analysis.gravity_m_per_s2;
+  for (const scene::PointLoad& load : s.point_loads) {
+    push += load.force_x_n_per_m.at(0);
+    normal -= load.force_y_n_per_m.at(0);
+  }
+  const double friction = std::tan(s.default_joint.friction_angle_deg * std::numbers::pi / 180);
+  const double t = s.analysis.duration_s;
+  return (push - normal * friction) / mass * t * t / 2;
 }
 
 /// A rigid block on the joint's plane while the base moves: g (1 + a_y/g) and -a_x act along and across it, and it
@@ -42,6 +62,7 @@ double shaken_incline_displacement(const Scene& s, const std::string& of) {
 
 const Formulas& motion_formulas() {
   static const Formulas all = {{"incline-displacement", incline_displacement},
+                               {"pushed-displacement", pushed_displacement},
                                {"shaken-incline-displacement", shaken_incline_displacement}};
   return all;
 }

@@ -42,6 +42,18 @@ double reaction(const Outcome& o, const std::string& of) {
   return sum;
 }
 
+/// Sum of the normal forces on a joint of that name.
+double joint_force(const Outcome& o, const std::string& of) {
+  const auto& joints = o.solid.scene().joints;
+  const auto joint = std::find_if(joints.begin(), joints.end(), [&](const scene::Joint& j) { return j.name == of; });
+  if (joint == joints.end()) throw std::runtime_error("[[expect]] of = \"" + of + "\" names no joint");
+  double sum = 0;
+  for (const ContactRow& c : o.last.contacts) {
+    if (c.joint == joint - joints.begin()) sum += c.normal_force_n_per_m;
+  }
+  return sum;
+}
+
 double stress_yy(const Outcome& o, const std::string& of) {
   return o.last.blocks[block_index(o.solid, of)].stress_yy_pa;
 }
@@ -119,6 +131,7 @@ const Quantities& state_quantities() {
                                  {"displacement_m", displacement},
                                  {"acceleration_m_per_s2", acceleration},
                                  {"reaction_n_per_m", reaction},
+                                 {"joint_force_n_per_m", joint_force},
                                  {"stress_yy_pa", stress_yy},
                                  {"shortening_m", shortening},
                                  {"water_force_x_n_per_m", water_force_x},
