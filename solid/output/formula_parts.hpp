@@ -17,6 +17,7 @@ using Formulas = std::map<std::string, double (*)(const Scene&, const std::strin
 const Formulas& block_formulas();     ///< under their own weight
 const Formulas& dam_formulas();       ///< limit equilibrium and pressures of water
 const Formulas& dynamics_formulas();  ///< oscillation, impact, rocking, waves
+const Formulas& masonry_formulas();   ///< arches
 const Formulas& motion_formulas();    ///< sliding
 
 /// Throw std::runtime_error where there is none of that name.

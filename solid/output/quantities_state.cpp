@@ -122,6 +122,35 @@ double bolt_elongation(const Outcome& o, const std::string& of) {
   return bolt_named(o, of).elongation_m;
 }
 
+/// Are two blocks in contact, and at one end of their joint only: within `reach` of one point?
+bool is_hinge(const Outcome& o, const std::string& a, const std::string& b, double reach) {
+  const auto joint =
+      std::minmax({static_cast<int>(block_index(o.solid, a)), static_cast<int>(block_index(o.solid, b))});
+  std::vector<Point> closed;
+  for (const ContactRow& c : o.last.contacts) {
+    if (c.state != 0 && std::minmax({c.vertex_block, c.edge_block}) == joint) closed.push_back(c.point_m);
+  }
+  const auto near = [&](const Point& p) { return (p - closed.front()).norm() < reach; };
+  return !closed.empty() && std::all_of(closed.begin(), closed.end(), near);
+}
+
+/// Joints of an arch, springings included, that bear at one end only.
+double hinges(const Outcome& o, const std::string& of) {
+  const scene::Scene& s = o.solid.scene();
+  const auto arch = std::find_if(s.arches.begin(), s.arches.end(), [&](const auto& a) { return a.name == of; });
+  if (arch == s.arches.end()) throw std::runtime_error("[[expect]] of = \"" + of + "\" names no arch");
+  std::vector<std::string> ring;
+  for (int i = 1; i <= arch->voussoirs; ++i) ring.push_back(of + std::to_string(i));
+  const auto is_block = [&](const std::string& name) {
+    return std::any_of(s.blocks.begin(), s.blocks.end(), [&](const auto& b) { return b.name == name; });
+  };
+  if (is_block(of + "-left")) ring.insert(ring.begin(), of + "-left");
+  if (is_block(of + "-right")) ring.push_back(of + "-right");
+  double count = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i) count += is_hinge(o, ring[i - 1], ring[i], arch->thickness_m / 2);
+  return count;
+}
+
 }  // namespace
 
 const Quantities& state_quantities() {
@@ -144,7 +173,8 @@ const Quantities& state_quantities() {
                                  {"energy_gain", energy_gain},
                                  {"area_error", area_error},
                                  {"bolt_force_n_per_m", bolt_force_now},
-                                 {"bolt_elongation_m", bolt_elongation}};
+                                 {"bolt_elongation_m", bolt_elongation},
+                                 {"hinges", hinges}};
   return all;
 }
 
