@@ -19,6 +19,7 @@ const Formulas& dam_formulas();       ///< limit equilibrium and pressures of wa
 const Formulas& dynamics_formulas();  ///< oscillation, impact, rocking, waves
 const Formulas& masonry_formulas();   ///< arches
 const Formulas& motion_formulas();    ///< sliding
+const Formulas& slope_formulas();     ///< toppling
 
 /// Throw std::runtime_error where there is none of that name.
 const scene::Block& block_named(const Scene& s, const std::string& name);

@@ -14,8 +14,8 @@ namespace {
 const Formulas& formulas() {
   static const Formulas all = [] {
     Formulas sum;
-    for (const Formulas& some :
-         {block_formulas(), dam_formulas(), dynamics_formulas(), masonry_formulas(), motion_formulas()})
+    for (const Formulas& some : {block_formulas(), dam_formulas(), dynamics_formulas(), masonry_formulas(),
+                                 motion_formulas(), slope_formulas()})
       sum.insert(some.begin(), some.end());
     return sum;
   }();
