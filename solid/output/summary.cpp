@@ -71,6 +71,11 @@ json skips(const Outcome& o) {
                             "than 1 % of failure_displacement_m"
                           : "the scene calls them rigid"));
   }
+  if (o.solid.scene().fluid == scene::FluidModel::none) list.push_back("a fluid process: the scene has no water");
+  if (counts.most_islands > 1) {
+    list.push_back(
+        fmt::format("one system of all blocks: up to {} groups in contact were solved apart", counts.most_islands));
+  }
   if (counts.slept_islands > 0) {
     const double each = (profile.assembly + profile.solve) / static_cast<double>(std::max(1L, counts.solved_islands));
     list.push_back(fmt::format("{} of {} solutions of islands that slept, saved about {:.2g} s", counts.slept_islands,

@@ -35,6 +35,7 @@ struct Counts {
   long broad_searches = 0;
   long settling_steps = 0;
   long solved_islands = 0;      ///< summed over steps
+  long most_islands = 0;        ///< at a time
   long slept_islands = 0;       ///< islands that a step left as they were, summed over steps
   double condition_number = 0;  ///< largest of all systems solved, where the scene asks for it
 };

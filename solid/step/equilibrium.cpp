@@ -37,6 +37,7 @@ void Solid::prepare_islands() {
   std::vector<std::size_t> island_of(blocks_.size());
   std::vector<Island> found = find_islands(frozen_, links_, support_blocks, joined);
   if (!scene_.analysis.islands) found = {join(found)};
+  counts_.most_islands = std::max(counts_.most_islands, static_cast<long>(found.size()));
   for (Island& island : found) {
     std::vector<int> counts;
     std::vector<std::array<int, 3>> nodes;
