@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "bridge/launch/figure.hpp"
 #include "bridge/launch/progress.hpp"
 #include "bridge/launch/supervisor.hpp"
 #include "bridge/launch/temporary_folder.hpp"
@@ -164,7 +165,7 @@ std::string report(const RunResult& result) {
   for (const json& check : s.value("checks", json::array())) {
     text += fmt::format("{}  {}: expected {}, got {}, off by {} (tolerance {})\n",
                         check["passed"].get<bool>() ? "ok    " : "OUT   ", check["name"].get<std::string>(),
-                        number(check["expected"]), number(check["got"]), number(check["relative_error"]),
+                        figure(check["expected"]), figure(check["got"]), number(check["relative_error"]),
                         number(check["tolerance"]));
   }
   for (const json& skip : s.value("skips", json::array())) text += fmt::format("skipped {}\n", skip.get<std::string>());

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bridge/scene/polygon.hpp"
 #include "solid/output/formula_parts.hpp"
 
 namespace blockweir::solid::output {
@@ -28,6 +29,10 @@ std::vector<Column> columns(const Scene& s) {
     if (block.fixed) continue;
     Eigen::AlignedBox2d box;
     for (const Point& v : block.vertices) box.extend(v);
+    if (std::abs(scene::signed_area(block.vertices) / box.volume() - 1) > 1e-9) {
+      throw std::runtime_error("toppling-slope-friction is for rectangles along the axes, not for \"" + block.name +
+                               "\"");
+    }
     all.push_back({weight(s, block), box.max().x(), box.sizes().x(), box.min().y(), box.max().y()});
   }
   std::sort(all.begin(), all.end(), [](const Column& a, const Column& b) { return a.right < b.right; });
@@ -59,7 +64,7 @@ double toppling_slope_friction(const Scene& s, const std::string&) {
   const double tilt = s.analysis.gravity_tilt_deg * std::numbers::pi / 180;
   double moves = 0;
   double stands = 1 - 1e-9;
-  if (force_at_toe(slope, tilt, stands) > 0) throw std::runtime_error("no friction below 45 degrees holds the slope");
+  if (force_at_toe(slope, tilt, stands) >= 0) throw std::runtime_error("no friction below 45 degrees holds the slope");
   for (int i = 0; i < 50; ++i) {
     const double t = (moves + stands) / 2;
     (force_at_toe(slope, tilt, t) < 0 ? stands : moves) = t;

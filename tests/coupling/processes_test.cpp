@@ -44,6 +44,14 @@ TEST_F(Processes, AStructureThatStandsSaysHowFarItIsFromSlidingAndOverturning) {
   EXPECT_NEAR(margin["overturning"]["end_distance"].get<double>() / 0.0261417, 1, 0.01);
 }
 
+TEST_F(Processes, AnExpectedModeIsToldAsAWord) {
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases +
+                  "incline --quiet --out o --set \"expect=[{quantity='mode',word='overturning'}]\""),
+            0)
+      << text("out");
+  EXPECT_THAT(text("out"), testing::HasSubstr("OUT     mode: expected overturning, got sliding"));
+}
+
 TEST_F(Processes, InExampleTwoTheLargeBlockSlidesFirstThenAllMove) {
   EXPECT_EQ(shell(programs + "/blockweir run " + cases + "cracked-dam-lower --variant 'all move' --quiet --out o"), 0)
       << text("out");

@@ -34,6 +34,13 @@ TEST(TopplingSlope, OfOneSlenderBlockIsAnError) {
   EXPECT_THROW(formula(scene, {.formula = "toppling-slope-friction"}), std::runtime_error);
 }
 
+TEST(TopplingSlope, OfAnythingButRectanglesIsAnError) {
+  scene::Scene scene;
+  scene.materials.push_back({"rock", 50e9, 0.2, 2500});
+  scene.blocks.push_back({.name = "block", .vertices = {{0, 0}, {4, 0}, {4, 2}, {0, 1}}});
+  EXPECT_THROW(formula(scene, {.formula = "toppling-slope-friction"}), std::runtime_error);
+}
+
 TEST(TopplingSlope, ChangesNothingWithTheUnitOfLength) {
   auto scene = scene::read(BLOCKWEIR_SOURCE "/cases/toppling-slope").scene;
   const double friction = formula(scene, {.formula = "toppling-slope-friction"});
