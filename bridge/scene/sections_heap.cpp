@@ -4,24 +4,16 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "bridge/scene/sections.hpp"
+#include "bridge/section/uniform.hpp"
 
 namespace blockweir::scene {
 namespace {
 
 constexpr int most_blocks = 10'000;
 
-/// 0 to 1. Distributions of the standard library differ between libraries, its engines do not.
-class Uniform {
- public:
-  explicit Uniform(std::uint64_t seed) : engine_(seed) {}
-  double operator()() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-
- private:
-  std::mt19937_64 engine_;
-};
+using section::Uniform;
 
 struct Heap {
   std::string name;

@@ -4,23 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
+
+#include "bridge/section/uniform.hpp"
 
 namespace blockweir::section {
-namespace {
-
-/// 0 to 1. Distributions of the standard library differ between libraries, its engines do not.
-class Uniform {
- public:
-  explicit Uniform(std::uint64_t seed) : engine_(seed) {}
-  double operator()() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-}  // namespace
-
 std::vector<Line> joints_of(const JointSet& set, const Point& low, const Point& high, int id) {
   const double dip = set.dip_deg * std::numbers::pi / 180;
   const Point along(std::cos(dip), -std::sin(dip));

@@ -27,7 +27,7 @@ struct JointSum {
     if (before(high, place)) high = place;
     if (c.state == ContactState::open) return;
     const Strength here = law.strength(c.bond, c.bond_length);
-    strength += here.cohesion + c.force.x() * here.friction;
+    strength += std::max(0.0, here.cohesion + c.force.x() * here.friction);
     // Shear is counted along the edge of one block: seen from the other it keeps its sign.
     shear += c.force.y();
     normal += c.force.x();

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Islands with meshed blocks: a sparse matrix of nodes and blocks, with a pattern fixed by meshes and contacts.
-#include <Eigen/CholmodSupport>
-#include <Eigen/SparseCore>
-#include <Eigen/UmfPackSupport>
 
 #include "solid/solve/linear_system.hpp"
+#include "solid/solve/sparse_matrix.hpp"
 
 namespace blockweir::solid {
 namespace {
 
-using Sparse = Eigen::SparseMatrix<double>;
-
 class NodalSystem final : public LinearSystem {
  public:
-  NodalSystem(const Unknowns& unknowns, const std::vector<std::pair<int, int>>& couples)
-      : u_(unknowns), k_(u_.total, u_.total) {
+  NodalSystem(const Unknowns& unknowns, const std::vector<std::pair<int, int>>& couples) : u_(unknowns) {
     std::vector<Eigen::Triplet<double>> entries;
     const auto couple = [&](int a, int b) {
       for (const int i : u_.of(a)) {
@@ -23,46 +18,30 @@ class NodalSystem final : public LinearSystem {
     };
     for (int b = 0; b < u_.blocks(); ++b) couple(b, b);
     for (const auto& [a, b] : couples) couple(a, b);
-    k_.setFromTriplets(entries.begin(), entries.end());
+    matrix_.set_pattern(u_.total, entries);
   }
 
-  void set_zero() override { std::fill_n(k_.valuePtr(), k_.nonZeros(), 0.0); }
+  void set_zero() override { matrix_.set_zero(); }
 
   void add(int row, int column, const Matrix6& k) override {
     const Matrix6 mapped = u_.mapped(row, column, k);
     for (std::size_t j = 0; j < u_.of(column).size(); ++j) {
       for (std::size_t i = 0; i < u_.of(row).size(); ++i) {
-        k_.coeffRef(u_.of(row)[i], u_.of(column)[j]) +=
+        matrix_.k.coeffRef(u_.of(row)[i], u_.of(column)[j]) +=
             mapped(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
       }
     }
   }
 
   bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) override {
-    return symmetric ? solve_with(cholesky_, cholesky_ready_, f, d) : solve_with(lu_, lu_ready_, f, d);
+    return matrix_.solve(symmetric, f, d);
   }
 
-  [[nodiscard]] Eigen::MatrixXd dense() const override { return k_; }
+  [[nodiscard]] Eigen::MatrixXd dense() const override { return matrix_.k; }
 
  private:
-  template <class Solver>
-  bool solve_with(Solver& solver, bool& ready, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
-    if (!ready) {
-      solver.analyzePattern(k_);
-      ready = true;
-    }
-    solver.factorize(k_);
-    if (solver.info() != Eigen::Success) return false;
-    d = solver.solve(f);
-    return solver.info() == Eigen::Success && d.allFinite();
-  }
-
   const Unknowns& u_;
-  Sparse k_;
-  Eigen::CholmodDecomposition<Sparse> cholesky_;
-  Eigen::UmfPackLU<Sparse> lu_;
-  bool cholesky_ready_ = false;
-  bool lu_ready_ = false;
+  SparseMatrix matrix_;
 };
 
 }  // namespace

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Large islands: block-sparse matrix with a pattern fixed by the contact graph, so that the symbolic
-// factorization is done once; Cholesky (CHOLMOD) while K is symmetric, LU (UMFPACK) while contacts slip.
-#include <Eigen/CholmodSupport>
-#include <Eigen/SparseCore>
-#include <Eigen/UmfPackSupport>
+// Large islands: block-sparse matrix with a pattern fixed by the contact graph.
 #include <algorithm>
 
 #include "solid/solve/linear_system.hpp"
+#include "solid/solve/sparse_matrix.hpp"
 
 namespace blockweir::solid {
 namespace {
-
-using Sparse = Eigen::SparseMatrix<double>;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -42,12 +37,10 @@ class SparseSystem final : public LinearSystem {
         }
       }
     }
-    k_.resize(u_.total, u_.total);
-    k_.setFromTriplets(entries.begin(), entries.end());
-    k_.makeCompressed();
+    matrix_.set_pattern(u_.total, entries);
   }
 
-  void set_zero() override { std::fill_n(k_.valuePtr(), k_.nonZeros(), 0.0); }
+  void set_zero() override { matrix_.set_zero(); }
 
   void add(int row, int column, const Matrix6& k) override {
     const auto& rows = rows_[at(column)];
@@ -55,38 +48,22 @@ class SparseSystem final : public LinearSystem {
     const int slot = slots_[at(column)][static_cast<std::size_t>(place)];
     const int count = u_.count[at(row)];
     for (int j = 0; j < u_.count[at(column)]; ++j) {
-      double* column_start = k_.valuePtr() + k_.outerIndexPtr()[u_.first[at(column)] + j];
+      double* column_start = matrix_.k.valuePtr() + matrix_.k.outerIndexPtr()[u_.first[at(column)] + j];
       Eigen::Map<Eigen::VectorXd>(column_start + slot, count) += k.col(j).head(count);
     }
   }
 
   bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) override {
-    return symmetric ? solve_with(cholesky_, cholesky_ready_, f, d) : solve_with(lu_, lu_ready_, f, d);
+    return matrix_.solve(symmetric, f, d);
   }
 
-  [[nodiscard]] Eigen::MatrixXd dense() const override { return k_; }
+  [[nodiscard]] Eigen::MatrixXd dense() const override { return matrix_.k; }
 
  private:
-  template <class Solver>
-  bool solve_with(Solver& solver, bool& ready, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
-    if (!ready) {
-      solver.analyzePattern(k_);
-      ready = true;
-    }
-    solver.factorize(k_);
-    if (solver.info() != Eigen::Success) return false;
-    d = solver.solve(f);
-    return solver.info() == Eigen::Success && d.allFinite();
-  }
-
   Unknowns u_;
   std::vector<std::vector<int>> rows_;   ///< block rows of each block column
   std::vector<std::vector<int>> slots_;  ///< where they begin within a column
-  Sparse k_;
-  Eigen::CholmodDecomposition<Sparse> cholesky_;
-  Eigen::UmfPackLU<Sparse> lu_;
-  bool cholesky_ready_ = false;
-  bool lu_ready_ = false;
+  SparseMatrix matrix_;
 };
 
 }  // namespace
