@@ -78,7 +78,9 @@ void read_arch(TableReader& table, Reading& reading) {
                {[](double e) { return e > 0 && e <= 180; }, "an angle above 0, up to 180 degrees"});
   table.flag("springings", springings);
   arch.voussoirs = read_count(table, reading, "voussoirs");
-  if (reading.problems.count() > errors || !few_enough(table, reading, arch.voussoirs)) return;
+  const bool sound = reading.problems.count() == errors && few_enough(table, reading, arch.voussoirs);
+  reading.scene.arches.push_back(arch);  // a wrong one too: what names it is right
+  if (!sound) return;
 
   const Ring ring(arch);
   const double half = arch.embrace_deg * std::numbers::pi / 360;
@@ -95,7 +97,6 @@ void read_arch(TableReader& table, Reading& reading) {
     add(std::to_string(i + 1), ring.voussoir(radius_of_joint(i), radius_of_joint(i + 1)), false);
   }
   if (springings) add("-right", ring.springing(half), true);
-  reading.scene.arches.push_back(std::move(arch));
 }
 
 enum class Bond { running, stacked };
