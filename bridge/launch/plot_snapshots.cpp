@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
@@ -59,10 +63,23 @@ View view_of(const std::vector<json>& frames) {
   return {view.left - 0.35 * size, view.right + 0.2 * size, view.bottom - 0.12 * size, view.top + 0.08 * size};
 }
 
-std::string polygon(int& number, const json& outline, const char* style) {
-  std::vector<Eigen::Vector2d> points;
-  for (const json& p : outline) points.emplace_back(p[0].get<double>(), p[1].get<double>());
-  return gnuplot_polygon(++number, points, style);
+/// What of the outline is in view: gnuplot does not fill to the view's corners where a polygon reaches beyond them.
+std::string polygon(int& number, const json& outline, const View& view, const char* style) {
+  namespace bg = boost::geometry;
+  using Corner = bg::model::d2::point_xy<double>;
+  const bg::model::box<Corner> seen({view.left, view.bottom}, {view.right, view.top});
+  bg::model::polygon<Corner> whole;
+  for (const json& p : outline) bg::append(whole.outer(), Corner(p[0].get<double>(), p[1].get<double>()));
+  bg::correct(whole);
+  std::vector<bg::model::polygon<Corner>> pieces;
+  bg::intersection(whole, seen, pieces);
+  std::string text;
+  for (const auto& piece : pieces) {
+    std::vector<Eigen::Vector2d> points;
+    for (const Corner& p : piece.outer()) points.emplace_back(p.x(), p.y());
+    text += gnuplot_polygon(++number, points, style);
+  }
+  return text;
 }
 
 /// The pool up to its level, from the view's edge to the crest; the blocks are drawn over it.
@@ -93,8 +110,8 @@ std::string pool(int& number, const json& frame, const View& view, const char* k
                      ++number, std::min(edge, inner), view.bottom, std::max(edge, inner), level);
 }
 
-/// Vertical stress of meshed blocks: red where tension, blue where compression, by `largest`.
-std::string stress(int& number, const json& frame, double& largest) {
+/// The larger principal stress of meshed blocks: red where tension, blue where compression, by `largest`.
+std::string stress(int& number, const json& frame, const View& view, double& largest) {
   std::string text;
   const json triangles = frame.value("triangles", json::array());
   for (const json& t : triangles) largest = std::max(largest, std::abs(t[6].get<double>()));
@@ -104,8 +121,18 @@ std::string stress(int& number, const json& frame, double& largest) {
     const std::string colour =
         share > 0 ? fmt::format("#ff{0:02x}{0:02x}", pale) : fmt::format("#{0:02x}{0:02x}ff", pale);
     const json corners = {{t[0], t[1]}, {t[2], t[3]}, {t[4], t[5]}};
-    text += polygon(number, corners,
+    text += polygon(number, corners, view,
                     fmt::format("fc rgb '{0}' fillstyle solid border lc rgb '{0}' lw 0.5", colour).c_str());
+  }
+  return text;
+}
+
+std::string bolts(const json& frame) {
+  std::string text = "unset arrow\n";
+  const json drawn = frame.value("bolts", json::array());
+  for (const json& b : drawn) {
+    text += fmt::format("set arrow from {},{} to {},{} nohead lw 3 lc rgb '#b03060' front\n", b[0].get<double>(),
+                        b[1].get<double>(), b[2].get<double>(), b[3].get<double>());
   }
   return text;
 }
@@ -116,14 +143,15 @@ std::string moment(const json& frame, const View& view, bool contacts) {
   text += pool(number, frame, view, "upstream_level_m");
   text += pool(number, frame, view, "downstream_level_m");
   for (const json& block : frame["blocks"]) {
-    text += polygon(number, block["outline"],
+    text += polygon(number, block["outline"], view,
                     block["fixed"].get<bool>() ? "fc rgb '#8d7f6d' fillstyle solid border lc rgb '#5b5146' lw 1"
                                                : "fc rgb '#c9c9c4' fillstyle solid border lc rgb '#303030' lw 1.5");
   }
   double largest = 0;
-  text += stress(number, frame, largest);
+  text += stress(number, frame, view, largest);
+  text += bolts(frame);
   const std::string scale =
-      largest > 0 ? fmt::format(", vertical stress: blue -{0:.3g} MPa, red +{0:.3g} MPa", largest / 1e6) : "";
+      largest > 0 ? fmt::format(", larger principal stress: blue -{0:.3g} MPa, red +{0:.3g} MPa", largest / 1e6) : "";
   const std::string level = frame["upstream_level_m"].is_number()
                                 ? fmt::format(", level {:.2f} m", frame["upstream_level_m"].get<double>())
                                 : "";

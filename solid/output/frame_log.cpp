@@ -7,6 +7,15 @@
 #include <utility>
 
 namespace blockweir::solid::output {
+namespace {
+
+/// Of the two principal stresses the larger in size.
+double larger_principal(const Eigen::Vector3d& stress) {
+  const double mean = (stress[0] + stress[1]) / 2;
+  return mean + std::copysign(std::hypot((stress[0] - stress[1]) / 2, stress[2]), mean);
+}
+
+}  // namespace
 
 void FrameLog::write(const Frame& frame) {
   fmt::memory_buffer text;
@@ -42,18 +51,18 @@ void FrameLog::write(const Frame& frame) {
                    b.to_m.x(), b.to_m.y(), b.force_n_per_m, b.state);
   }
   if (!frame.meshes.empty()) {
-    fmt::format_to(out, R"(],"triangles":[)");  // corners and vertical stress
+    fmt::format_to(out, R"(],"triangles":[)");  // corners and principal stress
     bool first = true;
     for (const MeshRow& mesh : frame.meshes) {
       for (const auto& triangle : mesh.triangles) {
-        double stress = 0;
+        Eigen::Vector3d stress = Eigen::Vector3d::Zero();
         fmt::format_to(out, "{}[", separator(first));
         for (const int corner : triangle) {
           const Point& p = mesh.nodes_m[static_cast<std::size_t>(corner)];
-          stress += mesh.stress_pa[static_cast<std::size_t>(corner)][1] / 3;
+          stress += mesh.stress_pa[static_cast<std::size_t>(corner)] / 3;
           fmt::format_to(out, "{:.7g},{:.7g},", p.x(), p.y());
         }
-        fmt::format_to(out, "{:.5g}]", stress);
+        fmt::format_to(out, "{:.5g}]", larger_principal(stress));
       }
     }
   }
