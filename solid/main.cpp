@@ -51,7 +51,7 @@ void run(const Arguments& arguments) {
   }
   channel::catch_stop_signals();
   results::make_folder(arguments.folder);
-  const schedule::Windows windows(scene);
+  const schedule::Windows windows = schedule::windows(scene);
   solid::output::Recorder recorder(scene, arguments.folder,
                                    progress_to(arguments.progress_fd, scene.analysis.duration_s));
   schedule::ExchangeTime exchange;
@@ -71,7 +71,7 @@ void run(const Arguments& arguments) {
                                 .endpoint = arguments.endpoint,
                                 .partner = "fluid process (hydrostatic)",
                                 .timeout_s = scene.coupling.timeout_s,
-                                .open_timeout_s = scene.coupling.timeout_s});
+                                .open_timeout_s = scene.coupling.open_timeout_s});
       channel.handshake(schedule::hello(scene, "solid"));
       connected_s = std::chrono::duration<double>(Clock::now() - start).count();
       const double waited_before = channel.waited_s();

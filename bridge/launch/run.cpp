@@ -123,6 +123,11 @@ RunResult run(const RunOptions& options) {
                         {program("blockweir-hydrostatic"), copy, "--endpoint", endpoint, "--out", result.folder,
                          "--profile-out", result.folder / "hydrostatic.json"}});
   }
+  if (scene.fluid == scene::FluidModel::openfoam) {
+    commands.push_back(
+        {"openfoam",
+         {program("blockweir-openfoam"), copy, "--endpoint", endpoint, "--out", result.folder / "openfoam"}});
+  }
   Progress progress(pipe_ends[0], scene.analysis.duration_s, options.quiet);
   const Supervised supervised = supervise(commands, result.folder, grace_s, [&] { progress.update(); });
   progress.finish();

@@ -67,6 +67,7 @@ class StopSignals {
   ::setpgid(0, 0);  // Ctrl-C reaches us alone; we pass it on in order
   const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file >= 0) ::dup2(file, STDERR_FILENO);
+  if (file >= 0 && !command.output.empty()) ::dup2(file, STDOUT_FILENO);
   if (command.inherited_fd >= 0) ::fcntl(command.inherited_fd, F_SETFD, 0);
   std::vector<char*> words;
   for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
@@ -147,7 +148,7 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
   for (const Command& command : commands) {
     Child& child = children.all.emplace_back();
     child.name = command.name;
-    child.log = log_folder / (command.name + ".log");
+    child.log = command.output.empty() ? log_folder / (command.name + ".log") : command.output;
     child.pid = ::fork();
     if (child.pid == 0) become(command, child.log, signals);
     if (child.pid > 0) child.end = ::pidfd_open(child.pid, 0);

@@ -15,6 +15,7 @@ struct Command {
   std::string name;                ///< how messages call it
   std::vector<std::string> words;  ///< program and arguments
   int inherited_fd = -1;           ///< a descriptor of ours that the child keeps; -1: none
+  std::filesystem::path output{};  ///< file for all that it writes; empty: standard error to NAME.log alone
 };
 
 struct ChildEnd {
@@ -29,7 +30,8 @@ struct Supervised {
   [[nodiscard]] bool all_fine() const;
 };
 
-/// Runs all commands at once until the last has ended. Their standard error goes to files `log_folder`/NAME.log.
+/// Runs all commands at once until the last has ended. Their standard error goes to files `log_folder`/NAME.log
+/// unless a command says otherwise.
 /// When one fails, the others get `grace_s` to notice by themselves, then SIGTERM, then SIGKILL; SIGINT or SIGTERM to
 /// us is passed on to all. The kernel ends the children should we be killed. `tick` is called about every 50 ms.
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,

@@ -208,11 +208,30 @@ struct Water {
   bool operator==(const Water&) const = default;
 };
 
-enum class FluidModel { none, hydrostatic };
+enum class FluidModel { none, hydrostatic, openfoam };
+
+/// Who sets the level once an OpenFOAM run has begun: the tables of [water] in both pools, or the water itself.
+enum class LevelControl { table, free };
+
+/// [fluid] model = "openfoam": interFoam's mesh and steps. A depth is the largest that either pool reaches.
+struct OpenFoam {
+  int processes = 1;
+  int cells_in_depth = 40;
+  double upstream_depths = 2;  ///< of open water beside the structure
+  double downstream_depths = 2;
+  double freeboard_depths = 0.25;  ///< of air above the highest level or block
+  std::optional<double> floor_m;   ///< the mesh's lower side; default: the lowest ground that water can reach
+  double air_density_kg_per_m3 = 1;
+  double max_courant = 0.5;
+  int steps_per_window = 1;  ///< at least; more where max_courant asks for it
+  LevelControl level_control = LevelControl::table;
+  bool operator==(const OpenFoam&) const = default;
+};
 
 struct Coupling {
   double window_s = 0.01;
-  double timeout_s = 20;  ///< longest silence of a partner
+  double timeout_s = 20;       ///< longest silence of a partner
+  double open_timeout_s = 20;  ///< longest wait for it to arrive
   bool operator==(const Coupling&) const = default;
 };
 
@@ -315,6 +334,7 @@ struct Scene {
   Contact contact;
   Water water;
   FluidModel fluid = FluidModel::none;
+  OpenFoam openfoam;
   Coupling coupling;
   Output output;
   std::vector<Expectation> expectations;

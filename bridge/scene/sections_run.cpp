@@ -105,7 +105,10 @@ void read_coupling(Reading& reading) {
   if (table.number("window_s", c.window_s, positive())) {
     reject_longer_than_duration(table, reading, "window_s", c.window_s);
   }
+  // interFoam makes its mesh before it comes, and may have many steps to make in a window.
+  if (reading.scene.fluid == FluidModel::openfoam) c.timeout_s = 120;
   table.number("timeout_s", c.timeout_s, positive());
+  c.open_timeout_s = c.timeout_s;
 }
 
 void read_output(Reading& reading) {

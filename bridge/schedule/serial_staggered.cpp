@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace blockweir::schedule {
@@ -34,17 +32,9 @@ void require_window(const Message& message, std::uint64_t window, const char* se
 
 }  // namespace
 
-Windows::Windows(const scene::Scene& scene)
-    : window_s_(scene.coupling.window_s),
-      duration_s_(scene.analysis.duration_s),
-      at_rest_(scene.analysis.kind == scene::AnalysisKind::at_rest) {
-  constexpr std::uint64_t most_sweeps = 1000;
-  count_ = at_rest_ ? most_sweeps
-                    : static_cast<std::uint64_t>(std::max(1.0, std::ceil(duration_s_ / window_s_ * (1 - 1e-12))));
-}
-
-double Windows::end_s(std::uint64_t window) const {
-  return at_rest_ || window >= count_ ? duration_s_ : static_cast<double>(window) * window_s_;
+Windows windows(const scene::Scene& scene) {
+  return Windows(scene.coupling.window_s, scene.analysis.duration_s,
+                 scene.analysis.kind == scene::AnalysisKind::at_rest);
 }
 
 ExchangeTime run_solid(channel::Channel& channel, const Windows& windows, SolidSide& solid) {

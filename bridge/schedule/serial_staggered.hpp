@@ -5,23 +5,13 @@
 
 #include "bridge/channel/channel.hpp"
 #include "bridge/scene/scene.hpp"
+#include "bridge/schedule/windows.hpp"
 
 namespace blockweir::schedule {
 
-/// Coupling windows: window n ends at n * window_s, the last one at the run's duration. Those of a static analysis are
-/// all at its end: the sides take turns until the solid has come to rest.
-class Windows {
- public:
-  explicit Windows(const scene::Scene& scene);
-  [[nodiscard]] std::uint64_t count() const { return count_; }
-  [[nodiscard]] double end_s(std::uint64_t window) const;
-
- private:
-  double window_s_;
-  double duration_s_;
-  bool at_rest_;
-  std::uint64_t count_ = 0;
-};
+/// A static analysis has no time: all its windows end at the run's end, and the sides take turns until the solid has
+/// come to rest.
+Windows windows(const scene::Scene& scene);
 
 /// The solid as the schedule sees it. It may take as many steps in a window as it needs.
 class SolidSide {

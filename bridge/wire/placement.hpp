@@ -22,4 +22,17 @@ inline Eigen::Vector2d place(const Eigen::Vector2d& centroid, const std::array<d
           centroid.y() + v + s * strained.x() + c * strained.y()};
 }
 
+/// The point of the scene's outline that is at x now: the inverse of place().
+inline Eigen::Vector2d unplace(const Eigen::Vector2d& centroid, const std::array<double, 6>& displacement,
+                               const Eigen::Vector2d& x) {
+  const auto [u, v, r, ex, ey, gxy] = displacement;
+  const double c = std::cos(r);
+  const double s = std::sin(r);
+  const Eigen::Vector2d moved = x - centroid - Eigen::Vector2d(u, v);
+  const Eigen::Vector2d turned(c * moved.x() + s * moved.y(), -s * moved.x() + c * moved.y());
+  const double det = (1 + ex) * (1 + ey) - gxy * gxy / 4;
+  return {centroid.x() + ((1 + ey) * turned.x() - gxy / 2 * turned.y()) / det,
+          centroid.y() + ((1 + ex) * turned.y() - gxy / 2 * turned.x()) / det};
+}
+
 }  // namespace blockweir::wire

@@ -53,13 +53,14 @@ void run(const Arguments& arguments) {
                             .endpoint = arguments.endpoint,
                             .partner = "solid process",
                             .timeout_s = scene.coupling.timeout_s,
-                            .open_timeout_s = scene.coupling.timeout_s});
+                            .open_timeout_s = scene.coupling.open_timeout_s});
   channel.handshake(schedule::hello(scene, "hydrostatic"));
   hydrostatic::HydrostaticModel model(scene);
   std::optional<hydrostatic::RecordedModel> recorded;
   if (scene.output.reservoir) recorded.emplace(model, scene, arguments.folder);
-  const auto exchange = recorded ? schedule::run_fluid(channel, schedule::Windows(scene), *recorded)
-                                 : schedule::run_fluid(channel, schedule::Windows(scene), model);
+  const schedule::Windows windows = schedule::windows(scene);
+  const auto exchange =
+      recorded ? schedule::run_fluid(channel, windows, *recorded) : schedule::run_fluid(channel, windows, model);
   if (arguments.profile_out.empty()) return;
   const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
   write_profile(arguments.profile_out, model, recorded ? &*recorded : nullptr, exchange, total.count());

@@ -99,7 +99,7 @@ TEST(SceneWater, WaterWithoutALevelIsRefused) {
 }
 
 TEST(SceneWater, AFluidWithoutWaterIsRefused) {
-  expect_error(with(std::string("[water]\n") + level, ""), 46, {"a hydrostatic fluid, but no [water]"});
+  expect_error(with(std::string("[water]\n") + level, ""), 46, {"a fluid, but no [water]"});
 }
 
 TEST(SceneWater, TheFluidIsHydrostaticWhereThereIsWaterUnlessTheSceneSaysNone) {

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/openfoam/case_writer.hpp"
+
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+#include "fluid/openfoam/dictionary.hpp"
+#include "fluid/openfoam/initial_water.hpp"
+#include "fluid/openfoam/interface_dictionary.hpp"
+
+namespace blockweir::openfoam {
+namespace {
+
+std::string block_mesh(const Grid& g) {
+  std::string parts;
+  for (const Stretch& s : g.stretches) {
+    parts += fmt::format(" ({} {} {})", exact(s.length_m), s.cells, exact(s.expansion));
+  }
+  const auto corner = [](double x, double y, int z) { return fmt::format("    ({} {} {})\n", exact(x), exact(y), z); };
+  std::string corners;
+  for (const int z : {0, 1}) {
+    corners += corner(g.x.front(), g.y.front(), z) + corner(g.x.back(), g.y.front(), z) +
+               corner(g.x.back(), g.y.back(), z) + corner(g.x.front(), g.y.back(), z);
+  }
+  return file_header("dictionary", "blockMeshDict") +
+         fmt::format(
+             "// Metres; one cell of 1 m across.\n"
+             "vertices\n(\n{});\n\n"
+             "blocks\n(\n    hex (0 1 2 3 4 5 6 7) ({} {} 1) simpleGrading (({} ) 1 1)\n);\n\n"
+             "boundary\n(\n"
+             "    upstream {{ type wall; faces ((0 4 7 3)); }}\n"
+             "    downstream {{ type wall; faces ((1 2 6 5)); }}\n"
+             "    floor {{ type wall; faces ((0 1 5 4)); }}\n"
+             "    atmosphere {{ type patch; faces ((3 7 6 2)); }}\n"
+             "    sides {{ type empty; faces ((0 3 2 1) (4 5 6 7)); }}\n"
+             ");\n",
+             corners, g.columns(), g.rows(), parts);
+}
+
+std::string control(const scene::Scene& scene, const CaseOptions& options) {
+  const double step = scene.coupling.window_s / scene.openfoam.steps_per_window;
+  return file_header("dictionary", "controlDict") +
+         fmt::format(
+             "application       interFoam;\n"
+             "libs              ({});\n\n"
+             "startFrom         latestTime;\n"
+             "startTime         0;\n"
+             "stopAt            endTime;\n"
+             "endTime           {};  // the solid process ends the run\n"
+             "deltaT            {};\n"
+             "adjustTimeStep    no;  // the coupling sets it, window by window\n"
+             "maxCo             1;   // not heeded then\n"
+             "maxAlphaCo        1;\n\n"
+             "writeControl      runTime;\n"
+             "writeInterval     {};\n"
+             "writeFormat       binary;\n"
+             "timePrecision     10;\n"
+             "runTimeModifiable no;\n\n"
+             "functions\n{{\n    blocks {{ type blockweirSchedule; libs ({}); }}\n}}\n",
+             quoted(options.plugin.string()), exact(1e6 + 10 * scene.analysis.duration_s), exact(step),
+             exact(scene.output.frame_every_s), quoted(options.plugin.string()));
+}
+
+/// Of the settings measured at equal error the fastest ones.
+std::string schemes() {
+  return file_header("dictionary", "fvSchemes") +
+         "ddtSchemes { default Euler; }\n"
+         "gradSchemes { default Gauss linear; }\n"
+         "divSchemes\n{\n"
+         "    div(rhoPhi,U)  Gauss linearUpwind grad(U);\n"
+         "    div(phi,alpha) Gauss vanLeer;\n"
+         "    div(phirb,alpha) Gauss linear;\n"
+         "    div(((rho*nuEff)*dev2(T(grad(U))))) Gauss linear;\n"
+         "}\n"
+         "laplacianSchemes { default Gauss linear uncorrected; }  // the mesh is orthogonal\n"
+         "interpolationSchemes { default linear; }\n"
+         "snGradSchemes { default uncorrected; }\n";
+}
+
+std::string solution() {
+  return file_header("dictionary", "fvSolution") +
+         "solvers\n{\n"
+         "    \"alpha.water.*\"\n    {\n"
+         "        nAlphaCorr 1;\n        nAlphaSubCycles 1;\n        cAlpha 1;\n        MULESCorr yes;\n"
+         "        nLimiterIter 3;\n        solver smoothSolver;\n        smoother symGaussSeidel;\n"
+         "        tolerance 1e-8;\n        relTol 0;\n    }\n"
+         "    \"pcorr.*\"\n    {\n        solver PCG;\n        preconditioner DIC;\n        tolerance 1e-5;\n"
+         "        relTol 0;\n    }\n"
+         "    p_rgh\n    {\n        solver GAMG;\n        smoother DIC;\n        tolerance 1e-7;\n        relTol "
+         "0.05;\n"
+         "        maxIter 50;\n    }\n"
+         "    p_rghFinal { $p_rgh; relTol 0; }\n"
+         "    \"U.*\"\n    {\n        solver smoothSolver;\n        smoother symGaussSeidel;\n        tolerance 1e-6;\n"
+         "        relTol 0;\n    }\n"
+         "}\n\n"
+         "PIMPLE\n{\n"
+         "    momentumPredictor no;\n    nOuterCorrectors 1;\n    nCorrectors 2;\n    nNonOrthogonalCorrectors 0;\n"
+         "}\n";
+}
+
+std::string transport(const scene::Scene& scene) {
+  return file_header("dictionary", "transportProperties") +
+         fmt::format(
+             "phases (water air);\n\n"
+             "water {{ transportModel Newtonian; nu 1e-06; rho {}; }}\n"
+             "air {{ transportModel Newtonian; nu 1.48e-05; rho {}; }}\n\n"
+             "sigma 0;\n",
+             exact(scene.water.density_kg_per_m3), exact(scene.openfoam.air_density_kg_per_m3));
+}
+
+std::string decompose(const scene::Scene& scene) {
+  return file_header("dictionary", "decomposeParDict") +
+         fmt::format(
+             "numberOfSubdomains {0};\nmethod simple;  // in columns: the pressure on blocks is looked up within one\n"
+             "simpleCoeffs {{ n ({0} 1 1); delta 0.001; }}\n",
+             scene.openfoam.processes);
+}
+
+std::string field(const std::string& name, const std::string& dimensions, const std::vector<double>& values,
+                  const std::string& boundary) {
+  std::string text =
+      file_header("volScalarField", name) +
+      fmt::format("dimensions {};\n\ninternalField nonuniform List<scalar>\n{}\n(\n", dimensions, values.size());
+  for (const double value : values) text += fmt::format("{:.17g}\n", value);
+  return text + ");\n\nboundaryField\n{\n" + boundary + "    sides { type empty; }\n}\n";
+}
+
+constexpr const char* no_flow =
+    "    upstream { type slip; }\n    downstream { type slip; }\n    floor { type slip; }\n";
+
+std::string velocity() {
+  return file_header("volVectorField", "U") +
+         "dimensions [0 1 -1 0 0 0 0];\n\ninternalField uniform (0 0 0);\n\nboundaryField\n{\n" + no_flow +
+         "    atmosphere { type pressureInletOutletVelocity; value uniform (0 0 0); }\n    sides { type empty; }\n}\n";
+}
+
+}  // namespace
+
+void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options) {
+  for (const char* part : {"0", "constant", "system"}) results::make_folder(options.folder / part);
+  const auto write = [&](const char* file, const std::string& text) {
+    results::replace_file(options.folder / file, text);
+  };
+  const InitialWater water = initial_water(grid, scene);
+  write("system/blockMeshDict", block_mesh(grid));
+  write("system/controlDict", control(scene, options));
+  write("system/fvSchemes", schemes());
+  write("system/fvSolution", solution());
+  write("system/fvOptions", file_header("dictionary", "fvOptions") + "blocks { type blockweirBlocks; active true; }\n");
+  write("system/decomposeParDict", decompose(scene));
+  write("constant/transportProperties", transport(scene));
+  write("constant/turbulenceProperties",
+        file_header("dictionary", "turbulenceProperties") + "simulationType laminar;\n");
+  write("constant/g",
+        file_header("uniformDimensionedVectorField", "g") +
+            fmt::format("dimensions [0 1 -2 0 0 0 0];\nvalue (0 {} 0);\n", exact(-scene.analysis.gravity_m_per_s2)));
+  write("constant/hRef", file_header("uniformDimensionedScalarField", "hRef") +
+                             fmt::format("dimensions [0 1 0 0 0 0 0];\nvalue {};\n", exact(water.reference_level_m)));
+  write("constant/blockweir", interface_dictionary(scene, grid, options.endpoint));
+  const std::string still = "    \"(upstream|downstream|floor)\" { type zeroGradient; }\n";
+  write("0/alpha.water",
+        field("alpha.water", "[0 0 0 0 0 0 0]", water.fraction,
+              still + "    atmosphere { type inletOutlet; inletValue uniform 0; value uniform 0; }\n"));
+  write("0/p_rgh", field("p_rgh", "[1 -1 -2 0 0 0 0]", water.p_rgh_pa,
+                         "    \"(upstream|downstream|floor)\" { type fixedFluxPressure; value uniform 0; }\n"
+                         "    atmosphere { type totalPressure; p0 uniform 0; }\n"));
+  write("0/U", velocity());
+}
+
+}  // namespace blockweir::openfoam

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A whole interFoam case from a scene: an OpenFOAM user can open it, change it and run it by hand.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bridge/scene/scene.hpp"
+#include "fluid/openfoam/grid.hpp"
+
+namespace blockweir::openfoam {
+
+struct CaseOptions {
+  std::filesystem::path folder;
+  std::filesystem::path plugin;  ///< shared library
+  std::string endpoint;          ///< of the solid process
+};
+
+/// Writes 0, constant and system; what else stands in the folder is left alone. Throws std::invalid_argument for a
+/// scene that cannot be meshed and std::runtime_error when a file cannot be written.
+void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options);
+
+}  // namespace blockweir::openfoam

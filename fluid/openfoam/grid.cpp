@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/openfoam/grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "bridge/scene/outline.hpp"
+
+namespace blockweir::openfoam {
+namespace {
+
+constexpr double widening = 1.1;         // from one column of the far field to the next
+constexpr double uniform_depths = 0.25;  // of uniform cells beside the structure
+constexpr std::size_t most_cells = 10'000'000;
+
+scene::Bounds bounds(const scene::Scene& scene) {
+  scene::Bounds all = scene::bounds_of(scene.blocks.front().vertices);
+  for (const scene::Block& block : scene.blocks) {
+    const scene::Bounds one = scene::bounds_of(block.vertices);
+    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
+  }
+  return all;
+}
+
+/// Of the times at which it is stated, and of what a sine adds.
+double highest(const std::optional<scene::TimeTable>& level) {
+  if (!level) return -std::numeric_limits<double>::infinity();
+  return *std::max_element(level->value.begin(), level->value.end()) +
+         (level->sine ? std::abs(level->sine->amplitude) : 0);
+}
+
+/// Fixed blocks at the model's left or right end whose top there is under water are ground, others a wall.
+std::vector<int> find_ground(const scene::Scene& scene, const scene::Bounds& model, double level_m) {
+  std::vector<int> ground;
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    if (!scene.blocks[b].fixed) continue;
+    double top = std::numeric_limits<double>::infinity();
+    for (const double end : {model.low.x(), model.high.x()}) {
+      double here = -std::numeric_limits<double>::infinity();
+      for (const scene::Point& p : scene.blocks[b].vertices) {
+        if (p.x() == end) here = std::max(here, p.y());
+      }
+      if (std::isfinite(here)) top = std::min(top, here);
+    }
+    if (top < level_m - 1e-9 * model.size()) ground.push_back(static_cast<int>(b));
+  }
+  return ground;
+}
+
+/// The ground's underside is not where water goes: the lowest vertex above it.
+double find_floor(const scene::Scene& scene, const scene::Bounds& model, bool ground) {
+  if (!ground) return model.low.y();
+  double floor = model.high.y();
+  for (const scene::Block& block : scene.blocks) {
+    for (const scene::Point& p : block.vertices) {
+      if (p.y() > model.low.y()) floor = std::min(floor, p.y());
+    }
+  }
+  return floor;
+}
+
+/// Cells that start `first_m` wide and widen by about `widening`, over a length of exactly length_m.
+Stretch widen(double length_m, double first_m) {
+  const double n = std::log1p(length_m * (widening - 1) / first_m) / std::log(widening);
+  const int cells = std::max(1, static_cast<int>(std::ceil(n)));
+  const auto sum = [&](double r) { return std::abs(r - 1) < 1e-12 ? cells : (std::pow(r, cells) - 1) / (r - 1); };
+  double low = 0.5;
+  double high = widening + 1;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = (low + high) / 2;
+    (first_m * sum(middle) < length_m ? low : high) = middle;
+  }
+  return {length_m, cells, std::pow((low + high) / 2, cells - 1)};
+}
+
+void append(std::vector<double>& lines, const Stretch& stretch) {
+  const double start = lines.back();
+  const double r = stretch.cells > 1 ? std::pow(stretch.expansion, 1.0 / (stretch.cells - 1)) : 1;
+  const bool uniform = std::abs(r - 1) < 1e-12;
+  for (int i = 1; i <= stretch.cells; ++i) {
+    const double part =
+        uniform ? static_cast<double>(i) / stretch.cells : (1 - std::pow(r, i)) / (1 - std::pow(r, stretch.cells));
+    lines.push_back(start + part * stretch.length_m);
+  }
+}
+
+}  // namespace
+
+Grid make_grid(const scene::Scene& scene) {
+  const scene::OpenFoam& o = scene.openfoam;
+  const scene::Bounds model = bounds(scene);
+  const double level = std::max(highest(scene.water.upstream_level_m), highest(scene.water.downstream_level_m));
+  Grid grid;
+  grid.ground = find_ground(scene, model, level);
+  const double floor = o.floor_m.value_or(find_floor(scene, model, !grid.ground.empty()));
+  double left = model.high.x();
+  double right = model.low.x();
+  double ground_top = floor;
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    const bool ground = std::find(grid.ground.begin(), grid.ground.end(), static_cast<int>(b)) != grid.ground.end();
+    for (const scene::Point& p : scene.blocks[b].vertices) {
+      if (ground && p.x() == model.low.x()) ground_top = std::max(ground_top, p.y());
+      if (ground) continue;
+      left = std::min(left, p.x());
+      right = std::max(right, p.x());
+    }
+  }
+  grid.structure_left_m = left;
+  grid.structure_right_m = right;
+  const double depth = level - ground_top;
+  if (depth <= 0) {
+    throw std::invalid_argument(
+        fmt::format("OpenFOAM: the highest level, {} m, lies below the ground, {} m; "
+                    "expected water that reaches the structure",
+                    level, ground_top));
+  }
+  const double h = depth / o.cells_in_depth;
+  grid.cell_m = h;
+  const auto whole_cells = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / h - 1e-9))); };
+
+  // Row lines meet the ground before the structure, column lines its upstream end.
+  const int below = static_cast<int>(std::ceil((ground_top - floor) / h - 1e-9));
+  const int above = whole_cells(std::max(level, model.high.y()) + o.freeboard_depths * depth - ground_top);
+  for (int j = -below; j <= above; ++j) grid.y.push_back(ground_top + j * h);
+  const double near = uniform_depths * depth;
+  const int near_left = whole_cells(near);
+  const int middle = near_left + whole_cells(right - left + near);
+  const double far_left = std::max(h, o.upstream_depths * depth - near_left * h);
+  const double far_right = std::max(h, o.downstream_depths * depth - near);
+  Stretch narrowing = widen(far_left, h);
+  narrowing.expansion = 1 / narrowing.expansion;
+  grid.stretches = {narrowing, {middle * h, middle, 1}, widen(far_right, h)};
+  grid.x = {left - near_left * h - far_left};
+  for (const Stretch& stretch : grid.stretches) append(grid.x, stretch);
+  if (grid.cells() > most_cells) {
+    throw std::invalid_argument(
+        fmt::format("OpenFOAM: the mesh would have {} cells, at most {} are made; lower "
+                    "cells_in_depth, upstream_depths or downstream_depths in [fluid]",
+                    grid.cells(), most_cells));
+  }
+  return grid;
+}
+
+std::vector<std::vector<scene::Point>> outlines_in(const Grid& grid, const scene::Scene& scene) {
+  std::vector<std::vector<scene::Point>> outlines;
+  const scene::Bounds model = bounds(scene);
+  for (const scene::Block& block : scene.blocks) outlines.push_back(block.vertices);
+  for (const int b : grid.ground) {
+    for (scene::Point& p : outlines[static_cast<std::size_t>(b)]) {
+      if (p.x() == model.low.x()) p.x() = std::min(p.x(), grid.x.front() - grid.cell_m);
+      if (p.x() == model.high.x()) p.x() = std::max(p.x(), grid.x.back() + grid.cell_m);
+    }
+  }
+  return outlines;
+}
+
+}  // namespace blockweir::openfoam

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// interFoam's mesh: Cartesian, uniform around the structure, its columns widening towards both ends.
+#pragma once
+
+#include <vector>
+
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::openfoam {
+
+/// Columns of the mesh that widen, or narrow, by one ratio.
+struct Stretch {
+  double length_m = 0;
+  int cells = 0;
+  double expansion = 1;  ///< last width over first
+};
+
+struct Grid {
+  double cell_m = 0;               ///< side of the uniform cells
+  std::vector<Stretch> stretches;  ///< from left to right
+  std::vector<double> x;           ///< column lines [m]
+  std::vector<double> y;           ///< row lines [m], uniform
+  double structure_left_m = 0;     ///< extent of all blocks but the ground
+  double structure_right_m = 0;
+  std::vector<int> ground;  ///< fixed blocks that go on level beyond the model's ends
+
+  [[nodiscard]] std::size_t columns() const { return x.size() - 1; }
+  [[nodiscard]] std::size_t rows() const { return y.size() - 1; }
+  [[nodiscard]] std::size_t cells() const { return columns() * rows(); }
+};
+
+/// Throws std::invalid_argument where the scene leaves no water to mesh, or the mesh would have over ten million cells.
+Grid make_grid(const scene::Scene& scene);
+
+/// Outlines of all blocks, those of the ground drawn out beyond the mesh.
+std::vector<std::vector<scene::Point>> outlines_in(const Grid& grid, const scene::Scene& scene);
+
+}  // namespace blockweir::openfoam

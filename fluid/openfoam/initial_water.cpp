@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/openfoam/initial_water.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+
+#include "bridge/scene/outline.hpp"
+#include "fluid/openfoam/polygon_clip.hpp"
+
+namespace blockweir::openfoam {
+namespace {
+
+enum class Holds : char { unknown, air, upstream, downstream };
+
+Polygon cell_polygon(const Grid& g, std::size_t i, std::size_t j) {
+  return {{g.x[i], g.y[j]}, {g.x[i + 1], g.y[j]}, {g.x[i + 1], g.y[j + 1]}, {g.x[i], g.y[j + 1]}};
+}
+
+/// Cells of which blocks fill more than half.
+std::vector<bool> solid_cells(const Grid& g, const std::vector<Polygon>& outlines) {
+  std::vector<double> filled(g.cells(), 0);
+  PolygonClip clip;
+  const auto first = [](const std::vector<double>& lines, double v) {
+    const auto after = std::upper_bound(lines.begin(), lines.end(), v);
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - lines.begin() - 1));
+  };
+  for (const Polygon& outline : outlines) {
+    const scene::Bounds box = scene::bounds_of(outline);
+    for (std::size_t j = first(g.y, box.low.y()); j < g.rows() && g.y[j] < box.high.y(); ++j) {
+      for (std::size_t i = first(g.x, box.low.x()); i < g.columns() && g.x[i] < box.high.x(); ++i) {
+        const Polygon cell = cell_polygon(g, i, j);
+        filled[j * g.columns() + i] += clip.common_area(outline, cell) / area(cell);
+      }
+    }
+  }
+  std::vector<bool> solid(g.cells());
+  std::transform(filled.begin(), filled.end(), solid.begin(), [](double f) { return f > 0.5; });
+  return solid;
+}
+
+/// Spreads what the cells of `front` hold to their unknown neighbours that `may_enter`.
+template <class MayEnter>
+void spread(const Grid& g, std::deque<std::size_t> front, std::vector<Holds>& holds, MayEnter may_enter) {
+  while (!front.empty()) {
+    const std::size_t cell = front.front();
+    front.pop_front();
+    const std::size_t i = cell % g.columns();
+    const std::size_t j = cell / g.columns();
+    const auto visit = [&](bool inside, std::size_t next) {
+      if (!inside || holds[next] != Holds::unknown || !may_enter(next, holds[cell])) return;
+      holds[next] = holds[cell];
+      front.push_back(next);
+    };
+    visit(i > 0, cell - 1);
+    visit(i + 1 < g.columns(), cell + 1);
+    visit(j > 0, cell - g.columns());
+    visit(j + 1 < g.rows(), cell + g.columns());
+  }
+}
+
+/// Where water above the crest ends at time 0: at the highest vertex of the structure nearest to its pool.
+double crest_x(const Grid& g, const scene::Scene& scene, bool upstream) {
+  scene::Point crest(0, -std::numeric_limits<double>::infinity());
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    if (std::find(g.ground.begin(), g.ground.end(), static_cast<int>(b)) != g.ground.end()) continue;
+    for (const scene::Point& p : scene.blocks[b].vertices) {
+      const bool nearer = upstream ? p.x() < crest.x() : p.x() > crest.x();
+      if (p.y() > crest.y() || (p.y() == crest.y() && nearer)) crest = p;
+    }
+  }
+  return crest.x();
+}
+
+}  // namespace
+
+InitialWater initial_water(const Grid& g, const scene::Scene& scene) {
+  const auto start = [](const std::optional<scene::TimeTable>& level) {
+    return level ? level->at(0) : -std::numeric_limits<double>::infinity();
+  };
+  const double upstream = start(scene.water.upstream_level_m);
+  const double downstream = start(scene.water.downstream_level_m);
+  const std::vector<bool> solid = solid_cells(g, outlines_in(g, scene));
+  const double up_to_x = crest_x(g, scene, true);
+  const double from_x = crest_x(g, scene, false);
+
+  std::vector<Holds> holds(g.cells(), Holds::unknown);
+  const auto is_water = [&](std::size_t cell, Holds pool) {
+    const std::size_t i = cell % g.columns();
+    const double bottom = g.y[cell / g.columns()];
+    const double x = (g.x[i] + g.x[i + 1]) / 2;
+    return !solid[cell] &&
+           (pool == Holds::upstream ? bottom < upstream && x < up_to_x : bottom < downstream && x > from_x);
+  };
+  std::deque<std::size_t> front;
+  for (std::size_t j = 0; j < g.rows(); ++j) {
+    for (const auto& [cell, pool] :
+         {std::pair(j * g.columns(), Holds::upstream), std::pair((j + 1) * g.columns() - 1, Holds::downstream)}) {
+      if (!is_water(cell, pool)) continue;
+      holds[cell] = pool;
+      front.push_back(cell);
+    }
+  }
+  spread(g, std::move(front), holds, is_water);
+  front.clear();
+  for (std::size_t cell = 0; cell < g.cells(); ++cell) {
+    if (solid[cell]) continue;
+    if (holds[cell] == Holds::unknown) holds[cell] = Holds::air;
+    front.push_back(cell);
+  }
+  spread(g, std::move(front), holds, [](std::size_t, Holds) { return true; });
+
+  InitialWater water;
+  water.reference_level_m = std::isfinite(upstream) ? upstream : downstream;
+  const double buoyancy =
+      (scene.water.density_kg_per_m3 - scene.openfoam.air_density_kg_per_m3) * scene.analysis.gravity_m_per_s2;
+  for (std::size_t cell = 0; cell < g.cells(); ++cell) {
+    const double level = holds[cell] == Holds::upstream     ? upstream
+                         : holds[cell] == Holds::downstream ? downstream
+                                                            : -std::numeric_limits<double>::infinity();
+    const std::size_t j = cell / g.columns();
+    const double fraction = std::clamp((level - g.y[j]) / (g.y[j + 1] - g.y[j]), 0.0, 1.0);
+    water.fraction.push_back(fraction);
+    water.p_rgh_pa.push_back(fraction > 0 ? buoyancy * (level - water.reference_level_m) : 0);
+  }
+  return water;
+}
+
+}  // namespace blockweir::openfoam

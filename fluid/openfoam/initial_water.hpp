@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Water at rest in both pools, exact in every cell: OpenFOAM then starts without a jolt.
+#pragma once
+
+#include "fluid/openfoam/grid.hpp"
+
+namespace blockweir::openfoam {
+
+/// One value a cell, rows from below, each from left to right.
+struct InitialWater {
+  double reference_level_m = 0;  ///< interFoam's hRef
+  std::vector<double> fraction;  ///< of water
+  std::vector<double> p_rgh_pa;  ///< pressure less rho g (hRef - y)
+};
+
+/// Levels of time 0. A pool is what lies under its level and is connected to the mesh's left or right end; cells within
+/// blocks take the fraction of the nearest cell that is not.
+InitialWater initial_water(const Grid& grid, const scene::Scene& scene);
+
+}  // namespace blockweir::openfoam

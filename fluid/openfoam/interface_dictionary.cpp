@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/openfoam/interface_dictionary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bridge/schedule/hello.hpp"
+#include "fluid/hydrostatic/cracks.hpp"
+#include "fluid/openfoam/dictionary.hpp"
+
+namespace blockweir::openfoam {
+namespace {
+
+std::string blocks(const scene::Scene& scene, const Grid& grid) {
+  const auto outlines = outlines_in(grid, scene);
+  std::string text = "blocks\n{\n";
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    const bool ground = std::find(grid.ground.begin(), grid.ground.end(), static_cast<int>(b)) != grid.ground.end();
+    text += fmt::format("    block{}\n    {{\n        name {};\n        vertices {};\n", b,
+                        quoted(scene.blocks[b].name), point_list(scene.blocks[b].vertices));
+    if (ground) text += fmt::format("        outline {};  // the ground goes on\n", point_list(outlines[b]));
+    text += fmt::format("        loaded {};\n    }}\n", ground ? "no" : "yes");
+  }
+  return text + "}\n\n";
+}
+
+/// Rows for OpenFOAM's table, linear in between.
+std::string level(const char* key, const std::optional<scene::TimeTable>& table, const scene::Scene& scene) {
+  if (!table) return "";
+  std::string rows;
+  const auto row = [&](double time, double value) { rows += fmt::format(" ({} {})", exact(time), exact(value)); };
+  if (table->sine) {
+    const double step = scene.coupling.window_s;
+    const auto windows = static_cast<long>(std::ceil(scene.analysis.duration_s / step));
+    for (long n = 0; n <= windows; ++n) row(static_cast<double>(n) * step, table->at(static_cast<double>(n) * step));
+  } else {
+    for (std::size_t i = 0; i < table->time_s.size(); ++i) {
+      const double just_before = table->time_s[i] - 1e-9 * scene.coupling.window_s;
+      if (table->stepwise && i > 0) row(just_before, table->value[i - 1]);
+      row(table->time_s[i], table->value[i]);
+    }
+  }
+  return fmt::format("{} table ({} );\n", key, rows);
+}
+
+std::string pools(const scene::Scene& scene, const Grid& grid) {
+  std::string text = "// Whose level follows its table: all cells up to, or from, this x [m]\n";
+  const bool set = scene.openfoam.level_control == scene::LevelControl::table;
+  text += fmt::format("upstreamTo {};\ndownstreamFrom {};\nsetLevels {};\n", exact(grid.structure_left_m),
+                      exact(grid.structure_right_m), set ? "yes" : "no");
+  return text + level("upstreamLevel", scene.water.upstream_level_m, scene) +
+         level("downstreamLevel", scene.water.downstream_level_m, scene) + "\n";
+}
+
+/// A place on a block's outline where water enters a crack, and which way the water lies.
+std::string opening(const char* key, int block, const scene::Point& at, const scene::Point& outwards) {
+  return fmt::format("        {} {{ block {}; point ({} {}); direction ({} {}); }}\n", key, block, exact(at.x()),
+                     exact(at.y()), exact(outwards.x()), exact(outwards.y()));
+}
+
+/// Panels: block, edge, from and to along the edge, from and to along the crack, all but the first two as fractions.
+std::string cracks(const scene::Scene& scene) {
+  std::string text = "cracks\n{\n";
+  int number = 0;
+  for (const hydrostatic::Crack& crack : hydrostatic::find_cracks(scene)) {
+    text += fmt::format("    crack{}\n    {{\n        law {};\n", number++,
+                        crack.law == scene::Uplift::full ? "full" : "triangular");
+    const auto& first = crack.parts.front();
+    const auto& last = crack.parts.back();
+    const auto direction = [](const scene::TracePiece& piece) -> scene::Point {
+      return (piece.to_m - piece.from_m).normalized();
+    };
+    text += opening("mouth", first.block_a, first.trace.mouth(), -direction(first.trace.pieces.front()));
+    text += opening("end", last.block_a, last.trace.end(), direction(last.trace.pieces.back()));
+    text += "        panels\n        (\n";
+    double travelled = 0;
+    for (const hydrostatic::CrackPart& part : crack.parts) {
+      for (const scene::TracePiece& piece : part.trace.pieces) {
+        const double from = travelled / crack.length_m;
+        travelled += (piece.to_m - piece.from_m).norm();
+        const double to = travelled / crack.length_m;
+        const auto face = [&](int block, int edge, double s_from, double s_to) {
+          const bool along = s_from <= s_to;
+          text += fmt::format("            ({} {} {} {} {} {})\n", block, edge, exact(along ? s_from : s_to),
+                              exact(along ? s_to : s_from), exact(along ? from : to), exact(along ? to : from));
+        };
+        face(part.block_a, piece.edge_a, piece.s_from_a, piece.s_to_a);
+        face(part.block_b, piece.edge_b, piece.s_from_b, piece.s_to_b);
+      }
+    }
+    text += "        );\n    }\n";
+  }
+  return text + "}\n";
+}
+
+}  // namespace
+
+std::string interface_dictionary(const scene::Scene& scene, const Grid& grid, const std::string& endpoint) {
+  const wire::Hello hello = schedule::hello(scene, "openfoam");
+  std::string text = file_header("dictionary", "blockweir");
+  text += fmt::format(
+      "endpoint {};  // of the solid process; BLOCKWEIR_ENDPOINT in the environment comes first\n"
+      "timeout {};\nopenTimeout {};\n\n"
+      "sceneDigest {};\nschedule {};\nunits {};\nwindow {};\nduration {};\nstepsPerWindow {};\nmaxCourant {};\n"
+      "cell {};\n\n",
+      quoted(endpoint), exact(scene.coupling.timeout_s), exact(scene.coupling.open_timeout_s),
+      quoted(hello.scene_digest), quoted(hello.schedule), quoted(hello.units), exact(hello.window_s),
+      exact(hello.duration_s), scene.openfoam.steps_per_window, exact(scene.openfoam.max_courant), exact(grid.cell_m));
+  return text + pools(scene, grid) + blocks(scene, grid) + cracks(scene);
+}
+
+}  // namespace blockweir::openfoam

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// blockweir-openfoam: writes interFoam's case from a scene and runs it.
+#include <CLI/CLI.hpp>
+
+#include "bridge/scene/exit_status.hpp"
+#include "bridge/scene/read.hpp"
+#include "fluid/openfoam/run_case.hpp"
+
+int main(int argc, char** argv) {
+  using namespace blockweir;
+  std::string scene_path;
+  std::vector<std::string> overrides;
+  openfoam::RunOptions options;
+  CLI::App app{"blockweir-openfoam: water that moves, by OpenFOAM's interFoam"};
+  app.add_option("scene", scene_path, "scene file or case folder")->required();
+  app.add_option("--endpoint", options.endpoint, "where the solid process listens: ipc://PATH or tcp://HOST:PORT");
+  app.add_option("--out", options.folder, "folder for the case and its results")->required();
+  app.add_option("--set", overrides, "key=value over the scene's own; the same for both processes");
+  app.add_flag("--case-only", options.case_only, "write the case, and run nothing");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return scene::exit_status("blockweir-openfoam", [&] {
+    const scene::Scene scene = scene::read(scene_path, overrides).scene;
+    return openfoam::run_case(scene, options);
+  });
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/openfoam/plugin/immersed_blocks.hpp"
+
+#include <emptyPolyPatch.H>
+#include <zeroGradientFvPatchFields.H>
+
+#include "bridge/wire/placement.hpp"
+
+namespace blockweir::openfoam {
+
+std::vector<Polygon> cell_outlines(const Foam::fvMesh& mesh) {
+  std::vector<Polygon> outlines(static_cast<std::size_t>(mesh.nCells()));
+  for (const Foam::polyPatch& patch : mesh.boundaryMesh()) {
+    if (!Foam::isA<Foam::emptyPolyPatch>(patch)) continue;
+    for (Foam::label f = 0; f < patch.size(); ++f) {
+      Polygon outline;
+      for (const Foam::label vertex : patch[f]) {
+        outline.emplace_back(mesh.points()[vertex].x(), mesh.points()[vertex].y());
+      }
+      // One of a cell's two sides looks along z: its outline runs counter-clockwise.
+      if (area(outline) > 0) outlines[static_cast<std::size_t>(patch.faceCells()[f])] = std::move(outline);
+    }
+  }
+  for (const Polygon& outline : outlines) {
+    if (!outline.empty()) continue;
+    FatalErrorInFunction << "the mesh is not one cell thick between patches of type empty that face along z"
+                         << Foam::exit(Foam::FatalError);
+  }
+  return outlines;
+}
+
+ImmersedBlocks::ImmersedBlocks(const Foam::fvMesh& mesh, const Interface& interface)
+    : mesh_(mesh),
+      interface_(interface),
+      cells_(cell_outlines(mesh)),
+      locator_(cells_),
+      filled_(
+          Foam::IOobject("blocks", mesh.time().timeName(), mesh, Foam::IOobject::NO_READ, Foam::IOobject::AUTO_WRITE),
+          mesh, Foam::dimensionedScalar("blocks", Foam::dimless, 0.0), Foam::zeroGradientFvPatchScalarField::typeName),
+      start_(interface.blocks.size(), Pose{}),
+      end_(start_),
+      parts_(interface.blocks.size()) {
+  for (const InterfaceBlock& block : interface.blocks) outlines_.push_back(block.outline);
+  for (std::size_t b = 0; b < outlines_.size(); ++b) clip(b);
+}
+
+void ImmersedBlocks::move(const std::vector<Pose>& start, const std::vector<Pose>& end, double dt_s) {
+  dt_s_ = dt_s;
+  for (std::size_t b = 0; b < outlines_.size(); ++b) {
+    const bool moved = end[b] != end_[b];
+    start_[b] = start[b];
+    end_[b] = end[b];
+    if (!moved) continue;
+    const InterfaceBlock& block = interface_.blocks[b];
+    for (std::size_t v = 0; v < block.outline.size(); ++v) {
+      outlines_[b][v] = wire::place(block.centroid, end[b], block.outline[v]);
+    }
+    clip(b);
+  }
+}
+
+void ImmersedBlocks::clip(std::size_t b) {
+  ++clipped_;
+  for (const Part& part : parts_[b]) filled_[part.cell] = std::max(0.0, filled_[part.cell] - part.fraction);
+  parts_[b].clear();
+  Point low = outlines_[b].front();
+  Point high = low;
+  for (const Point& p : outlines_[b]) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  constexpr double least = 1e-9;  // of a cell: round-off of cells that the outline only touches
+  locator_.each_near(low, high, [&](int cell) {
+    const Polygon& outline = cells_[static_cast<std::size_t>(cell)];
+    const double fraction = clipper_.common_area(outlines_[b], outline) / area(outline);
+    if (fraction > least) parts_[b].push_back({cell, std::min(1.0, fraction)});
+  });
+  for (const Part& part : parts_[b]) filled_[part.cell] = std::min(1.0, filled_[part.cell] + part.fraction);
+}
+
+Point ImmersedBlocks::velocity(std::size_t b, const Point& x) const {
+  const Point& centroid = interface_.blocks[b].centroid;
+  const Point material = wire::unplace(centroid, end_[b], x);
+  return (wire::place(centroid, end_[b], material) - wire::place(centroid, start_[b], material)) / dt_s_;
+}
+
+}  // namespace blockweir::openfoam

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The blocks in the mesh: where they are, how fast they move, and how much of each cell they fill.
+#pragma once
+
+#include <volFields.H>
+
+#include "fluid/openfoam/cell_locator.hpp"
+#include "fluid/openfoam/plugin/interface.hpp"
+
+namespace blockweir::openfoam {
+
+using Pose = std::array<double, 6>;  ///< as in wire::Motion
+
+/// Outlines of a mesh's cells in the plane, counter-clockwise. Ends the run unless the mesh is one cell thick between
+/// two empty sides.
+std::vector<Polygon> cell_outlines(const Foam::fvMesh& mesh);
+
+class ImmersedBlocks {
+ public:
+  /// What a block fills of a cell of this rank.
+  struct Part {
+    Foam::label cell = 0;
+    double fraction = 0;
+  };
+
+  ImmersedBlocks(const Foam::fvMesh& mesh, const Interface& interface);
+
+  /// Over a step of dt_s the blocks go from `start` to `end`. Those that do not move cost nothing.
+  void move(const std::vector<Pose>& start, const std::vector<Pose>& end, double dt_s);
+
+  [[nodiscard]] const Interface& interface() const { return interface_; }
+  [[nodiscard]] CellLocator& locator() { return locator_; }
+  [[nodiscard]] const CellLocator& locator() const { return locator_; }
+  [[nodiscard]] const std::vector<Polygon>& outlines() const { return outlines_; }  ///< at the step's end
+  [[nodiscard]] const std::vector<Pose>& poses() const { return end_; }
+  [[nodiscard]] const Foam::volScalarField& filled() const { return filled_; }  ///< by all blocks together, 0..1
+  [[nodiscard]] const std::vector<Part>& parts(std::size_t block) const { return parts_[block]; }
+  /// Mean velocity over the step [m/s] of the point of a block that is at x at its end.
+  [[nodiscard]] Point velocity(std::size_t block, const Point& x) const;
+  [[nodiscard]] bool moves(std::size_t block) const { return start_[block] != end_[block]; }
+  [[nodiscard]] long clipped() const { return clipped_; }  ///< blocks clipped to the mesh so far
+
+ private:
+  void clip(std::size_t block);
+
+  const Foam::fvMesh& mesh_;
+  const Interface& interface_;
+  std::vector<Polygon> cells_;
+  CellLocator locator_;
+  Foam::volScalarField filled_;
+  std::vector<Pose> start_;
+  std::vector<Pose> end_;
+  double dt_s_ = 1;
+  std::vector<Polygon> outlines_;
+  std::vector<std::vector<Part>> parts_;
+  PolygonClip clipper_;
+  long clipped_ = 0;
+};
+
+}  // namespace blockweir::openfoam

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solid process as all ranks of interFoam see it: the master talks to it, the others hear what was said.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "bridge/channel/channel.hpp"
+#include "fluid/openfoam/plugin/interface.hpp"
+
+namespace blockweir::openfoam {
+
+/// What goes wrong ends all ranks with one line, through OpenFOAM's FatalError.
+class Partner {
+ public:
+  explicit Partner(const Interface& interface);
+  ~Partner();
+  Partner(const Partner&) = delete;
+  Partner& operator=(const Partner&) = delete;
+
+  /// Motion of window `window`, on all ranks; nothing when the solid has ended the run.
+  std::optional<wire::Motion> receive(std::uint64_t window);
+
+  /// The master's load is sent.
+  void send(const wire::Load& load);
+
+  /// Ends the run on all ranks; the solid is told why.
+  [[noreturn]] void fail(const std::string& text);
+
+  [[nodiscard]] double waited_s() const;
+  [[nodiscard]] double packed_s() const;
+
+ private:
+  template <class Action>
+  void on_master(Action action);
+
+  std::unique_ptr<channel::Channel> channel_;  ///< the master's; none elsewhere
+};
+
+}  // namespace blockweir::openfoam

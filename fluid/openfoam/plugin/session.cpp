@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/openfoam/plugin/session.hpp"
+
+#include <fvc.H>
+#include <surfaceFields.H>
+
+#include <algorithm>
+#include <cmath>
+
+namespace blockweir::openfoam {
+
+defineTypeNameAndDebug(Session, 0);
+
+namespace {
+
+const char* const name_in_registry = "blockweirSession";
+
+Foam::IOobject place_in_registry(const Foam::fvMesh& mesh) {
+  return Foam::IOobject(name_in_registry, mesh.time().timeName(), mesh, Foam::IOobject::NO_READ,
+                        Foam::IOobject::NO_WRITE);
+}
+
+Foam::IOobject place_of_dictionary(const Foam::fvMesh& mesh) {
+  return Foam::IOobject("blockweir", mesh.time().constant(), mesh.time(), Foam::IOobject::MUST_READ,
+                        Foam::IOobject::NO_WRITE);
+}
+
+/// Poses at the fraction `part` of the way.
+void between(const std::vector<Pose>& from, const std::vector<Pose>& to, double part, std::vector<Pose>& into) {
+  into.resize(from.size());
+  for (std::size_t b = 0; b < from.size(); ++b) {
+    for (std::size_t k = 0; k < into[b].size(); ++k) into[b][k] = from[b][k] + part * (to[b][k] - from[b][k]);
+  }
+}
+
+}  // namespace
+
+Session::Session(const Foam::fvMesh& mesh)
+    : Foam::regIOobject(place_in_registry(mesh)),
+      mesh_(mesh),
+      time_(const_cast<Foam::Time&>(mesh.time())),
+      dict_(place_of_dictionary(mesh)),
+      interface_(read_interface(dict_)),
+      windows_(interface_.hello.window_s, interface_.hello.duration_s, false),
+      partner_(interface_),
+      blocks_(mesh, interface_),
+      water_(mesh, blocks_),
+      levels_(mesh, dict_),
+      edges_(blocks_, water_) {
+  const auto first = partner_.receive(0);
+  if (!first) partner_.fail("the solid process ended the run before it began");
+  window_end_ = first->displacement;
+  blocks_.move(window_end_, window_end_, 1);
+  exchange();
+}
+
+Session::~Session() = default;
+
+Session* Session::of(const Foam::fvMesh& mesh) {
+  return mesh.foundObject<Session>(name_in_registry) ? &mesh.lookupObjectRef<Session>(name_in_registry) : nullptr;
+}
+
+void Session::begin_step() {
+  if (placed_at_ == time_.timeIndex()) return;
+  placed_at_ = time_.timeIndex();
+  if (!attached_) {
+    partner_.fail("system/controlDict has no function object of type blockweirSchedule: the water would go on alone");
+  }
+  between(window_start_, window_end_, static_cast<double>(step_) / steps_, step_start_);
+  between(window_start_, window_end_, static_cast<double>(step_ + 1) / steps_, step_end_);
+  if (step_ + 1 == steps_) step_end_ = window_end_;
+  blocks_.move(step_start_, step_end_, time_.deltaTValue());
+}
+
+void Session::end_step() {
+  if (++step_ == steps_) exchange();
+}
+
+/// Pressures of now are said, the blocks' next places are heard.
+void Session::exchange() {
+  load_.window = window_;
+  load_.time_s = windows_.end_s(window_);
+  load_.upstream_level_m = levels_.upstream_m(load_.time_s);
+  load_.downstream_level_m = levels_.downstream_m(load_.time_s);
+  edges_.sample(load_);
+  partner_.send(load_);
+  const auto motion = partner_.receive(window_ + 1);
+  if (motion) return start_window(*motion);
+  Foam::Info << "blockweir: the solid process has ended the run after window " << Foam::label(window_) << Foam::endl;
+  time_.writeAndEnd();
+}
+
+void Session::start_window(const wire::Motion& motion) {
+  window_start_ = window_end_;
+  window_end_ = motion.displacement;
+  ++window_;
+  step_ = 0;
+  const double from_s = windows_.end_s(window_ - 1);
+  const double to_s = windows_.end_s(window_);
+  const double wanted = (to_s - from_s) * courant_number() / time_.deltaTValue() / interface_.max_courant;
+  constexpr double most_steps = 1e4;
+  if (!(wanted < most_steps)) {
+    partner_.fail("the water moves so fast that a window would take over 10,000 steps: the solution has diverged");
+  }
+  steps_ = std::max(interface_.steps_per_window, static_cast<int>(std::ceil(wanted)));
+  time_.setDeltaT((to_s - from_s) / steps_, false);
+  levels_.set(to_s);
+}
+
+/// Of the last step made: the largest of all cells.
+double Session::courant_number() const {
+  if (time_.timeIndex() == time_.startTimeIndex()) return 0;
+  const auto& phi = mesh_.lookupObject<Foam::surfaceScalarField>("phi");
+  const Foam::scalarField flux(Foam::fvc::surfaceSum(Foam::mag(phi))().primitiveField());
+  return 0.5 * Foam::gMax(Foam::scalarField(flux / mesh_.V().field())) * time_.deltaTValue();
+}
+
+}  // namespace blockweir::openfoam

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One run's coupling: windows, their steps, and what is said at the end of each.
+#pragma once
+
+#include <regIOobject.H>
+
+#include "bridge/schedule/windows.hpp"
+#include "fluid/openfoam/plugin/edge_pressures.hpp"
+#include "fluid/openfoam/plugin/partner.hpp"
+#include "fluid/openfoam/plugin/water_levels.hpp"
+
+namespace blockweir::openfoam {
+
+/// Conventional serial staggered schedule, the fluid's side: pressures of t_n are said, the blocks' places at t_n+1
+/// come, and interFoam steps there.
+class Session : public Foam::regIOobject {
+ public:
+  TypeName("blockweirSession")
+
+      /// Connects, says the first pressures and hears where the blocks will be at the end of the first window. Any
+      /// trouble ends the run.
+      explicit Session(const Foam::fvMesh& mesh);
+  ~Session() override;
+
+  /// The mesh's session; null where there is none.
+  static Session* of(const Foam::fvMesh& mesh);
+
+  /// Called whenever the momentum equation is assembled; the first call in a step takes the blocks to its end.
+  void begin_step();
+  /// A time step has been made: the window's next, or the exchange at its end.
+  void end_step();
+  /// The function object that calls end_step() is there.
+  void attach() { attached_ = true; }
+
+  [[nodiscard]] const ImmersedBlocks& blocks() const { return blocks_; }
+  [[nodiscard]] double water_density() const { return water_.water_density(); }
+
+  bool writeData(Foam::Ostream&) const override { return true; }
+
+ private:
+  void exchange();
+  void start_window(const wire::Motion& motion);
+  [[nodiscard]] double courant_number() const;
+
+  const Foam::fvMesh& mesh_;
+  Foam::Time& time_;
+  Foam::IOdictionary dict_;
+  Interface interface_;
+  schedule::Windows windows_;
+  Partner partner_;
+  ImmersedBlocks blocks_;
+  WaterState water_;
+  WaterLevels levels_;
+  EdgePressures edges_;
+
+  std::uint64_t window_ = 0;  ///< the one whose end was exchanged last
+  int step_ = 0;              ///< made in the next one
+  int steps_ = 1;             ///< to be made in it
+  std::vector<Pose> window_start_;
+  std::vector<Pose> window_end_;
+  std::vector<Pose> step_start_;
+  std::vector<Pose> step_end_;
+  Foam::label placed_at_ = -1;  ///< time index of the step that the blocks were taken to
+  bool attached_ = false;
+  wire::Load load_;
+};
+
+}  // namespace blockweir::openfoam

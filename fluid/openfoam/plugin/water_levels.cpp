@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/openfoam/plugin/water_levels.hpp"
+
+#include <IOdictionary.H>
+
+#include <algorithm>
+#include <limits>
+
+namespace blockweir::openfoam {
+
+WaterLevels::WaterLevels(const Foam::fvMesh& mesh, const Foam::dictionary& dict) : mesh_(mesh) {
+  const auto read = [&](Pool& pool, const char* key) {
+    if (dict.found(key)) pool.level = Foam::Function1<Foam::scalar>::New(key, dict);
+  };
+  read(upstream_, "upstreamLevel");
+  read(downstream_, "downstreamLevel");
+  if (!dict.get<Foam::Switch>("setLevels")) return;
+  const auto upstream_to = dict.get<Foam::scalar>("upstreamTo");
+  const auto downstream_from = dict.get<Foam::scalar>("downstreamFrom");
+  for (Foam::label c = 0; c < mesh.nCells(); ++c) {
+    Cell cell{c, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const Foam::label p : mesh.cellPoints()[c]) {
+      cell.bottom = std::min(cell.bottom, mesh.points()[p].y());
+      cell.top = std::max(cell.top, mesh.points()[p].y());
+    }
+    if (upstream_.level && mesh.C()[c].x() < upstream_to) upstream_.cells.push_back(cell);
+    if (downstream_.level && mesh.C()[c].x() > downstream_from) downstream_.cells.push_back(cell);
+  }
+}
+
+double WaterLevels::upstream_m(double time_s) const {
+  return upstream_.level ? upstream_.level->value(time_s) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double WaterLevels::downstream_m(double time_s) const {
+  return downstream_.level ? downstream_.level->value(time_s) : std::numeric_limits<double>::quiet_NaN();
+}
+
+void WaterLevels::set(double time_s) {
+  set(upstream_, time_s);
+  set(downstream_, time_s);
+}
+
+void WaterLevels::set(Pool& pool, double time_s) {
+  if (pool.cells.empty()) return;
+  const double level = pool.level->value(time_s);
+  auto& water = mesh_.lookupObjectRef<Foam::volScalarField>("alpha.water");
+  auto& air = mesh_.lookupObjectRef<Foam::volScalarField>("alpha.air");
+  auto& rho = mesh_.lookupObjectRef<Foam::volScalarField>("rho");
+  const auto& transport = mesh_.lookupObject<Foam::IOdictionary>("transportProperties");
+  const double rho_water = Foam::dimensionedScalar("rho", Foam::dimDensity, transport.subDict("water")).value();
+  const double rho_air = Foam::dimensionedScalar("rho", Foam::dimDensity, transport.subDict("air")).value();
+  for (const Cell& cell : pool.cells) {
+    const double fraction = std::clamp((level - cell.bottom) / (cell.top - cell.bottom), 0.0, 1.0);
+    water[cell.cell] = fraction;
+    air[cell.cell] = 1 - fraction;
+    rho[cell.cell] = fraction * rho_water + (1 - fraction) * rho_air;
+  }
+  water.correctBoundaryConditions();
+  air.correctBoundaryConditions();
+  rho.correctBoundaryConditions();
+}
+
+}  // namespace blockweir::openfoam

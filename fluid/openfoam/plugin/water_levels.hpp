@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Levels that the scene prescribes: water fractions in the cells of a pool are set anew.
+#pragma once
+
+#include <Function1.H>
+#include <volFields.H>
+
+#include "fluid/openfoam/polygon_clip.hpp"
+
+namespace blockweir::openfoam {
+
+class WaterLevels {
+ public:
+  /// Entries upstreamLevel, upstreamTo, downstreamLevel, downstreamFrom and setLevels of constant/blockweir.
+  WaterLevels(const Foam::fvMesh& mesh, const Foam::dictionary& dict);
+
+  /// NaN where there is no pool [m].
+  [[nodiscard]] double upstream_m(double time_s) const;
+  [[nodiscard]] double downstream_m(double time_s) const;
+
+  /// Sets fraction and density; velocity and pressure stay, so that the pressure equation finds its level by itself.
+  void set(double time_s);
+
+ private:
+  struct Cell {
+    Foam::label cell = 0;
+    double bottom = 0;
+    double top = 0;
+  };
+  struct Pool {
+    Foam::autoPtr<Foam::Function1<Foam::scalar>> level;
+    std::vector<Cell> cells;
+  };
+  void set(Pool& pool, double time_s);
+
+  const Foam::fvMesh& mesh_;
+  Pool upstream_;
+  Pool downstream_;
+};
+
+}  // namespace blockweir::openfoam

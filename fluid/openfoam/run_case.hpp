@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// OpenFOAM's programs, one after the other, on a case of ours.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::openfoam {
+
+struct RunOptions {
+  std::filesystem::path folder;
+  std::string endpoint;
+  bool case_only = false;
+};
+
+/// Writes the case, makes its mesh and runs interFoam to its end; what they print goes to log.PROGRAM in the case's
+/// folder. Throws std::runtime_error with one line when OpenFOAM is missing or one of its programs fails.
+int run_case(const scene::Scene& scene, const RunOptions& options);
+
+}  // namespace blockweir::openfoam
