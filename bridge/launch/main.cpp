@@ -69,6 +69,7 @@ int run_command(int argc, char** argv) {
   auto* plot_cmd = app.add_subcommand("plot", "draw the figures of a run");
   plot_cmd->add_option("run", plot.run, "folder of a run")->required();
   plot_cmd->add_flag("--svg", plot.svg, "SVG instead of PNG");
+  plot_cmd->add_flag("--animate", plot.animated, "all frames as animation.gif too");
   auto* study_cmd = app.add_subcommand("study", "make the runs of a scene's studies and compare");
   study_cmd->add_option("scene", study.scene, "scene file or case folder")->required();
   study_cmd->add_option("--name", study.name, "one of the studies (default: all)");

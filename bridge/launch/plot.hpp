@@ -10,6 +10,7 @@ namespace blockweir::launch {
 struct PlotOptions {
   std::filesystem::path run;
   bool svg = false;
+  bool animated = false;  ///< all frames as animation.gif too
 };
 
 /// Writes displacements, velocities, rotations, level, snapshots and picture (.png or .svg) into the run's folder and

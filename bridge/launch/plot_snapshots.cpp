@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bridge/launch/gnuplot.hpp"
+#include "bridge/launch/openfoam_water.hpp"
 
 namespace blockweir::launch {
 namespace {
@@ -137,15 +138,41 @@ std::string bolts(const json& frame) {
   return text;
 }
 
-std::string moment(const json& frame, const View& view, bool contacts) {
+constexpr double fastest_shown = 12;  // m/s; faster water is as dark
+
+/// Boxes of moving water as a data block: edges and colour, the darker the faster.
+std::string flow(const std::vector<WaterBox>& boxes, const View& view, double fastest) {
+  std::string text = "$water << E\n";
+  constexpr double overlap = 0.15;  // of a box: no seams between neighbours
+  for (const WaterBox& b : boxes) {
+    if (b.right < view.left || b.left > view.right || b.top < view.bottom || b.bottom > view.top) continue;
+    const double share = std::min(1.0, b.speed / std::max(fastest, 1.0));
+    const auto mix = [&](double slow, double fast) {
+      return static_cast<int>(255 + b.share * (slow + share * (fast - slow) - 255));
+    };
+    const double dx = overlap * (b.right - b.left);
+    const double dy = overlap * (b.top - b.bottom);
+    text += fmt::format("{} {} {} {} {} {} {}\n", (b.left + b.right) / 2, (b.bottom + b.top) / 2,
+                        std::max(view.left, b.left - dx), std::min(view.right, b.right + dx),
+                        std::max(view.bottom, b.bottom - dy), std::min(view.top, b.top + dy),
+                        mix(0x9f, 0x0b) * 65536 + mix(0xc5, 0x3d) * 256 + mix(0xe8, 0x91));
+  }
+  return text + "E\n";
+}
+
+std::string moment(const json& frame, const View& view, bool contacts, const std::string& water = "") {
   int number = 0;
-  std::string text = "unset object\n";
-  text += pool(number, frame, view, "upstream_level_m");
-  text += pool(number, frame, view, "downstream_level_m");
+  std::string text = "unset object\n" + water;
+  const std::string layer = water.empty() ? "" : " front";  // over the water's boxes
+  if (water.empty()) {
+    text += pool(number, frame, view, "upstream_level_m");
+    text += pool(number, frame, view, "downstream_level_m");
+  }
   for (const json& block : frame["blocks"]) {
-    text += polygon(number, block["outline"], view,
-                    block["fixed"].get<bool>() ? "fc rgb '#8d7f6d' fillstyle solid border lc rgb '#5b5146' lw 1"
-                                               : "fc rgb '#c9c9c4' fillstyle solid border lc rgb '#303030' lw 1.5");
+    const bool fixed = block["fixed"].get<bool>();
+    const std::string style = fixed ? "fc rgb '#8d7f6d' fillstyle solid border lc rgb '#5b5146' lw 1"
+                                    : "fc rgb '#c9c9c4' fillstyle solid border lc rgb '#303030' lw 1.5";
+    text += polygon(number, block["outline"], view, (style + layer).c_str());
   }
   double largest = 0;
   text += stress(number, frame, view, largest);
@@ -157,6 +184,9 @@ std::string moment(const json& frame, const View& view, bool contacts) {
                                 : "";
   text += fmt::format("set title \"{:.2f} s{}{}\"\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
                       frame["time_s"].get<double>(), level, scale, view.left, view.right, view.bottom, view.top);
+  if (!water.empty()) {
+    return text + "plot $water using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder lc rgb variable notitle\n";
+  }
   std::string points;
   for (const json& c : frame["contacts"]) {
     const int state = c[2];
@@ -187,7 +217,7 @@ std::vector<std::size_t> chosen(const std::vector<json>& frames, const json& sum
 }  // namespace
 
 std::string snapshot_script(const fs::path& run, const json& summary, const std::string& terminal,
-                            const std::string& ending) {
+                            const std::string& ending, bool animated) {
   const std::vector<json> frames = read_frames(run / "frames.jsonl");
   const auto picks = chosen(frames, summary);
   const View view = view_of(frames);
@@ -197,15 +227,25 @@ std::string snapshot_script(const fs::path& run, const json& summary, const std:
     script += fmt::format("set terminal {} size {:.0f},{:.0f}\nset output {}\n", terminal, width, height,
                           gnuplot_path(run / (name + ending)));
   };
+  const OpenFoamWater water(run);
+  const auto flow_at = [&](const json& frame) {
+    return water.empty() ? "" : flow(water.boxes(frame["time_s"]), view, fastest_shown);
+  };
   const int columns = 3;
   const int rows = static_cast<int>((picks.size() + 2) / 3);
   begin("snapshots", 1350, 60 + rows * (60 + 430 * aspect));
   script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns,
                         gnuplot_text(summary.value("title", std::string("section"))));
-  for (const std::size_t pick : picks) script += moment(frames[pick], view, true);
+  for (const std::size_t pick : picks) script += moment(frames[pick], view, true, flow_at(frames[pick]));
   script += "unset multiplot\n";
   begin("picture", 1000, 80 + 940 * aspect);
-  script += moment(frames[picks[picks.size() * 2 / 3]], view, false);
+  const json& one = frames[picks[picks.size() * 2 / 3]];
+  script += moment(one, view, false, flow_at(one));
+  if (!animated) return script;
+  constexpr double playback_s = 0.1;  // a frame
+  script += fmt::format("set terminal gif animate delay {:.0f} loop 0 size 900,{:.0f}\nset output {}\n",
+                        100 * playback_s, 80 + 840 * aspect, gnuplot_path(run / "animation.gif"));
+  for (const json& frame : frames) script += moment(frame, view, false, flow_at(frame));
   return script;
 }
 

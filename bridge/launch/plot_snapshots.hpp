@@ -10,6 +10,6 @@ namespace blockweir::launch {
 
 /// Script for `snapshots` (six moments) and `picture` (one).
 std::string snapshot_script(const std::filesystem::path& run, const nlohmann::json& summary,
-                            const std::string& terminal, const std::string& ending);
+                            const std::string& terminal, const std::string& ending, bool animated);
 
 }  // namespace blockweir::launch

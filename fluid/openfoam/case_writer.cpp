@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/openfoam/case_writer.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "fluid/openfoam/dictionary.hpp"
@@ -141,6 +143,7 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
     results::replace_file(options.folder / file, text);
   };
   const InitialWater water = initial_water(grid, scene);
+  write("grid.json", nlohmann::json{{"x_m", grid.x}, {"y_m", grid.y}}.dump() + "\n");  // for pictures
   write("system/blockMeshDict", block_mesh(grid));
   write("system/controlDict", control(scene, options));
   write("system/fvSchemes", schemes());

@@ -14,26 +14,49 @@ WaterLevels::WaterLevels(const Foam::fvMesh& mesh, const Foam::dictionary& dict)
   };
   read(upstream_, "upstreamLevel");
   read(downstream_, "downstreamLevel");
-  if (!dict.get<Foam::Switch>("setLevels")) return;
+  set_levels_ = dict.get<Foam::Switch>("setLevels");
   const auto upstream_to = dict.get<Foam::scalar>("upstreamTo");
   const auto downstream_from = dict.get<Foam::scalar>("downstreamFrom");
+  const double left = mesh.bounds().min().x();
+  const double right = mesh.bounds().max().x();
   for (Foam::label c = 0; c < mesh.nCells(); ++c) {
     Cell cell{c, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    bool first = false;
+    bool last = false;
     for (const Foam::label p : mesh.cellPoints()[c]) {
-      cell.bottom = std::min(cell.bottom, mesh.points()[p].y());
-      cell.top = std::max(cell.top, mesh.points()[p].y());
+      const Foam::point& corner = mesh.points()[p];
+      cell.bottom = std::min(cell.bottom, corner.y());
+      cell.top = std::max(cell.top, corner.y());
+      first = first || corner.x() <= left;
+      last = last || corner.x() >= right;
     }
+    if (upstream_.level && first) upstream_.end.push_back(cell);
+    if (downstream_.level && last) downstream_.end.push_back(cell);
+    if (!set_levels_) continue;
     if (upstream_.level && mesh.C()[c].x() < upstream_to) upstream_.cells.push_back(cell);
     if (downstream_.level && mesh.C()[c].x() > downstream_from) downstream_.cells.push_back(cell);
   }
 }
 
+double WaterLevels::level(const Pool& pool, double time_s) const {
+  if (!pool.level) return std::numeric_limits<double>::quiet_NaN();
+  if (set_levels_) return pool.level->value(time_s);
+  const auto& water = mesh_.lookupObject<Foam::volScalarField>("alpha.water");
+  constexpr double some = 0.01;
+  double surface = mesh_.bounds().min().y();
+  for (const Cell& cell : pool.end) {
+    const double fraction = std::min(1.0, water[cell.cell]);
+    if (fraction > some) surface = std::max(surface, cell.bottom + fraction * (cell.top - cell.bottom));
+  }
+  return Foam::returnReduce(surface, Foam::maxOp<Foam::scalar>());
+}
+
 double WaterLevels::upstream_m(double time_s) const {
-  return upstream_.level ? upstream_.level->value(time_s) : std::numeric_limits<double>::quiet_NaN();
+  return level(upstream_, time_s);
 }
 
 double WaterLevels::downstream_m(double time_s) const {
-  return downstream_.level ? downstream_.level->value(time_s) : std::numeric_limits<double>::quiet_NaN();
+  return level(downstream_, time_s);
 }
 
 void WaterLevels::set(double time_s) {
