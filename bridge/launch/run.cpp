@@ -90,6 +90,11 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
     for (const auto& [what, count] : fluid["counts"].items()) summary["counts"]["fluid_" + what] = count;
     fs::remove(folder / "hydrostatic.json");
   }
+  const json water = read_json(folder / "openfoam.json");
+  if (water.is_object()) {
+    for (const json& check : water["checks"]) summary["checks"].push_back(check);
+    fs::remove(folder / "openfoam.json");
+  }
   results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
 }
 
@@ -124,9 +129,9 @@ RunResult run(const RunOptions& options) {
                          "--profile-out", result.folder / "hydrostatic.json"}});
   }
   if (scene.fluid == scene::FluidModel::openfoam) {
-    commands.push_back(
-        {"openfoam",
-         {program("blockweir-openfoam"), copy, "--endpoint", endpoint, "--out", result.folder / "openfoam"}});
+    commands.push_back({"openfoam",
+                        {program("blockweir-openfoam"), copy, "--endpoint", endpoint, "--out",
+                         result.folder / "openfoam", "--result", result.folder / "openfoam.json"}});
   }
   Progress progress(pipe_ends[0], scene.analysis.duration_s, options.quiet);
   const Supervised supervised = supervise(commands, result.folder, grace_s, [&] { progress.update(); });

@@ -66,7 +66,7 @@ void read_sections(Reading& reading) {
   const bool structure_sound = reading.problems.count() == before;
   for (const auto read : {read_joints, read_point_loads, read_face_pressures, read_line_loads, read_body_loads,
                           read_bolts, read_base_motion, read_water, read_fluid, read_contact, read_coupling,
-                          read_output, read_expectations, read_variants, read_studies}) {
+                          read_output, read_expectations, read_water_expectations, read_variants, read_studies}) {
     read(reading);
   }
   reject_unknown_sections(reading);

@@ -213,6 +213,16 @@ enum class FluidModel { none, hydrostatic, openfoam };
 /// Who sets the level once an OpenFOAM run has begun: the tables of [water] in both pools, or the water itself.
 enum class LevelControl { table, free };
 
+enum class WaveKind { regular, solitary };
+
+/// Comes in at the mesh's upstream end, which takes up what comes back to it.
+struct Wave {
+  WaveKind kind = WaveKind::regular;
+  double height_m = 0;
+  double period_s = 0;  ///< regular waves only
+  bool operator==(const Wave&) const = default;
+};
+
 /// [fluid] model = "openfoam": interFoam's mesh and steps. A depth is the largest that either pool reaches.
 struct OpenFoam {
   int processes = 1;
@@ -225,6 +235,8 @@ struct OpenFoam {
   double max_courant = 0.5;
   int steps_per_window = 1;  ///< at least; more where max_courant asks for it
   LevelControl level_control = LevelControl::table;
+  std::vector<std::vector<Point>> initial_water_m;  ///< outlines full of water at time 0, beside the pools
+  std::optional<Wave> wave;
   bool operator==(const OpenFoam&) const = default;
 };
 
@@ -338,6 +350,7 @@ struct Scene {
   Coupling coupling;
   Output output;
   std::vector<Expectation> expectations;
+  std::vector<Expectation> water_expectations;  ///< of OpenFOAM's water; a value each
   std::vector<Variant> variants;
   Studies studies;
   std::string text;    ///< the file as read, overrides applied: what the digest covers

@@ -79,7 +79,9 @@ void read_water(Reading& reading) {
   table.flag("may_overtop", w.may_overtop);
   if (!table.present()) return;
   reading.scene.fluid = FluidModel::hydrostatic;
-  if (!table.has("upstream_level_m") && !table.has("downstream_level_m")) {
+  const toml::table* fluid = reading.section("fluid");
+  const bool drawn = fluid != nullptr && fluid->contains("initial_water_m");
+  if (!drawn && !table.has("upstream_level_m") && !table.has("downstream_level_m")) {
     reading.problems.error(table.place(), "[water] has no level", "upstream_level_m, downstream_level_m or both",
                            "state a level, or leave [water] out");
   }
@@ -90,48 +92,6 @@ void read_water(Reading& reading) {
   check_level(table, reading, "upstream_level_m", w.upstream_level_m);
   check_level(table, reading, "downstream_level_m", w.downstream_level_m);
 }
-
-namespace {
-
-/// Keys that only one model knows are refused beside another.
-void read_openfoam(TableReader& table, Reading& reading) {
-  OpenFoam& o = reading.scene.openfoam;
-  const Range ratio{[](double r) { return r > 0 && r <= 1; }, "a number above 0 and up to 1"};
-  table.integer("processes", o.processes, 1);
-  table.integer("cells_in_depth", o.cells_in_depth, 4);
-  table.number("upstream_depths", o.upstream_depths, positive());
-  table.number("downstream_depths", o.downstream_depths, positive());
-  table.number("freeboard_depths", o.freeboard_depths, positive());
-  table.number("floor_m", o.floor_m);
-  table.number("air_density_kg_per_m3", o.air_density_kg_per_m3, positive());
-  table.number("max_courant", o.max_courant, ratio);
-  table.integer("steps_per_window", o.steps_per_window, 1);
-  table.choice<LevelControl>("level_control", o.level_control,
-                             {{"table", LevelControl::table}, {"free", LevelControl::free}});
-  if (reading.scene.fluid == FluidModel::openfoam) return;
-  for (const char* key : {"processes", "cells_in_depth", "upstream_depths", "downstream_depths", "freeboard_depths",
-                          "floor_m", "air_density_kg_per_m3", "max_courant", "steps_per_window", "level_control"}) {
-    if (!table.has(key)) continue;
-    reading.problems.error(table.place(key), fmt::format("{} without OpenFOAM", key), "model = \"openfoam\" beside it",
-                           fmt::format("leave {} out, or set model = \"openfoam\"", key));
-  }
-}
-
-/// What interFoam cannot do is said before it starts.
-void check_openfoam(TableReader& table, Reading& reading) {
-  const Scene& scene = reading.scene;
-  if (scene.analysis.kind == AnalysisKind::at_rest) {
-    reading.problems.error(table.place("model"), "OpenFOAM in a static analysis",
-                           "kind = \"dynamic\" or \"quasi-static\"",
-                           "change kind in [analysis], or use model = \"hydrostatic\"");
-  }
-  if (scene.water.atmosphere == Atmosphere::wet_faces) {
-    reading.problems.error(table.place("model"), "OpenFOAM with atmosphere = \"wet-faces\"", "atmosphere = \"none\"",
-                           "leave atmosphere out of [water], or use model = \"hydrostatic\"");
-  }
-}
-
-}  // namespace
 
 void read_fluid(Reading& reading) {
   const bool water = reading.scene.fluid == FluidModel::hydrostatic;
@@ -145,7 +105,6 @@ void read_fluid(Reading& reading) {
                            "add [water], or set model = \"none\"");
   }
   read_openfoam(table, reading);
-  if (model == FluidModel::openfoam) check_openfoam(table, reading);
 }
 
 }  // namespace blockweir::scene

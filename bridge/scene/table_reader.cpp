@@ -213,6 +213,13 @@ bool TableReader::points(const char* key, std::vector<Point>& into, std::size_t 
   return node != nullptr && points_of(key, *node, into, least);
 }
 
+const toml::table* TableReader::table(const char* key) {
+  const toml::node* node = ask(key, false, "");
+  if (node == nullptr || node->is_table()) return node == nullptr ? nullptr : node->as_table();
+  wrong(key, *node, "a table { key = value, ... }");
+  return nullptr;
+}
+
 bool TableReader::outlines(const char* key, std::vector<std::vector<Point>>& into) {
   const toml::node* node = ask(key, false, "");
   if (node == nullptr) return false;

@@ -60,6 +60,8 @@ class TableReader {
   bool points(const char* key, std::vector<Point>& into, std::size_t least = 3);
   /// A list of outlines; may be absent.
   bool outlines(const char* key, std::vector<std::vector<Point>>& into);
+  /// A table of its own; null when it is wrong or absent.
+  const toml::table* table(const char* key);
   /// `duration_s` is where a ramp without `to` ends.
   bool time_table(const char* key, std::optional<TimeTable>& into, double duration_s);
   /// An index into `names`; -1 when it is wrong or absent.

@@ -43,7 +43,7 @@ std::string control(const scene::Scene& scene, const CaseOptions& options) {
   return file_header("dictionary", "controlDict") +
          fmt::format(
              "application       interFoam;\n"
-             "libs              ({});\n\n"
+             "libs              ({}{});\n\n"
              "startFrom         latestTime;\n"
              "startTime         0;\n"
              "stopAt            endTime;\n"
@@ -58,8 +58,9 @@ std::string control(const scene::Scene& scene, const CaseOptions& options) {
              "timePrecision     10;\n"
              "runTimeModifiable no;\n\n"
              "functions\n{{\n    blocks {{ type blockweirSchedule; libs ({}); }}\n}}\n",
-             quoted(options.plugin.string()), exact(1e6 + 10 * scene.analysis.duration_s), exact(step),
-             exact(scene.output.frame_every_s), quoted(options.plugin.string()));
+             quoted(options.plugin.string()), scene.openfoam.wave ? " \"libwaveModels.so\"" : "",
+             exact(1e6 + 10 * scene.analysis.duration_s), exact(step), exact(scene.output.frame_every_s),
+             quoted(options.plugin.string()));
 }
 
 /// Of the settings measured at equal error the fastest ones.
@@ -126,13 +127,25 @@ std::string field(const std::string& name, const std::string& dimensions, const 
   return text + ");\n\nboundaryField\n{\n" + boundary + "    sides { type empty; }\n}\n";
 }
 
-constexpr const char* no_flow =
-    "    upstream { type slip; }\n    downstream { type slip; }\n    floor { type slip; }\n";
-
-std::string velocity() {
+std::string velocity(bool wave) {
   return file_header("volVectorField", "U") +
-         "dimensions [0 1 -1 0 0 0 0];\n\ninternalField uniform (0 0 0);\n\nboundaryField\n{\n" + no_flow +
+         "dimensions [0 1 -1 0 0 0 0];\n\ninternalField uniform (0 0 0);\n\nboundaryField\n{\n" +
+         (wave ? "    upstream { type waveVelocity; value uniform (0 0 0); }\n" : "    upstream { type slip; }\n") +
+         "    downstream { type slip; }\n    floor { type noSlip; }\n" +
          "    atmosphere { type pressureInletOutletVelocity; value uniform (0 0 0); }\n    sides { type empty; }\n}\n";
+}
+
+/// OpenFOAM's own wave models, taking up at the same place what comes back.
+std::string waves(const scene::Wave& wave) {
+  const std::string kind =
+      wave.kind == scene::WaveKind::solitary
+          ? "    waveModel Boussinesq;\n"
+          : fmt::format("    waveModel StokesII;\n    wavePeriod {0};\n    rampTime {0};\n", exact(wave.period_s));
+  return file_header("dictionary", "waveProperties") +
+         fmt::format(
+             "upstream\n{{\n    alpha alpha.water;\n{}    waveHeight {};\n    waveAngle 0;\n    nPaddle 1;\n"
+             "    activeAbsorption yes;\n}}\n",
+             kind, exact(wave.height_m));
 }
 
 }  // namespace
@@ -159,14 +172,18 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
   write("constant/hRef", file_header("uniformDimensionedScalarField", "hRef") +
                              fmt::format("dimensions [0 1 0 0 0 0 0];\nvalue {};\n", exact(water.reference_level_m)));
   write("constant/blockweir", interface_dictionary(scene, grid, options.endpoint));
-  const std::string still = "    \"(upstream|downstream|floor)\" { type zeroGradient; }\n";
+  const bool wave = scene.openfoam.wave.has_value();
+  if (wave) write("constant/waveProperties", waves(*scene.openfoam.wave));
+  const std::string still = std::string(wave ? "    upstream { type waveAlpha; value uniform 0; }\n"
+                                             : "    upstream { type zeroGradient; }\n") +
+                            "    \"(downstream|floor)\" { type zeroGradient; }\n";
   write("0/alpha.water",
         field("alpha.water", "[0 0 0 0 0 0 0]", water.fraction,
               still + "    atmosphere { type inletOutlet; inletValue uniform 0; value uniform 0; }\n"));
   write("0/p_rgh", field("p_rgh", "[1 -1 -2 0 0 0 0]", water.p_rgh_pa,
                          "    \"(upstream|downstream|floor)\" { type fixedFluxPressure; value uniform 0; }\n"
                          "    atmosphere { type totalPressure; p0 uniform 0; }\n"));
-  write("0/U", velocity());
+  write("0/U", velocity(wave));
 }
 
 }  // namespace blockweir::openfoam

@@ -33,6 +33,13 @@ double highest(const std::optional<scene::TimeTable>& level) {
          (level->sine ? std::abs(level->sine->amplitude) : 0);
 }
 
+double highest_water(const scene::Scene& scene) {
+  double level = std::max(highest(scene.water.upstream_level_m), highest(scene.water.downstream_level_m));
+  for (const auto& outline : scene.openfoam.initial_water_m)
+    level = std::max(level, scene::bounds_of(outline).high.y());
+  return level;
+}
+
 /// Fixed blocks at the model's left or right end whose top there is under water are ground, others a wall.
 std::vector<int> find_ground(const scene::Scene& scene, const scene::Bounds& model, double level_m) {
   std::vector<int> ground;
@@ -93,7 +100,7 @@ void append(std::vector<double>& lines, const Stretch& stretch) {
 Grid make_grid(const scene::Scene& scene) {
   const scene::OpenFoam& o = scene.openfoam;
   const scene::Bounds model = bounds(scene);
-  const double level = std::max(highest(scene.water.upstream_level_m), highest(scene.water.downstream_level_m));
+  const double level = highest_water(scene);
   Grid grid;
   grid.ground = find_ground(scene, model, level);
   const double floor = o.floor_m.value_or(find_floor(scene, model, !grid.ground.empty()));
@@ -133,6 +140,7 @@ Grid make_grid(const scene::Scene& scene) {
   const double far_right = std::max(h, o.downstream_depths * depth - near);
   Stretch narrowing = widen(far_left, h);
   narrowing.expansion = 1 / narrowing.expansion;
+  if (o.wave) narrowing = {far_left, whole_cells(far_left), 1};  // wide cells would swallow it
   grid.stretches = {narrowing, {middle * h, middle, 1}, widen(far_right, h)};
   grid.x = {left - near_left * h - far_left};
   for (const Stretch& stretch : grid.stretches) append(grid.x, stretch);

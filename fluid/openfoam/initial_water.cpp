@@ -73,6 +73,18 @@ double crest_x(const Grid& g, const scene::Scene& scene, bool upstream) {
   return crest.x();
 }
 
+/// Water that the scene draws. Its pressure is interFoam's to find: it is not at rest.
+void add_drawn(const Grid& g, const scene::Scene& scene, std::vector<double>& fraction) {
+  PolygonClip clip;
+  for (const auto& outline : scene.openfoam.initial_water_m) {
+    for (std::size_t cell = 0; cell < g.cells(); ++cell) {
+      const Polygon window = cell_polygon(g, cell % g.columns(), cell / g.columns());
+      const double share = clip.common_area(outline, window) / area(window);
+      fraction[cell] = std::min(1.0, fraction[cell] + share);
+    }
+  }
+}
+
 }  // namespace
 
 InitialWater initial_water(const Grid& g, const scene::Scene& scene) {
@@ -112,7 +124,11 @@ InitialWater initial_water(const Grid& g, const scene::Scene& scene) {
   spread(g, std::move(front), holds, [](std::size_t, Holds) { return true; });
 
   InitialWater water;
-  water.reference_level_m = std::isfinite(upstream) ? upstream : downstream;
+  water.reference_level_m = std::max(upstream, downstream);
+  if (std::isfinite(upstream)) water.reference_level_m = upstream;
+  for (const auto& drawn : scene.openfoam.initial_water_m) {
+    if (!std::isfinite(water.reference_level_m)) water.reference_level_m = scene::bounds_of(drawn).high.y();
+  }
   const double buoyancy =
       (scene.water.density_kg_per_m3 - scene.openfoam.air_density_kg_per_m3) * scene.analysis.gravity_m_per_s2;
   for (std::size_t cell = 0; cell < g.cells(); ++cell) {
@@ -124,6 +140,7 @@ InitialWater initial_water(const Grid& g, const scene::Scene& scene) {
     water.fraction.push_back(fraction);
     water.p_rgh_pa.push_back(fraction > 0 ? buoyancy * (level - water.reference_level_m) : 0);
   }
+  add_drawn(g, scene, water.fraction);
   return water;
 }
 

@@ -25,7 +25,7 @@ std::string blocks(const scene::Scene& scene, const Grid& grid) {
 }
 
 /// Rows for OpenFOAM's table, linear in between.
-std::string level(const char* key, const std::optional<scene::TimeTable>& table, const scene::Scene& scene) {
+std::string time_table(const char* key, const std::optional<scene::TimeTable>& table, const scene::Scene& scene) {
   if (!table) return "";
   std::string rows;
   const auto row = [&](double time, double value) { rows += fmt::format(" ({} {})", exact(time), exact(value)); };
@@ -48,8 +48,16 @@ std::string pools(const scene::Scene& scene, const Grid& grid) {
   const bool set = scene.openfoam.level_control == scene::LevelControl::table;
   text += fmt::format("upstreamTo {};\ndownstreamFrom {};\nsetLevels {};\n", exact(grid.structure_left_m),
                       exact(grid.structure_right_m), set ? "yes" : "no");
-  return text + level("upstreamLevel", scene.water.upstream_level_m, scene) +
-         level("downstreamLevel", scene.water.downstream_level_m, scene) + "\n";
+  return text + time_table("upstreamLevel", scene.water.upstream_level_m, scene) +
+         time_table("downstreamLevel", scene.water.downstream_level_m, scene) + "\n";
+}
+
+/// Of a mesh that moves with the ground.
+std::string ground(const scene::Scene& scene) {
+  if (!scene.base_motion) return "";
+  const auto table = [&](const char* key, const scene::TimeTable& a) { return time_table(key, a, scene); };
+  return table("groundAccelerationX", scene.base_motion->acceleration_x_m_per_s2) +
+         table("groundAccelerationY", scene.base_motion->acceleration_y_m_per_s2) + "\n";
 }
 
 /// A place on a block's outline where water enters a crack, and which way the water lies.
@@ -106,7 +114,7 @@ std::string interface_dictionary(const scene::Scene& scene, const Grid& grid, co
       quoted(endpoint), exact(scene.coupling.timeout_s), exact(scene.coupling.open_timeout_s),
       quoted(hello.scene_digest), quoted(hello.schedule), quoted(hello.units), exact(hello.window_s),
       exact(hello.duration_s), scene.openfoam.steps_per_window, exact(scene.openfoam.max_courant), exact(grid.cell_m));
-  return text + pools(scene, grid) + blocks(scene, grid) + cracks(scene);
+  return text + pools(scene, grid) + ground(scene) + blocks(scene, grid) + cracks(scene);
 }
 
 }  // namespace blockweir::openfoam

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   app.add_option("--endpoint", options.endpoint, "where the solid process listens: ipc://PATH or tcp://HOST:PORT");
   app.add_option("--out", options.folder, "folder for the case and its results")->required();
   app.add_option("--set", overrides, "key=value over the scene's own; the same for both processes");
+  app.add_option("--result", options.result, "file for the checks of the water (JSON)");
   app.add_flag("--case-only", options.case_only, "write the case, and run nothing");
   try {
     app.parse(argc, argv);

@@ -7,7 +7,9 @@
 #include <fstream>
 
 #include "bridge/launch/supervisor.hpp"
+#include "bridge/results/result_file.hpp"
 #include "fluid/openfoam/case_writer.hpp"
+#include "fluid/openfoam/water_checks.hpp"
 
 namespace blockweir::openfoam {
 namespace {
@@ -101,16 +103,21 @@ int run_case(const scene::Scene& scene, const RunOptions& options) {
     return 0;
   }
   run_program("blockMesh", {"blockMesh", "-case", folder}, folder);
+  const auto finish = [&] {
+    const nlohmann::json result = {{"checks", water_checks(scene, folder / "water.csv")}};
+    if (!options.result.empty()) results::replace_file(options.result, result.dump(2) + "\n");
+    return 0;
+  };
   if (scene.openfoam.processes == 1) {
     run_program("interFoam", {"interFoam", "-case", folder}, folder);
-    return 0;
+    return finish();
   }
   run_program("decomposePar", {"decomposePar", "-force", "-case", folder}, folder);
   run_program("interFoam",
               {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", std::to_string(scene.openfoam.processes),
                "interFoam", "-parallel", "-case", folder},
               folder);
-  return 0;
+  return finish();
 }
 
 }  // namespace blockweir::openfoam

@@ -13,6 +13,7 @@ struct RunOptions {
   std::filesystem::path folder;
   std::string endpoint;
   bool case_only = false;
+  std::filesystem::path result{};  ///< file for the checks of the water (JSON); empty: none
 };
 
 /// Writes the case, makes its mesh and runs interFoam to its end; what they print goes to log.PROGRAM in the case's

@@ -17,7 +17,7 @@ BlocksOption::BlocksOption(const Foam::word& name, const Foam::word& type, const
   applied_.setSize(1, false);
 }
 
-void BlocksOption::addSup(const Foam::volScalarField&, Foam::fvMatrix<Foam::vector>& eqn, const Foam::label) {
+void BlocksOption::addSup(const Foam::volScalarField& rho, Foam::fvMatrix<Foam::vector>& eqn, const Foam::label) {
   session_->begin_step();
   constexpr double eps = 1e-4;
   const double rho_over_dt = session_->water_density() / mesh_.time().deltaTValue();
@@ -39,6 +39,9 @@ void BlocksOption::addSup(const Foam::volScalarField&, Foam::fvMatrix<Foam::vect
       source[c] -= penalty * Foam::vector(u.x(), u.y(), 0);
     }
   }
+  // The mesh moves with the ground: water feels -rho a.
+  const Foam::vector ground = session_->ground_acceleration();
+  if (Foam::magSqr(ground) > 0) source += volume * rho.primitiveField() * ground;
 }
 
 }  // namespace blockweir::openfoam

@@ -46,10 +46,16 @@ Session::Session(const Foam::fvMesh& mesh)
       blocks_(mesh, interface_),
       water_(mesh, blocks_),
       levels_(mesh, dict_),
-      edges_(blocks_, water_) {
+      edges_(blocks_, water_),
+      record_(mesh, blocks_) {
+  if (dict_.found("groundAccelerationX")) {
+    ground_x_ = Foam::Function1<Foam::scalar>::New("groundAccelerationX", dict_);
+    ground_y_ = Foam::Function1<Foam::scalar>::New("groundAccelerationY", dict_);
+  }
   const auto first = partner_.receive(0);
   if (!first) partner_.fail("the solid process ended the run before it began");
   window_end_ = first->displacement;
+  velocity_ = first->velocity;
   blocks_.move(window_end_, window_end_, 1);
   exchange();
 }
@@ -84,6 +90,7 @@ void Session::exchange() {
   load_.downstream_level_m = levels_.downstream_m(load_.time_s);
   edges_.sample(load_);
   partner_.send(load_);
+  record_.add(load_.time_s, load_, velocity_, ground_acceleration().x());
   const auto motion = partner_.receive(window_ + 1);
   if (motion) return start_window(*motion);
   Foam::Info << "blockweir: the solid process has ended the run after window " << Foam::label(window_) << Foam::endl;
@@ -93,6 +100,7 @@ void Session::exchange() {
 void Session::start_window(const wire::Motion& motion) {
   window_start_ = window_end_;
   window_end_ = motion.displacement;
+  velocity_ = motion.velocity;
   ++window_;
   step_ = 0;
   const double from_s = windows_.end_s(window_ - 1);
@@ -105,6 +113,11 @@ void Session::start_window(const wire::Motion& motion) {
   steps_ = std::max(interface_.steps_per_window, static_cast<int>(std::ceil(wanted)));
   time_.setDeltaT((to_s - from_s) / steps_, false);
   levels_.set(to_s);
+}
+
+Foam::vector Session::ground_acceleration() const {
+  if (!ground_x_) return Foam::vector::zero;
+  return {ground_x_->value(time_.value()), ground_y_->value(time_.value()), 0};
 }
 
 /// Of the last step made: the largest of all cells.

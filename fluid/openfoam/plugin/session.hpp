@@ -8,6 +8,7 @@
 #include "fluid/openfoam/plugin/edge_pressures.hpp"
 #include "fluid/openfoam/plugin/partner.hpp"
 #include "fluid/openfoam/plugin/water_levels.hpp"
+#include "fluid/openfoam/plugin/water_record.hpp"
 
 namespace blockweir::openfoam {
 
@@ -34,6 +35,8 @@ class Session : public Foam::regIOobject {
 
   [[nodiscard]] const ImmersedBlocks& blocks() const { return blocks_; }
   [[nodiscard]] double water_density() const { return water_.water_density(); }
+  /// Of the ground and with it of the mesh [m/s2], at the end of the step.
+  [[nodiscard]] Foam::vector ground_acceleration() const;
 
   bool writeData(Foam::Ostream&) const override { return true; }
 
@@ -52,12 +55,16 @@ class Session : public Foam::regIOobject {
   WaterState water_;
   WaterLevels levels_;
   EdgePressures edges_;
+  WaterRecord record_;
+  Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_x_;
+  Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_y_;
 
   std::uint64_t window_ = 0;  ///< the one whose end was exchanged last
   int step_ = 0;              ///< made in the next one
   int steps_ = 1;             ///< to be made in it
   std::vector<Pose> window_start_;
   std::vector<Pose> window_end_;
+  std::vector<Pose> velocity_;  ///< at the window's end
   std::vector<Pose> step_start_;
   std::vector<Pose> step_end_;
   Foam::label placed_at_ = -1;  ///< time index of the step that the blocks were taken to

@@ -17,8 +17,9 @@ WaterLevels::WaterLevels(const Foam::fvMesh& mesh, const Foam::dictionary& dict)
   set_levels_ = dict.get<Foam::Switch>("setLevels");
   const auto upstream_to = dict.get<Foam::scalar>("upstreamTo");
   const auto downstream_from = dict.get<Foam::scalar>("downstreamFrom");
-  const double left = mesh.bounds().min().x();
-  const double right = mesh.bounds().max().x();
+  const double round_off = 1e-9 * mesh.bounds().mag();
+  const double left = mesh.bounds().min().x() + round_off;
+  const double right = mesh.bounds().max().x() - round_off;
   for (Foam::label c = 0; c < mesh.nCells(); ++c) {
     Cell cell{c, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     bool first = false;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// [fluid] model = "openfoam": what interFoam's case is made of, and the figures that its water must give.
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+
+#include "bridge/scene/sections.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+constexpr const char* keys[] = {
+    "processes",   "cells_in_depth",   "upstream_depths", "downstream_depths",     "freeboard_depths", "floor_m",
+    "max_courant", "steps_per_window", "level_control",   "air_density_kg_per_m3", "initial_water_m",  "wave"};
+
+void read_wave(TableReader& fluid, Reading& reading) {
+  const toml::table* section = fluid.table("wave");
+  if (section == nullptr) return;
+  TableReader table(reading.problems, section, "[fluid] wave");
+  Wave wave;
+  table.choice<WaveKind>("kind", wave.kind, {{"regular", WaveKind::regular}, {"solitary", WaveKind::solitary}});
+  table.number("height_m", wave.height_m, positive(), true);
+  table.number("period_s", wave.period_s, positive(), wave.kind == WaveKind::regular);
+  reading.scene.openfoam.wave = wave;
+}
+
+/// What interFoam cannot do is said before it starts.
+void check(TableReader& table, Reading& reading) {
+  const Scene& scene = reading.scene;
+  const auto refuse = [&](const char* found, const char* expected, const char* remedy) {
+    reading.problems.error(table.place("model"), found, expected, remedy);
+  };
+  if (scene.analysis.kind == AnalysisKind::at_rest) {
+    refuse("OpenFOAM in a static analysis", "kind = \"dynamic\" or \"quasi-static\"",
+           "change kind in [analysis], or use model = \"hydrostatic\"");
+  }
+  if (scene.water.atmosphere == Atmosphere::wet_faces) {
+    refuse("OpenFOAM with atmosphere = \"wet-faces\"", "atmosphere = \"none\"",
+           "leave atmosphere out of [water], or use model = \"hydrostatic\"");
+  }
+  if (scene.base_motion && scene.base_motion->form == BaseForm::support) {
+    refuse("OpenFOAM with a base motion that moves the supports", "form = \"inertia\" in [base_motion]",
+           "change the form: the mesh then moves with the ground");
+  }
+  if (scene.openfoam.wave && !scene.water.upstream_level_m) {
+    refuse("a wave, but no upstream level", "upstream_level_m in [water]", "state the still-water level");
+  }
+}
+
+}  // namespace
+
+void read_openfoam(TableReader& table, Reading& reading) {
+  OpenFoam& o = reading.scene.openfoam;
+  const Range ratio{[](double r) { return r > 0 && r <= 1; }, "a number above 0 and up to 1"};
+  table.integer("processes", o.processes, 1);
+  table.integer("cells_in_depth", o.cells_in_depth, 4);
+  table.number("upstream_depths", o.upstream_depths, positive());
+  table.number("downstream_depths", o.downstream_depths, positive());
+  table.number("freeboard_depths", o.freeboard_depths, positive());
+  table.number("floor_m", o.floor_m);
+  table.number("air_density_kg_per_m3", o.air_density_kg_per_m3, positive());
+  table.number("max_courant", o.max_courant, ratio);
+  table.integer("steps_per_window", o.steps_per_window, 1);
+  table.outlines("initial_water_m", o.initial_water_m);
+  read_wave(table, reading);
+  if (o.wave) o.level_control = LevelControl::free;
+  table.choice<LevelControl>("level_control", o.level_control,
+                             {{"table", LevelControl::table}, {"free", LevelControl::free}});
+  if (reading.scene.fluid == FluidModel::openfoam) return check(table, reading);
+  for (const char* key : keys) {
+    if (!table.has(key)) continue;
+    reading.problems.error(table.place(key), fmt::format("{} without OpenFOAM", key), "model = \"openfoam\" beside it",
+                           fmt::format("leave {} out, or set model = \"openfoam\"", key));
+  }
+}
+
+void read_water_expectations(Reading& reading) {
+  Names blocks("block");
+  for (const Block& block : reading.scene.blocks) blocks.add(block.name);
+  reading.each("expect_water", [&](TableReader& table) {
+    Expectation e;
+    table.text("quantity", e.quantity, true);
+    table.number("value", e.value);
+    table.text("of", e.of);
+    Point at;
+    if (table.has("at_m") && table.point("at_m", at)) e.at_m = at;
+    table.number("tolerance", e.tolerance, positive());
+    table.text("source", e.source);
+    if (table.has("of") && !e.of.empty()) static_cast<void>(table.reference("of", blocks));
+    if (!e.value && table.present()) {
+      reading.problems.error(table.place(), fmt::format("{} has no answer", table.name()), "value = a number",
+                             "state the value that the quantity must have");
+    }
+    if (reading.scene.fluid != FluidModel::openfoam && table.present()) {
+      reading.problems.error(table.place(), fmt::format("{} without OpenFOAM", table.name()),
+                             "[fluid] model = \"openfoam\"", "only OpenFOAM's water moves: use [[expect]] for others");
+    }
+    reading.scene.water_expectations.push_back(std::move(e));
+  });
+}
+
+}  // namespace blockweir::scene

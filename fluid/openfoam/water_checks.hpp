@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// [[expect_water]]: figures of OpenFOAM's water against what the scene says they must be.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::openfoam {
+
+/// A check for each, as summary.json has them, from the plugin's water.csv. Quantities: water_area_error (largest
+/// change of the water's area over its first), front_arrival_s (when the front passes at_m), fastest_m_per_s (at the
+/// end), added_mass_kg_per_m (horizontal force on block `of` over its acceleration, a least-squares fit),
+/// ground_added_mass_kg_per_m (the same over the ground's), force_x_n_per_m and force_y_n_per_m (mean over the run's
+/// second half). Throws std::runtime_error for another.
+nlohmann::json water_checks(const scene::Scene& scene, const std::filesystem::path& water_csv);
+
+}  // namespace blockweir::openfoam
