@@ -172,6 +172,7 @@ std::string report(const RunResult& result) {
     text +=
         fmt::format("BREACH  after {} s: {}\n", number(s["breach"]["time_s"]), s["breach"]["text"].get<std::string>());
   }
+  if (s.contains("added_mass")) text += fmt::format("{}\n", s["added_mass"]["text"].get<std::string>());
   for (const json& check : s.value("checks", json::array())) {
     text += fmt::format("{}  {}: expected {}, got {}, off by {} (tolerance {})\n",
                         check["passed"].get<bool>() ? "ok    " : "OUT   ", check["name"].get<std::string>(),

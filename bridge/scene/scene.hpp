@@ -244,6 +244,8 @@ struct Coupling {
   double window_s = 0.01;
   double timeout_s = 20;       ///< longest silence of a partner
   double open_timeout_s = 20;  ///< longest wait for it to arrive
+  /// The inertia of water that a block pushes is solved for with the block's own: solid/step/added_mass.hpp.
+  bool added_mass_guard = true;
   bool operator==(const Coupling&) const = default;
 };
 

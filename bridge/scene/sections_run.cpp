@@ -109,6 +109,7 @@ void read_coupling(Reading& reading) {
   if (reading.scene.fluid == FluidModel::openfoam) c.timeout_s = 120;
   table.number("timeout_s", c.timeout_s, positive());
   c.open_timeout_s = c.timeout_s;
+  table.flag("added_mass_guard", c.added_mass_guard);
 }
 
 void read_output(Reading& reading) {

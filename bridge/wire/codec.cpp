@@ -96,9 +96,10 @@ void encode(const Load& m, Builder& builder) {
   const auto s_to = builder.CreateVector(m.s_to);
   const auto p_from = builder.CreateVector(m.pressure_from_pa);
   const auto p_to = builder.CreateVector(m.pressure_to_pa);
+  const auto added_mass = flat(builder, m.added_mass);
   finish(builder, buffer::Body::Load,
          buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, block, edge, s_from,
-                            s_to, p_from, p_to, m.breached, m.cracks_from));
+                            s_to, p_from, p_to, m.breached, m.cracks_from, added_mass));
 }
 
 void encode(const End& m, Builder& builder) {
@@ -185,6 +186,7 @@ void decode(const void* data, Load& m) {
   copy(b.pressure_to_pa(), m.pressure_to_pa);
   m.breached = b.breached();
   m.cracks_from = b.cracks_from();
+  read_rows(b.added_mass(), m.added_mass, "added mass", m.window);
   const std::size_t n = m.block.size();
   for (const std::size_t size :
        {m.edge.size(), m.s_from.size(), m.s_to.size(), m.pressure_from_pa.size(), m.pressure_to_pa.size()}) {

@@ -11,7 +11,7 @@
 namespace blockweir::wire {
 
 /// Raised whenever a message changes its meaning; partners of different versions refuse each other.
-inline constexpr std::uint32_t protocol_version = 3;
+inline constexpr std::uint32_t protocol_version = 4;
 
 /// First message of either side. Everything in it must agree, but for `role` and `build`.
 struct Hello {
@@ -54,6 +54,10 @@ struct Load {
   std::vector<double> pressure_to_pa;
   std::uint32_t cracks_from = 0;  ///< panels from this index on lie in cracks, those before on open water
   bool breached = false;          ///< open water has found a way past the structure
+  /// The fluid's added mass on each block's rigid motion, by which its forces answer an acceleration: upper half
+  /// (xx, xy, xr, yy, yr, rr) [kg/m, kg, kg m] of a symmetric matrix of translation x, y and rotation about the block's
+  /// centroid where it is now. One row a block, zeros where the water does not reach, or none at all.
+  std::vector<std::array<double, 6>> added_mass;
 };
 
 /// The run is over; the partner may leave.

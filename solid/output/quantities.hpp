@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solid/output/acceleration_fit.hpp"
+#include "solid/output/added_mass_watch.hpp"
 #include "solid/output/energy.hpp"
 #include "solid/output/failure_watch.hpp"
 #include "solid/output/margins.hpp"
@@ -20,6 +21,7 @@ struct Outcome {
   const AccelerationFit& acceleration;
   const TimeSeries& series;
   const EnergyWatch& energy;
+  const AddedMassWatch& added_mass;
   double largest_penetration_m = 0;    ///< over the whole run
   std::optional<double> breached_s{};  ///< since when open water has passed the structure
 };

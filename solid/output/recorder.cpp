@@ -58,7 +58,7 @@ void Recorder::say_where(wire::Motion& motion) const {
 }
 
 void Recorder::start(const wire::Load& load) {
-  solve(load, solid_.scene().coupling.window_s, [&](const std::vector<Panel>& water) {
+  solve(load, solid_.scene().coupling.window_s, [&](const std::vector<Panel>& water, const AddedMasses& /*masses*/) {
     if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(water);
   });
   observe(load, 0);
@@ -67,7 +67,9 @@ void Recorder::start(const wire::Load& load) {
 }
 
 void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire::Motion& motion) {
-  solve(load, to_s, [&](const std::vector<Panel>& water) { solid_.advance(from_s, to_s, water); });
+  solve(load, to_s, [&](const std::vector<Panel>& water, const AddedMasses& masses) {
+    solid_.advance(from_s, to_s, water, masses);
+  });
   observe(load, to_s);
   for (const ContactPoint& c : solid_.contacts()) {
     if (c.state != ContactState::open) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
@@ -78,11 +80,12 @@ void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire:
 }
 
 void Recorder::solve(const wire::Load& load, double until_s,
-                     const std::function<void(const std::vector<Panel>&)>& step) {
+                     const std::function<void(const std::vector<Panel>&, const AddedMasses&)>& step) {
   const Stopwatch watch(step_s_);
   const std::vector<Panel> water = panels_of(load, solid_.blocks());
+  const AddedMasses masses = added_mass_.look(load, solid_);
   try {
-    step(water);
+    step(water, masses);
   } catch (const NotFinite& error) {
     const scene::Scene& scene = solid_.scene();
     const std::string file = (folder_ / "repeat.toml").string();
@@ -143,6 +146,7 @@ void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {
                         .acceleration = acceleration_,
                         .series = series_,
                         .energy = energy_,
+                        .added_mass = added_mass_,
                         .largest_penetration_m = largest_penetration_m_,
                         .breached_s = breached_s_};
   nlohmann::json text;

@@ -28,8 +28,9 @@ class Recorder final : public schedule::SolidSide {
   void finish(const nlohmann::json& extra, const std::string& stopped);
 
  private:
-  /// Calls step(panels of the load); a step that meets what is not a number leaves repeat.toml behind.
-  void solve(const wire::Load& load, double until_s, const std::function<void(const std::vector<Panel>&)>& step);
+  /// Calls step(panels, added masses of the load); a step that meets what is not a number leaves repeat.toml behind.
+  void solve(const wire::Load& load, double until_s,
+             const std::function<void(const std::vector<Panel>&, const AddedMasses&)>& step);
   void observe(const wire::Load& load, double time_s);
   void record(const wire::Load& load, double time_s);
   void say_where(wire::Motion& motion) const;
@@ -40,6 +41,7 @@ class Recorder final : public schedule::SolidSide {
   AccelerationFit acceleration_;
   TimeSeries series_;
   EnergyWatch energy_;
+  AddedMassWatch added_mass_;
   std::filesystem::path folder_;
   HistoryWriter history_;
   FrameLog frame_log_;

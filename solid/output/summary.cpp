@@ -149,6 +149,14 @@ json summary(const Outcome& outcome) {
                  {"triangles", outcome.solid.blocks().size() - outcome.solid.described()},
                  {"contacts", outcome.solid.contacts().size()}}}};
   if (scene.contact.measure_condition) text["largest_condition_number"] = counts.condition_number;
+  if (const AddedMassWatch& added = outcome.added_mass; added.ratio() > 0) {
+    const bool guarded = scene.coupling.added_mass_guard;
+    text["added_mass"] = {{"ratio", added.ratio()},
+                          {"block", added.block()},
+                          {"guarded", guarded},
+                          {"text", fmt::format("added mass {:.3g} of block \"{}\"'s own ({})", added.ratio(),
+                                               added.block(), guarded ? "guarded" : "no guard")}};
+  }
   if (outcome.failure.failures().empty()) {
     text["outcome"] = "stands";
     text["margin"] = margin(outcome);

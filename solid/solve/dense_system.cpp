@@ -26,6 +26,7 @@ class DenseSystem final : public LinearSystem {
     d = lu_.solve(f);
     return d.allFinite();
   }
+  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const override { return lu_.solve(f); }
   [[nodiscard]] Eigen::MatrixXd dense() const override { return k_; }
 
  private:

@@ -21,6 +21,8 @@ class LinearSystem {
   /// Factorizes what was added and solves; `symmetric` promises K = K^T, which lets a sparse system use Cholesky.
   /// False when the matrix is singular to working accuracy.
   virtual bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) = 0;
+  /// For another right-hand side, with the factors of the last solve.
+  [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const = 0;
   /// What was added, all of it.
   [[nodiscard]] virtual Eigen::MatrixXd dense() const = 0;
 };

@@ -37,6 +37,8 @@ class NodalSystem final : public LinearSystem {
     return matrix_.solve(symmetric, f, d);
   }
 
+  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const override { return matrix_.solve_again(f); }
+
   [[nodiscard]] Eigen::MatrixXd dense() const override { return matrix_.k; }
 
  private:

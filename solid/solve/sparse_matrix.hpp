@@ -23,7 +23,13 @@ struct SparseMatrix {
   void set_zero() { std::fill_n(k.valuePtr(), k.nonZeros(), 0.0); }
   /// False when it is singular to working accuracy.
   bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
+    by_cholesky = symmetric;
     return symmetric ? solve_with(cholesky, cholesky_ready, f, d) : solve_with(lu, lu_ready, f, d);
+  }
+  /// With the factors of the last solve.
+  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const {
+    if (by_cholesky) return cholesky.solve(f);
+    return lu.solve(f);
   }
 
   Matrix k;
@@ -43,6 +49,7 @@ struct SparseMatrix {
 
   Eigen::CholmodDecomposition<Matrix> cholesky;
   Eigen::UmfPackLU<Matrix> lu;
+  bool by_cholesky = false;  ///< the last solve
   bool cholesky_ready = false;
   bool lu_ready = false;
 };

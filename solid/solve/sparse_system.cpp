@@ -57,6 +57,8 @@ class SparseSystem final : public LinearSystem {
     return matrix_.solve(symmetric, f, d);
   }
 
+  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const override { return matrix_.solve_again(f); }
+
   [[nodiscard]] Eigen::MatrixXd dense() const override { return matrix_.k; }
 
  private:

@@ -10,12 +10,13 @@
 
 namespace blockweir::solid {
 
-void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water) {
+void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses) {
   if (scene_.analysis.kind == scene::AnalysisKind::at_rest) return come_to_rest(water);
   const double largest_step = scene_.analysis.step_s;
   const double smallest_step = 1e-6 * largest_step;
   double time = from_s;
   loads_.start_base();
+  begin_window(masses, to_s - from_s);
   if (!std::exchange(started_, true) && scene_.analysis.integrator != scene::Integrator::shi) {
     start_acceleration(water, from_s);
   }
@@ -76,6 +77,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   prepare_islands();
   prepare_matrices(dt);
   loads_.evaluate(end_s, water, start_, external_);
+  if (guard_.acts()) guard(dt);
   require_finite_loads(end_s);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     increment_[b] = frozen_[b] ? Vector6::Zero() : Vector6(dt * states_[b].velocity);

@@ -29,6 +29,7 @@ void Solid::prepare_matrices(double dt) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     matrix_[b] = newmark_.mass_factor(dt) * blocks_[b].mass + blocks_[b].stiffness +
                  newmark_.velocity_factor(dt) * blocks_[b].damping;
+    if (b < guard_.blocks()) matrix_[b].topLeftCorner<3, 3>() += newmark_.mass_factor(dt) * guard_.mass(b);
   }
 }
 
@@ -119,6 +120,7 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
   if (!s.unknown_forces.empty()) {
     add_own(s.saddle, s);
     for (const Interaction& bolt : bolts) add_stiffness(s.saddle, bolt);
+    add_mean_inertia_to_saddle(s);
   }
 
   double unbalanced = 0;
@@ -130,7 +132,8 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
       add_residual_at_corners(s, static_cast<int>(k));
       continue;
     }
-    const Vector6 inertia = mass_factor * (blocks_[b].mass * increment_[b]);
+    Vector6 inertia = mass_factor * (blocks_[b].mass * increment_[b]);
+    if (b < guard_.blocks()) inertia.head<3>() += mass_factor * (guard_.mass(b) * increment_[b].head<3>());
     const Vector6 residual = balance_[b] - inertia + history_[b];
     s.unknowns->add(static_cast<int>(k), residual, s.residual);
     const double noise =
@@ -139,6 +142,7 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
     unbalanced = std::isfinite(force) ? std::max(unbalanced, force - noise) : force;
     if (!std::isfinite(unbalanced)) return unbalanced;
   }
+  add_mean_inertia(s);
   return std::max(unbalanced, unbalanced_at_nodes(s));
 }
 

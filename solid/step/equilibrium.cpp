@@ -100,7 +100,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
 bool Solid::correct(IslandSystem& s, bool symmetric) {
   const Stopwatch watch(profile_.solve);
   if (s.unknown_forces.empty()) {
-    if (!s.system->solve(symmetric, s.residual, s.correction)) return false;
+    if (!solve(s, symmetric)) return false;
   } else {
     if (!s.saddle.solve(s.residual, s.correction, s.forces)) return false;
     correct_forces(s);

@@ -53,7 +53,7 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
     add(a.block_i, a.shape_i.transpose() * pull[k]);
     if (a.block_j >= 0) add(a.block_j, -(a.shape_j.transpose() * pull[k]));
   }
-  if (!s.system->solve(/*symmetric=*/true, s.residual, s.correction)) return;
+  if (!solve(s, /*symmetric=*/true)) return;
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
     states_[at(s.island.blocks[k])].velocity += s.unknowns->take_own(static_cast<int>(k), s.correction);
   }

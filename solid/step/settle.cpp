@@ -142,7 +142,8 @@ void Solid::start_acceleration(const std::vector<Panel>& water, double from_s) {
   if (!solved) return;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     states_[b].acceleration = first[b].acceleration;
-    states_[b].force = inertia(b) * first[b].acceleration;
+    // With water to push a mesh has inertia beyond its triangles' own: what balanced it is the force.
+    states_[b].force = mean_motions_.empty() ? Vector6(inertia(b) * first[b].acceleration) : first[b].force;
   }
 }
 

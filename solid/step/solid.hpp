@@ -14,6 +14,7 @@
 #include "solid/contact/search.hpp"
 #include "solid/solve/islands.hpp"
 #include "solid/solve/saddle_point.hpp"
+#include "solid/step/added_mass_guard.hpp"
 #include "solid/step/counts.hpp"
 #include "solid/step/newmark.hpp"
 #include "solid/step/sleep.hpp"
@@ -28,8 +29,9 @@ class Solid {
   /// Throws SolveError when no equilibrium is found.
   void settle(const std::vector<Panel>& water);
 
-  /// Moves the blocks from `from_s` to `to_s` under the given water, in as many steps as accuracy asks for.
-  void advance(double from_s, double to_s, const std::vector<Panel>& water);
+  /// Moves the blocks from `from_s` to `to_s` under the given water, in as many steps as accuracy asks for. `masses`:
+  /// the inertia in that water's forces, for the added-mass guard of dynamic analyses, where the scene has it on.
+  void advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses = {});
 
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
   [[nodiscard]] const Parts& parts() const { return parts_; }
@@ -89,7 +91,18 @@ class Solid {
     Eigen::VectorXd uncertain;   ///< round-off of the residual at nodes
   };
 
+  /// The motion (u0, v0, r0) of a block with a mesh, whose inertia in water its triangles share.
+  struct MeanMotion {
+    std::size_t block = 0;
+    std::vector<Eigen::Matrix<double, 3, 6>> of_corners;  ///< its rates by the velocities of each triangle's corners
+    Eigen::Vector3d history;                              ///< what its inertia remembers
+    /// Are its triangles, all joined, in this island?
+    [[nodiscard]] bool in(const Parts& parts, const Island& island) const;
+  };
+
   void bond_touching_contacts();
+  void begin_window(const AddedMasses& masses, double window_s);
+  void guard(double dt);
   void relax(double pseudo_step, const std::vector<Panel>& water);
   void start_acceleration(const std::vector<Panel>& water, double from_s);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
@@ -115,6 +128,11 @@ class Solid {
   void add_own(System& system, const IslandSystem& island) const;
   void balance_couplings(IslandSystem& island);
   void add_residual_at_corners(IslandSystem& island, int triangle);
+  void guard_mesh(std::size_t block, double dt);
+  [[nodiscard]] Eigen::MatrixXd mean_motions(const IslandSystem& island, Eigen::MatrixXd& inertia) const;
+  void add_mean_inertia(IslandSystem& island);
+  void add_mean_inertia_to_saddle(IslandSystem& island) const;
+  bool solve(IslandSystem& island, bool symmetric) const;
   [[nodiscard]] static double unbalanced_at_nodes(const IslandSystem& island);
   void follow_corners(std::size_t triangle);
   [[nodiscard]] Vector6 corner_increment(std::size_t triangle) const;
@@ -162,6 +180,8 @@ class Solid {
 
   // The step at hand.
   Newmark newmark_;
+  AddedMassGuard guard_;
+  std::vector<MeanMotion> mean_motions_;  ///< of meshed blocks under the guard
   std::unique_ptr<Formulation> formulation_;
   std::unique_ptr<Formulation> substitute_;  ///< for steps that Lagrange multipliers cannot settle
   ContactSearch search_;

@@ -62,6 +62,7 @@ TEST(SceneRead, AbsentSectionsTakeTheirDefaults) {
   const Scene s = scene_of(text.substr(0, text.find("[[joints]]")));
   EXPECT_EQ(s.fluid, FluidModel::none);
   EXPECT_EQ(s.coupling.window_s, s.analysis.step_s);
+  EXPECT_TRUE(s.coupling.added_mass_guard);
   EXPECT_EQ(s.contact.force_tolerance, Contact{}.force_tolerance);
   EXPECT_TRUE(s.joints.empty());
 }

@@ -10,6 +10,7 @@
 
 #include "bridge/channel/hello.hpp"
 #include "bridge/wire/codec.hpp"
+#include "bridge/wire/messages_generated.h"
 
 namespace blockweir::wire {
 namespace {
@@ -26,7 +27,8 @@ Load sample() {
           .pressure_from_pa = {1e4, 2e4},
           .pressure_to_pa = {3e4, 0},
           .cracks_from = 1,
-          .breached = true};
+          .breached = true,
+          .added_mass = {{}, {4e4, -1, 2e5, 3e3, 0.5, 1e6}}};
 }
 
 std::string refusal(const Load& load) {
@@ -54,6 +56,39 @@ TEST(Codec, LoadArrivesAsItWasSent) {
   EXPECT_EQ(got.pressure_to_pa, sent.pressure_to_pa);
   EXPECT_EQ(got.cracks_from, 1U);
   EXPECT_TRUE(got.breached);
+  EXPECT_EQ(got.added_mass, sent.added_mass);
+}
+
+TEST(Codec, ALoadWithoutAddedMassHasNone) {
+  flatbuffers::FlatBufferBuilder builder;
+  Load sent = sample();
+  sent.added_mass.clear();
+  encode(sent, builder);
+  Load got = sample();  // storage in use
+  decode(builder.GetBufferPointer(), got);
+  EXPECT_TRUE(got.added_mass.empty());
+}
+
+TEST(Codec, AnAddedMassThatIsNotANumberIsNamed) {
+  Load load = sample();
+  load.added_mass[1][2] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refusal(load), "added mass 2 of block 1 is inf in window 17");
+}
+
+TEST(Codec, AddedMassesThatAreNotSixABlockAreRefused) {
+  flatbuffers::FlatBufferBuilder builder;
+  const auto added_mass = builder.CreateVector(std::vector<double>(7, 1.0));
+  buffer::LoadBuilder load(builder);
+  load.add_added_mass(added_mass);
+  buffer::FinishEnvelopeBuffer(builder, buffer::CreateEnvelope(builder, buffer::Body::Load, load.Finish().Union()));
+  Load into;
+  ASSERT_EQ(verify(builder.GetBufferPointer(), builder.GetSize()), Kind::load);
+  try {
+    decode(builder.GetBufferPointer(), into);
+    FAIL() << "was read";
+  } catch (const BadMessage& bad) {
+    EXPECT_STREQ(bad.what(), "added mass holds 7 numbers, not six a block");
+  }
 }
 
 TEST(Codec, MotionArrivesAsItWasSent) {

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_output
+// Added masses of a load: the largest ratio is kept, what an explicit schedule cannot carry is refused by name.
+#include "solid/output/added_mass_watch.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "solid/output/recorder.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+using testing::HasSubstr;
+using Row = std::array<double, 6>;
+
+constexpr double mass = 2500 * 2;               // of each block
+constexpr double moment = mass * (1 + 4) / 12;  // kg m
+
+/// A floor and two blocks 1 m wide and 2 m high, apart.
+scene::Scene two_blocks() {
+  scene::Scene scene;
+  scene.materials.push_back({"concrete", 50e9, 0.2, 2500});
+  scene.blocks.push_back({.name = "floor", .vertices = {{-2, -1}, {6, -1}, {6, 0}, {-2, 0}}, .fixed = true});
+  scene.blocks.push_back({.name = "gate", .vertices = {{0, 0}, {1, 0}, {1, 2}, {0, 2}}});
+  scene.blocks.push_back({.name = "wall", .vertices = {{3, 0}, {4, 0}, {4, 2}, {3, 2}}});
+  scene.coupling.window_s = 0.01;
+  scene.analysis.duration_s = 0.1;
+  return scene;
+}
+
+wire::Load load_of(const Row& gate, const Row& wall) {
+  wire::Load load;
+  load.upstream_level_m = load.downstream_level_m = 1;
+  load.added_mass = {Row{1e9, 0, 0, 1e9, 0, 1e9}, gate, wall};  // the floor does not move
+  return load;
+}
+
+std::string refusal(const scene::Scene& scene, const wire::Load& load) {
+  const Solid solid(scene);
+  AddedMassWatch watch;
+  try {
+    watch.look(load, solid);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(AddedMassWatch, TheLargestRatioOfTheRunIsKeptWithItsBlock) {
+  const auto scene = two_blocks();
+  const Solid solid(scene);
+  AddedMassWatch watch;
+  EXPECT_TRUE(watch.look({}, solid).empty());
+  EXPECT_EQ(watch.ratio(), 0);
+  const auto masses = watch.look(load_of({1, 2, 3, 4, 5, 60}, {}), solid);
+  ASSERT_EQ(masses.size(), 3U);
+  EXPECT_EQ(masses[1], (Eigen::Matrix3d() << 1, 2, 3, 2, 4, 5, 3, 5, 60).finished());
+  watch.look(load_of({}, {0.2 * mass, 0, 0, 0.1 * mass, 0, 1.32 * moment}), solid);
+  watch.look(load_of({0.5 * mass, 0, 0, 0, 0, 0}, {}), solid);
+  EXPECT_NEAR(watch.ratio(), 1.32, 1e-12);
+  EXPECT_EQ(watch.block(), "wall");
+}
+
+TEST(AddedMassWatch, ModesAreThoseOfTheMatrix) {
+  // The water hangs on one point at (0, -1) from the centroid: m (1, 0, 1) (1, 0, 1)^T.
+  const auto scene = two_blocks();
+  const Solid solid(scene);
+  AddedMassWatch watch;
+  watch.look(load_of({mass, 0, mass, 0, 0, mass}, {}), solid);
+  EXPECT_NEAR(watch.ratio(), 1 + mass / moment, 1e-12);
+}
+
+TEST(AddedMassWatch, WithoutTheGuardHeavierWaterIsRefusedWithTheRemedy) {
+  auto scene = two_blocks();
+  const auto load = load_of({1.32 * mass, 0, 0, 0, 0, 0}, {});
+  EXPECT_EQ(refusal(scene, load), "");
+  scene.coupling.added_mass_guard = false;
+  EXPECT_EQ(
+      refusal(scene, load),
+      "block \"gate\" has to push water 1.32 times as heavy as itself; without the added-mass guard the exchange is "
+      "unstable above 1, whatever the step; set [coupling] added_mass_guard = true");
+  EXPECT_EQ(refusal(scene, load_of({0.99 * mass, 0, 0, 0, 0, 0}, {})), "");
+  scene.analysis.kind = scene::AnalysisKind::quasi_static;
+  EXPECT_EQ(refusal(scene, load), "");
+}
+
+TEST(AddedMassWatch, TheGuardHasALimitToo) {
+  EXPECT_EQ(refusal(two_blocks(), load_of({}, {99 * mass, 0, 0, 0, 0, 0})), "");
+  EXPECT_THAT(
+      refusal(two_blocks(), load_of({}, {132 * mass, 0, 0, 0, 0, 0})),
+      HasSubstr("block \"wall\" has to push water 132 times as heavy as itself; the added-mass guard holds up to "
+                "100;"));
+}
+
+TEST(AddedMassWatch, WhatIsNoInertiaIsRefused) {
+  EXPECT_THAT(refusal(two_blocks(), load_of({0.1 * mass, 0.3 * mass, 0, 0.1 * mass, 0, 0}, {})),
+              HasSubstr("the added mass on block \"gate\" is -0.2 of its own in one mode"));
+  wire::Load load = load_of({}, {});
+  load.added_mass.pop_back();
+  EXPECT_EQ(refusal(two_blocks(), load), "the fluid process says added masses of 2 blocks, the scene has 3");
+}
+
+/// A run's results, gone with it.
+class Recorded : public testing::Test {
+ protected:
+  Recorded() { std::filesystem::create_directories(folder_ / "frames"); }
+  ~Recorded() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] nlohmann::json summary() const {
+    std::ifstream stream(folder_ / "summary.json");
+    return nlohmann::json::parse(stream);
+  }
+  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("added-mass-" + std::to_string(::getpid()));
+};
+
+TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
+  const auto scene = two_blocks();
+  Recorder recorder(scene, folder_, [](double, double, double) {});
+  wire::Motion motion;
+  recorder.start(load_of({}, {}));
+  recorder.advance(load_of({1.32 * mass, 0, 0, 0, 0, 0}, {}), 0, 0.01, motion);
+  recorder.finish(nlohmann::json::object(), "");
+  EXPECT_EQ(summary()["added_mass"]["text"], "added mass 1.32 of block \"gate\"'s own (guarded)");
+  EXPECT_EQ(summary()["added_mass"]["block"], "gate");
+  EXPECT_EQ(summary()["added_mass"]["guarded"], true);
+}
+
+TEST_F(Recorded, ARunIsRefusedAtItsFirstLoad) {
+  auto scene = two_blocks();
+  scene.coupling.added_mass_guard = false;
+  Recorder recorder(scene, folder_, [](double, double, double) {});
+  EXPECT_THROW(recorder.start(load_of({3 * mass, 0, 0, 0, 0, 0}, {})), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace blockweir::solid::output
