@@ -25,6 +25,17 @@ Foam::IOobject place_of_dictionary(const Foam::fvMesh& mesh) {
                         Foam::IOobject::NO_WRITE);
 }
 
+/// Where blocks would have set out from, given their velocities at both ends of a window.
+std::vector<Pose> set_out_from(const wire::Motion& end, const std::vector<Pose>& first_velocity, double window_s) {
+  std::vector<Pose> start = end.displacement;
+  for (std::size_t b = 0; b < start.size(); ++b) {
+    for (std::size_t k = 0; k < start[b].size(); ++k) {
+      start[b][k] -= window_s * (first_velocity[b][k] + end.velocity[b][k]) / 2;
+    }
+  }
+  return start;
+}
+
 /// Poses at the fraction `part` of the way.
 void between(const std::vector<Pose>& from, const std::vector<Pose>& to, double part, std::vector<Pose>& into) {
   into.resize(from.size());
@@ -50,6 +61,7 @@ Session::Session(const Foam::fvMesh& mesh)
   const auto first = partner_.receive(0);
   if (!first) partner_.fail("the solid process ended the run before it began");
   window_end_ = first->displacement;
+  first_velocity_ = first->velocity;
   blocks_.move(window_end_, window_end_, 1);
   exchange();
 }
@@ -91,12 +103,13 @@ void Session::exchange() {
 }
 
 void Session::start_window(const wire::Motion& motion) {
-  window_start_ = window_end_;
-  window_end_ = motion.displacement;
   ++window_;
   step_ = 0;
   const double from_s = windows_.end_s(window_ - 1);
   const double to_s = windows_.end_s(window_);
+  // With the first pressures the blocks have settled before they moved: the water is not to feel that as a blow.
+  window_start_ = window_ == 1 ? set_out_from(motion, first_velocity_, to_s - from_s) : window_end_;
+  window_end_ = motion.displacement;
   const double wanted = (to_s - from_s) * courant_number() / time_.deltaTValue() / interface_.max_courant;
   constexpr double most_steps = 1e4;
   if (!(wanted < most_steps)) {

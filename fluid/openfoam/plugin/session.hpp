@@ -58,6 +58,7 @@ class Session : public Foam::regIOobject {
   int steps_ = 1;             ///< to be made in it
   std::vector<Pose> window_start_;
   std::vector<Pose> window_end_;
+  std::vector<Pose> first_velocity_;
   std::vector<Pose> step_start_;
   std::vector<Pose> step_end_;
   Foam::label placed_at_ = -1;  ///< time index of the step that the blocks were taken to
