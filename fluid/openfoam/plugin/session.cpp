@@ -90,6 +90,8 @@ void Session::end_step() {
 
 /// Pressures of now are said, the blocks' next places are heard.
 void Session::exchange() {
+  const std::string strayed = blocks_.strayed();
+  if (!strayed.empty()) partner_.fail(strayed);
   load_.window = window_;
   load_.time_s = windows_.end_s(window_);
   load_.upstream_level_m = levels_.upstream_m(load_.time_s);
