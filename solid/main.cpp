@@ -69,7 +69,8 @@ void run(const Arguments& arguments) {
     } else {
       channel::Channel channel({.side = channel::Side::listens,
                                 .endpoint = arguments.endpoint,
-                                .partner = "fluid process (hydrostatic)",
+                                .partner = scene.fluid == scene::FluidModel::openfoam ? "fluid process (OpenFOAM)"
+                                                                                      : "fluid process (hydrostatic)",
                                 .timeout_s = scene.coupling.timeout_s,
                                 .open_timeout_s = scene.coupling.open_timeout_s});
       channel.handshake(schedule::hello(scene, "solid"));

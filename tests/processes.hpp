@@ -68,9 +68,14 @@ class Processes : public testing::Test {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return text(run + "/history.csv").size() >= 2000;
   }
-  /// Does a process of this test's folder still run?
+  /// Does a process that this test started, or one of its children, still run? All of them start in its folder.
   [[nodiscard]] bool orphan() const {
-    return shell("pgrep -f '[b]lockweir-(solid|hydrostatic).*" + folder.filename().string() + "'") == 0;
+    for (const auto& process : fs::directory_iterator("/proc")) {
+      std::error_code ended;  // or another's
+      const std::string where = fs::read_symlink(process.path() / "cwd", ended).string();
+      if (!ended && where.rfind(folder.string(), 0) == 0) return true;
+    }
+    return false;
   }
 
   fs::path folder;

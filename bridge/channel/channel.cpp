@@ -38,7 +38,9 @@ struct Channel::Line {
     socket.set(zmq::sockopt::heartbeat_timeout, 2 * heartbeat_ms);
     socket.set(zmq::sockopt::maxmsgsize, std::int64_t{1} << 30);
     const std::string events = fmt::format("inproc://monitor-{}", static_cast<const void*>(this));
-    zmq_socket_monitor(socket.handle(), events.c_str(), ZMQ_EVENT_HANDSHAKE_SUCCEEDED | ZMQ_EVENT_DISCONNECTED);
+    zmq_socket_monitor(
+        socket.handle(), events.c_str(),
+        ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_CONNECTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED | ZMQ_EVENT_DISCONNECTED);
     monitor.connect(events);
     open();
   }
@@ -69,14 +71,18 @@ struct Channel::Line {
     socket.send(zmq::const_buffer(builder.GetBufferPointer(), builder.GetSize()), zmq::send_flags::dontwait);
   }
 
-  /// True when the partner has gone; what it still sent can be read all the same.
+  /// True when the partner has gone; what it still sent can be read all the same. A third process that comes to a line
+  /// in use is turned away by ZeroMQ, and its going is not the partner's: connections are told apart by descriptor.
   bool partner_left() {
     zmq::message_t event;
     while (monitor.recv(event, zmq::recv_flags::dontwait)) {
       std::uint16_t number = 0;
+      std::int32_t descriptor = 0;
       std::memcpy(&number, event.data(), sizeof number);
+      std::memcpy(&descriptor, static_cast<const char*>(event.data()) + sizeof number, sizeof descriptor);
+      if (!joined && (number == ZMQ_EVENT_ACCEPTED || number == ZMQ_EVENT_CONNECTED)) partner_descriptor = descriptor;
       if (number == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) joined = true;
-      if (number == ZMQ_EVENT_DISCONNECTED && joined) left = true;
+      if (number == ZMQ_EVENT_DISCONNECTED && joined && descriptor == partner_descriptor) left = true;
       zmq::message_t address;
       (void)monitor.recv(address, zmq::recv_flags::dontwait);
     }
@@ -163,6 +169,7 @@ struct Channel::Line {
   zmq::message_t incoming;
   std::vector<std::uint64_t> realigned;
   flatbuffers::FlatBufferBuilder builder;
+  std::int32_t partner_descriptor = -1;
   bool joined = false;
   bool left = false;
   double waited_s = 0;

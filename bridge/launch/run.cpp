@@ -67,10 +67,16 @@ std::string first_trouble(const Supervised& supervised) {
   for (const ChildEnd& end : supervised.ends) {
     if (end.exit_code > 128) return fmt::format("the {} process was ended by signal {}", end.name, end.exit_code - 128);
   }
+  const auto is_echo = [](const ChildEnd& end) {
+    return end.last_line.find("see its own message for the cause") != std::string::npos;
+  };
+  const ChildEnd* cause = nullptr;
   for (const ChildEnd& end : supervised.ends) {
-    if (end.exit_code != 0)
-      return end.last_line.empty() ? fmt::format("the {} process ended with {}", end.name, end.exit_code)
-                                   : end.last_line;
+    if (end.exit_code != 0 && (cause == nullptr || (is_echo(*cause) && !end.last_line.empty()))) cause = &end;
+  }
+  if (cause != nullptr) {
+    return cause->last_line.empty() ? fmt::format("the {} process ended with {}", cause->name, cause->exit_code)
+                                    : cause->last_line;
   }
   return "";
 }

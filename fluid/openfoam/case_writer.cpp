@@ -148,9 +148,22 @@ std::string waves(const scene::Wave& wave) {
              kind, exact(wave.height_m));
 }
 
+/// interFoam would go on from the times of a former run.
+void forget_former_run(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "constant/blockweir")) return;
+  std::vector<std::filesystem::path> old;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool time = name != "0" && name.find_first_not_of("0123456789.e-+") == std::string::npos;
+    if (entry.is_directory() && (time || name.rfind("processor", 0) == 0)) old.push_back(entry.path());
+  }
+  for (const auto& path : old) std::filesystem::remove_all(path);
+}
+
 }  // namespace
 
 void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options) {
+  forget_former_run(options.folder);
   for (const char* part : {"0", "constant", "system"}) results::make_folder(options.folder / part);
   const auto write = [&](const char* file, const std::string& text) {
     results::replace_file(options.folder / file, text);

@@ -16,7 +16,8 @@ struct CaseOptions {
   std::string endpoint;          ///< of the solid process
 };
 
-/// Writes 0, constant and system; what else stands in the folder is left alone. Throws std::invalid_argument for a
+/// Writes 0, constant and system and removes the times and parts of a former run; what else stands in the folder is
+/// left alone. Throws std::invalid_argument for a
 /// scene that cannot be meshed and std::runtime_error when a file cannot be written.
 void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options);
 

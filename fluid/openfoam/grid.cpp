@@ -40,18 +40,22 @@ double highest_water(const scene::Scene& scene) {
   return level;
 }
 
-/// Fixed blocks at the model's left or right end whose top there is under water are ground, others a wall.
+/// Fixed blocks with a face on the model's left or right end whose top is under water are ground. Others, and what only
+/// touches the end with its foot, are a wall.
 std::vector<int> find_ground(const scene::Scene& scene, const scene::Bounds& model, double level_m) {
   std::vector<int> ground;
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     if (!scene.blocks[b].fixed) continue;
     double top = std::numeric_limits<double>::infinity();
     for (const double end : {model.low.x(), model.high.x()}) {
-      double here = -std::numeric_limits<double>::infinity();
+      double face_low = std::numeric_limits<double>::infinity();
+      double face_top = -face_low;
       for (const scene::Point& p : scene.blocks[b].vertices) {
-        if (p.x() == end) here = std::max(here, p.y());
+        if (p.x() != end) continue;
+        face_low = std::min(face_low, p.y());
+        face_top = std::max(face_top, p.y());
       }
-      if (std::isfinite(here)) top = std::min(top, here);
+      if (face_top > face_low) top = std::min(top, face_top);
     }
     if (top < level_m - 1e-9 * model.size()) ground.push_back(static_cast<int>(b));
   }

@@ -136,9 +136,12 @@ InitialWater initial_water(const Grid& g, const scene::Scene& scene) {
                          : holds[cell] == Holds::downstream ? downstream
                                                             : -std::numeric_limits<double>::infinity();
     const std::size_t j = cell / g.columns();
-    const double fraction = std::clamp((level - g.y[j]) / (g.y[j + 1] - g.y[j]), 0.0, 1.0);
+    const double height = g.y[j + 1] - g.y[j];
+    const double fraction = std::clamp((level - g.y[j]) / height, 0.0, 1.0);
     water.fraction.push_back(fraction);
-    water.p_rgh_pa.push_back(fraction > 0 ? buoyancy * (level - water.reference_level_m) : 0);
+    // Still to the last digit: in a cell that the surface cuts, what interFoam's own balance across its faces leaves.
+    const double head = fraction * (level - water.reference_level_m + (1 - fraction) * height);
+    water.p_rgh_pa.push_back(fraction > 0 ? buoyancy * head : 0);
   }
   add_drawn(g, scene, water.fraction);
   return water;

@@ -16,6 +16,7 @@ namespace {
 constexpr double sealed_cells = 2;  // a narrower gap carries no water in the mesh
 constexpr double open_cells = 3;    // a wider one carries all of it
 constexpr int looks = 8;            // half cells outwards, for a cell that no block reaches
+constexpr int retries = 2;          // half cells further, where that cell is dry
 constexpr int columns = 7;          // of a PressureLine as numbers
 
 double cross(const Point& a, const Point& b) {
@@ -26,6 +27,13 @@ double cross(const Point& a, const Point& b) {
 double openness_of(double gap_cells) {
   const double x = std::clamp((gap_cells - sealed_cells) / (open_cells - sealed_cells), 0.0, 1.0);
   return x * x * (3 - 2 * x);
+}
+
+/// Along the axis nearer to the normal: the cell beside a sloping face is then as deep as the face, and next to a steep
+/// one it is under water if that is.
+Point outwards(const Point& normal) {
+  return std::abs(normal.x()) >= std::abs(normal.y()) ? Point(std::copysign(1, normal.x()), 0)
+                                                      : Point(0, std::copysign(1, normal.y()));
 }
 
 void store(const PressureLine& line, double* row) {
@@ -162,8 +170,11 @@ void EdgePressures::add_open(const Element& element, const double* lines, wire::
   const double h = blocks_.interface().cell_m;
   int first = 0;
   while (first < looks && lines[first * columns] == 0) ++first;
-  if (first == looks) return;
-  const PressureLine near = load_line(lines + first * columns);
+  PressureLine near;
+  for (int last = std::min(first + retries, looks - 1); first <= last; ++first) {
+    near = load_line(lines + first * columns);
+    if (near.wet) break;
+  }
   if (!near.wet || near.slope <= 0) return;
   double at_zero = near.at_zero;
   if (near.whole && first + 2 < looks) {
@@ -177,7 +188,7 @@ void EdgePressures::add_open(const Element& element, const double* lines, wire::
   const double suction = -1.5 * h * near.slope;  // more than what a line drawn above the surface can give
   double s_from = element.s_from;
   double s_to = element.s_to;
-  if (std::min(p_from, p_to) > suction) {
+  if (!near.whole || std::min(p_from, p_to) > suction) {
     if (p_from <= 0 && p_to <= 0) return;
     const double surface = s_from + (s_to - s_from) * p_from / (p_from - p_to);
     if (p_from < 0) s_from = surface, p_from = 0;
@@ -219,7 +230,7 @@ void EdgePressures::sample(wire::Load& load) {
   std::vector<double> lines;
   std::vector<Point> openings;
   for (const Element& e : elements_) {
-    if (e.openness > 0) look_along((e.from + e.to) / 2, e.normal, lines);
+    if (e.openness > 0) look_along((e.from + e.to) / 2, outwards(e.normal), lines);
   }
   for (const Crack& crack : blocks_.interface().cracks) {
     for (const CrackOpening* o : {&crack.mouth, &crack.end}) {

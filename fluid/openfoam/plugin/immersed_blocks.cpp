@@ -4,6 +4,8 @@
 #include <emptyPolyPatch.H>
 #include <zeroGradientFvPatchFields.H>
 
+#include <fmt/format.h>
+
 #include "bridge/wire/placement.hpp"
 
 namespace blockweir::openfoam {
@@ -57,6 +59,26 @@ void ImmersedBlocks::move(const std::vector<Pose>& start, const std::vector<Pose
     }
     clip(b);
   }
+}
+
+std::string ImmersedBlocks::strayed() const {
+  const Foam::boundBox& box = mesh_.bounds();  // of all ranks
+  const double rounding = 1e-9 * box.mag();
+  for (std::size_t b = 0; b < outlines_.size(); ++b) {
+    if (!interface_.blocks[b].loaded) continue;
+    for (const Point& p : outlines_[b]) {
+      if (p.x() >= box.min().x() - rounding && p.x() <= box.max().x() + rounding &&
+          p.y() > box.min().y() - interface_.cell_m && p.y() <= box.max().y() + rounding) {
+        continue;
+      }
+      return fmt::format(
+          "block \"{}\" leaves the mesh at ({:.6g}, {:.6g}) m, which spans ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m; "
+          "raise upstream_depths, downstream_depths or freeboard_depths or lower floor_m in [fluid], or end the run "
+          "before: stop_at_failure or duration_s in [analysis]",
+          interface_.hello.block_names[b], p.x(), p.y(), box.min().x(), box.min().y(), box.max().x(), box.max().y());
+    }
+  }
+  return "";
 }
 
 void ImmersedBlocks::clip(std::size_t b) {

@@ -38,6 +38,9 @@ class ImmersedBlocks {
   /// Mean velocity over the step [m/s] of the point of a block that is at x at its end.
   [[nodiscard]] Point velocity(std::size_t block, const Point& x) const;
   [[nodiscard]] bool moves(std::size_t block) const { return start_[block] != end_[block]; }
+  /// Of the first block that has left the mesh: its name, where, and what to do. Empty: all are inside, but for the
+  /// ground and for what sinks below the floor by less than a cell.
+  [[nodiscard]] std::string strayed() const;
   [[nodiscard]] long clipped() const { return clipped_; }  ///< blocks clipped to the mesh so far
 
  private:

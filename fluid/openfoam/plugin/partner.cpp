@@ -19,7 +19,7 @@ void Partner::on_master(Action action) {
     }
   }
   Foam::Pstream::scatter(trouble);
-  if (!trouble.empty()) FatalErrorInFunction << trouble << Foam::exit(Foam::FatalError);
+  if (!trouble.empty()) FatalErrorInFunction << trouble.c_str() << Foam::exit(Foam::FatalError);
 }
 
 Partner::Partner(const Interface& interface) {
@@ -83,7 +83,7 @@ void Partner::send(const wire::Load& load) {
 
 void Partner::fail(const std::string& text) {
   on_master([&] { channel_->send(wire::Failure{text}); });
-  FatalErrorInFunction << text << Foam::exit(Foam::FatalError);
+  FatalErrorInFunction << text.c_str() << Foam::exit(Foam::FatalError);
   std::abort();
 }
 

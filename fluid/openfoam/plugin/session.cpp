@@ -25,6 +25,17 @@ Foam::IOobject place_of_dictionary(const Foam::fvMesh& mesh) {
                         Foam::IOobject::NO_WRITE);
 }
 
+/// Where blocks would have set out from, given their velocities at both ends of a window.
+std::vector<Pose> set_out_from(const wire::Motion& end, const std::vector<Pose>& first_velocity, double window_s) {
+  std::vector<Pose> start = end.displacement;
+  for (std::size_t b = 0; b < start.size(); ++b) {
+    for (std::size_t k = 0; k < start[b].size(); ++k) {
+      start[b][k] -= window_s * (first_velocity[b][k] + end.velocity[b][k]) / 2;
+    }
+  }
+  return start;
+}
+
 /// Poses at the fraction `part` of the way.
 void between(const std::vector<Pose>& from, const std::vector<Pose>& to, double part, std::vector<Pose>& into) {
   into.resize(from.size());
@@ -84,6 +95,8 @@ void Session::end_step() {
 
 /// Pressures of now are said, the blocks' next places are heard.
 void Session::exchange() {
+  const std::string strayed = blocks_.strayed();
+  if (!strayed.empty()) partner_.fail(strayed);
   load_.window = window_;
   load_.time_s = windows_.end_s(window_);
   load_.upstream_level_m = levels_.upstream_m(load_.time_s);
@@ -98,13 +111,14 @@ void Session::exchange() {
 }
 
 void Session::start_window(const wire::Motion& motion) {
-  window_start_ = window_end_;
-  window_end_ = motion.displacement;
-  velocity_ = motion.velocity;
   ++window_;
   step_ = 0;
   const double from_s = windows_.end_s(window_ - 1);
   const double to_s = windows_.end_s(window_);
+  // With the first pressures the blocks have settled before they moved: the water is not to feel that as a blow.
+  window_start_ = window_ == 1 ? set_out_from(motion, velocity_, to_s - from_s) : window_end_;
+  window_end_ = motion.displacement;
+  velocity_ = motion.velocity;
   const double wanted = (to_s - from_s) * courant_number() / time_.deltaTValue() / interface_.max_courant;
   constexpr double most_steps = 1e4;
   if (!(wanted < most_steps)) {

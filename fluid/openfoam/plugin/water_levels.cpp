@@ -61,12 +61,13 @@ double WaterLevels::downstream_m(double time_s) const {
 }
 
 void WaterLevels::set(double time_s) {
+  if (!set_levels_) return;
   set(upstream_, time_s);
   set(downstream_, time_s);
 }
 
 void WaterLevels::set(Pool& pool, double time_s) {
-  if (pool.cells.empty()) return;
+  if (!pool.level) return;  // one rank without its cells still takes part in what ranks tell each other
   const double level = pool.level->value(time_s);
   auto& water = mesh_.lookupObjectRef<Foam::volScalarField>("alpha.water");
   auto& air = mesh_.lookupObjectRef<Foam::volScalarField>("alpha.air");

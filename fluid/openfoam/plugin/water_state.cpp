@@ -8,7 +8,6 @@ namespace {
 
 constexpr double untouched = 1e-6;  // share of a cell that a block may fill where the cell still counts as open
 constexpr double all_water = 0.99;
-constexpr double all_air = 0.01;
 
 double density_of(const Foam::fvMesh& mesh, const char* phase) {
   const auto& transport = mesh.lookupObject<Foam::IOdictionary>("transportProperties");
@@ -45,13 +44,15 @@ PressureLine WaterState::line_at(const Point& x) const {
   const int cell = blocks_.locator().find(x);
   if (cell < 0 || blocks_.filled()[cell] > untouched) return line;
   line.found = true;
+  // Near the surface the water is below: in this cell, or in the next one down.
   int source = cell;
-  const int below = below_[static_cast<std::size_t>(cell)];
-  const double alpha = alpha_[cell];
-  const bool cut = alpha > all_air && alpha < all_water;
-  if (cut && below >= 0 && blocks_.filled()[below] <= untouched && alpha_[below] > alpha) source = below;
-  line.wet = alpha >= 0.5 || (cut && source == below);
-  line.whole = alpha >= all_water;
+  for (int down = 0; down < 2 && alpha_[source] < all_water; ++down) {
+    const int below = below_[static_cast<std::size_t>(source)];
+    if (below < 0 || blocks_.filled()[below] > untouched || alpha_[below] <= alpha_[source]) break;
+    source = below;
+  }
+  line.wet = alpha_[source] >= 0.5;
+  line.whole = source == cell && alpha_[cell] >= all_water;
   line.centre = {mesh_.C()[source].x(), mesh_.C()[source].y()};
   const double scale = water_density_ / (water_density_ - air_density_);
   line.slope = (rho_[source] - air_density_) * gravity_ * scale;

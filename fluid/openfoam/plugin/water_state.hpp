@@ -25,7 +25,7 @@ class WaterState {
  public:
   WaterState(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks);
 
-  /// In the cell that holds x. One that the surface cuts takes the line of the water below it.
+  /// In the cell that holds x. One that is not all water takes the line of the water in the two cells below it.
   [[nodiscard]] PressureLine line_at(const Point& x) const;
 
   [[nodiscard]] double water_density() const { return water_density_; }

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// interFoam as the fluid against hydrostatics: walls, slopes, blocks in the water; on two processes; what it costs.
+#include "tests/openfoam.hpp"
+
+namespace blockweir::test {
+namespace {
+
+constexpr double weight = 9810;  // N/m3
+
+/// A wall whose upstream face leans back by `lean` at its height of 10 m.
+std::string leaning(double lean) {
+  const std::string x = std::to_string(lean);
+  return " --set 'block.wall.vertices_m=[[0,0],[8,0],[8,10],[" + x + ",10]]'" +
+         " --set 'block.rider.vertices_m=[[6,10],[7,10],[7,11],[6,11]]'";
+}
+
+class Wall : public OpenFoam {
+ protected:
+  struct Errors {
+    double force = 0;
+    double moment = 0;
+    double velocity = 0;  ///< m/s
+  };
+  /// Relative, with the level at `level_m` in cells whose lines meet 10 m.
+  [[nodiscard]] Errors errors(int cells_in_depth, const std::string& level_m, double lean = 0) const {
+    const std::string table = "water.upstream_level_m={table=[[0," + level_m + "],[100," + level_m + "],[101,10]]}";
+    const std::string more = cells(cells_in_depth) + set(table) + (lean > 0 ? leaning(lean) : "");
+    EXPECT_EQ(run(cases + "hydrostatic-wall", "o", more), 0) << text("out");
+    const double depth = std::stod(level_m);
+    const double force = weight * depth * depth / 2;
+    const double moment = -force * depth / 3 * (1 + lean * lean / 100);
+    return {std::abs(got("o", "water_force_x_n_per_m") / force - 1), std::abs(got("o", "water_moment_n") / moment - 1),
+            velocity("o", 10.0 / cells_in_depth, 0.01)};
+  }
+};
+
+TEST_F(Wall, StillWaterPressesAsTheFormulaSaysWithItsLevelOnACellFace) {
+  const Errors e = errors(20, "10");
+  EXPECT_LT(e.force, 1e-6);
+  EXPECT_LT(e.moment, 1e-6);
+  EXPECT_LT(e.velocity, 1e-3);
+}
+
+TEST_F(Wall, StillWaterPressesAsTheFormulaSaysWithItsLevelBetweenCellFaces) {
+  const Errors e = errors(20, "9.87");
+  EXPECT_LT(e.force, 1e-6);
+  EXPECT_LT(e.moment, 1e-6);
+  EXPECT_LT(e.velocity, 1e-3);
+}
+
+TEST_F(Wall, SlopingFacesOnCellsThatTheyCutFeelTheSame) {
+  for (const double lean : {1.0, 2.0, 5.0}) {  // 10:1, 5:1, 2:1
+    const Errors e = errors(20, "9.87", lean);
+    EXPECT_LT(e.force, 1e-3) << lean;
+    EXPECT_LT(e.moment, 1e-3) << lean;
+    EXPECT_LT(e.velocity, 1e-3) << lean;
+  }
+}
+
+/// All figures; with --gtest_also_run_disabled_tests.
+TEST_F(Wall, DISABLED_TableOfErrors) {
+  std::printf("cells  lean  level   force    moment   velocity m/s\n");
+  for (const int n : {20, 40, 80}) {
+    for (const double lean : {0.0, 1.0, 2.0, 5.0}) {
+      for (const char* level : {"10", "9.87"}) {
+        const Errors e = errors(n, level, lean);
+        std::printf("%5d %5.2f %6s  %.1e  %.1e  %.1e\n", n, lean / 10, level, e.force, e.moment, e.velocity);
+      }
+    }
+  }
+}
+
+class Square : public OpenFoam {
+ protected:
+  /// A square of 4 m that stands fixed in the water, turned by 15 degrees about (0, 6), in cells of 0.2 m.
+  [[nodiscard]] Force float_up(double level_m) const {
+    std::ofstream scene(folder / "scene.toml");
+    scene << "[analysis]\nduration_s = 0.05\n"
+             "[material.stone]\nyoungs_modulus_pa = 5e10\npoissons_ratio = 0.2\ndensity_kg_per_m3 = 2500\n"
+             "[[block]]\nname = \"ground\"\nmaterial = \"stone\"\nfixed = true\n"
+             "vertices_m = [[-10, -1], [10, -1], [10, 0], [-10, 0]]\n"
+             "[[block]]\nname = \"square\"\nmaterial = \"stone\"\nfixed = true\nvertices_m = [";
+    for (int i = 0; i < 4; ++i) {
+      const double angle = (15 + 45 + 90 * i) * M_PI / 180;
+      scene << (i > 0 ? ", [" : "[") << std::sqrt(8) * std::cos(angle) << ", " << 6 + std::sqrt(8) * std::sin(angle)
+            << "]";
+    }
+    scene << "]\n"
+             "[water]\nmay_overtop = true\nupstream_level_m = "
+          << level_m << "\ndownstream_level_m = " << level_m
+          << "\n[fluid]\nmodel = \"openfoam\"\ncells_in_depth = " << std::lround(level_m / 0.2)
+          << "\nupstream_depths = 0.5\ndownstream_depths = 0.5\n";
+    scene.close();
+    EXPECT_EQ(run("scene.toml", "o", ""), 0) << text("out");
+    return water_force("o", {0, 6}, 3);
+  }
+};
+
+TEST_F(Square, UnderWaterIsLiftedByTheWeightOfWhatItDisplaces) {
+  const double lift = weight * 16;
+  const Force f = float_up(10);
+  EXPECT_NEAR(f.force.x() / lift, 0, 1e-3);
+  EXPECT_NEAR(f.force.y() / lift, 1, 1e-3);
+  EXPECT_NEAR(f.moment / (lift * 4), 0, 1e-3);
+}
+
+TEST_F(Square, HalfUnderWaterIsLiftedByHalfOfIt) {
+  const double lift = weight * 8;
+  const Force f = float_up(6);
+  EXPECT_NEAR(f.force.x() / lift, 0, 1e-3);
+  EXPECT_NEAR(f.force.y() / lift, 1, 1e-3);
+  // Of the part of a square, turned by t, under a level line through its centre: integral of x, a^3/24 sin t (1 - tan^2
+  // t).
+  const double t = 15 * M_PI / 180;
+  const double moment = weight * 64 / 24 * std::sin(t) * (1 - std::pow(std::tan(t), 2));
+  EXPECT_NEAR((f.moment - moment) / (lift * 4), 0, 1e-3);
+}
+
+class TwoProcesses : public OpenFoam {};
+
+TEST_F(TwoProcesses, FailAtTheHeadAtWhichOneDoes) {
+  const std::string more = cells(10) + set("water.upstream_level_m={table=[[0,21.9],[1,22.4]]}") +
+                           set("analysis.duration_s=1") + set("analysis.stop_at_failure=true");
+  EXPECT_EQ(run(cases + "cracked-dam-upper", "one", more), 0) << text("out");
+  EXPECT_EQ(run(cases + "cracked-dam-upper", "two", more + set("fluid.processes=2")), 0) << text("out");
+  EXPECT_THAT(text("two/openfoam/log.interFoam"), testing::HasSubstr("nProcs : 2"));
+  const auto head = [&](const std::string& out) {
+    return nlohmann::json::parse(text(out + "/summary.json"))["failure"]["head_m"].get<double>();
+  };
+  EXPECT_NEAR(head("two") / head("one"), 1, 1e-3);
+  for (const double y : {7.5, 18.5}) {
+    const Force one = water_force("one", {4, y}, 9);
+    const Force two = water_force("two", {4, y}, 9);
+    EXPECT_LT((two.force - one.force).norm() / one.force.norm(), 1e-4) << y;
+    EXPECT_NEAR(two.moment / one.moment, 1, 1e-4) << y;
+  }
+}
+
+class Overhead : public OpenFoam {
+ protected:
+  /// Steps, and iterations of their pressure solutions.
+  [[nodiscard]] std::pair<int, int> work(const std::string& log) const {
+    std::istringstream lines(text(log));
+    std::pair<int, int> sum{0, 0};
+    for (std::string line; std::getline(lines, line);) {
+      if (line.rfind("Time = ", 0) == 0) ++sum.first;
+      const std::size_t at = line.find("No Iterations ");
+      if (line.find("for p_rgh") != std::string::npos) sum.second += std::stoi(line.substr(at + 14));
+    }
+    return sum;
+  }
+
+  /// Seconds that interFoam takes with the blocks, over those without, for the same mesh, steps and iterations: a dam
+  /// in water of one level that moves at 0.1 m/s at first.
+  [[nodiscard]] double ratio(int cells_in_depth, double duration_s) const {
+    const std::string endpoint = " --endpoint ipc://" + (folder / "line").string();
+    const std::string scene = cases + "cracked-dam-upper" + cells(cells_in_depth) + set("fluid.max_courant=1") +
+                              set("analysis.duration_s=" + std::to_string(duration_s)) +
+                              set("water.upstream_level_m=21.7") + set("water.downstream_level_m=21.7");
+    const auto sh = [&](const std::string& command) {
+      EXPECT_EQ(shell("env " + std::string(environment) + "sh -c \"" + command + "\""), 0) << text("out");
+    };
+    EXPECT_EQ(shell(programs + "/blockweir-openfoam " + scene + " --case-only --out with" + endpoint), 0);
+    sh("sed -i 's/^internalField.*/internalField uniform (0.1 0 0);/' with/0/U && "
+       "sed -i 's/maxIter 50/minIter 3; maxIter 3/' with/system/fvSolution && blockMesh -case with");
+    sh("cp -r with without && rm without/system/fvOptions && sed -i 's/^endTime .*/endTime " +
+       std::to_string(duration_s - 0.01) + ";/; s/^libs .*//; /^functions/,\\$ d' without/system/controlDict");
+    const pid_t solid = start(programs + "/blockweir-solid " + scene + " --out o" + endpoint, "solid");
+    sh("interFoam -case with > log.with");
+    EXPECT_EQ(end_of(solid, 5), 0) << text("solid");
+    sh("interFoam -case without > log.without");
+    const double with = execution_s("log.with");
+    const double without = execution_s("log.without");
+    const auto [steps, iterations] = work("log.with");
+    const auto [steps_without, iterations_without] = work("log.without");
+    EXPECT_EQ(steps, steps_without);
+    EXPECT_EQ(iterations, iterations_without);
+    std::printf(
+        "%d cells in depth, %d steps: with the blocks %.2f s and %d iterations, without %.2f s and %d; ratio %.2f\n",
+        cells_in_depth, steps, with, iterations, without, iterations_without, with / without);
+    return with / without;
+  }
+};
+
+TEST_F(Overhead, OfTheBlocksIsSmall) {
+  EXPECT_LT(ratio(40, 1), 2);
+}
+TEST_F(Overhead, DISABLED_OfTheBlocksOnAFineMesh) {
+  EXPECT_LT(ratio(80, 1), 2);
+}
+
+}  // namespace
+}  // namespace blockweir::test
