@@ -11,6 +11,7 @@
 #include "bridge/launch/run.hpp"
 #include "bridge/launch/study.hpp"
 #include "bridge/launch/validate.hpp"
+#include "bridge/launch/write_case.hpp"
 #include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/nearest.hpp"
 #include "bridge/scene/read.hpp"
@@ -51,6 +52,7 @@ int run_command(int argc, char** argv) {
   launch::CutOptions cut;
   launch::CompareOptions compare;
   launch::StudyOptions study;
+  launch::CaseOptions written;
   std::string checked;
 
   auto* run_cmd = app.add_subcommand("run", "run a scene and say how it ends");
@@ -66,6 +68,10 @@ int run_command(int argc, char** argv) {
   cut_cmd->add_option("scene", cut.scene, "scene file or case folder")->required();
   cut_cmd->add_option("--out", cut.out, "picture, .png or .svg (default: cut.png)");
   cut_cmd->add_option("--set", cut.overrides, "key=value over the scene's own");
+  auto* case_cmd = app.add_subcommand("case", "write OpenFOAM's case of a scene, without running it");
+  case_cmd->add_option("scene", written.scene, "scene file or case folder")->required();
+  case_cmd->add_option("--out", written.out, "folder for the case (default: case)");
+  case_cmd->add_option("--set", written.overrides, "key=value over the scene's own");
   auto* plot_cmd = app.add_subcommand("plot", "draw the figures of a run");
   plot_cmd->add_option("run", plot.run, "folder of a run")->required();
   plot_cmd->add_flag("--svg", plot.svg, "SVG instead of PNG");
@@ -100,6 +106,7 @@ int run_command(int argc, char** argv) {
   }
   if (check_cmd->parsed()) return check_scene(checked, run.overrides);
   if (cut_cmd->parsed()) return launch::cut(cut), 0;
+  if (case_cmd->parsed()) launch::write_case(written);
   if (plot_cmd->parsed()) return launch::plot(plot), 0;
   if (study_cmd->parsed()) return launch::study(study);
   if (validate_cmd->parsed()) return launch::validate(validate);

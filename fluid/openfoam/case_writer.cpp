@@ -92,6 +92,7 @@ std::string solution() {
          "0.05;\n"
          "        maxIter 50;\n    }\n"
          "    p_rghFinal { $p_rgh; relTol 0; }\n"
+         "    addedMass { $p_rgh; relTol 1e-3; }\n"
          "    \"U.*\"\n    {\n        solver smoothSolver;\n        smoother symGaussSeidel;\n        tolerance 1e-6;\n"
          "        relTol 0;\n    }\n"
          "}\n\n"

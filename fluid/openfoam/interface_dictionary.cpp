@@ -19,7 +19,8 @@ std::string blocks(const scene::Scene& scene, const Grid& grid) {
     text += fmt::format("    block{}\n    {{\n        name {};\n        vertices {};\n", b,
                         quoted(scene.blocks[b].name), point_list(scene.blocks[b].vertices));
     if (ground) text += fmt::format("        outline {};  // the ground goes on\n", point_list(outlines[b]));
-    text += fmt::format("        loaded {};\n    }}\n", ground ? "no" : "yes");
+    text += fmt::format("        loaded {};\n        movable {};\n    }}\n", ground ? "no" : "yes",
+                        scene.blocks[b].fixed ? "no" : "yes");
   }
   return text + "}\n\n";
 }

@@ -19,7 +19,12 @@ std::size_t at(int i) {
 
 }  // namespace
 
-FailureWatch::FailureWatch(const Solid& solid) : solid_(solid), rest_(solid.described()) {}
+FailureWatch::FailureWatch(const Solid& solid) : solid_(solid), rest_(solid.described()), guided_(rest_.size()) {
+  std::map<std::size_t, int> supports;
+  for (const scene::Support& support : solid.scene().supports) {
+    if (++supports[at(support.block)] == 2) guided_[at(support.block)] = true;
+  }
+}
 
 double FailureWatch::speed(std::size_t b) const {
   double fastest = 0;
@@ -89,7 +94,7 @@ void FailureWatch::look(double time_s, double upstream_level_m) {
   const scene::Analysis& analysis = solid_.scene().analysis;
   const std::vector<bool> at_rest = resting();
   for (std::size_t b = 0; b < rest_.size(); ++b) {
-    if (solid_.blocks()[b].fixed || rest_[b].failed) continue;
+    if (solid_.blocks()[b].fixed || guided_[b] || rest_[b].failed) continue;
     if (at_rest[b] || time_s == 0) {
       rest_[b] = {.time_s = time_s, .level_m = upstream_level_m, .displacement = solid_.states()[b].displacement};
     } else if (travel(b) > analysis.failure_displacement_m) {

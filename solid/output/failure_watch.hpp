@@ -52,6 +52,7 @@ class FailureWatch {
 
   const Solid& solid_;
   std::vector<Rest> rest_;
+  std::vector<bool> guided_;  ///< by supports at two of its points: how it moves is the scene's will, no failure
   std::vector<Failure> failures_;
 };
 

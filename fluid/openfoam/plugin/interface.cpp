@@ -56,6 +56,7 @@ void read_blocks(const dictionary& dict, Interface& into) {
     b.outline = block.found("outline") ? polygon(block, "outline") : b.vertices;
     b.centroid = centroid(b.vertices);
     b.loaded = block.get<Foam::Switch>("loaded");
+    b.movable = block.get<Foam::Switch>("movable");
     into.hello.block_names.push_back(block.get<Foam::string>("name"));
     into.hello.vertex_counts.push_back(static_cast<std::uint32_t>(b.vertices.size()));
     for (const Point& p : b.vertices) {

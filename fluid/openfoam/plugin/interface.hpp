@@ -17,6 +17,7 @@ struct InterfaceBlock {
   Polygon outline;   ///< what stands in the mesh: the same, but for the ground, which is drawn out beyond it
   Point centroid;    ///< of the scene's outline
   bool loaded = true;
+  bool movable = true;
 };
 
 /// A face of a crack: fractions along the block's edge, and along the crack.

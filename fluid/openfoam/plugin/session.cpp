@@ -36,11 +36,17 @@ std::vector<Pose> set_out_from(const wire::Motion& end, const std::vector<Pose>&
   return start;
 }
 
-/// Poses at the fraction `part` of the way.
-void between(const std::vector<Pose>& from, const std::vector<Pose>& to, double part, std::vector<Pose>& into) {
-  into.resize(from.size());
-  for (std::size_t b = 0; b < from.size(); ++b) {
-    for (std::size_t k = 0; k < into[b].size(); ++k) into[b][k] = from[b][k] + part * (to[b][k] - from[b][k]);
+/// On the cubic that leaves and arrives with the solid's own velocities: with straight pieces, all of a window's
+/// acceleration would fall into its first step, and none into the pressures of its end.
+void on_the_way(const Course& c, double part, std::vector<Pose>& into) {
+  into.resize(c.end.size());
+  for (std::size_t b = 0; b < into.size(); ++b) {
+    for (std::size_t k = 0; k < into[b].size(); ++k) {
+      const double way = c.end[b][k] - c.start[b][k];
+      const double from = c.duration_s * c.start_velocity[b][k];
+      const double to = c.duration_s * c.end_velocity[b][k];
+      into[b][k] = c.start[b][k] + part * (from + part * (3 * way - 2 * from - to + part * (from + to - 2 * way)));
+    }
   }
 }
 
@@ -58,6 +64,7 @@ Session::Session(const Foam::fvMesh& mesh)
       water_(mesh, blocks_),
       levels_(mesh, dict_),
       edges_(blocks_, water_),
+      added_mass_(mesh, blocks_),
       record_(mesh, blocks_) {
   if (dict_.found("groundAccelerationX")) {
     ground_x_ = Foam::Function1<Foam::scalar>::New("groundAccelerationX", dict_);
@@ -65,9 +72,9 @@ Session::Session(const Foam::fvMesh& mesh)
   }
   const auto first = partner_.receive(0);
   if (!first) partner_.fail("the solid process ended the run before it began");
-  window_end_ = first->displacement;
-  velocity_ = first->velocity;
-  blocks_.move(window_end_, window_end_, 1);
+  course_.end = first->displacement;
+  course_.end_velocity = first->velocity;
+  blocks_.move(course_.end, course_.end, 1);
   exchange();
 }
 
@@ -83,9 +90,9 @@ void Session::begin_step() {
   if (!attached_) {
     partner_.fail("system/controlDict has no function object of type blockweirSchedule: the water would go on alone");
   }
-  between(window_start_, window_end_, static_cast<double>(step_) / steps_, step_start_);
-  between(window_start_, window_end_, static_cast<double>(step_ + 1) / steps_, step_end_);
-  if (step_ + 1 == steps_) step_end_ = window_end_;
+  on_the_way(course_, static_cast<double>(step_) / steps_, step_start_);
+  on_the_way(course_, static_cast<double>(step_ + 1) / steps_, step_end_);
+  if (step_ + 1 == steps_) step_end_ = course_.end;
   blocks_.move(step_start_, step_end_, time_.deltaTValue());
 }
 
@@ -102,8 +109,9 @@ void Session::exchange() {
   load_.upstream_level_m = levels_.upstream_m(load_.time_s);
   load_.downstream_level_m = levels_.downstream_m(load_.time_s);
   edges_.sample(load_);
+  added_mass_.measure(load_.added_mass);
   partner_.send(load_);
-  record_.add(load_.time_s, load_, velocity_, ground_acceleration().x());
+  record_.add(load_.time_s, load_, course_.end_velocity, ground_acceleration().x());
   const auto motion = partner_.receive(window_ + 1);
   if (motion) return start_window(*motion);
   Foam::Info << "blockweir: the solid process has ended the run after window " << Foam::label(window_) << Foam::endl;
@@ -116,9 +124,11 @@ void Session::start_window(const wire::Motion& motion) {
   const double from_s = windows_.end_s(window_ - 1);
   const double to_s = windows_.end_s(window_);
   // With the first pressures the blocks have settled before they moved: the water is not to feel that as a blow.
-  window_start_ = window_ == 1 ? set_out_from(motion, velocity_, to_s - from_s) : window_end_;
-  window_end_ = motion.displacement;
-  velocity_ = motion.velocity;
+  course_.duration_s = to_s - from_s;
+  course_.start = window_ == 1 ? set_out_from(motion, course_.end_velocity, course_.duration_s) : course_.end;
+  course_.start_velocity = course_.end_velocity;
+  course_.end = motion.displacement;
+  course_.end_velocity = motion.velocity;
   const double wanted = (to_s - from_s) * courant_number() / time_.deltaTValue() / interface_.max_courant;
   constexpr double most_steps = 1e4;
   if (!(wanted < most_steps)) {

@@ -5,12 +5,22 @@
 #include <regIOobject.H>
 
 #include "bridge/schedule/windows.hpp"
+#include "fluid/openfoam/plugin/added_mass.hpp"
 #include "fluid/openfoam/plugin/edge_pressures.hpp"
 #include "fluid/openfoam/plugin/partner.hpp"
 #include "fluid/openfoam/plugin/water_levels.hpp"
 #include "fluid/openfoam/plugin/water_record.hpp"
 
 namespace blockweir::openfoam {
+
+/// Places and velocities of all blocks at both ends of a window.
+struct Course {
+  std::vector<Pose> start;
+  std::vector<Pose> start_velocity;
+  std::vector<Pose> end;
+  std::vector<Pose> end_velocity;
+  double duration_s = 0;
+};
 
 /// Conventional serial staggered schedule, the fluid's side: pressures of t_n are said, the blocks' places at t_n+1
 /// come, and interFoam steps there.
@@ -55,6 +65,7 @@ class Session : public Foam::regIOobject {
   WaterState water_;
   WaterLevels levels_;
   EdgePressures edges_;
+  AddedMass added_mass_;
   WaterRecord record_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_x_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_y_;
@@ -62,9 +73,7 @@ class Session : public Foam::regIOobject {
   std::uint64_t window_ = 0;  ///< the one whose end was exchanged last
   int step_ = 0;              ///< made in the next one
   int steps_ = 1;             ///< to be made in it
-  std::vector<Pose> window_start_;
-  std::vector<Pose> window_end_;
-  std::vector<Pose> velocity_;  ///< at the window's end
+  Course course_;
   std::vector<Pose> step_start_;
   std::vector<Pose> step_end_;
   Foam::label placed_at_ = -1;  ///< time index of the step that the blocks were taken to
