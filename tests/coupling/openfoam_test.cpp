@@ -50,11 +50,13 @@ TEST_F(Wall, StillWaterPressesAsTheFormulaSaysWithItsLevelBetweenCellFaces) {
 }
 
 TEST_F(Wall, SlopingFacesOnCellsThatTheyCutFeelTheSame) {
-  for (const double lean : {1.0, 2.0, 5.0}) {  // 10:1, 5:1, 2:1
-    const Errors e = errors(20, "9.87", lean);
-    EXPECT_LT(e.force, 1e-3) << lean;
-    EXPECT_LT(e.moment, 1e-3) << lean;
-    EXPECT_LT(e.velocity, 1e-3) << lean;
+  for (const auto& [cells_in_depth, level] : {std::pair(20, "10"), std::pair(20, "9.87"), std::pair(80, "9.87")}) {
+    for (const double lean : {1.0, 2.0, 5.0}) {  // 10:1, 5:1, 2:1
+      const Errors e = errors(cells_in_depth, level, lean);
+      EXPECT_LT(e.force, 1e-5) << cells_in_depth << ' ' << level << ' ' << lean;
+      EXPECT_LT(e.moment, 1e-4) << cells_in_depth << ' ' << level << ' ' << lean;
+      EXPECT_LT(e.velocity, 1e-3) << cells_in_depth << ' ' << level << ' ' << lean;
+    }
   }
 }
 
