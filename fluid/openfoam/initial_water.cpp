@@ -60,8 +60,8 @@ void spread(const Grid& g, std::deque<std::size_t> front, std::vector<Holds>& ho
   }
 }
 
-/// Where water above the crest ends at time 0: at the highest vertex of the structure nearest to its pool.
-double crest_x(const Grid& g, const scene::Scene& scene, bool upstream) {
+/// The highest vertex of the structure nearest to the pool: where water above the crest ends at time 0.
+scene::Point crest(const Grid& g, const scene::Scene& scene, bool upstream) {
   scene::Point crest(0, -std::numeric_limits<double>::infinity());
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     if (std::find(g.ground.begin(), g.ground.end(), static_cast<int>(b)) != g.ground.end()) continue;
@@ -70,7 +70,7 @@ double crest_x(const Grid& g, const scene::Scene& scene, bool upstream) {
       if (p.y() > crest.y() || (p.y() == crest.y() && nearer)) crest = p;
     }
   }
-  return crest.x();
+  return crest;
 }
 
 /// Water that the scene draws. Its pressure is interFoam's to find: it is not at rest.
@@ -94,16 +94,17 @@ InitialWater initial_water(const Grid& g, const scene::Scene& scene) {
   const double upstream = start(scene.water.upstream_level_m);
   const double downstream = start(scene.water.downstream_level_m);
   const std::vector<bool> solid = solid_cells(g, outlines_in(g, scene));
-  const double up_to_x = crest_x(g, scene, true);
-  const double from_x = crest_x(g, scene, false);
+  const scene::Point up_to = crest(g, scene, true);
+  const scene::Point from = crest(g, scene, false);
 
   std::vector<Holds> holds(g.cells(), Holds::unknown);
   const auto is_water = [&](std::size_t cell, Holds pool) {
     const std::size_t i = cell % g.columns();
     const double bottom = g.y[cell / g.columns()];
     const double x = (g.x[i] + g.x[i + 1]) / 2;
-    return !solid[cell] &&
-           (pool == Holds::upstream ? bottom < upstream && x < up_to_x : bottom < downstream && x > from_x);
+    if (solid[cell]) return false;
+    if (pool == Holds::upstream) return bottom < upstream && (bottom < up_to.y() || x < up_to.x());
+    return bottom < downstream && (bottom < from.y() || x > from.x());
   };
   std::deque<std::size_t> front;
   for (std::size_t j = 0; j < g.rows(); ++j) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double moved_cells = 0.5;
 constexpr long at_least_every = 100;
-constexpr double eps = 1e-4;  // water that seeps through blocks: the equation holds in them, too
+constexpr double eps = 1e-6;  // of the flow through blocks, and out of pockets: the equation has one solution
 
 Foam::IOobject unregistered(const char* name, const Foam::fvMesh& mesh) {
   return Foam::IOobject(name, mesh.time().timeName(), mesh, Foam::IOobject::NO_READ, Foam::IOobject::NO_WRITE, false);
@@ -43,51 +43,67 @@ void AddedMass::measure(std::vector<std::array<double, 6>>& rows) {
   rows = rows_;
 }
 
-std::array<double, 6> AddedMass::of_block(std::size_t b) {
+Foam::wordList AddedMass::pressure_patches() const {
   using namespace Foam;
-  const volScalarField& pressure = mesh_.lookupObject<volScalarField>("p_rgh");
-  const volScalarField& rho = mesh_.lookupObject<volScalarField>("rho");
+  const auto& pressure = mesh_.lookupObject<volScalarField>("p_rgh");
   wordList types(mesh_.boundary().size(), zeroGradientFvPatchScalarField::typeName);
   forAll(types, i) {
+    const fvPatch& patch = mesh_.boundary()[i];
     if (pressure.boundaryField()[i].fixesValue()) types[i] = fixedValueFvPatchScalarField::typeName;
-    if (mesh_.boundary()[i].type() == "empty") types[i] = "empty";
-    if (mesh_.boundary()[i].coupled()) types[i] = mesh_.boundary()[i].type();
+    if (patch.coupled() || patch.type() == "empty") types[i] = patch.type();
   }
-  volScalarField p(unregistered("addedMassPressure", mesh_), mesh_, dimensionedScalar("p", dimPressure, 0.0), types);
-  const surfaceScalarField open("open", fvc::interpolate((1 + eps - blocks_.filled()) / rho));
+  return types;
+}
 
+/// s_k V [m2 for translation, m3 for rotation, per metre of thickness].
+std::array<Foam::scalarField, 3> AddedMass::sources(std::size_t b) const {
+  std::array<Foam::scalarField, 3> source;
+  source.fill(Foam::scalarField(mesh_.nCells(), 0.0));
   const Pose& pose = blocks_.poses()[b];
   const Point centroid = blocks_.interface().blocks[b].centroid + Point(pose[0], pose[1]);
-  PtrList<scalarField> sources(3);
-  std::array<scalarField, 3> answers;
-  for (int k = 0; k < 3; ++k) {
-    volVectorField a(unregistered("blockAcceleration", mesh_), mesh_,
-                     dimensionedVector("a", dimAcceleration, vector::zero));
-    for (const ImmersedBlocks::Part& part : blocks_.parts(b)) {
-      const vector& x = mesh_.C()[part.cell];
-      const vector unit = k == 0   ? vector(1, 0, 0)
-                          : k == 1 ? vector(0, 1, 0)
-                                   : vector(-(x.y() - centroid.y()), x.x() - centroid.x(), 0);
-      a[part.cell] = part.fraction * unit;
-    }
-    a.correctBoundaryConditions();
-    const volScalarField divergence(fvc::div(fvc::flux(a)));
-    sources.set(k, new scalarField(divergence.primitiveField() * mesh_.V().field()));
+  for (const EdgePressures::Wetted& w : edges_.wetted()) {
+    if (w.block != static_cast<int>(b)) continue;
+    const int cell = blocks_.locator().find(w.looked_at);
+    if (cell < 0) continue;
+    const Point arm = w.middle - centroid;
+    source[0][cell] += w.push.x();
+    source[1][cell] += w.push.y();
+    source[2][cell] += arm.x() * w.push.y() - arm.y() * w.push.x();
+  }
+  return source;
+}
+
+std::array<double, 6> AddedMass::of_block(std::size_t b) {
+  using namespace Foam;
+  const std::array<scalarField, 3> source = sources(b);
+  scalar pushed = 0;
+  for (const scalarField& s : source) pushed += sumMag(s);
+  reduce(pushed, sumOp<scalar>());
+  if (pushed == 0) return {};
+
+  const auto& rho = mesh_.lookupObject<volScalarField>("rho");
+  const volScalarField open("open", neg(blocks_.filled() - 0.5));
+  const surfaceScalarField way("way", max(eps, pos(fvc::interpolate(open) - 0.99)) * fvc::interpolate(1 / rho));
+  const double h = blocks_.interface().cell_m;
+  const dimensionedScalar leak("leak", dimless / dimDensity / dimArea, eps / (max(rho).value() * h * h));
+  volScalarField p(unregistered("addedMassPressure", mesh_), mesh_, dimensionedScalar("p", dimPressure, 0.0),
+                   pressure_patches());
+  std::array<scalarField, 3> answer;
+  const int talk = SolverPerformance<scalar>::debug;
+  SolverPerformance<scalar>::debug = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
     p.primitiveFieldRef() = 0;
     p.correctBoundaryConditions();
-    fvScalarMatrix equation(fvm::laplacian(open, p) == divergence);
-    const int talk = SolverPerformance<scalar>::debug;
-    SolverPerformance<scalar>::debug = 0;
+    fvScalarMatrix equation(fvm::laplacian(way, p) - fvm::Sp(leak, p));
+    equation.source() -= source[k] * mesh_.bounds().span().z();
     equation.solve(mesh_.solverDict("addedMass"));
-    SolverPerformance<scalar>::debug = talk;
     ++solutions_;
-    answers[static_cast<std::size_t>(k)] = p.primitiveField();
+    answer[k] = p.primitiveField();
   }
-  const auto entry = [&](int j, int k) {
-    const auto& p_j = answers[static_cast<std::size_t>(j)];
-    const auto& p_k = answers[static_cast<std::size_t>(k)];
+  SolverPerformance<scalar>::debug = talk;
+  const auto entry = [&](std::size_t j, std::size_t k) {
     // Symmetric but for what the solver leaves.
-    return -0.5 * (gSum(scalarField(p_k * sources[j])) + gSum(scalarField(p_j * sources[k])));
+    return 0.5 * (gSum(scalarField(answer[k] * source[j])) + gSum(scalarField(answer[j] * source[k])));
   };
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }

@@ -2,18 +2,21 @@
 // How much water a block has to take along: measured on interFoam's own mesh, by its own operator.
 #pragma once
 
-#include "fluid/openfoam/plugin/immersed_blocks.hpp"
+#include "fluid/openfoam/plugin/edge_pressures.hpp"
 
 namespace blockweir::openfoam {
 
-/// Water and air that are accelerated from rest by a block's unit acceleration a_k (x, y, rotation about its centroid):
+/// Still water that a block's unit acceleration a_k (x, y, rotation about its centroid) pushes where pressures are
+/// sampled:
 ///
-///     div((1 - phi)/rho grad p) = div(phi_b a_k),  p = 0 at the atmosphere,  M_jk = -sum p_k div(phi_b a_j) V,
+///     -div(grad p_k / rho) = s_k,  p_k = 0 at the atmosphere,  M_jk = sum p_k s_j V,
 ///
-/// phi_b what the block fills of a cell and phi what all do: what the penalty lets the pressure equation see.
+/// with s_k V = sum a_k . n ds over the wetted pieces of its edge that look into a cell, and no flow into cells that
+/// are more than half block. Joints, and pockets too narrow to be sampled, take no part, as they take none in the load.
 class AddedMass {
  public:
-  AddedMass(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks) : mesh_(mesh), blocks_(blocks) {}
+  AddedMass(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks, const EdgePressures& edges)
+      : mesh_(mesh), blocks_(blocks), edges_(edges) {}
 
   /// Rows as wire::Load has them: of blocks that can move, zeros for others. Solved for anew where a block has moved by
   /// half a cell since, and every hundredth time as the water moves.
@@ -24,9 +27,12 @@ class AddedMass {
  private:
   [[nodiscard]] bool stale() const;
   [[nodiscard]] std::array<double, 6> of_block(std::size_t block);
+  [[nodiscard]] std::array<Foam::scalarField, 3> sources(std::size_t block) const;
+  [[nodiscard]] Foam::wordList pressure_patches() const;
 
   const Foam::fvMesh& mesh_;
   const ImmersedBlocks& blocks_;
+  const EdgePressures& edges_;
   std::vector<std::array<double, 6>> rows_;
   std::vector<Polygon> measured_at_;
   long asked_ = 0;

@@ -166,7 +166,7 @@ void EdgePressures::look_along(const Point& from, const Point& direction, std::v
 
 /// Pressure at the edge from the first open cell outwards. Where water fills that and the next one, the part that is
 /// not weight goes on linearly to the edge: water that a wall pushes has its largest pressure there.
-void EdgePressures::add_open(const Element& element, const double* lines, wire::Load& load) const {
+void EdgePressures::add_open(const Element& element, const double* lines, wire::Load& load) {
   const double h = blocks_.interface().cell_m;
   int first = 0;
   while (first < looks && lines[first * columns] == 0) ++first;
@@ -176,6 +176,10 @@ void EdgePressures::add_open(const Element& element, const double* lines, wire::
     if (near.wet) break;
   }
   if (!near.wet || near.slope <= 0) return;
+  const Point middle = (element.from + element.to) / 2;
+  const double length = (element.to - element.from).norm();
+  wetted_.push_back({element.block, middle, element.openness * length * element.normal,
+                     middle + 0.5 * (first + 1) * h * outwards(element.normal)});
   double at_zero = near.at_zero;
   if (near.whole && first + 2 < looks) {
     const PressureLine next = load_line(lines + (first + 2) * columns);
@@ -190,9 +194,11 @@ void EdgePressures::add_open(const Element& element, const double* lines, wire::
   double s_to = element.s_to;
   if (!near.whole || std::min(p_from, p_to) > suction) {
     if (p_from <= 0 && p_to <= 0) return;
-    const double surface = s_from + (s_to - s_from) * p_from / (p_from - p_to);
-    if (p_from < 0) s_from = surface, p_from = 0;
-    if (p_to < 0) s_to = surface, p_to = 0;
+    if (p_from * p_to < 0) {
+      const double surface = s_from + (s_to - s_from) * p_from / (p_from - p_to);
+      (p_from < 0 ? s_from : s_to) = surface;
+      (p_from < 0 ? p_from : p_to) = 0;
+    }
   }
   if (s_from >= s_to) return;
   add_panel(load, element.block, element.edge, s_from, s_to, element.openness * p_from, element.openness * p_to);
@@ -251,6 +257,7 @@ void EdgePressures::sample(wire::Load& load) {
   }
 
   clear(load);
+  wetted_.clear();
   const double* row = lines.data();
   for (const Element& e : elements_) {
     if (e.openness == 0) continue;

@@ -13,7 +13,14 @@ class EdgePressures {
   /// Panels of all loaded blocks where they are now; the same on all ranks.
   void sample(wire::Load& load);
 
-  [[nodiscard]] std::size_t elements() const { return elements_.size(); }
+  /// A piece of an edge that water pressed on when last sampled.
+  struct Wetted {
+    int block = 0;
+    Point middle;
+    Point push;       ///< outward normal times length and openness [m]
+    Point looked_at;  ///< where its water was looked up
+  };
+  [[nodiscard]] const std::vector<Wetted>& wetted() const { return wetted_; }
 
  private:
   /// A piece of an edge that one cell's water presses on.
@@ -37,12 +44,13 @@ class EdgePressures {
   void split(int block, int edge, const Point& from, const Point& to);
   [[nodiscard]] double gap_beyond(const Element& element) const;
   void look_along(const Point& from, const Point& direction, std::vector<double>& lines) const;
-  void add_open(const Element& element, const double* lines, wire::Load& load) const;
+  void add_open(const Element& element, const double* lines, wire::Load& load);
   void add_cracks(const std::vector<CrackPressure>& pressures, wire::Load& load) const;
 
   const ImmersedBlocks& blocks_;
   const WaterState& water_;
   std::vector<Element> elements_;
+  std::vector<Wetted> wetted_;
   std::vector<Pose> last_poses_;
   std::vector<double> cuts_;
 };

@@ -64,7 +64,7 @@ Session::Session(const Foam::fvMesh& mesh)
       water_(mesh, blocks_),
       levels_(mesh, dict_),
       edges_(blocks_, water_),
-      added_mass_(mesh, blocks_),
+      added_mass_(mesh, blocks_, edges_),
       record_(mesh, blocks_) {
   if (dict_.found("groundAccelerationX")) {
     ground_x_ = Foam::Function1<Foam::scalar>::New("groundAccelerationX", dict_);
