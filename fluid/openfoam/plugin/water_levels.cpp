@@ -4,9 +4,15 @@
 #include <IOdictionary.H>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace blockweir::openfoam {
+namespace {
+
+constexpr double cells_away = 2.5;  // from the structure, where a level that nobody sets is read
+
+}  // namespace
 
 WaterLevels::WaterLevels(const Foam::fvMesh& mesh, const Foam::dictionary& dict) : mesh_(mesh) {
   const auto read = [&](Pool& pool, const char* key) {
@@ -17,22 +23,16 @@ WaterLevels::WaterLevels(const Foam::fvMesh& mesh, const Foam::dictionary& dict)
   set_levels_ = dict.get<Foam::Switch>("setLevels");
   const auto upstream_to = dict.get<Foam::scalar>("upstreamTo");
   const auto downstream_from = dict.get<Foam::scalar>("downstreamFrom");
-  const double round_off = 1e-9 * mesh.bounds().mag();
-  const double left = mesh.bounds().min().x() + round_off;
-  const double right = mesh.bounds().max().x() - round_off;
+  const auto h = dict.get<Foam::scalar>("cell");
+  const auto near = [&](Foam::label c, double x) { return std::abs(mesh.C()[c].x() - x) <= 0.5 * h; };
   for (Foam::label c = 0; c < mesh.nCells(); ++c) {
     Cell cell{c, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    bool first = false;
-    bool last = false;
     for (const Foam::label p : mesh.cellPoints()[c]) {
-      const Foam::point& corner = mesh.points()[p];
-      cell.bottom = std::min(cell.bottom, corner.y());
-      cell.top = std::max(cell.top, corner.y());
-      first = first || corner.x() <= left;
-      last = last || corner.x() >= right;
+      cell.bottom = std::min(cell.bottom, mesh.points()[p].y());
+      cell.top = std::max(cell.top, mesh.points()[p].y());
     }
-    if (upstream_.level && first) upstream_.end.push_back(cell);
-    if (downstream_.level && last) downstream_.end.push_back(cell);
+    if (upstream_.level && near(c, upstream_to - cells_away * h)) upstream_.column.push_back(cell);
+    if (downstream_.level && near(c, downstream_from + cells_away * h)) downstream_.column.push_back(cell);
     if (!set_levels_) continue;
     if (upstream_.level && mesh.C()[c].x() < upstream_to) upstream_.cells.push_back(cell);
     if (downstream_.level && mesh.C()[c].x() > downstream_from) downstream_.cells.push_back(cell);
@@ -43,13 +43,17 @@ double WaterLevels::level(const Pool& pool, double time_s) const {
   if (!pool.level) return std::numeric_limits<double>::quiet_NaN();
   if (set_levels_) return pool.level->value(time_s);
   const auto& water = mesh_.lookupObject<Foam::volScalarField>("alpha.water");
-  constexpr double some = 0.01;
-  double surface = mesh_.bounds().min().y();
-  for (const Cell& cell : pool.end) {
-    const double fraction = std::min(1.0, water[cell.cell]);
-    if (fraction > some) surface = std::max(surface, cell.bottom + fraction * (cell.top - cell.bottom));
+  double depth = 0;
+  double height = 0;
+  for (const Cell& cell : pool.column) {
+    depth += std::min(1.0, water[cell.cell]) * (cell.top - cell.bottom);
+    height += cell.top - cell.bottom;
   }
-  return Foam::returnReduce(surface, Foam::maxOp<Foam::scalar>());
+  Foam::reduce(depth, Foam::sumOp<Foam::scalar>());
+  Foam::reduce(height, Foam::sumOp<Foam::scalar>());
+  // Two columns where the place lies on a line between them.
+  const double columns = std::max(1.0, std::round(height / mesh_.bounds().span().y()));
+  return mesh_.bounds().min().y() + depth / columns;
 }
 
 double WaterLevels::upstream_m(double time_s) const {

@@ -14,7 +14,7 @@ class WaterLevels {
   /// Entries upstreamLevel, upstreamTo, downstreamLevel, downstreamFrom and setLevels of constant/blockweir.
   WaterLevels(const Foam::fvMesh& mesh, const Foam::dictionary& dict);
 
-  /// NaN where there is no pool [m]; where nobody sets it, the surface at the mesh's end.
+  /// NaN where there is no pool [m]; where nobody sets it, the one beside the structure.
   [[nodiscard]] double upstream_m(double time_s) const;
   [[nodiscard]] double downstream_m(double time_s) const;
 
@@ -29,8 +29,8 @@ class WaterLevels {
   };
   struct Pool {
     Foam::autoPtr<Foam::Function1<Foam::scalar>> level;
-    std::vector<Cell> cells;  ///< whose fraction is set
-    std::vector<Cell> end;    ///< at the mesh's end, of this rank
+    std::vector<Cell> cells;   ///< whose fraction is set
+    std::vector<Cell> column;  ///< of this rank, where its level is read
   };
   [[nodiscard]] double level(const Pool& pool, double time_s) const;
   void set(Pool& pool, double time_s);
