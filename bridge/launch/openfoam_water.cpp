@@ -75,7 +75,7 @@ std::vector<WaterBox> OpenFoamWater::boxes(double time_s) const {
   const std::vector<double> water = read_field(nearest->folder / "alpha.water", columns * rows, 1);
   const std::vector<double> velocity = read_field(nearest->folder / "U", columns * rows, 3);
   if (water.empty() || velocity.empty()) return {};
-  const auto full = [&](std::size_t i, std::size_t j) { return water[j * columns + i] > 0.95; };
+  const auto share_at = [&](std::size_t i, std::size_t j) { return j < rows ? water[j * columns + i] : 0; };
   std::vector<WaterBox> boxes;
   for (std::size_t j = 0; j < rows; ++j) {
     for (std::size_t i = 0; i < columns; ++i) {
@@ -83,8 +83,9 @@ std::vector<WaterBox> OpenFoamWater::boxes(double time_s) const {
       const double share = std::min(1.0, water[cell]);
       if (share < least_water) continue;
       WaterBox box{x_[i], x_[i + 1], y_[j], y_[j + 1], share, std::hypot(velocity[3 * cell], velocity[3 * cell + 1])};
-      // The surface of water that stands on a full cell lies where it is; spray is pale all over.
-      if (share < 1 && (j == 0 || full(i, j - 1))) {
+      // The surface of water that stands on water lies where it is; spray is pale all over.
+      const bool stands = j == 0 || share_at(i, j - 1) > 0.5;
+      if (stands && share_at(i, j + 1) < least_water) {
         box.top = box.bottom + share * (box.top - box.bottom);
         box.share = 1;
       }

@@ -48,9 +48,16 @@ struct View {
   }
 };
 
-/// Around what moves, in all frames, with some ground below and some water beside it.
-View view_of(const std::vector<json>& frames) {
+/// Around what moves, in all frames, with some ground below and some water beside it; and around fixed walls that stand
+/// higher than `water_m`.
+View view_of(const std::vector<json>& frames, double water_m) {
   View view;
+  for (const json& block : frames.front()["blocks"]) {
+    double top = -1e300;
+    for (const json& p : block["outline"]) top = std::max(top, p[1].get<double>());
+    if (top <= water_m) continue;
+    for (const json& p : block["outline"]) view.include(p[0], p[1]);
+  }
   for (const json& frame : frames) {
     for (const json& block : frame["blocks"]) {
       if (block["fixed"].get<bool>()) continue;
@@ -220,14 +227,16 @@ std::string snapshot_script(const fs::path& run, const json& summary, const std:
                             const std::string& ending, bool animated) {
   const std::vector<json> frames = read_frames(run / "frames.jsonl");
   const auto picks = chosen(frames, summary);
-  const View view = view_of(frames);
+  const OpenFoamWater water(run);
+  double highest = water.empty() ? 1e300 : -1e300;
+  for (const WaterBox& box : water.boxes(0)) highest = std::max(highest, box.top);
+  const View view = view_of(frames, highest);
   const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.3, 2.0);
   std::string script = "reset\nset size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\n";
   const auto begin = [&](const char* name, double width, double height) {
     script += fmt::format("set terminal {} size {:.0f},{:.0f}\nset output {}\n", terminal, width, height,
                           gnuplot_path(run / (name + ending)));
   };
-  const OpenFoamWater water(run);
   const auto flow_at = [&](const json& frame) {
     return water.empty() ? "" : flow(water.boxes(frame["time_s"]), view, fastest_shown);
   };

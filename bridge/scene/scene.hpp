@@ -215,7 +215,7 @@ enum class LevelControl { table, free };
 
 enum class WaveKind { regular, solitary };
 
-/// Comes in at the mesh's upstream end, which takes up what comes back to it.
+/// Regular waves come in at the mesh's upstream end, which takes up what comes back; a solitary one sets out at time 0.
 struct Wave {
   WaveKind kind = WaveKind::regular;
   double height_m = 0;
@@ -239,6 +239,11 @@ struct OpenFoam {
   std::optional<Wave> wave;
   bool operator==(const OpenFoam&) const = default;
 };
+
+/// Whether waves come in at the mesh's end; a solitary one is there at time 0.
+inline bool comes_in(const OpenFoam& o) {
+  return o.wave && o.wave->kind == WaveKind::regular;
+}
 
 struct Coupling {
   double window_s = 0.01;

@@ -58,7 +58,7 @@ std::string control(const scene::Scene& scene, const CaseOptions& options) {
              "timePrecision     10;\n"
              "runTimeModifiable no;\n\n"
              "functions\n{{\n    blocks {{ type blockweirSchedule; libs ({}); }}\n}}\n",
-             quoted(options.plugin.string()), scene.openfoam.wave ? " \"libwaveModels.so\"" : "",
+             quoted(options.plugin.string()), scene::comes_in(scene.openfoam) ? " \"libwaveModels.so\"" : "",
              exact(1e6 + 10 * scene.analysis.duration_s), exact(step), exact(scene.output.frame_every_s),
              quoted(options.plugin.string()));
 }
@@ -88,9 +88,11 @@ std::string solution() {
          "        tolerance 1e-8;\n        relTol 0;\n    }\n"
          "    \"pcorr.*\"\n    {\n        solver PCG;\n        preconditioner DIC;\n        tolerance 1e-5;\n"
          "        relTol 0;\n    }\n"
-         "    p_rgh\n    {\n        solver GAMG;\n        smoother DIC;\n        tolerance 1e-7;\n        relTol "
-         "0.05;\n"
-         "        maxIter 50;\n    }\n"
+         // Multigrid alone diverges now and then: the penalty and two densities make coefficients of a millionfold
+         // contrast.
+         "    p_rgh\n    {\n        solver PCG;\n        preconditioner\n        {\n            preconditioner GAMG;\n"
+         "            smoother DIC;\n            nVcycles 1;\n            tolerance 1e-7;\n            relTol 0;\n"
+         "        }\n        tolerance 1e-7;\n        relTol 0.05;\n        maxIter 100;\n    }\n"
          "    p_rghFinal { $p_rgh; relTol 0; }\n"
          "    addedMass { $p_rgh; relTol 1e-3; }\n"
          "    \"U.*\"\n    {\n        solver smoothSolver;\n        smoother symGaussSeidel;\n        tolerance 1e-6;\n"
@@ -128,25 +130,35 @@ std::string field(const std::string& name, const std::string& dimensions, const 
   return text + ");\n\nboundaryField\n{\n" + boundary + "    sides { type empty; }\n}\n";
 }
 
-std::string velocity(bool wave) {
-  return file_header("volVectorField", "U") +
-         "dimensions [0 1 -1 0 0 0 0];\n\ninternalField uniform (0 0 0);\n\nboundaryField\n{\n" +
+std::string velocity(const InitialWater& water, bool wave) {
+  std::string inside = "uniform (0 0 0)";
+  if (!water.velocity.empty()) {
+    inside = fmt::format("nonuniform List<vector>\n{}\n(\n", water.velocity.size());
+    for (const scene::Point& u : water.velocity) inside += fmt::format("({:.9g} {:.9g} 0)\n", u.x(), u.y());
+    inside += ")";
+  }
+  return file_header("volVectorField", "U") + "dimensions [0 1 -1 0 0 0 0];\n\ninternalField " + inside +
+         ";\n\nboundaryField\n{\n" +
          (wave ? "    upstream { type waveVelocity; value uniform (0 0 0); }\n" : "    upstream { type slip; }\n") +
          "    downstream { type slip; }\n    floor { type noSlip; }\n" +
          "    atmosphere { type pressureInletOutletVelocity; value uniform (0 0 0); }\n    sides { type empty; }\n}\n";
 }
 
-/// OpenFOAM's own wave models, taking up at the same place what comes back.
-std::string waves(const scene::Wave& wave) {
-  const std::string kind =
-      wave.kind == scene::WaveKind::solitary
-          ? "    waveModel Boussinesq;\n"
-          : fmt::format("    waveModel StokesII;\n    wavePeriod {0};\n    rampTime {0};\n", exact(wave.period_s));
+/// OpenFOAM's own model, taking up at the same place what comes back.
+std::string waves(const scene::Wave& wave, double depth_m) {
   return file_header("dictionary", "waveProperties") +
          fmt::format(
-             "upstream\n{{\n    alpha alpha.water;\n{}    waveHeight {};\n    waveAngle 0;\n    nPaddle 1;\n"
-             "    activeAbsorption yes;\n}}\n",
-             kind, exact(wave.height_m));
+             "upstream\n{{\n    alpha alpha.water;\n    waveModel StokesII;\n    wavePeriod {0};\n    rampTime {0};\n"
+             "    waveHeight {1};\n    waterDepth {2};\n    waveAngle 0;\n    nPaddle 1;\n    activeAbsorption "
+             "yes;\n}}\n",
+             exact(wave.period_s), exact(wave.height_m), exact(depth_m));
+}
+
+/// The wave model reads the level from the patch, at the first step, too.
+std::string wave_fractions(const Grid& grid, const InitialWater& water) {
+  std::string text = fmt::format("    upstream {{ type waveAlpha; value nonuniform List<scalar> {} (", grid.rows());
+  for (std::size_t j = 0; j < grid.rows(); ++j) text += fmt::format(" {}", exact(water.fraction[j * grid.columns()]));
+  return text + " ); }\n";
 }
 
 /// interFoam would go on from the times of a former run.
@@ -186,10 +198,10 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
   write("constant/hRef", file_header("uniformDimensionedScalarField", "hRef") +
                              fmt::format("dimensions [0 1 0 0 0 0 0];\nvalue {};\n", exact(water.reference_level_m)));
   write("constant/blockweir", interface_dictionary(scene, grid, options.endpoint));
-  const bool wave = scene.openfoam.wave.has_value();
-  if (wave) write("constant/waveProperties", waves(*scene.openfoam.wave));
-  const std::string still = std::string(wave ? "    upstream { type waveAlpha; value uniform 0; }\n"
-                                             : "    upstream { type zeroGradient; }\n") +
+  const bool wave = scene::comes_in(scene.openfoam);
+  if (wave)
+    write("constant/waveProperties", waves(*scene.openfoam.wave, scene.water.upstream_level_m->at(0) - grid.y.front()));
+  const std::string still = (wave ? wave_fractions(grid, water) : "    upstream { type zeroGradient; }\n") +
                             "    \"(downstream|floor)\" { type zeroGradient; }\n";
   write("0/alpha.water",
         field("alpha.water", "[0 0 0 0 0 0 0]", water.fraction,
@@ -197,7 +209,7 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
   write("0/p_rgh", field("p_rgh", "[1 -1 -2 0 0 0 0]", water.p_rgh_pa,
                          "    \"(upstream|downstream|floor)\" { type fixedFluxPressure; value uniform 0; }\n"
                          "    atmosphere { type totalPressure; p0 uniform 0; }\n"));
-  write("0/U", velocity(wave));
+  write("0/U", velocity(water, wave));
 }
 
 }  // namespace blockweir::openfoam

@@ -131,6 +131,7 @@ Grid make_grid(const scene::Scene& scene) {
   }
   const double h = depth / o.cells_in_depth;
   grid.cell_m = h;
+  grid.ground_m = ground_top;
   const auto whole_cells = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / h - 1e-9))); };
 
   // Row lines meet the ground before the structure, column lines its upstream end.

@@ -8,9 +8,10 @@ namespace blockweir::openfoam {
 
 /// One value a cell, rows from below, each from left to right.
 struct InitialWater {
-  double reference_level_m = 0;  ///< interFoam's hRef
-  std::vector<double> fraction;  ///< of water
-  std::vector<double> p_rgh_pa;  ///< pressure less rho g (hRef - y)
+  double reference_level_m = 0;          ///< interFoam's hRef
+  std::vector<double> fraction;          ///< of water
+  std::vector<double> p_rgh_pa;          ///< pressure less rho g (hRef - y)
+  std::vector<scene::Point> velocity{};  ///< m/s; empty where all is at rest
 };
 
 /// Levels of time 0. A pool is what lies under its level and is connected to the mesh's left or right end; cells within

@@ -47,8 +47,8 @@ std::string time_table(const char* key, const std::optional<scene::TimeTable>& t
 std::string pools(const scene::Scene& scene, const Grid& grid) {
   std::string text = "// Whose level follows its table: all cells up to, or from, this x [m]\n";
   const bool set = scene.openfoam.level_control == scene::LevelControl::table;
-  text += fmt::format("upstreamTo {};\ndownstreamFrom {};\nsetLevels {};\n", exact(grid.structure_left_m),
-                      exact(grid.structure_right_m), set ? "yes" : "no");
+  text += fmt::format("upstreamTo {};\ndownstreamFrom {};\nsetLevels {};\nwaves {};\n", exact(grid.structure_left_m),
+                      exact(grid.structure_right_m), set ? "yes" : "no", comes_in(scene.openfoam) ? "yes" : "no");
   return text + time_table("upstreamLevel", scene.water.upstream_level_m, scene) +
          time_table("downstreamLevel", scene.water.downstream_level_m, scene) + "\n";
 }

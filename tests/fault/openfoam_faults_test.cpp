@@ -149,7 +149,8 @@ TEST_F(OpenFoamFaults, ProcessesOfDifferentScenes) {
 class OpenFoamKills : public OpenFoamFaults, public testing::WithParamInterface<int> {
  protected:
   [[nodiscard]] static std::string ranks() {
-    return set("fluid.processes=" + std::to_string(GetParam())) + set("analysis.duration_s=60");
+    return set("fluid.processes=" + std::to_string(GetParam())) + set("analysis.duration_s=60") +
+           set("coupling.timeout_s=20");  // a busy machine takes a while to make mesh and ranks
   }
 };
 

@@ -97,6 +97,7 @@ void Session::begin_step() {
 }
 
 void Session::end_step() {
+  levels_.bound();
   if (++step_ == steps_) exchange();
 }
 

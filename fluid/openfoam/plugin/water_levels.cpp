@@ -20,7 +20,11 @@ WaterLevels::WaterLevels(const Foam::fvMesh& mesh, const Foam::dictionary& dict)
   };
   read(upstream_, "upstreamLevel");
   read(downstream_, "downstreamLevel");
+  const auto& transport = mesh.lookupObject<Foam::IOdictionary>("transportProperties");
+  water_density_ = Foam::dimensionedScalar("rho", Foam::dimDensity, transport.subDict("water")).value();
+  air_density_ = Foam::dimensionedScalar("rho", Foam::dimDensity, transport.subDict("air")).value();
   set_levels_ = dict.get<Foam::Switch>("setLevels");
+  waves_ = dict.get<Foam::Switch>("waves");
   const auto upstream_to = dict.get<Foam::scalar>("upstreamTo");
   const auto downstream_from = dict.get<Foam::scalar>("downstreamFrom");
   const auto h = dict.get<Foam::scalar>("cell");
@@ -73,21 +77,31 @@ void WaterLevels::set(double time_s) {
 void WaterLevels::set(Pool& pool, double time_s) {
   if (!pool.level) return;  // one rank without its cells still takes part in what ranks tell each other
   const double level = pool.level->value(time_s);
-  auto& water = mesh_.lookupObjectRef<Foam::volScalarField>("alpha.water");
-  auto& air = mesh_.lookupObjectRef<Foam::volScalarField>("alpha.air");
-  auto& rho = mesh_.lookupObjectRef<Foam::volScalarField>("rho");
-  const auto& transport = mesh_.lookupObject<Foam::IOdictionary>("transportProperties");
-  const double rho_water = Foam::dimensionedScalar("rho", Foam::dimDensity, transport.subDict("water")).value();
-  const double rho_air = Foam::dimensionedScalar("rho", Foam::dimDensity, transport.subDict("air")).value();
   for (const Cell& cell : pool.cells) {
-    const double fraction = std::clamp((level - cell.bottom) / (cell.top - cell.bottom), 0.0, 1.0);
-    water[cell.cell] = fraction;
-    air[cell.cell] = 1 - fraction;
-    rho[cell.cell] = fraction * rho_water + (1 - fraction) * rho_air;
+    store(cell.cell, std::clamp((level - cell.bottom) / (cell.top - cell.bottom), 0.0, 1.0));
   }
-  water.correctBoundaryConditions();
-  air.correctBoundaryConditions();
-  rho.correctBoundaryConditions();
+  correct_boundaries();
+}
+
+void WaterLevels::bound() {
+  if (!waves_) return;
+  const auto& water = mesh_.lookupObject<Foam::volScalarField>("alpha.water");
+  for (Foam::label c = 0; c < mesh_.nCells(); ++c) {
+    if (water[c] < 0 || water[c] > 1) store(c, std::clamp(water[c], 0.0, 1.0));
+  }
+  correct_boundaries();
+}
+
+void WaterLevels::store(Foam::label cell, double fraction) {
+  mesh_.lookupObjectRef<Foam::volScalarField>("alpha.water")[cell] = fraction;
+  mesh_.lookupObjectRef<Foam::volScalarField>("alpha.air")[cell] = 1 - fraction;
+  mesh_.lookupObjectRef<Foam::volScalarField>("rho")[cell] = fraction * water_density_ + (1 - fraction) * air_density_;
+}
+
+void WaterLevels::correct_boundaries() {
+  for (const char* name : {"alpha.water", "alpha.air", "rho"}) {
+    mesh_.lookupObjectRef<Foam::volScalarField>(name).correctBoundaryConditions();
+  }
 }
 
 }  // namespace blockweir::openfoam
