@@ -5,12 +5,13 @@
 #include <cmath>
 #include <set>
 
-#include "fluid/hydrostatic/interface_mesh.hpp"
+#include "bridge/wire/panels.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
 
 using scene::JointTrace;
+using scene::Point;
 using scene::TracePiece;
 
 double size_of(const scene::Scene& scene) {
@@ -100,9 +101,9 @@ void add_crack_elements(const Crack& crack, double mouth_pressure_pa, double end
       const double p_to = mouth_pressure_pa - fall * travelled / crack.length_m;
       const auto face = [&](int block, int edge, double s_from, double s_to) {
         if (s_from <= s_to) {
-          add_panel(load, block, edge, s_from, s_to, p_from, p_to);
+          wire::add_panel(load, block, edge, s_from, s_to, p_from, p_to);
         } else {
-          add_panel(load, block, edge, s_to, s_from, p_to, p_from);
+          wire::add_panel(load, block, edge, s_to, s_from, p_to, p_from);
         }
       };
       face(part.block_a, piece.edge_a, piece.s_from_a, piece.s_to_a);

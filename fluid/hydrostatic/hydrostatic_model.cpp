@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bridge/scene/polygon.hpp"
+#include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
 
 namespace blockweir::hydrostatic {
@@ -22,16 +23,6 @@ double level_at(const std::optional<scene::TimeTable>& table, double time_s) {
 
 bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
-}
-
-void clear(wire::Load& load) {
-  load.block.clear();
-  load.edge.clear();
-  load.s_from.clear();
-  load.s_to.clear();
-  load.pressure_from_pa.clear();
-  load.pressure_to_pa.clear();
-  load.breached = false;
 }
 
 }  // namespace
@@ -62,7 +53,7 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   last_upstream_m_ = upstream;
   last_downstream_m_ = downstream;
   place(motion);
-  clear(load);
+  wire::clear_panels(load);
   pools_.clear();
   load.upstream_level_m = upstream;
   load.downstream_level_m = downstream;

@@ -4,16 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace blockweir::hydrostatic {
+#include "bridge/wire/panels.hpp"
 
-void add_panel(wire::Load& load, int block, int edge, double s_from, double s_to, double p_from, double p_to) {
-  load.block.push_back(static_cast<std::uint32_t>(block));
-  load.edge.push_back(static_cast<std::uint32_t>(edge));
-  load.s_from.push_back(s_from);
-  load.s_to.push_back(s_to);
-  load.pressure_from_pa.push_back(p_from);
-  load.pressure_to_pa.push_back(p_to);
-}
+namespace blockweir::hydrostatic {
 
 void add_wet_elements(const std::vector<std::vector<Point>>& outlines, const std::vector<WetInterval>& wet,
                       const Hydrostatics& water, int elements_per_face, wire::Load& load) {
@@ -27,7 +20,7 @@ void add_wet_elements(const std::vector<std::vector<Point>>& outlines, const std
     double s = w.s_from;
     for (auto k = static_cast<long>(std::floor(w.s_from * n)) + 1; s < w.s_to; ++k) {
       const double next = std::min(static_cast<double>(k) / n, w.s_to);
-      if (next > s) add_panel(load, w.block, w.edge, s, next, pressure(s), pressure(next));
+      if (next > s) wire::add_panel(load, w.block, w.edge, s, next, pressure(s), pressure(next));
       s = std::max(s, next);
     }
   }

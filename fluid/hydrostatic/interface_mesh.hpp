@@ -20,9 +20,6 @@ struct Hydrostatics {
   }
 };
 
-/// Adds one element: fractions 0..1 along the edge, pressures at both.
-void add_panel(wire::Load& load, int block, int edge, double s_from, double s_to, double p_from, double p_to);
-
 /// Adds the elements of wet intervals to `load`. Elements are counted from an edge's ends, n to an edge, so that
 /// they stay where they are when the level moves; the one that the surface cuts keeps its wet part.
 void add_wet_elements(const std::vector<std::vector<Point>>& outlines, const std::vector<WetInterval>& wet,

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
 
 namespace blockweir::openfoam {
@@ -58,24 +59,6 @@ PressureLine load_line(const double* row) {
   line.slope = row[4] / n;
   line.centre = Point(row[5], row[6]) / n;
   return line;
-}
-
-void add_panel(wire::Load& load, int block, int edge, double s_from, double s_to, double p_from, double p_to) {
-  load.block.push_back(static_cast<std::uint32_t>(block));
-  load.edge.push_back(static_cast<std::uint32_t>(edge));
-  load.s_from.push_back(s_from);
-  load.s_to.push_back(s_to);
-  load.pressure_from_pa.push_back(p_from);
-  load.pressure_to_pa.push_back(p_to);
-}
-
-void clear(wire::Load& load) {
-  load.block.clear();
-  load.edge.clear();
-  load.s_from.clear();
-  load.s_to.clear();
-  load.pressure_from_pa.clear();
-  load.pressure_to_pa.clear();
 }
 
 }  // namespace
@@ -201,7 +184,7 @@ void EdgePressures::add_open(const Element& element, const double* lines, wire::
     }
   }
   if (s_from >= s_to) return;
-  add_panel(load, element.block, element.edge, s_from, s_to, element.openness * p_from, element.openness * p_to);
+  wire::add_panel(load, element.block, element.edge, s_from, s_to, element.openness * p_from, element.openness * p_to);
 }
 
 void EdgePressures::add_cracks(const std::vector<CrackPressure>& pressures, wire::Load& load) const {
@@ -221,7 +204,7 @@ void EdgePressures::add_cracks(const std::vector<CrackPressure>& pressures, wire
         const double closed = 1 - e.openness;
         const double p_from = closed * pressure(along(e.s_from));
         const double p_to = closed * pressure(along(e.s_to));
-        if (p_from > 0 || p_to > 0) add_panel(load, e.block, e.edge, e.s_from, e.s_to, p_from, p_to);
+        if (p_from > 0 || p_to > 0) wire::add_panel(load, e.block, e.edge, e.s_from, e.s_to, p_from, p_to);
       }
     }
   }
@@ -256,7 +239,7 @@ void EdgePressures::sample(wire::Load& load) {
     std::copy(sum.cbegin(), sum.cend(), lines.begin());
   }
 
-  clear(load);
+  wire::clear_panels(load);
   wetted_.clear();
   const double* row = lines.data();
   for (const Element& e : elements_) {
