@@ -97,7 +97,6 @@ std::array<double, 6> AddedMass::of_block(std::size_t b) {
     fvScalarMatrix equation(fvm::laplacian(way, p) - fvm::Sp(leak, p));
     equation.source() -= source[k] * mesh_.bounds().span().z();
     equation.solve(mesh_.solverDict("addedMass"));
-    ++solutions_;
     answer[k] = p.primitiveField();
   }
   SolverPerformance<scalar>::debug = talk;

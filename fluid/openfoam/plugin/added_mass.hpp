@@ -22,8 +22,6 @@ class AddedMass {
   /// half a cell since, and every hundredth time as the water moves.
   void measure(std::vector<std::array<double, 6>>& rows);
 
-  [[nodiscard]] long solutions() const { return solutions_; }
-
  private:
   [[nodiscard]] bool stale() const;
   [[nodiscard]] std::array<double, 6> of_block(std::size_t block);
@@ -36,7 +34,6 @@ class AddedMass {
   std::vector<std::array<double, 6>> rows_;
   std::vector<Polygon> measured_at_;
   long asked_ = 0;
-  long solutions_ = 0;
 };
 
 }  // namespace blockweir::openfoam

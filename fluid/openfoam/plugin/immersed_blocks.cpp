@@ -82,7 +82,6 @@ std::string ImmersedBlocks::strayed() const {
 }
 
 void ImmersedBlocks::clip(std::size_t b) {
-  ++clipped_;
   for (const Part& part : parts_[b]) filled_[part.cell] = std::max(0.0, filled_[part.cell] - part.fraction);
   parts_[b].clear();
   Point low = outlines_[b].front();

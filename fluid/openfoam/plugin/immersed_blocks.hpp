@@ -41,7 +41,6 @@ class ImmersedBlocks {
   /// Of the first block that has left the mesh: its name, where, and what to do. Empty: all are inside, but for the
   /// ground and for what sinks below the floor by less than a cell.
   [[nodiscard]] std::string strayed() const;
-  [[nodiscard]] long clipped() const { return clipped_; }  ///< blocks clipped to the mesh so far
 
  private:
   void clip(std::size_t block);
@@ -57,7 +56,6 @@ class ImmersedBlocks {
   std::vector<Polygon> outlines_;
   std::vector<std::vector<Part>> parts_;
   PolygonClip clipper_;
-  long clipped_ = 0;
 };
 
 }  // namespace blockweir::openfoam

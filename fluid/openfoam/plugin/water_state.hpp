@@ -29,8 +29,6 @@ class WaterState {
   [[nodiscard]] PressureLine line_at(const Point& x) const;
 
   [[nodiscard]] double water_density() const { return water_density_; }
-  [[nodiscard]] double air_density() const { return air_density_; }
-  [[nodiscard]] double weight_n_per_m3() const { return water_density_ * gravity_; }
 
  private:
   const Foam::fvMesh& mesh_;
