@@ -10,6 +10,7 @@
 #include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
+#include "bridge/schedule/run.hpp"
 #include "solid/output/recorder.hpp"
 
 namespace {
@@ -23,6 +24,7 @@ struct Arguments {
   std::string endpoint;
   std::vector<std::string> overrides;
   int progress_fd = -1;
+  std::uint64_t resume = 0;
 };
 
 /// At most twenty reports a second: lines "time_s level_m largest_displacement_m" on a pipe, or text for people.
@@ -51,8 +53,11 @@ void run(const Arguments& arguments) {
   }
   channel::catch_stop_signals();
   results::make_folder(arguments.folder);
-  const schedule::Windows windows = schedule::windows(scene);
+  const std::uint64_t first = arguments.resume;
+  checkpoint::Checkpoints checkpoints(arguments.folder, "solid", scene.digest, scene.output.checkpoint_every_s);
+  if (first == 0) checkpoint::forget(arguments.folder);
   solid::output::Recorder recorder(scene, arguments.folder,
+                                   first == 0 ? results::Begin::anew : results::Begin::where_it_stopped,
                                    progress_to(arguments.progress_fd, scene.analysis.duration_s));
   schedule::ExchangeTime exchange;
   double connected_s = 0;
@@ -65,18 +70,17 @@ void run(const Arguments& arguments) {
   };
   try {
     if (scene.fluid == scene::FluidModel::none) {
-      schedule::run_dry(windows, recorder);
+      schedule::run_solid(nullptr, scene, checkpoints, first, recorder);
     } else {
       channel::Channel channel({.side = channel::Side::listens,
                                 .endpoint = arguments.endpoint,
-                                .partner = scene.fluid == scene::FluidModel::openfoam ? "fluid process (OpenFOAM)"
-                                                                                      : "fluid process (hydrostatic)",
+                                .partner = fmt::format("fluid process ({})", scene::name(scene.fluid)),
                                 .timeout_s = scene.coupling.timeout_s,
                                 .open_timeout_s = scene.coupling.open_timeout_s});
-      channel.handshake(schedule::hello(scene, "solid"));
+      channel.handshake(schedule::hello(scene, "solid", first));
       connected_s = std::chrono::duration<double>(Clock::now() - start).count();
       const double waited_before = channel.waited_s();
-      exchange = schedule::run_solid(channel, windows, recorder);
+      exchange = schedule::run_solid(&channel, scene, checkpoints, first, recorder);
       exchange.wait_s -= waited_before;
     }
   } catch (const std::exception& error) {
@@ -96,6 +100,7 @@ int main(int argc, char** argv) {
   app.add_option("--endpoint", arguments.endpoint,
                  "where to listen for the fluid process: ipc://PATH or tcp://HOST:PORT");
   app.add_option("--set", arguments.overrides, "key=value over the scene's own; the same for both processes");
+  app.add_option("--resume", arguments.resume, "number of the checkpoint in --out to go on from; the same for both");
   app.add_option("--progress-fd", arguments.progress_fd, "file descriptor for progress lines");
   try {
     app.parse(argc, argv);

@@ -107,10 +107,10 @@ struct Channel::Line {
   }
 
   /// Waits for the next message's bytes.
-  void wait(double patience_s, const std::string& moment) {
+  void wait(double patience_s, const std::string& moment, bool (*give_up)()) {
     const auto start = Clock::now();
     while (!try_receive()) {
-      if (stop_requested()) throw Interrupted("asked to stop");
+      if (give_up()) throw Interrupted("asked to stop");
       const double waited = seconds_since(start);
       if (waited < spin_s) continue;
       if (partner_left()) {
@@ -139,7 +139,7 @@ struct Channel::Line {
 
   template <class Message>
   void receive(wire::Kind kind, Message& into, double patience_s, const std::string& moment) {
-    wait(patience_s, moment);
+    wait(patience_s, moment, kind == wire::Kind::load ? stop_requested_twice : stop_requested);
     const auto start = Clock::now();
     const void* data = aligned_bytes();
     try {

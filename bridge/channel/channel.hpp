@@ -67,8 +67,10 @@ class Channel {
   std::unique_ptr<Line> line_;
 };
 
-/// Installs handlers for SIGINT and SIGTERM that set a flag; receive() then throws Interrupted.
+/// Installs handlers that count SIGINT and SIGTERM. Whoever waits for a Motion then throws Interrupted; a load that is
+/// on its way is still waited for, until asked twice.
 void catch_stop_signals();
 [[nodiscard]] bool stop_requested();
+[[nodiscard]] bool stop_requested_twice();
 
 }  // namespace blockweir::channel

@@ -17,6 +17,7 @@ std::string compare(const wire::Hello& ours, const wire::Hello& theirs) {
   differ("schedule", ours.schedule, theirs.schedule);
   differ("window_s", ours.window_s, theirs.window_s);
   differ("duration_s", ours.duration_s, theirs.duration_s);
+  differ("first window", ours.first_window, theirs.first_window);
   differ("number of blocks", ours.block_names.size(), theirs.block_names.size());
   if (ours.block_names.size() != theirs.block_names.size()) return text;
   for (std::size_t b = 0; b < ours.block_names.size(); ++b)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SIGINT and SIGTERM as a flag that whoever waits looks at.
+// SIGINT and SIGTERM as a count that whoever waits looks at.
 #include <csignal>
 
 #include "bridge/channel/channel.hpp"
@@ -7,24 +7,28 @@
 namespace blockweir::channel {
 namespace {
 
-volatile std::sig_atomic_t stop_flag = 0;
+volatile std::sig_atomic_t stop_count = 0;
 
-extern "C" void raise_flag(int /*signal*/) {
-  stop_flag = 1;
+extern "C" void count_signal(int /*signal*/) {
+  stop_count = stop_count + 1;
 }
 
 }  // namespace
 
 void catch_stop_signals() {
   struct sigaction action = {};
-  action.sa_handler = raise_flag;
+  action.sa_handler = count_signal;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }
 
 bool stop_requested() {
-  return stop_flag != 0;
+  return stop_count > 0;
+}
+
+bool stop_requested_twice() {
+  return stop_count > 1;
 }
 
 }  // namespace blockweir::channel

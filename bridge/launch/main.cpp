@@ -47,6 +47,7 @@ int run_command(int argc, char** argv) {
   app.set_version_flag("--version", BLOCKWEIR_VERSION);
   app.require_subcommand(1);
   launch::RunOptions run;
+  launch::ResumeOptions resume;
   launch::ValidateOptions validate;
   launch::PlotOptions plot;
   launch::CutOptions cut;
@@ -61,6 +62,9 @@ int run_command(int argc, char** argv) {
   run_cmd->add_option("--variant", run.variant, "name of one of the scene's variants");
   run_cmd->add_option("--set", run.overrides, "key=value over the scene's own, e.g. analysis.step_s=0.001");
   run_cmd->add_flag("--quiet", run.quiet, "no progress");
+  auto* resume_cmd = app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
+  resume_cmd->add_option("run", resume.folder, "folder of the run")->required();
+  resume_cmd->add_flag("--quiet", resume.quiet, "no progress");
   auto* check_cmd = app.add_subcommand("check", "say all that is wrong with a scene, without running it");
   check_cmd->add_option("scene", checked, "scene file or case folder")->required();
   check_cmd->add_option("--set", run.overrides, "key=value over the scene's own");
@@ -98,8 +102,8 @@ int run_command(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  if (run_cmd->parsed()) {
-    const launch::RunResult result = launch::run(run);
+  if (run_cmd->parsed() || resume_cmd->parsed()) {
+    const launch::RunResult result = run_cmd->parsed() ? launch::run(run) : launch::resume(resume);
     if (!result.trouble.empty()) fmt::print(stderr, "blockweir: {}\n", result.trouble);
     fmt::print("{}", launch::report(result));
     return result.exit_code;

@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 
-#include "bridge/launch/figure.hpp"
+#include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/launch/progress.hpp"
 #include "bridge/launch/supervisor.hpp"
 #include "bridge/launch/temporary_folder.hpp"
@@ -29,12 +30,20 @@ fs::path program(const char* name) {
   return fs::read_symlink("/proc/self/exe").parent_path() / name;
 }
 
+fs::path scene_of(const fs::path& folder) {
+  return folder / "scene.toml";
+}
+
+bool is_run(const fs::path& folder) {
+  std::error_code unreadable;
+  return fs::exists(scene_of(folder), unreadable) && fs::exists(folder / "solid.log", unreadable);
+}
+
 /// Does the folder hold what no run has written? What is no folder at all is make_folder's to refuse.
 bool is_anothers(const fs::path& folder) {
   std::error_code unreadable;
   const fs::directory_iterator contents(folder, unreadable);
-  const bool a_run = fs::exists(folder / "scene.toml", unreadable) && fs::exists(folder / "solid.log", unreadable);
-  return contents != fs::directory_iterator() && !a_run;
+  return contents != fs::directory_iterator() && !is_run(folder);
 }
 
 fs::path results_folder(const RunOptions& options) {
@@ -81,6 +90,19 @@ std::string first_trouble(const Supervised& supervised) {
   return "";
 }
 
+/// The last checkpoint that all processes of the run can go on from; 0: there is none. Still water remembers nothing,
+/// but for its own pictures.
+std::uint64_t resumable_window(const fs::path& folder, const scene::Scene& scene) {
+  std::vector<std::uint64_t> all = checkpoint::windows(folder, "solid");
+  const auto keep = [&](const std::vector<std::uint64_t>& theirs) {
+    std::erase_if(all, [&](std::uint64_t w) { return !std::binary_search(theirs.begin(), theirs.end(), w); });
+  };
+  if (scene.fluid == scene::FluidModel::openfoam) keep(checkpoint::windows(folder / "openfoam", "openfoam"));
+  if (scene.fluid == scene::FluidModel::column) keep(checkpoint::windows(folder, "column"));
+  if (scene.output.reservoir) keep(checkpoint::windows(folder, "hydrostatic"));
+  return all.empty() ? 0 : all.back();
+}
+
 void complete_summary(const fs::path& folder, RunResult& result, double wall_s) {
   json& summary = result.summary;
   summary = read_json(folder / "summary.json");
@@ -104,93 +126,81 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
   results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
 }
 
-}  // namespace
-
-RunResult run(const RunOptions& options) {
+/// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
+/// scene.
+RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool quiet) {
   const auto start = std::chrono::steady_clock::now();
-  const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
-  const scene::Scene& scene = read.scene;
-  for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
-
   RunResult result;
-  result.folder = results_folder(options);
+  result.folder = folder;
   const TemporaryFolder socket_folder;
   const std::string endpoint = "ipc://" + (socket_folder.path() / "line").string();
-  results::make_folder(result.folder);
-  fs::remove(result.folder / "summary.json");
-  fs::remove_all(result.folder / "frames");
-  const std::string copy = (result.folder / "scene.toml").string();
-  results::replace_file(copy, scene.text);
-
+  const std::string copy = scene_of(folder).string();
   int pipe_ends[2];
   if (::pipe2(pipe_ends, O_CLOEXEC | O_NONBLOCK) != 0) throw std::runtime_error("cannot open a pipe");
   std::vector<Command> commands;
   commands.push_back({"solid",
-                      {program("blockweir-solid"), copy, "--out", result.folder, "--endpoint", endpoint,
-                       "--progress-fd", std::to_string(pipe_ends[1])},
+                      {program("blockweir-solid"), copy, "--out", folder, "--endpoint", endpoint, "--progress-fd",
+                       std::to_string(pipe_ends[1])},
                       pipe_ends[1]});
   if (scene.fluid == scene::FluidModel::hydrostatic) {
     commands.push_back({"hydrostatic",
-                        {program("blockweir-hydrostatic"), copy, "--endpoint", endpoint, "--out", result.folder,
-                         "--profile-out", result.folder / "hydrostatic.json"}});
+                        {program("blockweir-hydrostatic"), copy, "--endpoint", endpoint, "--out", folder,
+                         "--profile-out", folder / "hydrostatic.json"}});
+  }
+  if (scene.fluid == scene::FluidModel::column) {
+    commands.push_back({"column", {program("blockweir-column"), copy, "--endpoint", endpoint, "--out", folder}});
   }
   if (scene.fluid == scene::FluidModel::openfoam) {
     commands.push_back({"openfoam",
-                        {program("blockweir-openfoam"), copy, "--endpoint", endpoint, "--out",
-                         result.folder / "openfoam", "--result", result.folder / "openfoam.json"}});
+                        {program("blockweir-openfoam"), copy, "--endpoint", endpoint, "--out", folder / "openfoam",
+                         "--result", folder / "openfoam.json"}});
   }
-  Progress progress(pipe_ends[0], scene.analysis.duration_s, options.quiet);
-  const Supervised supervised = supervise(commands, result.folder, grace_s, [&] { progress.update(); });
+  for (Command& command : commands) {
+    if (first > 0) command.words.insert(command.words.end(), {"--resume", std::to_string(first)});
+  }
+  Progress progress(pipe_ends[0], scene.analysis.duration_s, quiet);
+  const Supervised supervised = supervise(commands, folder, grace_s, [&] { progress.update(); });
   progress.finish();
   ::close(pipe_ends[0]);
   ::close(pipe_ends[1]);
 
   result.trouble = first_trouble(supervised);
+  if (!result.trouble.empty() && resumable_window(folder, scene) > 0) {
+    result.trouble += fmt::format("; \"blockweir resume {}\" goes on", folder.string());
+  }
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
-  complete_summary(result.folder, result,
-                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  complete_summary(folder, result, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   return result;
 }
 
-std::string report(const RunResult& result) {
-  const json& s = result.summary;
-  std::string text;
-  const std::string outcome = s.value("outcome", "stopped");
-  const auto number = [](const json& value) {
-    return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : "none";
-  };
-  if (outcome == "fails") {
-    const json& f = s["failure"];
-    text += fmt::format("FAILS   {}\n", f["text"].get<std::string>());
-    if (f["level_m"].is_number()) {
-      text += fmt::format("        at a level of {} m, {} m above the joint that failed, after {} s\n",
-                          number(f["level_m"]), number(f["head_m"]), number(f["time_s"]));
-    } else {
-      text += fmt::format("        after {} s\n", number(f["time_s"]));
-    }
-  } else if (outcome == "stands") {
-    text += fmt::format("STANDS  {}\n", s["margin"]["text"].get<std::string>());
-  } else {
-    text += fmt::format("STOPPED {}\n", s.value("stopped", ""));
+}  // namespace
+
+RunResult run(const RunOptions& options) {
+  const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
+  for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
+  const fs::path folder = results_folder(options);
+  results::make_folder(folder);
+  fs::remove(folder / "summary.json");
+  fs::remove_all(folder / "frames");
+  checkpoint::forget(folder);
+  results::replace_file(scene_of(folder), read.scene.text);
+  return go(read.scene, folder, 0, options.quiet);
+}
+
+RunResult resume(const ResumeOptions& options) {
+  if (!is_run(options.folder)) {
+    throw std::invalid_argument(
+        fmt::format("{}: found no scene.toml and solid.log of a run; expected the folder that a run has written",
+                    options.folder.string()));
   }
-  if (s.contains("rest")) text += fmt::format("STATIC  {}\n", s["rest"]["text"].get<std::string>());
-  if (s.contains("breach")) {
-    text +=
-        fmt::format("BREACH  after {} s: {}\n", number(s["breach"]["time_s"]), s["breach"]["text"].get<std::string>());
+  const scene::Scene scene = scene::read(scene_of(options.folder), {}).scene;
+  const std::uint64_t first = resumable_window(options.folder, scene);
+  if (first == 0) {
+    throw std::invalid_argument(fmt::format(
+        "{}: no checkpoint that all its processes have; run it anew, with a shorter [output] checkpoint_every_s",
+        options.folder.string()));
   }
-  if (s.contains("added_mass")) text += fmt::format("{}\n", s["added_mass"]["text"].get<std::string>());
-  for (const json& check : s.value("checks", json::array())) {
-    text += fmt::format("{}  {}: expected {}, got {}, off by {} (tolerance {})\n",
-                        check["passed"].get<bool>() ? "ok    " : "OUT   ", check["name"].get<std::string>(),
-                        figure(check["expected"]), figure(check["got"]), number(check["relative_error"]),
-                        number(check["tolerance"]));
-  }
-  for (const json& skip : s.value("skips", json::array())) text += fmt::format("skipped {}\n", skip.get<std::string>());
-  text += fmt::format("time    {} s of wall time for {} s simulated\n", number(s["wall_time_s"]),
-                      number(s.value("simulated_s", json())));
-  text += fmt::format("results {} (blocks.pvd opens in ParaView; \"blockweir plot {}\" draws figures)\n",
-                      result.folder.string(), result.folder.string());
-  return text;
+  return go(scene, options.folder, first, options.quiet);
 }
 
 }  // namespace blockweir::launch

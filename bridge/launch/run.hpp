@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// blockweir run: a scene from check to report.
+// blockweir run and blockweir resume: a scene from check to report.
 #pragma once
 
 #include <filesystem>
@@ -17,6 +17,11 @@ struct RunOptions {
   bool quiet = false;
 };
 
+struct ResumeOptions {
+  std::filesystem::path folder;  ///< of a run that was stopped
+  bool quiet = false;
+};
+
 struct RunResult {
   int exit_code = 0;  ///< 0 done, 1 the run failed, 130 stopped by Ctrl-C
   std::filesystem::path folder;
@@ -27,6 +32,9 @@ struct RunResult {
 /// Runs a scene's processes. Throws scene::SceneError, and std::invalid_argument for a folder that is in use; nothing
 /// has been written then.
 RunResult run(const RunOptions& options);
+
+/// Goes on with a run from its last checkpoint. Throws std::invalid_argument where there is none.
+RunResult resume(const ResumeOptions& options);
 
 /// What a person wants to know of a finished run.
 std::string report(const RunResult& result);

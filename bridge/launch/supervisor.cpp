@@ -118,6 +118,10 @@ struct Children {
       if (child.running) ::kill(child.pid, number);
     }
   }
+  /// The one that leads; it tells the others.
+  void signal_first(int number) const {
+    if (all.front().running) ::kill(all.front().pid, number);
+  }
   /// Until a child ends, a signal comes, or 50 ms have passed; adds those that have ended to `result`.
   void wait(const StopSignals& signals, Supervised& result) {
     std::vector<pollfd> watched;
@@ -170,11 +174,14 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
     const auto now = Clock::now();
     if (stop_signals > 0 && !result.interrupted) {
       result.interrupted = true;
+      children.signal_first(SIGTERM);
+    }
+    if (stop_signals > 1 && sent < 1) {
       children.signal(SIGTERM);
       trouble = now;
       sent = 1;
     }
-    if (trouble == Clock::time_point::max() && !result.all_fine()) trouble = now;
+    if (trouble == Clock::time_point::max() && !result.ends.empty() && !result.all_fine()) trouble = now;
     if (trouble == Clock::time_point::max()) continue;
     const double waited = std::chrono::duration<double>(now - trouble).count();
     if (sent < 1 && waited > grace_s) children.signal(SIGTERM), sent = 1;

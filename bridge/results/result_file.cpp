@@ -12,12 +12,24 @@ void cannot_write(const std::filesystem::path& path) {
       fmt::format("cannot write {}: is the disk full, or the folder not writable?", path.string()));
 }
 
-ResultFile::ResultFile(std::filesystem::path path) : path_(std::move(path)), stream_(path_, std::ios::trunc) {
+ResultFile::ResultFile(std::filesystem::path path, Begin begin)
+    : path_(std::move(path)), stream_(path_, begin == Begin::anew ? std::ios::trunc : std::ios::app) {
   if (!stream_) cannot_write(path_);
+  size_ = std::filesystem::file_size(path_);
+}
+
+void ResultFile::cut_to(std::uintmax_t size) {
+  if (std::filesystem::file_size(path_) < size) {
+    throw std::runtime_error(
+        fmt::format("{} is shorter than it was at the checkpoint: has it been changed since?", path_.string()));
+  }
+  std::filesystem::resize_file(path_, size);
+  size_ = size;
 }
 
 void ResultFile::line(const std::string& text) {
   if (!(stream_ << text << '\n' << std::flush)) cannot_write(path_);
+  size_ += text.size() + 1;
 }
 
 void replace_file(const std::filesystem::path& path, const std::string& text) {

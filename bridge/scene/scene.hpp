@@ -208,7 +208,22 @@ struct Water {
   bool operator==(const Water&) const = default;
 };
 
-enum class FluidModel { none, hydrostatic, openfoam };
+enum class FluidModel { none, hydrostatic, openfoam, column };
+
+/// As messages call it.
+inline const char* name(FluidModel model) {
+  switch (model) {
+    case FluidModel::hydrostatic:
+      return "hydrostatic";
+    case FluidModel::openfoam:
+      return "OpenFOAM";
+    case FluidModel::column:
+      return "column";
+    case FluidModel::none:
+      break;
+  }
+  return "none";
+}
 
 /// Who sets the level once an OpenFOAM run has begun: the tables of [water] in both pools, or the water itself.
 enum class LevelControl { table, free };
@@ -245,19 +260,38 @@ inline bool comes_in(const OpenFoam& o) {
   return o.wave && o.wave->kind == WaveKind::regular;
 }
 
+/// [fluid] model = "column": water in a pipe of constant width that ends at the edge of a block, for schedules to be
+/// measured by. fluid/column says its equations.
+struct Column {
+  int block = -1;
+  int edge = -1;
+  double length_m = 0;
+  double head_m = 0;                       ///< of the water over the edge at time 0
+  double rise_ratio = 0;                   ///< by how much the far end rises when the edge moves in by 1
+  std::optional<double> cushion_pa_per_m;  ///< of what lies between edge and water; none: nothing does
+  int steps_per_window = 1;
+  bool operator==(const Column&) const = default;
+};
+
+/// Who steps when: bridge/schedule/schedules.hpp.
+enum class Schedule { serial, parallel, improved };
+
 struct Coupling {
+  Schedule schedule = Schedule::serial;
   double window_s = 0.01;
-  double timeout_s = 20;       ///< longest silence of a partner
-  double open_timeout_s = 20;  ///< longest wait for it to arrive
+  double longest_window_s = 0;  ///< while nothing moves; 0: all windows are window_s long
+  double timeout_s = 20;        ///< longest silence of a partner
+  double open_timeout_s = 20;   ///< longest wait for it to arrive
   /// The inertia of water that a block pushes is solved for with the block's own: solid/step/added_mass.hpp.
   bool added_mass_guard = true;
   bool operator==(const Coupling&) const = default;
 };
 
 struct Output {
-  double frame_every_s = 0.1;     ///< a VTK file each
-  double history_every_s = 0.01;  ///< a row of history.csv each
-  bool reservoir = false;         ///< the reservoir's mesh and pressures too, reservoir.pvd
+  double frame_every_s = 0.1;      ///< a VTK file each
+  double history_every_s = 0.01;   ///< a row of history.csv each
+  bool reservoir = false;          ///< the reservoir's mesh and pressures too, reservoir.pvd
+  double checkpoint_every_s = 60;  ///< of wall time; 0: only when asked to stop
   bool operator==(const Output&) const = default;
 };
 
@@ -354,6 +388,7 @@ struct Scene {
   Water water;
   FluidModel fluid = FluidModel::none;
   OpenFoam openfoam;
+  Column column;
   Coupling coupling;
   Output output;
   std::vector<Expectation> expectations;

@@ -74,6 +74,7 @@ void read_bolts(Reading& reading);
 void read_base_motion(Reading& reading);
 void read_water(Reading& reading);
 void read_fluid(Reading& reading);
+void read_column(TableReader& fluid, Reading& reading);
 /// The keys of [fluid] that only OpenFOAM knows; beside another model they are refused.
 void read_openfoam(TableReader& table, Reading& reading);
 void read_water_expectations(Reading& reading);

@@ -105,6 +105,21 @@ void read_coupling(Reading& reading) {
   if (table.number("window_s", c.window_s, positive())) {
     reject_longer_than_duration(table, reading, "window_s", c.window_s);
   }
+  table.choice<Schedule>(
+      "schedule", c.schedule,
+      {{"serial", Schedule::serial}, {"parallel", Schedule::parallel}, {"improved", Schedule::improved}});
+  if (table.number("longest_window_s", c.longest_window_s, positive())) {
+    reject_longer_than_duration(table, reading, "longest_window_s", c.longest_window_s);
+    if (c.longest_window_s < c.window_s) {
+      reading.problems.error(table.place("longest_window_s"),
+                             fmt::format("longest_window_s {} under window_s {}", c.longest_window_s, c.window_s),
+                             "the longest window, at least as long as the shortest", "leave it out, or lengthen it");
+    }
+  }
+  if (reading.scene.analysis.kind == AnalysisKind::at_rest && c.schedule != Schedule::serial) {
+    reading.problems.error(table.place("schedule"), "a schedule in a static analysis", "schedule = \"serial\"",
+                           "leave schedule out: without time the sides take turns");
+  }
   // interFoam makes its mesh before it comes, and may have many steps to make in a window.
   if (reading.scene.fluid == FluidModel::openfoam) c.timeout_s = 120;
   table.number("timeout_s", c.timeout_s, positive());
@@ -117,6 +132,7 @@ void read_output(Reading& reading) {
   table.number("frame_every_s", reading.scene.output.frame_every_s, positive());
   table.number("history_every_s", reading.scene.output.history_every_s, positive());
   table.flag("reservoir", reading.scene.output.reservoir);
+  table.number("checkpoint_every_s", reading.scene.output.checkpoint_every_s, not_negative());
 }
 
 void require_one_answer(TableReader& table, Reading& reading) {

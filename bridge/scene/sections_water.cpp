@@ -80,8 +80,8 @@ void read_water(Reading& reading) {
   if (!table.present()) return;
   reading.scene.fluid = FluidModel::hydrostatic;
   const toml::table* fluid = reading.section("fluid");
-  const bool drawn = fluid != nullptr && fluid->contains("initial_water_m");
-  if (!drawn && !table.has("upstream_level_m") && !table.has("downstream_level_m")) {
+  const bool elsewhere = fluid != nullptr && (fluid->contains("initial_water_m") || fluid->contains("column"));
+  if (!elsewhere && !table.has("upstream_level_m") && !table.has("downstream_level_m")) {
     reading.problems.error(table.place(), "[water] has no level", "upstream_level_m, downstream_level_m or both",
                            "state a level, or leave [water] out");
   }
@@ -97,13 +97,16 @@ void read_fluid(Reading& reading) {
   const bool water = reading.scene.fluid == FluidModel::hydrostatic;
   TableReader table(reading.problems, reading.section("fluid"), "[fluid]");
   FluidModel& model = reading.scene.fluid;
-  table.choice<FluidModel>(
-      "model", model,
-      {{"none", FluidModel::none}, {"hydrostatic", FluidModel::hydrostatic}, {"openfoam", FluidModel::openfoam}});
+  table.choice<FluidModel>("model", model,
+                           {{"none", FluidModel::none},
+                            {"hydrostatic", FluidModel::hydrostatic},
+                            {"openfoam", FluidModel::openfoam},
+                            {"column", FluidModel::column}});
   if (model != FluidModel::none && !water) {
     reading.problems.error(table.place("model"), "a fluid, but no [water]", "[water] with a level",
                            "add [water], or set model = \"none\"");
   }
+  read_column(table, reading);
   read_openfoam(table, reading);
 }
 

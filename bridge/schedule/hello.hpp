@@ -7,6 +7,7 @@
 
 namespace blockweir::schedule {
 
-wire::Hello hello(const scene::Scene& scene, const std::string& role);
+/// `first_window`: the motion that a run is resumed with.
+wire::Hello hello(const scene::Scene& scene, const std::string& role, std::uint64_t first_window = 0);
 
 }  // namespace blockweir::schedule

@@ -1,34 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When solid and fluid exchange. C++17: the OpenFOAM plugin includes this.
+// When solid and fluid exchange.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
+
+#include "bridge/scene/scene.hpp"
+#include "bridge/schedule/sides.hpp"
 
 namespace blockweir::schedule {
 
-/// Coupling windows: window n ends at n * window_s, the last one at the run's duration. With `at_rest` all of them end
-/// at the run's end.
+/// Coupling windows: each ends at a whole multiple of [coupling] window_s, the last one at the run's duration. They are
+/// one multiple long, or grow, doubling while nothing moves, up to longest_window_s. In a static analysis, which has no
+/// time, all of them end at the run's end.
 class Windows {
  public:
-  Windows(double window_s, double duration_s, bool at_rest)
-      : window_s_(window_s),
-        duration_s_(duration_s),
-        at_rest_(at_rest),
-        count_(at_rest ? most_sweeps
-                       : static_cast<std::uint64_t>(std::max(1.0, std::ceil(duration_s / window_s * (1 - 1e-12))))) {}
-  [[nodiscard]] std::uint64_t count() const { return count_; }
-  [[nodiscard]] double end_s(std::uint64_t window) const {
-    return at_rest_ || window >= count_ ? duration_s_ : static_cast<double>(window) * window_s_;
+  explicit Windows(const scene::Scene& scene);
+
+  [[nodiscard]] double from_s() const { return at(tick_); }
+  [[nodiscard]] double to_s() const { return at_rest_ ? duration_s_ : at(tick_ + length_); }
+  /// The run ends with this window.
+  [[nodiscard]] bool last() const { return at_rest_ ? tick_ + 1 >= most_sweeps : tick_ + length_ >= ticks_; }
+  /// Goes on to the next one.
+  void next(const SolidSide& solid);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(tick_, length_);
   }
 
  private:
   static constexpr std::uint64_t most_sweeps = 1000;
+  [[nodiscard]] double at(std::uint64_t tick) const {
+    return tick >= ticks_ ? duration_s_ : static_cast<double>(tick) * window_s_;
+  }
   double window_s_;
   double duration_s_;
   bool at_rest_;
-  std::uint64_t count_;
+  std::uint64_t ticks_;    ///< in the run
+  std::uint64_t longest_;  ///< in a window
+  std::uint64_t tick_ = 0;
+  std::uint64_t length_ = 1;
 };
 
 }  // namespace blockweir::schedule

@@ -25,6 +25,11 @@ class Collection {
   /// Puts the list in place of the former one. Throws std::runtime_error when it cannot be written.
   void save() const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(entries_);
+  }
+
  private:
   struct Writer;
   std::filesystem::path folder_;

@@ -78,14 +78,15 @@ void encode(const Hello& m, Builder& builder) {
   const auto vertices = builder.CreateVector(m.vertices_m);
   finish(builder, buffer::Body::Hello,
          buffer::CreateHello(builder, m.protocol, role, build, digest, schedule, units, m.window_s, m.duration_s, names,
-                             counts, vertices));
+                             counts, vertices, m.first_window));
 }
 
 void encode(const Motion& m, Builder& builder) {
   builder.Clear();
   const auto displacement = flat(builder, m.displacement);
   const auto velocity = flat(builder, m.velocity);
-  finish(builder, buffer::Body::Motion, buffer::CreateMotion(builder, m.window, m.time_s, displacement, velocity));
+  finish(builder, buffer::Body::Motion,
+         buffer::CreateMotion(builder, m.window, m.time_s, displacement, velocity, static_cast<std::uint8_t>(m.order)));
 }
 
 void encode(const Load& m, Builder& builder) {
@@ -155,6 +156,7 @@ void decode(const void* data, Hello& m) {
   }
   copy(b.vertex_counts(), m.vertex_counts);
   copy(b.vertices_m(), m.vertices_m);
+  m.first_window = b.first_window();
 }
 
 void decode(const void* data, Motion& m) {
@@ -162,6 +164,10 @@ void decode(const void* data, Motion& m) {
   m.window = b.window();
   m.time_s = b.time_s();
   require_finite(m.time_s, "time", m.window);
+  if (b.order() > static_cast<std::uint8_t>(Order::save)) {
+    throw BadMessage(fmt::format("order {} in window {}", b.order(), m.window));
+  }
+  m.order = static_cast<Order>(b.order());
   read_rows(b.displacement(), m.displacement, "displacement", m.window);
   read_rows(b.velocity(), m.velocity, "velocity", m.window);
   if (m.displacement.size() != m.velocity.size()) {

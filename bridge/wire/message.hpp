@@ -11,7 +11,7 @@
 namespace blockweir::wire {
 
 /// Raised whenever a message changes its meaning; partners of different versions refuse each other.
-inline constexpr std::uint32_t protocol_version = 4;
+inline constexpr std::uint32_t protocol_version = 5;
 
 /// First message of either side. Everything in it must agree, but for `role` and `build`.
 struct Hello {
@@ -19,26 +19,35 @@ struct Hello {
   std::string role;          ///< "solid", "hydrostatic", "openfoam"
   std::string build;         ///< program version
   std::string scene_digest;  ///< of the scene's text, overrides applied
-  std::string schedule;      ///< "serial"
+  std::string schedule;      ///< "serial", "parallel", "improved"
   std::string units;         ///< "SI per metre"
   double window_s = 0;
   double duration_s = 0;
+  std::uint64_t first_window = 0;  ///< other than 0 where a run is resumed
   std::vector<std::string> block_names;
   std::vector<std::uint32_t> vertex_counts;  ///< one a block
   std::vector<double> vertices_m;            ///< x0, y0, x1, y1, ... of all blocks in turn
 };
 
-/// Solid to fluid, at the end of window `window`: one row of six a block, in the scene's order.
-/// displacement (u0, v0 [m], r0 [rad], ex, ey, gxy) since the scene's outline, strains in the block's own
-/// turned frame; velocity is its rate.
+/// What the fluid is to do on a Motion.
+enum class Order : std::uint8_t {
+  compute,           ///< step to the motion's time and answer with the pressures there
+  save_and_compute,  ///< the same, after a checkpoint of the state before this motion
+  save               ///< the checkpoint alone: the run is about to be stopped
+};
+
+/// Solid to fluid: where the blocks are, or will be, at `time_s`, which the fluid is to step to: one row of six a
+/// block, in the scene's order. displacement (u0, v0 [m], r0 [rad], ex, ey, gxy) since the scene's outline, strains in
+/// the block's own turned frame; velocity is its rate.
 struct Motion {
-  std::uint64_t window = 0;
-  double time_s = 0;
+  std::uint64_t window = 0;  ///< counted up by one each time
+  double time_s = 0;         ///< never earlier than the one before
+  Order order = Order::compute;
   std::vector<std::array<double, 6>> displacement;
   std::vector<std::array<double, 6>> velocity;
 };
 
-/// Fluid to solid: pressures [Pa, compression positive] on wet panels at the end of window `window`.
+/// Fluid to solid: pressures [Pa, compression positive] on wet panels at the time of motion `window`.
 /// A panel is the part s_from..s_to (fractions 0..1) of an edge of a block, edge i running from vertex i
 /// to vertex i+1; pressure is linear between its two nodes. Columns have one length.
 struct Load {
@@ -58,6 +67,12 @@ struct Load {
   /// (xx, xy, xr, yy, yr, rr) [kg/m, kg, kg m] of a symmetric matrix of translation x, y and rotation about the block's
   /// centroid where it is now. One row a block, zeros where the water does not reach, or none at all.
   std::vector<std::array<double, 6>> added_mass;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(window, time_s, upstream_level_m, downstream_level_m, block, edge, s_from, s_to, pressure_from_pa,
+            pressure_to_pa, cracks_from, breached, added_mass);
+  }
 };
 
 /// The run is over; the partner may leave.

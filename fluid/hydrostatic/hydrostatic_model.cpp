@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bridge/checkpoint/archive.hpp"
 #include "bridge/scene/polygon.hpp"
 #include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
@@ -52,14 +53,31 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   last_motion_.displacement = motion.displacement;
   last_upstream_m_ = upstream;
   last_downstream_m_ = downstream;
-  place(motion);
+  press(load);
+}
+
+/// On blocks where they were told to be last.
+void HydrostaticModel::press(wire::Load& load) {
+  place(last_motion_);
   wire::clear_panels(load);
   pools_.clear();
-  load.upstream_level_m = upstream;
-  load.downstream_level_m = downstream;
-  if (!std::isnan(upstream)) add_pool(Pool::upstream, upstream, load);
-  if (!std::isnan(downstream)) add_pool(Pool::downstream, downstream, load);
-  add_cracks(upstream, downstream, load);
+  load.upstream_level_m = last_upstream_m_;
+  load.downstream_level_m = last_downstream_m_;
+  if (!std::isnan(last_upstream_m_)) add_pool(Pool::upstream, last_upstream_m_, load);
+  if (!std::isnan(last_downstream_m_)) add_pool(Pool::downstream, last_downstream_m_, load);
+  add_cracks(last_upstream_m_, last_downstream_m_, load);
+}
+
+std::string HydrostaticModel::state() const {
+  return checkpoint::pack(last_motion_.displacement, last_upstream_m_, last_downstream_m_, fresh_, updates_,
+                          unchanged_);
+}
+
+void HydrostaticModel::restore(const std::string& state) {
+  checkpoint::unpack(state, last_motion_.displacement, last_upstream_m_, last_downstream_m_, fresh_, updates_,
+                     unchanged_);
+  wire::Load again;
+  if (!fresh_) press(again);
 }
 
 void HydrostaticModel::place(const wire::Motion& motion) {

@@ -2,7 +2,7 @@
 // The reference fluid: still water in two pools and in the cracks that the scene fills, at the blocks' positions.
 #pragma once
 
-#include "bridge/schedule/serial_staggered.hpp"
+#include "bridge/schedule/sides.hpp"
 #include "fluid/hydrostatic/cracks.hpp"
 #include "fluid/hydrostatic/interface_mesh.hpp"
 #include "fluid/hydrostatic/reservoir_mesh.hpp"
@@ -23,6 +23,8 @@ class HydrostaticModel final : public schedule::FluidSide {
   /// Pressures at the levels of time `to_s` on blocks that are where `motion` says. Throws std::runtime_error when
   /// `motion` does not fit the scene.
   void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
+  [[nodiscard]] std::string state() const override;
+  void restore(const std::string& state) override;
 
   /// The pools as they were at the last advance().
   [[nodiscard]] const std::vector<PoolSection>& pools() const { return pools_; }
@@ -30,6 +32,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   [[nodiscard]] long unchanged() const { return unchanged_; }  ///< windows in which neither level nor block moved
 
  private:
+  void press(wire::Load& load);
   void place(const wire::Motion& motion);
   void add_pool(Pool pool, double level_m, wire::Load& load);
   void add_cracks(double upstream_m, double downstream_m, wire::Load& load);

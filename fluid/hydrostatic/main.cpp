@@ -12,6 +12,7 @@
 #include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
+#include "bridge/schedule/run.hpp"
 #include "fluid/hydrostatic/reservoir_output.hpp"
 
 namespace {
@@ -24,6 +25,7 @@ struct Arguments {
   std::string profile_out;
   std::string folder;
   std::vector<std::string> overrides;
+  std::uint64_t resume = 0;
 };
 
 void write_profile(const std::string& path, const hydrostatic::HydrostaticModel& model,
@@ -48,19 +50,19 @@ void run(const Arguments& arguments) {
     throw std::invalid_argument("[output] reservoir = true: say with --out where its files shall go");
   }
   if (scene.output.reservoir) results::make_folder(arguments.folder);
+  checkpoint::Checkpoints checkpoints(arguments.folder, "hydrostatic", scene.digest, 0);
   channel::catch_stop_signals();
   channel::Channel channel({.side = channel::Side::connects,
                             .endpoint = arguments.endpoint,
                             .partner = "solid process",
                             .timeout_s = scene.coupling.timeout_s,
                             .open_timeout_s = scene.coupling.open_timeout_s});
-  channel.handshake(schedule::hello(scene, "hydrostatic"));
+  channel.handshake(schedule::hello(scene, "hydrostatic", arguments.resume));
   hydrostatic::HydrostaticModel model(scene);
   std::optional<hydrostatic::RecordedModel> recorded;
   if (scene.output.reservoir) recorded.emplace(model, scene, arguments.folder);
-  const schedule::Windows windows = schedule::windows(scene);
-  const auto exchange =
-      recorded ? schedule::run_fluid(channel, windows, *recorded) : schedule::run_fluid(channel, windows, model);
+  schedule::FluidSide& fluid = recorded ? static_cast<schedule::FluidSide&>(*recorded) : model;
+  const auto exchange = schedule::run_fluid(channel, checkpoints, arguments.resume, fluid);
   if (arguments.profile_out.empty()) return;
   const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
   write_profile(arguments.profile_out, model, recorded ? &*recorded : nullptr, exchange, total.count());
@@ -74,8 +76,10 @@ int main(int argc, char** argv) {
   app.add_option("scene", arguments.scene, "scene file or case folder")->required();
   app.add_option("--endpoint", arguments.endpoint, "where the solid process listens: ipc://PATH or tcp://HOST:PORT")
       ->required();
-  app.add_option("--out", arguments.folder, "folder for the reservoir's mesh, where [output] reservoir is true");
+  app.add_option("--out", arguments.folder,
+                 "folder for checkpoints, and for the reservoir's mesh where [output] reservoir is true");
   app.add_option("--set", arguments.overrides, "key=value over the scene's own; the same for both processes");
+  app.add_option("--resume", arguments.resume, "number of the checkpoint in --out to go on from; the same for both");
   app.add_option("--profile-out", arguments.profile_out, "file for this process's times (JSON)");
   try {
     app.parse(argc, argv);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "bridge/checkpoint/archive.hpp"
+
 namespace blockweir::hydrostatic {
 namespace {
 
@@ -50,6 +52,16 @@ void RecordedModel::record(double time_s) {
   const auto start = std::chrono::steady_clock::now();
   write(time_s);
   output_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string RecordedModel::state() const {
+  return checkpoint::pack(model_.state(), files_, next_s_, last_file_, written_update_, meshes_, output_s_);
+}
+
+void RecordedModel::restore(const std::string& state) {
+  std::string of_model;
+  checkpoint::unpack(state, of_model, files_, next_s_, last_file_, written_update_, meshes_, output_s_);
+  model_.restore(of_model);
 }
 
 void RecordedModel::write(double time_s) {

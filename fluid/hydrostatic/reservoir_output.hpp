@@ -15,6 +15,8 @@ class RecordedModel final : public schedule::FluidSide {
 
   void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
   void record(double time_s) override;
+  [[nodiscard]] std::string state() const override;
+  void restore(const std::string& state) override;
 
   [[nodiscard]] double output_s() const { return output_s_; }  ///< seconds spent on meshes and files
   [[nodiscard]] long meshes() const { return meshes_; }

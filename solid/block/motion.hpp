@@ -80,6 +80,11 @@ struct BlockState {
   Vector6 velocity = Vector6::Zero();
   Vector6 acceleration = Vector6::Zero();
   Vector6 force = Vector6::Zero();  ///< all but inertia at the last accepted step; generalized-alpha looks back at it
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(displacement, velocity, acceleration, force);
+  }
 };
 
 }  // namespace blockweir::solid

@@ -15,6 +15,11 @@ struct BoltForce {
   double tension_n_per_m = 0;
   double slope_n_per_m2 = 0;
   BoltState state = BoltState::elastic;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(tension_n_per_m, slope_n_per_m2, state);
+  }
 };
 
 struct Bolt {
@@ -27,6 +32,11 @@ struct Bolt {
   double elongation_m = 0;  ///< since the scene's drawing
   double plastic_m = 0;     ///< part of it that stays
   BoltForce acting{};
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(elongation_m, plastic_m, acting);
+  }
 };
 
 Bolt make_bolt(const scene::Bolt& described, const Parts& parts);

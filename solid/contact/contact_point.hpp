@@ -45,6 +45,13 @@ struct ContactPoint {
     return vertex_block == other.vertex_block && vertex == other.vertex && edge_block == other.edge_block &&
            edge == other.edge;
   }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(vertex_block, vertex, edge_block, edge, vertex_part, edge_part, vertex_at, edge_from, edge_to, law, anchor,
+            separation, gap, length, multiplier, force, penalty, bond_length, bond, state, slip_m, slip_path_m,
+            elastic_slip);
+  }
 };
 
 }  // namespace blockweir::solid

@@ -66,6 +66,11 @@ class Formulation {
   /// Counted up by one for each contact whose state differs from the evaluation before.
   [[nodiscard]] long state_changes() const { return state_changes_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(state_changes_);
+  }
+
  protected:
   Formulation(const JointLaws& laws, const FormulationSettings& settings) : laws_(laws), settings_(settings) {}
 

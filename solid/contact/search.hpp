@@ -24,6 +24,11 @@ class ContactSearch {
 
   [[nodiscard]] long broad_searches() const { return broad_searches_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(corners_at_pairs_, pairs_, broad_searches_);
+  }
+
  private:
   void refresh_pairs(const std::vector<Placement>& placements);
   void vertices_on_edges(int vertex_block, int edge_block);

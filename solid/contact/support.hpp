@@ -23,6 +23,11 @@ struct Support {
   [[nodiscard]] Point held() const {
     return {described->displacement_x_m ? 1.0 : 0.0, described->displacement_y_m ? 1.0 : 0.0};
   }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(separation, multiplier, penalty);
+  }
 };
 
 }  // namespace blockweir::solid

@@ -16,6 +16,11 @@ class AccelerationFit {
   /// 2 |c| [m/s2]; not a number for fewer than three times.
   [[nodiscard]] double of(std::size_t block) const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(time_powers_, moments_);
+  }
+
  private:
   std::array<double, 5> time_powers_{};               ///< sums of t^0 to t^4
   std::vector<Eigen::Matrix<double, 3, 2>> moments_;  ///< sums of t^k u, k = 0 to 2, a block

@@ -20,6 +20,11 @@ class AddedMassWatch {
   [[nodiscard]] double ratio() const { return ratio_; }
   [[nodiscard]] const std::string& block() const { return block_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(ratio_, block_);
+  }
+
  private:
   double ratio_ = 0;
   std::string block_;

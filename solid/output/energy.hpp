@@ -24,6 +24,11 @@ class EnergyWatch {
   /// Over the largest sum of the three energies' sizes; 0 where nothing has moved.
   [[nodiscard]] double gain() const { return scale_ > 0 ? rise_ / scale_ : 0; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(begun_, lowest_, rise_, scale_);
+  }
+
  private:
   bool begun_ = false;
   double lowest_ = 0;

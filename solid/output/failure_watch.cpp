@@ -63,6 +63,11 @@ bool FailureWatch::held(std::size_t b, const std::vector<const ContactPoint*>& c
                      [&](const ContactPoint* c) { return holds(c) && (point(c) - pivot).norm() > elsewhere; });
 }
 
+bool FailureWatch::calm() const {
+  const std::vector<bool> still = resting();
+  return std::all_of(still.begin(), still.end(), [](bool rests) { return rests; });
+}
+
 /// Blocks that are slow, and those that a load strains faster while others at rest hold them.
 std::vector<bool> FailureWatch::resting() const {
   constexpr double straining =

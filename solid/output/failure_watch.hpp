@@ -21,6 +21,11 @@ struct Failure {
   double head_m = 0;   ///< of it above the upstream end of the joint that failed; NaN without a pool
   std::string mode;    ///< "sliding", "overturning", "sliding and overturning" or "falling"
   std::string joint;   ///< what the block moves against; empty when it falls free
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(block, time_s, level_m, head_m, mode, joint);
+  }
 };
 
 class FailureWatch {
@@ -30,8 +35,16 @@ class FailureWatch {
   /// Looks at the state at `time_s`, reached under `upstream_level_m`.
   void look(double time_s, double upstream_level_m);
 
+  /// Every block is at rest.
+  [[nodiscard]] bool calm() const;
+
   /// Failures so far, the earliest first.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(rest_, failures_);
+  }
 
  private:
   struct Rest {
@@ -39,6 +52,11 @@ class FailureWatch {
     double level_m = 0;
     Vector6 displacement = Vector6::Zero();
     bool failed = false;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(time_s, level_m, displacement, failed);
+    }
   };
   [[nodiscard]] double speed(std::size_t block) const;
   [[nodiscard]] bool held(std::size_t block, const std::vector<const ContactPoint*>& closed,

@@ -26,6 +26,13 @@ struct BlockRow {
   Point water_force_n_per_m = Point::Zero();
   double water_moment_n = 0;  ///< about the scene's origin, counter-clockwise, N m per metre
   bool fixed = false;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(vertices_m, displacement_m, velocity_m_per_s, centroid_m, centroid_displacement_m,
+            centroid_velocity_m_per_s, rotation_rad, rotation_rate_rad_per_s, stress_xx_pa, stress_yy_pa, stress_xy_pa,
+            water_force_n_per_m, water_moment_n, fixed);
+  }
 };
 
 struct ContactRow {
@@ -41,6 +48,12 @@ struct ContactRow {
   double normal_force_n_per_m = 0;  ///< compression positive
   double shear_force_n_per_m = 0;
   double length_m = 0;  ///< of joint that the contact stands for
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(point_m, normal, vertex_block, edge_block, joint, state, bonded_length_m, gap_m, slip_m,
+            normal_force_n_per_m, shear_force_n_per_m, length_m);
+  }
 };
 
 struct PanelRow {
@@ -50,6 +63,11 @@ struct PanelRow {
   double pressure_from_pa = 0;
   double pressure_to_pa = 0;
   bool in_crack = false;  ///< loaded by the crack's uplift law, not by open water
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(block, from_m, to_m, pressure_from_pa, pressure_to_pa, in_crack);
+  }
 };
 
 struct BoltRow {
@@ -59,6 +77,11 @@ struct BoltRow {
   double elongation_m = 0;
   double plastic_elongation_m = 0;
   int state = 0;  ///< 0 elastic, 1 yielding, 2 slack
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(from_m, to_m, force_n_per_m, elongation_m, plastic_elongation_m, state);
+  }
 };
 
 /// The mesh of a block.
@@ -68,6 +91,11 @@ struct MeshRow {
   std::vector<Point> displacement_m;
   std::vector<Eigen::Vector3d> stress_pa;  ///< (xx, yy, xy) at the nodes, tension positive, global axes
   std::vector<std::array<int, 3>> triangles;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(block, nodes_m, displacement_m, stress_pa, triangles);
+  }
 };
 
 struct Frame {
@@ -85,6 +113,13 @@ struct Frame {
   std::vector<PanelRow> panels;
   std::vector<BoltRow> bolts;
   std::vector<MeshRow> meshes;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(time_s, upstream_level_m, downstream_level_m, largest_displacement_m, base_displacement_m,
+            base_acceleration_m_per_s2, kinetic_energy_j_per_m, strain_energy_j_per_m, potential_energy_j_per_m, blocks,
+            contacts, panels, bolts, meshes);
+  }
 };
 
 }  // namespace blockweir::solid::output

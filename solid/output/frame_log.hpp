@@ -12,8 +12,13 @@ namespace blockweir::solid::output {
 
 class FrameLog {
  public:
-  explicit FrameLog(const std::filesystem::path& folder) : file_(folder / "frames.jsonl") {}
+  FrameLog(const std::filesystem::path& folder, results::Begin begin) : file_(folder / "frames.jsonl", begin) {}
   void write(const Frame& frame);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(file_);
+  }
 
  private:
   results::ResultFile file_;

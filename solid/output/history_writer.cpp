@@ -48,9 +48,9 @@ std::string header(const scene::Scene& scene) {
 
 }  // namespace
 
-HistoryWriter::HistoryWriter(const std::filesystem::path& folder, const scene::Scene& scene)
-    : file_(folder / "history.csv") {
-  file_.line(header(scene));
+HistoryWriter::HistoryWriter(const std::filesystem::path& folder, const scene::Scene& scene, results::Begin begin)
+    : file_(folder / "history.csv", begin) {
+  if (begin == results::Begin::anew) file_.line(header(scene));
   joints_ = static_cast<int>(scene.joints.size());
   shaken_ = scene.base_motion.has_value();
 }

@@ -9,8 +9,13 @@ namespace blockweir::solid::output {
 
 class HistoryWriter {
  public:
-  HistoryWriter(const std::filesystem::path& folder, const scene::Scene& scene);
+  HistoryWriter(const std::filesystem::path& folder, const scene::Scene& scene, results::Begin begin);
   void write(const Frame& frame);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(file_);
+  }
 
  private:
   results::ResultFile file_;

@@ -15,6 +15,11 @@ struct Margin {
   double time_s = 0;
   double level_m = 0;  ///< NaN without a pool
   std::string joint;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(value, time_s, level_m, joint);
+  }
 };
 
 class Margins {
@@ -27,6 +32,11 @@ class Margins {
   /// Shortest way of the normal forces' resultant to an end of its joint, over the joint's length: 1/2 in the middle,
   /// 0 where the block overturns. None without joints.
   [[nodiscard]] const std::optional<Margin>& overturning() const { return overturning_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(sliding_, overturning_);
+  }
 
  private:
   std::optional<Margin> sliding_;

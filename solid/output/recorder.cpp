@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bridge/checkpoint/archive.hpp"
 #include "bridge/scene/repeat.hpp"
 #include "solid/output/capture.hpp"
 #include "solid/step/stopwatch.hpp"
@@ -33,27 +34,30 @@ std::vector<scene::FacePressure> face_pressures_of(const std::vector<Panel>& wat
 
 }  // namespace
 
-Recorder::Recorder(const scene::Scene& scene, const std::filesystem::path& folder, Progress progress)
+Recorder::Recorder(const scene::Scene& scene, const std::filesystem::path& folder, results::Begin begin,
+                   Progress progress)
     : solid_(scene),
       failure_(solid_),
       series_(solid_),
       folder_(folder),
-      history_(folder, scene),
-      frame_log_(folder),
+      history_(folder, scene, begin),
+      frame_log_(folder, begin),
       vtk_(folder),
       progress_(std::move(progress)) {}
 
 void Recorder::place(wire::Motion& motion) {
-  say_where(motion);
+  predict(0, motion);
 }
 
-void Recorder::say_where(wire::Motion& motion) const {
+void Recorder::predict(double ahead_s, wire::Motion& motion) {
   const std::size_t n = solid_.described();
   motion.displacement.resize(n);
   motion.velocity.resize(n);
   for (std::size_t b = 0; b < n; ++b) {
-    Vector6::Map(motion.displacement[b].data()) = solid_.states()[b].displacement;
-    Vector6::Map(motion.velocity[b].data()) = solid_.states()[b].velocity;
+    const BlockState& s = solid_.states()[b];
+    Vector6::Map(motion.displacement[b].data()) =
+        s.displacement + ahead_s * s.velocity + ahead_s * ahead_s / 2 * s.acceleration;
+    Vector6::Map(motion.velocity[b].data()) = s.velocity + ahead_s * s.acceleration;
   }
 }
 
@@ -66,7 +70,7 @@ void Recorder::start(const wire::Load& load) {
   first_ = frame_;
 }
 
-void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire::Motion& motion) {
+void Recorder::advance(const wire::Load& load, double from_s, double to_s) {
   solve(load, to_s, [&](const std::vector<Panel>& water, const AddedMasses& masses) {
     solid_.advance(from_s, to_s, water, masses);
   });
@@ -76,7 +80,10 @@ void Recorder::advance(const wire::Load& load, double from_s, double to_s, wire:
   }
   if (load.breached && !breached_s_) breached_s_ = from_s;
   record(load, to_s);
-  say_where(motion);
+}
+
+bool Recorder::calm() const {
+  return failure_.calm();
 }
 
 void Recorder::solve(const wire::Load& load, double until_s,
@@ -135,6 +142,14 @@ bool Recorder::finished() const {
     return !solid_.rest().found || solid_.rest().steps == 1;
   }
   return analysis.stop_at_failure && !failure_.failures().empty();
+}
+
+std::string Recorder::state() const {
+  return checkpoint::pack(*this);
+}
+
+void Recorder::restore(const std::string& state) {
+  checkpoint::unpack(state, *this);
 }
 
 void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {

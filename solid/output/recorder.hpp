@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "bridge/schedule/serial_staggered.hpp"
+#include "bridge/schedule/sides.hpp"
 #include "solid/output/failure_watch.hpp"
 #include "solid/output/frame_log.hpp"
 #include "solid/output/history_writer.hpp"
@@ -17,12 +17,23 @@ class Recorder final : public schedule::SolidSide {
  public:
   /// `progress` is called now and then with time [s], level [m] and largest displacement [m].
   using Progress = std::function<void(double, double, double)>;
-  Recorder(const scene::Scene& scene, const std::filesystem::path& folder, Progress progress);
+  Recorder(const scene::Scene& scene, const std::filesystem::path& folder, results::Begin begin, Progress progress);
 
   void place(wire::Motion& motion) override;
+  void predict(double ahead_s, wire::Motion& motion) override;
   void start(const wire::Load& load) override;
-  void advance(const wire::Load& load, double from_s, double to_s, wire::Motion& motion) override;
+  void advance(const wire::Load& load, double from_s, double to_s) override;
+  [[nodiscard]] bool calm() const override;
   [[nodiscard]] bool finished() const override;
+  [[nodiscard]] std::string state() const override;
+  void restore(const std::string& state) override;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(solid_, failure_, margins_, acceleration_, series_, energy_, added_mass_, history_, frame_log_, vtk_,
+            first_, frame_, last_load_, next_history_s_, next_frame_s_, recorded_s_, largest_penetration_m_,
+            breached_s_, step_s_, output_s_);
+  }
 
   /// Writes summary.json; `extra` is merged into it. When `stopped` is not empty the run ended early, for that reason.
   void finish(const nlohmann::json& extra, const std::string& stopped);
@@ -33,7 +44,6 @@ class Recorder final : public schedule::SolidSide {
              const std::function<void(const std::vector<Panel>&, const AddedMasses&)>& step);
   void observe(const wire::Load& load, double time_s);
   void record(const wire::Load& load, double time_s);
-  void say_where(wire::Motion& motion) const;
 
   Solid solid_;
   FailureWatch failure_;

@@ -13,6 +13,11 @@ struct Sample {
   double time_s = 0;
   Vector6 displacement;
   Vector6 velocity;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(time_s, displacement, velocity);
+  }
 };
 using Course = std::vector<Sample>;
 
@@ -22,6 +27,11 @@ class TimeSeries {
   void look(const Solid& solid, double time_s);
   /// Empty for a block that is not watched.
   [[nodiscard]] const Course& of(std::size_t block) const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(courses_);
+  }
 
  private:
   std::map<std::size_t, Course> courses_;

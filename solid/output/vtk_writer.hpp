@@ -17,6 +17,11 @@ class VtkWriter {
   /// Adds a frame. Throws std::runtime_error when a file cannot be written.
   void write(const Frame& frame);
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(files_, count_);
+  }
+
  private:
   vtk::Collection files_;
   int count_ = 0;

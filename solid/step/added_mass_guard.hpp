@@ -27,6 +27,11 @@ class AddedMassGuard {
   [[nodiscard]] const Eigen::Vector3d& force(std::size_t block) const { return forces_[block]; }
   [[nodiscard]] std::size_t blocks() const { return masses_.size(); }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(masses_, forces_, velocities_, window_s_);
+  }
+
  private:
   AddedMasses masses_;
   std::vector<Eigen::Vector3d> forces_;

@@ -22,6 +22,11 @@ struct Rest {
   bool found = false;
   int steps = 0;
   double unbalanced = 0;  ///< largest unbalanced force over the weight of all that can move
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(found, steps, unbalanced);
+  }
 };
 
 /// Work done so far.
@@ -38,6 +43,12 @@ struct Counts {
   long most_islands = 0;        ///< at a time
   long slept_islands = 0;       ///< islands that a step left as they were, summed over steps
   double condition_number = 0;  ///< largest of all systems solved, where the scene asks for it
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(steps, undone_steps, softened_steps, iterations, sweeps, state_changes, broad_searches, settling_steps,
+            solved_islands, most_islands, slept_islands, condition_number);
+  }
 };
 
 /// Seconds spent so far.
@@ -46,6 +57,11 @@ struct Profile {
   double contact = 0;
   double assembly = 0;
   double solve = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(search, contact, assembly, solve);
+  }
 };
 
 }  // namespace blockweir::solid

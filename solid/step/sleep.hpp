@@ -23,6 +23,11 @@ class Sleep {
   [[nodiscard]] bool rests(std::size_t b, const std::vector<Block>& blocks, const std::vector<Vector6>& external,
                            double tolerance_n) const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(rests_, load_);
+  }
+
  private:
   static constexpr int long_enough = 3;
   std::vector<int> rests_;     ///< steps at rest on end

@@ -116,6 +116,13 @@ Solid::Solid(const scene::Scene& scene)
   for (std::size_t b = 0; b < n; ++b) blocks_[b].rigid = rigid[b];
 }
 
+/// After states have been read from a checkpoint.
+void Solid::follow_states() {
+  if (states_.size() != blocks_.size()) throw std::runtime_error("a checkpoint of another number of blocks");
+  for (std::size_t b = 0; b < blocks_.size(); ++b) start_[b] = Placement(blocks_[b].centroid, states_[b].displacement);
+  matrices_dt_ = -1;
+}
+
 /// Blocks that touch in the scene's outline are joined by a bond, with its strength and its peak friction.
 void Solid::bond_touching_contacts() {
   const double touching = 1e-6 * size_;

@@ -62,6 +62,17 @@ class Solid {
   [[nodiscard]] double largest_displacement_m() const;
   [[nodiscard]] double time_s() const { return time_s_; }
 
+  /// What a step changes.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(states_, contacts_, next_dt_, started_, time_s_, rest_, sleep_, guard_, search_, counts_, profile_,
+            *formulation_);
+    for (Support& support : supports_) archive(support);
+    for (Bolt& bolt : bolts_) archive(bolt);
+    if (substitute_) archive(*substitute_);
+    if (Archive::is_loading::value) follow_states();
+  }
+
  private:
   /// A force that is solved for, of a contact or a support: what a unit of it exerts (normal, shear).
   struct UnknownForce {
@@ -100,6 +111,7 @@ class Solid {
     [[nodiscard]] bool in(const Parts& parts, const Island& island) const;
   };
 
+  void follow_states();
   void bond_touching_contacts();
   void begin_window(const AddedMasses& masses, double window_s);
   void guard(double dt);

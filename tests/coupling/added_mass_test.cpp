@@ -3,7 +3,7 @@
 // The solid's process against water, here the test's own, that is heavier than the block it resists.
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
-#include "bridge/schedule/serial_staggered.hpp"
+#include "bridge/schedule/run.hpp"
 #include "tests/processes.hpp"
 
 namespace {
@@ -71,7 +71,8 @@ class AddedMass : public test::Processes {
     HeavyWater water(ratio);
     try {
       channel.handshake(schedule::hello(scene, "hydrostatic"));
-      schedule::run_fluid(channel, schedule::windows(scene), water);
+      checkpoint::Checkpoints none("", "hydrostatic", scene.digest, 0);
+      schedule::run_fluid(channel, none, 0, water);
     } catch (const channel::PeerError& error) {
       heard = error.what();
     }

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// State as bytes and back, by cereal: whatever has `serialize(archive)`, or is made of what has. C++17: the OpenFOAM
+// plugin includes this.
+#pragma once
+
+#include <Eigen/Core>
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/array.hpp>
+#include <cereal/types/map.hpp>
+#include <cereal/types/optional.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/utility.hpp>
+#include <cereal/types/vector.hpp>
+#include <sstream>
+
+namespace cereal {
+
+/// Matrices of fixed size.
+template <class Archive, class Scalar, int Rows, int Columns, int Options>
+void serialize(Archive& archive, Eigen::Matrix<Scalar, Rows, Columns, Options>& matrix) {
+  static_assert(Rows > 0 && Columns > 0);
+  archive(binary_data(matrix.data(), sizeof(Scalar) * static_cast<std::size_t>(Rows * Columns)));
+}
+
+}  // namespace cereal
+
+namespace blockweir::checkpoint {
+
+template <class... Parts>
+std::string pack(const Parts&... parts) {
+  std::ostringstream bytes;
+  cereal::BinaryOutputArchive{bytes}(parts...);
+  return std::move(bytes).str();
+}
+
+/// Throws cereal::Exception where the bytes end too early.
+template <class... Parts>
+void unpack(const std::string& bytes, Parts&... parts) {
+  std::istringstream stream(bytes);
+  cereal::BinaryInputArchive{stream}(parts...);
+}
+
+}  // namespace blockweir::checkpoint

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/checkpoint/checkpoints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+
+namespace blockweir::checkpoint {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::size_t kept = 2;
+constexpr int format = 1;
+
+/// FNV-1a, 64 bit: against torn and mixed-up files, not against forgery.
+std::uint64_t checksum(const std::string& bytes) {
+  std::uint64_t sum = 0xcbf29ce484222325U;
+  for (const char c : bytes) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return sum;
+}
+
+fs::path folder_in(const fs::path& run) {
+  return run / "checkpoint";
+}
+
+fs::path file_of(const fs::path& run, const std::string& role, std::uint64_t window) {
+  return folder_in(run) / fmt::format("{}-{}", role, window);
+}
+
+}  // namespace
+
+Checkpoints::Checkpoints(const fs::path& folder, std::string role, std::string scene_digest, double every_s)
+    : folder_(folder), role_(std::move(role)), digest_(std::move(scene_digest)), every_s_(every_s) {}
+
+fs::path Checkpoints::file(std::uint64_t window) const {
+  return file_of(folder_, role_, window);
+}
+
+bool Checkpoints::due() const {
+  return every_s_ > 0 && std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count() >= every_s_;
+}
+
+void Checkpoints::write(std::uint64_t window, const std::string& state) {
+  if (folder_.empty()) return;
+  results::make_folder(folder_in(folder_));
+  results::replace_file(file(window), fmt::format("blockweir checkpoint {} {} {} {} {} {:016x}\n", format, role_,
+                                                  window, digest_, state.size(), checksum(state)) +
+                                          state);
+  last_ = std::chrono::steady_clock::now();
+  const std::vector<std::uint64_t> all = windows(folder_, role_);
+  for (std::size_t i = 0; i + kept < all.size(); ++i) fs::remove(file(all[i]));
+}
+
+bool Checkpoints::has(std::uint64_t window) const {
+  return fs::exists(file(window));
+}
+
+std::string Checkpoints::read(std::uint64_t window) const {
+  const fs::path path = file(window);
+  const auto refuse = [&](const std::string& found) {
+    throw std::runtime_error(fmt::format("{}: {}; resume from another checkpoint, or run anew", path.string(), found));
+  };
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse("no such checkpoint");
+  std::string heading;
+  std::getline(stream, heading);
+  std::ostringstream rest;
+  rest << stream.rdbuf();
+  std::string state = std::move(rest).str();
+  std::istringstream words(heading);
+  std::string us;
+  std::string what;
+  int version = 0;
+  std::string role;
+  std::uint64_t number = 0;
+  std::string digest;
+  std::size_t size = 0;
+  std::uint64_t sum = 0;
+  if (!(words >> us >> what >> version >> role >> number >> digest >> size >> std::hex >> sum) || us != "blockweir") {
+    refuse("not a checkpoint");
+  }
+  if (version != format) refuse(fmt::format("format {}, this blockweir reads {}", version, format));
+  if (role != role_ || number != window) refuse(fmt::format("holds window {} of {}", number, role));
+  if (digest != digest_) refuse(fmt::format("of a scene with digest {}, this one has {}", digest, digest_));
+  if (size != state.size()) refuse(fmt::format("{} bytes, {} expected", state.size(), size));
+  if (sum != checksum(state)) refuse("its content has changed since it was written");
+  return state;
+}
+
+std::vector<std::uint64_t> windows(const fs::path& folder, const std::string& role) {
+  std::vector<std::uint64_t> found;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder_in(folder), none)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind(role + "-", 0) != 0) continue;
+    const char* const end = name.data() + name.size();
+    std::uint64_t window = 0;
+    const auto read = std::from_chars(name.data() + role.size() + 1, end, window);
+    if (read.ec == std::errc() && read.ptr == end) found.push_back(window);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void forget(const fs::path& folder) {
+  fs::remove_all(folder_in(folder));
+}
+
+}  // namespace blockweir::checkpoint

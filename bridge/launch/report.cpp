@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run's summary says, for people.
+#include <fmt/format.h>
+
+#include "bridge/launch/figure.hpp"
+#include "bridge/launch/run.hpp"
+
+namespace blockweir::launch {
+
+using nlohmann::json;
+
+std::string report(const RunResult& result) {
+  const json& s = result.summary;
+  std::string text;
+  const std::string outcome = s.value("outcome", "stopped");
+  const auto number = [](const json& value) {
+    return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : "none";
+  };
+  if (outcome == "fails") {
+    const json& f = s["failure"];
+    text += fmt::format("FAILS   {}\n", f["text"].get<std::string>());
+    if (f["level_m"].is_number()) {
+      text += fmt::format("        at a level of {} m, {} m above the joint that failed, after {} s\n",
+                          number(f["level_m"]), number(f["head_m"]), number(f["time_s"]));
+    } else {
+      text += fmt::format("        after {} s\n", number(f["time_s"]));
+    }
+  } else if (outcome == "stands") {
+    text += fmt::format("STANDS  {}\n", s["margin"]["text"].get<std::string>());
+  } else {
+    text += fmt::format("STOPPED {}\n", s.value("stopped", ""));
+  }
+  if (s.contains("rest")) text += fmt::format("STATIC  {}\n", s["rest"]["text"].get<std::string>());
+  if (s.contains("breach")) {
+    text +=
+        fmt::format("BREACH  after {} s: {}\n", number(s["breach"]["time_s"]), s["breach"]["text"].get<std::string>());
+  }
+  if (s.contains("added_mass")) text += fmt::format("{}\n", s["added_mass"]["text"].get<std::string>());
+  for (const json& check : s.value("checks", json::array())) {
+    text += fmt::format("{}  {}: expected {}, got {}, off by {} (tolerance {})\n",
+                        check["passed"].get<bool>() ? "ok    " : "OUT   ", check["name"].get<std::string>(),
+                        figure(check["expected"]), figure(check["got"]), number(check["relative_error"]),
+                        number(check["tolerance"]));
+  }
+  for (const json& skip : s.value("skips", json::array())) text += fmt::format("skipped {}\n", skip.get<std::string>());
+  text += fmt::format("time    {} s of wall time for {} s simulated\n", number(s["wall_time_s"]),
+                      number(s.value("simulated_s", json())));
+  text += fmt::format("results {} (blocks.pvd opens in ParaView; \"blockweir plot {}\" draws figures)\n",
+                      result.folder.string(), result.folder.string());
+  return text;
+}
+
+}  // namespace blockweir::launch

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/schedule/exchange.hpp"
+
+#include <limits>
+
+#include "bridge/checkpoint/archive.hpp"
+#include "bridge/schedule/turn.hpp"
+
+namespace blockweir::schedule {
+
+Exchange::Exchange(channel::Channel* channel, checkpoint::Checkpoints& checkpoints, Windows& windows, SolidSide& solid)
+    : channel_(channel), checkpoints_(checkpoints), windows_(windows), solid_(solid) {
+  load_.upstream_level_m = load_.downstream_level_m = std::numeric_limits<double>::quiet_NaN();
+}
+
+void Exchange::save() {
+  checkpoints_.write(number_, checkpoint::pack(windows_, load_, solid_.state()));
+}
+
+void Exchange::resume(std::uint64_t number) {
+  std::string state;
+  checkpoint::unpack(checkpoints_.read(number), windows_, load_, state);
+  solid_.restore(state);
+  number_ = number;
+}
+
+void Exchange::tell(wire::Motion& motion, double time_s) {
+  const bool stop = channel::stop_requested();
+  motion.window = number_;
+  motion.time_s = time_s;
+  motion.order = stop ? wire::Order::save : checkpoints_.due() ? wire::Order::save_and_compute : wire::Order::compute;
+  if (channel_ != nullptr) channel_->send(motion);
+  if (motion.order != wire::Order::compute) save();
+  if (stop) throw channel::Interrupted("asked to stop");
+  ++number_;
+}
+
+void Exchange::hear() {
+  if (channel_ == nullptr) return;
+  channel_->receive(load_);
+  require_turn(load_.window, number_ - 1, "the fluid process");
+}
+
+void Exchange::ask(wire::Motion& motion, double time_s) {
+  tell(motion, time_s);
+  const wire::Load before = load_;
+  try {
+    hear();
+  } catch (const channel::PeerError&) {
+    try {
+      --number_;
+      load_ = before;
+      save();
+    } catch (const std::exception&) {
+      // The partner's trouble is what the user is to read.
+    }
+    throw;
+  }
+}
+
+}  // namespace blockweir::schedule

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fluid as the solid's schedule talks to it.
+#pragma once
+
+#include "bridge/channel/channel.hpp"
+#include "bridge/checkpoint/checkpoints.hpp"
+#include "bridge/schedule/sides.hpp"
+#include "bridge/schedule/windows.hpp"
+
+namespace blockweir::schedule {
+
+/// Before motion k is told, both sides can be put on disk and go on from there: the solid with load k-1, the fluid as
+/// it was when it said that.
+class Exchange {
+ public:
+  /// `channel` is null where the scene has no water.
+  Exchange(channel::Channel* channel, checkpoint::Checkpoints& checkpoints, Windows& windows, SolidSide& solid);
+
+  /// Goes on before motion `number`, as the checkpoint has it.
+  void resume(std::uint64_t number);
+
+  /// Says the next motion, of `time_s`; a checkpoint first, when one is due or the run is to be stopped. Then it throws
+  /// channel::Interrupted.
+  void tell(wire::Motion& motion, double time_s);
+  /// Waits for the pressures for what was told. In between the solid may step.
+  void hear();
+  /// Both, with nothing in between. A fluid that fails leaves a checkpoint: one that remembers nothing can go on there.
+  void ask(wire::Motion& motion, double time_s);
+
+  /// Number of the next motion.
+  [[nodiscard]] std::uint64_t number() const { return number_; }
+  /// What was heard last.
+  [[nodiscard]] const wire::Load& load() const { return load_; }
+
+ private:
+  void save();
+
+  channel::Channel* channel_;
+  checkpoint::Checkpoints& checkpoints_;
+  Windows& windows_;
+  SolidSide& solid_;
+  std::uint64_t number_ = 0;
+  wire::Load load_;
+};
+
+}  // namespace blockweir::schedule

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/schedule/schedules.hpp"
+
+namespace blockweir::schedule {
+
+void parallel_staggered(Exchange& water, Windows& windows, SolidSide& solid) {
+  wire::Motion motion;
+  begin(water, windows, solid);
+  while (!solid.finished()) {
+    solid.predict(windows.to_s() - windows.from_s(), motion);
+    water.tell(motion, windows.to_s());
+    solid.advance(water.load(), windows.from_s(), windows.to_s());
+    if (windows.last()) return;
+    water.hear();
+    windows.next(solid);
+  }
+}
+
+}  // namespace blockweir::schedule

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Do both sides count alike?
+#pragma once
+
+#include <fmt/format.h>
+
+#include "bridge/channel/channel.hpp"
+
+namespace blockweir::schedule {
+
+inline void require_turn(std::uint64_t got, std::uint64_t due, const char* sender) {
+  if (got == due) return;
+  throw channel::PeerError(fmt::format("{} sent window {} where window {} was due", sender, got, due));
+}
+
+}  // namespace blockweir::schedule
