@@ -187,6 +187,8 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
     if (sent < 1 && waited > grace_s) children.signal(SIGTERM), sent = 1;
     if (sent < 2 && waited > 2 * grace_s) children.signal(SIGKILL), sent = 2;
   }
+  const auto done = [](const ChildEnd& end) { return end.exit_code == 0; };
+  if (std::all_of(result.ends.begin(), result.ends.end(), done)) result.interrupted = false;  // asked too late
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "fluid/openfoam/dictionary.hpp"
@@ -159,19 +160,44 @@ std::string wave_fractions(const Grid& grid, const InitialWater& water) {
   return text + " ); }\n";
 }
 
+/// Removes the folders of times after `time_s`.
+void forget_times_after(const std::filesystem::path& folder, double time_s) {
+  std::vector<std::filesystem::path> later;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool time = name.find_first_not_of("0123456789.e-+") == std::string::npos;
+    if (entry.is_directory() && time && std::stod(name) > time_s) later.push_back(entry.path());
+  }
+  for (const auto& path : later) std::filesystem::remove_all(path);
+}
+
+std::vector<std::filesystem::path> folders_of_ranks(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> ranks;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const bool rank = entry.path().filename().string().rfind("processor", 0) == 0;
+    if (entry.is_directory() && rank) ranks.push_back(entry.path());
+  }
+  return ranks;
+}
+
 /// interFoam would go on from the times of a former run.
 void forget_former_run(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / "constant/blockweir")) return;
-  std::vector<std::filesystem::path> old;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    const bool time = name != "0" && name.find_first_not_of("0123456789.e-+") == std::string::npos;
-    if (entry.is_directory() && (time || name.rfind("processor", 0) == 0)) old.push_back(entry.path());
-  }
-  for (const auto& path : old) std::filesystem::remove_all(path);
+  forget_times_after(folder, 0);
+  for (const auto& rank : folders_of_ranks(folder)) std::filesystem::remove_all(rank);
+  checkpoint::forget(folder);
 }
 
 }  // namespace
+
+void prepare_resumption(const scene::Scene& scene, const Grid& grid, const CaseOptions& options,
+                        std::uint64_t first_window, double time_s) {
+  const double next = time_s + scene.coupling.window_s / 2;
+  forget_times_after(options.folder, next);
+  for (const auto& rank : folders_of_ranks(options.folder)) forget_times_after(rank, next);
+  results::replace_file(options.folder / "constant/blockweir",
+                        interface_dictionary(scene, grid, options.endpoint, first_window));
+}
 
 void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options) {
   forget_former_run(options.folder);
@@ -195,7 +221,7 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
             fmt::format("dimensions [0 1 -2 0 0 0 0];\nvalue (0 {} 0);\n", exact(-scene.analysis.gravity_m_per_s2)));
   write("constant/hRef", file_header("uniformDimensionedScalarField", "hRef") +
                              fmt::format("dimensions [0 1 0 0 0 0 0];\nvalue {};\n", exact(water.reference_level_m)));
-  write("constant/blockweir", interface_dictionary(scene, grid, options.endpoint));
+  write("constant/blockweir", interface_dictionary(scene, grid, options.endpoint, 0));
   const bool wave = scene::comes_in(scene.openfoam);
   if (wave)
     write("constant/waveProperties", waves(*scene.openfoam.wave, scene.water.upstream_level_m->at(0) - grid.y.front()));

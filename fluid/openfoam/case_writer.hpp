@@ -19,6 +19,10 @@ struct CaseOptions {
 /// Writes 0, constant and system and removes the times and parts of a former run; what else stands in the folder is
 /// left alone. Throws std::invalid_argument for a
 /// scene that cannot be meshed and std::runtime_error when a file cannot be written.
+/// Makes a case that has run go on from time `time_s`, with motion `first_window`: later times are removed.
+void prepare_resumption(const scene::Scene& scene, const Grid& grid, const CaseOptions& options,
+                        std::uint64_t first_window, double time_s);
+
 void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options);
 
 }  // namespace blockweir::openfoam

@@ -104,17 +104,20 @@ std::string cracks(const scene::Scene& scene) {
 
 }  // namespace
 
-std::string interface_dictionary(const scene::Scene& scene, const Grid& grid, const std::string& endpoint) {
-  const wire::Hello hello = schedule::hello(scene, "openfoam");
+std::string interface_dictionary(const scene::Scene& scene, const Grid& grid, const std::string& endpoint,
+                                 std::uint64_t first_window) {
+  const wire::Hello hello = schedule::hello(scene, "openfoam", first_window);
   std::string text = file_header("dictionary", "blockweir");
   text += fmt::format(
       "endpoint {};  // of the solid process; BLOCKWEIR_ENDPOINT in the environment comes first\n"
       "timeout {};\nopenTimeout {};\n\n"
-      "sceneDigest {};\nschedule {};\nunits {};\nwindow {};\nduration {};\nstepsPerWindow {};\nmaxCourant {};\n"
+      "sceneDigest {};\nschedule {};\nunits {};\nwindow {};\nduration {};\nfirstWindow {};\nstepsPerWindow "
+      "{};\nmaxCourant {};\n"
       "cell {};\n\n",
       quoted(endpoint), exact(scene.coupling.timeout_s), exact(scene.coupling.open_timeout_s),
       quoted(hello.scene_digest), quoted(hello.schedule), quoted(hello.units), exact(hello.window_s),
-      exact(hello.duration_s), scene.openfoam.steps_per_window, exact(scene.openfoam.max_courant), exact(grid.cell_m));
+      exact(hello.duration_s), hello.first_window, scene.openfoam.steps_per_window, exact(scene.openfoam.max_courant),
+      exact(grid.cell_m));
   return text + pools(scene, grid) + ground(scene) + blocks(scene, grid) + cracks(scene);
 }
 

@@ -9,6 +9,8 @@
 
 namespace blockweir::openfoam {
 
-std::string interface_dictionary(const scene::Scene& scene, const Grid& grid, const std::string& endpoint);
+/// `first_window`: the motion that a run is resumed with; 0 from the start.
+std::string interface_dictionary(const scene::Scene& scene, const Grid& grid, const std::string& endpoint,
+                                 std::uint64_t first_window);
 
 }  // namespace blockweir::openfoam

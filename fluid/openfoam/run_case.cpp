@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "bridge/checkpoint/archive.hpp"
+#include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/launch/supervisor.hpp"
 #include "bridge/results/result_file.hpp"
 #include "fluid/openfoam/case_writer.hpp"
@@ -87,6 +89,27 @@ void run_program(const std::string& name, std::vector<std::string> words, const 
   }
 }
 
+/// That interFoam's fields were written at.
+double time_of_checkpoint(const scene::Scene& scene, const fs::path& folder, std::uint64_t number) {
+  double time_s = 0;
+  checkpoint::unpack(checkpoint::Checkpoints(folder, "openfoam", scene.digest, 0).read(number), time_s);
+  return time_s;
+}
+
+int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptions& options) {
+  if (scene.openfoam.processes == 1) {
+    run_program("interFoam", {"interFoam", "-case", folder}, folder);
+  } else {
+    run_program("interFoam",
+                {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", std::to_string(scene.openfoam.processes),
+                 "interFoam", "-parallel", "-case", folder},
+                folder);
+  }
+  const nlohmann::json result = {{"checks", water_checks(scene, folder / "water.csv")}};
+  if (!options.result.empty()) results::replace_file(options.result, result.dump(2) + "\n");
+  return 0;
+}
+
 }  // namespace
 
 int run_case(const scene::Scene& scene, const RunOptions& options) {
@@ -96,28 +119,20 @@ int run_case(const scene::Scene& scene, const RunOptions& options) {
   if (!options.case_only) find_openfoam();
   const Grid grid = make_grid(scene);
   const fs::path folder = fs::absolute(options.folder);
-  write_case(scene, grid, {folder, find_plugin(), options.endpoint});
+  const CaseOptions written{folder, find_plugin(), options.endpoint};
+  if (options.resume > 0) {
+    prepare_resumption(scene, grid, written, options.resume, time_of_checkpoint(scene, folder, options.resume));
+    return run_solver(scene, folder, options);
+  }
+  write_case(scene, grid, written);
   if (options.case_only) {
     fmt::print("{}: {} cells in {} columns and {} rows, {:.4g} m beside the structure\n", folder.string(), grid.cells(),
                grid.columns(), grid.rows(), grid.cell_m);
     return 0;
   }
   run_program("blockMesh", {"blockMesh", "-case", folder}, folder);
-  const auto finish = [&] {
-    const nlohmann::json result = {{"checks", water_checks(scene, folder / "water.csv")}};
-    if (!options.result.empty()) results::replace_file(options.result, result.dump(2) + "\n");
-    return 0;
-  };
-  if (scene.openfoam.processes == 1) {
-    run_program("interFoam", {"interFoam", "-case", folder}, folder);
-    return finish();
-  }
-  run_program("decomposePar", {"decomposePar", "-force", "-case", folder}, folder);
-  run_program("interFoam",
-              {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", std::to_string(scene.openfoam.processes),
-               "interFoam", "-parallel", "-case", folder},
-              folder);
-  return finish();
+  if (scene.openfoam.processes > 1) run_program("decomposePar", {"decomposePar", "-force", "-case", folder}, folder);
+  return run_solver(scene, folder, options);
 }
 
 }  // namespace blockweir::openfoam

@@ -13,6 +13,7 @@ struct RunOptions {
   std::filesystem::path folder;
   std::string endpoint;
   bool case_only = false;
+  std::uint64_t resume = 0;        ///< number of the checkpoint to go on from; 0: from the start
   std::filesystem::path result{};  ///< file for the checks of the water (JSON); empty: none
 };
 

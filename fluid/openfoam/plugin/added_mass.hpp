@@ -22,6 +22,11 @@ class AddedMass {
   /// half a cell since, and every hundredth time as the water moves.
   void measure(std::vector<std::array<double, 6>>& rows);
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(rows_, measured_at_, asked_);
+  }
+
  private:
   [[nodiscard]] bool stale() const;
   [[nodiscard]] std::array<double, 6> of_block(std::size_t block);

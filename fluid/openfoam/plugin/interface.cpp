@@ -81,6 +81,7 @@ Interface read_interface(const dictionary& dict) {
   i.hello.schedule = dict.get<Foam::string>("schedule");
   i.hello.units = dict.get<Foam::string>("units");
   i.hello.window_s = dict.get<Foam::scalar>("window");
+  i.hello.first_window = static_cast<std::uint64_t>(dict.get<Foam::label>("firstWindow"));
   i.hello.duration_s = dict.get<Foam::scalar>("duration");
   i.steps_per_window = dict.get<Foam::label>("stepsPerWindow");
   i.max_courant = dict.get<Foam::scalar>("maxCourant");

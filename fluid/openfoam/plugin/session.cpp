@@ -4,8 +4,12 @@
 #include <fvc.H>
 #include <surfaceFields.H>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "bridge/checkpoint/archive.hpp"
 
 namespace blockweir::openfoam {
 
@@ -58,17 +62,21 @@ Session::Session(const Foam::fvMesh& mesh)
       time_(const_cast<Foam::Time&>(mesh.time())),
       dict_(place_of_dictionary(mesh)),
       interface_(read_interface(dict_)),
-      windows_(interface_.hello.window_s, interface_.hello.duration_s, false),
       partner_(interface_),
+      checkpoints_(std::string(mesh.time().globalPath()), "openfoam", interface_.hello.scene_digest, 0),
       blocks_(mesh, interface_),
       water_(mesh, blocks_),
       levels_(mesh, dict_),
       edges_(blocks_, water_),
       added_mass_(mesh, blocks_, edges_),
-      record_(mesh, blocks_) {
+      record_(mesh, blocks_, interface_.hello.first_window > 0) {
   if (dict_.found("groundAccelerationX")) {
     ground_x_ = Foam::Function1<Foam::scalar>::New("groundAccelerationX", dict_);
     ground_y_ = Foam::Function1<Foam::scalar>::New("groundAccelerationY", dict_);
+  }
+  if (interface_.hello.first_window > 0) {
+    resume();
+    return;
   }
   const auto first = partner_.receive(0);
   if (!first) partner_.fail("the solid process ended the run before it began");
@@ -76,6 +84,29 @@ Session::Session(const Foam::fvMesh& mesh)
   course_.end_velocity = first->velocity;
   blocks_.move(course_.end, course_.end, 1);
   exchange();
+}
+
+/// interFoam has read its fields of that time by itself.
+void Session::resume() {
+  const std::uint64_t next = interface_.hello.first_window;
+  double field_time_s = 0;
+  checkpoint::unpack(checkpoints_.read(next), field_time_s, time_s_, course_.end, course_.end_velocity, added_mass_,
+                     record_);
+  if (std::abs(field_time_s - time_.value()) > 1e-9 * interface_.hello.window_s) {
+    partner_.fail(fmt::format("checkpoint {} is of {:.9g} s, but interFoam starts at {:.9g} s", next, field_time_s,
+                              time_.value()));
+  }
+  window_ = next - 1;
+  blocks_.move(course_.end, course_.end, 1);
+  await_motion();
+}
+
+/// Fields go into a time folder of their own, what they leave out beside it.
+void Session::save() {
+  time_.writeNow();
+  if (!Foam::Pstream::master()) return;
+  checkpoints_.write(window_ + 1,
+                     checkpoint::pack(time_.value(), time_s_, course_.end, course_.end_velocity, added_mass_, record_));
 }
 
 Session::~Session() = default;
@@ -106,31 +137,42 @@ void Session::exchange() {
   const std::string strayed = blocks_.strayed();
   if (!strayed.empty()) partner_.fail(strayed);
   load_.window = window_;
-  load_.time_s = windows_.end_s(window_);
+  load_.time_s = time_s_;
   load_.upstream_level_m = levels_.upstream_m(load_.time_s);
   load_.downstream_level_m = levels_.downstream_m(load_.time_s);
   edges_.sample(load_);
   added_mass_.measure(load_.added_mass);
   partner_.send(load_);
   record_.add(load_.time_s, load_, course_.end_velocity, ground_acceleration().x());
+  await_motion();
+}
+
+void Session::await_motion() {
   const auto motion = partner_.receive(window_ + 1);
-  if (motion) return start_window(*motion);
-  Foam::Info << "blockweir: the solid process has ended the run after window " << Foam::label(window_) << Foam::endl;
-  time_.writeAndEnd();
+  if (!motion) {
+    Foam::Info << "blockweir: the solid process has ended the run after window " << Foam::label(window_) << Foam::endl;
+    time_.writeAndEnd();
+    return;
+  }
+  const bool begun = time_.timeIndex() > time_.startTimeIndex();  // else there is nothing yet to go on from
+  if (motion->order != wire::Order::compute && begun) save();
+  if (motion->order != wire::Order::save) return start_window(*motion);
+  ++window_;
+  await_motion();  // the solid says why it stops
 }
 
 void Session::start_window(const wire::Motion& motion) {
   ++window_;
   step_ = 0;
-  const double from_s = windows_.end_s(window_ - 1);
-  const double to_s = windows_.end_s(window_);
+  const double from_s = time_s_;
+  const double to_s = time_s_ = motion.time_s;
   // With the first pressures the blocks have settled before they moved: the water is not to feel that as a blow.
   course_.duration_s = to_s - from_s;
   course_.start = window_ == 1 ? set_out_from(motion, course_.end_velocity, course_.duration_s) : course_.end;
   course_.start_velocity = course_.end_velocity;
   course_.end = motion.displacement;
   course_.end_velocity = motion.velocity;
-  const double wanted = (to_s - from_s) * courant_number() / time_.deltaTValue() / interface_.max_courant;
+  const double wanted = (to_s - from_s) * crossings_per_s() / interface_.max_courant;
   constexpr double most_steps = 1e4;
   if (!(wanted < most_steps)) {
     partner_.fail("the water moves so fast that a window would take over 10,000 steps: the solution has diverged");
@@ -145,12 +187,12 @@ Foam::vector Session::ground_acceleration() const {
   return {ground_x_->value(time_.value()), ground_y_->value(time_.value()), 0};
 }
 
-/// Of the last step made: the largest of all cells.
-double Session::courant_number() const {
-  if (time_.timeIndex() == time_.startTimeIndex()) return 0;
+/// How often the water now crosses a cell, the largest of all: the Courant number of a step of 1 s.
+double Session::crossings_per_s() const {
+  if (!mesh_.foundObject<Foam::surfaceScalarField>("phi")) return 0;
   const auto& phi = mesh_.lookupObject<Foam::surfaceScalarField>("phi");
   const Foam::scalarField flux(Foam::fvc::surfaceSum(Foam::mag(phi))().primitiveField());
-  return 0.5 * Foam::gMax(Foam::scalarField(flux / mesh_.V().field())) * time_.deltaTValue();
+  return 0.5 * Foam::gMax(Foam::scalarField(flux / mesh_.V().field()));
 }
 
 }  // namespace blockweir::openfoam

@@ -4,7 +4,7 @@
 
 #include <regIOobject.H>
 
-#include "bridge/schedule/windows.hpp"
+#include "bridge/checkpoint/checkpoints.hpp"
 #include "fluid/openfoam/plugin/added_mass.hpp"
 #include "fluid/openfoam/plugin/edge_pressures.hpp"
 #include "fluid/openfoam/plugin/partner.hpp"
@@ -22,14 +22,14 @@ struct Course {
   double duration_s = 0;
 };
 
-/// Conventional serial staggered schedule, the fluid's side: pressures of t_n are said, the blocks' places at t_n+1
-/// come, and interFoam steps there.
+/// The fluid's side of whatever schedule: a motion comes with its time, interFoam steps there, and the pressures there
+/// are said.
 class Session : public Foam::regIOobject {
  public:
   TypeName("blockweirSession")
 
-      /// Connects, says the first pressures and hears where the blocks will be at the end of the first window. Any
-      /// trouble ends the run.
+      /// Connects, says the first pressures, or takes up where a checkpoint stands, and hears where the blocks will be
+      /// at the end of the next window. Any trouble ends the run.
       explicit Session(const Foam::fvMesh& mesh);
   ~Session() override;
 
@@ -52,15 +52,18 @@ class Session : public Foam::regIOobject {
 
  private:
   void exchange();
+  void resume();
+  void await_motion();
+  void save();
   void start_window(const wire::Motion& motion);
-  [[nodiscard]] double courant_number() const;
+  [[nodiscard]] double crossings_per_s() const;
 
   const Foam::fvMesh& mesh_;
   Foam::Time& time_;
   Foam::IOdictionary dict_;
   Interface interface_;
-  schedule::Windows windows_;
   Partner partner_;
+  checkpoint::Checkpoints checkpoints_;
   ImmersedBlocks blocks_;
   WaterState water_;
   WaterLevels levels_;
@@ -70,9 +73,10 @@ class Session : public Foam::regIOobject {
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_x_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_y_;
 
-  std::uint64_t window_ = 0;  ///< the one whose end was exchanged last
-  int step_ = 0;              ///< made in the next one
-  int steps_ = 1;             ///< to be made in it
+  std::uint64_t window_ = 0;  ///< number of the motion that was heard last
+  double time_s_ = 0;         ///< its time
+  int step_ = 0;              ///< made on the way there
+  int steps_ = 1;             ///< to be made
   Course course_;
   std::vector<Pose> step_start_;
   std::vector<Pose> step_end_;

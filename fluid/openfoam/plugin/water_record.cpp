@@ -29,7 +29,8 @@ void add_panel(const Point& from, const Point& to, double p_from, double p_to, c
 
 }  // namespace
 
-WaterRecord::WaterRecord(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks) : mesh_(mesh), blocks_(blocks) {
+WaterRecord::WaterRecord(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks, bool goes_on)
+    : mesh_(mesh), blocks_(blocks) {
   const double round_off = 1e-9 * mesh.bounds().mag();
   for (Foam::label c = 0; c < mesh.nCells(); ++c) {
     const double x = mesh.C()[c].x();
@@ -38,7 +39,9 @@ WaterRecord::WaterRecord(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks)
     (known ? near->second : columns_[x]).push_back(c);
   }
   if (!Foam::Pstream::master()) return;
-  file_.open(std::string(mesh.time().globalPath()) + "/water.csv");
+  file_.emplace(std::string(mesh.time().globalPath()) + "/water.csv",
+                goes_on ? results::Begin::where_it_stopped : results::Begin::anew);
+  if (goes_on) return;
   std::string heading = "time_s,water_area_m2,front_m,fastest_m_per_s,ground_acceleration_x_m_per_s2";
   for (std::size_t b = 0; b < blocks.outlines().size(); ++b) {
     if (!blocks.interface().blocks[b].loaded) continue;
@@ -46,7 +49,7 @@ WaterRecord::WaterRecord(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks)
       heading += fmt::format(",{}.{}", blocks.interface().hello.block_names[b], what);
     }
   }
-  file_ << heading << '\n';
+  file_->line(heading);
 }
 
 /// Where the depth of water outside of blocks falls below `depth_m`, seen from the left, linear between columns.
@@ -114,7 +117,7 @@ void WaterRecord::add(double time_s, const wire::Load& load, const std::vector<P
     row += fmt::format(",{:.12g},{:.12g},{:.12g},{:.12g}", forces[b].force.x(), forces[b].force.y(), forces[b].moment,
                        velocity_of_blocks[b][0]);
   }
-  file_ << row << std::endl;
+  file_->line(row);
 }
 
 }  // namespace blockweir::openfoam

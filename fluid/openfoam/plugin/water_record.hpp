@@ -2,9 +2,10 @@
 // water.csv: what the water does as a whole, and what it does to each block, a row a window.
 #pragma once
 
-#include <fstream>
 #include <map>
+#include <optional>
 
+#include "bridge/results/result_file.hpp"
 #include "fluid/openfoam/plugin/water_state.hpp"
 
 namespace blockweir::openfoam {
@@ -15,10 +16,22 @@ namespace blockweir::openfoam {
 /// block force_x_n_per_m, force_y_n_per_m, moment_n (about its centroid) and velocity_x_m_per_s (of its centroid).
 class WaterRecord {
  public:
-  WaterRecord(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks);
+  /// `goes_on`: with the file of the run that is resumed.
+  WaterRecord(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks, bool goes_on);
 
   /// Velocities as in wire::Motion.
   void add(double time_s, const wire::Load& load, const std::vector<Pose>& velocity_of_blocks, double ground_x);
+
+  template <class Archive>
+  void save(Archive& archive) const {
+    archive(deepest_, file_ ? file_->size() : 0);
+  }
+  template <class Archive>
+  void load(Archive& archive) {
+    std::uintmax_t size = 0;
+    archive(deepest_, size);
+    if (file_) file_->cut_to(size);
+  }
 
  private:
   [[nodiscard]] double front(double depth_m) const;
@@ -28,7 +41,7 @@ class WaterRecord {
   const ImmersedBlocks& blocks_;
   std::map<double, std::vector<Foam::label>> columns_;  ///< cells of this rank by the x of their centres
   double deepest_ = 0;                                  ///< water at the start [m]
-  std::ofstream file_;                                  ///< the master's
+  std::optional<results::ResultFile> file_;             ///< the master's
 };
 
 }  // namespace blockweir::openfoam
