@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -64,9 +65,13 @@ class Processes : public testing::Test {
 
   /// Until the run in `run` has written its first rows; false when it does not within 10 s.
   [[nodiscard]] bool under_way(const std::string& run) const {
-    for (int wait = 0; wait < 2000 && text(run + "/history.csv").size() < 2000; ++wait)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    return text(run + "/history.csv").size() >= 2000;
+    constexpr int rows = 20;
+    const auto written = [&] {
+      const std::string history = text(run + "/history.csv");
+      return std::count(history.begin(), history.end(), '\n') > rows;
+    };
+    for (int wait = 0; wait < 2000 && !written(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return written();
   }
   /// Does a process that this test started, or one of its children, still run? All of them start in its folder.
   [[nodiscard]] bool orphan() const {

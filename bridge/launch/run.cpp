@@ -90,6 +90,11 @@ std::string first_trouble(const Supervised& supervised) {
   return "";
 }
 
+void forget_checkpoints(const fs::path& folder) {
+  checkpoint::forget(folder);
+  checkpoint::forget(folder / "openfoam");
+}
+
 /// The last checkpoint that all processes of the run can go on from; 0: there is none. Still water remembers nothing,
 /// but for its own pictures.
 std::uint64_t resumable_window(const fs::path& folder, const scene::Scene& scene) {
@@ -169,6 +174,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
     result.trouble += fmt::format("; \"blockweir resume {}\" goes on", folder.string());
   }
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
+  if (result.exit_code == 0) forget_checkpoints(folder);
   complete_summary(folder, result, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   return result;
 }
@@ -182,7 +188,7 @@ RunResult run(const RunOptions& options) {
   results::make_folder(folder);
   fs::remove(folder / "summary.json");
   fs::remove_all(folder / "frames");
-  checkpoint::forget(folder);
+  forget_checkpoints(folder);
   results::replace_file(scene_of(folder), read.scene.text);
   return go(read.scene, folder, 0, options.quiet);
 }

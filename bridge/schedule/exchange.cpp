@@ -14,6 +14,7 @@ Exchange::Exchange(channel::Channel* channel, checkpoint::Checkpoints& checkpoin
 }
 
 void Exchange::save() {
+  if (number_ == 0) return;  // the start is no place to go on from
   checkpoints_.write(number_, checkpoint::pack(windows_, load_, solid_.state()));
 }
 

@@ -55,6 +55,10 @@ std::optional<wire::Motion> Partner::receive(std::uint64_t window) {
   });
   Foam::Pstream::scatter(ended);
   if (ended) return std::nullopt;
+  auto order = static_cast<Foam::label>(motion.order);
+  Foam::Pstream::scatter(order);
+  Foam::Pstream::scatter(motion.time_s);
+  motion.order = static_cast<wire::Order>(order);
 
   Foam::List<Foam::scalar> flat;
   for (std::size_t b = 0; b < motion.displacement.size(); ++b) {

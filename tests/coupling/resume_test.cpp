@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// Runs that were stopped or killed go on, and end with the bits of one that was not.
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Resume : public Processes {
+ protected:
+  [[nodiscard]] static std::string command(const std::string& scene, const std::string& out,
+                                           const std::string& more = "") {
+    return programs + "/blockweir run " + cases + scene + " --quiet --out " + out + more;
+  }
+  /// A run that is let be, and one that gets a signal once it is under way and is resumed.
+  void expect_same_bits(const std::string& scene, const std::string& more = "") {
+    SCOPED_TRACE(scene + more);
+    ASSERT_EQ(shell(command(scene, "whole", more)), 0) << text("out");
+    const pid_t run = start(command(scene, "parts", more), "log");
+    ASSERT_TRUE(under_way("parts"));
+    kill(run, SIGINT);
+    ASSERT_EQ(end_of(run, 20), 130) << text("log");
+    EXPECT_THAT(text("log"),
+                HasSubstr("stopped on request; the results so far stand; \"blockweir resume parts\" goes on"));
+    EXPECT_LT(text("parts/history.csv").size(), text("whole/history.csv").size());
+    ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
+    expect_same();
+  }
+  void expect_same() {
+    for (const char* file : {"history.csv", "frames.jsonl", "blocks.pvd", "reservoir.pvd"}) {
+      EXPECT_EQ(text(std::string("whole/") + file), text(std::string("parts/") + file)) << file;
+    }
+    EXPECT_EQ(lasting("whole"), lasting("parts"));
+    for (const auto& entry : fs::directory_iterator(folder / "whole/frames")) {
+      const std::string name = "/frames/" + entry.path().filename().string();
+      EXPECT_EQ(text("whole" + name), text("parts" + name)) << name;
+    }
+    fs::remove_all(folder / "whole");
+    fs::remove_all(folder / "parts");
+  }
+  /// The summary but for what a clock says.
+  [[nodiscard]] std::string lasting(const std::string& run) const {
+    auto summary = nlohmann::json::parse(text(run + "/summary.json"));
+    for (const char* timed : {"profile_s", "wall_time_s", "skips"}) summary.erase(timed);
+    return summary.dump(1);
+  }
+};
+
+TEST_F(Resume, AStoppedRunEndsWithTheBitsOfAWholeOne) {
+  expect_same_bits("cracked-dam-upper", " --set output.reservoir=true");
+  expect_same_bits("cracked-dam-lower", " --set analysis.integrator=generalized-alpha");
+  expect_same_bits("brick-rows");
+  expect_same_bits("heap");
+  expect_same_bits("bar-wave");
+  expect_same_bits("toppling-slope");
+}
+
+TEST_F(Resume, OnEverySchedule) {
+  for (const std::string schedule : {"parallel", "improved"}) {
+    expect_same_bits("cracked-dam-upper", " --set coupling.schedule=" + schedule);
+  }
+  expect_same_bits("cracked-dam-upper", " --set coupling.longest_window_s=0.08 --set analysis.step_s=0.005");
+}
+
+TEST_F(Resume, AKilledRunGoesOnFromItsLastCheckpointWhenceverItWasKilled) {
+  const std::string often = " --set output.checkpoint_every_s=0.002";
+  ASSERT_EQ(shell(command("cracked-dam-upper", "whole", often)), 0) << text("out");
+  EXPECT_FALSE(fs::exists(folder / "whole/checkpoint"));
+  for (int moment = 0; moment < 6; ++moment) {
+    const pid_t run = start(command("cracked-dam-upper", "parts", often), "log");
+    ASSERT_TRUE(under_way("parts"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(61 * moment));
+    const std::string name = moment % 2 == 0 ? "solid" : "hydrostatic";
+    EXPECT_EQ(shell("pkill -KILL -f '[b]lockweir-" + name + " parts/'"), 0);
+    EXPECT_EQ(end_of(run, 15), 1) << text("log");
+    EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume parts\" goes on"));
+    ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
+    EXPECT_EQ(text("whole/history.csv"), text("parts/history.csv")) << moment;
+    fs::remove_all(folder / "parts");
+  }
+}
+
+TEST_F(Resume, AFluidThatRemembersNothingIsTakenUpWhereItDied) {
+  const pid_t run = start(command("cracked-dam-upper", "parts", " --set output.checkpoint_every_s=0"), "log");
+  ASSERT_TRUE(under_way("parts"));
+  EXPECT_EQ(shell("pkill -KILL -f '[b]lockweir-hydrostatic parts/'"), 0);
+  EXPECT_EQ(end_of(run, 15), 1) << text("log");
+  EXPECT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
+  ASSERT_EQ(shell(command("cracked-dam-upper", "whole", " --set output.checkpoint_every_s=0")), 0);
+  EXPECT_EQ(text("whole/history.csv"), text("parts/history.csv"));
+}
+
+TEST_F(Resume, AsksForTheFolderOfARunWithACheckpoint) {
+  EXPECT_EQ(shell(programs + "/blockweir resume nowhere"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("nowhere: found no scene.toml and solid.log of a run"));
+  ASSERT_EQ(shell(command("incline", "o")), 0) << text("out");
+  EXPECT_EQ(shell(programs + "/blockweir resume o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("o: no checkpoint that all its processes have"));
+}
+
+TEST_F(Resume, RefusesWhatHasChangedSince) {
+  const pid_t run = start(command("cracked-dam-upper", "o"), "log");
+  ASSERT_TRUE(under_way("o"));
+  kill(run, SIGINT);
+  ASSERT_EQ(end_of(run, 20), 130) << text("log");
+  const std::string scene = text("o/scene.toml");
+  std::ofstream(folder / "o/scene.toml") << scene << "\n# changed\n";
+  EXPECT_EQ(shell(programs + "/blockweir resume o --quiet"), 1);
+  EXPECT_THAT(text("out"), HasSubstr("of a scene with digest"));
+  std::ofstream(folder / "o/scene.toml") << scene;
+  const std::string history = text("o/history.csv");
+  std::ofstream(folder / "o/history.csv") << history.substr(0, history.size() / 2);
+  EXPECT_EQ(shell(programs + "/blockweir resume o --quiet"), 1);
+  EXPECT_THAT(text("out"), HasSubstr("history.csv is shorter than it was at the checkpoint"));
+  std::ofstream(folder / "o/history.csv") << history;
+  EXPECT_EQ(shell(programs + "/blockweir resume o --quiet"), 0) << text("out");
+}
+
+}  // namespace
+}  // namespace blockweir::test
