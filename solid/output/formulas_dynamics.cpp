@@ -132,6 +132,44 @@ double bar_free_end_speed(const Scene& s, const std::string& of) {
   return 2 * bar_particle_speed(s, of);
 }
 
+/// Two masses on springs, the block and the water of its column: way of the block along x at the run's end. Without a
+/// cushion they are one. M x'' + K x = f from rest in the middle, but for the block's first velocity.
+double column_displacement(const Scene& s, const std::string& of) {
+  constexpr double gravity = 9.81;  // as fluid/column has it
+  const scene::Block& b = block_named(s, of);
+  const scene::Column& c = s.column;
+  const auto edge = static_cast<std::size_t>(c.edge);
+  const Point side = b.vertices[(edge + 1) % b.vertices.size()] - b.vertices[edge];
+  const double width = side.norm();
+  const double into = side.y() > 0 ? 1 : -1;
+  const double density = s.water.density_kg_per_m3;
+  const double restoring = density * gravity * c.rise_ratio * width;
+  const double cushion = c.cushion_pa_per_m.value_or(0) * width;
+  double spring = 0;
+  for (const scene::Bolt& bolt : s.bolts) spring += bolt.stiffness_n_per_m2;
+  Eigen::Matrix2d M = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d K;
+  M(0, 0) = scene::signed_area(b.vertices) * material_of(s, b).density_kg_per_m3;
+  M(1, 1) = density * c.length_m * width;
+  K << spring + cushion, -cushion, -cushion, cushion + restoring;
+  if (!c.cushion_pa_per_m) {
+    M(0, 0) += M(1, 1);
+    K(0, 0) += restoring;
+    K(1, 1) = M(1, 1);  // a mode of its own that nothing drives
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> modes(K, M);
+  const double t = s.analysis.duration_s;
+  double way = 0;
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector2d phi = modes.eigenvectors().col(i);
+    const double omega = std::sqrt(modes.eigenvalues()[i]);
+    const double push = -density * gravity * c.head_m * width * phi[0];
+    const double speed = M(0, 0) * into * b.initial_velocity_m_per_s.x() * phi[0];
+    way += phi[0] * (push / (omega * omega) * (1 - std::cos(omega * t)) + speed / omega * std::sin(omega * t));
+  }
+  return std::abs(way);
+}
+
 /// The initial stress turned with a block that keeps its spin.
 Eigen::Matrix2d turned_stress(const Scene& s, const std::string& of) {
   const scene::Block& b = block_named(s, of);
@@ -164,6 +202,7 @@ const Formulas& dynamics_formulas() {
                                {"bar-wave-speed", bar_wave_speed},
                                {"bar-particle-speed", bar_particle_speed},
                                {"bar-free-end-speed", bar_free_end_speed},
+                               {"column-displacement", column_displacement},
                                {"turned-stress-xx", turned_stress_xx},
                                {"turned-stress-yy", turned_stress_yy},
                                {"turned-stress-xy", turned_stress_xy}};

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// blockweir-column: a pipe of water as a process of its own. Whoever writes a new fluid begins with a copy of this.
+#include <CLI/CLI.hpp>
+
+#include "bridge/scene/exit_status.hpp"
+#include "bridge/scene/read.hpp"
+#include "bridge/schedule/hello.hpp"
+#include "bridge/schedule/run.hpp"
+#include "fluid/column/column.hpp"
+
+int main(int argc, char** argv) {
+  using namespace blockweir;
+  std::string path;
+  std::string endpoint;
+  std::string folder;
+  std::uint64_t resume = 0;
+  CLI::App app{"blockweir-column: a pipe of water at the edge of a block"};
+  app.add_option("scene", path, "scene file or case folder")->required();
+  app.add_option("--endpoint", endpoint, "where the solid process listens: ipc://PATH or tcp://HOST:PORT")->required();
+  app.add_option("--out", folder, "folder for checkpoints");
+  app.add_option("--resume", resume, "number of the checkpoint in --out to go on from; the same for both");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return scene::exit_status("blockweir-column", [&] {
+    const scene::Scene scene = scene::read(path, {}).scene;
+    if (scene.fluid != scene::FluidModel::column) throw std::invalid_argument("the scene's fluid is not a column");
+    channel::catch_stop_signals();
+    channel::Channel channel({.side = channel::Side::connects,
+                              .endpoint = endpoint,
+                              .partner = "solid process",
+                              .timeout_s = scene.coupling.timeout_s,
+                              .open_timeout_s = scene.coupling.open_timeout_s});
+    channel.handshake(schedule::hello(scene, "column", resume));
+    column::Column column(scene);
+    checkpoint::Checkpoints checkpoints(folder, "column", scene.digest, 0);
+    schedule::run_fluid(channel, checkpoints, resume, column);
+    return 0;
+  });
+}
