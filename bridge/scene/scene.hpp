@@ -276,8 +276,12 @@ struct Column {
 /// Who steps when: bridge/schedule/schedules.hpp.
 enum class Schedule { serial, parallel, improved };
 
+/// What becomes of the pressures between exchanges: solid/block/water_course.hpp.
+enum class LoadInWindow { held, linear, quadratic };
+
 struct Coupling {
   Schedule schedule = Schedule::serial;
+  LoadInWindow load_in_window = LoadInWindow::held;
   double window_s = 0.01;
   double longest_window_s = 0;  ///< while nothing moves; 0: all windows are window_s long
   double timeout_s = 20;        ///< longest silence of a partner

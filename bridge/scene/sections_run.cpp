@@ -108,6 +108,10 @@ void read_coupling(Reading& reading) {
   table.choice<Schedule>(
       "schedule", c.schedule,
       {{"serial", Schedule::serial}, {"parallel", Schedule::parallel}, {"improved", Schedule::improved}});
+  if (c.schedule == Schedule::improved) c.load_in_window = LoadInWindow::linear;  // its second order hangs on it
+  table.choice<LoadInWindow>(
+      "load_in_window", c.load_in_window,
+      {{"held", LoadInWindow::held}, {"linear", LoadInWindow::linear}, {"quadratic", LoadInWindow::quadratic}});
   if (table.number("longest_window_s", c.longest_window_s, positive())) {
     reject_longer_than_duration(table, reading, "longest_window_s", c.longest_window_s);
     if (c.longest_window_s < c.window_s) {

@@ -15,12 +15,12 @@ Exchange::Exchange(channel::Channel* channel, checkpoint::Checkpoints& checkpoin
 
 void Exchange::save() {
   if (number_ == 0) return;  // the start is no place to go on from
-  checkpoints_.write(number_, checkpoint::pack(windows_, load_, solid_.state()));
+  checkpoints_.write(number_, checkpoint::pack(windows_, load_, answered_, solid_.state()));
 }
 
 void Exchange::resume(std::uint64_t number) {
   std::string state;
-  checkpoint::unpack(checkpoints_.read(number), windows_, load_, state);
+  checkpoint::unpack(checkpoints_.read(number), windows_, load_, answered_, state);
   solid_.restore(state);
   number_ = number;
 }
@@ -34,11 +34,13 @@ void Exchange::tell(wire::Motion& motion, double time_s) {
   if (motion.order != wire::Order::compute) save();
   if (stop) throw channel::Interrupted("asked to stop");
   ++number_;
+  told_ = motion;
 }
 
 void Exchange::hear() {
   if (channel_ == nullptr) return;
   channel_->receive(load_);
+  std::swap(answered_, told_);
   require_turn(load_.window, number_ - 1, "the fluid process");
 }
 

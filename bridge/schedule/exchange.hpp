@@ -29,8 +29,9 @@ class Exchange {
 
   /// Number of the next motion.
   [[nodiscard]] std::uint64_t number() const { return number_; }
-  /// What was heard last.
+  /// What was heard last, and the motion that it answers.
   [[nodiscard]] const wire::Load& load() const { return load_; }
+  [[nodiscard]] const wire::Motion& answered() const { return answered_; }
 
  private:
   void save();
@@ -41,6 +42,8 @@ class Exchange {
   SolidSide& solid_;
   std::uint64_t number_ = 0;
   wire::Load load_;
+  wire::Motion answered_;
+  wire::Motion told_;
 };
 
 }  // namespace blockweir::schedule

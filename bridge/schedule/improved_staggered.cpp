@@ -18,7 +18,7 @@ void improved_staggered(Exchange& water, Windows& windows, SolidSide& solid) {
     const double half = (windows.to_s() - windows.from_s()) / 2;
     solid.predict(half, motion);
     water.ask(motion, windows.from_s() + half);
-    solid.advance(water.load(), windows.from_s(), windows.to_s());
+    solid.advance(water.load(), water.answered(), windows.from_s(), windows.to_s());
     if (windows.last()) return;
     windows.next(solid);
   }

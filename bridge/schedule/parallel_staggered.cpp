@@ -9,7 +9,7 @@ void parallel_staggered(Exchange& water, Windows& windows, SolidSide& solid) {
   while (!solid.finished()) {
     solid.predict(windows.to_s() - windows.from_s(), motion);
     water.tell(motion, windows.to_s());
-    solid.advance(water.load(), windows.from_s(), windows.to_s());
+    solid.advance(water.load(), water.answered(), windows.from_s(), windows.to_s());
     if (windows.last()) return;
     water.hear();
     windows.next(solid);

@@ -11,7 +11,7 @@ void serial_staggered(Exchange& water, Windows& windows, SolidSide& solid) {
     water.ask(motion, windows.from_s());
     if (first) solid.start(water.load());
     if (solid.finished()) return;
-    solid.advance(water.load(), windows.from_s(), windows.to_s());
+    solid.advance(water.load(), water.answered(), windows.from_s(), windows.to_s());
     if (windows.last() || solid.finished()) return;
     windows.next(solid);
   }

@@ -26,8 +26,8 @@ class SolidSide : public Resumable {
   virtual void predict(double ahead_s, wire::Motion& motion) = 0;
   /// First pressures are there: settle, and record time 0.
   virtual void start(const wire::Load& load) = 0;
-  /// Steps from from_s to to_s under `load`.
-  virtual void advance(const wire::Load& load, double from_s, double to_s) = 0;
+  /// Steps from from_s to to_s under `load`, which answers the motion `told`.
+  virtual void advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) = 0;
   /// Nothing has moved in the window just made.
   [[nodiscard]] virtual bool calm() const { return false; }
   /// Nothing is left to learn from the rest of the run.

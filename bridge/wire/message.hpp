@@ -45,6 +45,11 @@ struct Motion {
   Order order = Order::compute;
   std::vector<std::array<double, 6>> displacement;
   std::vector<std::array<double, 6>> velocity;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(window, time_s, displacement, velocity);
+  }
 };
 
 /// Fluid to solid: pressures [Pa, compression positive] on wet panels at the time of motion `window`.

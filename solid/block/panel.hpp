@@ -15,6 +15,11 @@ struct Panel {
   double s_to = 1;
   double pressure_from_pa = 0;
   double pressure_to_pa = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(block, edge, s_from, s_to, pressure_from_pa, pressure_to_pa);
+  }
 };
 
 /// The two nodes of a panel as material points, and the forces that act there (global axes, N per metre).

@@ -37,6 +37,7 @@ std::vector<scene::FacePressure> face_pressures_of(const std::vector<Panel>& wat
 Recorder::Recorder(const scene::Scene& scene, const std::filesystem::path& folder, results::Begin begin,
                    Progress progress)
     : solid_(scene),
+      water_(static_cast<int>(scene.coupling.load_in_window)),
       failure_(solid_),
       series_(solid_),
       folder_(folder),
@@ -62,17 +63,23 @@ void Recorder::predict(double ahead_s, wire::Motion& motion) {
 }
 
 void Recorder::start(const wire::Load& load) {
-  solve(load, solid_.scene().coupling.window_s, [&](const std::vector<Panel>& water, const AddedMasses& /*masses*/) {
-    if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(water);
+  water_.add(load.time_s, panels_of(load, solid_.blocks()));
+  added_mass_.look(load, solid_);
+  solve(load, solid_.scene().coupling.window_s, [&] {
+    if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(water_.at(load.time_s));
   });
   observe(load, 0);
   record(load, 0);
   first_ = frame_;
 }
 
-void Recorder::advance(const wire::Load& load, double from_s, double to_s) {
-  solve(load, to_s, [&](const std::vector<Panel>& water, const AddedMasses& masses) {
-    solid_.advance(from_s, to_s, water, masses);
+void Recorder::advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) {
+  if (load.window > 0) water_.add(load.time_s, panels_of(load, solid_.blocks()));
+  std::vector<Eigen::Vector3d> velocities;
+  for (const auto& v : told.velocity) velocities.emplace_back(v[0], v[1], v[2]);
+  solve(load, to_s, [&] {
+    const AddedMasses masses = added_mass_.look(load, solid_);
+    solid_.advance(from_s, to_s, water_, {masses, velocities, told.time_s});
   });
   observe(load, to_s);
   for (const ContactPoint& c : solid_.contacts()) {
@@ -86,18 +93,15 @@ bool Recorder::calm() const {
   return failure_.calm();
 }
 
-void Recorder::solve(const wire::Load& load, double until_s,
-                     const std::function<void(const std::vector<Panel>&, const AddedMasses&)>& step) {
+void Recorder::solve(const wire::Load& load, double until_s, const std::function<void()>& step) {
   const Stopwatch watch(step_s_);
-  const std::vector<Panel> water = panels_of(load, solid_.blocks());
-  const AddedMasses masses = added_mass_.look(load, solid_);
   try {
-    step(water, masses);
+    step();
   } catch (const NotFinite& error) {
     const scene::Scene& scene = solid_.scene();
     const std::string file = (folder_ / "repeat.toml").string();
-    results::replace_file(
-        file, scene::repeat_text(scene, std::max(until_s, scene.analysis.step_s), face_pressures_of(water, scene)));
+    results::replace_file(file, scene::repeat_text(scene, std::max(until_s, scene.analysis.step_s),
+                                                   face_pressures_of(panels_of(load, solid_.blocks()), scene)));
     throw NotFinite(fmt::format("{}; \"blockweir run {}\" repeats it", error.what(), file));
   }
 }

@@ -22,7 +22,7 @@ class Recorder final : public schedule::SolidSide {
   void place(wire::Motion& motion) override;
   void predict(double ahead_s, wire::Motion& motion) override;
   void start(const wire::Load& load) override;
-  void advance(const wire::Load& load, double from_s, double to_s) override;
+  void advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) override;
   [[nodiscard]] bool calm() const override;
   [[nodiscard]] bool finished() const override;
   [[nodiscard]] std::string state() const override;
@@ -30,8 +30,8 @@ class Recorder final : public schedule::SolidSide {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(solid_, failure_, margins_, acceleration_, series_, energy_, added_mass_, history_, frame_log_, vtk_,
-            first_, frame_, last_load_, next_history_s_, next_frame_s_, recorded_s_, largest_penetration_m_,
+    archive(solid_, water_, failure_, margins_, acceleration_, series_, energy_, added_mass_, history_, frame_log_,
+            vtk_, first_, frame_, last_load_, next_history_s_, next_frame_s_, recorded_s_, largest_penetration_m_,
             breached_s_, step_s_, output_s_);
   }
 
@@ -39,13 +39,13 @@ class Recorder final : public schedule::SolidSide {
   void finish(const nlohmann::json& extra, const std::string& stopped);
 
  private:
-  /// Calls step(panels, added masses of the load); a step that meets what is not a number leaves repeat.toml behind.
-  void solve(const wire::Load& load, double until_s,
-             const std::function<void(const std::vector<Panel>&, const AddedMasses&)>& step);
+  /// Calls step(); one that meets what is not a number leaves repeat.toml behind.
+  void solve(const wire::Load& load, double until_s, const std::function<void()>& step);
   void observe(const wire::Load& load, double time_s);
   void record(const wire::Load& load, double time_s);
 
   Solid solid_;
+  WaterCourse water_;
   FailureWatch failure_;
   Margins margins_;  ///< while nothing has failed
   AccelerationFit acceleration_;

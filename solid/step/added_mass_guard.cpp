@@ -3,18 +3,31 @@
 
 namespace blockweir::solid {
 
-void AddedMassGuard::begin_window(const AddedMasses& masses, const std::vector<BlockState>& states, double window_s) {
+void AddedMassGuard::begin_window(const AddedMasses& masses, const std::vector<Eigen::Vector3d>& velocities,
+                                  double time_s) {
   masses_ = masses;
-  forces_.resize(masses.size());
-  const bool first = velocities_.size() != masses.size();  // the water has seen no acceleration yet
-  velocities_.resize(masses.size());
-  for (std::size_t b = 0; b < masses.size(); ++b) {
-    const Eigen::Vector3d velocity = states[b].velocity.head<3>();
-    const Eigen::Vector3d change = first ? Eigen::Vector3d::Zero() : Eigen::Vector3d(velocity - velocities_[b]);
-    forces_[b] = first ? change : Eigen::Vector3d(masses[b] * (change / window_s_));
-    velocities_[b] = velocity;
+  const std::size_t n = masses.size();
+  const bool first = velocities_.size() != n;  // the water has seen no acceleration yet
+  if (first) accelerations_.fill(std::vector<Eigen::Vector3d>(n, Eigen::Vector3d::Zero()));
+  if (!first && time_s > time_s_) {
+    accelerations_[2].swap(accelerations_[1]);
+    accelerations_[1].swap(accelerations_[0]);
+    for (std::size_t b = 0; b < n; ++b) {
+      accelerations_[0][b] = (velocities[b] - velocities_[b]) / (time_s - time_s_);
+    }
   }
-  window_s_ = window_s;
+  velocities_.assign(velocities.begin(), velocities.begin() + static_cast<std::ptrdiff_t>(n));
+  time_s_ = time_s;
+  begin_step({1, 0, 0});
+}
+
+void AddedMassGuard::begin_step(const WaterCourse::Weights& weights) {
+  forces_.resize(masses_.size());
+  for (std::size_t b = 0; b < masses_.size(); ++b) {
+    Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < weights.size(); ++i) acceleration += weights[i] * accelerations_[i][b];
+    forces_[b] = masses_[b] * acceleration;
+  }
 }
 
 }  // namespace blockweir::solid

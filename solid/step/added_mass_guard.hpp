@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Added-mass guard of the explicit schedule: (M + M_a) a = F + M_a a', F the water's force, held over the window, and
-// a' the acceleration that F answers.
+// Added-mass guard of the explicit schedules: (M + M_a) a = F + M_a a', F the water's force, and a' the acceleration
+// that F answers.
 #pragma once
+
+#include <vector>
 
 #include "solid/block/added_mass.hpp"
 #include "solid/block/motion.hpp"
+#include "solid/block/water_course.hpp"
 
 namespace blockweir::solid {
 
@@ -12,13 +15,15 @@ namespace blockweir::solid {
 /// m_a/m a window. With it what is late is only m_a - M_a, what the estimate is off by; a steady acceleration, a = a',
 /// is what it would be without any guard.
 ///
-/// a' is the mean over the window before, by which the fluid has seen velocities change: (v_n - v_n-1)/window. It does
-/// not depend on how many steps, of which scheme, the solid has made in it, nor on velocities that change at once in an
-/// impact. The whole window solves with the same M_a and a'; so do all of its steps.
+/// a' is the change, since the exchange before, of the velocities that the fluid was told: (v_k - v_k-1)/(T_k - T_k-1).
+/// It does not depend on how many steps, of which scheme, the solid makes, nor on velocities that change at once in an
+/// impact. Where forces go on from exchange to exchange in time, so does a'. The whole window has the same M_a.
 class AddedMassGuard {
  public:
-  /// A window begins, its blocks in `states`. With no masses the guard is off.
-  void begin_window(const AddedMasses& masses, const std::vector<BlockState>& states, double window_s);
+  /// A window begins under forces that answer these velocities, of time_s. With no masses the guard is off.
+  void begin_window(const AddedMasses& masses, const std::vector<Eigen::Vector3d>& velocities, double time_s);
+  /// The factors that the window's forces have at the end of the step.
+  void begin_step(const WaterCourse::Weights& weights);
 
   [[nodiscard]] bool acts() const { return !masses_.empty(); }
   /// M_a of a block of the scene.
@@ -29,14 +34,15 @@ class AddedMassGuard {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(masses_, forces_, velocities_, window_s_);
+    archive(masses_, velocities_, accelerations_, time_s_);
   }
 
  private:
   AddedMasses masses_;
+  std::vector<Eigen::Vector3d> velocities_;                    ///< last told
+  std::array<std::vector<Eigen::Vector3d>, 3> accelerations_;  ///< a', the last first
   std::vector<Eigen::Vector3d> forces_;
-  std::vector<Eigen::Vector3d> velocities_;  ///< when the window began
-  double window_s_ = 0;
+  double time_s_ = 0;
 };
 
 }  // namespace blockweir::solid

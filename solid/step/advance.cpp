@@ -11,20 +11,30 @@
 namespace blockweir::solid {
 
 void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses) {
-  if (scene_.analysis.kind == scene::AnalysisKind::at_rest) return come_to_rest(water);
+  WaterCourse held(0);
+  held.add(from_s, water);
+  std::vector<Eigen::Vector3d> velocities;
+  for (std::size_t b = 0; b < described(); ++b) velocities.push_back(states_[b].velocity.head<3>());
+  advance(from_s, to_s, held, {masses, velocities, from_s});
+}
+
+void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answered& answered) {
+  if (scene_.analysis.kind == scene::AnalysisKind::at_rest) return come_to_rest(water.at(to_s));
   const double largest_step = scene_.analysis.step_s;
   const double smallest_step = 1e-6 * largest_step;
   double time = from_s;
   loads_.start_base();
-  begin_window(masses, to_s - from_s);
+  begin_window(answered);
   if (!std::exchange(started_, true) && scene_.analysis.integrator != scene::Integrator::shi) {
-    start_acceleration(water, from_s);
+    start_acceleration(water.at(from_s), from_s);
   }
   while (to_s - time > 1e-9 * largest_step) {
     // Equal steps up to the end of the window, none longer than allowed; 1e-9 forgives round-off in the quotient.
     const double allowed = std::min(next_dt_, largest_step);
     const double dt = (to_s - time) / std::ceil((to_s - time) / allowed * (1 - 1e-9));
-    if (attempt(dt, time + dt, water) || attempt_softly(dt, time + dt, water)) {
+    const std::vector<Panel>& panels = water.at(time + dt);
+    if (guard_.acts()) guard_.begin_step(water.weights(time + dt));
+    if (attempt(dt, time + dt, panels) || attempt_softly(dt, time + dt, panels)) {
       time += dt;
       next_dt_ = std::min(largest_step, next_dt_ < dt ? next_dt_ * 2 : std::max(next_dt_, dt * 2));
       continue;

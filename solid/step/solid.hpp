@@ -8,6 +8,7 @@
 #include "bridge/scene/scene.hpp"
 #include "solid/block/base_motion.hpp"
 #include "solid/block/loads.hpp"
+#include "solid/block/water_course.hpp"
 #include "solid/contact/bolt.hpp"
 #include "solid/contact/bonds.hpp"
 #include "solid/contact/formulation.hpp"
@@ -29,8 +30,17 @@ class Solid {
   /// Throws SolveError when no equilibrium is found.
   void settle(const std::vector<Panel>& water);
 
-  /// Moves the blocks from `from_s` to `to_s` under the given water, in as many steps as accuracy asks for. `masses`:
-  /// the inertia in that water's forces, for the added-mass guard of dynamic analyses, where the scene has it on.
+  /// What the water that acts in a window answers: the inertia in its forces, for the added-mass guard of dynamic
+  /// analyses where the scene has it on, with velocities (u0, v0, r0) of the scene's blocks and the time that it was
+  /// told.
+  struct Answered {
+    const AddedMasses& masses;
+    const std::vector<Eigen::Vector3d>& velocities;
+    double time_s;
+  };
+  /// Moves the blocks from `from_s` to `to_s` under the given water, in as many steps as accuracy asks for.
+  void advance(double from_s, double to_s, WaterCourse& water, const Answered& answered);
+  /// The same under water that is held, and answers the velocities that the blocks have now.
   void advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses = {});
 
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
@@ -113,7 +123,7 @@ class Solid {
 
   void follow_states();
   void bond_touching_contacts();
-  void begin_window(const AddedMasses& masses, double window_s);
+  void begin_window(const Answered& answered);
   void guard(double dt);
   void relax(double pseudo_step, const std::vector<Panel>& water);
   void start_acceleration(const std::vector<Panel>& water, double from_s);

@@ -20,10 +20,10 @@ constexpr double round_off = 1e-13;  // relative, of a sum of some tens of terms
 
 }  // namespace
 
-void Solid::begin_window(const AddedMasses& masses, double window_s) {
+void Solid::begin_window(const Answered& answered) {
   const bool guards = scene_.coupling.added_mass_guard && scene_.analysis.kind == scene::AnalysisKind::dynamic;
-  if (!guard_.acts() && (masses.empty() || !guards)) return;
-  guard_.begin_window(guards ? masses : AddedMasses{}, states_, window_s);
+  if (!guard_.acts() && (answered.masses.empty() || !guards)) return;
+  guard_.begin_window(guards ? answered.masses : AddedMasses{}, answered.velocities, answered.time_s);
   mean_motions_.clear();
   matrices_dt_ = -1;
 }

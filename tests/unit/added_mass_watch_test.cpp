@@ -119,10 +119,11 @@ class Recorded : public testing::Test {
 
 TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
   const auto scene = two_blocks();
-  Recorder recorder(scene, folder_, [](double, double, double) {});
+  Recorder recorder(scene, folder_, results::Begin::anew, [](double, double, double) {});
   wire::Motion motion;
   recorder.start(load_of({}, {}));
-  recorder.advance(load_of({1.32 * mass, 0, 0, 0, 0, 0}, {}), 0, 0.01, motion);
+  recorder.place(motion);
+  recorder.advance(load_of({1.32 * mass, 0, 0, 0, 0, 0}, {}), motion, 0, 0.01);
   recorder.finish(nlohmann::json::object(), "");
   EXPECT_EQ(summary()["added_mass"]["text"], "added mass 1.32 of block \"gate\"'s own (guarded)");
   EXPECT_EQ(summary()["added_mass"]["block"], "gate");
@@ -132,7 +133,7 @@ TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
 TEST_F(Recorded, ARunIsRefusedAtItsFirstLoad) {
   auto scene = two_blocks();
   scene.coupling.added_mass_guard = false;
-  Recorder recorder(scene, folder_, [](double, double, double) {});
+  Recorder recorder(scene, folder_, results::Begin::anew, [](double, double, double) {});
   EXPECT_THROW(recorder.start(load_of({3 * mass, 0, 0, 0, 0, 0}, {})), std::runtime_error);
 }
 
