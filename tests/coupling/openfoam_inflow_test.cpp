@@ -43,6 +43,16 @@ TEST_F(Inflow, IsTheSameOnTwoRanks) {
   EXPECT_NEAR(last("two").upstream, last("one").upstream, 1e-3);
 }
 
+TEST_F(Inflow, CountsTheDepthOfWavesFromTheGround) {
+  const std::string more =
+      cells(20) + set("coupling.window_s=0.04") + set("analysis.step_s=0.04") + set("analysis.duration_s=12");
+  EXPECT_EQ(run(cases + "standing-wave", "on", more), 0) << text("out");
+  EXPECT_EQ(run(cases + "standing-wave", "above", more + set("fluid.floor_m=-1")), 0) << text("out");
+  const double force = got("on", "force_x_amplitude");
+  EXPECT_GT(force, 3000);
+  EXPECT_NEAR(got("above", "force_x_amplitude") / force, 1, 0.01);
+}
+
 TEST_F(Inflow, SaysWhatWavesItCannotMake) {
   EXPECT_EQ(run(cases + "standing-wave", "o", set("fluid.wave.period_s=20")), 1);
   EXPECT_THAT(text("out"), testing::HasSubstr("has an Ursell number of "));
