@@ -226,7 +226,9 @@ inline const char* name(FluidModel model) {
 }
 
 /// Who sets the level once an OpenFOAM run has begun: the tables of [water] in both pools, or the water itself.
-enum class LevelControl { table, free };
+/// Whether the fractions of a pool follow its table at once, nobody touches the water, or it comes in at the mesh's
+/// end.
+enum class LevelControl { table, free, inflow };
 
 enum class WaveKind { regular, solitary };
 

@@ -45,6 +45,21 @@ void check(TableReader& table, Reading& reading) {
   if (scene.openfoam.wave && !scene.water.upstream_level_m) {
     refuse("a wave, but no upstream level", "upstream_level_m in [water]", "state the still-water level");
   }
+  const LevelControl control = scene.openfoam.level_control;
+  if (control == LevelControl::inflow && !scene.openfoam.wave && !scene.water.upstream_level_m &&
+      !scene.water.downstream_level_m) {
+    reading.problems.error(table.place("level_control"), "inflow without a level to follow",
+                           "upstream_level_m or downstream_level_m in [water]",
+                           "state a level, or use level_control = \"free\"");
+  }
+  if (scene.openfoam.wave && control == LevelControl::table) {
+    reading.problems.error(table.place("level_control"), "a wave in water whose level is set in every window",
+                           "level_control = \"inflow\" or \"free\"", "leave level_control out");
+  }
+  if (comes_in(scene.openfoam) && control == LevelControl::free) {
+    reading.problems.error(table.place("level_control"), "regular waves with a closed end",
+                           "level_control = \"inflow\"", "leave level_control out");
+  }
 }
 
 }  // namespace
@@ -63,9 +78,10 @@ void read_openfoam(TableReader& table, Reading& reading) {
   table.integer("steps_per_window", o.steps_per_window, 1);
   table.outlines("initial_water_m", o.initial_water_m);
   read_wave(table, reading);
-  if (o.wave) o.level_control = LevelControl::free;
-  table.choice<LevelControl>("level_control", o.level_control,
-                             {{"table", LevelControl::table}, {"free", LevelControl::free}});
+  if (o.wave) o.level_control = comes_in(o) ? LevelControl::inflow : LevelControl::free;
+  table.choice<LevelControl>(
+      "level_control", o.level_control,
+      {{"table", LevelControl::table}, {"free", LevelControl::free}, {"inflow", LevelControl::inflow}});
   if (reading.scene.fluid == FluidModel::openfoam) return check(table, reading);
   for (const char* key : keys) {
     if (!table.has(key)) continue;

@@ -7,6 +7,7 @@
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "fluid/openfoam/dictionary.hpp"
+#include "fluid/openfoam/inflow_limits.hpp"
 #include "fluid/openfoam/initial_water.hpp"
 #include "fluid/openfoam/interface_dictionary.hpp"
 
@@ -44,7 +45,7 @@ std::string control(const scene::Scene& scene, const CaseOptions& options) {
   return file_header("dictionary", "controlDict") +
          fmt::format(
              "application       interFoam;\n"
-             "libs              ({}{});\n\n"
+             "libs              ({});\n\n"
              "startFrom         latestTime;\n"
              "startTime         0;\n"
              "stopAt            endTime;\n"
@@ -59,9 +60,8 @@ std::string control(const scene::Scene& scene, const CaseOptions& options) {
              "timePrecision     10;\n"
              "runTimeModifiable no;\n\n"
              "functions\n{{\n    blocks {{ type blockweirSchedule; libs ({}); }}\n}}\n",
-             quoted(options.plugin.string()), scene::comes_in(scene.openfoam) ? " \"libwaveModels.so\"" : "",
-             exact(1e6 + 10 * scene.analysis.duration_s), exact(step), exact(scene.output.frame_every_s),
-             quoted(options.plugin.string()));
+             quoted(options.plugin.string()), exact(1e6 + 10 * scene.analysis.duration_s), exact(step),
+             exact(scene.output.frame_every_s), quoted(options.plugin.string()));
 }
 
 /// Of the settings measured at equal error the fastest ones.
@@ -129,35 +129,23 @@ std::string field(const std::string& name, const std::string& dimensions, const 
   return text + ");\n\nboundaryField\n{\n" + boundary + "    sides { type empty; }\n}\n";
 }
 
-std::string velocity(const InitialWater& water, bool wave) {
+/// A closed end is a wall without friction; the plugin sets the velocity at an open one.
+std::string end_of_pool(const char* patch, bool open) {
+  return fmt::format("    {} {{ type {}; }}\n", patch, open ? "fixedValue; value uniform (0 0 0)" : "slip");
+}
+
+std::string velocity(const scene::Scene& scene, const InitialWater& water) {
   std::string inside = "uniform (0 0 0)";
   if (!water.velocity.empty()) {
     inside = fmt::format("nonuniform List<vector>\n{}\n(\n", water.velocity.size());
     for (const scene::Point& u : water.velocity) inside += fmt::format("({:.9g} {:.9g} 0)\n", u.x(), u.y());
     inside += ")";
   }
+  const bool open = scene.openfoam.level_control == scene::LevelControl::inflow;
   return file_header("volVectorField", "U") + "dimensions [0 1 -1 0 0 0 0];\n\ninternalField " + inside +
-         ";\n\nboundaryField\n{\n" +
-         (wave ? "    upstream { type waveVelocity; value uniform (0 0 0); }\n" : "    upstream { type slip; }\n") +
-         "    downstream { type slip; }\n    floor { type noSlip; }\n" +
+         ";\n\nboundaryField\n{\n" + end_of_pool("upstream", open && scene.water.upstream_level_m) +
+         end_of_pool("downstream", open && scene.water.downstream_level_m) + "    floor { type noSlip; }\n" +
          "    atmosphere { type pressureInletOutletVelocity; value uniform (0 0 0); }\n    sides { type empty; }\n}\n";
-}
-
-/// OpenFOAM's own model, taking up at the same place what comes back.
-std::string waves(const scene::Wave& wave, double depth_m) {
-  return file_header("dictionary", "waveProperties") +
-         fmt::format(
-             "upstream\n{{\n    alpha alpha.water;\n    waveModel StokesII;\n    wavePeriod {0};\n    rampTime {0};\n"
-             "    waveHeight {1};\n    waterDepth {2};\n    waveAngle 0;\n    nPaddle 1;\n    activeAbsorption "
-             "yes;\n}}\n",
-             exact(wave.period_s), exact(wave.height_m), exact(depth_m));
-}
-
-/// The wave model reads the level from the patch, at the first step, too.
-std::string wave_fractions(const Grid& grid, const InitialWater& water) {
-  std::string text = fmt::format("    upstream {{ type waveAlpha; value nonuniform List<scalar> {} (", grid.rows());
-  for (std::size_t j = 0; j < grid.rows(); ++j) text += fmt::format(" {}", exact(water.fraction[j * grid.columns()]));
-  return text + " ); }\n";
 }
 
 /// Removes the folders of times after `time_s`.
@@ -200,6 +188,7 @@ void prepare_resumption(const scene::Scene& scene, const Grid& grid, const CaseO
 }
 
 void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options) {
+  check_inflow(scene, grid);
   forget_former_run(options.folder);
   for (const char* part : {"0", "constant", "system"}) results::make_folder(options.folder / part);
   const auto write = [&](const char* file, const std::string& text) {
@@ -222,18 +211,13 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
   write("constant/hRef", file_header("uniformDimensionedScalarField", "hRef") +
                              fmt::format("dimensions [0 1 0 0 0 0 0];\nvalue {};\n", exact(water.reference_level_m)));
   write("constant/blockweir", interface_dictionary(scene, grid, options.endpoint, 0));
-  const bool wave = scene::comes_in(scene.openfoam);
-  if (wave)
-    write("constant/waveProperties", waves(*scene.openfoam.wave, scene.water.upstream_level_m->at(0) - grid.y.front()));
-  const std::string still = (wave ? wave_fractions(grid, water) : "    upstream { type zeroGradient; }\n") +
-                            "    \"(downstream|floor)\" { type zeroGradient; }\n";
-  write("0/alpha.water",
-        field("alpha.water", "[0 0 0 0 0 0 0]", water.fraction,
-              still + "    atmosphere { type inletOutlet; inletValue uniform 0; value uniform 0; }\n"));
+  write("0/alpha.water", field("alpha.water", "[0 0 0 0 0 0 0]", water.fraction,
+                               "    \"(upstream|downstream|floor)\" { type zeroGradient; }\n"
+                               "    atmosphere { type inletOutlet; inletValue uniform 0; value uniform 0; }\n"));
   write("0/p_rgh", field("p_rgh", "[1 -1 -2 0 0 0 0]", water.p_rgh_pa,
                          "    \"(upstream|downstream|floor)\" { type fixedFluxPressure; value uniform 0; }\n"
                          "    atmosphere { type totalPressure; p0 uniform 0; }\n"));
-  write("0/U", velocity(water, wave));
+  write("0/U", velocity(scene, water));
 }
 
 }  // namespace blockweir::openfoam

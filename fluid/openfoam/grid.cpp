@@ -111,10 +111,12 @@ Grid make_grid(const scene::Scene& scene) {
   double left = model.high.x();
   double right = model.low.x();
   double ground_top = floor;
+  grid.downstream_ground_m = floor;
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     const bool ground = std::find(grid.ground.begin(), grid.ground.end(), static_cast<int>(b)) != grid.ground.end();
     for (const scene::Point& p : scene.blocks[b].vertices) {
       if (ground && p.x() == model.low.x()) ground_top = std::max(ground_top, p.y());
+      if (ground && p.x() == model.high.x()) grid.downstream_ground_m = std::max(grid.downstream_ground_m, p.y());
       if (ground) continue;
       left = std::min(left, p.x());
       right = std::max(right, p.x());

@@ -21,6 +21,7 @@ struct Grid {
   std::vector<double> x;           ///< column lines [m]
   std::vector<double> y;           ///< row lines [m], uniform
   double ground_m = 0;             ///< at the upstream end
+  double downstream_ground_m = 0;  ///< the same at the downstream end
   double structure_left_m = 0;     ///< extent of all blocks but the ground
   double structure_right_m = 0;
   std::vector<int> ground;  ///< fixed blocks that go on level beyond the model's ends

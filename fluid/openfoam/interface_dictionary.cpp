@@ -7,6 +7,7 @@
 #include "bridge/schedule/hello.hpp"
 #include "fluid/hydrostatic/cracks.hpp"
 #include "fluid/openfoam/dictionary.hpp"
+#include "fluid/openfoam/inflow_limits.hpp"
 
 namespace blockweir::openfoam {
 namespace {
@@ -46,9 +47,15 @@ std::string time_table(const char* key, const std::optional<scene::TimeTable>& t
 
 std::string pools(const scene::Scene& scene, const Grid& grid) {
   std::string text = "// Whose level follows its table: all cells up to, or from, this x [m]\n";
-  const bool set = scene.openfoam.level_control == scene::LevelControl::table;
-  text += fmt::format("upstreamTo {};\ndownstreamFrom {};\nsetLevels {};\nwaves {};\n", exact(grid.structure_left_m),
-                      exact(grid.structure_right_m), set ? "yes" : "no", comes_in(scene.openfoam) ? "yes" : "no");
+  const auto control = scene.openfoam.level_control;
+  text += fmt::format("upstreamTo {};\ndownstreamFrom {};\nsetLevels {};\nopenEnds {};\n", exact(grid.structure_left_m),
+                      exact(grid.structure_right_m), control == scene::LevelControl::table ? "yes" : "no",
+                      control == scene::LevelControl::inflow ? "yes" : "no");
+  if (comes_in(scene.openfoam)) {
+    const StokesWave wave = stokes_wave(scene, grid);
+    text += fmt::format("wave {{ height {}; period {}; depth {}; }}\n", exact(wave.height_m), exact(wave.period_s),
+                        exact(wave.depth_m));
+  }
   return text + time_table("upstreamLevel", scene.water.upstream_level_m, scene) +
          time_table("downstreamLevel", scene.water.downstream_level_m, scene) + "\n";
 }

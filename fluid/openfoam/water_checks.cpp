@@ -34,13 +34,38 @@ std::map<std::string, Column> read_columns(const std::filesystem::path& file) {
   return columns;
 }
 
-/// Time at which the front passes x, linear between rows; NaN where it never does.
-double arrival(const Column& time, const Column& front, double x) {
-  for (std::size_t i = 1; i < front.size(); ++i) {
-    if (front[i - 1] >= x || front[i] < x) continue;
-    return time[i - 1] + (x - front[i - 1]) / (front[i] - front[i - 1]) * (time[i] - time[i - 1]);
+/// Time at which a value first rises past `mark`, linear between rows; NaN where it never does.
+double arrival(const Column& time, const Column& value, double mark) {
+  for (std::size_t i = 1; i < value.size(); ++i) {
+    if (value[i - 1] >= mark || value[i] < mark) continue;
+    return time[i - 1] + (mark - value[i - 1]) / (value[i] - value[i - 1]) * (time[i] - time[i - 1]);
   }
   return nan;
+}
+
+/// Of the oscillation with the given period, over as many of its last whole periods as fit into half of the run.
+double amplitude(const Column& time, const Column& value, double period_s) {
+  const double periods = std::floor((time.back() - time.front()) / 2 / period_s);
+  if (periods < 1) return nan;
+  const double from = time.back() - periods * period_s;
+  double cosine = 0;
+  double sine = 0;
+  double rows = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (time[i] < from + 1e-9 * period_s) continue;
+    const double phase = 2 * M_PI * time[i] / period_s;
+    cosine += value[i] * std::cos(phase);
+    sine += value[i] * std::sin(phase);
+    rows += 1;
+  }
+  return 2 / rows * std::hypot(cosine, sine);
+}
+
+/// Half of the range in the second half of the run.
+double swing(const Column& value) {
+  const auto [low, high] =
+      std::minmax_element(value.begin() + static_cast<std::ptrdiff_t>(value.size() / 2), value.end());
+  return (*high - *low) / 2;
 }
 
 Column rate(const Column& time, const Column& value) {
@@ -75,7 +100,7 @@ double mean_of_second_half(const Column& column) {
   return sum / static_cast<double>(column.size() - column.size() / 2);
 }
 
-double water_quantity(std::map<std::string, Column>& columns, const scene::Expectation& e) {
+double water_quantity(std::map<std::string, Column>& columns, const scene::Scene& scene, const scene::Expectation& e) {
   const Column& time = columns["time_s"];
   const auto of_block = [&](const char* what) -> const Column& { return columns[e.of + "." + what]; };
   if (time.empty()) return nan;
@@ -86,6 +111,15 @@ double water_quantity(std::map<std::string, Column>& columns, const scene::Expec
     return largest;
   }
   if (e.quantity == "front_arrival_s" && e.at_m) return arrival(time, columns["front_m"], e.at_m->x());
+  const Column& level = columns["upstream_level_m"];
+  if (e.quantity == "level_arrival_s" && e.at_m) return arrival(time, level, e.at_m->y());
+  if (e.quantity == "upstream_level_m") return mean_of_second_half(level);
+  if (e.quantity == "level_swing_m") return swing(level);
+  if (comes_in(scene.openfoam)) {
+    const double period = scene.openfoam.wave->period_s;
+    if (e.quantity == "level_amplitude_m") return amplitude(time, level, period);
+    if (e.quantity == "force_x_amplitude_n_per_m") return amplitude(time, of_block("force_x_n_per_m"), period);
+  }
   if (e.quantity == "fastest_m_per_s") return columns["fastest_m_per_s"].back();
   if (e.quantity == "added_mass_kg_per_m") {
     return added_mass(of_block("force_x_n_per_m"), rate(time, of_block("velocity_x_m_per_s")));
@@ -98,8 +132,9 @@ double water_quantity(std::map<std::string, Column>& columns, const scene::Expec
   }
   throw std::runtime_error(
       fmt::format("[[expect_water]] names no quantity: \"{}\"; there are water_area_error, "
-                  "front_arrival_s (with at_m), fastest_m_per_s, added_mass_kg_per_m, "
-                  "force_x_n_per_m, force_y_n_per_m",
+                  "front_arrival_s and level_arrival_s (with at_m), fastest_m_per_s, added_mass_kg_per_m, "
+                  "ground_added_mass_kg_per_m, force_x_n_per_m, force_y_n_per_m, upstream_level_m, level_swing_m, and "
+                  "with regular waves level_amplitude_m, force_x_amplitude_n_per_m",
                   e.quantity));
 }
 
@@ -109,7 +144,7 @@ nlohmann::json water_checks(const scene::Scene& scene, const std::filesystem::pa
   auto columns = read_columns(water_csv);
   auto list = nlohmann::json::array();
   for (const scene::Expectation& e : scene.water_expectations) {
-    const double got = water_quantity(columns, e);
+    const double got = water_quantity(columns, scene, e);
     const double error = *e.value == 0 ? std::abs(got) : std::abs(got / *e.value - 1);
     std::string name = e.quantity;
     if (!e.of.empty()) name += " of " + e.of;

@@ -74,6 +74,13 @@ Session::Session(const Foam::fvMesh& mesh)
     ground_x_ = Foam::Function1<Foam::scalar>::New("groundAccelerationX", dict_);
     ground_y_ = Foam::Function1<Foam::scalar>::New("groundAccelerationY", dict_);
   }
+  if (dict_.get<Foam::Switch>("openEnds")) {
+    for (const auto side : {OpenEnd::Side::upstream, OpenEnd::Side::downstream}) {
+      const bool upstream = side == OpenEnd::Side::upstream;
+      if (dict_.found(upstream ? "upstreamLevel" : "downstreamLevel"))
+        open_ends_.emplace_back(mesh, blocks_, dict_, side);
+    }
+  }
   if (interface_.hello.first_window > 0) {
     resume();
     return;
@@ -125,10 +132,10 @@ void Session::begin_step() {
   on_the_way(course_, static_cast<double>(step_ + 1) / steps_, step_end_);
   if (step_ + 1 == steps_) step_end_ = course_.end;
   blocks_.move(step_start_, step_end_, time_.deltaTValue());
+  for (OpenEnd& end : open_ends_) end.set(time_.value());
 }
 
 void Session::end_step() {
-  levels_.bound();
   if (++step_ == steps_) exchange();
 }
 

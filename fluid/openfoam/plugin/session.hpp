@@ -7,6 +7,7 @@
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "fluid/openfoam/plugin/added_mass.hpp"
 #include "fluid/openfoam/plugin/edge_pressures.hpp"
+#include "fluid/openfoam/plugin/open_end.hpp"
 #include "fluid/openfoam/plugin/partner.hpp"
 #include "fluid/openfoam/plugin/water_levels.hpp"
 #include "fluid/openfoam/plugin/water_record.hpp"
@@ -67,6 +68,7 @@ class Session : public Foam::regIOobject {
   ImmersedBlocks blocks_;
   WaterState water_;
   WaterLevels levels_;
+  std::vector<OpenEnd> open_ends_;
   EdgePressures edges_;
   AddedMass added_mass_;
   WaterRecord record_;

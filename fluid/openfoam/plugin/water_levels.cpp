@@ -24,7 +24,6 @@ WaterLevels::WaterLevels(const Foam::fvMesh& mesh, const Foam::dictionary& dict)
   water_density_ = Foam::dimensionedScalar("rho", Foam::dimDensity, transport.subDict("water")).value();
   air_density_ = Foam::dimensionedScalar("rho", Foam::dimDensity, transport.subDict("air")).value();
   set_levels_ = dict.get<Foam::Switch>("setLevels");
-  waves_ = dict.get<Foam::Switch>("waves");
   const auto upstream_to = dict.get<Foam::scalar>("upstreamTo");
   const auto downstream_from = dict.get<Foam::scalar>("downstreamFrom");
   const auto h = dict.get<Foam::scalar>("cell");
@@ -79,15 +78,6 @@ void WaterLevels::set(Pool& pool, double time_s) {
   const double level = pool.level->value(time_s);
   for (const Cell& cell : pool.cells) {
     store(cell.cell, std::clamp((level - cell.bottom) / (cell.top - cell.bottom), 0.0, 1.0));
-  }
-  correct_boundaries();
-}
-
-void WaterLevels::bound() {
-  if (!waves_) return;
-  const auto& water = mesh_.lookupObject<Foam::volScalarField>("alpha.water");
-  for (Foam::label c = 0; c < mesh_.nCells(); ++c) {
-    if (water[c] < 0 || water[c] > 1) store(c, std::clamp(water[c], 0.0, 1.0));
   }
   correct_boundaries();
 }

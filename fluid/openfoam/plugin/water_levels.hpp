@@ -21,10 +21,6 @@ class WaterLevels {
   /// Sets fraction and density; velocity and pressure stay, so that the pressure equation finds its level by itself.
   void set(double time_s);
 
-  /// A wave's boundary may draw more water out of a cell than it has, and a density below zero ends the run: fractions
-  /// are brought back to 0..1 where waves come in.
-  void bound();
-
  private:
   struct Cell {
     Foam::label cell = 0;
@@ -43,7 +39,6 @@ class WaterLevels {
 
   const Foam::fvMesh& mesh_;
   bool set_levels_ = false;
-  bool waves_ = false;
   double water_density_ = 0;
   double air_density_ = 0;
   Pool upstream_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace blockweir::openfoam {
 namespace {
@@ -27,6 +28,11 @@ void add_panel(const Point& from, const Point& to, double p_from, double p_to, c
   into.moment += arm.x() * force.y() - arm.y() * force.x();
 }
 
+/// fmt computes with what it prints, and OpenFOAM traps that of a NaN.
+std::string level(double level_m) {
+  return std::isnan(level_m) ? "nan" : fmt::format("{:.9g}", level_m);
+}
+
 }  // namespace
 
 WaterRecord::WaterRecord(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks, bool goes_on)
@@ -42,7 +48,8 @@ WaterRecord::WaterRecord(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks,
   file_.emplace(std::string(mesh.time().globalPath()) + "/water.csv",
                 goes_on ? results::Begin::where_it_stopped : results::Begin::anew);
   if (goes_on) return;
-  std::string heading = "time_s,water_area_m2,front_m,fastest_m_per_s,ground_acceleration_x_m_per_s2";
+  std::string heading =
+      "time_s,upstream_level_m,downstream_level_m,water_area_m2,front_m,fastest_m_per_s,ground_acceleration_x_m_per_s2";
   for (std::size_t b = 0; b < blocks.outlines().size(); ++b) {
     if (!blocks.interface().blocks[b].loaded) continue;
     for (const char* what : {"force_x_n_per_m", "force_y_n_per_m", "moment_n", "velocity_x_m_per_s"}) {
@@ -110,8 +117,9 @@ void WaterRecord::add(double time_s, const wire::Load& load, const std::vector<P
     add_panel(from + load.s_from[i] * span, from + load.s_to[i] * span, load.pressure_from_pa[i],
               load.pressure_to_pa[i], centroid, forces[b]);
   }
-  std::string row = fmt::format("{:.12g},{:.15g},{:.9g},{:.6g},{:.9g}", time_s, volume / mesh_.bounds().span().z(),
-                                front_m, std::sqrt(fastest), ground_x);
+  std::string row = fmt::format("{:.12g},{},{},{:.15g},{:.9g},{:.6g},{:.9g}", time_s, level(load.upstream_level_m),
+                                level(load.downstream_level_m), volume / mesh_.bounds().span().z(), front_m,
+                                std::sqrt(fastest), ground_x);
   for (std::size_t b = 0; b < forces.size(); ++b) {
     if (!blocks_.interface().blocks[b].loaded) continue;
     row += fmt::format(",{:.12g},{:.12g},{:.12g},{:.12g}", forces[b].force.x(), forces[b].force.y(), forces[b].moment,

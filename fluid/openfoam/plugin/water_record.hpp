@@ -10,10 +10,10 @@
 
 namespace blockweir::openfoam {
 
-/// Columns: time_s, water_area_m2 (volume over thickness), front_m (the farthest place where the water is deeper than
-/// a tenth of its first depth),
-/// fastest_m_per_s (in cells of which water fills more than half), ground_acceleration_x_m_per_s2, and of each loaded
-/// block force_x_n_per_m, force_y_n_per_m, moment_n (about its centroid) and velocity_x_m_per_s (of its centroid).
+/// Columns: time_s, upstream_level_m and downstream_level_m (as said to the solid), water_area_m2 (volume over
+/// thickness), front_m (the farthest place where the water is deeper than a tenth of its first depth), fastest_m_per_s
+/// (in cells of which water fills more than half), ground_acceleration_x_m_per_s2, and of each loaded block
+/// force_x_n_per_m, force_y_n_per_m, moment_n (about its centroid) and velocity_x_m_per_s (of its centroid).
 class WaterRecord {
  public:
   /// `goes_on`: with the file of the run that is resumed.
