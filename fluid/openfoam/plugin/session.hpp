@@ -51,6 +51,7 @@ class Session : public Foam::regIOobject {
   bool writeData(Foam::Ostream&) const override { return true; }
 
  private:
+  void check_agreement();
   void exchange();
   void resume();
   void await_motion();
