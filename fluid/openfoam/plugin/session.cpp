@@ -70,6 +70,7 @@ Session::Session(const Foam::fvMesh& mesh)
       levels_(mesh, dict_, blocks_),
       edges_(blocks_, water_),
       added_mass_(mesh, blocks_, edges_),
+      breach_(mesh, dict_, blocks_),
       record_(mesh, blocks_, interface_.hello.first_window > 0) {
   check_agreement();
   if (dict_.found("groundAccelerationX")) {
@@ -97,7 +98,7 @@ void Session::resume() {
   const std::uint64_t next = interface_.hello.first_window;
   double field_time_s = 0;
   checkpoint::unpack(checkpoints_.read(next), field_time_s, time_s_, course_.end, course_.end_velocity, added_mass_,
-                     record_);
+                     breach_, record_);
   if (std::abs(field_time_s - time_.value()) > 1e-9 * interface_.hello.window_s) {
     partner_.fail(fmt::format("checkpoint {} is of {:.9g} s, but interFoam starts at {:.9g} s", next, field_time_s,
                               time_.value()));
@@ -111,8 +112,8 @@ void Session::resume() {
 void Session::save() {
   time_.writeNow();
   if (!Foam::Pstream::master()) return;
-  checkpoints_.write(window_ + 1,
-                     checkpoint::pack(time_.value(), time_s_, course_.end, course_.end_velocity, added_mass_, record_));
+  checkpoints_.write(window_ + 1, checkpoint::pack(time_.value(), time_s_, course_.end, course_.end_velocity,
+                                                   added_mass_, breach_, record_));
 }
 
 Session::~Session() = default;
@@ -165,6 +166,7 @@ void Session::exchange() {
   load_.upstream_level_m = levels_.upstream_m(load_.time_s);
   load_.downstream_level_m = levels_.downstream_m(load_.time_s);
   edges_.sample(load_);
+  load_.breached = breach_.look();
   added_mass_.measure(load_.added_mass);
   partner_.send(load_);
   record_.add(load_.time_s, load_, course_.end_velocity, ground_acceleration().x());

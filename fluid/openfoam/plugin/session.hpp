@@ -6,6 +6,7 @@
 
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "fluid/openfoam/plugin/added_mass.hpp"
+#include "fluid/openfoam/plugin/breach.hpp"
 #include "fluid/openfoam/plugin/edge_pressures.hpp"
 #include "fluid/openfoam/plugin/partner.hpp"
 #include "fluid/openfoam/plugin/water_levels.hpp"
@@ -70,6 +71,7 @@ class Session : public Foam::regIOobject {
   WaterLevels levels_;
   EdgePressures edges_;
   AddedMass added_mass_;
+  Breach breach_;
   WaterRecord record_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_x_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_y_;
