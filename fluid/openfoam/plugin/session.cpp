@@ -127,6 +127,12 @@ void Session::check_agreement() {
         "[water] and rho of water the same",
         water_.water_density(), interface_.water_density));
   }
+  if (!(water_.air_density() > 0 && water_.air_density() < water_.water_density())) {
+    partner_.fail(
+        fmt::format("air density: constant/transportProperties has {:.10g} kg/m3; expected one above 0 and below the "
+                    "water's {:.10g}",
+                    water_.air_density(), water_.water_density()));
+  }
   const auto& g = time_.lookupObject<Foam::uniformDimensionedVectorField>("g").value();
   if (Foam::mag(g - Foam::vector(0, -interface_.gravity, 0)) > rounding * interface_.gravity) {
     partner_.fail(fmt::format(
