@@ -157,8 +157,8 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   }
   if (scene.fluid == scene::FluidModel::openfoam) {
     commands.push_back({"openfoam",
-                        {program("blockweir-openfoam"), copy, "--endpoint", endpoint, "--out", folder / "openfoam",
-                         "--result", folder / "openfoam.json"}});
+                        {program("blockweir-openfoam"), copy, "--scene-folder", fs::absolute(scene.file).parent_path(),
+                         "--endpoint", endpoint, "--out", folder / "openfoam", "--result", folder / "openfoam.json"}});
   }
   for (Command& command : commands) {
     if (first > 0) command.words.insert(command.words.end(), {"--resume", std::to_string(first)});

@@ -242,7 +242,9 @@ struct Wave {
 
 /// [fluid] model = "openfoam": interFoam's mesh and steps. A depth is the largest that either pool reaches.
 struct OpenFoam {
+  std::string own_case;  ///< a user's own case, a folder relative to the scene file's; empty: it is written from here
   int processes = 1;
+  bool reconstruct = false;  ///< put the ranks' results together at the end
   int cells_in_depth = 40;
   double upstream_depths = 2;  ///< of open water beside the structure
   double downstream_depths = 2;

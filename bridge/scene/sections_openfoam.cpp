@@ -9,9 +9,11 @@
 namespace blockweir::scene {
 namespace {
 
-constexpr const char* keys[] = {
-    "processes",   "cells_in_depth",   "upstream_depths", "downstream_depths",     "freeboard_depths", "floor_m",
-    "max_courant", "steps_per_window", "level_control",   "air_density_kg_per_m3", "initial_water_m",  "wave"};
+/// Of the case that is written from the scene: a case of one's own has its mesh and its water.
+constexpr const char* case_keys[] = {"cells_in_depth", "upstream_depths",       "downstream_depths", "freeboard_depths",
+                                     "floor_m",        "air_density_kg_per_m3", "initial_water_m",   "wave"};
+constexpr const char* run_keys[] = {"case",        "processes",        "reconstruct",
+                                    "max_courant", "steps_per_window", "level_control"};
 
 void read_wave(TableReader& fluid, Reading& reading) {
   const toml::table* section = fluid.table("wave");
@@ -22,6 +24,25 @@ void read_wave(TableReader& fluid, Reading& reading) {
   table.number("height_m", wave.height_m, positive(), true);
   table.number("period_s", wave.period_s, positive(), wave.kind == WaveKind::regular);
   reading.scene.openfoam.wave = wave;
+}
+
+void check_own_case(TableReader& table, Reading& reading) {
+  if (!table.has("case")) return;
+  if (reading.scene.openfoam.own_case.empty()) {
+    reading.problems.error(table.place("case"), "case names no folder", "an OpenFOAM case, relative to this file",
+                           "name its folder, or leave case out: one is then written from the scene");
+  }
+  for (const char* key : case_keys) {
+    if (!table.has(key)) continue;
+    reading.problems.error(table.place(key), fmt::format("{} beside case", key),
+                           "one of them: a case of your own has its mesh, its air and its water",
+                           fmt::format("leave {} out, or case", key));
+  }
+  if (reading.scene.openfoam.level_control == LevelControl::inflow) {
+    reading.problems.error(table.place("level_control"), "inflow beside case",
+                           "\"free\" or \"table\": the ends of a case of your own are its own",
+                           "leave level_control out");
+  }
 }
 
 /// What interFoam cannot do is said before it starts.
@@ -60,6 +81,11 @@ void check(TableReader& table, Reading& reading) {
     reading.problems.error(table.place("level_control"), "regular waves with a closed end",
                            "level_control = \"inflow\"", "leave level_control out");
   }
+  if (scene.openfoam.reconstruct && scene.openfoam.processes == 1) {
+    reading.problems.error(table.place("reconstruct"), "reconstruct with one process", "processes = 2 or more",
+                           "leave reconstruct out: the results of one process are whole");
+  }
+  check_own_case(table, reading);
 }
 
 }  // namespace
@@ -67,7 +93,9 @@ void check(TableReader& table, Reading& reading) {
 void read_openfoam(TableReader& table, Reading& reading) {
   OpenFoam& o = reading.scene.openfoam;
   const Range ratio{[](double r) { return r > 0 && r <= 1; }, "a number above 0 and up to 1"};
+  table.text("case", o.own_case);
   table.integer("processes", o.processes, 1);
+  table.flag("reconstruct", o.reconstruct);
   table.integer("cells_in_depth", o.cells_in_depth, 4);
   table.number("upstream_depths", o.upstream_depths, positive());
   table.number("downstream_depths", o.downstream_depths, positive());
@@ -79,15 +107,18 @@ void read_openfoam(TableReader& table, Reading& reading) {
   table.outlines("initial_water_m", o.initial_water_m);
   read_wave(table, reading);
   if (o.wave) o.level_control = comes_in(o) ? LevelControl::inflow : LevelControl::free;
+  if (!o.own_case.empty()) o.level_control = LevelControl::free;
   table.choice<LevelControl>(
       "level_control", o.level_control,
       {{"table", LevelControl::table}, {"free", LevelControl::free}, {"inflow", LevelControl::inflow}});
   if (reading.scene.fluid == FluidModel::openfoam) return check(table, reading);
-  for (const char* key : keys) {
-    if (!table.has(key)) continue;
+  const auto refuse = [&](const char* key) {
+    if (!table.has(key)) return;
     reading.problems.error(table.place(key), fmt::format("{} without OpenFOAM", key), "model = \"openfoam\" beside it",
                            fmt::format("leave {} out, or set model = \"openfoam\"", key));
-  }
+  };
+  for (const char* key : run_keys) refuse(key);
+  for (const char* key : case_keys) refuse(key);
 }
 
 void read_water_expectations(Reading& reading) {

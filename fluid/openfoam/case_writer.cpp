@@ -41,7 +41,6 @@ std::string block_mesh(const Grid& g) {
 }
 
 std::string control(const scene::Scene& scene, const CaseOptions& options) {
-  const double step = scene.coupling.window_s / scene.openfoam.steps_per_window;
   return file_header("dictionary", "controlDict") +
          fmt::format(
              "application       interFoam;\n"
@@ -59,8 +58,8 @@ std::string control(const scene::Scene& scene, const CaseOptions& options) {
              "writeFormat       binary;\n"
              "timePrecision     10;\n"
              "runTimeModifiable no;\n\n"
-             "functions\n{{\n    blocks {{ type blockweirSchedule; libs ({}); }}\n}}\n",
-             quoted(options.plugin.string()), exact(1e6 + 10 * scene.analysis.duration_s), exact(step),
+             "functions\n{{\n    blockweir {{ type blockweirSchedule; libs ({}); }}\n}}\n",
+             quoted(options.plugin.string()), exact(end_time_s(scene)), exact(first_step_s(scene)),
              exact(scene.output.frame_every_s), quoted(options.plugin.string()));
 }
 
@@ -93,7 +92,6 @@ std::string solution() {
          "0.05;\n"
          "        maxIter 50;\n    }\n"
          "    p_rghFinal { $p_rgh; relTol 0; }\n"
-         "    addedMass { $p_rgh; relTol 1e-3; }\n"
          "    \"U.*\"\n    {\n        solver smoothSolver;\n        smoother symGaussSeidel;\n        tolerance 1e-6;\n"
          "        relTol 0;\n    }\n"
          "}\n\n"
@@ -110,14 +108,6 @@ std::string transport(const scene::Scene& scene) {
              "air {{ transportModel Newtonian; nu 1.48e-05; rho {}; }}\n\n"
              "sigma 0;\n",
              exact(scene.water.density_kg_per_m3), exact(scene.openfoam.air_density_kg_per_m3));
-}
-
-std::string decompose(const scene::Scene& scene) {
-  return file_header("dictionary", "decomposeParDict") +
-         fmt::format(
-             "numberOfSubdomains {0};\nmethod simple;  // in columns: the pressure on blocks is looked up within one\n"
-             "simpleCoeffs {{ n ({0} 1 1); delta 0.001; }}\n",
-             scene.openfoam.processes);
 }
 
 std::string field(const std::string& name, const std::string& dimensions, const std::vector<double>& values,
@@ -178,13 +168,35 @@ void forget_former_run(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void prepare_resumption(const scene::Scene& scene, const Grid& grid, const CaseOptions& options,
+Surroundings surroundings(const scene::Scene& scene, const Grid& grid) {
+  Surroundings around{grid.site, outlines_in(grid, scene), grid.cell_m};
+  if (scene::comes_in(scene.openfoam)) around.wave = stokes_wave(scene, grid);
+  return around;
+}
+
+void prepare_resumption(const scene::Scene& scene, const Surroundings& around, const CaseOptions& options,
                         std::uint64_t first_window, double time_s) {
   const double next = time_s + scene.coupling.window_s / 2;
   forget_times_after(options.folder, next);
   for (const auto& rank : folders_of_ranks(options.folder)) forget_times_after(rank, next);
   results::replace_file(options.folder / "constant/blockweir",
-                        interface_dictionary(scene, grid, options.endpoint, first_window));
+                        interface_dictionary(scene, around, options.endpoint, first_window));
+}
+
+std::string decompose_dictionary(const scene::Scene& scene) {
+  return file_header("dictionary", "decomposeParDict") +
+         fmt::format(
+             "numberOfSubdomains {0};\nmethod simple;  // in columns: the pressure on blocks is looked up within one\n"
+             "simpleCoeffs {{ n ({0} 1 1); delta 0.001; }}\n",
+             scene.openfoam.processes);
+}
+
+double end_time_s(const scene::Scene& scene) {
+  return 1e6 + 10 * scene.analysis.duration_s;
+}
+
+double first_step_s(const scene::Scene& scene) {
+  return scene.coupling.window_s / scene.openfoam.steps_per_window;
 }
 
 void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options) {
@@ -200,8 +212,9 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
   write("system/controlDict", control(scene, options));
   write("system/fvSchemes", schemes());
   write("system/fvSolution", solution());
-  write("system/fvOptions", file_header("dictionary", "fvOptions") + "blocks { type blockweirBlocks; active true; }\n");
-  write("system/decomposeParDict", decompose(scene));
+  write("system/fvOptions",
+        file_header("dictionary", "fvOptions") + "blockweir { type blockweirBlocks; active true; }\n");
+  write("system/decomposeParDict", decompose_dictionary(scene));
   write("constant/transportProperties", transport(scene));
   write("constant/turbulenceProperties",
         file_header("dictionary", "turbulenceProperties") + "simulationType laminar;\n");
@@ -210,7 +223,7 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
             fmt::format("dimensions [0 1 -2 0 0 0 0];\nvalue (0 {} 0);\n", exact(-scene.analysis.gravity_m_per_s2)));
   write("constant/hRef", file_header("uniformDimensionedScalarField", "hRef") +
                              fmt::format("dimensions [0 1 0 0 0 0 0];\nvalue {};\n", exact(water.reference_level_m)));
-  write("constant/blockweir", interface_dictionary(scene, grid, options.endpoint, 0));
+  write("constant/blockweir", interface_dictionary(scene, surroundings(scene, grid), options.endpoint, 0));
   write("0/alpha.water", field("alpha.water", "[0 0 0 0 0 0 0]", water.fraction,
                                "    \"(upstream|downstream|floor)\" { type zeroGradient; }\n"
                                "    atmosphere { type inletOutlet; inletValue uniform 0; value uniform 0; }\n"));

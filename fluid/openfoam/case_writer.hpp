@@ -7,6 +7,7 @@
 
 #include "bridge/scene/scene.hpp"
 #include "fluid/openfoam/grid.hpp"
+#include "fluid/openfoam/interface_dictionary.hpp"
 
 namespace blockweir::openfoam {
 
@@ -19,10 +20,21 @@ struct CaseOptions {
 /// Writes 0, constant and system and removes the times and parts of a former run; what else stands in the folder is
 /// left alone. Throws std::invalid_argument for a
 /// scene that cannot be meshed and std::runtime_error when a file cannot be written.
+void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options);
+
+Surroundings surroundings(const scene::Scene& scene, const Grid& grid);
+
 /// Makes a case that has run go on from time `time_s`, with motion `first_window`: later times are removed.
-void prepare_resumption(const scene::Scene& scene, const Grid& grid, const CaseOptions& options,
+void prepare_resumption(const scene::Scene& scene, const Surroundings& around, const CaseOptions& options,
                         std::uint64_t first_window, double time_s);
 
-void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options);
+/// system/decomposeParDict for the scene's processes.
+std::string decompose_dictionary(const scene::Scene& scene);
+
+/// controlDict's endTime: later than the solid process ends the run.
+double end_time_s(const scene::Scene& scene);
+
+/// controlDict's deltaT: of the first step; the coupling sets the others.
+double first_step_s(const scene::Scene& scene);
 
 }  // namespace blockweir::openfoam

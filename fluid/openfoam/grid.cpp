@@ -8,59 +8,12 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bridge/scene/outline.hpp"
-
 namespace blockweir::openfoam {
 namespace {
 
 constexpr double widening = 1.1;         // from one column of the far field to the next
 constexpr double uniform_depths = 0.25;  // of uniform cells beside the structure
 constexpr std::size_t most_cells = 10'000'000;
-
-scene::Bounds bounds(const scene::Scene& scene) {
-  scene::Bounds all = scene::bounds_of(scene.blocks.front().vertices);
-  for (const scene::Block& block : scene.blocks) {
-    const scene::Bounds one = scene::bounds_of(block.vertices);
-    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
-  }
-  return all;
-}
-
-/// Of the times at which it is stated, and of what a sine adds.
-double highest(const std::optional<scene::TimeTable>& level) {
-  if (!level) return -std::numeric_limits<double>::infinity();
-  return *std::max_element(level->value.begin(), level->value.end()) +
-         (level->sine ? std::abs(level->sine->amplitude) : 0);
-}
-
-double highest_water(const scene::Scene& scene) {
-  double level = std::max(highest(scene.water.upstream_level_m), highest(scene.water.downstream_level_m));
-  for (const auto& outline : scene.openfoam.initial_water_m)
-    level = std::max(level, scene::bounds_of(outline).high.y());
-  return level;
-}
-
-/// Fixed blocks with a face on the model's left or right end whose top is under water are ground. Others, and what only
-/// touches the end with its foot, are a wall.
-std::vector<int> find_ground(const scene::Scene& scene, const scene::Bounds& model, double level_m) {
-  std::vector<int> ground;
-  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
-    if (!scene.blocks[b].fixed) continue;
-    double top = std::numeric_limits<double>::infinity();
-    for (const double end : {model.low.x(), model.high.x()}) {
-      double face_low = std::numeric_limits<double>::infinity();
-      double face_top = -face_low;
-      for (const scene::Point& p : scene.blocks[b].vertices) {
-        if (p.x() != end) continue;
-        face_low = std::min(face_low, p.y());
-        face_top = std::max(face_top, p.y());
-      }
-      if (face_top > face_low) top = std::min(top, face_top);
-    }
-    if (top < level_m - 1e-9 * model.size()) ground.push_back(static_cast<int>(b));
-  }
-  return ground;
-}
 
 /// The ground's underside is not where water goes: the lowest vertex above it.
 double find_floor(const scene::Scene& scene, const scene::Bounds& model, bool ground) {
@@ -103,27 +56,21 @@ void append(std::vector<double>& lines, const Stretch& stretch) {
 
 Grid make_grid(const scene::Scene& scene) {
   const scene::OpenFoam& o = scene.openfoam;
-  const scene::Bounds model = bounds(scene);
-  const double level = highest_water(scene);
   Grid grid;
-  grid.ground = find_ground(scene, model, level);
-  const double floor = o.floor_m.value_or(find_floor(scene, model, !grid.ground.empty()));
-  double left = model.high.x();
-  double right = model.low.x();
+  grid.site = find_site(scene);
+  const scene::Bounds& model = grid.site.model;
+  const double level = grid.site.highest_m;
+  const double left = grid.site.structure_left_m;
+  const double right = grid.site.structure_right_m;
+  const double floor = o.floor_m.value_or(find_floor(scene, model, !grid.site.ground.empty()));
   double ground_top = floor;
   grid.downstream_ground_m = floor;
-  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
-    const bool ground = std::find(grid.ground.begin(), grid.ground.end(), static_cast<int>(b)) != grid.ground.end();
-    for (const scene::Point& p : scene.blocks[b].vertices) {
-      if (ground && p.x() == model.low.x()) ground_top = std::max(ground_top, p.y());
-      if (ground && p.x() == model.high.x()) grid.downstream_ground_m = std::max(grid.downstream_ground_m, p.y());
-      if (ground) continue;
-      left = std::min(left, p.x());
-      right = std::max(right, p.x());
+  for (const int b : grid.site.ground) {
+    for (const scene::Point& p : scene.blocks[static_cast<std::size_t>(b)].vertices) {
+      if (p.x() == model.low.x()) ground_top = std::max(ground_top, p.y());
+      if (p.x() == model.high.x()) grid.downstream_ground_m = std::max(grid.downstream_ground_m, p.y());
     }
   }
-  grid.structure_left_m = left;
-  grid.structure_right_m = right;
   const double depth = level - ground_top;
   if (depth <= 0) {
     throw std::invalid_argument(
@@ -161,16 +108,7 @@ Grid make_grid(const scene::Scene& scene) {
 }
 
 std::vector<std::vector<scene::Point>> outlines_in(const Grid& grid, const scene::Scene& scene) {
-  std::vector<std::vector<scene::Point>> outlines;
-  const scene::Bounds model = bounds(scene);
-  for (const scene::Block& block : scene.blocks) outlines.push_back(block.vertices);
-  for (const int b : grid.ground) {
-    for (scene::Point& p : outlines[static_cast<std::size_t>(b)]) {
-      if (p.x() == model.low.x()) p.x() = std::min(p.x(), grid.x.front() - grid.cell_m);
-      if (p.x() == model.high.x()) p.x() = std::max(p.x(), grid.x.back() + grid.cell_m);
-    }
-  }
-  return outlines;
+  return outlines_up_to(grid.x.front() - grid.cell_m, grid.x.back() + grid.cell_m, grid.site, scene);
 }
 
 }  // namespace blockweir::openfoam

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bridge/scene/scene.hpp"
+#include "fluid/openfoam/site.hpp"
 
 namespace blockweir::openfoam {
 
@@ -22,9 +22,7 @@ struct Grid {
   std::vector<double> y;           ///< row lines [m], uniform
   double ground_m = 0;             ///< at the upstream end
   double downstream_ground_m = 0;  ///< the same at the downstream end
-  double structure_left_m = 0;     ///< extent of all blocks but the ground
-  double structure_right_m = 0;
-  std::vector<int> ground;  ///< fixed blocks that go on level beyond the model's ends
+  Site site;
 
   [[nodiscard]] std::size_t columns() const { return x.size() - 1; }
   [[nodiscard]] std::size_t rows() const { return y.size() - 1; }

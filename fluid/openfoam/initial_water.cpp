@@ -9,7 +9,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bridge/scene/outline.hpp"
 #include "fluid/openfoam/polygon_clip.hpp"
 #include "fluid/openfoam/solitary_wave.hpp"
 
@@ -68,7 +67,7 @@ void spread(const Grid& g, std::deque<std::size_t> front, std::vector<Holds>& ho
 scene::Point crest(const Grid& g, const scene::Scene& scene, bool upstream) {
   scene::Point crest(0, -std::numeric_limits<double>::infinity());
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
-    if (std::find(g.ground.begin(), g.ground.end(), static_cast<int>(b)) != g.ground.end()) continue;
+    if (g.site.is_ground(b)) continue;
     for (const scene::Point& p : scene.blocks[b].vertices) {
       const bool nearer = upstream ? p.x() < crest.x() : p.x() > crest.x();
       if (p.y() > crest.y() || (p.y() == crest.y() && nearer)) crest = p;
@@ -94,8 +93,8 @@ std::optional<SolitaryWave> solitary_wave(const Grid& g, const scene::Scene& sce
   const auto& wave = scene.openfoam.wave;
   if (!wave || wave->kind != scene::WaveKind::solitary) return std::nullopt;
   SolitaryWave solitary{wave->height_m, level - g.ground_m, 0, scene.analysis.gravity_m_per_s2};
-  solitary.crest_x_m = g.structure_left_m - solitary.reach_m();
-  const double room = g.structure_left_m - g.x.front();
+  solitary.crest_x_m = g.site.structure_left_m - solitary.reach_m();
+  const double room = g.site.structure_left_m - g.x.front();
   if (room < 2 * solitary.reach_m()) {
     throw std::invalid_argument(
         fmt::format("OpenFOAM: the solitary wave is {:.4g} m long, and there are {:.4g} m before the structure; raise "
@@ -158,7 +157,7 @@ InitialWater initial_water(const Grid& g, const scene::Scene& scene) {
   for (std::size_t cell = 0; cell < g.cells(); ++cell) {
     const std::size_t i = cell % g.columns();
     const double x = (g.x[i] + g.x[i + 1]) / 2;
-    const double raised = wave && x < g.structure_left_m ? wave->elevation(x) : 0;
+    const double raised = wave && x < g.site.structure_left_m ? wave->elevation(x) : 0;
     const double level = holds[cell] == Holds::downstream               ? downstream
                          : holds[cell] == Holds::upstream || raised > 0 ? upstream + raised
                                                                         : -std::numeric_limits<double>::infinity();

@@ -7,19 +7,17 @@
 #include "bridge/schedule/hello.hpp"
 #include "fluid/hydrostatic/cracks.hpp"
 #include "fluid/openfoam/dictionary.hpp"
-#include "fluid/openfoam/inflow_limits.hpp"
 
 namespace blockweir::openfoam {
 namespace {
 
-std::string blocks(const scene::Scene& scene, const Grid& grid) {
-  const auto outlines = outlines_in(grid, scene);
+std::string blocks(const scene::Scene& scene, const Surroundings& around) {
   std::string text = "blocks\n{\n";
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
-    const bool ground = std::find(grid.ground.begin(), grid.ground.end(), static_cast<int>(b)) != grid.ground.end();
+    const bool ground = around.site.is_ground(b);
     text += fmt::format("    block{}\n    {{\n        name {};\n        vertices {};\n", b,
                         quoted(scene.blocks[b].name), point_list(scene.blocks[b].vertices));
-    if (ground) text += fmt::format("        outline {};  // the ground goes on\n", point_list(outlines[b]));
+    if (ground) text += fmt::format("        outline {};  // the ground goes on\n", point_list(around.outlines[b]));
     text += fmt::format("        loaded {};\n        movable {};\n    }}\n", ground ? "no" : "yes",
                         scene.blocks[b].fixed ? "no" : "yes");
   }
@@ -45,16 +43,16 @@ std::string time_table(const char* key, const std::optional<scene::TimeTable>& t
   return fmt::format("{} table ({} );\n", key, rows);
 }
 
-std::string pools(const scene::Scene& scene, const Grid& grid) {
+std::string pools(const scene::Scene& scene, const Surroundings& around) {
   std::string text = "// Whose level follows its table: all cells up to, or from, this x [m]\n";
   const auto control = scene.openfoam.level_control;
-  text += fmt::format("upstreamTo {};\ndownstreamFrom {};\nsetLevels {};\nopenEnds {};\n", exact(grid.structure_left_m),
-                      exact(grid.structure_right_m), control == scene::LevelControl::table ? "yes" : "no",
+  text += fmt::format("upstreamTo {};\ndownstreamFrom {};\nsetLevels {};\nopenEnds {};\n",
+                      exact(around.site.structure_left_m), exact(around.site.structure_right_m),
+                      control == scene::LevelControl::table ? "yes" : "no",
                       control == scene::LevelControl::inflow ? "yes" : "no");
-  if (comes_in(scene.openfoam)) {
-    const StokesWave wave = stokes_wave(scene, grid);
-    text += fmt::format("wave {{ height {}; period {}; depth {}; }}\n", exact(wave.height_m), exact(wave.period_s),
-                        exact(wave.depth_m));
+  if (const auto& wave = around.wave) {
+    text += fmt::format("wave {{ height {}; period {}; depth {}; }}\n", exact(wave->height_m), exact(wave->period_s),
+                        exact(wave->depth_m));
   }
   return text + time_table("upstreamLevel", scene.water.upstream_level_m, scene) +
          time_table("downstreamLevel", scene.water.downstream_level_m, scene) + "\n";
@@ -111,7 +109,7 @@ std::string cracks(const scene::Scene& scene) {
 
 }  // namespace
 
-std::string interface_dictionary(const scene::Scene& scene, const Grid& grid, const std::string& endpoint,
+std::string interface_dictionary(const scene::Scene& scene, const Surroundings& around, const std::string& endpoint,
                                  std::uint64_t first_window) {
   const wire::Hello hello = schedule::hello(scene, "openfoam", first_window);
   std::string text = file_header("dictionary", "blockweir");
@@ -119,13 +117,14 @@ std::string interface_dictionary(const scene::Scene& scene, const Grid& grid, co
       "endpoint {};  // of the solid process; BLOCKWEIR_ENDPOINT in the environment comes first\n"
       "timeout {};\nopenTimeout {};\n\n"
       "sceneDigest {};\nschedule {};\nunits {};\nwindow {};\nduration {};\nfirstWindow {};\nstepsPerWindow "
-      "{};\nmaxCourant {};\n"
-      "cell {};\n\n",
+      "{};\nmaxCourant {};\nwaterDensity {};\ngravity {};\n\n",
       quoted(endpoint), exact(scene.coupling.timeout_s), exact(scene.coupling.open_timeout_s),
       quoted(hello.scene_digest), quoted(hello.schedule), quoted(hello.units), exact(hello.window_s),
       exact(hello.duration_s), hello.first_window, scene.openfoam.steps_per_window, exact(scene.openfoam.max_courant),
-      exact(grid.cell_m));
-  return text + pools(scene, grid) + ground(scene) + blocks(scene, grid) + cracks(scene);
+      exact(scene.water.density_kg_per_m3), exact(scene.analysis.gravity_m_per_s2));
+  text += around.cell_m ? fmt::format("cell {};\n\n", exact(*around.cell_m))
+                        : "ownCase yes;  // not written from the scene\n\n";
+  return text + pools(scene, around) + ground(scene) + blocks(scene, around) + cracks(scene);
 }
 
 }  // namespace blockweir::openfoam

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OpenFOAM's programs, one after the other, on a case of ours.
+// OpenFOAM's programs, one after the other, on a case of ours or of the user's own.
 #pragma once
 
 #include <filesystem>
@@ -13,12 +13,13 @@ struct RunOptions {
   std::filesystem::path folder;
   std::string endpoint;
   bool case_only = false;
-  std::uint64_t resume = 0;        ///< number of the checkpoint to go on from; 0: from the start
-  std::filesystem::path result{};  ///< file for the checks of the water (JSON); empty: none
+  std::uint64_t resume = 0;              ///< number of the checkpoint to go on from; 0: from the start
+  std::filesystem::path scene_folder{};  ///< where the scene's paths start; empty: beside its file
+  std::filesystem::path result{};        ///< file for the checks of the water (JSON); empty: none
 };
 
-/// Writes the case, makes its mesh and runs interFoam to its end; what they print goes to log.PROGRAM in the case's
-/// folder. Throws std::runtime_error with one line when OpenFOAM is missing or one of its programs fails.
+/// Writes or copies the case, makes its mesh and runs interFoam to its end; what they print goes to log.PROGRAM in the
+/// case's folder. Throws std::runtime_error with one line when OpenFOAM is missing or one of its programs fails.
 int run_case(const scene::Scene& scene, const RunOptions& options);
 
 }  // namespace blockweir::openfoam

@@ -180,10 +180,11 @@ json summary(const Outcome& outcome) {
     }
   }
   if (outcome.breached_s) {
+    const bool flows = scene.fluid == scene::FluidModel::openfoam;
     text["breach"] = {{"time_s", *outcome.breached_s},
-                      {"text",
-                       "open water passes the structure; from then on it would flow, and the pressures of still "
-                       "water no longer hold"}};
+                      {"text", flows ? "open water passes the structure"
+                                     : "open water passes the structure; from then on it would flow, and the pressures "
+                                       "of still water no longer hold"}};
   }
   return text;
 }

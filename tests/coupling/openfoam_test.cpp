@@ -139,6 +139,16 @@ TEST_F(TwoProcesses, FailAtTheHeadAtWhichOneDoes) {
   }
 }
 
+TEST_F(TwoProcesses, PutTheirResultsTogetherOnRequest) {
+  const std::string more = cells(10) + set("analysis.duration_s=0.2") + set("fluid.processes=2");
+  EXPECT_EQ(run(cases + "hydrostatic-wall", "parts", more), 0) << text("out");
+  EXPECT_FALSE(fs::exists(folder / "parts/openfoam/0.1"));
+  EXPECT_EQ(run(cases + "hydrostatic-wall", "whole", more + set("fluid.reconstruct=true")), 0) << text("out");
+  for (const char* field : {"alpha.water", "U", "p_rgh"}) {
+    EXPECT_TRUE(fs::exists(folder / "whole/openfoam/0.1" / field)) << field;
+  }
+}
+
 class Overhead : public OpenFoam {
  protected:
   /// Steps, and iterations of their pressure solutions.

@@ -202,6 +202,37 @@ TEST_F(OpenFoamFaults, ABlockThatLeavesTheMesh) {
   EXPECT_FALSE(orphan());
 }
 
+TEST_F(OpenFoamFaults, WaterThatWouldTakeTooManySteps) {
+  write_case(
+      "sed -i 's/^internalField uniform.*/internalField uniform (300 0 0);/' of/0/U && "
+      "sed -i 's/^maxCourant.*/maxCourant 1e-6;/' of/constant/blockweir");
+  const pid_t solid = start_solid();
+  const pid_t foam = start_foam();
+  expect_end(solid, foam);
+  expect_line(text("solid"), "the water moves so fast that a window would take over 10,000 steps");
+  EXPECT_THAT(text("fluid"), HasSubstr("the water moves so fast that a window would take over 10,000 steps"));
+}
+
+TEST_F(OpenFoamFaults, AirBelowNothingOrHeavierThanWater) {
+  for (const char* density : {"-1500", "1500"}) {
+    write_case("sed -i 's/^air .*/air { transportModel Newtonian; nu 1.48e-05; rho " + std::string(density) +
+               "; }/' of/constant/transportProperties");
+    const pid_t solid = start_solid();
+    const pid_t foam = start_foam();
+    expect_end(solid, foam);
+    expect_line(text("solid"), "air density: constant/transportProperties has " + std::string(density) + " kg/m3;");
+  }
+}
+
+TEST_F(OpenFoamFaults, WaterThatDivergesUnderTheLauncher) {
+  fs::copy(cases + "own-openfoam-case", folder / "scene", fs::copy_options::recursive);
+  ASSERT_EQ(shell("sed -i 's/internalField .*/internalField uniform (1e150 0 0);/' scene/basin/0.orig/U"), 0);
+  const pid_t run = start(programs + "/blockweir run scene --quiet --out o", "log");
+  EXPECT_EQ(end_of(run, 30), 1);
+  EXPECT_THAT(text("log"), HasSubstr("interFoam: a floating point exception: the solution has diverged;"));
+  EXPECT_FALSE(orphan());
+}
+
 TEST_F(OpenFoamFaults, WaterThatDiverges) {
   write_case("sed -i 's/^internalField uniform.*/internalField uniform (1e150 0 0);/' of/0/U");
   const pid_t solid = start_solid();

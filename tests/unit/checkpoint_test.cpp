@@ -87,7 +87,7 @@ class Calm : public schedule::SolidSide {
   void place(wire::Motion& /*motion*/) override {}
   void predict(double /*ahead_s*/, wire::Motion& /*motion*/) override {}
   void start(const wire::Load& /*load*/) override {}
-  void advance(const wire::Load& /*load*/, double /*from_s*/, double /*to_s*/) override {}
+  void advance(const wire::Load& /*load*/, const wire::Motion& /*told*/, double /*from_s*/, double /*to_s*/) override {}
   [[nodiscard]] bool calm() const override { return is_calm; }
   [[nodiscard]] bool finished() const override { return false; }
   bool is_calm = true;

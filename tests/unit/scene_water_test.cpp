@@ -107,4 +107,26 @@ TEST(SceneWater, TheFluidIsHydrostaticWhereThereIsWaterUnlessTheSceneSaysNone) {
   EXPECT_EQ(read_text(with("model = \"hydrostatic\"", "model = \"none\""), "s").scene.fluid, FluidModel::none);
 }
 
+TEST(SceneWater, ACaseOfOnesOwnIsNamedInPlaceOfTheKeysThatWriteOne) {
+  const Scene own = read_text(with("\"hydrostatic\"", "\"openfoam\"\ncase = \"mine\""), "s.toml").scene;
+  EXPECT_EQ(own.openfoam.own_case, "mine");
+  EXPECT_EQ(own.openfoam.level_control, LevelControl::free);
+  const auto refused = [](const std::string& keys, const std::vector<std::string>& words) {
+    expect_error(with("\"hydrostatic\"", "\"openfoam\"\ncase = \"mine\"\n" + keys), 49, words);
+  };
+  for (const char* key : {"cells_in_depth = 20", "upstream_depths = 2", "downstream_depths = 2", "freeboard_depths = 1",
+                          "floor_m = 0", "air_density_kg_per_m3 = 1.2", "initial_water_m = [[[0, 0], [1, 0], [0, 1]]]",
+                          "wave = { kind = \"solitary\", height_m = 0.1 }"}) {
+    refused(key, {" beside case", "a case of your own has its mesh, its air and its water", "or case"});
+  }
+  expect_error(with("\"hydrostatic\"", "\"openfoam\"\ncase = \"\""), 48, {"case names no folder"});
+  expect_error(with("\"hydrostatic\"", "\"hydrostatic\"\ncase = \"mine\""), 48, {"case without OpenFOAM"});
+}
+
+TEST(SceneWater, ResultsOfOneProcessAreNotPutTogether) {
+  expect_error(with("\"hydrostatic\"", "\"openfoam\"\nreconstruct = true"), 48, {"reconstruct with one process"});
+  EXPECT_TRUE(read_text(with("\"hydrostatic\"", "\"openfoam\"\nprocesses = 2\nreconstruct = true"), "s.toml")
+                  .scene.openfoam.reconstruct);
+}
+
 }  // namespace

@@ -103,7 +103,7 @@ TEST(History, AFullDiskGivesOneClearError) {
   fs::create_symlink("/dev/full", folder / "history.csv");
   scene::Scene scene;
   try {
-    HistoryWriter writer(folder, scene);
+    HistoryWriter writer(folder, scene, results::Begin::anew);
     FAIL() << "a line went to a full disk";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("history.csv: is the disk full"));

@@ -4,6 +4,8 @@
 #include <fixedValueFvPatchFields.H>
 #include <fvc.H>
 #include <fvm.H>
+#include <laplacianScheme.H>
+#include <linear.H>
 #include <surfaceFields.H>
 #include <zeroGradientFvPatchFields.H>
 
@@ -22,7 +24,7 @@ Foam::IOobject unregistered(const char* name, const Foam::fvMesh& mesh) {
 
 bool AddedMass::stale() const {
   if (rows_.empty() || asked_ % at_least_every == 0) return true;
-  const double far = moved_cells * blocks_.interface().cell_m;
+  const double far = moved_cells * blocks_.cell_m();
   for (std::size_t b = 0; b < measured_at_.size(); ++b) {
     for (std::size_t v = 0; v < measured_at_[b].size(); ++v) {
       if ((blocks_.outlines()[b][v] - measured_at_[b][v]).norm() > far) return true;
@@ -83,20 +85,24 @@ std::array<double, 6> AddedMass::of_block(std::size_t b) {
 
   const auto& rho = mesh_.lookupObject<volScalarField>("rho");
   const volScalarField open("open", neg(blocks_.filled() - 0.5));
-  const surfaceScalarField way("way", max(eps, pos(fvc::interpolate(open) - 0.99)) * fvc::interpolate(1 / rho));
-  const double h = blocks_.interface().cell_m;
+  const surfaceScalarField way("way", max(eps, pos(linearInterpolate(open) - 0.99)) * linearInterpolate(1 / rho));
+  const double h = blocks_.cell_m();
   const dimensionedScalar leak("leak", dimless / dimDensity / dimArea, eps / (max(rho).value() * h * h));
   volScalarField p(unregistered("addedMassPressure", mesh_), mesh_, dimensionedScalar("p", dimPressure, 0.0),
                    pressure_patches());
   std::array<scalarField, 3> answer;
   const int talk = SolverPerformance<scalar>::debug;
   SolverPerformance<scalar>::debug = 0;
+  // A case of the user's own need not name one for it.
+  auto scheme = fv::laplacianScheme<scalar, scalar>::New(mesh_, IStringStream("Gauss linear uncorrected")());
+  dictionary controls(mesh_.solverDict("p_rgh"));
+  controls.set("relTol", 1e-3);
   for (std::size_t k = 0; k < 3; ++k) {
     p.primitiveFieldRef() = 0;
     p.correctBoundaryConditions();
-    fvScalarMatrix equation(fvm::laplacian(way, p) - fvm::Sp(leak, p));
+    fvScalarMatrix equation(scheme.ref().fvmLaplacian(way, p) - fvm::Sp(leak, p));
     equation.source() -= source[k] * mesh_.bounds().span().z();
-    equation.solve(mesh_.solverDict("addedMass"));
+    equation.solve(controls);
     answer[k] = p.primitiveField();
   }
   SolverPerformance<scalar>::debug = talk;

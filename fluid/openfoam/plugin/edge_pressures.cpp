@@ -72,13 +72,13 @@ void EdgePressures::find_elements() {
       split(static_cast<int>(b), static_cast<int>(e), outlines[b][e], outlines[b][(e + 1) % outlines[b].size()]);
     }
   }
-  const double h = blocks_.interface().cell_m;
+  const double h = blocks_.cell_m();
   for (Element& element : elements_) element.openness = openness_of(gap_beyond(element) / h);
 }
 
 /// Elements end where a cell's length does, where a neighbour's corner lies beside the edge, and where a crack ends.
 void EdgePressures::split(int block, int edge, const Point& from, const Point& to) {
-  const double h = blocks_.interface().cell_m;
+  const double h = blocks_.cell_m();
   const double reach = open_cells * h;
   const Point span = to - from;
   const double length = span.norm();
@@ -114,7 +114,7 @@ void EdgePressures::split(int block, int edge, const Point& from, const Point& t
 
 /// To the face of another block along the normal from the element's middle [m]; infinite where there is none near.
 double EdgePressures::gap_beyond(const Element& element) const {
-  const double h = blocks_.interface().cell_m;
+  const double h = blocks_.cell_m();
   const double reach = open_cells * h;
   const double overlap = 0.02 * h;  // blocks in contact may penetrate a little
   const Point middle = (element.from + element.to) / 2;
@@ -140,7 +140,7 @@ double EdgePressures::gap_beyond(const Element& element) const {
 
 /// The cells of this rank along a ray, as rows of numbers that ranks can add up.
 void EdgePressures::look_along(const Point& from, const Point& direction, std::vector<double>& lines) const {
-  const double h = blocks_.interface().cell_m;
+  const double h = blocks_.cell_m();
   for (int k = 1; k <= looks; ++k) {
     lines.insert(lines.end(), columns, 0.0);
     store(water_.line_at(from + 0.5 * k * h * direction), &lines[lines.size() - columns]);
@@ -150,7 +150,7 @@ void EdgePressures::look_along(const Point& from, const Point& direction, std::v
 /// Pressure at the edge from the first open cell outwards. Where water fills that and the next one, the part that is
 /// not weight goes on linearly to the edge: water that a wall pushes has its largest pressure there.
 void EdgePressures::add_open(const Element& element, const double* lines, wire::Load& load) {
-  const double h = blocks_.interface().cell_m;
+  const double h = blocks_.cell_m();
   int first = 0;
   while (first < looks && lines[first * columns] == 0) ++first;
   PressureLine near;

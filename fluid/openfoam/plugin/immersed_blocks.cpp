@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bridge/wire/placement.hpp"
 
 namespace blockweir::openfoam {
@@ -44,6 +46,32 @@ ImmersedBlocks::ImmersedBlocks(const Foam::fvMesh& mesh, const Interface& interf
       parts_(interface.blocks.size()) {
   for (const InterfaceBlock& block : interface.blocks) outlines_.push_back(block.outline);
   for (std::size_t b = 0; b < outlines_.size(); ++b) clip(b);
+  cell_m_ = interface.cell_m ? *interface.cell_m : largest_cell_at_faces();
+}
+
+double ImmersedBlocks::largest_cell_at_faces() const {
+  constexpr double all = 1 - 1e-6;
+  double largest = 0;
+  for (std::size_t b = 0; b < outlines_.size(); ++b) {
+    if (!interface_.blocks[b].loaded) continue;
+    for (const Part& part : parts_[b]) {
+      const Foam::labelList& beside = mesh_.cellCells()[part.cell];
+      const bool open = std::any_of(beside.begin(), beside.end(), [&](Foam::label c) { return filled_[c] < all; });
+      if (!open && filled_[part.cell] >= all) continue;
+      Point low = cells_[static_cast<std::size_t>(part.cell)].front();
+      Point high = low;
+      for (const Point& p : cells_[static_cast<std::size_t>(part.cell)]) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+      largest = std::max(largest, (high - low).maxCoeff());
+    }
+  }
+  Foam::reduce(largest, Foam::maxOp<Foam::scalar>());
+  if (largest == 0) {
+    FatalErrorInFunction << "no block that water can press on stands in the mesh" << Foam::exit(Foam::FatalError);
+  }
+  return largest;
 }
 
 void ImmersedBlocks::move(const std::vector<Pose>& start, const std::vector<Pose>& end, double dt_s) {
@@ -67,15 +95,17 @@ std::string ImmersedBlocks::strayed() const {
   for (std::size_t b = 0; b < outlines_.size(); ++b) {
     if (!interface_.blocks[b].loaded) continue;
     for (const Point& p : outlines_[b]) {
-      if (p.x() >= box.min().x() - rounding && p.x() <= box.max().x() + rounding &&
-          p.y() > box.min().y() - interface_.cell_m && p.y() <= box.max().y() + rounding) {
+      if (p.x() >= box.min().x() - rounding && p.x() <= box.max().x() + rounding && p.y() > box.min().y() - cell_m_ &&
+          p.y() <= box.max().y() + rounding) {
         continue;
       }
       return fmt::format(
           "block \"{}\" leaves the mesh at ({:.6g}, {:.6g}) m, which spans ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m; "
-          "raise upstream_depths, downstream_depths or freeboard_depths or lower floor_m in [fluid], or end the run "
-          "before: stop_at_failure or duration_s in [analysis]",
-          interface_.hello.block_names[b], p.x(), p.y(), box.min().x(), box.min().y(), box.max().x(), box.max().y());
+          "{}, or end the run before: stop_at_failure or duration_s in [analysis]",
+          interface_.hello.block_names[b], p.x(), p.y(), box.min().x(), box.min().y(), box.max().x(), box.max().y(),
+          interface_.own_case
+              ? "widen the case's mesh"
+              : "raise upstream_depths, downstream_depths or freeboard_depths or lower floor_m in [fluid]");
     }
   }
   return "";

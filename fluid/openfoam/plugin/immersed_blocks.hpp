@@ -29,6 +29,8 @@ class ImmersedBlocks {
   void move(const std::vector<Pose>& start, const std::vector<Pose>& end, double dt_s);
 
   [[nodiscard]] const Interface& interface() const { return interface_; }
+  /// Side of a cell beside blocks [m]: the interface's, or else the largest of all cells at their faces at the start.
+  [[nodiscard]] double cell_m() const { return cell_m_; }
   [[nodiscard]] CellLocator& locator() { return locator_; }
   [[nodiscard]] const CellLocator& locator() const { return locator_; }
   [[nodiscard]] const std::vector<Polygon>& outlines() const { return outlines_; }  ///< at the step's end
@@ -44,11 +46,13 @@ class ImmersedBlocks {
 
  private:
   void clip(std::size_t block);
+  [[nodiscard]] double largest_cell_at_faces() const;
 
   const Foam::fvMesh& mesh_;
   const Interface& interface_;
   std::vector<Polygon> cells_;
   CellLocator locator_;
+  double cell_m_ = 0;
   Foam::volScalarField filled_;
   std::vector<Pose> start_;
   std::vector<Pose> end_;

@@ -85,7 +85,10 @@ Interface read_interface(const dictionary& dict) {
   i.hello.duration_s = dict.get<Foam::scalar>("duration");
   i.steps_per_window = dict.get<Foam::label>("stepsPerWindow");
   i.max_courant = dict.get<Foam::scalar>("maxCourant");
-  i.cell_m = dict.get<Foam::scalar>("cell");
+  if (dict.found("cell")) i.cell_m = dict.get<Foam::scalar>("cell");
+  i.own_case = dict.getOrDefault<Foam::Switch>("ownCase", false);
+  i.water_density = dict.get<Foam::scalar>("waterDensity");
+  i.gravity = dict.get<Foam::scalar>("gravity");
   read_blocks(dict.subDict("blocks"), i);
   for (const Foam::entry& entry : dict.subDict("cracks")) i.cracks.push_back(crack(entry.dict()));
   return i;

@@ -5,6 +5,8 @@
 #include <IOdictionary.H>
 #include <fvMesh.H>
 
+#include <optional>
+
 #include "bridge/wire/message.hpp"
 #include "fluid/openfoam/polygon_clip.hpp"
 
@@ -51,7 +53,10 @@ struct Interface {
   wire::Hello hello;
   int steps_per_window = 1;
   double max_courant = 1;
-  double cell_m = 0;
+  std::optional<double> cell_m;  ///< side of a cell beside blocks; none: it is measured
+  bool own_case = false;         ///< a user's, not written from the scene
+  double water_density = 0;
+  double gravity = 0;  ///< m/s2, downwards
   std::vector<InterfaceBlock> blocks;
   std::vector<Crack> cracks;
 };

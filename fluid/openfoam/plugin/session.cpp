@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/openfoam/plugin/session.hpp"
 
+#include <fmt/format.h>
 #include <fvc.H>
 #include <surfaceFields.H>
 
@@ -66,10 +67,12 @@ Session::Session(const Foam::fvMesh& mesh)
       checkpoints_(std::string(mesh.time().globalPath()), "openfoam", interface_.hello.scene_digest, 0),
       blocks_(mesh, interface_),
       water_(mesh, blocks_),
-      levels_(mesh, dict_),
+      levels_(mesh, dict_, blocks_),
       edges_(blocks_, water_),
       added_mass_(mesh, blocks_, edges_),
+      breach_(mesh, dict_, blocks_),
       record_(mesh, blocks_, interface_.hello.first_window > 0) {
+  check_agreement();
   if (dict_.found("groundAccelerationX")) {
     ground_x_ = Foam::Function1<Foam::scalar>::New("groundAccelerationX", dict_);
     ground_y_ = Foam::Function1<Foam::scalar>::New("groundAccelerationY", dict_);
@@ -90,6 +93,10 @@ Session::Session(const Foam::fvMesh& mesh)
   course_.end = first->displacement;
   course_.end_velocity = first->velocity;
   blocks_.move(course_.end, course_.end, 1);
+  if (interface_.own_case) {
+    const std::string unfit = levels_.unfit_at_start();
+    if (!unfit.empty()) partner_.fail(unfit);
+  }
   exchange();
 }
 
@@ -98,7 +105,7 @@ void Session::resume() {
   const std::uint64_t next = interface_.hello.first_window;
   double field_time_s = 0;
   checkpoint::unpack(checkpoints_.read(next), field_time_s, time_s_, course_.end, course_.end_velocity, added_mass_,
-                     record_);
+                     breach_, record_);
   if (std::abs(field_time_s - time_.value()) > 1e-9 * interface_.hello.window_s) {
     partner_.fail(fmt::format("checkpoint {} is of {:.9g} s, but interFoam starts at {:.9g} s", next, field_time_s,
                               time_.value()));
@@ -112,11 +119,35 @@ void Session::resume() {
 void Session::save() {
   time_.writeNow();
   if (!Foam::Pstream::master()) return;
-  checkpoints_.write(window_ + 1,
-                     checkpoint::pack(time_.value(), time_s_, course_.end, course_.end_velocity, added_mass_, record_));
+  checkpoints_.write(window_ + 1, checkpoint::pack(time_.value(), time_s_, course_.end, course_.end_velocity,
+                                                   added_mass_, breach_, record_));
 }
 
 Session::~Session() = default;
+
+/// A case that somebody has changed, or a user's own, must speak of the same water.
+void Session::check_agreement() {
+  constexpr double rounding = 1e-9;
+  if (std::abs(water_.water_density() / interface_.water_density - 1) > rounding) {
+    partner_.fail(fmt::format(
+        "water density: constant/transportProperties has {:.10g} kg/m3, the scene {:.10g}; make density_kg_per_m3 in "
+        "[water] and rho of water the same",
+        water_.water_density(), interface_.water_density));
+  }
+  if (!(water_.air_density() > 0 && water_.air_density() < water_.water_density())) {
+    partner_.fail(
+        fmt::format("air density: constant/transportProperties has {:.10g} kg/m3; expected one above 0 and below the "
+                    "water's {:.10g}",
+                    water_.air_density(), water_.water_density()));
+  }
+  const auto& g = time_.lookupObject<Foam::uniformDimensionedVectorField>("g").value();
+  if (Foam::mag(g - Foam::vector(0, -interface_.gravity, 0)) > rounding * interface_.gravity) {
+    partner_.fail(fmt::format(
+        "gravity: constant/g has ({:.10g} {:.10g} {:.10g}) m/s2, the scene (0 {:.10g} 0); make gravity_m_per_s2 in "
+        "[analysis] and constant/g the same",
+        g.x(), g.y(), g.z(), -interface_.gravity));
+  }
+}
 
 Session* Session::of(const Foam::fvMesh& mesh) {
   return mesh.foundObject<Session>(name_in_registry) ? &mesh.lookupObjectRef<Session>(name_in_registry) : nullptr;
@@ -148,6 +179,7 @@ void Session::exchange() {
   load_.upstream_level_m = levels_.upstream_m(load_.time_s);
   load_.downstream_level_m = levels_.downstream_m(load_.time_s);
   edges_.sample(load_);
+  load_.breached = breach_.look();
   added_mass_.measure(load_.added_mass);
   partner_.send(load_);
   record_.add(load_.time_s, load_, course_.end_velocity, ground_acceleration().x());

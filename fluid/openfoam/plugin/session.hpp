@@ -6,6 +6,7 @@
 
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "fluid/openfoam/plugin/added_mass.hpp"
+#include "fluid/openfoam/plugin/breach.hpp"
 #include "fluid/openfoam/plugin/edge_pressures.hpp"
 #include "fluid/openfoam/plugin/open_end.hpp"
 #include "fluid/openfoam/plugin/partner.hpp"
@@ -52,6 +53,7 @@ class Session : public Foam::regIOobject {
   bool writeData(Foam::Ostream&) const override { return true; }
 
  private:
+  void check_agreement();
   void exchange();
   void resume();
   void await_motion();
@@ -71,6 +73,7 @@ class Session : public Foam::regIOobject {
   std::vector<OpenEnd> open_ends_;
   EdgePressures edges_;
   AddedMass added_mass_;
+  Breach breach_;
   WaterRecord record_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_x_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_y_;

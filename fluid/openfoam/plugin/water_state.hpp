@@ -29,6 +29,7 @@ class WaterState {
   [[nodiscard]] PressureLine line_at(const Point& x) const;
 
   [[nodiscard]] double water_density() const { return water_density_; }
+  [[nodiscard]] double air_density() const { return air_density_; }
 
  private:
   const Foam::fvMesh& mesh_;

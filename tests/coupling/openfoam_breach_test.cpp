@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// Open water that finds a way past the structure: a gate that is lifted off its sill, on one process and on two.
+#include "tests/openfoam.hpp"
+
+namespace blockweir::test {
+namespace {
+
+class Gate : public OpenFoam {
+ protected:
+  /// A gate 1 m wide behind 4 m of water, in cells of 0.25 m, that rises by `lift_m` within 0.5 s from `sill_m` above
+  /// the ground.
+  [[nodiscard]] nlohmann::json lift(double lift_m, double sill_m, const std::string& more = "") const {
+    const std::string y = std::to_string(sill_m);
+    std::ofstream scene(folder / "scene.toml");
+    scene << "[analysis]\nduration_s = 0.8\nrigid = \"all\"\nstart = \"unstressed\"\nmax_displacement_ratio = 1\n"
+             "[material.steel]\nyoungs_modulus_pa = 2e11\npoissons_ratio = 0.3\ndensity_kg_per_m3 = 7800\n"
+             "[[block]]\nname = \"ground\"\nmaterial = \"steel\"\nfixed = true\n"
+             "vertices_m = [[-10, -1], [10, -1], [10, 0], [-10, 0]]\n"
+             "[[block]]\nname = \"gate\"\nmaterial = \"steel\"\n"
+          << "vertices_m = [[0, " << y << "], [1, " << y << "], [1, 6], [0, 6]]\n";
+    for (const char* point : {"[0.5, " /* foot */, "[0.5, 6]"}) {
+      const bool foot = std::string(point) == "[0.5, ";
+      scene << "[[support]]\nblock = \"gate\"\npoint_m = " << (foot ? point + y + "]" : std::string(point))
+            << "\ndisplacement_x_m = 0\n";
+      if (foot) scene << "displacement_y_m = { table = [[0, 0], [0.5, " << lift_m << "]] }\n";
+    }
+    scene << "[water]\nupstream_level_m = 4\n"
+             "[fluid]\nmodel = \"openfoam\"\nlevel_control = \"free\"\nfloor_m = 0\ncells_in_depth = 16\n"
+             "upstream_depths = 1\ndownstream_depths = 1\n";
+    scene.close();
+    EXPECT_EQ(run("scene.toml", "o", more), 0) << text("out");
+    return nlohmann::json::parse(text("o/summary.json"));
+  }
+};
+
+TEST_F(Gate, ThatIsLiftedLetsWaterThrough) {
+  const auto summary = lift(1, 0);
+  ASSERT_TRUE(summary.contains("breach"));
+  EXPECT_GT(summary["breach"]["time_s"], 0.1);  // a cell after 0.125 s
+  EXPECT_LT(summary["breach"]["time_s"], 0.5);
+  EXPECT_THAT(text("out"), testing::HasSubstr("open water passes the structure\n"));
+}
+
+TEST_F(Gate, OnTwoProcessesLetsItThroughAtTheSameTime) {
+  const double one = lift(1, 0)["breach"]["time_s"];
+  fs::remove_all(folder / "o");
+  const double two = lift(1, 0, set("fluid.processes=2"))["breach"]["time_s"];
+  EXPECT_NEAR(two, one, 0.02);
+}
+
+TEST_F(Gate, ThatStaysOnItsSillDoesNot) {
+  EXPECT_FALSE(lift(0, 0).contains("breach"));
+}
+
+TEST_F(Gate, ThatIsOpenFromTheStartBreachesNothing) {
+  EXPECT_FALSE(lift(0.5, 1).contains("breach"));
+}
+
+}  // namespace
+}  // namespace blockweir::test
