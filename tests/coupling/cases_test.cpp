@@ -37,6 +37,12 @@ const std::vector<Short>& short_versions() {
        {"fluid.cells_in_depth=10", "analysis.duration_s=5", "fluid.upstream_depths=3",
         "fluid.initial_water_m=[[[-70,20.5],[-20,20.5],[-20,25.5],[-70,25.5]]]"}},
       {"own-openfoam-case"},
+      {"rising-pool", "", {"fluid.cells_in_depth=10", "coupling.window_s=0.1"}},
+      {"standing-wave",  // higher waves, of more cells
+       "",
+       {"fluid.cells_in_depth=16", "analysis.duration_s=16", "fluid.upstream_depths=2", "coupling.window_s=0.04",
+        "fluid.wave={kind=\"regular\",height_m=0.5,period_s=4}", "expect_water.0.value=15398.7",
+        "expect_water.1.value=0.5"}},
       {"shaken-tank", "", {"fluid.cells_in_depth=20", "analysis.duration_s=0.5", "expect_water.0.tolerance=0.05"}}};
   return all;
 }
