@@ -15,7 +15,7 @@ void cannot_write(const std::filesystem::path& path) {
 ResultFile::ResultFile(std::filesystem::path path, Begin begin)
     : path_(std::move(path)), stream_(path_, begin == Begin::anew ? std::ios::trunc : std::ios::app) {
   if (!stream_) cannot_write(path_);
-  size_ = std::filesystem::file_size(path_);
+  if (begin == Begin::where_it_stopped) size_ = std::filesystem::file_size(path_);
 }
 
 void ResultFile::cut_to(std::uintmax_t size) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
-// interFoam as the fluid against hydrostatics: walls, slopes, blocks in the water; on two processes; what it costs.
+// interFoam as the fluid against hydrostatics: walls, slopes, blocks in the water; on two processes.
 #include "tests/openfoam.hpp"
 
 namespace blockweir::test {
@@ -147,59 +147,6 @@ TEST_F(TwoProcesses, PutTheirResultsTogetherOnRequest) {
   for (const char* field : {"alpha.water", "U", "p_rgh"}) {
     EXPECT_TRUE(fs::exists(folder / "whole/openfoam/0.1" / field)) << field;
   }
-}
-
-class Overhead : public OpenFoam {
- protected:
-  /// Steps, and iterations of their pressure solutions.
-  [[nodiscard]] std::pair<int, int> work(const std::string& log) const {
-    std::istringstream lines(text(log));
-    std::pair<int, int> sum{0, 0};
-    for (std::string line; std::getline(lines, line);) {
-      if (line.rfind("Time = ", 0) == 0) ++sum.first;
-      const std::size_t at = line.find("No Iterations ");
-      if (line.find("for p_rgh") != std::string::npos) sum.second += std::stoi(line.substr(at + 14));
-    }
-    return sum;
-  }
-
-  /// Seconds that interFoam takes with the blocks, over those without, for the same mesh, steps and iterations: a dam
-  /// in water of one level that moves at 0.1 m/s at first.
-  [[nodiscard]] double ratio(int cells_in_depth, double duration_s) const {
-    const std::string endpoint = " --endpoint ipc://" + (folder / "line").string();
-    const std::string scene = cases + "cracked-dam-upper" + cells(cells_in_depth) + set("fluid.max_courant=1") +
-                              set("analysis.duration_s=" + std::to_string(duration_s)) +
-                              set("water.upstream_level_m=21.7") + set("water.downstream_level_m=21.7");
-    const auto sh = [&](const std::string& command) {
-      EXPECT_EQ(shell("env " + std::string(environment) + "sh -c \"" + command + "\""), 0) << text("out");
-    };
-    EXPECT_EQ(shell(programs + "/blockweir-openfoam " + scene + " --case-only --out with" + endpoint), 0);
-    sh("sed -i 's/^internalField.*/internalField uniform (0.1 0 0);/' with/0/U && "
-       "sed -i 's/maxIter 50/minIter 3; maxIter 3/' with/system/fvSolution && blockMesh -case with");
-    sh("cp -r with without && rm without/system/fvOptions && sed -i 's/^endTime .*/endTime " +
-       std::to_string(duration_s - 0.01) + ";/; s/^libs .*//; /^functions/,\\$ d' without/system/controlDict");
-    const pid_t solid = start(programs + "/blockweir-solid " + scene + " --out o" + endpoint, "solid");
-    sh("interFoam -case with > log.with");
-    EXPECT_EQ(end_of(solid, 5), 0) << text("solid");
-    sh("interFoam -case without > log.without");
-    const double with = execution_s("log.with");
-    const double without = execution_s("log.without");
-    const auto [steps, iterations] = work("log.with");
-    const auto [steps_without, iterations_without] = work("log.without");
-    EXPECT_EQ(steps, steps_without);
-    EXPECT_EQ(iterations, iterations_without);
-    std::printf(
-        "%d cells in depth, %d steps: with the blocks %.2f s and %d iterations, without %.2f s and %d; ratio %.2f\n",
-        cells_in_depth, steps, with, iterations, without, iterations_without, with / without);
-    return with / without;
-  }
-};
-
-TEST_F(Overhead, OfTheBlocksIsSmall) {
-  EXPECT_LT(ratio(40, 1), 2);
-}
-TEST_F(Overhead, DISABLED_OfTheBlocksOnAFineMesh) {
-  EXPECT_LT(ratio(80, 1), 2);
 }
 
 }  // namespace

@@ -129,22 +129,16 @@ void WaterLevels::set(double time_s) {
 void WaterLevels::set(Pool& pool, double time_s) {
   if (!pool.level) return;  // one rank without its cells still takes part in what ranks tell each other
   const double level = pool.level->value(time_s);
+  auto& water = mesh_.lookupObjectRef<Foam::volScalarField>("alpha.water");
+  auto& air = mesh_.lookupObjectRef<Foam::volScalarField>("alpha.air");
+  auto& density = mesh_.lookupObjectRef<Foam::volScalarField>("rho");
   for (const Cell& cell : pool.cells) {
-    store(cell.cell, std::clamp((level - cell.bottom) / (cell.top - cell.bottom), 0.0, 1.0));
+    const double fraction = std::clamp((level - cell.bottom) / (cell.top - cell.bottom), 0.0, 1.0);
+    water[cell.cell] = fraction;
+    air[cell.cell] = 1 - fraction;
+    density[cell.cell] = fraction * water_density_ + (1 - fraction) * air_density_;
   }
-  correct_boundaries();
-}
-
-void WaterLevels::store(Foam::label cell, double fraction) {
-  mesh_.lookupObjectRef<Foam::volScalarField>("alpha.water")[cell] = fraction;
-  mesh_.lookupObjectRef<Foam::volScalarField>("alpha.air")[cell] = 1 - fraction;
-  mesh_.lookupObjectRef<Foam::volScalarField>("rho")[cell] = fraction * water_density_ + (1 - fraction) * air_density_;
-}
-
-void WaterLevels::correct_boundaries() {
-  for (const char* name : {"alpha.water", "alpha.air", "rho"}) {
-    mesh_.lookupObjectRef<Foam::volScalarField>(name).correctBoundaryConditions();
-  }
+  for (auto* field : {&water, &air, &density}) field->correctBoundaryConditions();
 }
 
 }  // namespace blockweir::openfoam

@@ -40,8 +40,6 @@ class WaterLevels {
   [[nodiscard]] double found_level(const Pool& pool) const;
   [[nodiscard]] std::string unfit_at_start(const Pool& pool, const char* name) const;
   void set(Pool& pool, double time_s);
-  void store(Foam::label cell, double fraction);
-  void correct_boundaries();
 
   const Foam::fvMesh& mesh_;
   const ImmersedBlocks& blocks_;

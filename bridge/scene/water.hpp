@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene says of its water, of the model that computes its pressure, and of the exchange with that model.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bridge/scene/time_table.hpp"
+
+namespace blockweir::scene {
+
+using Point = Eigen::Vector2d;  ///< m; x downstream, y up
+
+enum class NodalRule { consistent, lumped };
+enum class Atmosphere { none, wet_faces };
+
+struct Water {
+  double density_kg_per_m3 = 1000;
+  std::optional<TimeTable> upstream_level_m;
+  std::optional<TimeTable> downstream_level_m;
+  Atmosphere atmosphere = Atmosphere::none;
+  double atmospheric_pressure_pa = 101300;
+  NodalRule nodal_rule = NodalRule::consistent;
+  int elements_per_face = 20;        ///< interface elements on an edge that is wet all along
+  double open_crack_width_m = 0.05;  ///< narrower gaps between blocks carry no open water
+  bool may_overtop = false;          ///< levels above the crest are meant
+  bool operator==(const Water&) const = default;
+};
+
+enum class FluidModel { none, hydrostatic, openfoam, column };
+
+/// As messages call it.
+inline const char* name(FluidModel model) {
+  switch (model) {
+    case FluidModel::hydrostatic:
+      return "hydrostatic";
+    case FluidModel::openfoam:
+      return "OpenFOAM";
+    case FluidModel::column:
+      return "column";
+    case FluidModel::none:
+      break;
+  }
+  return "none";
+}
+
+/// Who sets the level once an OpenFOAM run has begun: the tables of [water] in both pools, or the water itself.
+/// Whether the fractions of a pool follow its table at once, nobody touches the water, or it comes in at the mesh's
+/// end.
+enum class LevelControl { table, free, inflow };
+
+enum class WaveKind { regular, solitary };
+
+/// Regular waves come in at the mesh's upstream end, which takes up what comes back; a solitary one sets out at time 0.
+struct Wave {
+  WaveKind kind = WaveKind::regular;
+  double height_m = 0;
+  double period_s = 0;  ///< regular waves only
+  bool operator==(const Wave&) const = default;
+};
+
+/// [fluid] model = "openfoam": interFoam's mesh and steps. A depth is the largest that either pool reaches.
+struct OpenFoam {
+  std::string own_case;  ///< a user's own case, a folder relative to the scene file's; empty: it is written from here
+  int processes = 1;
+  bool reconstruct = false;  ///< put the ranks' results together at the end
+  int cells_in_depth = 40;
+  double upstream_depths = 2;  ///< of open water beside the structure
+  double downstream_depths = 2;
+  double freeboard_depths = 0.25;  ///< of air above the highest level or block
+  std::optional<double> floor_m;   ///< the mesh's lower side; default: the lowest ground that water can reach
+  double air_density_kg_per_m3 = 1;
+  double max_courant = 0.5;
+  int steps_per_window = 1;  ///< at least; more where max_courant asks for it
+  LevelControl level_control = LevelControl::table;
+  std::vector<std::vector<Point>> initial_water_m;  ///< outlines full of water at time 0, beside the pools
+  std::optional<Wave> wave;
+  bool operator==(const OpenFoam&) const = default;
+};
+
+/// Whether waves come in at the mesh's end; a solitary one is there at time 0.
+inline bool comes_in(const OpenFoam& o) {
+  return o.wave && o.wave->kind == WaveKind::regular;
+}
+
+/// [fluid] model = "column": water in a pipe of constant width that ends at the edge of a block, for schedules to be
+/// measured by. fluid/column says its equations.
+struct Column {
+  int block = -1;
+  int edge = -1;
+  double length_m = 0;
+  double head_m = 0;                       ///< of the water over the edge at time 0
+  double rise_ratio = 0;                   ///< by how much the far end rises when the edge moves in by 1
+  std::optional<double> cushion_pa_per_m;  ///< of what lies between edge and water; none: nothing does
+  int steps_per_window = 1;
+  bool operator==(const Column&) const = default;
+};
+
+/// Who steps when: bridge/schedule/schedules.hpp.
+enum class Schedule { serial, parallel, improved };
+
+/// What becomes of the pressures between exchanges: solid/block/water_course.hpp.
+enum class LoadInWindow { held, linear, quadratic };
+
+struct Coupling {
+  Schedule schedule = Schedule::serial;
+  LoadInWindow load_in_window = LoadInWindow::held;
+  double window_s = 0.01;
+  double longest_window_s = 0;  ///< while nothing moves; 0: all windows are window_s long
+  double timeout_s = 20;        ///< longest silence of a partner
+  double open_timeout_s = 20;   ///< longest wait for it to arrive
+  /// The inertia of water that a block pushes is solved for with the block's own: solid/step/added_mass.hpp.
+  bool added_mass_guard = true;
+  bool operator==(const Coupling&) const = default;
+};
+
+}  // namespace blockweir::scene
