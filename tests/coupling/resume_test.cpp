@@ -63,7 +63,8 @@ TEST_F(Resume, OnEverySchedule) {
   for (const std::string schedule : {"parallel", "improved"}) {
     expect_same_bits("cracked-dam-upper", to_failure + " --set coupling.schedule=" + schedule);
   }
-  expect_same_bits("cracked-dam-upper", to_failure + " --set coupling.longest_window_s=0.08 --set analysis.step_s=0.005");
+  expect_same_bits("cracked-dam-upper",
+                   to_failure + " --set coupling.longest_window_s=0.08 --set analysis.step_s=0.005");
 }
 
 TEST_F(Resume, AKilledRunGoesOnFromItsLastCheckpointWhenceverItWasKilled) {
