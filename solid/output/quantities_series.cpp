@@ -188,6 +188,7 @@ const Quantities& series_quantities() {
                                  {"impact_ratio", impact_ratio},
                                  {"late_speed_m_per_s", late_speed},
                                  {"wave_speed_m_per_s", wave_speed},
+                                 {"slip_over_balance", slip_over_balance},
                                  {"angular_momentum_error", angular_momentum_error}};
   return all;
 }

@@ -14,6 +14,8 @@ using Quantities = std::map<std::string, double (*)(const Outcome&, const std::s
 const Quantities& state_quantities();   ///< from the first and last frames, and from watches over the run
 const Quantities& series_quantities();  ///< from the course of a block's motion
 
+double slip_over_balance(const Outcome& o, const std::string& of);
+
 /// The block of that name; a joint stands for the upper of its two blocks. Throws std::runtime_error.
 std::size_t block_index(const Solid& solid, const std::string& name);
 

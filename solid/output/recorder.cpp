@@ -110,7 +110,7 @@ void Recorder::observe(const wire::Load& load, double time_s) {
   failure_.look(time_s, load.upstream_level_m);
   if (failure_.failures().empty()) margins_.look(solid_, time_s, load.upstream_level_m);
   acceleration_.add(time_s, solid_.states(), solid_.base().displacement(time_s));
-  series_.look(solid_, time_s);
+  series_.look(solid_, water_.at(time_s), time_s);
   energy_.look(solid_);
 }
 

@@ -11,9 +11,16 @@ TimeSeries::TimeSeries(const Solid& solid) {
   }
 }
 
-void TimeSeries::look(const Solid& solid, double time_s) {
+void TimeSeries::look(const Solid& solid, const std::vector<Panel>& water, double time_s) {
   for (auto& [block, course] : courses_) {
-    course.push_back({time_s, solid.states()[block].displacement, solid.states()[block].velocity});
+    Point force = Point::Zero();
+    for (const Panel& panel : water) {
+      if (static_cast<std::size_t>(panel.block) != block) continue;
+      const PanelForce f =
+          panel_force(solid.blocks()[block], solid.placements()[block], panel, solid.scene().water.nodal_rule);
+      force += f.force[0] + f.force[1];
+    }
+    course.push_back({time_s, solid.states()[block].displacement, solid.states()[block].velocity, force});
   }
 }
 

@@ -13,10 +13,11 @@ struct Sample {
   double time_s = 0;
   Vector6 displacement;
   Vector6 velocity;
+  Point water_force;  ///< N per metre, over the window that ended then
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(time_s, displacement, velocity);
+    archive(time_s, displacement, velocity, water_force);
   }
 };
 using Course = std::vector<Sample>;
@@ -24,7 +25,7 @@ using Course = std::vector<Sample>;
 class TimeSeries {
  public:
   explicit TimeSeries(const Solid& solid);
-  void look(const Solid& solid, double time_s);
+  void look(const Solid& solid, const std::vector<Panel>& water, double time_s);
   /// Empty for a block that is not watched.
   [[nodiscard]] const Course& of(std::size_t block) const;
 
