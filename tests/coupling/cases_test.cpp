@@ -20,7 +20,9 @@ const std::vector<Short>& short_versions() {
   static const std::vector<Short> all{
       {"accelerated-wall", "", {"fluid.cells_in_depth=10", "analysis.duration_s=1"}},
       {"breach", "", {"fluid.cells_in_depth=10", "analysis.duration_s=2"}},
-      {"caisson", "", {"fluid.cells_in_depth=10", "analysis.stop_at_failure=true"}},
+      {"caisson",  // slips by 2 cm
+       "",
+       {"fluid.cells_in_depth=10", "analysis.stop_at_failure=true", "expect.1.tolerance=0.05"}},
       {"cracked-dam-lower-openfoam",
        "",
        {"fluid.cells_in_depth=10", "analysis.duration_s=2", "water.upstream_level_m={table=[[0,20.4],[2,21.2]]}"}},
