@@ -34,7 +34,7 @@ Line least_squares(const std::vector<double>& x, const std::vector<double>& y) {
 }
 
 StudyResult find_order(const scene::OrderStudy& study, StudyRuns& runs) {
-  StudyResult result;
+  StudyResult result{.key = study.key};
   std::vector<double> log_value;
   std::vector<double> log_error;
   std::string points;
@@ -73,6 +73,25 @@ StudyResult find_order(const scene::OrderStudy& study, StudyRuns& runs) {
 }
 
 }  // namespace
+
+std::string orders_figure(const std::vector<std::pair<std::string, StudyResult>>& orders) {
+  std::string figure = fmt::format(
+      "set logscale xy\nset format y '%.0e'\nset xlabel {}\nset ylabel 'relative error'\n"
+      "set key below vertical maxcols 1\nset grid\n",
+      gnuplot_text(orders.front().second.key));
+  std::string curves;
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    const auto& [name, result] = orders[i];
+    figure += fmt::format("$d{} << EOD\n", i);
+    for (const json& run : result.runs) {
+      figure += fmt::format("{} {}\n", run["value"].get<double>(), run["error"].get<double>());
+    }
+    figure += "EOD\n";
+    curves += fmt::format("{}$d{} with linespoints pt {} title {}", i == 0 ? "" : ", ", i, i + 5,
+                          gnuplot_text(fmt::format("{}: slope {:.3f}", name, result.check["got"].get<double>())));
+  }
+  return figure + "plot " + curves + "\n";
+}
 
 StudyTask order_task(const scene::OrderStudy& study) {
   StudyTask task{.name = study.name, .set = study.set};

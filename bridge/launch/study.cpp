@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "bridge/launch/figure.hpp"
@@ -41,6 +42,19 @@ std::string file_name(std::string name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
   }
   return name;
+}
+
+void draw(const fs::path& file, const std::string& title, const std::string& figure) {
+  gnuplot(fmt::format("set terminal pngcairo font 'sans,12' size 800,600\nset output {}\nset title {}\n{}",
+                      gnuplot_path(file), gnuplot_text(title), figure));
+  fmt::print("{}\n", file.string());
+}
+
+/// Orders over the same key, beside each other.
+void draw_orders(const std::vector<std::pair<std::string, StudyResult>>& orders, const fs::path& folder) {
+  const bool one_key = std::all_of(orders.begin(), orders.end(),
+                                   [&](const auto& order) { return order.second.key == orders.front().second.key; });
+  if (orders.size() > 1 && one_key) draw(folder / "orders.png", "orders", orders_figure(orders));
 }
 
 StudyTask chosen(const std::vector<StudyTask>& tasks, const std::string& name) {
@@ -114,6 +128,7 @@ int study(const StudyOptions& options) {
   if (tasks.empty()) throw std::invalid_argument("the scene has no study: [[limit]], [[order]] or [[map]]");
   if (!options.out.empty()) results::make_folder(options.out);
   bool sound = true;
+  std::vector<std::pair<std::string, StudyResult>> orders;
   for (const StudyTask& task : tasks) {
     int count = 0;
     const auto tell = [&](const std::string& settings, const std::string& outcome) {
@@ -140,10 +155,11 @@ int study(const StudyOptions& options) {
     const fs::path file = options.out / file_name(task.name);
     const json table = {{"name", task.name}, {"check", result.check}, {"runs", result.runs}};
     results::replace_file(file.string() + ".json", table.dump(2) + "\n");
-    gnuplot(fmt::format("set terminal pngcairo font 'sans,12' size 800,600\nset output {}\nset title {}\n{}",
-                        gnuplot_path(file.string() + ".png"), gnuplot_text(task.name), result.figure));
-    fmt::print("{0}.json\n{0}.png\n", file.string());
+    fmt::print("{}.json\n", file.string());
+    draw(file.string() + ".png", task.name, result.figure);
+    if (!result.key.empty()) orders.emplace_back(task.name, std::move(result));
   }
+  draw_orders(orders, options.out);
   return sound ? 0 : 1;
 }
 

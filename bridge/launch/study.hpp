@@ -24,6 +24,7 @@ struct StudyResult {
   nlohmann::json runs = nlohmann::json::array();  ///< what each run was set to and gave
   std::string text;                               ///< of the runs, for people
   std::string figure;                             ///< gnuplot's commands, without terminal and output
+  std::string key{};                              ///< over which an order has been measured; else empty
 };
 
 /// Makes the runs of a study; each forgets the one before.
@@ -58,6 +59,9 @@ struct StudyTask {
 StudyTask limit_task(const scene::LimitStudy& study);
 StudyTask order_task(const scene::OrderStudy& study);
 StudyTask map_task(const scene::MapStudy& study);
+
+/// Errors of several orders over their key in one picture, by the studies' names: gnuplot's commands as above.
+std::string orders_figure(const std::vector<std::pair<std::string, StudyResult>>& orders);
 
 /// All studies of a scene, each setting checked. Throws scene::SceneError when the scene is not sound with one.
 std::vector<StudyTask> study_tasks(const std::filesystem::path& scene, const Settings& overrides);
