@@ -246,7 +246,7 @@ struct OrderStudy : Study {
   bool operator==(const OrderStudy&) const = default;
 };
 
-/// The mode of failure over two keys, each cell against the word of a formula.
+/// A word over two keys, as the mode of failure, each cell against that of a formula.
 struct MapStudy : Study {
   std::array<std::string, 2> keys;
   std::array<std::vector<double>, 2> values;

@@ -129,6 +129,9 @@ void read_coupling(Reading& reading) {
   table.number("timeout_s", c.timeout_s, positive());
   c.open_timeout_s = c.timeout_s;
   table.flag("added_mass_guard", c.added_mass_guard);
+  table.number("added_mass_limit", c.added_mass_limit, positive());
+  table.choice<EnergyGain>("on_energy_gain", c.on_energy_gain,
+                           {{"stop", EnergyGain::stop}, {"report", EnergyGain::report}});
 }
 
 void read_output(Reading& reading) {

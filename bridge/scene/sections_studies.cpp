@@ -67,6 +67,7 @@ void read_map(TableReader& table, Reading& reading, Known& known) {
   MapStudy study;
   read_study(table, reading, known, study);
   study.expected.quantity = "mode";
+  table.choice<std::string>("quantity", study.expected.quantity, {{"mode", "mode"}, {"stability", "stability"}});
   table.text("x_key", study.keys[0], true);
   table.numbers("x_values", study.values[0]);
   table.text("y_key", study.keys[1], true);

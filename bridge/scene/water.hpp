@@ -104,6 +104,9 @@ enum class Schedule { serial, parallel, improved };
 /// What becomes of the pressures between exchanges: solid/block/water_course.hpp.
 enum class LoadInWindow { held, linear, quadratic };
 
+/// What becomes of a run whose exchange makes energy, which is an instability: it fails, or it ends there as a result.
+enum class EnergyGain { stop, report };
+
 struct Coupling {
   Schedule schedule = Schedule::serial;
   LoadInWindow load_in_window = LoadInWindow::held;
@@ -113,6 +116,8 @@ struct Coupling {
   double open_timeout_s = 20;   ///< longest wait for it to arrive
   /// The inertia of water that a block pushes is solved for with the block's own: solid/step/added_mass.hpp.
   bool added_mass_guard = true;
+  std::optional<double> added_mass_limit;  ///< water over block, beyond which a run is refused; default: what is stable
+  EnergyGain on_energy_gain = EnergyGain::stop;
   bool operator==(const Coupling&) const = default;
 };
 

@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "solid/output/schedule_stability.hpp"
+
 namespace blockweir::solid::output {
 namespace {
 
-constexpr double limit = 1;            // m_a/m of explicit staggering
 constexpr double guarded_limit = 100;  // beyond it round-off and the estimate's error have no room left
 constexpr double solver_error = 1e-3;  // a fluid's own, by which a mode without inertia may fall below zero
 
@@ -21,18 +22,19 @@ void require_inertia(const Block& block, const MassRatio& ratio) {
                   block.name, ratio.smallest));
 }
 
-void require_stable(const Block& block, double ratio, bool guarded) {
-  if (ratio <= (guarded ? guarded_limit : limit)) return;
+void require_stable(const Block& block, double ratio, double largest, bool guarded) {
+  if (ratio <= largest) return;
   const std::string found =
       fmt::format("block \"{}\" has to push water {:.3g} times as heavy as itself", block.name, ratio);
   if (!guarded) {
-    throw std::runtime_error(found +
-                             "; without the added-mass guard the exchange is unstable above 1, whatever the step; set "
-                             "[coupling] added_mass_guard = true");
+    throw std::runtime_error(
+        found + fmt::format("; without the added-mass guard the exchange is unstable above {:.3g}, whatever "
+                            "the step; set [coupling] added_mass_guard = true",
+                            largest));
   }
   throw std::runtime_error(
       fmt::format("{}; the added-mass guard holds up to {}; make the block thicker or heavier, or join it with another",
-                  found, guarded_limit));
+                  found, largest));
 }
 
 Eigen::Matrix3d symmetric(const std::array<double, 6>& m) {
@@ -49,6 +51,12 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
     throw std::runtime_error(fmt::format("the fluid process says added masses of {} blocks, the scene has {}",
                                          load.added_mass.size(), solid.described()));
   }
+  const scene::Coupling& coupling = scene.coupling;
+  if (!limit_) {
+    limit_ = coupling.added_mass_limit   ? *coupling.added_mass_limit
+             : coupling.added_mass_guard ? guarded_limit
+                                         : largest_stable_ratio(scene);
+  }
   AddedMasses masses;
   for (std::size_t b = 0; b < load.added_mass.size(); ++b) {
     masses.push_back(symmetric(load.added_mass[b]));
@@ -60,7 +68,7 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
       ratio_ = ratio.largest;
       block_ = block.name;
     }
-    require_stable(block, ratio.largest, scene.coupling.added_mass_guard);
+    require_stable(block, ratio.largest, *limit_, coupling.added_mass_guard);
   }
   return masses;
 }

@@ -2,6 +2,7 @@
 // How heavy is the water that blocks push, against the blocks themselves? An explicit schedule hangs on that ratio.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "bridge/wire/message.hpp"
@@ -12,8 +13,8 @@ namespace blockweir::solid::output {
 class AddedMassWatch {
  public:
   /// The added masses of a load, none where the analysis has no inertia. Throws std::runtime_error where they are not
-  /// one a block or no inertia, or so large that the schedule is unstable: beyond a block's own mass without the guard,
-  /// beyond a hundred times with it.
+  /// one a block or no inertia, or larger than the scene's added_mass_limit: by default what the schedule is stable
+  /// with without the guard, a block's own mass at most, and a hundred times that with it.
   AddedMasses look(const wire::Load& load, const Solid& solid);
 
   /// Largest ratio of all loads: eigenvalue of M^-1 M_a over a block's rigid modes; 0 where no fluid has said any.
@@ -26,6 +27,7 @@ class AddedMassWatch {
   }
 
  private:
+  std::optional<double> limit_;  ///< of the scene, once it has been asked for
   double ratio_ = 0;
   std::string block_;
 };

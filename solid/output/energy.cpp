@@ -26,11 +26,11 @@ Energy energy_of(const Solid& solid) {
 }
 
 void EnergyWatch::look(const Solid& solid) {
-  const Energy now = energy_of(solid);
-  lowest_ = begun_ ? std::min(lowest_, now.total()) : now.total();
+  now_ = energy_of(solid);
+  lowest_ = begun_ ? std::min(lowest_, now_.total()) : now_.total();
   begun_ = true;
-  rise_ = std::max(rise_, now.total() - lowest_);
-  scale_ = std::max(scale_, now.kinetic + std::abs(now.strain) + std::abs(now.potential));
+  rise_ = std::max(rise_, now_.total() - lowest_);
+  scale_ = std::max(scale_, now_.kinetic + std::abs(now_.strain) + std::abs(now_.potential));
 }
 
 }  // namespace blockweir::solid::output

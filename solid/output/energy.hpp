@@ -21,16 +21,18 @@ Energy energy_of(const Solid& solid);
 class EnergyWatch {
  public:
   void look(const Solid& solid);
+  [[nodiscard]] const Energy& now() const { return now_; }
   /// Over the largest sum of the three energies' sizes; 0 where nothing has moved.
   [[nodiscard]] double gain() const { return scale_ > 0 ? rise_ / scale_ : 0; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(begun_, lowest_, rise_, scale_);
+    archive(begun_, now_.kinetic, now_.strain, now_.potential, lowest_, rise_, scale_);
   }
 
  private:
   bool begun_ = false;
+  Energy now_;
   double lowest_ = 0;
   double rise_ = 0;
   double scale_ = 0;

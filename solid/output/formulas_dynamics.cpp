@@ -10,6 +10,7 @@
 
 #include "bridge/scene/polygon.hpp"
 #include "solid/output/formula_parts.hpp"
+#include "solid/output/schedule_stability.hpp"
 #include "solid/step/newmark.hpp"
 
 namespace blockweir::solid::output {
@@ -132,8 +133,8 @@ double bar_free_end_speed(const Scene& s, const std::string& of) {
   return 2 * bar_particle_speed(s, of);
 }
 
-/// Two masses on springs, the block and the water of its column: way of the block along x at the run's end. Without a
-/// cushion they are one. M x'' + K x = f from rest in the middle, but for the block's first velocity.
+/// Two masses on springs, the block and the water of its column: way of the block along the pipe at the run's end.
+/// Without a cushion they are one. M x'' + K x = f from rest in the middle, but for the block's first velocity.
 double column_displacement(const Scene& s, const std::string& of) {
   constexpr double gravity = 9.81;  // as fluid/column has it
   const scene::Block& b = block_named(s, of);
@@ -141,7 +142,7 @@ double column_displacement(const Scene& s, const std::string& of) {
   const auto edge = static_cast<std::size_t>(c.edge);
   const Point side = b.vertices[(edge + 1) % b.vertices.size()] - b.vertices[edge];
   const double width = side.norm();
-  const double into = side.y() > 0 ? 1 : -1;
+  const Point into = Point(side.y(), -side.x()) / width;
   const double density = s.water.density_kg_per_m3;
   const double restoring = density * gravity * c.rise_ratio * width;
   const double cushion = c.cushion_pa_per_m.value_or(0) * width;
@@ -164,10 +165,16 @@ double column_displacement(const Scene& s, const std::string& of) {
     const Eigen::Vector2d phi = modes.eigenvectors().col(i);
     const double omega = std::sqrt(modes.eigenvalues()[i]);
     const double push = -density * gravity * c.head_m * width * phi[0];
-    const double speed = M(0, 0) * into * b.initial_velocity_m_per_s.x() * phi[0];
+    const double speed = M(0, 0) * into.dot(b.initial_velocity_m_per_s) * phi[0];
     way += phi[0] * (push / (omega * omega) * (1 - std::cos(omega * t)) + speed / omega * std::sin(omega * t));
   }
   return std::abs(way);
+}
+
+/// 2 pi sqrt(M/K) of a block with the water of its column, without a cushion.
+double column_period(const Scene& s, const std::string& of) {
+  const Oscillator o = oscillator_of(s, of);
+  return 2 * std::numbers::pi * std::sqrt((o.mass + o.added_mass) / (o.stiffness + o.added_stiffness));
 }
 
 /// The initial stress turned with a block that keeps its spin.
@@ -203,6 +210,7 @@ const Formulas& dynamics_formulas() {
                                {"bar-particle-speed", bar_particle_speed},
                                {"bar-free-end-speed", bar_free_end_speed},
                                {"column-displacement", column_displacement},
+                               {"column-period", column_period},
                                {"turned-stress-xx", turned_stress_xx},
                                {"turned-stress-yy", turned_stress_yy},
                                {"turned-stress-xy", turned_stress_xy}};

@@ -6,6 +6,7 @@
 #include "solid/output/added_mass_watch.hpp"
 #include "solid/output/energy.hpp"
 #include "solid/output/failure_watch.hpp"
+#include "solid/output/interface_energy.hpp"
 #include "solid/output/margins.hpp"
 #include "solid/output/time_series.hpp"
 
@@ -22,6 +23,7 @@ struct Outcome {
   const TimeSeries& series;
   const EnergyWatch& energy;
   const AddedMassWatch& added_mass;
+  const InterfaceEnergy& interface_energy;
   double largest_penetration_m = 0;    ///< over the whole run
   std::optional<double> breached_s{};  ///< since when open water has passed the structure
 };

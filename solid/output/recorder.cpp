@@ -40,6 +40,7 @@ Recorder::Recorder(const scene::Scene& scene, const std::filesystem::path& folde
       water_(static_cast<int>(scene.coupling.load_in_window)),
       failure_(solid_),
       series_(solid_),
+      interface_energy_(solid_),
       folder_(folder),
       history_(folder, scene, begin),
       frame_log_(folder, begin),
@@ -77,11 +78,13 @@ void Recorder::advance(const wire::Load& load, const wire::Motion& told, double 
   if (load.window > 0) water_.add(load.time_s, panels_of(load, solid_.blocks()));
   std::vector<Eigen::Vector3d> velocities;
   for (const auto& v : told.velocity) velocities.emplace_back(v[0], v[1], v[2]);
+  AddedMasses masses;
   solve(load, to_s, [&] {
-    const AddedMasses masses = added_mass_.look(load, solid_);
+    masses = added_mass_.look(load, solid_);
     solid_.advance(from_s, to_s, water_, {masses, velocities, told.time_s});
   });
   observe(load, to_s);
+  watch_interface(load, told, masses, from_s, to_s);
   for (const ContactPoint& c : solid_.contacts()) {
     if (c.state != ContactState::open) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
   }
@@ -104,6 +107,20 @@ void Recorder::solve(const wire::Load& load, double until_s, const std::function
                                                    face_pressures_of(panels_of(load, solid_.blocks()), scene)));
     throw NotFinite(fmt::format("{}; \"blockweir run {}\" repeats it", error.what(), file));
   }
+}
+
+void Recorder::watch_interface(const wire::Load& load, const wire::Motion& told, const AddedMasses& masses,
+                               double from_s, double to_s) {
+  const scene::Scene& scene = solid_.scene();
+  if (load.block.empty() || scene.analysis.kind != scene::AnalysisKind::dynamic) return;
+  double kinetic = energy_.now().kinetic;
+  for (std::size_t b = 0; b < masses.size(); ++b) {
+    const Eigen::Vector3d v = solid_.states()[b].velocity.head<3>();
+    if (!solid_.blocks()[b].fixed) kinetic += v.dot(masses[b] * v) / 2;
+  }
+  interface_energy_.look(panels_of(load, solid_.blocks()), told, {from_s, to_s}, kinetic);
+  if (!interface_energy_.growth() || scene.coupling.on_energy_gain == scene::EnergyGain::report) return;
+  throw std::runtime_error(interface_energy_.trouble(added_mass_.ratio()));
 }
 
 void Recorder::observe(const wire::Load& load, double time_s) {
@@ -145,6 +162,7 @@ bool Recorder::finished() const {
   if (analysis.kind == scene::AnalysisKind::at_rest && sought) {
     return !solid_.rest().found || solid_.rest().steps == 1;
   }
+  if (interface_energy_.growth()) return true;
   return analysis.stop_at_failure && !failure_.failures().empty();
 }
 
@@ -166,6 +184,7 @@ void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {
                         .series = series_,
                         .energy = energy_,
                         .added_mass = added_mass_,
+                        .interface_energy = interface_energy_,
                         .largest_penetration_m = largest_penetration_m_,
                         .breached_s = breached_s_};
   nlohmann::json text;

@@ -30,9 +30,9 @@ class Recorder final : public schedule::SolidSide {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(solid_, water_, failure_, margins_, acceleration_, series_, energy_, added_mass_, history_, frame_log_,
-            vtk_, first_, frame_, last_load_, next_history_s_, next_frame_s_, recorded_s_, largest_penetration_m_,
-            breached_s_, step_s_, output_s_);
+    archive(solid_, water_, failure_, margins_, acceleration_, series_, energy_, added_mass_, interface_energy_,
+            history_, frame_log_, vtk_, first_, frame_, last_load_, next_history_s_, next_frame_s_, recorded_s_,
+            largest_penetration_m_, breached_s_, step_s_, output_s_);
   }
 
   /// Writes summary.json; `extra` is merged into it. When `stopped` is not empty the run ended early, for that reason.
@@ -41,6 +41,9 @@ class Recorder final : public schedule::SolidSide {
  private:
   /// Calls step(); one that meets what is not a number leaves repeat.toml behind.
   void solve(const wire::Load& load, double until_s, const std::function<void()>& step);
+  /// Throws std::runtime_error where the exchange makes energy, unless that is to be a result.
+  void watch_interface(const wire::Load& load, const wire::Motion& told, const AddedMasses& masses, double from_s,
+                       double to_s);
   void observe(const wire::Load& load, double time_s);
   void record(const wire::Load& load, double time_s);
 
@@ -52,6 +55,7 @@ class Recorder final : public schedule::SolidSide {
   TimeSeries series_;
   EnergyWatch energy_;
   AddedMassWatch added_mass_;
+  InterfaceEnergy interface_energy_;
   std::filesystem::path folder_;
   HistoryWriter history_;
   FrameLog frame_log_;

@@ -157,6 +157,17 @@ json summary(const Outcome& outcome) {
                           {"text", fmt::format("added mass {:.3g} of block \"{}\"'s own ({})", added.ratio(),
                                                added.block(), guarded ? "guarded" : "no guard")}};
   }
+  const InterfaceEnergy& exchanged = outcome.interface_energy;
+  if (exchanged.looked()) {
+    text["interface_energy"] = {{"made_j_per_m", exchanged.made_j_per_m()},
+                                {"water_work_j_per_m", outcome.solid.water_work().sum_j_per_m()},
+                                {"grows", exchanged.growth().has_value()}};
+    if (const auto& growth = exchanged.growth()) {
+      text["interface_energy"]["window"] = growth->window;
+      text["interface_energy"]["time_s"] = growth->time_s;
+      text["interface_energy"]["text"] = exchanged.trouble(outcome.added_mass.ratio());
+    }
+  }
   if (outcome.failure.failures().empty()) {
     text["outcome"] = "stands";
     text["margin"] = margin(outcome);

@@ -9,6 +9,7 @@
 #include "bridge/scene/polygon.hpp"
 #include "solid/output/formula_parts.hpp"
 #include "solid/output/quantity_parts.hpp"
+#include "solid/output/schedule_stability.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -38,16 +39,20 @@ std::string slide_or_topple(const scene::Scene& scene, const std::string& of) {
 }  // namespace
 
 bool is_word(const std::string& quantity) {
-  return quantity == "mode";
+  return quantity == "mode" || quantity == "stability";
 }
 
 std::string word(const Outcome& outcome, const scene::Expectation& expectation) {
+  if (expectation.quantity == "stability") return outcome.interface_energy.growth() ? "grows" : "stable";
   return mode(outcome, expectation.of);
 }
 
 std::string word_formula(const scene::Scene& scene, const scene::Expectation& expectation) {
   if (expectation.formula == "slide-or-topple") return slide_or_topple(scene, expectation.of);
-  throw std::runtime_error(fmt::format("no formula for a mode of failure is called \"{}\"", expectation.formula));
+  if (expectation.formula == "schedule-stability") {
+    return schedule_growth(oscillator_of(scene, expectation.of)) > least_growth ? "grows" : "stable";
+  }
+  throw std::runtime_error(fmt::format("no formula for a word is called \"{}\"", expectation.formula));
 }
 
 }  // namespace blockweir::solid::output

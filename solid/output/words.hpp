@@ -12,7 +12,8 @@ namespace blockweir::solid::output {
 /// Is this quantity a word and no number?
 bool is_word(const std::string& quantity);
 
-/// "mode": how the block (of a joint: the upper one) fails, or the first that does where none is named; "stands".
+/// "stability": "grows" where the exchange makes energy, else "stable"; "mode": how the block (of a joint: the upper
+/// one) fails, or the first that does where none is named; "stands".
 std::string word(const Outcome& outcome, const scene::Expectation& expectation);
 
 /// The word of `expectation.formula` for this scene. Throws std::runtime_error when there is no such formula, or the

@@ -34,7 +34,12 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
     const double dt = (to_s - time) / std::ceil((to_s - time) / allowed * (1 - 1e-9));
     const std::vector<Panel>& panels = water.at(time + dt);
     if (guard_.acts()) guard_.begin_step(water.weights(time + dt));
+    if (!panels.empty()) {
+      water_work_.begin_step(water_forces(panels, blocks_, start_, described(), scene_.water.nodal_rule), guard_,
+                             states_);
+    }
     if (attempt(dt, time + dt, panels) || attempt_softly(dt, time + dt, panels)) {
+      if (!panels.empty()) water_work_.end_step(guard_, states_, dt);
       time += dt;
       next_dt_ = std::min(largest_step, next_dt_ < dt ? next_dt_ * 2 : std::max(next_dt_, dt * 2));
       continue;

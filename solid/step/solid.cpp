@@ -63,6 +63,7 @@ Solid::Solid(const scene::Scene& scene)
       next_dt_(scene.analysis.step_s),
       sleep_(blocks_.size(), size_),
       newmark_(Newmark::of(scene.analysis.integrator, scene.analysis.spectral_radius)),
+      water_work_(scene.analysis.integrator == scene::Integrator::shi),
       formulation_(make_formulation(scene.contact.formulation, laws_,
                                     {.penetration_tolerance_m = scene.contact.penetration_tolerance_m,
                                      .force_tolerance_n = scene.contact.force_tolerance * force_scale_,

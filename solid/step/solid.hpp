@@ -19,6 +19,7 @@
 #include "solid/step/counts.hpp"
 #include "solid/step/newmark.hpp"
 #include "solid/step/sleep.hpp"
+#include "solid/step/water_work.hpp"
 
 namespace blockweir::solid {
 
@@ -64,6 +65,7 @@ class Solid {
   [[nodiscard]] const BaseMotion& base() const { return base_; }
   /// Of a static analysis, as the last advance left it.
   [[nodiscard]] const Rest& rest() const { return rest_; }
+  [[nodiscard]] const WaterWork& water_work() const { return water_work_; }
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] const Profile& profile() const { return profile_; }
   [[nodiscard]] double size_m() const { return size_; }  ///< half the height of what can move, at least half its width
@@ -75,8 +77,8 @@ class Solid {
   /// What a step changes.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(states_, contacts_, next_dt_, started_, time_s_, rest_, sleep_, guard_, search_, counts_, profile_,
-            *formulation_);
+    archive(states_, contacts_, next_dt_, started_, time_s_, rest_, sleep_, guard_, water_work_, search_, counts_,
+            profile_, *formulation_);
     for (Support& support : supports_) archive(support);
     for (Bolt& bolt : bolts_) archive(bolt);
     if (substitute_) archive(*substitute_);
@@ -203,6 +205,7 @@ class Solid {
   // The step at hand.
   Newmark newmark_;
   AddedMassGuard guard_;
+  WaterWork water_work_;
   std::vector<MeanMotion> mean_motions_;  ///< of meshed blocks under the guard
   std::unique_ptr<Formulation> formulation_;
   std::unique_ptr<Formulation> substitute_;  ///< for steps that Lagrange multipliers cannot settle

@@ -79,6 +79,43 @@ TEST_F(Studies, AnOrderIsTheSlopeOfTheErrors) {
   EXPECT_EQ(result("fall")["runs"].size(), 4U);
 }
 
+TEST_F(Studies, SeveralOrdersShareAPicture) {
+  const std::string fall =
+      "set = ['joint.friction_angle_deg=5', 'analysis.stop_at_failure=false', 'analysis.rigid=all', "
+      "'analysis.mass_damping_per_s=5', 'analysis.max_displacement_ratio=1']\nkey = 'analysis.step_s'\n"
+      "values = [0.005, 0.01, 0.02]\nquantity = 'displacement_m'\nof = 'b1-1'\nvalue = 0.0737220628028\norder = 1\n";
+  write_scene("[[order]]\nname = 'one'\n" + fall);
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_FALSE(fs::exists(folder / "s/orders.png"));
+  write_scene("[[order]]\nname = 'one'\n" + fall + "[[order]]\nname = 'two'\n" + fall);
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_GT(fs::file_size(folder / "s/orders.png"), 1000U);
+}
+
+TEST_F(Studies, AMapOfStability) {
+  std::ostringstream scene;
+  scene << std::ifstream(cases + "piston-column/scene.toml").rdbuf();
+  const std::string piston = scene.str().substr(0, scene.str().find("[[order]]"));
+  const std::string map =
+      "[[map]]\nname = 'map'\nset = ['coupling.added_mass_guard=false', 'coupling.added_mass_limit=10', "
+      "'coupling.on_energy_gain=report', 'analysis.integrator=shi']\nquantity = 'stability'\nof = 'piston'\n"
+      "x_key = 'analysis.step_s'\nx_values = [0.001]\ny_key = 'fluid.column.length_m'\ny_values = [0.9, 1.1]\n";
+  std::ofstream(folder / "scene.toml") << piston << map << "formula = 'schedule-stability'\n";
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("- stable  g grows"));
+  std::ofstream(folder / "scene.toml") << piston << map << "word = 'stable'\n";
+  EXPECT_EQ(study(), 1);
+  EXPECT_THAT(text("out"), HasSubstr("fluid.column.length_m=1.1: grows, but stable by the formula"));
+}
+
+TEST_F(Studies, AMapOfAnotherQuantityIsRefused) {
+  write_scene(
+      "[[map]]\nname = 'm'\nquantity = 'displacement_m'\nx_key = 'analysis.gravity_tilt_deg'\nx_values = [20]\n"
+      "y_key = 'wall.b.brick_length_m'\ny_values = [1]\nword = 'stands'\n");
+  EXPECT_EQ(study(), 2);
+  EXPECT_THAT(text("out"), HasSubstr("stability"));
+}
+
 TEST_F(Studies, AMapCountsItsWrongCells) {
   const std::string map =
       "[[map]]\nname = 'modes'\nx_key = 'analysis.gravity_tilt_deg'\nx_values = [20, 40]\n"

@@ -89,6 +89,25 @@ TEST(AddedMassWatch, WithoutTheGuardHeavierWaterIsRefusedWithTheRemedy) {
   EXPECT_EQ(refusal(scene, load), "");
 }
 
+TEST(AddedMassWatch, PredictingSchedulesCarryLess) {
+  auto scene = two_blocks();
+  scene.coupling.added_mass_guard = false;
+  scene.coupling.schedule = scene::Schedule::parallel;  // 1 - r^2 = 2 r
+  EXPECT_EQ(refusal(scene, load_of({0.41 * mass, 0, 0, 0, 0, 0}, {})), "");
+  EXPECT_THAT(refusal(scene, load_of({0.42 * mass, 0, 0, 0, 0, 0}, {})), HasSubstr("unstable above 0.414"));
+  scene.coupling.schedule = scene::Schedule::improved;
+  scene.coupling.load_in_window = scene::LoadInWindow::linear;
+  EXPECT_THAT(refusal(scene, load_of({0.3 * mass, 0, 0, 0, 0, 0}, {})), HasSubstr("unstable above 0.25"));
+}
+
+TEST(AddedMassWatch, AScenesOwnLimitGoesOverIt) {
+  auto scene = two_blocks();
+  scene.coupling.added_mass_guard = false;
+  scene.coupling.added_mass_limit = 5;
+  EXPECT_EQ(refusal(scene, load_of({4.9 * mass, 0, 0, 0, 0, 0}, {})), "");
+  EXPECT_THAT(refusal(scene, load_of({5.1 * mass, 0, 0, 0, 0, 0}, {})), HasSubstr("unstable above 5"));
+}
+
 TEST(AddedMassWatch, TheGuardHasALimitToo) {
   EXPECT_EQ(refusal(two_blocks(), load_of({}, {99 * mass, 0, 0, 0, 0, 0})), "");
   EXPECT_THAT(

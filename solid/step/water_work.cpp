@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/step/water_work.hpp"
+
+namespace blockweir::solid {
+
+std::vector<Eigen::Vector3d> water_forces(const std::vector<Panel>& panels, const std::vector<Block>& blocks,
+                                          const std::vector<Placement>& placements, std::size_t described,
+                                          scene::NodalRule rule) {
+  std::vector<Eigen::Vector3d> forces(described, Eigen::Vector3d::Zero());
+  for (const Panel& panel : panels) {
+    const auto b = static_cast<std::size_t>(panel.block);
+    forces[b] += generalized_force(placements[b], panel_force(blocks[b], placements[b], panel, rule)).head<3>();
+  }
+  return forces;
+}
+
+void WaterWork::begin_step(std::vector<Eigen::Vector3d> forces, const AddedMassGuard& guard,
+                           const std::vector<BlockState>& states) {
+  forces_ = std::move(forces);
+  displacement_.clear();
+  velocity_.clear();
+  for (std::size_t b = 0; b < forces_.size(); ++b) {
+    if (b < guard.blocks()) forces_[b] += guard.force(b);
+    displacement_.emplace_back(states[b].displacement.head<3>());
+    velocity_.emplace_back(states[b].velocity.head<3>());
+  }
+}
+
+void WaterWork::end_step(const AddedMassGuard& guard, const std::vector<BlockState>& states, double dt) {
+  const bool mean = !of_the_end_ && before_.size() == forces_.size();
+  for (std::size_t b = 0; b < forces_.size(); ++b) {
+    const Eigen::Vector3d way = states[b].displacement.head<3>() - displacement_[b];
+    Eigen::Vector3d force = mean ? Eigen::Vector3d((before_[b] + forces_[b]) / 2) : forces_[b];
+    if (b < guard.blocks()) force -= guard.mass(b) * (states[b].velocity.head<3>() - velocity_[b]) / dt;
+    sum_ += force.dot(way);
+  }
+  before_.swap(forces_);
+}
+
+}  // namespace blockweir::solid

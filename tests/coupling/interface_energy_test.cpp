@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// An exchange that makes energy ends the run, or is its result; one that does not is left alone.
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+class InterfaceEnergy : public Processes {
+ protected:
+  [[nodiscard]] int run(const std::string& more) const {
+    return shell(programs + "/blockweir run " + cases + "piston-column --out r --quiet" + more);
+  }
+  [[nodiscard]] nlohmann::json energy() const {
+    return nlohmann::json::parse(text("r/summary.json"))["interface_energy"];
+  }
+};
+
+const std::string unguarded =
+    " --set coupling.added_mass_guard=false --set coupling.added_mass_limit=10 --set analysis.integrator=shi";
+
+TEST_F(InterfaceEnergy, HeavyWaterWithoutTheGuardIsRefusedUnlessTheSceneTakesTheRisk) {
+  EXPECT_EQ(run(" --set coupling.added_mass_guard=false"), 1);
+  EXPECT_THAT(text("out"), HasSubstr("has to push water 3 times as heavy as itself; without the added-mass guard the "
+                                     "exchange is unstable above 1"));
+  EXPECT_EQ(run(unguarded + " --set coupling.added_mass_limit=2"), 1);
+  EXPECT_THAT(text("out"), HasSubstr("unstable above 2"));
+}
+
+TEST_F(InterfaceEnergy, ARunThatGrowsIsStoppedWithItsWindowCauseAndRemedy) {
+  EXPECT_EQ(run(unguarded), 1);
+  EXPECT_THAT(text("out"), HasSubstr("the exchange makes energy from window "));
+  EXPECT_THAT(text("out"), HasSubstr("the water that a block has to push is 3 times as heavy as it, without the "
+                                     "added-mass guard; set [coupling] added_mass_guard = true"));
+  const auto found = energy();
+  EXPECT_TRUE(found["grows"].get<bool>());
+  EXPECT_LT(found["window"].get<int>(), 10);
+}
+
+TEST_F(InterfaceEnergy, OrReportsItWhereTheSceneAsksForThat) {
+  EXPECT_EQ(run(unguarded + " --set coupling.on_energy_gain=report"), 0) << text("out");
+  EXPECT_TRUE(energy()["grows"].get<bool>());
+}
+
+TEST_F(InterfaceEnergy, LighterWaterAndGuardedWaterDoNotGrow) {
+  EXPECT_EQ(run(unguarded + " --set fluid.column.length_m=0.9"), 0) << text("out");
+  EXPECT_FALSE(energy()["grows"].get<bool>());
+  EXPECT_EQ(run(" --set fluid.column.length_m=100"), 0) << text("out");
+  EXPECT_FALSE(energy()["grows"].get<bool>());
+}
+
+}  // namespace
+}  // namespace blockweir::test
