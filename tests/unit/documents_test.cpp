@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What "Write your own fluid in a page" lists is there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path root = BLOCKWEIR_SOURCE;
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream all;
+  all << std::ifstream(file).rdbuf();
+  return all.str();
+}
+
+std::string section(const std::string& document, const std::string& heading) {
+  const std::string all = text_of(root / document);
+  const auto from = all.find("## " + heading);
+  if (from == std::string::npos) return {};
+  return all.substr(from, all.find("\n## ", from) - from);
+}
+
+/// Between backticks.
+std::vector<std::string> quoted(const std::string& text) {
+  std::vector<std::string> all;
+  const std::regex code("`([^`]+)`");
+  for (std::sregex_iterator i(text.begin(), text.end(), code), end; i != end; ++i) {
+    all.push_back(std::regex_replace((*i)[1].str(), std::regex("\\s+"), " "));
+  }
+  return all;
+}
+
+TEST(Documents, AFluidOfOnesOwnFindsAllThatItIsTold) {
+  const std::string page = section("fluid/README.md", "Write your own fluid in a page");
+  ASSERT_FALSE(page.empty());
+  std::string sources;
+  int files = 0;
+  for (const std::string& word : quoted(page)) {
+    if (word.find('/') == std::string::npos || word.find(' ') != std::string::npos) continue;
+    ++files;
+    EXPECT_TRUE(fs::exists(root / word)) << word;
+    if (fs::is_regular_file(root / word)) sources += text_of(root / word);
+  }
+  EXPECT_GE(files, 10);
+  sources += text_of(root / "bridge/wire/message.hpp") + text_of(root / "bridge/schedule/run.hpp");
+  for (std::string word : quoted(page)) {
+    if (word.find('/') != std::string::npos || word.find(' ') != std::string::npos || word.front() == '[') continue;
+    word = word.substr(0, word.find('('));
+    word = word.substr(word.rfind(':') == std::string::npos ? 0 : word.rfind(':') + 1);
+    word = word.substr(word.rfind('.') == std::string::npos ? 0 : word.rfind('.') + 1);
+    EXPECT_THAT(sources, testing::HasSubstr(word));
+  }
+}
+
+}  // namespace
