@@ -218,6 +218,7 @@ struct Channel::Line {
   double packed_s = 0;
   double wire_s = 0;
   std::uint64_t window = 0;
+  std::size_t blocks = 0;  ///< that the handshake was on
 
   [[nodiscard]] std::string moment() const { return fmt::format("in window {}", window); }
 };
@@ -234,6 +235,7 @@ wire::Hello Channel::handshake(const wire::Hello& ours) {
   line_->receive(wire::Kind::hello, theirs, line_->options.open_timeout_s, "at the handshake");
   const std::string differences = compare(ours, theirs);
   if (!differences.empty()) throw PeerError("handshake refused: " + differences);
+  line_->blocks = ours.block_names.size();
   return theirs;
 }
 
@@ -252,6 +254,10 @@ void Channel::send(const wire::Failure& failure) {
 
 void Channel::receive(wire::Motion& into) {
   line_->receive(wire::Kind::motion, into, line_->options.timeout_s, line_->moment());
+  if (into.displacement.size() != line_->blocks) {
+    throw PeerError(fmt::format("{} sent positions of {} blocks in window {}, the handshake was on {}",
+                                line_->options.partner, into.displacement.size(), into.window, line_->blocks));
+  }
   line_->window = into.window;
 }
 

@@ -48,9 +48,12 @@ std::string endpoint(const char* name) {
 class Line {
  public:
   Line(std::size_t panels, int most) : motion_(motion_of(panels / 4 + 1)), load_(load_of(panels)) {
-    other_ = std::thread([this, panels, most] {
+    wire::Hello hello;
+    hello.block_names.resize(motion_.displacement.size());
+    hello.vertex_counts.resize(hello.block_names.size());
+    other_ = std::thread([panels, most, hello] {
       channel::Channel fluid({.side = channel::Side::connects, .endpoint = endpoint("line"), .partner = "solid"});
-      (void)fluid.handshake({});
+      (void)fluid.handshake(hello);
       wire::Motion heard;
       wire::Load said = load_of(panels);
       for (int i = 0; i < most; ++i) {
@@ -58,7 +61,7 @@ class Line {
         fluid.send(said);
       }
     });
-    (void)solid_.handshake({});
+    (void)solid_.handshake(hello);
   }
   ~Line() { other_.join(); }
   void exchange() {

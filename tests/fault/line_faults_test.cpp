@@ -114,7 +114,7 @@ class LineFaults : public Processes {
 
 TEST_F(LineFaults, EachIsNoticedAndNoWrongResultIsWritten) {
   const char* asked = std::getenv("BLOCKWEIR_FAULTS");
-  const int count = asked != nullptr ? std::atoi(asked) : 14;
+  const int count = asked != nullptr ? std::atoi(asked) : 16;
   constexpr unsigned seed = 20260102;
   std::mt19937 random(seed);
   const std::string whole = sound_history();
