@@ -109,7 +109,7 @@ class LineFaults : public Processes {
   void TearDown() override { EXPECT_FALSE(orphan()); }
 
   const std::string scene =
-      cases + "cracked-dam-upper --set analysis.duration_s=1 --set coupling.timeout_s=1 --set output.frame_every_s=1";
+      cases + "cracked-dam-upper --set analysis.duration_s=4 --set coupling.timeout_s=1 --set output.frame_every_s=1";
 };
 
 TEST_F(LineFaults, EachIsNoticedAndNoWrongResultIsWritten) {
@@ -240,7 +240,7 @@ TEST_F(LineFaults, ADiskThatFillsUpLeavesACheckpointToGoOnFrom) {
 }
 
 TEST_F(LineFaults, TheLauncherEndsAPartnerThatIsStopped) {
-  const pid_t run = start(programs + "/blockweir run " + scene + " --quiet --out o", "log");
+  const pid_t run = start(programs + "/blockweir run " + scene + " --set analysis.step_s=0.001 --quiet --out o", "log");
   ASSERT_TRUE(under_way("o"));
   EXPECT_EQ(shell("pkill -STOP -f '[b]lockweir-hydrostatic o/'"), 0);
   EXPECT_EQ(end_of(run, 15), 1) << text("log");
