@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 
+#include "bridge/channel/line_options.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/read.hpp"
@@ -21,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 struct Arguments {
   std::string scene;
   std::string folder;
-  std::string endpoint;
+  channel::Options line{.side = channel::Side::listens};
   std::vector<std::string> overrides;
   int progress_fd = -1;
   std::uint64_t resume = 0;
@@ -45,10 +46,10 @@ auto progress_to(int fd, double duration_s) {
   };
 }
 
-void run(const Arguments& arguments) {
+void run(Arguments& arguments) {
   const auto start = Clock::now();
   const scene::Scene scene = scene::read(arguments.scene, arguments.overrides).scene;
-  if (scene.fluid != scene::FluidModel::none && arguments.endpoint.empty()) {
+  if (scene.fluid != scene::FluidModel::none && arguments.line.endpoint.empty()) {
     throw std::invalid_argument("the scene has water: say with --endpoint where to listen for the fluid process");
   }
   channel::catch_stop_signals();
@@ -65,18 +66,20 @@ void run(const Arguments& arguments) {
     const std::chrono::duration<double> total = Clock::now() - start;
     recorder.finish({{"wall_time_s", total.count()},
                      {"profile_s",
-                      {{"start_up", connected_s}, {"wait_for_fluid", exchange.wait_s}, {"exchange", exchange.pack_s}}}},
+                      {{"start_up", connected_s},
+                       {"wait_for_fluid", exchange.wait_s},
+                       {"pack", exchange.pack_s},
+                       {"wire", exchange.wire_s}}}},
                     stopped);
   };
   try {
     if (scene.fluid == scene::FluidModel::none) {
       schedule::run_solid(nullptr, scene, checkpoints, first, recorder);
     } else {
-      channel::Channel channel({.side = channel::Side::listens,
-                                .endpoint = arguments.endpoint,
-                                .partner = fmt::format("fluid process ({})", scene::name(scene.fluid)),
-                                .timeout_s = scene.coupling.timeout_s,
-                                .open_timeout_s = scene.coupling.open_timeout_s});
+      arguments.line.partner = fmt::format("fluid process ({})", scene::name(scene.fluid));
+      arguments.line.timeout_s = scene.coupling.timeout_s;
+      arguments.line.open_timeout_s = scene.coupling.open_timeout_s;
+      channel::Channel channel(arguments.line);
       channel.handshake(schedule::hello(scene, "solid", first));
       connected_s = std::chrono::duration<double>(Clock::now() - start).count();
       const double waited_before = channel.waited_s();
@@ -97,8 +100,7 @@ int main(int argc, char** argv) {
   CLI::App app{"blockweir-solid: blocks of a scene, moved by discontinuous deformation analysis"};
   app.add_option("scene", arguments.scene, "scene file or case folder")->required();
   app.add_option("--out", arguments.folder, "folder for the results")->required();
-  app.add_option("--endpoint", arguments.endpoint,
-                 "where to listen for the fluid process: ipc://PATH or tcp://HOST:PORT");
+  channel::add_line_options(app, arguments.line);
   app.add_option("--set", arguments.overrides, "key=value over the scene's own; the same for both processes");
   app.add_option("--resume", arguments.resume, "number of the checkpoint in --out to go on from; the same for both");
   app.add_option("--progress-fd", arguments.progress_fd, "file descriptor for progress lines");

@@ -6,10 +6,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <zmq.hpp>
 
 #include "bridge/channel/endpoint.hpp"
+#include "bridge/channel/gate.hpp"
 #include "bridge/channel/hello.hpp"
+#include "bridge/channel/keys.hpp"
+#include "bridge/channel/visitors.hpp"
 #include "bridge/wire/codec.hpp"
 
 namespace blockweir::channel {
@@ -25,41 +29,73 @@ constexpr int linger_ms = 1000;       // a last word still goes out
 constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that arrived just before a poll
 constexpr double spin_s = 50e-6;      // answers of a small scene come within this: no sleep, no wake-up
 
+/// What stands in the builder. A large frame is given away with its memory, and the next one gets some of that size.
+zmq::message_t frame_of(flatbuffers::FlatBufferBuilder& builder) {
+  constexpr std::size_t large = 1U << 14U;
+  const std::size_t size = builder.GetSize();
+  if (size < large) return {builder.GetBufferPointer(), size};
+  auto* given = new flatbuffers::DetachedBuffer(builder.Release());
+  builder = flatbuffers::FlatBufferBuilder(size + size / 8);
+  const auto free = [](void*, void* buffer) { delete static_cast<flatbuffers::DetachedBuffer*>(buffer); };
+  return {given->data(), given->size(), free, given};
+}
+
+void secure(zmq::socket_t& socket, const Keys& keys, bool listens) {
+  socket.set(zmq::sockopt::curve_secretkey, keys.own_secret);
+  if (listens) {
+    socket.set(zmq::sockopt::curve_server, 1);
+    return;
+  }
+  socket.set(zmq::sockopt::curve_publickey, keys.own_public);
+  socket.set(zmq::sockopt::curve_serverkey, keys.partner_public);
+}
+
 }  // namespace
 
-/// The socket, its monitor and the buffers.
+/// The socket, those who come to it, and the buffers.
 struct Channel::Line {
   explicit Line(const Options& o)
-      : options(o), socket(context, zmq::socket_type::pair), monitor(context, zmq::socket_type::pair) {
+      : options(o),
+        listens(o.side == Side::listens),
+        socket(context, zmq::socket_type::pair),
+        visitors(context, socket, o.endpoint, listens && is_tcp(o.endpoint)) {
+    check_endpoint(options.endpoint, listens, options.insecure || !options.keys.empty());
     socket.set(zmq::sockopt::linger, linger_ms);
     // The other side's I/O thread answers even while it computes; a stopped or vanished process does not.
     const int heartbeat_ms = static_cast<int>(std::max(100.0, 1000 * options.timeout_s / 4));
     socket.set(zmq::sockopt::heartbeat_ivl, heartbeat_ms);
     socket.set(zmq::sockopt::heartbeat_timeout, 2 * heartbeat_ms);
     socket.set(zmq::sockopt::maxmsgsize, std::int64_t{1} << 30);
-    const std::string events = fmt::format("inproc://monitor-{}", static_cast<const void*>(this));
-    zmq_socket_monitor(
-        socket.handle(), events.c_str(),
-        ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_CONNECTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED | ZMQ_EVENT_DISCONNECTED);
-    monitor.connect(events);
+    socket.set(zmq::sockopt::ipv6, options.endpoint.find('[') != std::string::npos ? 1 : 0);
+    Keys keys;
+    if (!options.keys.empty()) {
+      if (!is_tcp(options.endpoint)) {
+        throw std::invalid_argument(
+            fmt::format("--keys are for tcp://HOST:PORT; {} has none to keep out", options.endpoint));
+      }
+      keys = read_keys(options.keys);
+      secure(socket, keys, listens);
+    }
+    if (listens && is_tcp(options.endpoint)) {
+      gate.emplace(context, keys.partner_public);
+      socket.set(zmq::sockopt::zap_domain,
+                 "blockweir");  // asks it without keys, too, which turns ZMTP 1 away: any bytes
+    }
     open();
   }
-  ~Line() { zmq_socket_monitor(socket.handle(), nullptr, 0); }
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
 
   void open() {
-    check_endpoint(options.endpoint, options.side == Side::listens);
     try {
-      if (options.side == Side::listens) {
+      if (listens) {
         socket.bind(options.endpoint);
       } else {
         socket.connect(options.endpoint);
       }
     } catch (const zmq::error_t& error) {
-      throw PeerError(fmt::format("cannot {} {}: {}; choose another --endpoint",
-                                  options.side == Side::listens ? "listen at" : "connect to", options.endpoint,
-                                  error.what()));
+      throw PeerError(fmt::format("cannot {} {}: {}; choose another --endpoint", listens ? "listen at" : "connect to",
+                                  options.endpoint, error.what()));
     }
   }
 
@@ -67,26 +103,25 @@ struct Channel::Line {
   void send(const Message& message) {
     const auto start = Clock::now();
     wire::encode(message, builder);
-    packed_s += seconds_since(start);
-    socket.send(zmq::const_buffer(builder.GetBufferPointer(), builder.GetSize()), zmq::send_flags::dontwait);
+    const auto packed = Clock::now();
+    socket.send(frame_of(builder), zmq::send_flags::dontwait);
+    packed_s += std::chrono::duration<double>(packed - start).count();
+    wire_s += seconds_since(packed);
   }
 
-  /// True when the partner has gone; what it still sent can be read all the same. A third process that comes to a line
-  /// in use is turned away by ZeroMQ, and its going is not the partner's: connections are told apart by descriptor.
+  /// Until something happens at the line, or `longest_s` has passed.
+  void poll(double longest_s) {
+    zmq::pollitem_t items[] = {{visitors.handle(), 0, ZMQ_POLLIN, 0},
+                               {socket.handle(), 0, ZMQ_POLLIN, 0},
+                               {gate ? gate->handle() : nullptr, 0, ZMQ_POLLIN, 0}};
+    zmq_poll(items, gate ? 3 : 2, std::max(1L, static_cast<long>(1000 * longest_s)));
+    visitors.look();  // before the answer: whoever is turned away by it can still be asked for an address
+    if (gate) gate->answer();
+  }
+
   bool partner_left() {
-    zmq::message_t event;
-    while (monitor.recv(event, zmq::recv_flags::dontwait)) {
-      std::uint16_t number = 0;
-      std::int32_t descriptor = 0;
-      std::memcpy(&number, event.data(), sizeof number);
-      std::memcpy(&descriptor, static_cast<const char*>(event.data()) + sizeof number, sizeof descriptor);
-      if (!joined && (number == ZMQ_EVENT_ACCEPTED || number == ZMQ_EVENT_CONNECTED)) partner_descriptor = descriptor;
-      if (number == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) joined = true;
-      if (number == ZMQ_EVENT_DISCONNECTED && joined && descriptor == partner_descriptor) left = true;
-      zmq::message_t address;
-      (void)monitor.recv(address, zmq::recv_flags::dontwait);
-    }
-    return left;
+    visitors.look();
+    return visitors.left();
   }
 
   bool try_receive() { return socket.recv(incoming, zmq::recv_flags::dontwait).has_value(); }
@@ -94,14 +129,23 @@ struct Channel::Line {
   /// A pair socket has nowhere to put a message before its partner is there.
   void await_partner() {
     const auto start = Clock::now();
-    while (!joined) {
-      zmq::pollitem_t item{monitor.handle(), 0, ZMQ_POLLIN, 0};
-      zmq_poll(&item, 1, static_cast<long>(1000 * poll_slice_s));
-      (void)partner_left();
+    for (visitors.look(); !visitors.joined(); visitors.look()) {
+      poll(poll_slice_s);
       if (stop_requested()) throw Interrupted("asked to stop");
-      if (!joined && seconds_since(start) > options.open_timeout_s) {
-        throw PeerError(fmt::format("{} has not come to {} within {:.3g} s; is it running, with the same --endpoint?",
-                                    options.partner, options.endpoint, options.open_timeout_s));
+      if (visitors.joined()) return;
+      if (!listens && visitors.final_refusal()) {
+        throw PeerError(
+            fmt::format("no handshake with {} at {}: {}; are both sides given --keys of one \"blockweir keys\"?",
+                        options.partner, options.endpoint, visitors.refusal()));
+      }
+      if (seconds_since(start) > options.open_timeout_s) {
+        const std::string met = visitors.strangers() > 0      ? fmt::format("{} strangers have", visitors.strangers())
+                                : !visitors.refusal().empty() ? "somebody who left in the middle of the handshake has"
+                                                              : "";
+        throw PeerError(fmt::format("{} has not come to {} within {:.3g} s{}; is it running, with the same {}?",
+                                    options.partner, options.endpoint, options.open_timeout_s,
+                                    met.empty() ? "" : ", but " + met,
+                                    options.keys.empty() ? "--endpoint" : "--endpoint, and --keys of the same make"));
       }
     }
   }
@@ -122,10 +166,9 @@ struct Channel::Line {
         throw PeerError(fmt::format("{} has been silent for {:.3g} s at {} {}; [coupling] timeout_s sets the patience",
                                     options.partner, patience_s, options.endpoint, moment));
       }
-      zmq::pollitem_t items[] = {{socket.handle(), 0, ZMQ_POLLIN, 0}, {monitor.handle(), 0, ZMQ_POLLIN, 0}};
-      const double slice = std::min(poll_slice_s, patience_s - waited + 1e-3);
-      zmq_poll(items, 2, std::max(1L, static_cast<long>(1000 * slice)));
+      poll(std::min(poll_slice_s, patience_s - waited + 1e-3));
     }
+    visitors.partner_is(zmq_msg_get(incoming.handle(), ZMQ_SRCFD));
     waited_s += seconds_since(start);
   }
 
@@ -163,18 +206,19 @@ struct Channel::Line {
   }
 
   Options options;
+  bool listens;
   zmq::context_t context{1};
   zmq::socket_t socket;
-  zmq::socket_t monitor;
+  Visitors visitors;
+  std::optional<Gate> gate;
   zmq::message_t incoming;
   std::vector<std::uint64_t> realigned;
   flatbuffers::FlatBufferBuilder builder;
-  std::int32_t partner_descriptor = -1;
-  bool joined = false;
-  bool left = false;
   double waited_s = 0;
   double packed_s = 0;
+  double wire_s = 0;
   std::uint64_t window = 0;
+  std::size_t blocks = 0;  ///< that the handshake was on
 
   [[nodiscard]] std::string moment() const { return fmt::format("in window {}", window); }
 };
@@ -191,6 +235,7 @@ wire::Hello Channel::handshake(const wire::Hello& ours) {
   line_->receive(wire::Kind::hello, theirs, line_->options.open_timeout_s, "at the handshake");
   const std::string differences = compare(ours, theirs);
   if (!differences.empty()) throw PeerError("handshake refused: " + differences);
+  line_->blocks = ours.block_names.size();
   return theirs;
 }
 
@@ -209,6 +254,10 @@ void Channel::send(const wire::Failure& failure) {
 
 void Channel::receive(wire::Motion& into) {
   line_->receive(wire::Kind::motion, into, line_->options.timeout_s, line_->moment());
+  if (into.displacement.size() != line_->blocks) {
+    throw PeerError(fmt::format("{} sent positions of {} blocks in window {}, the handshake was on {}",
+                                line_->options.partner, into.displacement.size(), into.window, line_->blocks));
+  }
   line_->window = into.window;
 }
 
@@ -222,6 +271,9 @@ double Channel::waited_s() const {
 }
 double Channel::packed_s() const {
   return line_->packed_s;
+}
+double Channel::wire_s() const {
+  return line_->wire_s;
 }
 
 }  // namespace blockweir::channel

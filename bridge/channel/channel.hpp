@@ -35,11 +35,14 @@ struct Options {
   std::string partner;         ///< how messages call the other side, e.g. "fluid process (hydrostatic)"
   double timeout_s = 20;       ///< longest silence while a message is awaited
   double open_timeout_s = 20;  ///< longest wait for the partner to arrive
+  std::string keys{};          ///< folder of this side's CURVE keys; empty: none
+  bool insecure = false;       ///< a tcp port that other machines reach may do without them
 };
 
 class Channel {
  public:
-  /// Opens the line; throws PeerError when the endpoint is taken, malformed or unreachable.
+  /// Opens the line; throws PeerError when the endpoint is taken, malformed or unreachable, std::invalid_argument when
+  /// the keys are wrong, or missing where other machines reach it.
   explicit Channel(const Options& options);
   ~Channel();
   Channel(Channel&&) noexcept;
@@ -58,9 +61,10 @@ class Channel {
   void receive(wire::Motion& into);
   void receive(wire::Load& into);
 
-  /// Seconds spent waiting for the partner, packing and unpacking so far.
+  /// Seconds so far: waiting for the partner; packing and unpacking; handing frames to ZeroMQ.
   [[nodiscard]] double waited_s() const;
   [[nodiscard]] double packed_s() const;
+  [[nodiscard]] double wire_s() const;
 
  private:
   struct Line;

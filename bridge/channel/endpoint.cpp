@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/channel/endpoint.hpp"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -8,11 +9,21 @@
 
 #include <cstring>
 #include <filesystem>
+#include <stdexcept>
 
 #include "bridge/channel/channel.hpp"
 
 namespace blockweir::channel {
 namespace {
+
+const std::string tcp = "tcp://";
+
+/// Do only processes of this machine reach `host`?
+bool stays_here(const std::string& host) {
+  in_addr v4 = {};
+  if (::inet_pton(AF_INET, host.c_str(), &v4) == 1) return ntohl(v4.s_addr) >> 24U == 127;
+  return host == "localhost" || host == "[::1]" || host == "lo";
+}
 
 bool somebody_listens(const sockaddr_un& address) {
   const int probe = ::socket(AF_UNIX, SOCK_STREAM, 0);
@@ -24,15 +35,24 @@ bool somebody_listens(const sockaddr_un& address) {
 
 }  // namespace
 
-void check_endpoint(const std::string& endpoint, bool listens) {
+bool is_tcp(const std::string& endpoint) {
+  return endpoint.compare(0, tcp.size(), tcp) == 0;
+}
+
+void check_endpoint(const std::string& endpoint, bool listens, bool may_come) {
   const std::string ipc = "ipc://";
-  const std::string tcp = "tcp://";
   const auto refuse = [&](const std::string& why) { throw PeerError(fmt::format("endpoint {}: {}", endpoint, why)); };
-  if (endpoint.compare(0, tcp.size(), tcp) == 0) {
+  if (is_tcp(endpoint)) {
     const auto colon = endpoint.rfind(':');
     const std::string port = endpoint.substr(colon + 1);
     if (colon < tcp.size() || port.empty() || port.find_first_not_of("0123456789") != std::string::npos) {
       refuse("expected tcp://HOST:PORT");
+    }
+    if (!may_come && !stays_here(endpoint.substr(tcp.size(), colon - tcp.size()))) {
+      throw std::invalid_argument(
+          fmt::format("endpoint {}: on a network, whoever reaches it could read along and join; give both sides the "
+                      "--keys that \"blockweir keys FOLDER\" makes, or allow it with --insecure",
+                      endpoint));
     }
     return;
   }

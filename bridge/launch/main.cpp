@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "bridge/channel/keys.hpp"
 #include "bridge/launch/compare.hpp"
 #include "bridge/launch/cut.hpp"
 #include "bridge/launch/plot.hpp"
@@ -94,6 +95,9 @@ int run_command(int argc, char** argv) {
   compare_cmd->add_option("cases", compare.cases, "case folders (default: five of them)");
   compare_cmd->add_option("--json", compare.json, "file for the table as JSON");
   compare_cmd->add_option("--set", compare.overrides, "key=value over the scenes' own");
+  std::string keys;
+  auto* keys_cmd = app.add_subcommand("keys", "make keys for a line between two machines");
+  keys_cmd->add_option("folder", keys, "where to put them: FOLDER/solid and FOLDER/fluid")->required();
   app.add_subcommand("test", "set up, build and run every test (in a source tree: ./blockweir test)");
 
   refuse_unknown_command(argc, argv, app);
@@ -109,6 +113,12 @@ int run_command(int argc, char** argv) {
     return result.exit_code;
   }
   if (check_cmd->parsed()) return check_scene(checked, run.overrides);
+  if (keys_cmd->parsed()) {
+    channel::make_keys(keys);
+    fmt::print("{0}/solid is for the solid's machine, {0}/fluid for the fluid's: --keys FOLDER for each program\n",
+               keys);
+    return 0;
+  }
   if (cut_cmd->parsed()) return launch::cut(cut), 0;
   if (case_cmd->parsed()) launch::write_case(written);
   if (plot_cmd->parsed()) return launch::plot(plot), 0;

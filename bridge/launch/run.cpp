@@ -69,9 +69,16 @@ json read_json(const fs::path& path) {
   return stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
 }
 
+/// Then the logs, too, have no place for a last word.
+bool is_full(const fs::path& folder) {
+  std::error_code unknown;
+  const fs::space_info space = fs::space(folder, unknown);
+  return !unknown && space.available < 4096;
+}
+
 /// The first failure in time is the cause; what the others say of it is its echo. A process that was killed says
 /// nothing itself.
-std::string first_trouble(const Supervised& supervised) {
+std::string first_trouble(const Supervised& supervised, const fs::path& folder) {
   if (supervised.interrupted) return "stopped on request; the results so far stand";
   for (const ChildEnd& end : supervised.ends) {
     if (end.exit_code > 128) return fmt::format("the {} process was ended by signal {}", end.name, end.exit_code - 128);
@@ -84,8 +91,10 @@ std::string first_trouble(const Supervised& supervised) {
     if (end.exit_code != 0 && (cause == nullptr || (is_echo(*cause) && !end.last_line.empty()))) cause = &end;
   }
   if (cause != nullptr) {
-    return cause->last_line.empty() ? fmt::format("the {} process ended with {}", cause->name, cause->exit_code)
-                                    : cause->last_line;
+    return cause->last_line.empty()
+               ? fmt::format("the {} process ended with {}{}", cause->name, cause->exit_code,
+                             is_full(folder) ? ": is the disk full, or the folder not writable?" : "")
+               : cause->last_line;
   }
   return "";
 }
@@ -128,7 +137,11 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
     for (const json& check : water["checks"]) summary["checks"].push_back(check);
     fs::remove(folder / "openfoam.json");
   }
-  results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
+  try {
+    results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
+  } catch (const std::exception&) {
+    if (result.trouble.empty()) throw;  // else the first trouble is the one to read
+  }
 }
 
 /// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
@@ -169,7 +182,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   ::close(pipe_ends[0]);
   ::close(pipe_ends[1]);
 
-  result.trouble = first_trouble(supervised);
+  result.trouble = first_trouble(supervised, folder);
   if (!result.trouble.empty() && resumable_window(folder, scene) > 0) {
     result.trouble += fmt::format("; \"blockweir resume {}\" goes on", folder.string());
   }

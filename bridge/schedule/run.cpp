@@ -19,7 +19,8 @@ ExchangeTime guarded(channel::Channel* channel, Loop loop) {
     if (channel != nullptr) channel->send(wire::Failure{error.what()});
     throw;
   }
-  return channel != nullptr ? ExchangeTime{channel->waited_s(), channel->packed_s()} : ExchangeTime{};
+  return channel != nullptr ? ExchangeTime{channel->waited_s(), channel->packed_s(), channel->wire_s()}
+                            : ExchangeTime{};
 }
 
 auto function_of(scene::Schedule schedule) {

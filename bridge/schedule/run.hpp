@@ -12,6 +12,7 @@ namespace blockweir::schedule {
 struct ExchangeTime {
   double wait_s = 0;  ///< for the partner
   double pack_s = 0;  ///< into bytes and back
+  double wire_s = 0;  ///< of handing them to ZeroMQ
 };
 
 /// By the scene's schedule. `channel` is null where the scene has no water; `first` is the motion that the run starts

@@ -17,25 +17,26 @@ struct BadMessage : std::runtime_error {
 
 enum class Kind { hello, motion, load, end, failure };
 
-/// Encode into `builder`, whose memory is reused; the bytes stand at GetBufferPointer(), GetSize().
+/// Encode into `builder`: the frame that goes over the line, the message and then its checksum, stands at
+/// GetBufferPointer(), GetSize().
 void encode(const Hello& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const Motion& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const Load& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const End& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const Failure& message, flatbuffers::FlatBufferBuilder& builder);
 
-/// What `data` must be aligned to, here and below [bytes].
+/// What `frame` must be aligned to, here and below [bytes].
 inline constexpr std::size_t alignment = 8;
 
-/// What kind of message `size` bytes at `data` hold; throws BadMessage when they are none.
-Kind verify(const void* data, std::size_t size);
+/// What kind of message a frame of `size` bytes holds; throws BadMessage when it holds none, or another than was sent.
+Kind verify(const void* frame, std::size_t size);
 
-/// Decode verified bytes of the right kind into storage that is reused. Throw BadMessage for columns of unequal
+/// Decode verified frames of the right kind into storage that is reused. Throw BadMessage for columns of unequal
 /// length, for fractions outside 0..1 and for values that are not finite (levels may be NaN: no pool).
-void decode(const void* data, Hello& into);
-void decode(const void* data, Motion& into);
-void decode(const void* data, Load& into);
-void decode(const void* data, End& into);
-void decode(const void* data, Failure& into);
+void decode(const void* frame, Hello& into);
+void decode(const void* frame, Motion& into);
+void decode(const void* frame, Load& into);
+void decode(const void* frame, End& into);
+void decode(const void* frame, Failure& into);
 
 }  // namespace blockweir::wire

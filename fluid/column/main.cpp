@@ -2,6 +2,7 @@
 // blockweir-column: a pipe of water as a process of its own. Whoever writes a new fluid begins with a copy of this.
 #include <CLI/CLI.hpp>
 
+#include "bridge/channel/line_options.hpp"
 #include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
@@ -11,12 +12,12 @@
 int main(int argc, char** argv) {
   using namespace blockweir;
   std::string path;
-  std::string endpoint;
+  channel::Options line{.side = channel::Side::connects, .partner = "solid process"};
   std::string folder;
   std::uint64_t resume = 0;
   CLI::App app{"blockweir-column: a pipe of water at the edge of a block"};
   app.add_option("scene", path, "scene file or case folder")->required();
-  app.add_option("--endpoint", endpoint, "where the solid process listens: ipc://PATH or tcp://HOST:PORT")->required();
+  channel::add_line_options(app, line)->required();
   app.add_option("--out", folder, "folder for checkpoints");
   app.add_option("--resume", resume, "number of the checkpoint in --out to go on from; the same for both");
   try {
@@ -28,11 +29,9 @@ int main(int argc, char** argv) {
     const scene::Scene scene = scene::read(path, {}).scene;
     if (scene.fluid != scene::FluidModel::column) throw std::invalid_argument("the scene's fluid is not a column");
     channel::catch_stop_signals();
-    channel::Channel channel({.side = channel::Side::connects,
-                              .endpoint = endpoint,
-                              .partner = "solid process",
-                              .timeout_s = scene.coupling.timeout_s,
-                              .open_timeout_s = scene.coupling.open_timeout_s});
+    line.timeout_s = scene.coupling.timeout_s;
+    line.open_timeout_s = scene.coupling.open_timeout_s;
+    channel::Channel channel(line);
     channel.handshake(schedule::hello(scene, "column", resume));
     column::Column column(scene);
     checkpoint::Checkpoints checkpoints(folder, "column", scene.digest, 0);

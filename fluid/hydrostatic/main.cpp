@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bridge/channel/line_options.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/read.hpp"
@@ -21,7 +22,7 @@ using namespace blockweir;
 
 struct Arguments {
   std::string scene;
-  std::string endpoint;
+  channel::Options line{.side = channel::Side::connects, .partner = "solid process"};
   std::string profile_out;
   std::string folder;
   std::vector<std::string> overrides;
@@ -31,19 +32,21 @@ struct Arguments {
 void write_profile(const std::string& path, const hydrostatic::HydrostaticModel& model,
                    const hydrostatic::RecordedModel* recorded, schedule::ExchangeTime exchange, double total_s) {
   const double output_s = recorded != nullptr ? recorded->output_s() : 0;
-  const nlohmann::json profile = {{"seconds",
-                                   {{"wait", exchange.wait_s},
-                                    {"pack", exchange.pack_s},
-                                    {"output", output_s},
-                                    {"pressure", total_s - exchange.wait_s - exchange.pack_s - output_s}}},
-                                  {"counts",
-                                   {{"updates", model.updates()},
-                                    {"unchanged", model.unchanged()},
-                                    {"meshes", recorded != nullptr ? recorded->meshes() : 0}}}};
+  const nlohmann::json profile = {
+      {"seconds",
+       {{"wait", exchange.wait_s},
+        {"pack", exchange.pack_s},
+        {"wire", exchange.wire_s},
+        {"output", output_s},
+        {"pressure", total_s - exchange.wait_s - exchange.pack_s - exchange.wire_s - output_s}}},
+      {"counts",
+       {{"updates", model.updates()},
+        {"unchanged", model.unchanged()},
+        {"meshes", recorded != nullptr ? recorded->meshes() : 0}}}};
   std::ofstream(path) << profile.dump(2) << '\n';
 }
 
-void run(const Arguments& arguments) {
+void run(Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const scene::Scene scene = scene::read(arguments.scene, arguments.overrides).scene;
   if (scene.output.reservoir && arguments.folder.empty()) {
@@ -52,11 +55,9 @@ void run(const Arguments& arguments) {
   if (scene.output.reservoir) results::make_folder(arguments.folder);
   checkpoint::Checkpoints checkpoints(arguments.folder, "hydrostatic", scene.digest, 0);
   channel::catch_stop_signals();
-  channel::Channel channel({.side = channel::Side::connects,
-                            .endpoint = arguments.endpoint,
-                            .partner = "solid process",
-                            .timeout_s = scene.coupling.timeout_s,
-                            .open_timeout_s = scene.coupling.open_timeout_s});
+  arguments.line.timeout_s = scene.coupling.timeout_s;
+  arguments.line.open_timeout_s = scene.coupling.open_timeout_s;
+  channel::Channel channel(arguments.line);
   channel.handshake(schedule::hello(scene, "hydrostatic", arguments.resume));
   hydrostatic::HydrostaticModel model(scene);
   std::optional<hydrostatic::RecordedModel> recorded;
@@ -74,8 +75,7 @@ int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App app{"blockweir-hydrostatic: still water that presses on the blocks of a scene"};
   app.add_option("scene", arguments.scene, "scene file or case folder")->required();
-  app.add_option("--endpoint", arguments.endpoint, "where the solid process listens: ipc://PATH or tcp://HOST:PORT")
-      ->required();
+  channel::add_line_options(app, arguments.line)->required();
   app.add_option("--out", arguments.folder,
                  "folder for checkpoints, and for the reservoir's mesh where [output] reservoir is true");
   app.add_option("--set", arguments.overrides, "key=value over the scene's own; the same for both processes");

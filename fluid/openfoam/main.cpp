@@ -2,6 +2,7 @@
 // blockweir-openfoam: writes interFoam's case from a scene and runs it.
 #include <CLI/CLI.hpp>
 
+#include "bridge/channel/line_options.hpp"
 #include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/read.hpp"
 #include "fluid/openfoam/run_case.hpp"
@@ -13,7 +14,7 @@ int main(int argc, char** argv) {
   openfoam::RunOptions options;
   CLI::App app{"blockweir-openfoam: water that moves, by OpenFOAM's interFoam"};
   app.add_option("scene", scene_path, "scene file or case folder")->required();
-  app.add_option("--endpoint", options.endpoint, "where the solid process listens: ipc://PATH or tcp://HOST:PORT");
+  channel::add_line_options(app, options.line);
   app.add_option("--out", options.folder, "folder for the case and its results")->required();
   app.add_option("--set", overrides, "key=value over the scene's own; the same for both processes");
   app.add_option("--scene-folder", options.scene_folder, "where the scene's paths start, for a copy of its file");

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/results/result_file.hpp"
@@ -41,7 +43,14 @@ void go_on(const scene::Scene& scene, const RunOptions& options, const CaseOptio
                      options.resume, time_s);
 }
 
+/// What the plugin is not to find in a case, which may be copied to anybody.
+void tell_plugin(const channel::Options& line) {
+  if (!line.keys.empty()) ::setenv("BLOCKWEIR_KEYS", fs::absolute(line.keys).c_str(), 1);
+  if (line.insecure) ::setenv("BLOCKWEIR_INSECURE", "1", 1);
+}
+
 int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptions& options) {
+  tell_plugin(options.line);
   if (scene.openfoam.processes == 1) {
     run_program("interFoam", {"interFoam", "-case", folder}, folder);
   } else {
@@ -63,7 +72,7 @@ int run_case(const scene::Scene& scene, const RunOptions& options) {
     throw std::invalid_argument("the scene's fluid is not OpenFOAM: set model = \"openfoam\" in [fluid]");
   }
   if (!options.case_only || !scene.openfoam.own_case.empty()) find_openfoam();
-  const CaseOptions writing{fs::absolute(options.folder), find_plugin(), options.endpoint};
+  const CaseOptions writing{fs::absolute(options.folder), find_plugin(), options.line.endpoint};
   if (options.resume > 0) {
     go_on(scene, options, writing);
     return run_solver(scene, writing.folder, options);

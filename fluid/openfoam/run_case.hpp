@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <string>
 
+#include "bridge/channel/channel.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::openfoam {
 
 struct RunOptions {
   std::filesystem::path folder;
-  std::string endpoint;
+  channel::Options line{.side = channel::Side::connects};  ///< interFoam's plugin opens it
   bool case_only = false;
   std::uint64_t resume = 0;              ///< number of the checkpoint to go on from; 0: from the start
   std::filesystem::path scene_folder{};  ///< where the scene's paths start; empty: beside its file

@@ -51,7 +51,13 @@ void Recorder::place(wire::Motion& motion) {
   predict(0, motion);
 }
 
+void Recorder::map(const wire::Load& load) {
+  const Stopwatch watch(map_s_);
+  water_.add(load.time_s, panels_of(load, solid_.blocks()));
+}
+
 void Recorder::predict(double ahead_s, wire::Motion& motion) {
+  const Stopwatch watch(map_s_);
   const std::size_t n = solid_.described();
   motion.displacement.resize(n);
   motion.velocity.resize(n);
@@ -64,7 +70,7 @@ void Recorder::predict(double ahead_s, wire::Motion& motion) {
 }
 
 void Recorder::start(const wire::Load& load) {
-  water_.add(load.time_s, panels_of(load, solid_.blocks()));
+  map(load);
   added_mass_.look(load, solid_);
   solve(load, solid_.scene().coupling.window_s, [&] {
     if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(water_.at(load.time_s));
@@ -75,7 +81,7 @@ void Recorder::start(const wire::Load& load) {
 }
 
 void Recorder::advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) {
-  if (load.window > 0) water_.add(load.time_s, panels_of(load, solid_.blocks()));
+  if (load.window > 0) map(load);
   std::vector<Eigen::Vector3d> velocities;
   for (const auto& v : told.velocity) velocities.emplace_back(v[0], v[1], v[2]);
   AddedMasses masses;
@@ -190,11 +196,10 @@ void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {
   nlohmann::json text;
   if (recorded_s_ >= 0) text = summary(outcome);
   const Profile& profile = solid_.profile();
-  text["profile_s"] = {{"search", profile.search},
-                       {"assembly_and_contact", profile.assembly},
-                       {"solve", profile.solve},
-                       {"rest_of_step", step_s_ - profile.search - profile.assembly - profile.solve},
-                       {"output", output_s_}};
+  text["profile_s"] = {
+      {"search", profile.search}, {"assembly_and_contact", profile.assembly},
+      {"solve", profile.solve},   {"rest_of_step", step_s_ - profile.search - profile.assembly - profile.solve},
+      {"mapping", map_s_},        {"output", output_s_}};
   if (!stopped.empty()) {
     text["outcome"] = "stopped";
     text["stopped"] = stopped;

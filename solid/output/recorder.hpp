@@ -32,7 +32,7 @@ class Recorder final : public schedule::SolidSide {
   void serialize(Archive& archive) {
     archive(solid_, water_, failure_, margins_, acceleration_, series_, energy_, added_mass_, interface_energy_,
             history_, frame_log_, vtk_, first_, frame_, last_load_, next_history_s_, next_frame_s_, recorded_s_,
-            largest_penetration_m_, breached_s_, step_s_, output_s_);
+            largest_penetration_m_, breached_s_, step_s_, map_s_, output_s_);
   }
 
   /// Writes summary.json; `extra` is merged into it. When `stopped` is not empty the run ended early, for that reason.
@@ -44,6 +44,8 @@ class Recorder final : public schedule::SolidSide {
   /// Throws std::runtime_error where the exchange makes energy, unless that is to be a result.
   void watch_interface(const wire::Load& load, const wire::Motion& told, const AddedMasses& masses, double from_s,
                        double to_s);
+  /// What the water presses on, on the blocks where they are.
+  void map(const wire::Load& load);
   void observe(const wire::Load& load, double time_s);
   void record(const wire::Load& load, double time_s);
 
@@ -70,6 +72,7 @@ class Recorder final : public schedule::SolidSide {
   double largest_penetration_m_ = 0;
   std::optional<double> breached_s_;
   double step_s_ = 0;    ///< wall time in the solid's steps
+  double map_s_ = 0;     ///< wall time between messages and blocks
   double output_s_ = 0;  ///< wall time in writing
 };
 

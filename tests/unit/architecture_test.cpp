@@ -88,6 +88,18 @@ TEST(Architecture, NoFoldersIncludeEachOther) {
   for (const auto& [from, reached] : arrows) EXPECT_EQ(reached.count(from), 0U) << from << " reaches itself";
 }
 
+/// Two machines' clocks differ, and one may be set while a run goes on: what is measured is time that has passed.
+TEST(Architecture, NobodyAsksWhatTimeItIs) {
+  for (const Source& source : sources()) {
+    for (const std::string& line : source.lines) {
+      for (const char* clock :
+           {"system_clock", "utc_clock", "gettimeofday", "CLOCK_REALTIME", "std::time(", "localtime"}) {
+        EXPECT_EQ(line.find(clock), std::string::npos) << source.path << ": " << line;
+      }
+    }
+  }
+}
+
 TEST(Architecture, EverySourceHasItsLicenceAndAReadableLength) {
   for (const Source& source : sources()) {
     ASSERT_FALSE(source.lines.empty()) << source.path;

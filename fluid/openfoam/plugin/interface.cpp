@@ -73,6 +73,8 @@ Interface read_interface(const dictionary& dict) {
   Interface i;
   i.endpoint = dict.get<Foam::string>("endpoint");
   if (const char* given = std::getenv("BLOCKWEIR_ENDPOINT")) i.endpoint = given;
+  if (const char* given = std::getenv("BLOCKWEIR_KEYS")) i.keys = given;
+  i.insecure = std::getenv("BLOCKWEIR_INSECURE") != nullptr;
   i.timeout_s = dict.get<Foam::scalar>("timeout");
   i.open_timeout_s = dict.get<Foam::scalar>("openTimeout");
   i.hello.role = "openfoam";

@@ -48,6 +48,8 @@ struct Crack {
 
 struct Interface {
   std::string endpoint;
+  std::string keys;       ///< folder; empty: none
+  bool insecure = false;  ///< none on a network
   double timeout_s = 0;
   double open_timeout_s = 0;
   wire::Hello hello;

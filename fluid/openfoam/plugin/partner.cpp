@@ -28,6 +28,8 @@ Partner::Partner(const Interface& interface) {
     channel::Options options;
     options.side = channel::Side::connects;
     options.endpoint = interface.endpoint;
+    options.keys = interface.keys;
+    options.insecure = interface.insecure;
     options.partner = "solid process";
     options.timeout_s = interface.timeout_s;
     options.open_timeout_s = interface.open_timeout_s;

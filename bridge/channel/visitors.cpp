@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/channel/visitors.hpp"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+
+namespace blockweir::channel {
+namespace {
+
+constexpr int most_lines = 10;  // a knock a millisecond shall not fill the disk
+
+/// Where a connection comes from, for people.
+std::string address_of(int descriptor) {
+  sockaddr_storage peer = {};
+  socklen_t size = sizeof peer;
+  std::array<char, INET6_ADDRSTRLEN> text = {};
+  if (::getpeername(descriptor, reinterpret_cast<sockaddr*>(&peer), &size) == 0) {
+    if (peer.ss_family == AF_INET) {
+      const auto& v4 = reinterpret_cast<const sockaddr_in&>(peer);
+      return fmt::format("{}:{}", ::inet_ntop(AF_INET, &v4.sin_addr, text.data(), text.size()), ntohs(v4.sin_port));
+    }
+    if (peer.ss_family == AF_INET6) {
+      const auto& v6 = reinterpret_cast<const sockaddr_in6&>(peer);
+      return fmt::format("[{}]:{}", ::inet_ntop(AF_INET6, &v6.sin6_addr, text.data(), text.size()),
+                         ntohs(v6.sin6_port));
+    }
+  }
+  return "an address that it had left already";
+}
+
+}  // namespace
+
+Visitors::Visitors(zmq::context_t& context, zmq::socket_t& socket, std::string endpoint, bool logs)
+    : socket_(socket), events_(context, zmq::socket_type::pair), endpoint_(std::move(endpoint)), logs_(logs) {
+  const std::string name = fmt::format("inproc://monitor-{}", static_cast<const void*>(this));
+  zmq_socket_monitor(socket.handle(), name.c_str(),
+                     ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_CONNECTED | ZMQ_EVENT_DISCONNECTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED |
+                         ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
+                         ZMQ_EVENT_HANDSHAKE_FAILED_AUTH);
+  events_.connect(name);
+}
+
+Visitors::~Visitors() {
+  zmq_socket_monitor(socket_.handle(), nullptr, 0);
+}
+
+void Visitors::look() {
+  zmq::message_t event;
+  while (events_.recv(event, zmq::recv_flags::dontwait)) {
+    std::uint16_t number = 0;
+    std::int32_t value = 0;
+    std::memcpy(&number, event.data(), sizeof number);
+    std::memcpy(&value, static_cast<const char*>(event.data()) + sizeof number, sizeof value);
+    note(number, value);
+    (void)events_.recv(event, zmq::recv_flags::dontwait);  // the endpoint, which we know
+  }
+}
+
+void Visitors::note(std::uint16_t event, std::int32_t value) {
+  switch (event) {
+    case ZMQ_EVENT_ACCEPTED:
+    case ZMQ_EVENT_CONNECTED:
+      here_[value] = logs_ ? address_of(value) : std::string();
+      break;
+    case ZMQ_EVENT_DISCONNECTED:
+      gone(value);
+      break;
+    case ZMQ_EVENT_HANDSHAKE_SUCCEEDED:
+      joined_ = true;
+      break;
+    case ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL:
+      refusal_ = "it left in the middle of the handshake";
+      break;
+    case ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL:
+      refusal_ = "it has other keys, or none where there should be some, or is no blockweir at all";
+      final_refusal_ = true;
+      break;
+    case ZMQ_EVENT_HANDSHAKE_FAILED_AUTH:
+      refusal_ = "its key is not the partner's";
+      final_refusal_ = true;
+      break;
+    default:
+      break;
+  }
+}
+
+/// ZeroMQ says that a handshake has failed, then whose connection has gone.
+void Visitors::gone(int descriptor) {
+  const auto visitor = here_.find(descriptor);
+  if (visitor == here_.end()) return;
+  const std::string address = visitor->second;
+  here_.erase(visitor);
+  if (joined_ && (descriptor == partner_ || (partner_ < 0 && here_.empty()))) {
+    left_ = true;
+  } else if (logs_) {
+    log(address);
+  }
+}
+
+void Visitors::log(const std::string& address) {
+  if (++strangers_ > most_lines) return;
+  const std::string line = fmt::format("blockweir: turned a stranger from {} away at {}: {}{}\n", address, endpoint_,
+                                       refusal_.empty() ? "it does not speak as the partner would" : refusal_,
+                                       strangers_ == most_lines ? "; further ones are not logged" : "");
+  std::fputs(line.c_str(), stderr);
+  refusal_.clear();
+}
+
+void Visitors::partner_is(int descriptor) {
+  if (partner_ >= 0) return;
+  partner_ = descriptor;
+  left_ = here_.count(descriptor) == 0;
+}
+
+}  // namespace blockweir::channel

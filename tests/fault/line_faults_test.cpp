@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_wire cppzmq nlohmann_json::nlohmann_json
+// What goes wrong on the line itself: who notices, when, what is printed, what is left. bridge/README.md has the table.
+#include <limits>
+#include <random>
+
+#include "bridge/wire/codec.hpp"
+#include "tests/fault/relay.hpp"
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+using From = Relay::From;
+
+template <class Message>
+Frame altered(const Frame& frame, const std::function<void(Message&)>& alter) {
+  std::vector<std::uint64_t> aligned(frame.size() / 8 + 1);
+  std::memcpy(aligned.data(), frame.data(), frame.size());
+  Message message;
+  wire::decode(aligned.data(), message);
+  alter(message);
+  flatbuffers::FlatBufferBuilder builder;
+  wire::encode(message, builder);
+  return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
+
+/// A fault of one frame and what the receiver says of it.
+struct Fault {
+  const char* name;
+  std::function<std::vector<Frame>(const std::vector<Frame>& sent, std::mt19937& random)> happens;
+  const char* says;
+};
+
+std::vector<Fault> faults_of(From from) {
+  const auto number = [from](double value) {
+    return [from, value](const std::vector<Frame>& sent, std::mt19937&) -> std::vector<Frame> {
+      if (from == From::fluid) {
+        return {altered<wire::Load>(sent.back(), [&](wire::Load& load) { load.pressure_from_pa.at(0) = value; })};
+      }
+      return {altered<wire::Motion>(sent.back(), [&](wire::Motion& motion) { motion.displacement.at(0)[0] = value; })};
+    };
+  };
+  const bool pressures = from == From::fluid;
+  return {
+      {"truncated",
+       [](const std::vector<Frame>& sent, std::mt19937& random) -> std::vector<Frame> {
+         return {Frame(sent.back().begin(), sent.back().begin() + static_cast<long>(random() % sent.back().size()))};
+       },
+       "bytes that are damaged, or not of protocol 6"},
+      {"flipped",
+       [](const std::vector<Frame>& sent, std::mt19937& random) -> std::vector<Frame> {
+         Frame frame = sent.back();
+         frame[random() % frame.size()] ^= static_cast<std::uint8_t>(1U << random() % 8);
+         return {frame};
+       },
+       "bytes that are damaged, or not of protocol 6"},
+      {"replayed",
+       [](const std::vector<Frame>& sent, std::mt19937& random) -> std::vector<Frame> {
+         return {sent[1 + random() % (sent.size() - 2)]};
+       },
+       "was due"},
+      {"doubled",
+       [](const std::vector<Frame>& sent, std::mt19937&) -> std::vector<Frame> {
+         return {sent.back(), sent.back()};
+       },
+       "was due"},
+      {"lost", [](const std::vector<Frame>&, std::mt19937&) { return std::vector<Frame>(); },
+       "has been silent for 1 s"},
+      {"not a number", number(std::numeric_limits<double>::quiet_NaN()),
+       pressures ? "pressure of panel 0 (" : "displacement 0 of block 0 is nan in window"},
+      {"infinite", number(-std::numeric_limits<double>::infinity()),
+       pressures ? "pressure of panel 0 (" : "displacement 0 of block 0 is -inf in window"}};
+}
+
+class LineFaults : public Processes {
+ protected:
+  [[nodiscard]] std::string at(const char* name) const { return "ipc://" + (folder / name).string(); }
+  [[nodiscard]] pid_t start_solid() const {
+    return start(programs + "/blockweir-solid " + scene + " --out o --endpoint " + at("a"), "solid");
+  }
+  [[nodiscard]] pid_t start_fluid(const char* line) const {
+    return start(programs + "/blockweir-hydrostatic " + scene + " --endpoint " + at(line), "fluid");
+  }
+  /// What was recorded is the beginning of what a sound run records.
+  void expect_no_wrong_result(const std::string& whole) const {
+    const std::string history = text("o/history.csv");
+    EXPECT_EQ(whole.compare(0, history.size(), history), 0);
+    EXPECT_GT(history.size(), 100U);
+    EXPECT_EQ(nlohmann::json::parse(text("o/summary.json"))["outcome"], "stopped");
+  }
+  [[nodiscard]] std::string sound_history() const {
+    EXPECT_EQ(shell(programs + "/blockweir run " + scene + " --quiet --out whole"), 0) << text("out");
+    return text("whole/history.csv");
+  }
+  /// The receiver ends by itself, the other one when the line breaks.
+  void expect_noticed(From from, const Relay::Tamper& tamper, const char* says) {
+    const pid_t solid = start_solid();
+    auto relay = std::make_unique<Relay>(at("a"), at("b"), tamper);
+    const pid_t fluid = start_fluid("b");
+    const pid_t receiver = from == From::solid ? fluid : solid;
+    EXPECT_EQ(end_of(receiver, 15), 1) << text("solid") << text("fluid");
+    relay.reset();
+    EXPECT_EQ(end_of(receiver == solid ? fluid : solid, 5), 1) << text("solid") << text("fluid");
+    EXPECT_THAT(text(from == From::solid ? "fluid" : "solid"), HasSubstr(says));
+    EXPECT_FALSE(orphan());
+  }
+  void TearDown() override { EXPECT_FALSE(orphan()); }
+
+  const std::string scene =
+      cases + "cracked-dam-upper --set analysis.duration_s=4 --set coupling.timeout_s=1 --set output.frame_every_s=1";
+};
+
+TEST_F(LineFaults, EachIsNoticedAndNoWrongResultIsWritten) {
+  const char* asked = std::getenv("BLOCKWEIR_FAULTS");
+  const int count = asked != nullptr ? std::atoi(asked) : 16;
+  constexpr unsigned seed = 20260102;
+  std::mt19937 random(seed);
+  const std::string whole = sound_history();
+  for (int trial = 0; trial < count; ++trial) {
+    const From from = trial % 2 == 0 ? From::fluid : From::solid;
+    const std::vector<Fault> all = faults_of(from);
+    const Fault& fault = all[static_cast<std::size_t>(trial / 2) % all.size()];
+    const std::size_t window = 3 + random() % 90;
+    SCOPED_TRACE(testing::Message() << fault.name << " frame " << window << " of "
+                                    << (from == From::fluid ? "the fluid" : "the solid"));
+    expect_noticed(
+        from,
+        [&](From sender, std::size_t number, const std::vector<Frame>& sent) -> std::vector<Frame> {
+          if (sender != from || number != window) return {sent.back()};
+          return fault.happens(sent, random);
+        },
+        fault.says);
+    expect_no_wrong_result(whole);
+    if (HasFailure()) return;
+    fs::remove_all(folder / "o");
+  }
+  std::printf("%d faults on the line, seed %u: all noticed, none in a result\n", count, seed);
+}
+
+TEST_F(LineFaults, APartnerOfAnotherVersionIsRefusedWithBothNumbers) {
+  expect_noticed(
+      From::fluid,
+      [](From, std::size_t number, const std::vector<Frame>& sent) -> std::vector<Frame> {
+        if (number > 0) return {sent.back()};
+        return {altered<wire::Hello>(sent.back(), [](wire::Hello& hello) { hello.protocol = 5; })};
+      },
+      "handshake refused: protocol: solid has 6, hydrostatic has 5");
+}
+
+TEST_F(LineFaults, APartnerFromBeforeChecksumsIsRefused) {
+  expect_noticed(
+      From::fluid,
+      [](From, std::size_t, const std::vector<Frame>& sent) -> std::vector<Frame> {
+        return {Frame(sent.back().begin(), sent.back().end() - 8)};
+      },
+      "not of protocol 6: are both sides of one version of blockweir?");
+}
+
+TEST_F(LineFaults, AStrangerOnALineInUseChangesNothing) {
+  const std::string whole = sound_history();
+  const pid_t solid = start_solid();
+  const pid_t fluid = start_fluid("a");
+  ASSERT_TRUE(under_way("o"));
+  {
+    zmq::context_t context;
+    zmq::socket_t stranger(context, zmq::socket_type::pair);
+    stranger.set(zmq::sockopt::linger, 0);
+    stranger.connect(at("a"));
+    stranger.send(zmq::buffer(std::string("anything")), zmq::send_flags::dontwait);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_EQ(end_of(solid, 30), 0) << text("solid");
+  EXPECT_EQ(end_of(fluid, 5), 0) << text("fluid");
+  EXPECT_EQ(text("o/history.csv"), whole);
+}
+
+TEST_F(LineFaults, AStoppedPartnerIsNoticedWithinTheTimeOut) {
+  const std::string whole = sound_history();
+  for (const bool stop_solid : {true, false}) {
+    const pid_t solid = start_solid();
+    const pid_t fluid = start_fluid("a");
+    ASSERT_TRUE(under_way("o"));
+    kill(stop_solid ? solid : fluid, SIGSTOP);
+    EXPECT_EQ(end_of(stop_solid ? fluid : solid, 1.5), 1);
+    EXPECT_THAT(text(stop_solid ? "fluid" : "solid"),
+                testing::AnyOf(HasSubstr("closed the line"), HasSubstr("has been silent for 1 s")));
+    kill(stop_solid ? solid : fluid, SIGCONT);
+    EXPECT_EQ(end_of(stop_solid ? solid : fluid, 5), 1);
+    expect_no_wrong_result(whole);
+    fs::remove_all(folder / "o");
+  }
+}
+
+TEST_F(LineFaults, APartnerThatGoesOnInTimeLosesNothing) {
+  const std::string whole = sound_history();
+  for (const bool stop_solid : {true, false}) {
+    const pid_t solid = start_solid();
+    const pid_t fluid = start_fluid("a");
+    ASSERT_TRUE(under_way("o"));
+    kill(stop_solid ? solid : fluid, SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::milliseconds(250));
+    kill(stop_solid ? solid : fluid, SIGCONT);
+    EXPECT_EQ(end_of(solid, 30), 0) << text("solid");
+    EXPECT_EQ(end_of(fluid, 5), 0) << text("fluid");
+    EXPECT_EQ(text("o/history.csv"), whole);
+    fs::remove_all(folder / "o");
+  }
+}
+
+TEST_F(LineFaults, ATakenPortIsRefused) {
+  const std::string port = " --endpoint tcp://127.0.0.1:" + std::to_string(20000 + getpid() % 20000);
+  const pid_t first = start(programs + "/blockweir-solid " + scene + " --out a" + port, "first");
+  for (int wait = 0; wait < 1000 && !fs::exists(folder / "a/history.csv"); ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(shell(programs + "/blockweir-solid " + scene + " --out b" + port), 1);
+  EXPECT_THAT(text("out"), HasSubstr("Address already in use; choose another --endpoint"));
+  EXPECT_EQ(end_of(first, 25), 1);
+}
+
+TEST_F(LineFaults, ADiskThatFillsUpLeavesACheckpointToGoOnFrom) {
+  fs::create_directory(folder / "disk");
+  if (shell("mount -t tmpfs -o size=32m none disk") != 0)
+    GTEST_SKIP() << "no disk can be mounted here: " << text("out");
+  const std::string often = cases + "cracked-dam-upper --set output.checkpoint_every_s=0.002 --quiet --out ";
+  EXPECT_EQ(shell(programs + "/blockweir run " + often + "whole"), 0) << text("out");
+  const pid_t run = start(programs + "/blockweir run " + often + "disk/o", "log");
+  EXPECT_TRUE(under_way("disk/o"));
+  EXPECT_EQ(shell("dd if=/dev/zero of=disk/filler bs=4k"), 1);
+  EXPECT_EQ(end_of(run, 20), 1) << text("log");
+  EXPECT_THAT(text("log"), HasSubstr("is the disk full, or the folder not writable?"));
+  EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume disk/o\" goes on"));
+  EXPECT_FALSE(orphan());
+  fs::remove(folder / "disk/filler");
+  EXPECT_EQ(shell(programs + "/blockweir resume disk/o --quiet"), 0) << text("out");
+  EXPECT_EQ(text("disk/o/history.csv"), text("whole/history.csv"));
+  EXPECT_EQ(shell("umount disk"), 0) << text("out");
+}
+
+TEST_F(LineFaults, TheLauncherEndsAPartnerThatIsStopped) {
+  const pid_t run = start(programs + "/blockweir run " + scene + " --set analysis.step_s=0.001 --quiet --out o", "log");
+  ASSERT_TRUE(under_way("o"));
+  EXPECT_EQ(shell("pkill -STOP -f '[b]lockweir-hydrostatic o/'"), 0);
+  EXPECT_EQ(end_of(run, 15), 1) << text("log");
+  EXPECT_EQ(nlohmann::json::parse(text("o/summary.json"))["outcome"], "stopped");
+}
+
+}  // namespace
+}  // namespace blockweir::test
