@@ -81,8 +81,9 @@ class Overhead : public OpenFoam {
                 cells_in_depth, foam.steps, what, foam.wall_s, foam.foam_s, serial.solid_s);
     std::printf("  serial   %.2f s, %.3f of interFoam alone; its own time %.3f of that alone\n", serial.wall_s,
                 serial.wall_s / foam.wall_s, serial.foam_s / foam.foam_s);
-    std::printf("  parallel %.2f s, %.3f of the slower side\n", parallel.wall_s,
-                parallel.wall_s / std::max(foam.wall_s, parallel.solid_s));
+    std::printf("  parallel %.2f s, %.3f of the slower side; interFoam's own time %.2f s in %d steps\n",
+                parallel.wall_s, parallel.wall_s / std::max(foam.wall_s, parallel.solid_s), parallel.foam_s,
+                parallel.steps);
     EXPECT_LT(serial.foam_s, 2 * foam.foam_s);
   }
 };
