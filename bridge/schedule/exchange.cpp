@@ -39,20 +39,19 @@ void Exchange::tell(wire::Motion& motion, double time_s) {
 
 void Exchange::hear() {
   if (channel_ == nullptr) return;
-  channel_->receive(load_);
+  channel_->receive(incoming_);
+  require_turn(incoming_.window, number_ - 1, "the fluid process");
+  std::swap(load_, incoming_);
   std::swap(answered_, told_);
-  require_turn(load_.window, number_ - 1, "the fluid process");
 }
 
 void Exchange::ask(wire::Motion& motion, double time_s) {
   tell(motion, time_s);
-  const wire::Load before = load_;
   try {
     hear();
   } catch (const channel::PeerError&) {
     try {
       --number_;
-      load_ = before;
       save();
     } catch (const std::exception&) {
       // The partner's trouble is what the user is to read.

@@ -42,6 +42,7 @@ class Exchange {
   SolidSide& solid_;
   std::uint64_t number_ = 0;
   wire::Load load_;
+  wire::Load incoming_;  ///< so that load_ is whole whatever comes
   wire::Motion answered_;
   wire::Motion told_;
 };

@@ -53,7 +53,7 @@ ExchangeTime run_fluid(channel::Channel& channel, checkpoint::Checkpoints& check
   return guarded(&channel, [&] {
     wire::Motion motion;
     wire::Load load;
-    if (first > 0 && checkpoints.has(first)) {
+    if (first > 0 && (fluid.remembers() || checkpoints.has(first))) {
       std::string state;
       checkpoint::unpack(checkpoints.read(first), load, state);
       fluid.restore(state);

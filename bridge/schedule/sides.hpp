@@ -38,6 +38,8 @@ class FluidSide : public Resumable {
  public:
   /// Pressures at to_s for blocks that are where `motion` says. `load` is the one before, to be changed into it.
   virtual void advance(const wire::Motion& motion, double to_s, wire::Load& load) = 0;
+  /// Its pressures depend on what has been before; a run of one that does not can be resumed without its checkpoint.
+  [[nodiscard]] virtual bool remembers() const { return true; }
   /// The load of time_s is on its way and the solid steps: the moment to write results.
   virtual void record(double /*time_s*/) {}
 };

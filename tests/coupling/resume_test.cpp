@@ -95,6 +95,15 @@ TEST_F(Resume, AFluidThatRemembersNothingIsTakenUpWhereItDied) {
   EXPECT_EQ(text("whole/history.csv"), text("left/history.csv"));
 }
 
+TEST_F(Resume, AFluidThatRemembersIsNotBegunAnewByHand) {
+  const std::string line = cases + "water-column --resume 7 --endpoint ipc://" + (folder / "line").string();
+  const pid_t column = start(programs + "/blockweir-column " + line + " --out o", "fluid");
+  const pid_t solid = start(programs + "/blockweir-solid " + line + " --out o", "solid");
+  EXPECT_EQ(end_of(column, 10), 1);
+  EXPECT_EQ(end_of(solid, 10), 1);
+  EXPECT_THAT(text("fluid"), HasSubstr("no such checkpoint"));
+}
+
 TEST_F(Resume, AsksForTheFolderOfARunWithACheckpoint) {
   EXPECT_EQ(shell(programs + "/blockweir resume nowhere"), 2);
   EXPECT_THAT(text("out"), HasSubstr("nowhere: found no scene.toml and solid.log of a run"));
