@@ -18,6 +18,7 @@ extern "C" {  // glibc 2.36 forgets to say so itself
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
 
 namespace blockweir::launch {
 namespace {
@@ -91,6 +92,32 @@ int exit_code(int status) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+/// Takes over what our children leave behind when they end: mpirun may be gone before its last rank is.
+class Reaper {
+ public:
+  Reaper() {
+    ::prctl(PR_GET_CHILD_SUBREAPER, &before_);
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  }
+  ~Reaper() { ::prctl(PR_SET_CHILD_SUBREAPER, before_); }
+  Reaper(const Reaper&) = delete;
+  Reaper& operator=(const Reaper&) = delete;
+  /// Returns when nothing is left; what has not ended by itself after `grace_s` is killed.
+  static void reap(double grace_s) {
+    for (const auto begin = Clock::now(); ::waitpid(-1, nullptr, WNOHANG) >= 0;) {
+      if (std::chrono::duration<double>(Clock::now() - begin).count() > grace_s) kill_children();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+
+ private:
+  static void kill_children() {
+    std::ifstream children("/proc/self/task/" + std::to_string(::getpid()) + "/children");  // the leader gets them
+    for (pid_t pid = 0; children >> pid;) ::kill(pid, SIGKILL);
+  }
+  int before_ = 0;
+};
+
 struct Child {
   std::string name;
   std::filesystem::path log;
@@ -148,6 +175,7 @@ bool Supervised::all_fine() const {
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
                      const std::function<void()>& tick) {
   const StopSignals signals;
+  const Reaper reaper;
   Children children;
   for (const Command& command : commands) {
     Child& child = children.all.emplace_back();
@@ -187,6 +215,7 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
     if (sent < 1 && waited > grace_s) children.signal(SIGTERM), sent = 1;
     if (sent < 2 && waited > 2 * grace_s) children.signal(SIGKILL), sent = 2;
   }
+  Reaper::reap(grace_s);
   const auto done = [](const ChildEnd& end) { return end.exit_code == 0; };
   if (std::all_of(result.ends.begin(), result.ends.end(), done)) result.interrupted = false;  // asked too late
   return result;
