@@ -10,19 +10,17 @@
 
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/wire/checksum.hpp"
 
 namespace blockweir::checkpoint {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t kept = 2;
-constexpr int format = 1;
+constexpr int format = 2;
 
-/// FNV-1a, 64 bit: against torn and mixed-up files, not against forgery.
 std::uint64_t checksum(const std::string& bytes) {
-  std::uint64_t sum = 0xcbf29ce484222325U;
-  for (const char c : bytes) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return sum;
+  return wire::checksum(bytes.data(), bytes.size());
 }
 
 fs::path folder_in(const fs::path& run) {

@@ -40,15 +40,44 @@ std::string text(const flatbuffers::String* from) {
 
 /// Byte by byte: the verifier does not look at how a vector's elements are aligned.
 template <class T>
-void copy(const flatbuffers::Vector<T>* from, T* into) {
+void copy(const flatbuffers::Vector<T>* from, std::vector<T>& into) {
   static_assert(FLATBUFFERS_LITTLEENDIAN, "messages are little-endian");
-  std::memcpy(into, from->Data(), from->size() * sizeof(T));
+  into.resize(from != nullptr ? from->size() : 0);
+  if (!into.empty()) std::memcpy(into.data(), from->Data(), into.size() * sizeof(T));
 }
 
-template <class T>
-void copy(const flatbuffers::Vector<T>* from, std::vector<T>& into) {
+std::uint64_t bits(double value) {
+  std::uint64_t same = 0;
+  std::memcpy(&same, &value, sizeof same);
+  return same;
+}
+
+/// What is left of a value that is no number, and nothing of one that is: no branch, so that a processor looks at
+/// several at once. Who is wrong is looked for when one is.
+struct Finite {
+  std::uint64_t operator()(double value) const { return bits(value - value); }
+};
+struct Fraction {
+  std::uint64_t operator()(double value) const { return (bits(value) | bits(1 - value)) >> 63U | bits(value - value); }
+};
+
+/// Copies `size` numbers and says whether all of them are as they should be.
+template <class Fault>
+bool copy_if_all(const std::uint8_t* from, std::size_t size, double* into) {
+  std::uint64_t faults = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    double value = 0;
+    std::memcpy(&value, from + i * sizeof value, sizeof value);
+    faults |= Fault()(value);
+    into[i] = value;
+  }
+  return faults == 0;
+}
+
+template <class Fault>
+bool copy_if_all(const flatbuffers::Vector<double>* from, std::vector<double>& into) {
   into.resize(from != nullptr ? from->size() : 0);
-  if (!into.empty()) copy(from, into.data());
+  return into.empty() || copy_if_all<Fault>(from->Data(), into.size(), into.data());
 }
 
 auto flat(Builder& builder, const std::vector<std::array<double, 6>>& rows) {
@@ -59,37 +88,13 @@ void require_finite(double value, const char* name, std::uint64_t window) {
   if (!std::isfinite(value)) throw BadMessage(fmt::format("{} is {} in window {}", name, value, window));
 }
 
-std::uint64_t bits(double value) {
-  std::uint64_t same = 0;
-  std::memcpy(&same, &value, sizeof same);
-  return same;
-}
-
-/// Without branches, so that a processor looks at several at once; who is wrong is looked for when one is.
-bool all_finite(const double* values, std::size_t size) {
-  std::uint64_t differences = 0;  // +0 for a number, NaN else
-  for (std::size_t i = 0; i < size; ++i) differences |= bits(values[i] - values[i]);
-  return differences == 0;
-}
-
-bool all_fractions(const std::vector<double>& values) {
-  std::uint64_t signs = 0;
-  for (const double value : values) signs |= bits(value) | bits(1 - value);
-  return signs >> 63U == 0 && all_finite(values.data(), values.size());
-}
-
-bool all_finite(const std::vector<double>& values) {
-  return all_finite(values.data(), values.size());
-}
-
 void read_rows(const flatbuffers::Vector<double>* from, std::vector<std::array<double, 6>>& into, const char* name,
                std::uint64_t window) {
   const std::size_t size = from != nullptr ? from->size() : 0;
   if (size % 6 != 0) throw BadMessage(fmt::format("{} holds {} numbers, not six a block", name, size));
   into.resize(size / 6);
   if (size == 0) return;
-  copy(from, into.front().data());
-  if (all_finite(into.front().data(), size)) return;
+  if (copy_if_all<Finite>(from->Data(), size, into.front().data())) return;
   for (std::size_t i = 0; i < size; ++i) {
     const double value = into[i / 6][i % 6];
     if (!std::isfinite(value)) {
@@ -228,10 +233,10 @@ void decode(const void* data, Load& m) {
   if (std::isinf(m.downstream_level_m)) require_finite(m.downstream_level_m, "downstream level", m.window);
   copy(b.block(), m.block);
   copy(b.edge(), m.edge);
-  copy(b.s_from(), m.s_from);
-  copy(b.s_to(), m.s_to);
-  copy(b.pressure_from_pa(), m.pressure_from_pa);
-  copy(b.pressure_to_pa(), m.pressure_to_pa);
+  bool sound = copy_if_all<Fraction>(b.s_from(), m.s_from);
+  sound = copy_if_all<Fraction>(b.s_to(), m.s_to) && sound;
+  sound = copy_if_all<Finite>(b.pressure_from_pa(), m.pressure_from_pa) && sound;
+  sound = copy_if_all<Finite>(b.pressure_to_pa(), m.pressure_to_pa) && sound;
   m.breached = b.breached();
   m.cracks_from = b.cracks_from();
   read_rows(b.added_mass(), m.added_mass, "added mass", m.window);
@@ -242,10 +247,7 @@ void decode(const void* data, Load& m) {
   }
   if (m.cracks_from > n)
     throw BadMessage(fmt::format("cracks from panel {} of {} in window {}", m.cracks_from, n, m.window));
-  if (all_finite(m.pressure_from_pa) && all_finite(m.pressure_to_pa) && all_fractions(m.s_from) &&
-      all_fractions(m.s_to)) {
-    return;
-  }
+  if (sound) return;
   for (std::size_t i = 0; i < n; ++i) {
     const auto panel = [&](const char* what, double value) {
       return fmt::format("{} of panel {} (block {}, edge {}) is {} in window {}", what, i, m.block[i], m.edge[i], value,

@@ -48,14 +48,14 @@ std::vector<Fault> faults_of(From from) {
        [](const std::vector<Frame>& sent, std::mt19937& random) -> std::vector<Frame> {
          return {Frame(sent.back().begin(), sent.back().begin() + static_cast<long>(random() % sent.back().size()))};
        },
-       "bytes that are damaged, or not of protocol 6"},
+       "bytes that are damaged, or not of protocol 7"},
       {"flipped",
        [](const std::vector<Frame>& sent, std::mt19937& random) -> std::vector<Frame> {
          Frame frame = sent.back();
          frame[random() % frame.size()] ^= static_cast<std::uint8_t>(1U << random() % 8);
          return {frame};
        },
-       "bytes that are damaged, or not of protocol 6"},
+       "bytes that are damaged, or not of protocol 7"},
       {"replayed",
        [](const std::vector<Frame>& sent, std::mt19937& random) -> std::vector<Frame> {
          return {sent[1 + random() % (sent.size() - 2)]};
@@ -155,7 +155,7 @@ TEST_F(LineFaults, APartnerFromBeforeChecksumsIsRefused) {
       [](From, std::size_t, const std::vector<Frame>& sent) -> std::vector<Frame> {
         return {Frame(sent.back().begin(), sent.back().end() - 8)};
       },
-      "not of protocol 6: are both sides of one version of blockweir?");
+      "not of protocol 7: are both sides of one version of blockweir?");
 }
 
 TEST_F(LineFaults, AStrangerOnALineInUseChangesNothing) {
