@@ -62,9 +62,11 @@ int run_command(int argc, char** argv) {
   run_cmd->add_option("--out", run.out, "folder for the results (default: runs/CASE)");
   run_cmd->add_option("--variant", run.variant, "name of one of the scene's variants");
   run_cmd->add_option("--set", run.overrides, "key=value over the scene's own, e.g. analysis.step_s=0.001");
+  run_cmd->add_flag("--inproc", run.inproc, "still water within the solid's process: the same results, sooner");
   run_cmd->add_flag("--quiet", run.quiet, "no progress");
   auto* resume_cmd = app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
   resume_cmd->add_option("run", resume.folder, "folder of the run")->required();
+  resume_cmd->add_flag("--inproc", resume.inproc, "still water within the solid's process");
   resume_cmd->add_flag("--quiet", resume.quiet, "no progress");
   auto* check_cmd = app.add_subcommand("check", "say all that is wrong with a scene, without running it");
   check_cmd->add_option("scene", checked, "scene file or case folder")->required();

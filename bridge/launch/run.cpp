@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "bridge/checkpoint/checkpoints.hpp"
+#include "bridge/launch/commands.hpp"
 #include "bridge/launch/progress.hpp"
 #include "bridge/launch/supervisor.hpp"
 #include "bridge/launch/temporary_folder.hpp"
@@ -24,15 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 constexpr double grace_s = 5;
-
-/// Programs stand beside this one, wherever it was installed.
-fs::path program(const char* name) {
-  return fs::read_symlink("/proc/self/exe").parent_path() / name;
-}
-
-fs::path scene_of(const fs::path& folder) {
-  return folder / "scene.toml";
-}
 
 bool is_run(const fs::path& folder) {
   std::error_code unreadable;
@@ -126,16 +118,14 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
     summary["stopped"] = result.trouble;
   }
   summary["wall_time_s"] = wall_s;
-  const json fluid = read_json(folder / "hydrostatic.json");
+  const json fluid = read_json(report_of(folder));
   if (fluid.is_object()) {
     for (const auto& [phase, seconds] : fluid["seconds"].items()) summary["profile_s"]["fluid_" + phase] = seconds;
     for (const auto& [what, count] : fluid["counts"].items()) summary["counts"]["fluid_" + what] = count;
-    fs::remove(folder / "hydrostatic.json");
-  }
-  const json water = read_json(folder / "openfoam.json");
-  if (water.is_object()) {
-    for (const json& check : water["checks"]) summary["checks"].push_back(check);
-    fs::remove(folder / "openfoam.json");
+    if (fluid.contains("checks")) {
+      for (const json& check : fluid["checks"]) summary["checks"].push_back(check);
+    }
+    fs::remove(report_of(folder));
   }
   try {
     results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
@@ -146,36 +136,17 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
 
 /// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
 /// scene.
-RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool quiet) {
+RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool inproc, bool quiet) {
   const auto start = std::chrono::steady_clock::now();
   RunResult result;
   result.folder = folder;
   const TemporaryFolder socket_folder;
   const std::string endpoint = "ipc://" + (socket_folder.path() / "line").string();
-  const std::string copy = scene_of(folder).string();
   int pipe_ends[2];
   if (::pipe2(pipe_ends, O_CLOEXEC | O_NONBLOCK) != 0) throw std::runtime_error("cannot open a pipe");
-  std::vector<Command> commands;
-  commands.push_back({"solid",
-                      {program("blockweir-solid"), copy, "--out", folder, "--endpoint", endpoint, "--progress-fd",
-                       std::to_string(pipe_ends[1])},
-                      pipe_ends[1]});
-  if (scene.fluid == scene::FluidModel::hydrostatic) {
-    commands.push_back({"hydrostatic",
-                        {program("blockweir-hydrostatic"), copy, "--endpoint", endpoint, "--out", folder,
-                         "--profile-out", folder / "hydrostatic.json"}});
-  }
-  if (scene.fluid == scene::FluidModel::column) {
-    commands.push_back({"column", {program("blockweir-column"), copy, "--endpoint", endpoint, "--out", folder}});
-  }
-  if (scene.fluid == scene::FluidModel::openfoam) {
-    commands.push_back({"openfoam",
-                        {program("blockweir-openfoam"), copy, "--scene-folder", fs::absolute(scene.file).parent_path(),
-                         "--endpoint", endpoint, "--out", folder / "openfoam", "--result", folder / "openfoam.json"}});
-  }
-  for (Command& command : commands) {
-    if (first > 0) command.words.insert(command.words.end(), {"--resume", std::to_string(first)});
-  }
+  std::vector<Command> commands = commands_of(scene, {folder, endpoint, first, inproc});
+  commands.front().words.insert(commands.front().words.end(), {"--progress-fd", std::to_string(pipe_ends[1])});
+  commands.front().inherited_fd = pipe_ends[1];
   Progress progress(pipe_ends[0], scene.analysis.duration_s, quiet);
   const Supervised supervised = supervise(commands, folder, grace_s, [&] { progress.update(); });
   progress.finish();
@@ -196,6 +167,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
 
 RunResult run(const RunOptions& options) {
   const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
+  require_fit(read.scene, options.inproc);
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
   const fs::path folder = results_folder(options);
   results::make_folder(folder);
@@ -203,7 +175,7 @@ RunResult run(const RunOptions& options) {
   fs::remove_all(folder / "frames");
   forget_checkpoints(folder);
   results::replace_file(scene_of(folder), read.scene.text);
-  return go(read.scene, folder, 0, options.quiet);
+  return go(read.scene, folder, 0, options.inproc, options.quiet);
 }
 
 RunResult resume(const ResumeOptions& options) {
@@ -213,13 +185,14 @@ RunResult resume(const ResumeOptions& options) {
                     options.folder.string()));
   }
   const scene::Scene scene = scene::read(scene_of(options.folder), {}).scene;
+  require_fit(scene, options.inproc);
   const std::uint64_t first = resumable_window(options.folder, scene);
   if (first == 0) {
     throw std::invalid_argument(fmt::format(
         "{}: no checkpoint that all its processes have; run it anew, with a shorter [output] checkpoint_every_s",
         options.folder.string()));
   }
-  return go(scene, options.folder, first, options.quiet);
+  return go(scene, options.folder, first, options.inproc, options.quiet);
 }
 
 }  // namespace blockweir::launch

@@ -14,11 +14,13 @@ struct RunOptions {
   std::filesystem::path out{};  ///< empty: runs/CASE, or the first free runs/CASE-N
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
+  bool inproc = false;  ///< the reference fluid within the solid's process
   bool quiet = false;
 };
 
 struct ResumeOptions {
   std::filesystem::path folder;  ///< of a run that was stopped
+  bool inproc = false;           ///< see RunOptions
   bool quiet = false;
 };
 

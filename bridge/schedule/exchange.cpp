@@ -8,8 +8,8 @@
 
 namespace blockweir::schedule {
 
-Exchange::Exchange(channel::Channel* channel, checkpoint::Checkpoints& checkpoints, Windows& windows, SolidSide& solid)
-    : channel_(channel), checkpoints_(checkpoints), windows_(windows), solid_(solid) {
+Exchange::Exchange(FluidLine* fluid, checkpoint::Checkpoints& checkpoints, Windows& windows, SolidSide& solid)
+    : fluid_(fluid), checkpoints_(checkpoints), windows_(windows), solid_(solid) {
   load_.upstream_level_m = load_.downstream_level_m = std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -30,7 +30,7 @@ void Exchange::tell(wire::Motion& motion, double time_s) {
   motion.window = number_;
   motion.time_s = time_s;
   motion.order = stop ? wire::Order::save : checkpoints_.due() ? wire::Order::save_and_compute : wire::Order::compute;
-  if (channel_ != nullptr) channel_->send(motion);
+  if (fluid_ != nullptr) fluid_->tell(motion);
   if (motion.order != wire::Order::compute) save();
   if (stop) throw channel::Interrupted("asked to stop");
   ++number_;
@@ -38,8 +38,8 @@ void Exchange::tell(wire::Motion& motion, double time_s) {
 }
 
 void Exchange::hear() {
-  if (channel_ == nullptr) return;
-  channel_->receive(incoming_);
+  if (fluid_ == nullptr) return;
+  fluid_->hear(incoming_);
   require_turn(incoming_.window, number_ - 1, "the fluid process");
   std::swap(load_, incoming_);
   std::swap(answered_, told_);

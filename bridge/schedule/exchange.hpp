@@ -2,9 +2,7 @@
 // The fluid as the solid's schedule talks to it.
 #pragma once
 
-#include "bridge/channel/channel.hpp"
-#include "bridge/checkpoint/checkpoints.hpp"
-#include "bridge/schedule/sides.hpp"
+#include "bridge/schedule/fluid_line.hpp"
 #include "bridge/schedule/windows.hpp"
 
 namespace blockweir::schedule {
@@ -13,8 +11,8 @@ namespace blockweir::schedule {
 /// it was when it said that.
 class Exchange {
  public:
-  /// `channel` is null where the scene has no water.
-  Exchange(channel::Channel* channel, checkpoint::Checkpoints& checkpoints, Windows& windows, SolidSide& solid);
+  /// `fluid` is null where the scene has no water.
+  Exchange(FluidLine* fluid, checkpoint::Checkpoints& checkpoints, Windows& windows, SolidSide& solid);
 
   /// Goes on before motion `number`, as the checkpoint has it.
   void resume(std::uint64_t number);
@@ -36,7 +34,7 @@ class Exchange {
  private:
   void save();
 
-  channel::Channel* channel_;
+  FluidLine* fluid_;
   checkpoint::Checkpoints& checkpoints_;
   Windows& windows_;
   SolidSide& solid_;

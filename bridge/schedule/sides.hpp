@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "bridge/schedule/fluid_report.hpp"
 #include "bridge/wire/message.hpp"
 
 namespace blockweir::schedule {
@@ -42,6 +43,8 @@ class FluidSide : public Resumable {
   [[nodiscard]] virtual bool remembers() const { return true; }
   /// The load of time_s is on its way and the solid steps: the moment to write results.
   virtual void record(double /*time_s*/) {}
+  /// Beside what the schedule times: "mapping", the part of advance() that follows the blocks, and counts.
+  [[nodiscard]] virtual FluidReport report() const { return {}; }
 };
 
 }  // namespace blockweir::schedule

@@ -14,12 +14,14 @@ int main(int argc, char** argv) {
   std::string path;
   channel::Options line{.side = channel::Side::connects, .partner = "solid process"};
   std::string folder;
+  std::string report;
   std::uint64_t resume = 0;
   CLI::App app{"blockweir-column: a pipe of water at the edge of a block"};
   app.add_option("scene", path, "scene file or case folder")->required();
   channel::add_line_options(app, line)->required();
   app.add_option("--out", folder, "folder for checkpoints");
   app.add_option("--resume", resume, "number of the checkpoint in --out to go on from; the same for both");
+  app.add_option("--report", report, "file for this process's times (JSON)");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -35,7 +37,8 @@ int main(int argc, char** argv) {
     channel.handshake(schedule::hello(scene, "column", resume));
     column::Column column(scene);
     checkpoint::Checkpoints checkpoints(folder, "column", scene.digest, 0);
-    schedule::run_fluid(channel, checkpoints, resume, column);
+    const schedule::FluidReport said = schedule::run_fluid(channel, checkpoints, resume, column);
+    if (!report.empty()) schedule::write_report(report, said);
     return 0;
   });
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/polygon.hpp"
 #include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
@@ -80,7 +81,17 @@ void HydrostaticModel::restore(const std::string& state) {
   if (!fresh_) press(again);
 }
 
+schedule::FluidReport HydrostaticModel::report() const {
+  return {{{"mapping", mapping_s_}}, {{"updates", updates_}, {"unchanged", unchanged_}}};
+}
+
+WetFaces HydrostaticModel::wet_part(Pool pool, double level_m) {
+  const Stopwatch watch(mapping_s_);
+  return wet_faces(outlines_, pool, level_m, scene_.water.open_crack_width_m);
+}
+
 void HydrostaticModel::place(const wire::Motion& motion) {
+  const Stopwatch watch(mapping_s_);
   for (std::size_t b = 0; b < outlines_.size(); ++b) {
     const auto& vertices = scene_.blocks[b].vertices;
     for (std::size_t v = 0; v < vertices.size(); ++v) {
@@ -91,7 +102,7 @@ void HydrostaticModel::place(const wire::Motion& motion) {
 
 void HydrostaticModel::add_pool(Pool pool, double level_m, wire::Load& load) {
   const scene::Water& w = scene_.water;
-  const WetFaces wet = wet_faces(outlines_, pool, level_m, w.open_crack_width_m);
+  const WetFaces wet = wet_part(pool, level_m);
   const Hydrostatics water{
       .weight_n_per_m3 = w.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2,
       .atmosphere_pa = w.atmosphere == scene::Atmosphere::wet_faces ? w.atmospheric_pressure_pa : 0,

@@ -29,12 +29,13 @@ class HydrostaticModel final : public schedule::FluidSide {
 
   /// The pools as they were at the last advance().
   [[nodiscard]] const std::vector<PoolSection>& pools() const { return pools_; }
-  [[nodiscard]] long updates() const { return updates_; }      ///< windows whose pressures were computed
-  [[nodiscard]] long unchanged() const { return unchanged_; }  ///< windows in which neither level nor block moved
+  [[nodiscard]] long updates() const { return updates_; }  ///< windows whose pressures were computed
+  [[nodiscard]] schedule::FluidReport report() const override;
 
  private:
   void press(wire::Load& load);
   void place(const wire::Motion& motion);
+  [[nodiscard]] WetFaces wet_part(Pool pool, double level_m);
   void add_pool(Pool pool, double level_m, wire::Load& load);
   void add_cracks(double upstream_m, double downstream_m, wire::Load& load);
 
@@ -48,7 +49,8 @@ class HydrostaticModel final : public schedule::FluidSide {
   double last_downstream_m_ = 0;
   bool fresh_ = true;
   long updates_ = 0;
-  long unchanged_ = 0;
+  long unchanged_ = 0;  ///< windows in which neither level nor block moved
+  double mapping_s_ = 0;
 };
 
 }  // namespace blockweir::hydrostatic

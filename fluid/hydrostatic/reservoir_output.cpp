@@ -5,7 +5,6 @@
 #include <vtkCellType.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "bridge/checkpoint/archive.hpp"
 
@@ -34,8 +33,8 @@ void add(const ReservoirMesh& mesh, const Hydrostatics& water, vtk::Grid& grid, 
 
 }  // namespace
 
-RecordedModel::RecordedModel(HydrostaticModel& model, const scene::Scene& scene, const std::filesystem::path& folder)
-    : model_(model),
+RecordedModel::RecordedModel(const scene::Scene& scene, const std::filesystem::path& folder)
+    : model_(scene),
       files_(folder, "reservoir.pvd"),
       frame_every_s_(scene.output.frame_every_s),
       elements_per_depth_(scene.water.elements_per_face),
@@ -49,18 +48,22 @@ void RecordedModel::record(double time_s) {
   const double soon = 1e-9 * frame_every_s_;  // a time that is due but for round-off is due
   if (time_s < next_s_ - soon) return;
   while (next_s_ <= time_s + soon) next_s_ += frame_every_s_;
-  const auto start = std::chrono::steady_clock::now();
   write(time_s);
-  output_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+schedule::FluidReport RecordedModel::report() const {
+  schedule::FluidReport report = model_.report();
+  report.counts["meshes"] = meshes_;
+  return report;
 }
 
 std::string RecordedModel::state() const {
-  return checkpoint::pack(model_.state(), files_, next_s_, last_file_, written_update_, meshes_, output_s_);
+  return checkpoint::pack(model_.state(), files_, next_s_, last_file_, written_update_, meshes_);
 }
 
 void RecordedModel::restore(const std::string& state) {
   std::string of_model;
-  checkpoint::unpack(state, of_model, files_, next_s_, last_file_, written_update_, meshes_, output_s_);
+  checkpoint::unpack(state, of_model, files_, next_s_, last_file_, written_update_, meshes_);
   model_.restore(of_model);
 }
 

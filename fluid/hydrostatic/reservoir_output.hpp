@@ -11,20 +11,19 @@ namespace blockweir::hydrostatic {
 class RecordedModel final : public schedule::FluidSide {
  public:
   /// Files go to `folder`. Throws std::runtime_error when they cannot be written, here and later.
-  RecordedModel(HydrostaticModel& model, const scene::Scene& scene, const std::filesystem::path& folder);
+  RecordedModel(const scene::Scene& scene, const std::filesystem::path& folder);
 
   void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
   void record(double time_s) override;
   [[nodiscard]] std::string state() const override;
   void restore(const std::string& state) override;
 
-  [[nodiscard]] double output_s() const { return output_s_; }  ///< seconds spent on meshes and files
-  [[nodiscard]] long meshes() const { return meshes_; }
+  [[nodiscard]] schedule::FluidReport report() const override;
 
  private:
   void write(double time_s);
 
-  HydrostaticModel& model_;
+  HydrostaticModel model_;
   vtk::Collection files_;
   double frame_every_s_;
   double next_s_ = 0;
@@ -33,7 +32,6 @@ class RecordedModel final : public schedule::FluidSide {
   std::string last_file_;
   long written_update_ = -1;
   long meshes_ = 0;
-  double output_s_ = 0;
 };
 
 }  // namespace blockweir::hydrostatic

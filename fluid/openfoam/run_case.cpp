@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <map>
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/stopwatch.hpp"
 #include "fluid/openfoam/case_writer.hpp"
 #include "fluid/openfoam/own_case.hpp"
 #include "fluid/openfoam/programs.hpp"
@@ -49,8 +52,8 @@ void tell_plugin(const channel::Options& line) {
   if (line.insecure) ::setenv("BLOCKWEIR_INSECURE", "1", 1);
 }
 
-int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptions& options) {
-  tell_plugin(options.line);
+void run_interfoam(const scene::Scene& scene, const fs::path& folder, double& seconds) {
+  const Stopwatch watch(seconds);
   if (scene.openfoam.processes == 1) {
     run_program("interFoam", {"interFoam", "-case", folder}, folder);
   } else {
@@ -59,9 +62,28 @@ int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptio
                  "interFoam", "-parallel", "-case", folder},
                 folder);
   }
+}
+
+/// Seconds by phase, from the plugin's file; "step" is what is left of interFoam's own.
+std::map<std::string, double> times(const fs::path& folder, double solved_s) {
+  std::map<std::string, double> seconds;
+  std::ifstream file(folder / "blockweir.times");
+  double other_s = 0;
+  std::string phase;
+  for (double s = 0; file >> phase >> s; other_s += s) seconds[phase] = s;
+  seconds["step"] = solved_s - other_s;
+  return seconds;
+}
+
+int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptions& options) {
+  tell_plugin(options.line);
+  double solved_s = 0;
+  run_interfoam(scene, folder, solved_s);
   if (scene.openfoam.reconstruct) run_program("reconstructPar", {"reconstructPar", "-case", folder}, folder);
-  const nlohmann::json result = {{"checks", water_checks(scene, folder / "water.csv")}};
-  if (!options.result.empty()) results::replace_file(options.result, result.dump(2) + "\n");
+  const nlohmann::json report = {{"seconds", times(folder, solved_s)},
+                                 {"counts", nlohmann::json::object()},
+                                 {"checks", water_checks(scene, folder / "water.csv")}};
+  if (!options.report.empty()) results::replace_file(options.report, report.dump(2) + "\n");
   return 0;
 }
 

@@ -16,7 +16,7 @@ struct RunOptions {
   bool case_only = false;
   std::uint64_t resume = 0;              ///< number of the checkpoint to go on from; 0: from the start
   std::filesystem::path scene_folder{};  ///< where the scene's paths start; empty: beside its file
-  std::filesystem::path result{};        ///< file for the checks of the water (JSON); empty: none
+  std::filesystem::path report{};        ///< file for times and for the checks of the water (JSON); empty: none
 };
 
 /// Writes or copies the case, makes its mesh and runs interFoam to its end; what they print goes to log.PROGRAM in the

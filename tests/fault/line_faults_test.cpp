@@ -144,9 +144,9 @@ TEST_F(LineFaults, APartnerOfAnotherVersionIsRefusedWithBothNumbers) {
       From::fluid,
       [](From, std::size_t number, const std::vector<Frame>& sent) -> std::vector<Frame> {
         if (number > 0) return {sent.back()};
-        return {altered<wire::Hello>(sent.back(), [](wire::Hello& hello) { hello.protocol = 5; })};
+        return {altered<wire::Hello>(sent.back(), [](wire::Hello& hello) { hello.protocol = 8; })};
       },
-      "handshake refused: protocol: solid has 6, hydrostatic has 5");
+      "handshake refused: protocol: solid has 7, hydrostatic has 8");
 }
 
 TEST_F(LineFaults, APartnerFromBeforeChecksumsIsRefused) {

@@ -93,11 +93,4 @@ void Partner::fail(const std::string& text) {
   std::abort();
 }
 
-double Partner::waited_s() const {
-  return channel_ ? channel_->waited_s() : 0;
-}
-double Partner::packed_s() const {
-  return channel_ ? channel_->packed_s() : 0;
-}
-
 }  // namespace blockweir::openfoam

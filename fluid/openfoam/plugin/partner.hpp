@@ -27,8 +27,10 @@ class Partner {
   /// Ends the run on all ranks; the solid is told why.
   [[noreturn]] void fail(const std::string& text);
 
-  [[nodiscard]] double waited_s() const;
-  [[nodiscard]] double packed_s() const;
+  /// Seconds of the master so far: waiting, packing and unpacking, handing frames over.
+  [[nodiscard]] double waited_s() const { return channel_ ? channel_->waited_s() : 0; }
+  [[nodiscard]] double packed_s() const { return channel_ ? channel_->packed_s() : 0; }
+  [[nodiscard]] double wire_s() const { return channel_ ? channel_->wire_s() : 0; }
 
  private:
   template <class Action>

@@ -5,12 +5,12 @@
 #include <fvc.H>
 #include <surfaceFields.H>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "bridge/results/stopwatch.hpp"
 
 namespace blockweir::openfoam {
 
@@ -162,6 +162,7 @@ void Session::begin_step() {
   on_the_way(course_, static_cast<double>(step_) / steps_, step_start_);
   on_the_way(course_, static_cast<double>(step_ + 1) / steps_, step_end_);
   if (step_ + 1 == steps_) step_end_ = course_.end;
+  const Stopwatch watch(mapping_s_);
   blocks_.move(step_start_, step_end_, time_.deltaTValue());
   for (OpenEnd& end : open_ends_) end.set(time_.value());
 }
@@ -172,6 +173,17 @@ void Session::end_step() {
 
 /// Pressures of now are said, the blocks' next places are heard.
 void Session::exchange() {
+  sample();
+  partner_.send(load_);
+  {
+    const Stopwatch watch(output_s_);
+    record_.add(load_.time_s, load_, course_.end_velocity, ground_acceleration().x());
+  }
+  await_motion();
+}
+
+void Session::sample() {
+  const Stopwatch watch(mapping_s_);
   const std::string strayed = blocks_.strayed();
   if (!strayed.empty()) partner_.fail(strayed);
   load_.window = window_;
@@ -181,15 +193,21 @@ void Session::exchange() {
   edges_.sample(load_);
   load_.breached = breach_.look();
   added_mass_.measure(load_.added_mass);
-  partner_.send(load_);
-  record_.add(load_.time_s, load_, course_.end_velocity, ground_acceleration().x());
-  await_motion();
+}
+
+/// For the summary of the run: a phase and its seconds a line.
+void Session::write_times() const {
+  if (!Foam::Pstream::master()) return;
+  std::ofstream(std::string(time_.globalPath()) + "/blockweir.times")
+      << "wait " << partner_.waited_s() << "\npack " << partner_.packed_s() << "\nwire " << partner_.wire_s()
+      << "\nmapping " << mapping_s_ << "\noutput " << output_s_ << '\n';
 }
 
 void Session::await_motion() {
   const auto motion = partner_.receive(window_ + 1);
   if (!motion) {
     Foam::Info << "blockweir: the solid process has ended the run after window " << Foam::label(window_) << Foam::endl;
+    write_times();
     time_.writeAndEnd();
     return;
   }

@@ -55,10 +55,12 @@ class Session : public Foam::regIOobject {
  private:
   void check_agreement();
   void exchange();
+  void sample();
   void resume();
   void await_motion();
   void save();
   void start_window(const wire::Motion& motion);
+  void write_times() const;
   [[nodiscard]] double crossings_per_s() const;
 
   const Foam::fvMesh& mesh_;
@@ -88,6 +90,8 @@ class Session : public Foam::regIOobject {
   Foam::label placed_at_ = -1;  ///< time index of the step that the blocks were taken to
   bool attached_ = false;
   wire::Load load_;
+  double mapping_s_ = 0;  ///< blocks into cells, pressures onto edges
+  double output_s_ = 0;
 };
 
 }  // namespace blockweir::openfoam

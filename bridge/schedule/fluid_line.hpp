@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the solid reaches the fluid: over a channel, or as a call within its own process.
+#pragma once
+
+#include "bridge/channel/channel.hpp"
+#include "bridge/schedule/fluid_turn.hpp"
+
+namespace blockweir::schedule {
+
+class FluidLine {
+ public:
+  virtual ~FluidLine() = default;
+  virtual void tell(const wire::Motion& motion) = 0;
+  /// The pressures for what was told. Throws channel::PeerError when there are none.
+  virtual void hear(wire::Load& load) = 0;
+  virtual void end(const std::string& /*reason*/) {}
+  virtual void fail(const std::string& /*text*/) {}
+};
+
+class RemoteFluid final : public FluidLine {
+ public:
+  explicit RemoteFluid(channel::Channel& channel) : channel_(channel) {}
+  void tell(const wire::Motion& motion) override { channel_.send(motion); }
+  void hear(wire::Load& load) override { channel_.receive(load); }
+  void end(const std::string& reason) override { channel_.send(wire::End{reason}); }
+  void fail(const std::string& text) override { channel_.send(wire::Failure{text}); }
+
+ private:
+  channel::Channel& channel_;
+};
+
+/// Answers as soon as it is told.
+class LocalFluid final : public FluidLine {
+ public:
+  explicit LocalFluid(FluidTurn& fluid) : fluid_(fluid) {}
+  void tell(const wire::Motion& motion) override;
+  void hear(wire::Load& load) override;
+
+ private:
+  FluidTurn& fluid_;
+  const wire::Load* answer_ = nullptr;
+};
+
+}  // namespace blockweir::schedule

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/schedule/fluid_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "bridge/results/result_file.hpp"
+
+namespace blockweir::schedule {
+
+void write_report(const std::filesystem::path& file, const FluidReport& report) {
+  const nlohmann::json text = {{"seconds", report.seconds}, {"counts", report.counts}};
+  results::replace_file(file, text.dump(2) + "\n");
+}
+
+}  // namespace blockweir::schedule

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a fluid process says of itself when a run has ended: where its time went, and how often it did what.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace blockweir::schedule {
+
+struct FluidReport {
+  std::map<std::string, double> seconds{};  ///< by phase: wait, pack, wire, mapping, step, output
+  std::map<std::string, long> counts{};
+};
+
+/// As JSON, {"seconds": {...}, "counts": {...}}. Throws std::runtime_error when `file` cannot be written.
+void write_report(const std::filesystem::path& file, const FluidReport& report);
+
+}  // namespace blockweir::schedule

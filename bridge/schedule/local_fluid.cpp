@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "bridge/schedule/fluid_line.hpp"
+
+namespace blockweir::schedule {
+
+/// A fluid that fails is a partner that fails, wherever it is.
+void LocalFluid::tell(const wire::Motion& motion) {
+  try {
+    answer_ = fluid_.answer(motion);
+    if (answer_ != nullptr) fluid_.record();
+  } catch (const std::exception& error) {
+    throw channel::PeerError(fmt::format("the fluid stopped in window {}: {}", motion.window, error.what()));
+  }
+}
+
+void LocalFluid::hear(wire::Load& load) {
+  load = *answer_;
+}
+
+}  // namespace blockweir::schedule

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "bridge/results/folder.hpp"
+#include "bridge/scene/read.hpp"
+#include "bridge/schedule/hello.hpp"
+#include "bridge/schedule/processes.hpp"
+#include "bridge/schedule/run.hpp"
+#include "solid/output/recorder.hpp"
+
+namespace blockweir::schedule {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// At most twenty reports a second: lines "time_s level_m largest_displacement_m" on a pipe, or text for people.
+auto progress_to(int fd, double duration_s) {
+  return [fd, duration_s, last = Clock::time_point(), silent = false](double time_s, double level_m,
+                                                                      double displacement_m) mutable {
+    if (silent) return;
+    const auto now = Clock::now();
+    if (now - last < std::chrono::milliseconds(fd >= 0 ? 50 : 2000) && time_s < duration_s) return;
+    last = now;
+    if (fd < 0) {
+      fmt::print(stderr, "{:.4g} of {:.4g} s, level {:.4g} m, largest displacement {:.3g} m\n", time_s, duration_s,
+                 level_m, displacement_m);
+      return;
+    }
+    const std::string line = fmt::format("{:.9g} {:.9g} {:.9g}\n", time_s, level_m, displacement_m);
+    silent = silent || ::write(fd, line.data(), line.size()) < 0;  // nobody listens any more: go on without
+  };
+}
+
+}  // namespace
+
+FluidReport run_process(SolidProcess process) {
+  const auto start = Clock::now();
+  const scene::Scene scene = scene::read(process.scene, process.overrides).scene;
+  const bool alone = scene.fluid == scene::FluidModel::none;
+  if (!alone && !process.make_fluid && process.line.endpoint.empty()) {
+    throw std::invalid_argument("the scene has water: say with --endpoint where to listen for the fluid process");
+  }
+  channel::catch_stop_signals();
+  results::make_folder(process.folder);
+  const std::uint64_t first = process.resume;
+  checkpoint::Checkpoints checkpoints(process.folder, "solid", scene.digest, scene.output.checkpoint_every_s);
+  if (first == 0) checkpoint::forget(process.folder);
+  solid::output::Recorder recorder(scene, process.folder,
+                                   first == 0 ? results::Begin::anew : results::Begin::where_it_stopped,
+                                   progress_to(process.progress_fd, scene.analysis.duration_s));
+  std::optional<channel::Channel> channel;
+  FluidReport report;
+  double connected_s = 0;
+  double waited_before_s = 0;
+  const auto finish = [&](const std::string& stopped) {
+    const std::chrono::duration<double> total = Clock::now() - start;
+    nlohmann::json profile = {{"start_up", connected_s}};
+    if (channel) {
+      profile.update({{"wait_for_fluid", channel->waited_s() - waited_before_s},
+                      {"pack", channel->packed_s()},
+                      {"wire", channel->wire_s()}});
+    }
+    recorder.finish({{"wall_time_s", total.count()}, {"profile_s", profile}}, stopped);
+  };
+  try {
+    if (alone) {
+      run_solid(nullptr, scene, checkpoints, first, recorder);
+    } else if (process.make_fluid) {
+      const std::unique_ptr<FluidSide> fluid = process.make_fluid(scene, process.folder);
+      checkpoint::Checkpoints its_own(process.folder, scene::name(scene.fluid), scene.digest, 0);
+      FluidTurn turn(*fluid, its_own, first);
+      LocalFluid here(turn);
+      run_solid(&here, scene, checkpoints, first, recorder);
+      report = turn.report();
+    } else {
+      process.line.partner = fmt::format("fluid process ({})", scene::name(scene.fluid));
+      process.line.timeout_s = scene.coupling.timeout_s;
+      process.line.open_timeout_s = scene.coupling.open_timeout_s;
+      channel.emplace(process.line);
+      channel->handshake(hello(scene, "solid", first));
+      connected_s = std::chrono::duration<double>(Clock::now() - start).count();
+      waited_before_s = channel->waited_s();
+      RemoteFluid there(*channel);
+      run_solid(&there, scene, checkpoints, first, recorder);
+    }
+  } catch (const std::exception& error) {
+    finish(error.what());
+    throw;
+  }
+  finish("");
+  return report;
+}
+
+}  // namespace blockweir::schedule
