@@ -5,6 +5,8 @@
 #include <vtkObject.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <cstdlib>
+
 #include "bridge/results/result_file.hpp"
 
 namespace blockweir::vtk {
@@ -20,15 +22,18 @@ Collection::Collection(std::filesystem::path folder, std::string name)
   writer_->vtk->SetCompressorTypeToNone();
   writer_->vtk->SetDataModeToAppended();
   writer_->vtk->EncodeAppendedDataOff();
+  writer_->vtk->WriteToOutputStringOn();  // a file goes out in one piece, not in a hundred
+  // Threads for a few hundred points would spin beside solid and water. VTK's own header for this is not C++20.
+  ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
 }
 
 Collection::~Collection() = default;
 
 void Collection::add(const Grid& grid, const std::string& file, double time_s, const char* part, int part_number) {
   const std::string path = (folder_ / "frames" / file).string();
-  writer_->vtk->SetFileName(path.c_str());
   writer_->vtk->SetInputData(grid.get());
   if (writer_->vtk->Write() == 0 || writer_->vtk->GetErrorCode() != 0) results::cannot_write(path);
+  results::replace_file(path, writer_->vtk->GetOutputString());
   repeat(file, time_s, part, part_number);
 }
 
