@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bridge/results/folder.hpp"
+#include "bridge/results/peak_memory.hpp"
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "bridge/schedule/processes.hpp"
@@ -65,7 +66,10 @@ FluidReport run_process(SolidProcess process) {
                       {"pack", channel->packed_s()},
                       {"wire", channel->wire_s()}});
     }
-    recorder.finish({{"wall_time_s", total.count()}, {"profile_s", profile}}, stopped);
+    recorder.finish({{"wall_time_s", total.count()},
+                     {"profile_s", profile},
+                     {"peak_memory_mb", {{"solid", results::peak_memory_mb()}}}},
+                    stopped);
   };
   try {
     if (alone) {

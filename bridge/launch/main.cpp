@@ -9,6 +9,7 @@
 #include "bridge/launch/compare.hpp"
 #include "bridge/launch/cut.hpp"
 #include "bridge/launch/plot.hpp"
+#include "bridge/launch/profile.hpp"
 #include "bridge/launch/run.hpp"
 #include "bridge/launch/study.hpp"
 #include "bridge/launch/validate.hpp"
@@ -51,6 +52,7 @@ int run_command(int argc, char** argv) {
   launch::ResumeOptions resume;
   launch::ValidateOptions validate;
   launch::PlotOptions plot;
+  launch::ProfileOptions profile;
   launch::CutOptions cut;
   launch::CompareOptions compare;
   launch::StudyOptions study;
@@ -83,6 +85,9 @@ int run_command(int argc, char** argv) {
   plot_cmd->add_option("run", plot.run, "folder of a run")->required();
   plot_cmd->add_flag("--svg", plot.svg, "SVG instead of PNG");
   plot_cmd->add_flag("--animate", plot.animated, "all frames as animation.gif too");
+  auto* profile_cmd = app.add_subcommand("profile", "say and draw where the time of a run went");
+  profile_cmd->add_option("run", profile.run, "folder of a run")->required();
+  profile_cmd->add_flag("--svg", profile.svg, "SVG instead of PNG");
   auto* study_cmd = app.add_subcommand("study", "make the runs of a scene's studies and compare");
   study_cmd->add_option("scene", study.scene, "scene file or case folder")->required();
   study_cmd->add_option("--name", study.name, "one of the studies (default: all)");
@@ -124,6 +129,7 @@ int run_command(int argc, char** argv) {
   if (cut_cmd->parsed()) return launch::cut(cut), 0;
   if (case_cmd->parsed()) launch::write_case(written);
   if (plot_cmd->parsed()) return launch::plot(plot), 0;
+  if (profile_cmd->parsed()) return launch::profile(profile), 0;
   if (study_cmd->parsed()) return launch::study(study);
   if (validate_cmd->parsed()) return launch::validate(validate);
   if (compare_cmd->parsed()) return launch::compare(compare);

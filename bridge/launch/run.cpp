@@ -125,6 +125,7 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
     if (fluid.contains("checks")) {
       for (const json& check : fluid["checks"]) summary["checks"].push_back(check);
     }
+    if (fluid.contains("peak_memory_mb")) summary["peak_memory_mb"]["fluid"] = fluid["peak_memory_mb"];
     fs::remove(report_of(folder));
   }
   try {

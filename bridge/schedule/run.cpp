@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/schedule/run.hpp"
 
+#include "bridge/results/peak_memory.hpp"
 #include "bridge/schedule/schedules.hpp"
 
 namespace blockweir::schedule {
@@ -70,6 +71,7 @@ FluidReport run_fluid(channel::Channel& channel, checkpoint::Checkpoints& checkp
   report.seconds["wait"] = channel.waited_s() - waited_before_s;
   report.seconds["pack"] = channel.packed_s();
   report.seconds["wire"] = channel.wire_s();
+  report.peak_memory_mb = results::peak_memory_mb();
   return report;
 }
 

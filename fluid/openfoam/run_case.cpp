@@ -9,6 +9,7 @@
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/checkpoint/checkpoints.hpp"
+#include "bridge/results/peak_memory.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "fluid/openfoam/case_writer.hpp"
@@ -82,6 +83,7 @@ int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptio
   if (scene.openfoam.reconstruct) run_program("reconstructPar", {"reconstructPar", "-case", folder}, folder);
   const nlohmann::json report = {{"seconds", times(folder, solved_s)},
                                  {"counts", nlohmann::json::object()},
+                                 {"peak_memory_mb", results::peak_memory_mb()},
                                  {"checks", water_checks(scene, folder / "water.csv")}};
   if (!options.report.empty()) results::replace_file(options.report, report.dump(2) + "\n");
   return 0;
