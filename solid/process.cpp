@@ -37,6 +37,16 @@ auto progress_to(int fd, double duration_s) {
   };
 }
 
+std::vector<std::string> skips_of(const Exchanges& exchanges, bool one_process) {
+  std::vector<std::string> skips;
+  if (exchanges.skipped > 0) {
+    skips.push_back(fmt::format("{} of {} exchanges: no block had moved and the water stood", exchanges.skipped,
+                                exchanges.said + exchanges.skipped));
+  }
+  if (one_process && exchanges.said > 0) skips.push_back("a second process: the water was within the solid's");
+  return skips;
+}
+
 }  // namespace
 
 FluidReport run_process(SolidProcess process) {
@@ -56,6 +66,7 @@ FluidReport run_process(SolidProcess process) {
                                    progress_to(process.progress_fd, scene.analysis.duration_s));
   std::optional<channel::Channel> channel;
   FluidReport report;
+  Exchanges exchanges;
   double connected_s = 0;
   double waited_before_s = 0;
   const auto finish = [&](const std::string& stopped) {
@@ -68,18 +79,19 @@ FluidReport run_process(SolidProcess process) {
     }
     recorder.finish({{"wall_time_s", total.count()},
                      {"profile_s", profile},
+                     {"counts", {{"exchanges", exchanges.said}, {"skipped_exchanges", exchanges.skipped}}},
                      {"peak_memory_mb", {{"solid", results::peak_memory_mb()}}}},
-                    stopped);
+                    stopped, skips_of(exchanges, process.make_fluid != nullptr));
   };
   try {
     if (alone) {
-      run_solid(nullptr, scene, checkpoints, first, recorder);
+      exchanges = run_solid(nullptr, scene, checkpoints, first, recorder);
     } else if (process.make_fluid) {
       const std::unique_ptr<FluidSide> fluid = process.make_fluid(scene, process.folder);
       checkpoint::Checkpoints its_own(process.folder, scene::name(scene.fluid), scene.digest, 0);
       FluidTurn turn(*fluid, its_own, first);
       LocalFluid here(turn);
-      run_solid(&here, scene, checkpoints, first, recorder);
+      exchanges = run_solid(&here, scene, checkpoints, first, recorder);
       report = turn.report();
     } else {
       process.line.partner = fmt::format("fluid process ({})", scene::name(scene.fluid));
@@ -90,7 +102,7 @@ FluidReport run_process(SolidProcess process) {
       connected_s = std::chrono::duration<double>(Clock::now() - start).count();
       waited_before_s = channel->waited_s();
       RemoteFluid there(*channel);
-      run_solid(&there, scene, checkpoints, first, recorder);
+      exchanges = run_solid(&there, scene, checkpoints, first, recorder);
     }
   } catch (const std::exception& error) {
     finish(error.what());

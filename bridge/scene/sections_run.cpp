@@ -128,6 +128,7 @@ void read_coupling(Reading& reading) {
   if (reading.scene.fluid == FluidModel::openfoam) c.timeout_s = 120;
   table.number("timeout_s", c.timeout_s, positive());
   c.open_timeout_s = c.timeout_s;
+  table.flag("skip_exchanges", c.skip_exchanges);
   table.flag("added_mass_guard", c.added_mass_guard);
   table.number("added_mass_limit", c.added_mass_limit, positive());
   table.choice<EnergyGain>("on_energy_gain", c.on_energy_gain,

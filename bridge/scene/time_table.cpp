@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace blockweir::scene {
 
@@ -13,6 +14,19 @@ TimeTable TimeTable::constant(double value) {
 double TimeTable::at(double time) const {
   if (!sine) return rows_at(time);
   return rows_at(time) + sine->amplitude * std::sin(sine->angular_frequency * time + sine->phase);
+}
+
+double TimeTable::constant_until(double time) const {
+  if (sine) return time;
+  const double now = rows_at(time);
+  double until = time;
+  for (std::size_t row = 0; row < time_s.size(); ++row) {
+    if (time_s[row] <= time) continue;
+    if (!stepwise && value[row] != now) return until;
+    until = time_s[row];
+    if (value[row] != now) return until;
+  }
+  return value.back() == now ? std::numeric_limits<double>::infinity() : until;
 }
 
 double TimeTable::rows_at(double time) const {

@@ -26,6 +26,8 @@ struct TimeTable {
   static TimeTable constant(double value);
 
   [[nodiscard]] double at(double time_s) const;
+  /// The value stays what it is at `time_s` at all later times before this one; `time_s` itself where it changes.
+  [[nodiscard]] double constant_until(double time_s) const;
   [[nodiscard]] double rows_at(double time_s) const;  ///< without the sine
   bool operator==(const TimeTable&) const = default;
 };

@@ -112,6 +112,7 @@ struct Coupling {
   LoadInWindow load_in_window = LoadInWindow::held;
   double window_s = 0.01;
   double longest_window_s = 0;  ///< while nothing moves; 0: all windows are window_s long
+  bool skip_exchanges = true;   ///< nothing is said while no block moves and the water stands
   double timeout_s = 20;        ///< longest silence of a partner
   double open_timeout_s = 20;   ///< longest wait for it to arrive
   /// The inertia of water that a block pushes is solved for with the block's own: solid/step/added_mass.hpp.

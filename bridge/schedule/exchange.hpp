@@ -12,7 +12,8 @@ namespace blockweir::schedule {
 class Exchange {
  public:
   /// `fluid` is null where the scene has no water.
-  Exchange(FluidLine* fluid, checkpoint::Checkpoints& checkpoints, Windows& windows, SolidSide& solid);
+  /// `skips`: nothing is said where the last answer holds, no block having moved since and the water standing.
+  Exchange(FluidLine* fluid, checkpoint::Checkpoints& checkpoints, Windows& windows, SolidSide& solid, bool skips);
 
   /// Goes on before motion `number`, as the checkpoint has it.
   void resume(std::uint64_t number);
@@ -31,18 +32,25 @@ class Exchange {
   [[nodiscard]] const wire::Load& load() const { return load_; }
   [[nodiscard]] const wire::Motion& answered() const { return answered_; }
 
+  /// Windows in which nothing was said.
+  [[nodiscard]] long skipped() const { return skipped_; }
+
  private:
   void save();
+  [[nodiscard]] bool answer_holds(const wire::Motion& motion, double time_s) const;
 
   FluidLine* fluid_;
   checkpoint::Checkpoints& checkpoints_;
   Windows& windows_;
   SolidSide& solid_;
+  bool skips_;
   std::uint64_t number_ = 0;
   wire::Load load_;
   wire::Load incoming_;  ///< so that load_ is whole whatever comes
   wire::Motion answered_;
   wire::Motion told_;
+  bool silent_ = false;  ///< nothing was said of told_
+  long skipped_ = 0;
 };
 
 }  // namespace blockweir::schedule

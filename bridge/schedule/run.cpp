@@ -34,18 +34,21 @@ auto function_of(scene::Schedule schedule) {
 
 }  // namespace
 
-void run_solid(FluidLine* fluid, const scene::Scene& scene, checkpoint::Checkpoints& checkpoints, std::uint64_t first,
-               SolidSide& solid) {
+Exchanges run_solid(FluidLine* fluid, const scene::Scene& scene, checkpoint::Checkpoints& checkpoints,
+                    std::uint64_t first, SolidSide& solid) {
+  Exchanges counted;
   const auto work = [&] {
     Windows windows(scene);
-    Exchange exchange(fluid, checkpoints, windows, solid);
+    Exchange exchange(fluid, checkpoints, windows, solid, scene.coupling.skip_exchanges);
     if (first > 0) exchange.resume(first);
     function_of(scene.coupling.schedule)(exchange, windows, solid);
     if (fluid != nullptr) fluid->end("the run is complete");
+    counted = {static_cast<long>(exchange.number()), exchange.skipped()};
   };
   guarded(work, [&](const char* text) {
     if (fluid != nullptr) fluid->fail(text);
   });
+  return counted;
 }
 
 FluidReport run_fluid(channel::Channel& channel, checkpoint::Checkpoints& checkpoints, std::uint64_t first,

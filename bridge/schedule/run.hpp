@@ -6,10 +6,15 @@
 
 namespace blockweir::schedule {
 
+struct Exchanges {
+  long said = 0;
+  long skipped = 0;  ///< the answer of the one before still held
+};
+
 /// By the scene's schedule. `fluid` is null where the scene has no water; `first` is the motion that the run starts
 /// or is resumed with.
-void run_solid(FluidLine* fluid, const scene::Scene& scene, checkpoint::Checkpoints& checkpoints, std::uint64_t first,
-               SolidSide& solid);
+Exchanges run_solid(FluidLine* fluid, const scene::Scene& scene, checkpoint::Checkpoints& checkpoints,
+                    std::uint64_t first, SolidSide& solid);
 
 /// As a process of its own, until the solid ends the run. `first` as in FluidTurn.
 FluidReport run_fluid(channel::Channel& channel, checkpoint::Checkpoints& checkpoints, std::uint64_t first,

@@ -139,7 +139,7 @@ void encode(const Load& m, Builder& builder) {
   const auto added_mass = flat(builder, m.added_mass);
   finish(builder, buffer::Body::Load,
          buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, block, edge, s_from,
-                            s_to, p_from, p_to, m.breached, m.cracks_from, added_mass));
+                            s_to, p_from, p_to, m.breached, m.cracks_from, added_mass, m.holds_until_s));
 }
 
 void encode(const End& m, Builder& builder) {
@@ -229,6 +229,8 @@ void decode(const void* data, Load& m) {
   m.upstream_level_m = b.upstream_level_m();
   m.downstream_level_m = b.downstream_level_m();
   require_finite(m.time_s, "time", m.window);
+  m.holds_until_s = b.holds_until_s();
+  if (std::isnan(m.holds_until_s)) require_finite(m.holds_until_s, "time that the pressures hold", m.window);
   if (std::isinf(m.upstream_level_m)) require_finite(m.upstream_level_m, "upstream level", m.window);
   if (std::isinf(m.downstream_level_m)) require_finite(m.downstream_level_m, "downstream level", m.window);
   copy(b.block(), m.block);

@@ -58,6 +58,8 @@ struct Motion {
 struct Load {
   std::uint64_t window = 0;
   double time_s = 0;
+  /// While no block moves, the pressures stay as they are at all times before this one; time_s where that is not known.
+  double holds_until_s = 0;
   double upstream_level_m = 0;    ///< NaN where there is no pool
   double downstream_level_m = 0;  ///< NaN where there is no pool
   std::vector<std::uint32_t> block;
@@ -75,8 +77,8 @@ struct Load {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(window, time_s, upstream_level_m, downstream_level_m, block, edge, s_from, s_to, pressure_from_pa,
-            pressure_to_pa, cracks_from, breached, added_mass);
+    archive(window, time_s, holds_until_s, upstream_level_m, downstream_level_m, block, edge, s_from, s_to,
+            pressure_from_pa, pressure_to_pa, cracks_from, breached, added_mass);
   }
 };
 

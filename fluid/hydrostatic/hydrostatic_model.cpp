@@ -23,6 +23,14 @@ double level_at(const std::optional<scene::TimeTable>& table, double time_s) {
   return table ? table->at(time_s) : std::numeric_limits<double>::quiet_NaN();
 }
 
+double level_stands_until(const scene::Water& w, double time_s) {
+  double until = std::numeric_limits<double>::infinity();
+  for (const auto* level : {&w.upstream_level_m, &w.downstream_level_m}) {
+    if (*level) until = std::min(until, (*level)->constant_until(time_s));
+  }
+  return until;
+}
+
 bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
@@ -45,6 +53,7 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   const double downstream = level_at(scene_.water.downstream_level_m, to_s);
   const bool still = !fresh_ && same(upstream, last_upstream_m_) && same(downstream, last_downstream_m_) &&
                      motion.displacement == last_motion_.displacement;
+  load.holds_until_s = level_stands_until(scene_.water, to_s);
   if (still) {
     ++unchanged_;
     return;

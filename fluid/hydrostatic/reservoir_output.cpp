@@ -42,6 +42,7 @@ RecordedModel::RecordedModel(const scene::Scene& scene, const std::filesystem::p
 
 void RecordedModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
   model_.advance(motion, to_s, load);
+  load.holds_until_s = to_s;  // there is a picture to take
 }
 
 void RecordedModel::record(double time_s) {

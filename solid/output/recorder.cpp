@@ -180,7 +180,8 @@ void Recorder::restore(const std::string& state) {
   checkpoint::unpack(state, *this);
 }
 
-void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {
+void Recorder::finish(const nlohmann::json& extra, const std::string& stopped,
+                      const std::vector<std::string>& more_skips) {
   const Outcome outcome{.solid = solid_,
                         .first = first_.blocks.empty() ? frame_ : first_,
                         .last = frame_,
@@ -195,6 +196,7 @@ void Recorder::finish(const nlohmann::json& extra, const std::string& stopped) {
                         .breached_s = breached_s_};
   nlohmann::json text;
   if (recorded_s_ >= 0) text = summary(outcome);
+  for (const std::string& skip : more_skips) text["skips"].push_back(skip);
   const Profile& profile = solid_.profile();
   text["profile_s"] = {
       {"search", profile.search}, {"assembly_and_contact", profile.assembly},
