@@ -93,6 +93,14 @@ TEST(SceneSection, WhatIsWrongIsNamed) {
                  {"a block encloses a hole or a closed line at (", "add a [[cut]] from there"});
   expect_refusal("[[cut]]\nname = \"c\"\npoints_m = [[1, 2]]\n", {"a list of 2 to 10000 points"});
   expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 0\nspacing_m = 1e-5\n", {"would draw about", "spacing_m"});
+  const auto set = [](double dip_deg, double spacing_m) {
+    return fmt::format("[[joint_set]]\nname = \"b\"\ndip_deg = {}\nspacing_m = {}\n", dip_deg, spacing_m);
+  };
+  expect_refusal(set(0, 1) + "offset_m = 1e300\n", {"offset_m", "a number within 1e7"});
+  expect_refusal(set(0, 1e9) + "persistence = 0.5\ntrace_length_m = 1e-300\n", {"would draw about"});
+  expect_refusal(set(10, 0.003) + set(10, 0.003) + set(10, 0.003),
+                 {"the section has ", " edges, cuts and joints", "at most 5000"});
+  expect_refusal(set(10, 0.02) + set(80, 0.02), {"cross too often", "at most 20000", "spacing of its joints larger"});
   expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 100\nspacing_m = 1\n", {"dip_deg", "an angle from -90 to 90"});
   expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 0\nspacing_m = 1\npersistence = 0.5\n",
                  {"has no \"trace_length_m\""});
@@ -100,6 +108,13 @@ TEST(SceneSection, WhatIsWrongIsNamed) {
                  {"the outline of a region crosses itself"});
   EXPECT_THAT(errors(head + "[[cut]]\nname = \"c\"\npoints_m = [[1, 2], [3, 4]]\n"),
               testing::Contains(HasSubstr("cut a section, and there is none")));
+}
+
+TEST(JointSets, OneThatIsFarOffOrAllBridgesEnds) {
+  blockweir::section::JointSet set{.dip_deg = 0, .spacing_m = 1, .offset_m = 1e300};
+  EXPECT_LE(blockweir::section::joints_of(set, {0, 0}, {1, 1}, 0).size(), 4U);
+  set = {.dip_deg = 0, .spacing_m = 1, .persistence = 1e-320, .trace_length_m = 1};
+  EXPECT_LE(blockweir::section::joints_of(set, {0, 0}, {1, 1}, 0).size(), 4U);
 }
 
 TEST(JointSets, KeepSpacingAndPersistence) {
