@@ -9,6 +9,7 @@
 
 #include "bridge/scene/mesh_size.hpp"
 #include "bridge/scene/outline.hpp"
+#include "bridge/scene/polygon.hpp"
 #include "bridge/scene/sections.hpp"
 #include "bridge/section/crossings.hpp"
 #include "bridge/section/joint_set.hpp"
@@ -128,6 +129,21 @@ bool few_enough_cuts(Reading& reading, TableReader& table, const section::Sectio
   return true;
 }
 
+/// Holes that overlap, reach beyond the outline or share an edge with it would count as blocks.
+void check_holes(Reading& reading, TableReader& table, const section::Section& section, const section::Cut& cut) {
+  double left = std::abs(signed_area(section.outline));
+  const double tolerance = 1e-6 * left;
+  for (const auto& hole : section.holes) left -= std::abs(signed_area(hole));
+  double blocks = 0;
+  for (const section::Piece& piece : cut.pieces) blocks += signed_area(piece.vertices);
+  if (!cut.enclosed.empty() || std::abs(blocks - left) <= tolerance) return;
+  reading.problems.error(
+      table.place("holes_m"),
+      fmt::format("the blocks of the section have {:.6g} m2, its outline less its holes {:.6g} m2", blocks, left),
+      "holes inside the outline that share no edge or area with it or each other",
+      "move them, or draw the outline around");
+}
+
 /// A point of the block near the middle of its longest edge: centroids may lie outside.
 Point inner_point(const std::vector<Point>& outline) {
   Point best = outline.front();
@@ -227,6 +243,7 @@ void read_section(Reading& reading) {
                            fmt::format("a block encloses a hole or a closed line at ({:.6g}, {:.6g})", p.x(), p.y()),
                            "blocks without holes", "add a [[cut]] from there to the block's outside");
   }
+  check_holes(reading, table, section, cut);
   const std::size_t first = reading.scene.blocks.size();
   for (const section::Piece& piece : cut.pieces) {
     Block block{.name = fmt::format("{}{}", prefix, reading.scene.blocks.size() - first + 1)};

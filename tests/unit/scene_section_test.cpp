@@ -110,6 +110,21 @@ TEST(SceneSection, WhatIsWrongIsNamed) {
               testing::Contains(HasSubstr("cut a section, and there is none")));
 }
 
+TEST(SceneSection, HolesThatOverlapOrReachOutAreRefused) {
+  const auto with_holes = [](const std::string& holes) {
+    return head + sample::with("[0, 4]]\n", "[0, 4]]\nholes_m = [" + holes + "]\n", section);
+  };
+  const std::string above = "[[1, 4], [2, 4], [2, 5], [1, 5]]";  // a common edge, on the wrong side of it
+  const std::string across = "[[1, 3], [2, 3], [2, 5], [1, 5]]";
+  const std::string beyond = "[[1, 5], [2, 5], [2, 6], [1, 6]]";
+  const std::string notch = "[[1, 3], [2, 3], [2, 4], [1, 4]]";
+  for (const std::string& holes : {above, across, beyond, notch, notch + ", " + notch}) {
+    sample::expect_error(with_holes(holes), 16, {"the blocks of the section have", "holes inside the outline"});
+  }
+  const std::string way_out = "[[cut]]\nname = \"c\"\npoints_m = [[0, 2.5], [4, 2.5]]\n";
+  EXPECT_THAT(errors(with_holes("[[1, 2], [2, 2], [2, 3], [1, 3]]") + way_out), IsEmpty());
+}
+
 TEST(JointSets, OneThatIsFarOffOrAllBridgesEnds) {
   blockweir::section::JointSet set{.dip_deg = 0, .spacing_m = 1, .offset_m = 1e300};
   EXPECT_LE(blockweir::section::joints_of(set, {0, 0}, {1, 1}, 0).size(), 4U);
