@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // Runs that were stopped or killed go on, and end with the bits of one that was not.
-#include "tests/processes.hpp"
+#include <random>
+
+#include "tests/cases.hpp"
 
 namespace blockweir::test {
 namespace {
@@ -27,6 +29,19 @@ class Resume : public Processes {
     EXPECT_LT(text("parts/history.csv").size(), text("whole/history.csv").size());
     ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
     expect_same();
+    fs::remove_all(folder / "whole");
+  }
+  /// Stops a run once it has so many rows; false where it has ended before.
+  [[nodiscard]] bool stopped_at(const std::string& line, long row) {
+    const pid_t run = start(line, "log");
+    int status = -1;
+    while (rows_of("parts") < row && status < 0) status = end_of(run, 0.001);
+    if (status < 0) {
+      kill(run, SIGINT);
+      status = end_of(run, 60);
+    }
+    EXPECT_THAT(status, testing::AnyOf(0, 130)) << text("log");
+    return status == 130;
   }
   void expect_same() {
     for (const char* file : {"history.csv", "frames.jsonl", "blocks.pvd", "reservoir.pvd"}) {
@@ -37,7 +52,6 @@ class Resume : public Processes {
       const std::string name = "/frames/" + entry.path().filename().string();
       EXPECT_EQ(text("whole" + name), text("parts" + name)) << name;
     }
-    fs::remove_all(folder / "whole");
     fs::remove_all(folder / "parts");
   }
   /// The summary but for what a clock says.
@@ -56,6 +70,36 @@ TEST_F(Resume, AStoppedRunEndsWithTheBitsOfAWholeOne) {
   expect_same_bits("heap");
   expect_same_bits("bar-wave");
   expect_same_bits("toppling-slope");
+}
+
+/// With BLOCKWEIR_RESUMES=10 every case without OpenFOAM so many times, else two of them once.
+TEST_F(Resume, CasesGoOnFromRandomWindows) {
+  const char* asked = std::getenv("BLOCKWEIR_RESUMES");
+  const int times = asked != nullptr ? std::atoi(asked) : 1;
+  constexpr unsigned seed = 20260103;
+  std::mt19937 random(seed);
+  const std::vector<std::string> names =
+      asked != nullptr ? all_cases(false) : std::vector<std::string>{"cracked-dam-lower", "water-column"};
+  for (const std::string& name : names) {
+    SCOPED_TRACE(name);
+    ASSERT_EQ(shell(command(name, "whole")), 0) << text("out");
+    const long rows = rows_of("whole");
+    std::string stops;
+    int resumed = 0;
+    for (int tries = 0; rows > 1 && resumed < times && tries < 5 * times && !HasFailure(); ++tries) {
+      const long row = 1 + static_cast<long>(random() % static_cast<unsigned long>(rows - 1));
+      if (stopped_at(command(name, "parts"), row)) {
+        stops += " " + std::to_string(rows_of("parts"));
+        ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
+        expect_same();
+        ++resumed;
+      }
+      fs::remove_all(folder / "parts");
+    }
+    std::printf("%-24s seed %u, %d of %d resumed, bit-equal, stopped after rows%s of %ld\n", name.c_str(), seed,
+                resumed, times, stops.c_str(), rows);
+    fs::remove_all(folder / "whole");
+  }
 }
 
 TEST_F(Resume, OnEverySchedule) {
