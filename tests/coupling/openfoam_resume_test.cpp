@@ -91,6 +91,7 @@ TEST_F(ResumeOpenFoam, CasesGoOnFromRandomWindows) {
         const double off = pressure_difference(text("whole/frames.jsonl"), text("parts/frames.jsonl"));
         std::printf("%s %s: seed %u, stopped after row %ld of %ld, pressures differ by %.2g of the largest\n",
                     version.of.c_str(), version.variant.c_str(), seed, stopped, rows, off);
+        std::fflush(stdout);
         EXPECT_LT(off, 1e-3);
       } else {
         EXPECT_EQ(status, 0) << version.of << text("log");

@@ -98,6 +98,7 @@ TEST_F(Resume, CasesGoOnFromRandomWindows) {
     }
     std::printf("%-24s seed %u, %d of %d resumed, bit-equal, stopped after rows%s of %ld\n", name.c_str(), seed,
                 resumed, times, stops.c_str(), rows);
+    std::fflush(stdout);
     fs::remove_all(folder / "whole");
   }
 }
