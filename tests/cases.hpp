@@ -69,4 +69,11 @@ inline std::vector<std::string> all_cases(bool openfoam) {
   return names;
 }
 
+/// As a part of a test's name.
+inline std::string name_of(const testing::TestParamInfo<std::string>& tested) {
+  std::string name = tested.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
 }  // namespace blockweir::test

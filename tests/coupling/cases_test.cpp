@@ -31,12 +31,6 @@ TEST_P(OpenFoamCases, MeetsItsFiguresInShort) {
   EXPECT_GT(versions, 0) << "give the case a short version in this file";
 }
 
-std::string name_of(const testing::TestParamInfo<std::string>& tested) {
-  std::string name = tested.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(Of, Cases, testing::ValuesIn(all_cases(false)), name_of);
 INSTANTIATE_TEST_SUITE_P(Of, OpenFoamCases, testing::ValuesIn(all_cases(true)), name_of);
 

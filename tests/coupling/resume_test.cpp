@@ -73,35 +73,38 @@ TEST_F(Resume, AStoppedRunEndsWithTheBitsOfAWholeOne) {
 }
 
 /// With BLOCKWEIR_RESUMES=10 every case without OpenFOAM so many times, else two of them once.
-TEST_F(Resume, CasesGoOnFromRandomWindows) {
+std::vector<std::string> cases_to_resume() {
+  if (std::getenv("BLOCKWEIR_RESUMES") != nullptr) return all_cases(false);
+  return {"cracked-dam-lower", "water-column"};
+}
+
+class ResumeCases : public Resume, public testing::WithParamInterface<std::string> {};
+
+TEST_P(ResumeCases, GoOnFromRandomWindows) {
   const char* asked = std::getenv("BLOCKWEIR_RESUMES");
   const int times = asked != nullptr ? std::atoi(asked) : 1;
   constexpr unsigned seed = 20260103;
   std::mt19937 random(seed);
-  const std::vector<std::string> names =
-      asked != nullptr ? all_cases(false) : std::vector<std::string>{"cracked-dam-lower", "water-column"};
-  for (const std::string& name : names) {
-    SCOPED_TRACE(name);
-    ASSERT_EQ(shell(command(name, "whole")), 0) << text("out");
-    const long rows = rows_of("whole");
-    std::string stops;
-    int resumed = 0;
-    for (int tries = 0; rows > 1 && resumed < times && tries < 5 * times && !HasFailure(); ++tries) {
-      const long row = 1 + static_cast<long>(random() % static_cast<unsigned long>(rows - 1));
-      if (stopped_at(command(name, "parts"), row)) {
-        stops += " " + std::to_string(rows_of("parts"));
-        ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
-        expect_same();
-        ++resumed;
-      }
-      fs::remove_all(folder / "parts");
+  ASSERT_EQ(shell(command(GetParam(), "whole")), 0) << text("out");
+  const long rows = rows_of("whole");
+  std::string stops;
+  int resumed = 0;
+  for (int tries = 0; rows > 1 && resumed < times && tries < 5 * times; ++tries) {
+    const long row = 1 + static_cast<long>(random() % static_cast<unsigned long>(rows - 1));
+    if (stopped_at(command(GetParam(), "parts"), row)) {
+      stops += " " + std::to_string(rows_of("parts"));
+      ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
+      expect_same();
+      ++resumed;
     }
-    std::printf("%-24s seed %u, %d of %d resumed, bit-equal, stopped after rows%s of %ld\n", name.c_str(), seed,
-                resumed, times, stops.c_str(), rows);
-    std::fflush(stdout);
-    fs::remove_all(folder / "whole");
+    fs::remove_all(folder / "parts");
+    ASSERT_FALSE(HasFailure());
   }
+  std::printf("seed %u: %d runs of %s stopped after rows%s of %ld, resumed, bit-equal\n", seed, resumed,
+              GetParam().c_str(), stops.c_str(), rows);
 }
+
+INSTANTIATE_TEST_SUITE_P(Of, ResumeCases, testing::ValuesIn(cases_to_resume()), name_of);
 
 TEST_F(Resume, OnEverySchedule) {
   const std::string to_failure = " --set analysis.duration_s=4";
