@@ -63,15 +63,20 @@ class Processes : public testing::Test {
     return -1;
   }
 
-  /// Until the run in `run` has written its first rows; false when it does not within 10 s.
-  [[nodiscard]] bool under_way(const std::string& run) const {
-    constexpr int rows = 20;
-    const auto written = [&] {
-      const std::string history = text(run + "/history.csv");
-      return std::count(history.begin(), history.end(), '\n') > rows;
-    };
-    for (int wait = 0; wait < 2000 && !written(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    return written();
+  /// That the run in `run` has written so far, below the heading.
+  [[nodiscard]] long rows_of(const std::string& run) const {
+    const std::string history = text(run + "/history.csv");
+    return std::max(0L, std::count(history.begin(), history.end(), '\n') - 1);
+  }
+  /// Until the run in `run` has written so many rows; false when it does not within 10 s.
+  [[nodiscard]] bool under_way(const std::string& run, long rows = 20) const {
+    for (int wait = 0; wait < 10'000 && rows_of(run) < rows; ++wait)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return rows_of(run) >= rows;
+  }
+  /// Files may grow to `blocks` half kilobytes, as if the disk were full then.
+  static std::string on_a_full_disk(long blocks, const std::string& command) {
+    return "sh -c \"trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; exec " + command + "\"";
   }
   /// Does a process that this test started, or one of its children, still run? All of them start in its folder.
   [[nodiscard]] bool orphan() const {

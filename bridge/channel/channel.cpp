@@ -13,6 +13,7 @@
 #include "bridge/channel/gate.hpp"
 #include "bridge/channel/hello.hpp"
 #include "bridge/channel/keys.hpp"
+#include "bridge/channel/undisturbed.hpp"
 #include "bridge/channel/visitors.hpp"
 #include "bridge/wire/codec.hpp"
 
@@ -104,7 +105,7 @@ struct Channel::Line {
     const auto start = Clock::now();
     wire::encode(message, builder);
     const auto packed = Clock::now();
-    socket.send(frame_of(builder), zmq::send_flags::dontwait);
+    undisturbed([&] { return socket.send(frame_of(builder), zmq::send_flags::dontwait); });
     packed_s += std::chrono::duration<double>(packed - start).count();
     wire_s += seconds_since(packed);
   }
@@ -124,7 +125,9 @@ struct Channel::Line {
     return visitors.left();
   }
 
-  bool try_receive() { return socket.recv(incoming, zmq::recv_flags::dontwait).has_value(); }
+  bool try_receive() {
+    return undisturbed([&] { return socket.recv(incoming, zmq::recv_flags::dontwait); }).has_value();
+  }
 
   /// A pair socket has nowhere to put a message before its partner is there.
   void await_partner() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/channel/gate.hpp"
+#include "bridge/channel/undisturbed.hpp"
 
 #include <array>
 #include <vector>
@@ -16,15 +17,18 @@ Gate::Gate(zmq::context_t& context, const std::string& partner_public) : questio
 }
 
 void Gate::answer() {
-  for (zmq::message_t part; questions_.recv(part, zmq::recv_flags::dontwait);) {
+  zmq::message_t part;
+  const auto receive = [&](zmq::recv_flags flags) { return undisturbed([&] { return questions_.recv(part, flags); }); };
+  while (receive(zmq::recv_flags::dontwait)) {
     std::vector<std::string> question = {part.to_string()};
-    while (part.more() && questions_.recv(part, zmq::recv_flags::none)) question.push_back(part.to_string());
+    while (part.more() && receive(zmq::recv_flags::none)) question.push_back(part.to_string());
     // version, request, domain, address, identity, mechanism, credentials
     question.resize(7);
     const bool known = partner_.empty() || (question[5] == "CURVE" && question[6] == partner_);
     const std::array<std::string, 6> answer = {question[0], question[1], known ? "200" : "400", "", "", ""};
     for (std::size_t i = 0; i < answer.size(); ++i) {
-      questions_.send(zmq::buffer(answer[i]), i + 1 < answer.size() ? zmq::send_flags::sndmore : zmq::send_flags::none);
+      const auto flags = i + 1 < answer.size() ? zmq::send_flags::sndmore : zmq::send_flags::none;
+      undisturbed([&] { return questions_.send(zmq::buffer(answer[i]), flags); });
     }
   }
 }

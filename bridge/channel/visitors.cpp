@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/channel/visitors.hpp"
+#include "bridge/channel/undisturbed.hpp"
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
@@ -52,13 +53,14 @@ Visitors::~Visitors() {
 
 void Visitors::look() {
   zmq::message_t event;
-  while (events_.recv(event, zmq::recv_flags::dontwait)) {
+  const auto receive = [&] { return undisturbed([&] { return events_.recv(event, zmq::recv_flags::dontwait); }); };
+  while (receive()) {
     std::uint16_t number = 0;
     std::int32_t value = 0;
     std::memcpy(&number, event.data(), sizeof number);
     std::memcpy(&value, static_cast<const char*>(event.data()) + sizeof number, sizeof value);
     note(number, value);
-    (void)events_.recv(event, zmq::recv_flags::dontwait);  // the endpoint, which we know
+    (void)receive();  // the endpoint, which we know
   }
 }
 

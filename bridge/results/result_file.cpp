@@ -28,7 +28,12 @@ void ResultFile::cut_to(std::uintmax_t size) {
 }
 
 void ResultFile::line(const std::string& text) {
-  if (!(stream_ << text << '\n' << std::flush)) cannot_write(path_);
+  if (!(stream_ << text << '\n' << std::flush)) {
+    stream_.close();
+    std::error_code error;
+    std::filesystem::resize_file(path_, size_, error);  // takes back the part of the line that the disk still took
+    cannot_write(path_);
+  }
   size_ += text.size() + 1;
 }
 

@@ -60,12 +60,25 @@ std::vector<std::vector<Point>> common_area(const Block& a, const Block& b, cons
   return pieces;
 }
 
+/// Whether the longest edge of `a` has all of `b` on its outside and all of `a` on its inside.
+bool parted_by_longest_edge(const Block& a, const Block& b) {
+  Point from = a.vertices.back();
+  Point along = Point::Zero();
+  for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+    const Point edge = a.vertices[(i + 1) % a.vertices.size()] - a.vertices[i];
+    if (edge.squaredNorm() > along.squaredNorm()) from = a.vertices[i], along = edge;
+  }
+  const auto left = [&](const Point& p) { return along.x() * (p.y() - from.y()) - along.y() * (p.x() - from.x()); };
+  return std::all_of(b.vertices.begin(), b.vertices.end(), [&](const Point& p) { return left(p) <= 0; }) &&
+         std::all_of(a.vertices.begin(), a.vertices.end(), [&](const Point& p) { return left(p) >= 0; });
+}
+
 void check_pair(const Block& a, const Block& b, Problems& problems) {
   const Bounds box_a = bounds_of(a.vertices);
   const Bounds box_b = bounds_of(b.vertices);
   const double tolerance = depth_ratio * std::min(box_a.size(), box_b.size());
   const Point depth = box_a.high.cwiseMin(box_b.high) - box_a.low.cwiseMax(box_b.low);
-  if (depth.minCoeff() <= tolerance) return;
+  if (depth.minCoeff() <= tolerance || parted_by_longest_edge(a, b) || parted_by_longest_edge(b, a)) return;
   const double reach = std::max(box_a.size(), box_b.size()) + (box_b.low - box_a.low).cwiseAbs().maxCoeff();
   constexpr double finest = 1e17;  // well below the largest integer that Clipper multiplies soundly
   const auto pieces = common_area(a, b, {box_a.low, finest / reach}, tolerance);

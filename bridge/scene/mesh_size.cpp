@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bridge/scene/polygon.hpp"
@@ -20,7 +21,10 @@ void read_mesh_size(TableReader& table, Reading& reading, const char* stiff, std
   }
   if (outline.empty()) return;
   // Triangles of a refined mesh have about half the area of one with three sides of that size.
-  const double triangles = std::abs(signed_area(outline)) / (0.2 * size_m * size_m);
+  // Along the boundary, which may be all of a slender block, there is one for each length.
+  double perimeter = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) perimeter += (outline[(i + 1) % outline.size()] - outline[i]).norm();
+  const double triangles = std::max(std::abs(signed_area(outline)) / (0.2 * size_m * size_m), perimeter / size_m);
   if (triangles <= most_triangles) return;
   reading.problems.error(
       table.place("mesh_size_m"),

@@ -44,6 +44,15 @@ std::optional<Point> meeting(const Segment& p, const Segment& q, double toleranc
   return Point(p.from + s * along_p);
 }
 
+/// Coordinates have 16 digits: an outline far from the origin must keep enough of them for its own shape.
+std::optional<OutlineFault> lost_in_round_off(const Bounds& bounds) {
+  const double farthest = std::max(bounds.low.cwiseAbs().maxCoeff(), bounds.high.cwiseAbs().maxCoeff());
+  if (bounds.size() >= std::max(1e-6, 1e-7 * farthest)) return std::nullopt;
+  return OutlineFault{0, fmt::format("is {:.3g} m wide, {:.3g} m from the origin", bounds.size(), farthest),
+                      "at least 1e-6 m, and 1e-7 of the distance from the origin",
+                      "check the unit of its coordinates, or move the origin nearer"};
+}
+
 std::optional<OutlineFault> repeated_vertex(std::span<const Point> outline, double tolerance) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const std::size_t next = (i + 1) % outline.size();
@@ -131,7 +140,9 @@ double distance_to_segment(const Point& p, const Point& from, const Point& to) {
 }
 
 std::optional<OutlineFault> outline_fault(std::span<const Point> outline) {
-  const double tolerance = 1e-9 * bounds_of(outline).size();
+  const Bounds bounds = bounds_of(outline);
+  const double tolerance = 1e-9 * bounds.size();
+  if (auto fault = lost_in_round_off(bounds)) return fault;
   if (auto fault = repeated_vertex(outline, tolerance)) return fault;
   if (all_on_a_line(outline, tolerance)) {
     return OutlineFault{0, "has no area", "an outline around an area", "move a vertex off the line of the others"};

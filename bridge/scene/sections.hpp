@@ -54,6 +54,10 @@ void read_materials(Reading& reading);
 void read_default_joint(Reading& reading);
 /// Takes up a block that is sound but for its name, which has to be its own.
 void add_block(Reading& reading, const Place& place, Block block);
+/// The same for one that [[arch]], [[wall]] or [[heap]] makes, which may be too thin.
+void add_made_block(Reading& reading, TableReader& table, Block block);
+/// Reports what would make more than 10,000 blocks, with those that are there.
+bool few_enough(Reading& reading, TableReader& table, double blocks);
 /// Reports what has not exactly one of value, word and formula.
 void require_one_answer(TableReader& table, Reading& reading);
 

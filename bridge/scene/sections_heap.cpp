@@ -11,8 +11,6 @@
 namespace blockweir::scene {
 namespace {
 
-constexpr int most_blocks = 10'000;
-
 using section::Uniform;
 
 struct Heap {
@@ -54,13 +52,12 @@ void read_heap(TableReader& table, Reading& reading) {
   table.number("size_m", heap.size_m, length, true);
   table.integer("blocks", heap.blocks, 1);
   table.integer("seed", heap.seed, 0);
-  if (reading.problems.count() > errors) return;
-  if (heap.size_m > heap.width_m || heap.blocks > most_blocks) {
+  if (reading.problems.count() > errors || !few_enough(reading, table, heap.blocks)) return;
+  if (heap.size_m > heap.width_m) {
     reading.problems.error(
         table.place(),
         fmt::format("{} has {} blocks of {} m in a box of {} m", table.name(), heap.blocks, heap.size_m, heap.width_m),
-        fmt::format("at most {} blocks, none wider than the box", most_blocks),
-        "make fewer or smaller blocks, or a wider box");
+        "blocks none wider than the box", "make smaller blocks, or a wider box");
     return;
   }
 
@@ -73,7 +70,7 @@ void read_heap(TableReader& table, Reading& reading) {
     part.name = heap.name + name;
     part.vertices = std::move(vertices);
     part.fixed = fixed;
-    add_block(reading, table.place("name"), std::move(part));
+    add_made_block(reading, table, std::move(part));
   };
   const auto wall = [&](const std::string& name, double x0, double y0, double x1, double y1) {
     add(name, rectangle(heap.origin_m + Point(x0, y0), heap.origin_m + Point(x1, y1)), true);

@@ -10,8 +10,6 @@
 namespace blockweir::scene {
 namespace {
 
-constexpr int most_blocks = 10'000;
-
 int read_count(TableReader& table, Reading& reading, const char* key) {
   int count = 0;
   if (!table.has(key)) {
@@ -20,13 +18,6 @@ int read_count(TableReader& table, Reading& reading, const char* key) {
   }
   table.integer(key, count, 1);
   return count;
-}
-
-bool few_enough(TableReader& table, Reading& reading, double count) {
-  if (count <= most_blocks) return true;
-  reading.problems.error(table.place(), fmt::format("{} has {} blocks", table.name(), count),
-                         fmt::format("at most {}", most_blocks), "make it of fewer blocks");
-  return false;
 }
 
 /// Points on the ring's radii, the angle counted from the crown, downstream.
@@ -78,7 +69,7 @@ void read_arch(TableReader& table, Reading& reading) {
                {[](double e) { return e > 0 && e <= 180; }, "an angle above 0, up to 180 degrees"});
   table.flag("springings", springings);
   arch.voussoirs = read_count(table, reading, "voussoirs");
-  const bool sound = reading.problems.count() == errors && few_enough(table, reading, arch.voussoirs);
+  const bool sound = reading.problems.count() == errors && few_enough(reading, table, arch.voussoirs);
   reading.scene.arches.push_back(arch);  // a wrong one too: what names it is right
   if (!sound) return;
 
@@ -90,7 +81,7 @@ void read_arch(TableReader& table, Reading& reading) {
     part.name = arch.name + name;
     part.vertices = std::move(vertices);
     part.fixed = fixed;
-    add_block(reading, table.place("name"), std::move(part));
+    add_made_block(reading, table, std::move(part));
   };
   if (springings) add("-left", ring.springing(-half), true);
   for (int i = 0; i < arch.voussoirs; ++i) {
@@ -136,7 +127,7 @@ void read_wall(TableReader& table, Reading& reading) {
   table.point("initial_velocity_m_per_s", block.initial_velocity_m_per_s);
   wall.rows = read_count(table, reading, "rows");
   wall.columns = read_count(table, reading, "columns");
-  if (reading.problems.count() > errors || !few_enough(table, reading, 1.0 * wall.rows * wall.columns)) return;
+  if (reading.problems.count() > errors || !few_enough(reading, table, 1.0 * wall.rows * wall.columns)) return;
 
   for (int row = 0; row < wall.rows; ++row) {
     const std::vector<double> ends = brick_ends(wall, row);
@@ -149,7 +140,7 @@ void read_wall(TableReader& table, Reading& reading) {
       brick.vertices = {corner(ends[i], row), corner(ends[i + 1], row), corner(ends[i + 1], row + 1),
                         corner(ends[i], row + 1)};
       brick.fixed = wall.fixed_base && row == 0;
-      add_block(reading, table.place("name"), std::move(brick));
+      add_made_block(reading, table, std::move(brick));
     }
   }
 }

@@ -3,18 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
 #include "bridge/scene/mesh_size.hpp"
 #include "bridge/scene/outline.hpp"
+#include "bridge/scene/polygon.hpp"
 #include "bridge/scene/sections.hpp"
+#include "bridge/section/crossings.hpp"
 #include "bridge/section/joint_set.hpp"
 
 namespace blockweir::scene {
 namespace {
 
-constexpr std::size_t most_lines = 20000;
+constexpr std::size_t most_lines = 5000;
+constexpr std::size_t most_crossings = 20000;
 
 /// Blocks in it are of its material, have its mesh, and may not move.
 struct Region {
@@ -83,7 +87,7 @@ void read_joint_sets(Reading& reading, const Bounds& bounds, Cuts& cuts) {
     table.number("dip_deg", set.dip_deg, {[](double d) { return d >= -90 && d <= 90; }, "an angle from -90 to 90"},
                  true);
     const bool spaced = table.number("spacing_m", set.spacing_m, positive(), true);
-    table.number("offset_m", set.offset_m);
+    table.number("offset_m", set.offset_m, {[](double o) { return std::abs(o) <= 1e7; }, "a number within 1e7"});
     table.number("persistence", set.persistence,
                  {[](double p) { return p > 0 && p <= 1; }, "a number above 0, up to 1"});
     table.number("trace_length_m", set.trace_length_m, positive(), set.persistence < 1);
@@ -96,7 +100,8 @@ void read_joint_sets(Reading& reading, const Bounds& bounds, Cuts& cuts) {
     const int id = cuts.add(name, law);
     const double length = 2 * bounds.size();
     const double shortest = set.persistence < 1 ? std::max(set.trace_length_m, 1e-9 * length) : length;
-    const double count = length / set.spacing_m * std::max(1.0, length / shortest);
+    // There is at least one line, and one to either side that may reach into the section when it lies off.
+    const double count = (length / set.spacing_m + 3) * std::max(1.0, length / shortest);
     if (!spaced || (set.persistence < 1 && set.trace_length_m <= 0)) return;
     if (count > static_cast<double>(most_lines)) {
       reading.problems.error(
@@ -108,6 +113,35 @@ void read_joint_sets(Reading& reading, const Bounds& bounds, Cuts& cuts) {
       cuts.lines.push_back(std::move(line));
     }
   });
+}
+
+/// Whether the section can be cut in a reasonable time.
+bool few_enough_cuts(Reading& reading, TableReader& table, const section::Section& section, const Cuts& cuts) {
+  const std::size_t lines = section::count_segments(section, cuts.lines);
+  const auto refuse = [&](const std::string& found, std::size_t most) {
+    reading.problems.error(table.place(), found, fmt::format("at most {}", most),
+                           "make the spacing of its joints larger");
+    return false;
+  };
+  if (lines > most_lines) return refuse(fmt::format("the section has {} edges, cuts and joints", lines), most_lines);
+  if (section::count_crossings(section, cuts.lines, most_crossings) > most_crossings)
+    return refuse("edges, cuts and joints of the section cross too often", most_crossings);
+  return true;
+}
+
+/// Holes that overlap, reach beyond the outline or share an edge with it would count as blocks.
+void check_holes(Reading& reading, TableReader& table, const section::Section& section, const section::Cut& cut) {
+  double left = std::abs(signed_area(section.outline));
+  const double tolerance = 1e-6 * left;
+  for (const auto& hole : section.holes) left -= std::abs(signed_area(hole));
+  double blocks = 0;
+  for (const section::Piece& piece : cut.pieces) blocks += signed_area(piece.vertices);
+  if (!cut.enclosed.empty() || std::abs(blocks - left) <= tolerance) return;
+  reading.problems.error(
+      table.place("holes_m"),
+      fmt::format("the blocks of the section have {:.6g} m2, its outline less its holes {:.6g} m2", blocks, left),
+      "holes inside the outline that share no edge or area with it or each other",
+      "move them, or draw the outline around");
 }
 
 /// A point of the block near the middle of its longest edge: centroids may lie outside.
@@ -201,7 +235,7 @@ void read_section(Reading& reading) {
                            "[[region]], [[cut]] and [[joint_set]] cut a section, and there is none",
                            "[section] with material and outline_m", "add the section, or leave them out");
   }
-  if (!ready || reading.problems.count() > errors) return;
+  if (!ready || reading.problems.count() > errors || !few_enough_cuts(reading, table, section, cuts)) return;
 
   const section::Cut cut = section::cut(section, cuts.lines);
   for (const Point& p : cut.enclosed) {
@@ -209,6 +243,7 @@ void read_section(Reading& reading) {
                            fmt::format("a block encloses a hole or a closed line at ({:.6g}, {:.6g})", p.x(), p.y()),
                            "blocks without holes", "add a [[cut]] from there to the block's outside");
   }
+  check_holes(reading, table, section, cut);
   const std::size_t first = reading.scene.blocks.size();
   for (const section::Piece& piece : cut.pieces) {
     Block block{.name = fmt::format("{}{}", prefix, reading.scene.blocks.size() - first + 1)};

@@ -62,6 +62,26 @@ void add_block(Reading& reading, const Place& place, Block block) {
   reading.scene.blocks.push_back(std::move(block));
 }
 
+bool few_enough(Reading& reading, TableReader& table, double blocks) {
+  constexpr double most = 10'000;
+  const auto others = reading.scene.blocks.size();
+  if (blocks + static_cast<double>(others) <= most) return true;
+  reading.problems.error(
+      table.place(),
+      fmt::format("{} has {} blocks{}", table.name(), blocks, others > 0 ? fmt::format(", beside {}", others) : ""),
+      fmt::format("at most {} blocks", most), "make it of fewer blocks");
+  return false;
+}
+
+void add_made_block(Reading& reading, TableReader& table, Block block) {
+  if (const auto fault = outline_fault(block.vertices)) {
+    reading.problems.error(table.place(), fmt::format("block \"{}\" of {} {}", block.name, table.name(), fault->found),
+                           fault->expected, "correct the measures");
+    block.vertices.clear();
+  }
+  add_block(reading, table.place("name"), std::move(block));
+}
+
 void read_materials(Reading& reading) {
   Problems& problems = reading.problems;
   const toml::table* materials = reading.section("material");

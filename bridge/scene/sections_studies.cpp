@@ -40,9 +40,9 @@ void read_limit(TableReader& table, Reading& reading, Known& known) {
   table.number("tolerance", study.expected.tolerance, positive());
   study.width = study.expected.tolerance / 4;
   table.number("width", study.width, positive());
-  const bool both =
-      table.number("from", study.from, any_number(), true) & table.number("to", study.to, any_number(), true);
-  if (both && study.from == study.to) {
+  const bool begins = table.number("from", study.from, any_number(), true);
+  const bool ends = table.number("to", study.to, any_number(), true);
+  if (begins && ends && study.from == study.to) {
     reading.problems.error(table.place("to"),
                            fmt::format("{} looks for a limit from {} to {}", table.name(), study.from, study.to),
                            "two values, with the limit between them", "move one of them");

@@ -228,7 +228,7 @@ void collect_neighbours(Arrangement& arrangement, Cut& result) {
   for (auto e = arrangement.edges_begin(); e != arrangement.edges_end(); ++e) {
     const int a = e->face()->data().piece;
     const int b = e->twin()->face()->data().piece;
-    if (a >= 0 && b >= 0) lengths[std::minmax(a, b)][line_of(e)] += length(e);
+    if (a >= 0 && b >= 0 && boundaries(e) == 0) lengths[std::minmax(a, b)][line_of(e)] += length(e);
   }
   for (const auto& [pair, by_line] : lengths) {
     const auto longest = std::max_element(by_line.begin(), by_line.end(),

@@ -23,13 +23,13 @@ std::vector<Line> joints_of(const JointSet& set, const Point& low, const Point& 
   std::vector<Line> lines;
   const double first = std::ceil((up.dot(middle) - radius - set.offset_m) / set.spacing_m - 1);
   const double last = std::floor((up.dot(middle) + radius - set.offset_m) / set.spacing_m + 1);
-  for (double k = first; k <= last; ++k) {
+  for (int i = 0; i <= last - first; ++i) {  // first may be so large that first + 1 is the same number
     const double shift = set.spacing_deviation * (uniform() - 0.5);
-    const double height = set.offset_m + (k + shift) * set.spacing_m;
+    const double height = set.offset_m + (first + i + shift) * set.spacing_m;
     double start = bridged ? from - uniform() * (set.trace_length_m + bridge) : from;
     while (start < to) {
       const double end = bridged ? start + set.trace_length_m : to;
-      lines.push_back({{height * up + start * along, height * up + end * along}, id});
+      if (end > from) lines.push_back({{height * up + start * along, height * up + end * along}, id});
       start = end + (bridged ? bridge : 1);
     }
   }

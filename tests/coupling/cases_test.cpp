@@ -2,68 +2,11 @@
 // links: nlohmann_json::nlohmann_json
 // Every case, with its variants and studies, meets its figures; those with OpenFOAM in a short and coarse version,
 // which `blockweir validate` runs at full length.
-#include <algorithm>
-
+#include "tests/cases.hpp"
 #include "tests/openfoam.hpp"
 
 namespace blockweir::test {
 namespace {
-
-/// What makes a case short, and how far off its figures may then be.
-struct Short {
-  std::string of;
-  std::string variant{};
-  std::vector<std::string> set{};
-};
-
-const std::vector<Short>& short_versions() {
-  static const std::vector<Short> all{
-      {"accelerated-wall", "", {"fluid.cells_in_depth=10", "analysis.duration_s=1"}},
-      {"breach", "", {"fluid.cells_in_depth=10", "analysis.duration_s=2"}},
-      {"caisson",  // slips by 2 cm
-       "",
-       {"fluid.cells_in_depth=10", "analysis.stop_at_failure=true", "expect.1.tolerance=0.05"}},
-      {"cracked-dam-lower-openfoam",
-       "",
-       {"fluid.cells_in_depth=10", "analysis.duration_s=2", "water.upstream_level_m={table=[[0,20.4],[2,21.2]]}"}},
-      {"cracked-dam-upper-openfoam",
-       "",
-       {"fluid.cells_in_depth=10", "analysis.duration_s=1", "water.upstream_level_m={table=[[0,21.9],[1,22.4]]}"}},
-      {"dam-break", "", {"fluid.cells_in_depth=20"}},
-      {"floating-block", "", {"fluid.cells_in_depth=16"}},
-      {"floating-block", "light slab", {"fluid.cells_in_depth=16"}},
-      {"hydrostatic-wall-openfoam", "", {"fluid.cells_in_depth=10", "analysis.duration_s=0.1"}},
-      {"hydrostatic-wall-openfoam", "level between lines", {"fluid.cells_in_depth=10", "analysis.duration_s=0.1"}},
-      {"overtopping",  // its bore sets out nearer
-       "",
-       {"fluid.cells_in_depth=10", "analysis.duration_s=5", "fluid.upstream_depths=3",
-        "fluid.initial_water_m=[[[-70,20.5],[-20,20.5],[-20,25.5],[-70,25.5]]]"}},
-      {"own-openfoam-case"},
-      {"rising-pool", "", {"fluid.cells_in_depth=10", "coupling.window_s=0.1"}},
-      {"standing-wave",  // higher waves, of more cells
-       "",
-       {"fluid.cells_in_depth=16", "analysis.duration_s=16", "fluid.upstream_depths=2", "coupling.window_s=0.04",
-        "fluid.wave={kind=\"regular\",height_m=0.5,period_s=4}", "expect_water.0.value=15398.7",
-        "expect_water.1.value=0.5"}},
-      {"shaken-tank", "", {"fluid.cells_in_depth=20", "analysis.duration_s=0.5", "expect_water.0.tolerance=0.05"}}};
-  return all;
-}
-
-bool has_openfoam(const std::string& name) {
-  std::ostringstream scene;
-  scene << std::ifstream(cases + name + "/scene.toml").rdbuf();
-  return scene.str().find("model = \"openfoam\"") != std::string::npos;
-}
-
-std::vector<std::string> all_cases(bool openfoam) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(cases)) {
-    const std::string name = entry.path().filename();
-    if (fs::exists(entry.path() / "scene.toml") && has_openfoam(name) == openfoam) names.push_back(name);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 class Cases : public Processes, public testing::WithParamInterface<std::string> {};
 
@@ -79,21 +22,13 @@ TEST_P(OpenFoamCases, MeetsItsFiguresInShort) {
   for (const Short& version : short_versions()) {
     if (version.of != GetParam()) continue;
     const std::string out = "o" + std::to_string(versions++);
-    std::string more = version.variant.empty() ? "" : " --variant '" + version.variant + "'";
-    for (const std::string& key_and_value : version.set) more += set(key_and_value);
-    EXPECT_EQ(run(cases + version.of, out, more), 0) << text("out");
+    EXPECT_EQ(run(cases + version.of, out, version.options()), 0) << text("out");
     const auto summary = nlohmann::json::parse(text(out + "/summary.json"), nullptr, false);
     ASSERT_TRUE(summary.contains("checks")) << text("out");
     EXPECT_FALSE(summary["checks"].empty());
     for (const auto& check : summary["checks"]) EXPECT_TRUE(check["passed"].get<bool>()) << check.dump();
   }
   EXPECT_GT(versions, 0) << "give the case a short version in this file";
-}
-
-std::string name_of(const testing::TestParamInfo<std::string>& tested) {
-  std::string name = tested.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Cases, testing::ValuesIn(all_cases(false)), name_of);

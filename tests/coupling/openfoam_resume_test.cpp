@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // Runs with interFoam that were stopped or killed go on, and end as one that was not, to within its solver's tolerance.
+#include <random>
+
+#include "tests/cases.hpp"
 #include "tests/openfoam.hpp"
 
 namespace blockweir::test {
@@ -43,6 +46,60 @@ TEST_F(ResumeOpenFoam, AStoppedRunEndsAsAWholeOne) {
   ASSERT_EQ(end_of(run, 20), 130) << text("log");
   EXPECT_THAT(text("log"), testing::HasSubstr("\"blockweir resume stopped\" goes on"));
   expect_same_end("stopped");
+}
+
+/// Largest difference of pressures in the last stored frame, over the largest of them.
+double pressure_difference(const std::string& whole, const std::string& parts) {
+  const auto last = [](const std::string& frames) {
+    return nlohmann::json::parse(frames.substr(frames.rfind('\n', frames.size() - 2) + 1))["panels"];
+  };
+  const auto a = last(whole);
+  const auto b = last(parts);
+  if (a.size() != b.size()) return INFINITY;
+  double largest = 0;
+  double difference = 0;
+  for (std::size_t panel = 0; panel < a.size(); ++panel) {
+    for (const std::size_t end : {4U, 5U}) {
+      const double p = a[panel][end].get<double>();
+      largest = std::max(largest, std::abs(p));
+      difference = std::max(difference, std::abs(p - b[panel][end].get<double>()));
+    }
+  }
+  return largest > 0 ? difference / largest : 0;
+}
+
+/// With BLOCKWEIR_RESUMES=10 every case in its short version so many times; in CI the tests beside this one do.
+TEST_F(ResumeOpenFoam, CasesGoOnFromRandomWindows) {
+  const char* asked = std::getenv("BLOCKWEIR_RESUMES");
+  if (asked == nullptr) GTEST_SKIP() << "a campaign: BLOCKWEIR_RESUMES=10 makes ten of each case";
+  constexpr unsigned seed = 20260104;
+  std::mt19937 random(seed);
+  for (const Short& version : short_versions()) {
+    const std::string line =
+        programs + "/blockweir run " + cases + version.of + " --quiet" + version.options() + " --out ";
+    ASSERT_EQ(end_of(start(line + "whole", "log"), 600), 0) << version.of << text("log");
+    const long rows = rows_of("whole");
+    for (int trial = 0; trial < std::atoi(asked) && rows > 1; ++trial) {
+      const long row = 1 + static_cast<long>(random() % static_cast<unsigned long>(rows - 1));
+      const pid_t run = start(line + "parts", "log");
+      int status = -1;
+      while (rows_of("parts") < row && status < 0) status = end_of(run, 0.001);
+      if (status < 0) kill(run, SIGINT), status = end_of(run, 60);
+      if (status == 130) {
+        const long stopped = rows_of("parts");
+        ASSERT_EQ(end_of(start(programs + "/blockweir resume parts --quiet", "log"), 600), 0) << text("log");
+        const double off = pressure_difference(text("whole/frames.jsonl"), text("parts/frames.jsonl"));
+        std::printf("%s %s: seed %u, stopped after row %ld of %ld, pressures differ by %.2g of the largest\n",
+                    version.of.c_str(), version.variant.c_str(), seed, stopped, rows, off);
+        std::fflush(stdout);
+        EXPECT_LT(off, 1e-2);  // the breach, whose block slides through the water: 2e-3; all others below 1e-5
+      } else {
+        EXPECT_EQ(status, 0) << version.of << text("log");
+      }
+      fs::remove_all(folder / "parts");
+    }
+    fs::remove_all(folder / "whole");
+  }
 }
 
 TEST_F(ResumeOpenFoam, TwoKilledRanksGoOnFromTheLastCheckpoint) {

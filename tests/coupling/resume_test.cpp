@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // Runs that were stopped or killed go on, and end with the bits of one that was not.
-#include "tests/processes.hpp"
+#include <random>
+
+#include "tests/cases.hpp"
 
 namespace blockweir::test {
 namespace {
@@ -27,6 +29,22 @@ class Resume : public Processes {
     EXPECT_LT(text("parts/history.csv").size(), text("whole/history.csv").size());
     ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
     expect_same();
+    fs::remove_all(folder / "whole");
+  }
+  /// Stops a run once it has so many rows; false where it has ended before.
+  [[nodiscard]] bool stopped_at(const std::string& line, long row) {
+    const pid_t run = start(line, "log");
+    int status = -1;
+    while (rows_of("parts") < row && status < 0) status = end_of(run, 0.001);
+    if (status < 0) {
+      kill(run, SIGINT);
+      status = end_of(run, 60);
+    }
+    EXPECT_THAT(status, testing::AnyOf(0, 130)) << text("log");
+    // A signal that comes after both sides have ended takes the launcher alone, without a word.
+    if (status != 130 || text("log").empty()) return false;
+    EXPECT_THAT(text("log"), HasSubstr("goes on"));
+    return true;
   }
   void expect_same() {
     for (const char* file : {"history.csv", "frames.jsonl", "blocks.pvd", "reservoir.pvd"}) {
@@ -37,7 +55,6 @@ class Resume : public Processes {
       const std::string name = "/frames/" + entry.path().filename().string();
       EXPECT_EQ(text("whole" + name), text("parts" + name)) << name;
     }
-    fs::remove_all(folder / "whole");
     fs::remove_all(folder / "parts");
   }
   /// The summary but for what a clock says.
@@ -57,6 +74,40 @@ TEST_F(Resume, AStoppedRunEndsWithTheBitsOfAWholeOne) {
   expect_same_bits("bar-wave");
   expect_same_bits("toppling-slope");
 }
+
+/// With BLOCKWEIR_RESUMES=10 every case without OpenFOAM so many times, else two of them once.
+std::vector<std::string> cases_to_resume() {
+  if (std::getenv("BLOCKWEIR_RESUMES") != nullptr) return all_cases(false);
+  return {"cracked-dam-lower", "water-column"};
+}
+
+class ResumeCases : public Resume, public testing::WithParamInterface<std::string> {};
+
+TEST_P(ResumeCases, GoOnFromRandomWindows) {
+  const char* asked = std::getenv("BLOCKWEIR_RESUMES");
+  const int times = asked != nullptr ? std::atoi(asked) : 1;
+  constexpr unsigned seed = 20260103;
+  std::mt19937 random(seed);
+  ASSERT_EQ(shell(command(GetParam(), "whole")), 0) << text("out");
+  const long rows = rows_of("whole");
+  std::string stops;
+  int resumed = 0;
+  for (int tries = 0; rows > 1 && resumed < times && tries < 5 * times; ++tries) {
+    const long row = 1 + static_cast<long>(random() % static_cast<unsigned long>(rows - 1));
+    if (stopped_at(command(GetParam(), "parts"), row)) {
+      stops += " " + std::to_string(rows_of("parts"));
+      ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out") << text("log");
+      expect_same();
+      ++resumed;
+    }
+    fs::remove_all(folder / "parts");
+    ASSERT_FALSE(HasFailure());
+  }
+  std::printf("seed %u: %d runs of %s stopped after rows%s of %ld, resumed, bit-equal\n", seed, resumed,
+              GetParam().c_str(), stops.c_str(), rows);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ResumeCases, testing::ValuesIn(cases_to_resume()), name_of);
 
 TEST_F(Resume, OnEverySchedule) {
   const std::string to_failure = " --set analysis.duration_s=4";

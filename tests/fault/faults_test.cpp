@@ -106,11 +106,6 @@ TEST_F(Faults, APlotOfNoRunIsRefused) {
   EXPECT_THAT(text("out"), HasSubstr("is this the folder of a run?"));
 }
 
-/// Files may grow to `blocks` half kilobytes, as if the disk were full then.
-std::string on_a_full_disk(int blocks, const std::string& command) {
-  return "sh -c \"trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; exec " + command + "\"";
-}
-
 TEST_F(Faults, ADiskThatFillsUpEndsTheRunWithOneLine) {
   const std::string run = programs + "/blockweir run " + cases + "cracked-dam-upper --quiet --out ";
   EXPECT_EQ(shell(on_a_full_disk(64, run + "o")), 1);

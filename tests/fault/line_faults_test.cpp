@@ -2,6 +2,8 @@
 // links: bridge_wire cppzmq nlohmann_json::nlohmann_json
 // What goes wrong on the line itself: who notices, when, what is printed, what is left. bridge/README.md has the table.
 #include <limits>
+#include <map>
+#include <optional>
 #include <random>
 
 #include "bridge/wire/codec.hpp"
@@ -32,6 +34,15 @@ struct Fault {
   std::function<std::vector<Frame>(const std::vector<Frame>& sent, std::mt19937& random)> happens;
   const char* says;
 };
+
+/// A frame that is sound, but of another scene.
+std::vector<Frame> foreign(From from, const Frame& frame) {
+  if (from == From::fluid) return {altered<wire::Load>(frame, [](wire::Load& load) { load.block.at(0) = 1000; })};
+  return {altered<wire::Motion>(frame, [](wire::Motion& motion) {
+    motion.displacement.emplace_back();
+    motion.velocity.emplace_back();
+  })};
+}
 
 std::vector<Fault> faults_of(From from) {
   const auto number = [from](double value) {
@@ -66,6 +77,11 @@ std::vector<Fault> faults_of(From from) {
          return {sent.back(), sent.back()};
        },
        "was due"},
+      {"foreign",
+       [from](const std::vector<Frame>& sent, std::mt19937&) -> std::vector<Frame> {
+         return foreign(from, sent.back());
+       },
+       pressures ? "loads block 1000, edge" : "sent positions of"},
       {"lost", [](const std::vector<Frame>&, std::mt19937&) { return std::vector<Frame>(); },
        "has been silent for 1 s"},
       {"not a number", number(std::numeric_limits<double>::quiet_NaN()),
@@ -74,8 +90,17 @@ std::vector<Fault> faults_of(From from) {
        pressures ? "pressure of panel 0 (" : "displacement 0 of block 0 is -inf in window"}};
 }
 
+/// What befalls a side itself.
+enum class Blow { killed, stopped, full_disk };
+
 class LineFaults : public Processes {
  protected:
+  struct Sides {
+    pid_t solid;
+    pid_t fluid;
+    [[nodiscard]] pid_t of(From side) const { return side == From::solid ? solid : fluid; }
+    [[nodiscard]] pid_t beside(From side) const { return side == From::solid ? fluid : solid; }
+  };
   [[nodiscard]] std::string at(const char* name) const { return "ipc://" + (folder / name).string(); }
   [[nodiscard]] pid_t start_solid() const {
     return start(programs + "/blockweir-solid " + scene + " --out o --endpoint " + at("a"), "solid");
@@ -83,12 +108,21 @@ class LineFaults : public Processes {
   [[nodiscard]] pid_t start_fluid(const char* line) const {
     return start(programs + "/blockweir-hydrostatic " + scene + " --endpoint " + at(line), "fluid");
   }
-  /// What was recorded is the beginning of what a sound run records.
-  void expect_no_wrong_result(const std::string& whole) const {
+  /// Without a relay; both have come, and so many rows are written.
+  [[nodiscard]] Sides both_under_way(long rows = 20) const {
+    const Sides sides{start_solid(), start_fluid("a")};
+    EXPECT_TRUE(under_way("o", rows)) << text("solid") << text("fluid");
+    return sides;
+  }
+  /// What was recorded is the beginning of what a sound run records, in whole rows, at least `rows` of them.
+  void expect_no_wrong_result(const std::string& whole, long rows, bool with_summary = true) const {
     const std::string history = text("o/history.csv");
     EXPECT_EQ(whole.compare(0, history.size(), history), 0);
-    EXPECT_GT(history.size(), 100U);
-    EXPECT_EQ(nlohmann::json::parse(text("o/summary.json"))["outcome"], "stopped");
+    EXPECT_TRUE(history.ends_with('\n'));
+    EXPECT_GE(rows_of("o"), rows);
+    if (with_summary) {
+      EXPECT_EQ(nlohmann::json::parse(text("o/summary.json"))["outcome"], "stopped");
+    }
   }
   [[nodiscard]] std::string sound_history() const {
     EXPECT_EQ(shell(programs + "/blockweir run " + scene + " --quiet --out whole"), 0) << text("out");
@@ -106,37 +140,77 @@ class LineFaults : public Processes {
     EXPECT_THAT(text(from == From::solid ? "fluid" : "solid"), HasSubstr(says));
     EXPECT_FALSE(orphan());
   }
+  /// A side is killed or stopped once `rows` are written: the other ends by itself, within the time-out.
+  void expect_loss_noticed(From victim, Blow blow, long rows) {
+    const Sides sides = both_under_way(rows);
+    kill(sides.of(victim), blow == Blow::killed ? SIGKILL : SIGSTOP);
+    EXPECT_EQ(end_of(sides.beside(victim), 1.5), 1);
+    EXPECT_THAT(text(victim == From::solid ? "fluid" : "solid"),
+                testing::AnyOf(HasSubstr("closed the line"), HasSubstr("has been silent for 1 s")));
+    kill(sides.of(victim), SIGCONT);
+    EXPECT_EQ(end_of(sides.of(victim), 5), blow == Blow::killed ? 128 + SIGKILL : 1);
+  }
+  /// The solid alone writes results.
+  void expect_full_disk_noticed(long half_kilobytes) {
+    const Sides sides{
+        start(on_a_full_disk(half_kilobytes, programs + "/blockweir-solid " + scene + " --out o --endpoint " + at("a")),
+              "solid"),
+        start_fluid("a")};
+    EXPECT_EQ(end_of(sides.solid, 15), 1);
+    EXPECT_EQ(end_of(sides.fluid, 5), 1);
+    EXPECT_THAT(text("solid"), HasSubstr("is the disk full, or the folder not writable?"));
+  }
   void TearDown() override { EXPECT_FALSE(orphan()); }
 
   const std::string scene =
       cases + "cracked-dam-upper --set analysis.duration_s=4 --set coupling.timeout_s=1 --set output.frame_every_s=1";
 };
 
+/// No hang: all ends within its time. No orphan, no lost and no wrong result: looked for after each.
 TEST_F(LineFaults, EachIsNoticedAndNoWrongResultIsWritten) {
   const char* asked = std::getenv("BLOCKWEIR_FAULTS");
-  const int count = asked != nullptr ? std::atoi(asked) : 16;
+  const int count = asked != nullptr ? std::atoi(asked) : 22;
   constexpr unsigned seed = 20260102;
   std::mt19937 random(seed);
   const std::string whole = sound_history();
-  for (int trial = 0; trial < count; ++trial) {
+  std::map<std::string, int> done;
+  for (int trial = 0; trial < count && !HasFailure(); ++trial) {
     const From from = trial % 2 == 0 ? From::fluid : From::solid;
-    const std::vector<Fault> all = faults_of(from);
-    const Fault& fault = all[static_cast<std::size_t>(trial / 2) % all.size()];
-    const std::size_t window = 3 + random() % 90;
-    SCOPED_TRACE(testing::Message() << fault.name << " frame " << window << " of "
+    const std::vector<Fault> frames = faults_of(from);
+    const std::size_t kind = static_cast<std::size_t>(trial / 2) % (frames.size() + 3);
+    const long window = 3 + static_cast<long>(random() % 90);
+    const auto blow = kind < frames.size() ? std::nullopt : std::optional(static_cast<Blow>(kind - frames.size()));
+    const char* name = !blow                    ? frames[kind].name
+                       : *blow == Blow::killed  ? "killed"
+                       : *blow == Blow::stopped ? "stopped"
+                                                : "disk full";
+    SCOPED_TRACE(testing::Message() << trial << ": " << name << ", window " << window << " of "
                                     << (from == From::fluid ? "the fluid" : "the solid"));
-    expect_noticed(
-        from,
-        [&](From sender, std::size_t number, const std::vector<Frame>& sent) -> std::vector<Frame> {
-          if (sender != from || number != window) return {sent.back()};
-          return fault.happens(sent, random);
-        },
-        fault.says);
-    expect_no_wrong_result(whole);
-    if (HasFailure()) return;
+    if (!blow) {
+      expect_noticed(
+          from,
+          [&](From sender, std::size_t number, const std::vector<Frame>& sent) -> std::vector<Frame> {
+            if (sender != from || number != static_cast<std::size_t>(window)) return {sent.back()};
+            return frames[kind].happens(sent, random);
+          },
+          frames[kind].says);
+    } else if (*blow == Blow::full_disk) {
+      expect_full_disk_noticed(40 + window);
+    } else {
+      expect_loss_noticed(from, *blow, window);
+    }
+    const bool dead = blow == Blow::killed && from == From::solid;
+    expect_no_wrong_result(whole, blow == Blow::full_disk ? 1 : window, !dead);
+    EXPECT_FALSE(orphan());
+    ++done[name];
     fs::remove_all(folder / "o");
   }
-  std::printf("%d faults on the line, seed %u: all noticed, none in a result\n", count, seed);
+  if (HasFailure()) return;
+  std::string kinds;
+  for (const auto& [name, times] : done) kinds += " " + std::to_string(times) + " " + name + ",";
+  kinds.back() = ':';
+  std::printf("%d faults, seed %u,%s no hang, no orphan, no lost result, no wrong result\n", count, seed,
+              kinds.c_str());
 }
 
 TEST_F(LineFaults, APartnerOfAnotherVersionIsRefusedWithBothNumbers) {
@@ -178,32 +252,22 @@ TEST_F(LineFaults, AStrangerOnALineInUseChangesNothing) {
 
 TEST_F(LineFaults, AStoppedPartnerIsNoticedWithinTheTimeOut) {
   const std::string whole = sound_history();
-  for (const bool stop_solid : {true, false}) {
-    const pid_t solid = start_solid();
-    const pid_t fluid = start_fluid("a");
-    ASSERT_TRUE(under_way("o"));
-    kill(stop_solid ? solid : fluid, SIGSTOP);
-    EXPECT_EQ(end_of(stop_solid ? fluid : solid, 1.5), 1);
-    EXPECT_THAT(text(stop_solid ? "fluid" : "solid"),
-                testing::AnyOf(HasSubstr("closed the line"), HasSubstr("has been silent for 1 s")));
-    kill(stop_solid ? solid : fluid, SIGCONT);
-    EXPECT_EQ(end_of(stop_solid ? solid : fluid, 5), 1);
-    expect_no_wrong_result(whole);
+  for (const From victim : {From::solid, From::fluid}) {
+    expect_loss_noticed(victim, Blow::stopped, 20);
+    expect_no_wrong_result(whole, 20);
     fs::remove_all(folder / "o");
   }
 }
 
 TEST_F(LineFaults, APartnerThatGoesOnInTimeLosesNothing) {
   const std::string whole = sound_history();
-  for (const bool stop_solid : {true, false}) {
-    const pid_t solid = start_solid();
-    const pid_t fluid = start_fluid("a");
-    ASSERT_TRUE(under_way("o"));
-    kill(stop_solid ? solid : fluid, SIGSTOP);
+  for (const From stopped : {From::solid, From::fluid}) {
+    const Sides sides = both_under_way();
+    kill(sides.of(stopped), SIGSTOP);
     std::this_thread::sleep_for(std::chrono::milliseconds(250));
-    kill(stop_solid ? solid : fluid, SIGCONT);
-    EXPECT_EQ(end_of(solid, 30), 0) << text("solid");
-    EXPECT_EQ(end_of(fluid, 5), 0) << text("fluid");
+    kill(sides.of(stopped), SIGCONT);
+    EXPECT_EQ(end_of(sides.solid, 30), 0) << text("solid");
+    EXPECT_EQ(end_of(sides.fluid, 5), 0) << text("fluid");
     EXPECT_EQ(text("o/history.csv"), whole);
     fs::remove_all(folder / "o");
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <thread>
@@ -50,7 +51,10 @@ class Relay {
       const auto* bytes = static_cast<const std::uint8_t*>(message.data());
       sent.emplace_back(bytes, bytes + message.size());
       for (const Frame& frame : tamper_(from, sent.size() - 1, sent)) {
-        target.send(zmq::buffer(frame), zmq::send_flags::dontwait);
+        // The solid may have said its hello before the fluid has come.
+        while (!stop_ && !target.send(zmq::buffer(frame), zmq::send_flags::dontwait)) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
       }
     }
   }

@@ -71,6 +71,13 @@ TEST(SceneOutline, AnOutlineWithoutAreaIsRefused) {
   expect_error(scene_of({ground, {"a", "[0, 0], [1, 0], [2, 0], [3, 0]"}}), 15, {"block \"a\" has no area"});
 }
 
+TEST(SceneOutline, OneThatIsLostInTheRoundOffOfItsPlaceIsRefused) {
+  expect_error(scene_of({ground, {"a", "[0, 0], [1e-300, 0], [0, 1e-300]"}}), 15,
+               {"is 1e-300 m wide", "at least 1e-6 m", "check the unit"});
+  expect_error(scene_of({ground, {"a", "[1e6, 1e6], [1000000.01, 1e6], [1e6, 1000000.01]"}}), 15,
+               {"is 0.01 m wide, 1e+06 m from the origin", "move the origin nearer"});
+}
+
 TEST(SceneOutline, ASliverOfOneToAMillionIsSound) {
   EXPECT_THAT(errors(scene_of({ground, {"a", "[0, 0], [1, 0], [1, 1e-6]"}})), IsEmpty());
 }
@@ -111,6 +118,16 @@ TEST(SceneOverlap, BlocksThatTouchOrInterlockAreSound) {
                                {"in", "[3, 2], [6, 2], [6, 4], [3, 4]"},
                                {"lid", "[3, 4], [6, 4], [4.5, 6]"}})),
               IsEmpty());
+}
+
+TEST(SceneOverlap, SlantingSlabsAreToldApartByTheirLongestEdge) {  // their boxes overlap
+  const auto slab = [](const char* name, double x) {
+    return Outline{name, fmt::format("[{}, 0], [{}, 0], [{}, 9], [{}, 9]", x, x + 1, x + 10, x + 9)};
+  };
+  EXPECT_THAT(errors(scene_of({ground, slab("a", 0), slab("b", 1), slab("c", 2.5)})), IsEmpty());
+  const auto found = errors(scene_of({ground, slab("a", 0), slab("b", 0.999), slab("c", 2.5)}));
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_THAT(found[0], HasSubstr("blocks \"a\" and \"b\" overlap by 0.009 m2"));
 }
 
 TEST(SceneOverlap, ASmallBlockOnALongSlopeIsSound) {  // rounding to the long one's size would sink it in

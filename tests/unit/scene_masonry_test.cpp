@@ -110,6 +110,8 @@ TEST(SceneMasonry, CountsAreRequiredAndBounded) {
   sample::expect_error(scene_of(wall + "rows = 0\ncolumns = 2\n"), 12, {"rows"});
   sample::expect_error(scene_of(wall + "rows = 101\ncolumns = 100\n"), 7, {"has 10100 blocks", "at most 10000"});
   sample::expect_error(scene_of(arch + "voussoirs = 10001\n"), 7, {"has 10001 blocks", "make it of fewer blocks"});
+  sample::expect_error(scene_of(arch + "voussoirs = 5000\n" + wall + "rows = 51\ncolumns = 100\n"), 13,
+                       {"has 5100 blocks, beside 5002", "at most 10000"});
 }
 
 TEST(SceneMasonry, MeasuresAreAboveZero) {
@@ -123,6 +125,11 @@ TEST(SceneMasonry, MeasuresAreAboveZero) {
                        {"embrace_deg", "an angle above 0, up to 180 degrees"});
   sample::expect_error(scene_of(sample::with("= 5", "= -5", heap)), 10, {"width_m"});
   sample::expect_error(scene_of(sample::with("0.9", "0", heap)), 11, {"size_m"});
+}
+
+TEST(SceneMasonry, BricksTooThinForTheirPlaceAreRefused) {
+  const std::string thin = sample::with("0.2", "1e-300", wall) + "rows = 1\ncolumns = 1\n";
+  sample::expect_error(scene_of(thin), 7, {"block \"w1-1\" of [[wall]] \"w\"", "correct the measures"});
 }
 
 TEST(SceneMasonry, NamesMaterialsAndBondsAreKnown) {

@@ -37,6 +37,15 @@ TEST(SceneMesh, MoreTrianglesThanCanBeMeantAreRefused) {
   expect_error(meshed("0.003"), 21, {"about 3.3e+06 triangles", "at most 20000", "make mesh_size_m larger"});
 }
 
+TEST(SceneMesh, AlongASlenderBlockTheyCountToo) {
+  const std::string sliver = "[0, 10], [1e6, 10], [1e6, 10.1], [0, 10.1]";
+  expect_error(with("[3, 2], [3, 4], [0, 4]]",
+                    "[3, 2], [3, 4], [0, 4]]\n[[block]]\nname = \"sliver\"\nmaterial = "
+                    "\"concrete\"\nmesh_size_m = 30\nvertices_m = [" +
+                        sliver + "]"),
+               30, {"about 6.7e+04 triangles", "at most 20000"});
+}
+
 std::string expecting(const std::string& more) {
   return with("quantity = \"failure_head_m\"\nvalue = 1.0\nof = \"crack\"\n",
               "quantity = \"point_stress_yy_pa\"\nvalue = 1.0\n" + more);

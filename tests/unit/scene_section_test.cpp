@@ -93,6 +93,14 @@ TEST(SceneSection, WhatIsWrongIsNamed) {
                  {"a block encloses a hole or a closed line at (", "add a [[cut]] from there"});
   expect_refusal("[[cut]]\nname = \"c\"\npoints_m = [[1, 2]]\n", {"a list of 2 to 10000 points"});
   expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 0\nspacing_m = 1e-5\n", {"would draw about", "spacing_m"});
+  const auto set = [](double dip_deg, double spacing_m) {
+    return fmt::format("[[joint_set]]\nname = \"b\"\ndip_deg = {}\nspacing_m = {}\n", dip_deg, spacing_m);
+  };
+  expect_refusal(set(0, 1) + "offset_m = 1e300\n", {"offset_m", "a number within 1e7"});
+  expect_refusal(set(0, 1e9) + "persistence = 0.5\ntrace_length_m = 1e-300\n", {"would draw about"});
+  expect_refusal(set(10, 0.003) + set(10, 0.003) + set(10, 0.003),
+                 {"the section has ", " edges, cuts and joints", "at most 5000"});
+  expect_refusal(set(10, 0.02) + set(80, 0.02), {"cross too often", "at most 20000", "spacing of its joints larger"});
   expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 100\nspacing_m = 1\n", {"dip_deg", "an angle from -90 to 90"});
   expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 0\nspacing_m = 1\npersistence = 0.5\n",
                  {"has no \"trace_length_m\""});
@@ -100,6 +108,28 @@ TEST(SceneSection, WhatIsWrongIsNamed) {
                  {"the outline of a region crosses itself"});
   EXPECT_THAT(errors(head + "[[cut]]\nname = \"c\"\npoints_m = [[1, 2], [3, 4]]\n"),
               testing::Contains(HasSubstr("cut a section, and there is none")));
+}
+
+TEST(SceneSection, HolesThatOverlapOrReachOutAreRefused) {
+  const auto with_holes = [](const std::string& holes) {
+    return head + sample::with("[0, 4]]\n", "[0, 4]]\nholes_m = [" + holes + "]\n", section);
+  };
+  const std::string above = "[[1, 4], [2, 4], [2, 5], [1, 5]]";  // a common edge, on the wrong side of it
+  const std::string across = "[[1, 3], [2, 3], [2, 5], [1, 5]]";
+  const std::string beyond = "[[1, 5], [2, 5], [2, 6], [1, 6]]";
+  const std::string notch = "[[1, 3], [2, 3], [2, 4], [1, 4]]";
+  for (const std::string& holes : {above, across, beyond, notch, notch + ", " + notch}) {
+    sample::expect_error(with_holes(holes), 16, {"the blocks of the section have", "holes inside the outline"});
+  }
+  const std::string way_out = "[[cut]]\nname = \"c\"\npoints_m = [[0, 2.5], [4, 2.5]]\n";
+  EXPECT_THAT(errors(with_holes("[[1, 2], [2, 2], [2, 3], [1, 3]]") + way_out), IsEmpty());
+}
+
+TEST(JointSets, OneThatIsFarOffOrAllBridgesEnds) {
+  blockweir::section::JointSet set{.dip_deg = 0, .spacing_m = 1, .offset_m = 1e300};
+  EXPECT_LE(blockweir::section::joints_of(set, {0, 0}, {1, 1}, 0).size(), 4U);
+  set = {.dip_deg = 0, .spacing_m = 1, .persistence = 1e-320, .trace_length_m = 1};
+  EXPECT_LE(blockweir::section::joints_of(set, {0, 0}, {1, 1}, 0).size(), 4U);
 }
 
 TEST(JointSets, KeepSpacingAndPersistence) {
