@@ -43,7 +43,7 @@ std::vector<std::string> skips_of(const Exchanges& exchanges, bool one_process) 
     skips.push_back(fmt::format("{} of {} exchanges: no block had moved and the water stood", exchanges.skipped,
                                 exchanges.said + exchanges.skipped));
   }
-  if (one_process && exchanges.said > 0) skips.push_back("a second process: the water was within the solid's");
+  if (one_process && exchanges.said > 0) skips.emplace_back("a second process: the water was within the solid's");
   return skips;
 }
 

@@ -92,7 +92,7 @@ TEST_F(ResumeOpenFoam, CasesGoOnFromRandomWindows) {
         std::printf("%s %s: seed %u, stopped after row %ld of %ld, pressures differ by %.2g of the largest\n",
                     version.of.c_str(), version.variant.c_str(), seed, stopped, rows, off);
         std::fflush(stdout);
-        EXPECT_LT(off, 1e-2);  // the breach, whose block slides through the water: 2e-3; all others below 1e-5
+        EXPECT_LT(off, version.of == "breach" ? 1e-2 : 1e-4);  // its block slides through the water
       } else {
         EXPECT_EQ(status, 0) << version.of << text("log");
       }

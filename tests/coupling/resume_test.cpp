@@ -4,13 +4,14 @@
 #include <random>
 
 #include "tests/cases.hpp"
+#include "tests/same_results.hpp"
 
 namespace blockweir::test {
 namespace {
 
 using testing::HasSubstr;
 
-class Resume : public Processes {
+class Resume : public SameResults {
  protected:
   [[nodiscard]] static std::string command(const std::string& scene, const std::string& out,
                                            const std::string& more = "") {
@@ -47,21 +48,8 @@ class Resume : public Processes {
     return true;
   }
   void expect_same() {
-    for (const char* file : {"history.csv", "frames.jsonl", "blocks.pvd", "reservoir.pvd"}) {
-      EXPECT_EQ(text(std::string("whole/") + file), text(std::string("parts/") + file)) << file;
-    }
-    EXPECT_EQ(lasting("whole"), lasting("parts"));
-    for (const auto& entry : fs::directory_iterator(folder / "whole/frames")) {
-      const std::string name = "/frames/" + entry.path().filename().string();
-      EXPECT_EQ(text("whole" + name), text("parts" + name)) << name;
-    }
+    SameResults::expect_same("whole", "parts");
     fs::remove_all(folder / "parts");
-  }
-  /// The summary but for what a clock says.
-  [[nodiscard]] std::string lasting(const std::string& run) const {
-    auto summary = nlohmann::json::parse(text(run + "/summary.json"));
-    for (const char* timed : {"profile_s", "wall_time_s", "peak_memory_mb", "skips"}) summary.erase(timed);
-    return summary.dump(1);
   }
 };
 

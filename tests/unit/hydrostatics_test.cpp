@@ -184,6 +184,29 @@ TEST(Hydrostatics, JointsInALineAreOneCrackWhosePressureFallsAlongAllOfIt) {
   EXPECT_NEAR(r.moment / (9810 * 6 * 6 / 2.0 * 2 - push * 4), 1, 1e-12);
 }
 
+TEST(Hydrostatics, SaysHowLongItsPressuresHold) {
+  auto scene = scene_of({{{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, 7);
+  const auto holds_until = [&](double time_s) {
+    HydrostaticModel model(scene);
+    wire::Motion motion;
+    motion.displacement.resize(1);
+    wire::Load load;
+    model.advance(motion, time_s, load);
+    return load.holds_until_s;
+  };
+  EXPECT_EQ(holds_until(3), std::numeric_limits<double>::infinity());
+  scene.water.upstream_level_m = scene::TimeTable{.time_s = {0, 2, 3, 5}, .value = {7, 7, 8, 8}};
+  EXPECT_EQ(holds_until(0.5), 2);
+  EXPECT_EQ(holds_until(2), 2);
+  EXPECT_EQ(holds_until(2.5), 2.5);
+  EXPECT_EQ(holds_until(3), std::numeric_limits<double>::infinity());
+  scene.water.downstream_level_m = scene::TimeTable{.time_s = {0, 4}, .value = {1, 2}, .stepwise = true};
+  EXPECT_EQ(holds_until(3.5), 4);
+  EXPECT_EQ(holds_until(4), std::numeric_limits<double>::infinity());
+  scene.water.upstream_level_m->sine = scene::Sine{};
+  EXPECT_EQ(holds_until(4), 4);
+}
+
 TEST(Hydrostatics, NothingIsComputedAgainWhileNothingMoves) {
   const auto scene = scene_of({{{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, 7);
   HydrostaticModel model(scene);

@@ -17,6 +17,7 @@ namespace {
 Load sample() {
   return {.window = 17,
           .time_s = 0.17,
+          .holds_until_s = std::numeric_limits<double>::infinity(),
           .upstream_level_m = 22,
           .downstream_level_m = std::nan(""),
           .block = {1, 2},
@@ -51,6 +52,7 @@ TEST(Codec, LoadArrivesAsItWasSent) {
   decode(builder.GetBufferPointer(), got);
   EXPECT_EQ(got.window, 17U);
   EXPECT_TRUE(std::isnan(got.downstream_level_m));
+  EXPECT_EQ(got.holds_until_s, sent.holds_until_s);
   EXPECT_EQ(got.edge, sent.edge);
   EXPECT_EQ(got.pressure_to_pa, sent.pressure_to_pa);
   EXPECT_EQ(got.cracks_from, 1U);
@@ -106,6 +108,12 @@ TEST(Codec, APressureThatIsNotANumberIsNamed) {
   Load load = sample();
   load.pressure_to_pa[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal(load), "pressure of panel 1 (block 2, edge 0) is nan in window 17");
+}
+
+TEST(Codec, PressuresThatHoldUntilNoTimeAreRefused) {
+  Load load = sample();
+  load.holds_until_s = std::nan("");
+  EXPECT_EQ(refusal(load), "time that the pressures hold is nan in window 17");
 }
 
 TEST(Codec, ColumnsOfUnequalLengthAreRefused) {
