@@ -60,11 +60,23 @@ bool encloses(const std::vector<Point>& outline, const Point& p) {
 
 }  // namespace
 
-ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m)
-    : parts_(parts), laws_(laws), reach_(reach_m), coincidence_(1e-7 * size_m), margin_(2 * reach_m) {
+ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m,
+                             double farthest_reach_m)
+    : parts_(parts),
+      laws_(laws),
+      reach_(std::min(reach_m, farthest_reach_m)),
+      farthest_reach_(farthest_reach_m),
+      coincidence_(1e-7 * size_m) {
   corners_.resize(parts.outlines.size());
   boxes_.resize(parts.outlines.size());
   for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
+}
+
+bool ContactSearch::covers(double moved_m) {
+  if (reach_per_move * moved_m <= reach_ || reach_ == farthest_reach_) return true;
+  reach_ = std::min(farthest_reach_, 2 * reach_per_move * moved_m);
+  corners_at_pairs_.clear();
+  return false;
 }
 
 void ContactSearch::update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts) {
@@ -89,7 +101,7 @@ void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
       corners_[b][v] = placements[static_cast<std::size_t>(parts_.outlines[b][v].part)].position(
           parts_.vertex(parts_.outlines[b][v]));
       boxes_[b].extend(corners_[b][v]);
-      stale = stale || (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > margin_ / 2;
+      stale = stale || (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > margin() / 2;
     }
     boxes_[b].min().array() -= reach_ / 2;
     boxes_[b].max().array() += reach_ / 2;
@@ -99,8 +111,8 @@ void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
   std::vector<Box> wide = boxes_;
   std::vector<bool> movable(corners_.size());
   for (std::size_t b = 0; b < corners_.size(); ++b) {
-    wide[b].min().array() -= margin_ / 2;
-    wide[b].max().array() += margin_ / 2;
+    wide[b].min().array() -= margin() / 2;
+    wide[b].max().array() += margin() / 2;
     movable[b] = !parts_.blocks[b].fixed;
   }
   pairs_ = neighbours(wide, movable);

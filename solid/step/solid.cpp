@@ -31,6 +31,21 @@ double farthest_coordinate(const scene::Scene& scene) {
   return farthest;
 }
 
+/// Median over the movable blocks of the lesser side of the box around each [m].
+double typical_width(const std::vector<Block>& blocks) {
+  std::vector<double> widths;
+  for (const Block& block : blocks) {
+    if (block.fixed || block.is_part()) continue;
+    Box box;
+    for (const Point& vertex : block.vertices) box.extend(vertex);
+    widths.push_back(box.sizes().minCoeff());
+  }
+  if (widths.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::nth_element(widths.begin(), middle, widths.end());
+  return *middle;
+}
+
 /// Weight of all that can move; without gravity their mass at 1 m/s2.
 double weight_of_all(const std::vector<Block>& blocks, double gravity) {
   double mass = 0;
@@ -82,8 +97,9 @@ Solid::Solid(const scene::Scene& scene)
            .contact_stiffness = scene.contact.stiffness_n_per_m2,
            .dashpot_ratio = scene.contact.dashpot_ratio,
            .largest_modulus_pa = largest_modulus(scene)})),
-      // Two blocks may each move by the largest displacement of a step, one towards the other.
-      search_(parts_, laws_, size_, 2.5 * scene.analysis.max_displacement_ratio * size_) {
+      // A twentieth of a block's width is more than most steps move it, and meets neighbours only.
+      search_(parts_, laws_, size_, 0.05 * typical_width(blocks_),
+              ContactSearch::reach_per_move * scene.analysis.max_displacement_ratio * size_) {
   const std::size_t n = blocks_.size();
   if (scene.analysis.kind == scene::AnalysisKind::at_rest) loads_.start_base();
   newmark_.damps = scene.analysis.kind == scene::AnalysisKind::dynamic;

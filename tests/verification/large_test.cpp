@@ -57,6 +57,19 @@ TEST(Large, AWideGroundMakesSettlingNoSofter) {
   EXPECT_EQ(iterations(), narrow);
 }
 
+/// A search that looks only as far as blocks are expected to move would let this one into the wall.
+TEST(Large, ABlockThatCrossesAGapInAStepIsStoppedByWhatIsBehindIt) {
+  auto scene = large_scene(0.6);
+  scene.analysis.max_displacement_ratio = 10;
+  scene.analysis.gravity_m_per_s2 = 0;
+  add_block(scene, box(0.15, -1, 1, 3), true);
+  add_block(scene, box(-1, 0, 1, 1));
+  scene.blocks[1].initial_velocity_m_per_s = scene::Point(60, 0);
+  Solid solid(scene);
+  run(solid, 1);
+  EXPECT_NEAR(solid.states()[1].displacement[0], 0.15, 1e-8);
+}
+
 TEST(Large, ASlopeStandsWithTheFrictionOfItsDipAndSlidesAsTheFormulaSaysWithLess) {
   const double dip = 20 * std::numbers::pi / 180;
   for (const double friction : {0.6, 0.3}) {
