@@ -64,29 +64,40 @@ class AugmentedLagrangian final : public Formulation {
     return action;
   }
 
-  /// One sweep (8). Multipliers are updated unless settled, and penalties whose gap did not shrink fourfold are raised.
+  /// One sweep (8): where any is not settled all multipliers are updated, for what a contact's penalty is left to carry
+  /// stretches the row of blocks behind it. Penalties whose gap did not shrink fourfold are raised.
   bool sweep(const Held& held) override {
-    bool all_settled = true;
+    if (all_settled(held)) return true;
     for (const int k : held.contact_ids) {
       ContactPoint& c = held.contacts[at(k)];
       if (c.state == ContactState::open) {
-        // No force is left to remember; only a contact that a negative multiplier held open may still have to close.
-        all_settled &= c.multiplier.x() >= 0 || contacts_[at(k)].separation.value.x() >= 0;
-        c.multiplier.setZero();
-        continue;
+        c.multiplier.setZero();  // no force is left to remember
+      } else {
+        update(contacts_[at(k)], c.multiplier, c.penalty);
       }
-      all_settled &= update(contacts_[at(k)], c.multiplier, c.penalty);
     }
     for (const int k : held.support_ids) {
-      all_settled &= update(supports_[at(k)], held.supports[at(k)].multiplier, held.supports[at(k)].penalty);
+      update(supports_[at(k)], held.supports[at(k)].multiplier, held.supports[at(k)].penalty);
     }
-    return all_settled;
+    return false;
   }
 
  private:
   void bound(double& penalty, double stiffness) const {
     const double initial = settings_.initial_penalty.value_or(settings_.penalty_ratio * stiffness);
     penalty = std::min(penalty > 0 ? penalty : initial, settings_.penalty_ratio * stiffness);
+  }
+
+  [[nodiscard]] bool all_settled(const Held& held) const {
+    const auto contact_settled = [&](int k) {
+      const ContactPoint& c = held.contacts[at(k)];
+      // Only an open contact that a negative multiplier held open may still have to close.
+      if (c.state == ContactState::open) return c.multiplier.x() >= 0 || contacts_[at(k)].separation.value.x() >= 0;
+      return settled(contacts_[at(k)], c.multiplier);
+    };
+    const auto support_settled = [&](int k) { return settled(supports_[at(k)], held.supports[at(k)].multiplier); };
+    return std::all_of(held.contact_ids.begin(), held.contact_ids.end(), contact_settled) &&
+           std::all_of(held.support_ids.begin(), held.support_ids.end(), support_settled);
   }
 
   [[nodiscard]] bool settled(const Progress& p, const Eigen::Vector2d& multiplier) const {
@@ -96,13 +107,12 @@ class AugmentedLagrangian final : public Formulation {
            (p.force - multiplier).cwiseAbs().maxCoeff() <= settings_.force_tolerance_n + p.round_off;
   }
 
-  /// True when settled. A settled multiplier stays: where contacts are redundant, gaps of round-off size would add up
-  /// in it.
-  bool update(Progress& progress, Eigen::Vector2d& multiplier, double& penalty) const {
-    if (settled(progress, multiplier)) return true;
+  /// Gaps of round-off size would add up in the multipliers of redundant contacts: they are left out.
+  void update(Progress& progress, Eigen::Vector2d& multiplier, double& penalty) const {
+    const double violation = progress.violated.cwiseAbs().maxCoeff();
+    if (!progress.turning && violation <= settings_.position_round_off_m) return;
     raise_if_slow(progress, penalty);
     multiplier = progress.force;
-    return false;
   }
 
   static void raise_if_slow(Progress& progress, double& penalty) {

@@ -6,25 +6,23 @@
 namespace blockweir::solid {
 
 bool break_bonds(const JointLaws& laws, std::span<const int> contact_ids, std::vector<ContactPoint>& contacts) {
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const auto at = [&](int k) -> ContactPoint& { return contacts[static_cast<std::size_t>(k)]; };
   const auto breakable = [&](const ContactPoint& c) { return c.bond > 0 && !laws[c.law].keeps_cohesion; };
   const auto joint = [](const ContactPoint& c) { return std::minmax(c.vertex_block, c.edge_block); };
-  const auto held = [&](const ContactPoint& slipping) {
-    return std::any_of(contact_ids.begin(), contact_ids.end(), [&](int k) {
-      const ContactPoint& c = contacts[at(k)];
-      return c.state == ContactState::stick && breakable(c) && joint(c) == joint(slipping);
-    });
-  };
-  const auto survives = [&](const ContactPoint& c) {
-    if (c.state == ContactState::stick) return true;
-    return c.state == ContactState::slip && (laws[c.law].softening_slip_m > 0 || held(c));
-  };
   bool broken = false;
-  for (const int k : contact_ids) {
-    ContactPoint& c = contacts[at(k)];
-    if (!breakable(c) || survives(c)) continue;
-    c.bond = 0;
-    broken = true;
+  for (auto first = contact_ids.begin(), end = first; first != contact_ids.end(); first = end) {
+    end = std::find_if(first, contact_ids.end(), [&](int k) { return joint(at(k)) != joint(at(*first)); });
+    const bool held =
+        std::any_of(first, end, [&](int k) { return at(k).state == ContactState::stick && breakable(at(k)); });
+    const auto survives = [&](const ContactPoint& c) {
+      if (c.state == ContactState::stick) return true;
+      return c.state == ContactState::slip && (laws[c.law].softening_slip_m > 0 || held);
+    };
+    for (auto k = first; k != end; ++k) {
+      if (!breakable(at(*k)) || survives(at(*k))) continue;
+      at(*k).bond = 0;
+      broken = true;
+    }
   }
   return broken;
 }

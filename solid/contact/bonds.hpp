@@ -13,7 +13,7 @@ namespace blockweir::solid {
 /// Breaks the bonds that the converged forces exceed; true if there were any. A contact that opens has lost its
 /// own. In shear the brittle joint of two blocks breaks as a whole, once no contact of it sticks: before, one that
 /// slips hands its share to the others, wherever along the joint the bond is. A softening one loses its bond with the
-/// slip.
+/// slip. Contacts of a joint follow each other, as the search finds them.
 bool break_bonds(const JointLaws& laws, std::span<const int> contact_ids, std::vector<ContactPoint>& contacts);
 
 }  // namespace blockweir::solid

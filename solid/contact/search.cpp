@@ -33,6 +33,10 @@ bool precedes(const ContactPoint& a, const ContactPoint& b) {
   return place(a) < place(b);
 }
 
+bool of_lower_pair(const ContactPoint& a, const ContactPoint& b) {
+  return pair_of(a) < pair_of(b);
+}
+
 /// Length over which the edge from `vertex` towards `end` lies on the edge a + s t, 0 <= s <= length.
 double overlap(const Point& vertex, const Point& end, const Point& a, const Point& t, double length) {
   const Point direction = (end - vertex).normalized();
@@ -56,11 +60,23 @@ bool encloses(const std::vector<Point>& outline, const Point& p) {
 
 }  // namespace
 
-ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m)
-    : parts_(parts), laws_(laws), reach_(reach_m), coincidence_(1e-7 * size_m), margin_(2 * reach_m) {
+ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m,
+                             double farthest_reach_m)
+    : parts_(parts),
+      laws_(laws),
+      reach_(std::min(reach_m, farthest_reach_m)),
+      farthest_reach_(farthest_reach_m),
+      coincidence_(1e-7 * size_m) {
   corners_.resize(parts.outlines.size());
   boxes_.resize(parts.outlines.size());
   for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
+}
+
+bool ContactSearch::covers(double moved_m) {
+  if (reach_per_move * moved_m <= reach_ || reach_ == farthest_reach_) return true;
+  reach_ = std::min(farthest_reach_, 2 * reach_per_move * moved_m);
+  corners_at_pairs_.clear();
+  return false;
 }
 
 void ContactSearch::update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts) {
@@ -85,7 +101,7 @@ void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
       corners_[b][v] = placements[static_cast<std::size_t>(parts_.outlines[b][v].part)].position(
           parts_.vertex(parts_.outlines[b][v]));
       boxes_[b].extend(corners_[b][v]);
-      stale = stale || (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > margin_ / 2;
+      stale = stale || (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > margin() / 2;
     }
     boxes_[b].min().array() -= reach_ / 2;
     boxes_[b].max().array() += reach_ / 2;
@@ -95,8 +111,8 @@ void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
   std::vector<Box> wide = boxes_;
   std::vector<bool> movable(corners_.size());
   for (std::size_t b = 0; b < corners_.size(); ++b) {
-    wide[b].min().array() -= margin_ / 2;
-    wide[b].max().array() += margin_ / 2;
+    wide[b].min().array() -= margin() / 2;
+    wide[b].max().array() += margin() / 2;
     movable[b] = !parts_.blocks[b].fixed;
   }
   pairs_ = neighbours(wide, movable);
@@ -192,11 +208,12 @@ void ContactSearch::inherit(std::vector<ContactPoint>& old) {
     const Point place = corners_[static_cast<std::size_t>(was->vertex_block)][static_cast<std::size_t>(was->vertex)];
     ContactPoint* nearest = nullptr;
     double nearest_distance = reach_;
-    for (std::size_t i = 0; i < found_.size(); ++i) {
-      ContactPoint& c = found_[i];
+    const auto [first, end] = std::equal_range(found_.begin(), found_.end(), *was, of_lower_pair);
+    for (auto heir = first; heir != end; ++heir) {
+      ContactPoint& c = *heir;
       const bool same = c.vertex_block == was->vertex_block && c.edge_block == was->edge_block;
       const bool twin = c.vertex_block == was->edge_block && c.edge_block == was->vertex_block;
-      if (inherited_[i] != 0 || !(same || twin)) continue;
+      if (inherited_[static_cast<std::size_t>(heir - found_.begin())] != 0 || !(same || twin)) continue;
       if (normal(c).dot(normal(*was)) * (same ? 1 : -1) < 1 - parallel_tolerance) continue;
       const Point there = corners_[static_cast<std::size_t>(c.vertex_block)][static_cast<std::size_t>(c.vertex)];
       const double distance = (there - place).norm();
@@ -214,19 +231,21 @@ void ContactSearch::inherit(std::vector<ContactPoint>& old) {
 /// A vertex that touches one edge of a block near a corner lies far behind the next one, which it has never met: only
 /// closed contacts, and of the others the least penetrated, may press from within.
 void ContactSearch::drop_edges_seen_from_within() {
-  const auto seen_better = [this](const ContactPoint& c) {
-    const auto better = [&](const ContactPoint& other) {
-      return other.vertex_block == c.vertex_block && other.vertex == c.vertex && other.edge_block == c.edge_block &&
-             other.gap > c.gap;
-    };
-    return std::any_of(found_.begin(), found_.end(), better);
+  const auto same_vertex = [](const ContactPoint& a, const ContactPoint& b) {
+    return a.vertex_block == b.vertex_block && a.vertex == b.vertex && a.edge_block == b.edge_block;
   };
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < found_.size(); ++i) {
-    const ContactPoint& c = found_[i];
-    if (c.state == ContactState::open && c.gap < -coincidence_ && seen_better(c)) continue;
-    inherited_[kept] = inherited_[i];
-    found_[kept++] = found_[i];
+  for (std::size_t first = 0, end = 0; first < found_.size(); first = end) {  // edges that one vertex meets
+    double best = found_[first].gap;
+    for (end = first; end < found_.size() && same_vertex(found_[first], found_[end]); ++end) {
+      best = std::max(best, found_[end].gap);
+    }
+    for (std::size_t i = first; i < end; ++i) {
+      const ContactPoint& c = found_[i];
+      if (c.state == ContactState::open && c.gap < -coincidence_ && c.gap < best) continue;
+      inherited_[kept] = inherited_[i];
+      found_[kept++] = found_[i];
+    }
   }
   found_.resize(kept);
   inherited_.resize(kept);

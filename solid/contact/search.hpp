@@ -15,21 +15,29 @@ namespace blockweir::solid {
 /// convex vertex meets a convex vertex the entrance edge, the one less penetrated, stands for both.
 class ContactSearch {
  public:
-  /// `reach_m`: gaps up to this are contacts in waiting; must exceed what two blocks can approach in a step.
-  ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m);
+  /// Gaps up to the reach are contacts in waiting. Two blocks may each move in a step, one towards the other.
+  static constexpr double reach_per_move = 2.5;
+  /// The reach begins with `reach_m` and grows with what blocks move, up to `farthest_reach_m`.
+  ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m, double farthest_reach_m);
 
   /// Contacts for a step that starts from `placements`; a contact that was in `contacts` keeps its memory, one
   /// that takes over its place (the vertex passed to the next edge, or its twin across the joint) inherits it.
   void update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts);
 
+  /// Did a step that moved a vertex so far stay within what was looked at? Two blocks may move towards each other. If
+  /// not, the next search looks farther.
+  [[nodiscard]] bool covers(double moved_m);
+
   [[nodiscard]] long broad_searches() const { return broad_searches_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(corners_at_pairs_, pairs_, broad_searches_);
+    archive(corners_at_pairs_, pairs_, broad_searches_, reach_);
   }
 
  private:
+  /// Pairs stay valid while no block has moved half of it [m].
+  [[nodiscard]] double margin() const { return 2 * reach_; }
   void refresh_pairs(const std::vector<Placement>& placements);
   void vertices_on_edges(int vertex_block, int edge_block);
   void drop_edges_seen_from_within();
@@ -39,8 +47,8 @@ class ContactSearch {
   const Parts& parts_;
   const JointLaws& laws_;
   double reach_;                             ///< m
+  double farthest_reach_;                    ///< m
   double coincidence_;                       ///< m, closer points are one
-  double margin_;                            ///< m, pairs stay valid while no block has moved half of it
   std::vector<std::vector<Point>> corners_;  ///< current outlines of the scene's blocks
   std::vector<Box> boxes_;                   ///< current, by `reach`
   std::vector<std::vector<Point>> corners_at_pairs_;

@@ -120,11 +120,13 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
       solved = solved && find_equilibrium(island);
     }
   }
-  solved = solved && largest_increment() <= scene_.analysis.max_displacement_ratio * size_;
-  if (!solved) {
+  const double moved = largest_increment();
+  solved = solved && moved <= scene_.analysis.max_displacement_ratio * size_;
+  const bool seen = !solved || search_.covers(moved);
+  if (!solved || !seen) {
     contacts_ = contacts_before;
     supports_ = supports_before;
-    return false;
+    return !seen && attempt(dt, end_s, water);
   }
   accept(dt, end_s);
   require_finite(end_s);

@@ -12,35 +12,38 @@ namespace blockweir::solid {
 
 /// Blocks that hang on nothing: no chain of touching contacts and bolts leads to the ground or to a support.
 std::vector<bool> Solid::unanchored() const {
-  std::vector<bool> anchored(blocks_.size());
-  for (std::size_t b = 0; b < blocks_.size(); ++b) anchored[b] = blocks_[b].fixed;
-  for (const Support& s : supports_) anchored[static_cast<std::size_t>(s.block)] = true;
+  std::vector<std::pair<int, int>> links;
+  for (const StrainCoupling& c : parts_.couplings) links.emplace_back(c.i, c.j);
+  for (const ContactPoint& c : contacts_) {
+    if (c.state != ContactState::open) links.emplace_back(c.vertex_part, c.edge_part);
+  }
+  std::vector<bool> waiting(blocks_.size(), true);
+  const auto anchor = [&](int b) { waiting[static_cast<std::size_t>(b)] = false; };
+  for (int b = 0; b < static_cast<int>(blocks_.size()); ++b) {
+    if (blocks_[static_cast<std::size_t>(b)].fixed) anchor(b);
+  }
+  for (const Support& s : supports_) anchor(s.block);
   for (const Bolt& bolt : bolts_) {
-    if (bolt.part[1] < 0) anchored[static_cast<std::size_t>(bolt.part[0])] = true;
-  }
-  for (bool grew = true; grew;) {
-    grew = false;
-    const auto join = [&](int a, int b) {
-      const auto i = static_cast<std::size_t>(a);
-      const auto j = static_cast<std::size_t>(b);
-      if (anchored[i] != anchored[j]) anchored[i] = anchored[j] = grew = true;
-    };
-    for (const StrainCoupling& c : parts_.couplings) join(c.i, c.j);
-    for (const ContactPoint& c : contacts_) {
-      if (c.state != ContactState::open) join(c.vertex_part, c.edge_part);
-    }
-    for (const Bolt& bolt : bolts_) {
-      if (bolt.part[1] >= 0) join(bolt.part[0], bolt.part[1]);
+    if (bolt.part[1] < 0) {
+      anchor(bolt.part[0]);
+    } else {
+      links.emplace_back(bolt.part[0], bolt.part[1]);
     }
   }
-  anchored.flip();
-  return anchored;
+  const auto is_anchored = [&](int b) { return !waiting[static_cast<std::size_t>(b)]; };
+  for (const Island& group : find_islands(std::vector<bool>(blocks_.size()), links, {})) {
+    if (std::any_of(group.blocks.begin(), group.blocks.end(), is_anchored)) {
+      std::for_each(group.blocks.begin(), group.blocks.end(), anchor);
+    }
+  }
+  return waiting;
 }
 
 /// Long against every elastic period, so that inertia only regularizes: 2 M/dt^2 is 1e-4 of the elastic modulus.
 double Solid::pseudo_step_s() const {
   double longest = 0;
   for (const Block& block : blocks_) {
+    if (block.fixed) continue;
     const double modulus = block.stiffness(3, 3) / block.area;
     if (modulus > 0) longest = std::max(longest, std::sqrt(2e4 * block.mass_per_m() / modulus));
   }

@@ -22,6 +22,30 @@ double model_size(const scene::Scene& scene) {
   return box.isEmpty() ? 1.0 : box.sizes().maxCoeff() / 2;
 }
 
+/// Of all coordinates, those of a wide ground among them: what positions are known to is a round-off of it [m].
+double farthest_coordinate(const scene::Scene& scene) {
+  double farthest = 0;
+  for (const auto& block : scene.blocks) {
+    for (const auto& vertex : block.vertices) farthest = std::max(farthest, vertex.cwiseAbs().maxCoeff());
+  }
+  return farthest;
+}
+
+/// Median over the movable blocks of the lesser side of the box around each [m].
+double typical_width(const std::vector<Block>& blocks) {
+  std::vector<double> widths;
+  for (const Block& block : blocks) {
+    if (block.fixed || block.is_part()) continue;
+    Box box;
+    for (const Point& vertex : block.vertices) box.extend(vertex);
+    widths.push_back(box.sizes().minCoeff());
+  }
+  if (widths.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::nth_element(widths.begin(), middle, widths.end());
+  return *middle;
+}
+
 /// Weight of all that can move; without gravity their mass at 1 m/s2.
 double weight_of_all(const std::vector<Block>& blocks, double gravity) {
   double mass = 0;
@@ -64,16 +88,18 @@ Solid::Solid(const scene::Scene& scene)
       sleep_(blocks_.size(), size_),
       newmark_(Newmark::of(scene.analysis.integrator, scene.analysis.spectral_radius)),
       water_work_(scene.analysis.integrator == scene::Integrator::shi),
-      formulation_(make_formulation(scene.contact.formulation, laws_,
-                                    {.penetration_tolerance_m = scene.contact.penetration_tolerance_m,
-                                     .force_tolerance_n = scene.contact.force_tolerance * force_scale_,
-                                     .position_round_off_m = 2 * std::numeric_limits<double>::epsilon() * size_,
-                                     .initial_penalty = scene.contact.initial_penalty_n_per_m2,
-                                     .contact_stiffness = scene.contact.stiffness_n_per_m2,
-                                     .dashpot_ratio = scene.contact.dashpot_ratio,
-                                     .largest_modulus_pa = largest_modulus(scene)})),
-      // Two blocks may each move by the largest displacement of a step, one towards the other.
-      search_(parts_, laws_, size_, 2.5 * scene.analysis.max_displacement_ratio * size_) {
+      formulation_(make_formulation(
+          scene.contact.formulation, laws_,
+          {.penetration_tolerance_m = scene.contact.penetration_tolerance_m,
+           .force_tolerance_n = scene.contact.force_tolerance * force_scale_,
+           .position_round_off_m = 2 * std::numeric_limits<double>::epsilon() * farthest_coordinate(scene),
+           .initial_penalty = scene.contact.initial_penalty_n_per_m2,
+           .contact_stiffness = scene.contact.stiffness_n_per_m2,
+           .dashpot_ratio = scene.contact.dashpot_ratio,
+           .largest_modulus_pa = largest_modulus(scene)})),
+      // A twentieth of a block's width is more than most steps move it, and meets neighbours only.
+      search_(parts_, laws_, size_, 0.05 * typical_width(blocks_),
+              ContactSearch::reach_per_move * scene.analysis.max_displacement_ratio * size_) {
   const std::size_t n = blocks_.size();
   if (scene.analysis.kind == scene::AnalysisKind::at_rest) loads_.start_base();
   newmark_.damps = scene.analysis.kind == scene::AnalysisKind::dynamic;
@@ -127,20 +153,22 @@ void Solid::follow_states() {
 /// Blocks that touch in the scene's outline are joined by a bond, with its strength and its peak friction.
 void Solid::bond_touching_contacts() {
   const double touching = 1e-6 * size_;
-  const auto pair = [](const ContactPoint& c) { return std::minmax(c.vertex_block, c.edge_block); };
   for (ContactPoint& c : contacts_) {
     if (std::abs(c.gap) > touching) continue;
     c.bond = 1;
     c.state = ContactState::stick;
   }
-  for (ContactPoint& c : contacts_) {
-    if (!c.bonded()) continue;
+  const auto of_one_joint = [](const ContactPoint& a, const ContactPoint& b) {
+    return std::minmax(a.vertex_block, a.edge_block) == std::minmax(b.vertex_block, b.edge_block);
+  };
+  for (auto first = contacts_.begin(), end = first; first != contacts_.end(); first = end) {  // contacts of a joint
     double whole = 0;
-    for (const ContactPoint& other : contacts_) {
-      if (other.bonded() && pair(other) == pair(c)) whole += other.length;
+    for (end = first; end != contacts_.end() && of_one_joint(*first, *end); ++end) whole += end->bond * end->length;
+    for (auto c = first; c != end; ++c) {
+      if (!c->bonded()) continue;
+      const double bonded = laws_[c->law].bonded_length_m;
+      c->bond_length = bonded < 0 || whole == 0 ? c->length : c->length * std::min(1.0, bonded / whole);
     }
-    const double bonded = laws_[c.law].bonded_length_m;
-    c.bond_length = bonded < 0 || whole == 0 ? c.length : c.length * std::min(1.0, bonded / whole);
   }
 }
 

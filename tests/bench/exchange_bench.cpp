@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_channel
 // What an exchange of a window costs over the line, against raw ZeroMQ that sends as many bytes to and fro, side by
 // side in one run. Both have a thread for the other side, on the same kind of endpoint.
 #include <fmt/format.h>

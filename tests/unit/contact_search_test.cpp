@@ -24,7 +24,7 @@ std::vector<ContactPoint> contacts_within(double reach_m) {
   std::vector<Placement> placements;
   for (const Block& block : parts.blocks) placements.emplace_back(block.centroid, Vector6::Zero());
   std::vector<ContactPoint> contacts;
-  ContactSearch(parts, laws, 1, reach_m).update(placements, contacts);
+  ContactSearch(parts, laws, 1, reach_m, reach_m).update(placements, contacts);
   return contacts;
 }
 
@@ -38,6 +38,26 @@ TEST(ContactSearch, FindsTheSameContactsWhereTheReachIsLongerThanBlocksAreThick)
       EXPECT_EQ(c.gap, 0) << "reach " << reach;
     }
   }
+}
+
+TEST(ContactSearch, LooksFartherOnceBlocksHaveMovedFarther) {
+  const scene::Scene scene = two_slabs();
+  const Parts parts = make_parts(scene);
+  const JointLaws laws(scene);
+  std::vector<Placement> placements;
+  for (const Block& block : parts.blocks) placements.emplace_back(block.centroid, Vector6::Zero());
+  Vector6 up = Vector6::Zero();
+  up[1] = 0.02;
+  placements[1] = Placement(parts.blocks[1].centroid, up);
+  ContactSearch search(parts, laws, 1, 0.01, 0.1);
+  std::vector<ContactPoint> contacts;
+  search.update(placements, contacts);
+  EXPECT_TRUE(contacts.empty());
+  EXPECT_TRUE(search.covers(0.003));
+  EXPECT_FALSE(search.covers(0.02));
+  search.update(placements, contacts);
+  EXPECT_EQ(contacts.size(), 2U);
+  EXPECT_TRUE(search.covers(0.02));
 }
 
 }  // namespace

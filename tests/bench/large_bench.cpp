@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_step
+// How time and memory grow with the number of blocks: brick walls that stand, rock slopes that stand or slide. Each row
+// is a process of its own, so that its peak of memory is its own. Arguments: numbers of blocks (100 1000 10000 100000).
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solid/step/solid.hpp"
+#include "tests/large_scenes.hpp"
+
+namespace {
+
+using namespace blockweir;
+
+struct Kind {
+  const char* name;
+  std::function<scene::Scene(int)> scene;
+};
+
+double seconds(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double peak_mb() {
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  return static_cast<double>(use.ru_maxrss) / 1024;
+}
+
+/// Nothing sleeps: every step is computed.
+void row(const Kind& kind, int blocks, int steps) {
+  scene::Scene scene = kind.scene(blocks);
+  scene.analysis.sleep = false;
+  const double dt = scene.analysis.step_s;
+  std::unique_ptr<solid::Solid> solid;
+  const double build_s = seconds([&] { solid = std::make_unique<solid::Solid>(scene); });
+  const double settle_s = seconds([&] { solid->settle({}); });
+  const long settling = solid->counts().iterations;
+  const double step_s = seconds([&] {
+    for (int n = 0; n < steps; ++n) solid->advance(n * dt, (n + 1) * dt, {});
+  });
+  const double a_step_s = step_s / steps;
+  const auto count = solid->blocks().size();
+  fmt::print("{:<16} {:>7} {:>9} {:>9.2f} {:>9.2f} {:>6} {:>11.2f} {:>8.1f} {:>10.2f} {:>9.0f} {:>8.1f} {:>10.1e}\n",
+             kind.name, count, solid->contacts().size(), build_s, settle_s, settling, 1e3 * a_step_s,
+             static_cast<double>(solid->counts().iterations - settling) / steps,
+             1e6 * a_step_s / static_cast<double>(count), peak_mb(), 1024 * peak_mb() / static_cast<double>(count),
+             solid->largest_displacement_m());
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<Kind> kinds{{"wall", brick_wall},
+                                {"slope", [](int n) { return rock_slope(n, 0.6); }},
+                                {"sliding slope", [](int n) { return rock_slope(n, 0.3); }}};
+  std::vector<int> sizes;
+  for (int i = 1; i < argc; ++i) sizes.push_back(std::atoi(argv[i]));
+  if (sizes.empty()) sizes = {100, 1'000, 10'000, 100'000};
+  fmt::print("{:<16} {:>7} {:>9} {:>9} {:>9} {:>6} {:>11} {:>8} {:>10} {:>9} {:>8} {:>10}\n", "scene", "blocks",
+             "contacts", "build [s]", "rest [s]", "solves", "step [ms]", "solves", "us/block", "peak [MB]", "kB/block",
+             "moved [m]");
+  for (const Kind& kind : kinds) {
+    for (const int blocks : sizes) {
+      std::fflush(stdout);
+      if (const pid_t child = fork(); child == 0) {
+        try {
+          row(kind, blocks, 20);
+        } catch (const std::exception& error) {
+          fmt::print("{:<16} {:>7} {}\n", kind.name, blocks, error.what());
+        }
+        std::fflush(stdout);
+        _exit(0);
+      } else {
+        waitpid(child, nullptr, 0);
+      }
+    }
+  }
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_step
+// Many blocks at once: they settle, stand and slide as few do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "solid/step/solid.hpp"
+#include "tests/large_scenes.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+void run(Solid& solid, int steps) {
+  const double dt = solid.scene().analysis.step_s;
+  for (int n = 0; n < steps; ++n) solid.advance(n * dt, (n + 1) * dt, {});
+}
+
+/// Contact forces upward on the ground, block 0, over the weight of all that rests on it, less 1.
+double reaction_error(const Solid& solid) {
+  double weight = 0;
+  for (const Block& block : solid.blocks()) weight += block.fixed ? 0 : block.mass_per_m() * 9.81;
+  double reaction = 0;
+  for (const ContactPoint& c : solid.contacts()) {
+    if (c.state != ContactState::open && (c.vertex_block == 0 || c.edge_block == 0)) reaction += c.force.x();
+  }
+  return reaction / weight - 1;
+}
+
+/// Each block rests on two, at four points of two forces: contacts are many times more than motions.
+TEST(Large, APyramidOfBase100SettlesAndStandsStill) {
+  auto scene = pyramid(100);
+  scene.analysis.sleep = false;
+  Solid solid(scene);
+  ASSERT_EQ(solid.blocks().size(), 5051U);
+  solid.settle({});
+  run(solid, 5);
+  EXPECT_LT(solid.largest_displacement_m(), 1e-9);
+  EXPECT_LT(std::abs(reaction_error(solid)), 1e-8);
+}
+
+/// What settling takes does not depend on how large the ground is drawn.
+TEST(Large, AWideGroundMakesSettlingNoSofter) {
+  auto scene = pyramid(5);
+  const auto iterations = [&] {
+    Solid solid(scene);
+    solid.settle({});
+    return solid.counts().iterations;
+  };
+  const long narrow = iterations();
+  for (auto& vertex : scene.blocks[0].vertices) {
+    vertex.x() *= 10;
+    if (vertex.y() < 0) vertex.y() = -10;
+  }
+  EXPECT_EQ(iterations(), narrow);
+}
+
+/// A search that looks only as far as blocks are expected to move would let this one into the wall.
+TEST(Large, ABlockThatCrossesAGapInAStepIsStoppedByWhatIsBehindIt) {
+  auto scene = large_scene(0.6);
+  scene.analysis.max_displacement_ratio = 10;
+  scene.analysis.gravity_m_per_s2 = 0;
+  add_block(scene, box(0.15, -1, 1, 3), true);
+  add_block(scene, box(-1, 0, 1, 1));
+  scene.blocks[1].initial_velocity_m_per_s = scene::Point(60, 0);
+  Solid solid(scene);
+  run(solid, 1);
+  EXPECT_NEAR(solid.states()[1].displacement[0], 0.15, 1e-8);
+}
+
+TEST(Large, ASlopeStandsWithTheFrictionOfItsDipAndSlidesAsTheFormulaSaysWithLess) {
+  const double dip = 20 * std::numbers::pi / 180;
+  for (const double friction : {0.6, 0.3}) {
+    auto scene = rock_slope(100, friction);
+    Solid solid(scene);
+    solid.settle({});
+    run(solid, 30);
+    const double acceleration = std::max(0.0, 9.81 * (std::sin(dip) - friction * std::cos(dip)));
+    EXPECT_NEAR(solid.states()[1].displacement.head<2>().norm(), acceleration * 0.5 * 0.5 / 2, 1e-6) << friction;
+  }
+}
+
+}  // namespace
+}  // namespace blockweir::solid
