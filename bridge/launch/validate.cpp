@@ -20,15 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-std::vector<fs::path> all_cases() {
-  std::vector<fs::path> cases;
-  for (const auto& entry : fs::directory_iterator(cases_folder())) {
-    if (fs::exists(entry.path() / "scene.toml")) cases.push_back(entry.path());
-  }
-  std::sort(cases.begin(), cases.end());
-  return cases;
-}
-
 /// One run of a case: as it is, or one of its variants, with a point of the sweep.
 struct Trial {
   std::string label;  ///< for the table
