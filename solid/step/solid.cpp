@@ -22,6 +22,15 @@ double model_size(const scene::Scene& scene) {
   return box.isEmpty() ? 1.0 : box.sizes().maxCoeff() / 2;
 }
 
+/// The outlines' coordinates have no more digits than those of the largest among them leave.
+double coordinate_round_off(const scene::Scene& scene) {
+  double largest = 0;
+  for (const auto& block : scene.blocks) {
+    for (const auto& vertex : block.vertices) largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+  }
+  return 2 * std::numeric_limits<double>::epsilon() * largest;
+}
+
 /// Weight of all that can move; without gravity their mass at 1 m/s2.
 double weight_of_all(const std::vector<Block>& blocks, double gravity) {
   double mass = 0;
@@ -67,7 +76,7 @@ Solid::Solid(const scene::Scene& scene)
       formulation_(make_formulation(scene.contact.formulation, laws_,
                                     {.penetration_tolerance_m = scene.contact.penetration_tolerance_m,
                                      .force_tolerance_n = scene.contact.force_tolerance * force_scale_,
-                                     .position_round_off_m = 2 * std::numeric_limits<double>::epsilon() * size_,
+                                     .position_round_off_m = coordinate_round_off(scene),
                                      .initial_penalty = scene.contact.initial_penalty_n_per_m2,
                                      .contact_stiffness = scene.contact.stiffness_n_per_m2,
                                      .dashpot_ratio = scene.contact.dashpot_ratio,
