@@ -136,11 +136,12 @@ std::vector<Point> better_ones(const std::vector<Point>& points) {
   for (const Point& p : points) {
     if (betters(p, points.front())) better.push_back(p);
   }
-  if (better.size() <= 2) return better;
-  const auto faster = [](const Point& a, const Point& b) { return a.time_s < b.time_s; };
-  const auto more_accurate = [](const Point& a, const Point& b) { return a.error < b.error; };
-  return {*std::min_element(better.begin(), better.end(), faster),
-          *std::min_element(better.begin(), better.end(), more_accurate)};
+  if (better.empty()) return {};
+  const auto fastest = std::min_element(better.begin(), better.end(),
+                                        [](const Point& a, const Point& b) { return a.time_s < b.time_s; });
+  const auto finest =
+      std::min_element(better.begin(), better.end(), [](const Point& a, const Point& b) { return a.error < b.error; });
+  return fastest == finest ? std::vector{*fastest} : std::vector{*fastest, *finest};
 }
 
 json as_json(const Point& p) {
@@ -149,7 +150,7 @@ json as_json(const Point& p) {
 
 /// Prints the case's rows and draws it; what is said of it at the end comes back under "verdict".
 json told(const Case& bench, const Measured& measured, const fs::path& out) {
-  const std::string name = fs::is_directory(bench.scene) ? fs::canonical(bench.scene).filename() : bench.scene.stem();
+  const std::string name = case_name(bench.scene);
   const std::vector<std::size_t> best = front(measured.points);
   json row = {{"case", name}, {"figure", measured.figure}, {"points", json::array()}, {"failed", json::array()}};
   fmt::print("{}: {}\n", name, measured.figure);

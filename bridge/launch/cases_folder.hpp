@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace blockweir::launch {
@@ -17,6 +18,11 @@ inline std::filesystem::path cases_folder() {
     if (std::filesystem::is_directory(here / place)) return std::filesystem::canonical(here / place);
   }
   throw std::invalid_argument("there is no folder of cases beside the program; name the cases");
+}
+
+/// What tables call a case, or a scene file.
+inline std::string case_name(const std::filesystem::path& path) {
+  return std::filesystem::is_directory(path) ? std::filesystem::canonical(path).filename() : path.stem();
 }
 
 /// Their folders, by name.

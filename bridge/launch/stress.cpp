@@ -91,10 +91,13 @@ int stress(const StressOptions& options) {
   for (const fs::path& scene : scenes) {
     for (Map& map : maps_of(scene, options.brief)) maps.push_back(std::move(map));
   }
-  results::make_folder(options.out);
   json rows = json::array();
   try {
-    for (const Map& map : maps) rows.push_back(row(map, perform(map.task, map.scene, {}, options.out)));
+    for (const Map& map : maps) {
+      const fs::path out = options.out / map.scene.stem();
+      results::make_folder(out);
+      rows.push_back(row(map, perform(map.task, map.scene, {}, out)));
+    }
   } catch (const Interrupted&) {
     fmt::print(stderr, "stopped on request\n");
     return 130;

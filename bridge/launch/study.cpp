@@ -153,6 +153,7 @@ StudyResult perform(const StudyTask& task, const fs::path& scene, const Settings
   fmt::print("{} {}: expected {}, got {}, off by {} (tolerance {})\n", check["passed"].get<bool>() ? "ok " : "OUT",
              check["name"].get<std::string>(), figure(check["expected"]), figure(check["got"]),
              figure(check["relative_error"]), figure(check["tolerance"]));
+  std::fflush(stdout);
   if (out.empty()) return result;
   const fs::path file = out / file_name(task.name);
   const json table = {{"name", task.name}, {"check", check}, {"runs", result.runs}};

@@ -31,7 +31,7 @@ std::vector<Trial> trials(const fs::path& path, const ValidateOptions& options) 
   std::vector<std::string> variants{""};
   for (const auto& variant : scene::read(path).scene.variants) variants.push_back(variant.name);
   for (const std::string& variant : variants) {
-    Trial trial{path.filename().string() + (variant.empty() ? "" : ", " + variant),
+    Trial trial{case_name(path) + (variant.empty() ? "" : ", " + variant),
                 {.scene = path, .variant = variant, .overrides = options.overrides, .quiet = true}};
     if (!options.sweep) {
       all.push_back(trial);
@@ -122,8 +122,7 @@ int validate(const ValidateOptions& options) {
         add_trial(table, trial);
       }
       for (const StudyTask& task : one.studies) {
-        add_study(table, fmt::format("{}, {}", one.path.filename().string(), task.name), task, one.path,
-                  options.overrides);
+        add_study(table, fmt::format("{}, {}", case_name(one.path), task.name), task, one.path, options.overrides);
       }
     }
   } catch (const Interrupted&) {
