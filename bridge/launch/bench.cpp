@@ -25,12 +25,12 @@ struct Setting {
   std::string curve;
   std::string key_and_value;
   Settings all;  ///< with what holds for the curve
+  bool inproc = false;
 };
 
 struct Case {
   fs::path scene;
   std::vector<Setting> settings;  ///< the first is the scene as it stands
-  std::string figure;             ///< whose error is measured
 };
 
 void add_curve(Case& bench, const std::string& name, const Settings& set, scene::Sweep sweep, bool brief) {
@@ -52,9 +52,9 @@ std::string words(const std::string& curve, const std::string& setting) {
 }
 
 /// Curves of the scene: its [[bench]], and each [[order]] of its first figure. Every setting is checked.
-Case case_of(const fs::path& path, bool brief) {
-  const scene::Scene scene = scene::read(path).scene;
-  Case bench{.scene = path, .settings = {{"as it stands", "", {}}}, .figure = {}};
+Case case_of(const fs::path& path, const Settings& overrides, bool brief) {
+  const scene::Scene scene = scene::read(path, overrides).scene;
+  Case bench{.scene = path, .settings = {{"as it stands", "", {}}}};
   for (const scene::Bench& b : scene.studies.benches) add_curve(bench, b.name, b.set, b.sweep, brief);
   if (bench.settings.size() == 1) return bench;
   for (const scene::OrderStudy& order : scene.studies.orders) {
@@ -63,7 +63,10 @@ Case case_of(const fs::path& path, bool brief) {
     for (const double value : order.values) sweep.values.push_back(fmt::format("{}", value));
     add_curve(bench, order.name, order.set, sweep, brief);
   }
-  for (const Setting& setting : bench.settings) {
+  if (scene.fluid == scene::FluidModel::hydrostatic)
+    bench.settings.push_back({"still water within the solid's process", "--inproc", {}, true});
+  for (Setting& setting : bench.settings) {
+    setting.all = joined(overrides, setting.all);
     const scene::Scene set = scene::read(path, setting.all).scene;
     if (!set.expectations.empty() || !set.water_expectations.empty()) continue;
     throw std::invalid_argument(fmt::format("{}, {}: no figure whose error could be measured; add an [[expect]]",
@@ -75,7 +78,7 @@ Case case_of(const fs::path& path, bool brief) {
 std::vector<Case> chosen(const BenchOptions& options) {
   std::vector<Case> all;
   for (const fs::path& path : options.cases.empty() ? all_cases() : options.cases) {
-    Case bench = case_of(path, options.brief);
+    Case bench = case_of(path, options.overrides, options.brief);
     if (bench.settings.size() > 1) {
       all.push_back(std::move(bench));
     } else if (!options.cases.empty()) {
@@ -96,8 +99,11 @@ class Measured {
     for (int repeat = 0; repeat < repeats; ++repeat) {
       for (std::size_t i = 0; i < points.size(); ++i) {
         if (!troubles[i].empty()) continue;
-        const RunResult result = run(
-            {.scene = bench.scene, .out = scratch.path() / "run", .overrides = bench.settings[i].all, .quiet = true});
+        const RunResult result = run({.scene = bench.scene,
+                                      .out = scratch.path() / "run",
+                                      .overrides = bench.settings[i].all,
+                                      .inproc = bench.settings[i].inproc,
+                                      .quiet = true});
         if (result.exit_code == 130) throw Interrupted();
         troubles[i] = result.trouble.empty() ? take(points[i], result.summary) : result.trouble;
       }
@@ -186,6 +192,10 @@ json told(const Case& bench, const Measured& measured, const fs::path& out) {
 }
 
 }  // namespace
+
+std::size_t bench_settings(const fs::path& scene, const Settings& overrides) {
+  return case_of(scene, overrides, false).settings.size() - 1;
+}
 
 int bench(const BenchOptions& options) {
   const std::vector<Case> cases = chosen(options);

@@ -27,6 +27,7 @@ int check_scene(const std::filesystem::path& path, const std::vector<std::string
   const scene::ReadScene read = scene::read(path, overrides);
   for (const auto& variant : read.scene.variants) scene::read_variant(path, variant.name, overrides);
   const std::size_t studies = launch::study_tasks(path, overrides).size();
+  launch::bench_settings(path, overrides);
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
   fmt::print("{}: sound; {} blocks, {} joints, {} variants, {} studies, {} s in steps of {} s\n",
              read.scene.file.string(), read.scene.blocks.size(), read.scene.joints.size(), read.scene.variants.size(),
@@ -105,6 +106,7 @@ int run_command(int argc, char** argv) {
   bench_cmd->add_option("cases", bench.cases, "case folders (default: all that have a [[bench]])");
   bench_cmd->add_option("--out", bench.out, "folder for the table and the pictures (default: runs/bench)");
   bench_cmd->add_flag("--short", bench.brief, "two values a curve, each run once");
+  bench_cmd->add_option("--set", bench.overrides, "key=value over the scenes' own");
   auto* stress_cmd = app.add_subcommand("stress", "maps of stability: each cell right, refused, or wrong");
   stress_cmd->add_option("names", stress.names, "of maps in cases/stress, or scene files (default: all maps)");
   stress_cmd->add_option("--out", stress.out, "folder for tables and pictures (default: runs/stress)");
