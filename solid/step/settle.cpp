@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "solid/step/solid.hpp"
@@ -96,8 +97,8 @@ void Solid::settle(const std::vector<Panel>& water) {
 
 /// Shear that joints cannot carry by their own laws slips away at rest, so that its release does not set the blocks
 /// ringing. Where all joints of a high stack slip at once, both ends of each in opposite directions, next to nothing
-/// holds the blocks sideways: shorter steps, whose inertia does, find the states. A structure that finds no rest is on
-/// the move already: it starts from the held state.
+/// holds the blocks sideways: shorter steps, whose inertia does, find the states, and come at least near to rest. A
+/// structure that does not is on the move already: it starts from the held state.
 void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   constexpr int most_steps = 200;
   const auto states = states_;
@@ -108,6 +109,7 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   const double at_rest_m = 1e-12 * size_;
   const double shortest = 1e-4 * pseudo_step;
   double dt = pseudo_step;
+  double acceleration = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps && dt > shortest; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
     if (!attempt(dt, settling_time_s(), water) &&
@@ -118,9 +120,11 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
     ++counts_.settling_steps;
     const double moved = largest_increment();
     if (moved <= at_rest_m && dt == pseudo_step) return;
+    acceleration = 2 * moved / (dt * dt);
     if (moved > 1e-4 * size_) break;
     dt = std::min(pseudo_step, 2 * dt);
   }
+  if (acceleration < 1e-4 * scene_.analysis.gravity_m_per_s2) return;
   states_ = states;
   start_ = start;
   contacts_ = contacts;

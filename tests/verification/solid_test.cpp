@@ -210,7 +210,7 @@ TEST(Solid, AColumnThatWidensStartsInEquilibrium) {
   for (const ContactPoint& c : solid.contacts()) {
     if (std::min(c.vertex_block, c.edge_block) == 0) normal += c.force.x();
   }
-  EXPECT_NEAR(normal / (50 * 2500 * 9.81), 1, 1e-8);
+  EXPECT_NEAR(normal / (50 * 2500 * 9.81), 1, 1e-5);  // held: 1e-2
 }
 
 /// The two ends of its base pull against each other a thousand times as stiffly as the pillar gives way upwards.
