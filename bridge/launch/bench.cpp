@@ -34,7 +34,7 @@ struct Case {
 };
 
 void add_curve(Case& bench, const std::string& name, const Settings& set, scene::Sweep sweep, bool brief) {
-  if (brief) sweep.values = {sweep.values.front(), sweep.values.back()};
+  if (brief && sweep.values.size() > 2) sweep.values = {sweep.values.front(), sweep.values.back()};
   for (const std::string& value : sweep.values) {
     const std::string key_and_value = sweep.key + "=" + value;
     bench.settings.push_back({name, key_and_value, joined(set, {key_and_value})});

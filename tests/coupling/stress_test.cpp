@@ -44,7 +44,8 @@ between = ["plane", "block"]
   /// Verdicts from the lowest row up, of the first map.
   [[nodiscard]] std::vector<std::string> verdicts() const {
     std::vector<std::string> all;
-    for (const auto& cell : rows()[0]["runs"]) all.push_back(cell["verdict"]);
+    const nlohmann::json table = rows();
+    for (const auto& cell : table[0]["runs"]) all.push_back(cell["verdict"]);
     return all;
   }
 
