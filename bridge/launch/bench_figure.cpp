@@ -13,8 +13,22 @@ namespace {
 
 constexpr double least_error = 1e-16;  // what is exact has a place on the axis, too
 
+double shown(double error) {
+  return std::max(error, least_error);
+}
+
 std::string coordinates(const Point& p) {
-  return fmt::format("{} {}\n", p.time_s, std::max(p.error, least_error));
+  return fmt::format("{} {}\n", p.time_s, shown(p.error));
+}
+
+/// Axes that end close to the points: gnuplot's own end at whole decades.
+std::string ranges(const std::vector<Point>& points) {
+  const auto [fast, slow] = std::minmax_element(points.begin(), points.end(),
+                                                [](const Point& a, const Point& b) { return a.time_s < b.time_s; });
+  const auto [fine, coarse] = std::minmax_element(points.begin(), points.end(),
+                                                  [](const Point& a, const Point& b) { return a.error < b.error; });
+  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", fast->time_s / 1.3, slow->time_s * 1.3,
+                     shown(fine->error) / 2, shown(coarse->error) * 2);
 }
 
 }  // namespace
@@ -22,10 +36,10 @@ std::string coordinates(const Point& p) {
 void draw_bench(const std::filesystem::path& file, const std::string& title, const std::string& figure,
                 const std::vector<Point>& points) {
   std::string script = fmt::format(
-      "set terminal pngcairo font 'sans,11' size 900,640\nset output {}\nset title {}\nset logscale xy\n"
-      "set format y '%.0e'\nset xlabel 'wall time [s]'\nset ylabel {}\nset key outside right\nset grid\n"
-      "set offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03\n",
-      gnuplot_path(file), gnuplot_text(title), gnuplot_text("relative error of " + figure));
+      "set terminal pngcairo font 'sans,11' size 800,720\nset output {}\nset title {}\nset logscale xy\n"
+      "set format y '%.0e'\nset xlabel 'wall time [s]'\nset ylabel {}\nset grid\n"
+      "set key outside bottom center vertical maxrows 8 font ',9'\n{}",
+      gnuplot_path(file), gnuplot_text(title), gnuplot_text("relative error of " + figure), ranges(points));
   std::string plots;
   const auto plot = [&](const std::string& data, const std::string& style) {
     const auto number = std::count(plots.begin(), plots.end(), '$');
