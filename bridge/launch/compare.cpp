@@ -55,7 +55,7 @@ int compare(const CompareOptions& options) {
       RunOptions one{.scene = scene, .out = scratch.path() / "run", .overrides = options.overrides, .quiet = true};
       one.overrides.push_back(fmt::format("contact.formulation={}", formulation));
       const json s = measured(one);
-      const std::string name = scene.filename().string();
+      const std::string name = case_name(scene);
       if (s.contains("trouble")) {
         sound = false;
         fmt::print("{:<20} {:<21} {}\n", name, formulation, s["trouble"].get<std::string>());

@@ -6,11 +6,13 @@
 #include <algorithm>
 
 #include "bridge/channel/keys.hpp"
+#include "bridge/launch/bench.hpp"
 #include "bridge/launch/compare.hpp"
 #include "bridge/launch/cut.hpp"
 #include "bridge/launch/plot.hpp"
 #include "bridge/launch/profile.hpp"
 #include "bridge/launch/run.hpp"
+#include "bridge/launch/stress.hpp"
 #include "bridge/launch/study.hpp"
 #include "bridge/launch/validate.hpp"
 #include "bridge/launch/write_case.hpp"
@@ -26,6 +28,7 @@ int check_scene(const std::filesystem::path& path, const std::vector<std::string
   const scene::ReadScene read = scene::read(path, overrides);
   for (const auto& variant : read.scene.variants) scene::read_variant(path, variant.name, overrides);
   const std::size_t studies = launch::study_tasks(path, overrides).size();
+  launch::bench_settings(path, overrides);
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
   fmt::print("{}: sound; {} blocks, {} joints, {} variants, {} studies, {} s in steps of {} s\n",
              read.scene.file.string(), read.scene.blocks.size(), read.scene.joints.size(), read.scene.variants.size(),
@@ -56,6 +59,8 @@ int run_command(int argc, char** argv) {
   launch::CutOptions cut;
   launch::CompareOptions compare;
   launch::StudyOptions study;
+  launch::BenchOptions bench;
+  launch::StressOptions stress;
   launch::CaseOptions written;
   std::string checked;
 
@@ -102,6 +107,15 @@ int run_command(int argc, char** argv) {
   compare_cmd->add_option("cases", compare.cases, "case folders (default: five of them)");
   compare_cmd->add_option("--json", compare.json, "file for the table as JSON");
   compare_cmd->add_option("--set", compare.overrides, "key=value over the scenes' own");
+  auto* bench_cmd = app.add_subcommand("bench", "wall time against error, over the settings that cases name");
+  bench_cmd->add_option("cases", bench.cases, "case folders (default: all that have a [[bench]])");
+  bench_cmd->add_option("--out", bench.out, "folder for the table and the pictures (default: runs/bench)");
+  bench_cmd->add_flag("--short", bench.brief, "two values a curve, each run once");
+  bench_cmd->add_option("--set", bench.overrides, "key=value over the scenes' own");
+  auto* stress_cmd = app.add_subcommand("stress", "maps of stability: each cell right, refused, or wrong");
+  stress_cmd->add_option("names", stress.names, "of maps in cases/stress, or scene files (default: all maps)");
+  stress_cmd->add_option("--out", stress.out, "folder for tables and pictures (default: runs/stress)");
+  stress_cmd->add_flag("--short", stress.brief, "only the first, the middle and the last value of each key");
   std::string keys;
   auto* keys_cmd = app.add_subcommand("keys", "make keys for a line between two machines");
   keys_cmd->add_option("folder", keys, "where to put them: FOLDER/solid and FOLDER/fluid")->required();
@@ -131,6 +145,8 @@ int run_command(int argc, char** argv) {
   if (plot_cmd->parsed()) return launch::plot(plot), 0;
   if (profile_cmd->parsed()) return launch::profile(profile), 0;
   if (study_cmd->parsed()) return launch::study(study);
+  if (bench_cmd->parsed()) return launch::bench(bench);
+  if (stress_cmd->parsed()) return launch::stress(stress);
   if (validate_cmd->parsed()) return launch::validate(validate);
   if (compare_cmd->parsed()) return launch::compare(compare);
   throw std::invalid_argument("tests run in a source tree: ./blockweir test");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [[map]]: a word over two keys, as the mode of failure, each cell against the word of a formula.
+// [[map]]: a quantity over two keys, each cell right, refused with a reason, or wrong.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <set>
 
-#include "bridge/launch/gnuplot.hpp"
+#include "bridge/launch/map_figure.hpp"
 #include "bridge/launch/study.hpp"
 
 namespace blockweir::launch {
@@ -13,86 +13,80 @@ namespace {
 
 using nlohmann::json;
 
-struct Word {
-  const char* word;
-  char letter;
-  const char* colour;
-};
-constexpr std::array<Word, 7> words{{{"stands", '.', "#73a946"},
-                                     {"sliding", 's', "#3465a4"},
-                                     {"overturning", 'o', "#e08e0b"},
-                                     {"sliding and overturning", 'b', "#a0408a"},
-                                     {"falling", 'f', "#555753"},
-                                     {"stable", '-', "#73a946"},
-                                     {"grows", 'g', "#e08e0b"}}};
-
-char letter(const std::string& word) {
-  for (const Word& one : words) {
-    if (word == one.word) return one.letter;
-  }
-  return '?';
+/// As TOML has it, or else a word.
+json value_of(const std::string& text) {
+  const json number = json::parse(text, nullptr, /*allow_exceptions=*/false);
+  return number.is_discarded() ? json(text) : number;
 }
 
-/// A square a cell in the colour of its word, a red cross on wrong ones.
-std::string map_figure(const scene::MapStudy& study, const json& cells) {
-  std::string figure = fmt::format(
-      "set xlabel {}\nset ylabel {}\nset key outside bottom horizontal\nset offsets "
-      "graph 0.05, graph 0.05, graph 0.05, graph 0.05\n",
-      gnuplot_text(study.keys[0]), gnuplot_text(study.keys[1]));
-  std::string curves;
-  const auto plot = [&](const std::string& name, const std::string& style, const auto& holds) {
-    std::string points;
-    for (const json& cell : cells) {
-      if (holds(cell)) points += fmt::format("{} {}\n", cell["x"].get<double>(), cell["y"].get<double>());
-    }
-    if (points.empty()) return;
-    figure += fmt::format("${} << EOD\n{}EOD\n", name, points);
-    curves += fmt::format("{}${} {}", curves.empty() ? "" : ", ", name, style);
-  };
-  for (const Word& one : words) {
-    plot(fmt::format("m{}", &one - words.data()),
-         fmt::format("pt 5 ps 2.5 lc rgb '{}' title '{}'", one.colour, one.word),
-         [&](const json& cell) { return cell["got"] == one.word; });
+/// A crash, a hang and a figure that is off are wrong; a program that ends by itself and says why is not.
+json judged(const Attempt& attempt) {
+  json cell = {{"wall_time_s", attempt.wall_time_s}};
+  if (!attempt.trouble.empty()) {
+    cell["verdict"] = attempt.refused ? "refused" : "wrong";
+    cell["reason"] = attempt.trouble;
+    cell["shown"] = cell["verdict"];
+    return cell;
   }
-  plot("wrong", "pt 2 ps 2 lw 3 lc rgb '#ef2929' title 'not so'",
-       [](const json& cell) { return cell["got"] != cell["expected"]; });
-  return figure + "plot " + curves + "\n";
+  const json& check = attempt.summary["checks"][0];
+  const bool right = check["passed"].get<bool>();
+  cell["verdict"] = right ? "right" : "wrong";
+  cell["expected"] = check["expected"];
+  cell["got"] = check["got"];
+  cell["error"] = check["relative_error"];
+  cell["shown"] = check["got"].is_string() ? check["got"] : cell["verdict"];
+  return cell;
+}
+
+std::string difference(const json& cell) {
+  if (cell.contains("reason")) return cell["reason"];
+  if (cell["got"].is_string())
+    return fmt::format("{}, but {} by the formula", cell["got"].get<std::string>(),
+                       cell["expected"].get<std::string>());
+  return fmt::format("{}, but {} by the formula", cell["got"].dump(), cell["expected"].dump());
 }
 
 StudyResult draw_map(const scene::MapStudy& study, StudyRuns& runs) {
   StudyResult result;
-  int wrong = 0;
+  const auto& [x, y] = study.axes;
   std::string differences;
-  std::set<std::string> seen;
-  // Rows from the largest value down, as a map has its north on top; a cell that differs has the formula's letter too.
-  for (auto y = study.values[1].rbegin(); y != study.values[1].rend(); ++y) {
-    result.text += fmt::format("  {:>10.6g} ", *y);
-    for (const double x : study.values[0]) {
-      const Settings cell{setting(study.keys[0], x), setting(study.keys[1], *y)};
-      const json check = runs.run(cell, study.expected)["checks"][0];
-      const std::string got = check["got"];
-      const std::string expected = check["expected"];
-      seen.insert({got, expected});
-      const bool right = got == expected;
-      wrong += right ? 0 : 1;
-      result.runs.push_back({{"x", x}, {"y", *y}, {"expected", expected}, {"got", got}});
-      result.text += fmt::format(" {}{}", letter(got), right ? ' ' : letter(expected));
-      if (!right) differences += fmt::format("  {}, {}: {}, but {} by the formula\n", cell[0], cell[1], got, expected);
+  // Rows from the last value down, as a map has its north on top.
+  for (auto row = y.values.rbegin(); row != y.values.rend(); ++row) {
+    result.text += fmt::format("  {:>12} ", *row);
+    for (const std::string& column : x.values) {
+      const Settings settings{x.key + "=" + column, y.key + "=" + *row};
+      json cell = judged(runs.attempt(settings, study.expected, study.longest_s));
+      cell["x"] = value_of(column);
+      cell["y"] = value_of(*row);
+      const std::string verdict = cell["verdict"];
+      result.text += fmt::format(" {}{}", letter(cell["shown"]), verdict == "wrong" ? '!' : ' ');
+      if (verdict != "right")
+        differences += fmt::format("  {}: {}, {}: {}\n", verdict, settings[0], settings[1], difference(cell));
+      result.runs.push_back(std::move(cell));
     }
     result.text += "\n";
   }
-  result.text += fmt::format("  {} rightwards from {:.6g} to {:.6g}; {} upwards\n", study.keys[0],
-                             study.values[0].front(), study.values[0].back(), study.keys[1]);
-  for (const Word& one : words) {
-    if (seen.contains(one.word)) result.text += fmt::format("  {} {}", one.letter, one.word);
-  }
-  result.text += "\n" + differences;
-  result.check = {{"name", fmt::format("wrong of {} cells", result.runs.size())},
+  result.text +=
+      fmt::format("  {} rightwards from {} to {}; {} upwards\n", x.key, x.values.front(), x.values.back(), y.key);
+  result.text += legend(result.runs) + differences;
+
+  const auto count = [&](const char* verdict) {
+    return std::count_if(result.runs.begin(), result.runs.end(),
+                         [&](const json& c) { return c["verdict"] == verdict; });
+  };
+  const auto cells = static_cast<long>(result.runs.size());
+  const long right = count("right");
+  const long refused = count("refused");
+  const long too_many = std::max(0L, refused - study.may_refuse);
+  const long wrong = right == 0 ? cells : count("wrong") + too_many;  // a map without a right cell shows nothing
+  result.check = {{"name", fmt::format("wrong of {} cells", cells)},
                   {"expected", 0},
                   {"got", wrong},
                   {"relative_error", static_cast<double>(wrong)},
                   {"tolerance", 0.0},
                   {"passed", wrong == 0},
+                  {"right", right},
+                  {"refused", refused},
                   {"formula", study.expected.formula},
                   {"source", study.expected.source}};
   result.figure = map_figure(study, result.runs);
@@ -103,9 +97,10 @@ StudyResult draw_map(const scene::MapStudy& study, StudyRuns& runs) {
 
 StudyTask map_task(const scene::MapStudy& study) {
   StudyTask task{.name = study.name, .set = study.set};
-  for (const double x : study.values[0]) {
-    for (const double y : study.values[1])
-      task.extremes.push_back({setting(study.keys[0], x), setting(study.keys[1], y)});
+  const auto& [x, y] = study.axes;
+  for (const std::string& column : x.values) {
+    if (study.may_refuse > 0) break;  // a scene that is not sound is a way to refuse
+    for (const std::string& row : y.values) task.extremes.push_back({x.key + "=" + column, y.key + "=" + row});
   }
   task.go = [study](StudyRuns& runs) { return draw_map(study, runs); };
   return task;

@@ -72,6 +72,7 @@ bool is_full(const fs::path& folder) {
 /// nothing itself.
 std::string first_trouble(const Supervised& supervised, const fs::path& folder) {
   if (supervised.interrupted) return "stopped on request; the results so far stand";
+  if (supervised.overdue) return "still running when its time was over";
   for (const ChildEnd& end : supervised.ends) {
     if (end.exit_code > 128) return fmt::format("the {} process was ended by signal {}", end.name, end.exit_code - 128);
   }
@@ -135,9 +136,17 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
   }
 }
 
+bool is_refusal(const Supervised& supervised) {
+  return !supervised.interrupted && !supervised.overdue &&
+         std::all_of(supervised.ends.begin(), supervised.ends.end(), [](const ChildEnd& end) {
+           return end.exit_code == 0 || (end.exit_code <= 2 && !end.last_line.empty());
+         });
+}
+
 /// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
 /// scene.
-RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool inproc, bool quiet) {
+RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool inproc, bool quiet,
+             double longest_s) {
   const auto start = std::chrono::steady_clock::now();
   RunResult result;
   result.folder = folder;
@@ -149,7 +158,8 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   commands.front().words.insert(commands.front().words.end(), {"--progress-fd", std::to_string(pipe_ends[1])});
   commands.front().inherited_fd = pipe_ends[1];
   Progress progress(pipe_ends[0], scene.analysis.duration_s, quiet);
-  const Supervised supervised = supervise(commands, folder, grace_s, [&] { progress.update(); });
+  const Supervised supervised = supervise(
+      commands, folder, grace_s, [&] { progress.update(); }, longest_s);
   progress.finish();
   ::close(pipe_ends[0]);
   ::close(pipe_ends[1]);
@@ -158,6 +168,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   if (!result.trouble.empty() && resumable_window(folder, scene) > 0) {
     result.trouble += fmt::format("; \"blockweir resume {}\" goes on", folder.string());
   }
+  result.refused = !result.trouble.empty() && is_refusal(supervised);
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
   if (result.exit_code == 0) forget_checkpoints(folder);
   complete_summary(folder, result, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -176,7 +187,7 @@ RunResult run(const RunOptions& options) {
   fs::remove_all(folder / "frames");
   forget_checkpoints(folder);
   results::replace_file(scene_of(folder), read.scene.text);
-  return go(read.scene, folder, 0, options.inproc, options.quiet);
+  return go(read.scene, folder, 0, options.inproc, options.quiet, options.longest_s);
 }
 
 RunResult resume(const ResumeOptions& options) {
@@ -193,7 +204,7 @@ RunResult resume(const ResumeOptions& options) {
         "{}: no checkpoint that all its processes have; run it anew, with a shorter [output] checkpoint_every_s",
         options.folder.string()));
   }
-  return go(scene, options.folder, first, options.inproc, options.quiet);
+  return go(scene, options.folder, first, options.inproc, options.quiet, /*longest_s=*/0);
 }
 
 }  // namespace blockweir::launch

@@ -16,6 +16,7 @@ struct RunOptions {
   std::vector<std::string> overrides{};
   bool inproc = false;  ///< the reference fluid within the solid's process
   bool quiet = false;
+  double longest_s = 0;  ///< of wall time, after which it counts as hanging and is ended; 0: as long as it takes
 };
 
 struct ResumeOptions {
@@ -28,7 +29,8 @@ struct RunResult {
   int exit_code = 0;  ///< 0 done, 1 the run failed, 130 stopped by Ctrl-C
   std::filesystem::path folder;
   nlohmann::json summary;
-  std::string trouble;  ///< one line, when it failed
+  std::string trouble;   ///< one line, when it failed
+  bool refused = false;  ///< when it failed: all processes ended by themselves, and said why
 };
 
 /// Runs a scene's processes. Throws scene::SceneError, and std::invalid_argument for a folder that is in use; nothing

@@ -28,12 +28,8 @@ std::string only_expectation(const scene::Expectation& e) {
   for (const auto& [key, text] : {std::pair{"word", e.word}, {"formula", e.formula}, {"of", e.of}}) {
     if (!text.empty()) entry += fmt::format(",{}={}", key, json(text).dump());
   }
+  entry += fmt::format(",tolerance={}", e.tolerance);
   return "expect=[{" + entry + "}]";
-}
-
-Settings joined(Settings first, const Settings& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
 }
 
 /// A study's name as that of a file.
@@ -74,16 +70,36 @@ StudyTask chosen(const std::vector<StudyTask>& tasks, const std::string& name) {
 StudyRuns::StudyRuns(fs::path scene, Settings overrides, Listener heard)
     : scene_(std::move(scene)), overrides_(std::move(overrides)), heard_(std::move(heard)) {}
 
+Attempt StudyRuns::attempt(const Settings& settings, const scene::Expectation& expected, double longest_s) {
+  Attempt attempt;
+  RunOptions options{.scene = scene_,
+                     .out = scratch_.path() / "run",
+                     .overrides = joined(overrides_, settings),
+                     .quiet = true,
+                     .longest_s = longest_s};
+  options.overrides.push_back(only_expectation(expected));
+  try {
+    const RunResult result = launch::run(options);
+    if (result.exit_code == 130) throw Interrupted();
+    attempt = {result.summary, result.trouble, result.refused, result.summary["wall_time_s"].get<double>()};
+  } catch (const scene::SceneError& error) {
+    attempt = {.trouble = error.what(), .refused = true};
+  }
+  wall_time_s_ += attempt.wall_time_s;
+  heard_(fmt::format("{}", fmt::join(settings, ", ")),
+         attempt.trouble.empty() ? outcome_word(attempt.summary) : attempt.trouble);
+  return attempt;
+}
+
 json StudyRuns::run(const Settings& settings, const scene::Expectation& expected) {
-  Settings all = joined(overrides_, settings);
-  all.push_back(only_expectation(expected));
-  const RunResult result =
-      launch::run({.scene = scene_, .out = scratch_.path() / "run", .overrides = std::move(all), .quiet = true});
-  if (result.exit_code == 130) throw Interrupted();
-  if (result.exit_code != 0) throw std::runtime_error(fmt::format("{}: {}", fmt::join(settings, ", "), result.trouble));
-  wall_time_s_ += result.summary["wall_time_s"].get<double>();
-  heard_(fmt::format("{}", fmt::join(settings, ", ")), outcome_word(result.summary));
-  return result.summary;
+  Attempt attempt = this->attempt(settings, expected, /*longest_s=*/0);
+  if (attempt.trouble.empty()) return std::move(attempt.summary);
+  throw std::runtime_error(fmt::format("{}: {}", fmt::join(settings, ", "), attempt.trouble));
+}
+
+Settings joined(Settings first, const Settings& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
 }
 
 std::string outcome_word(const json& summary) {
@@ -122,6 +138,31 @@ StudyResult go(const StudyTask& task, const fs::path& scene, const Settings& ove
   return result;
 }
 
+StudyResult perform(const StudyTask& task, const fs::path& scene, const Settings& overrides, const fs::path& out) {
+  int count = 0;
+  const auto tell = [&](const std::string& settings, const std::string& outcome) {
+    fmt::print(stderr, "{}, run {}: {}: {}\n", task.name, ++count, settings, outcome);
+  };
+  StudyResult result = go(task, scene, overrides, tell);
+  const json& check = result.check;
+  fmt::print("{}\n{}", task.name, result.text);
+  if (check.contains("trouble")) {
+    fmt::print("STOPPED {}\n", check["trouble"].get<std::string>());
+    return result;
+  }
+  fmt::print("{} {}: expected {}, got {}, off by {} (tolerance {})\n", check["passed"].get<bool>() ? "ok " : "OUT",
+             check["name"].get<std::string>(), figure(check["expected"]), figure(check["got"]),
+             figure(check["relative_error"]), figure(check["tolerance"]));
+  std::fflush(stdout);
+  if (out.empty()) return result;
+  const fs::path file = out / file_name(task.name);
+  const json table = {{"name", task.name}, {"check", check}, {"runs", result.runs}};
+  results::replace_file(file.string() + ".json", table.dump(2) + "\n");
+  fmt::print("{}.json\n", file.string());
+  draw(file.string() + ".png", task.name, result.figure);
+  return result;
+}
+
 int study(const StudyOptions& options) {
   std::vector<StudyTask> tasks = study_tasks(options.scene, options.overrides);
   if (!options.name.empty()) tasks = {chosen(tasks, options.name)};
@@ -129,37 +170,17 @@ int study(const StudyOptions& options) {
   if (!options.out.empty()) results::make_folder(options.out);
   bool sound = true;
   std::vector<std::pair<std::string, StudyResult>> orders;
-  for (const StudyTask& task : tasks) {
-    int count = 0;
-    const auto tell = [&](const std::string& settings, const std::string& outcome) {
-      fmt::print(stderr, "{}, run {}: {}: {}\n", task.name, ++count, settings, outcome);
-    };
-    StudyResult result;
-    try {
-      result = go(task, options.scene, options.overrides, tell);
-    } catch (const Interrupted&) {
-      fmt::print(stderr, "stopped on request\n");
-      return 130;
+  try {
+    for (const StudyTask& task : tasks) {
+      StudyResult result = perform(task, options.scene, options.overrides, options.out);
+      sound = sound && result.check["passed"].get<bool>();
+      if (!result.key.empty() && !result.check.contains("trouble")) orders.emplace_back(task.name, std::move(result));
     }
-    fmt::print("{}\n{}", task.name, result.text);
-    const bool passed = result.check["passed"].get<bool>();
-    sound = sound && passed;
-    if (result.check.contains("trouble")) {
-      fmt::print("STOPPED {}\n", result.check["trouble"].get<std::string>());
-      continue;
-    }
-    fmt::print("{} {}: expected {}, got {}, off by {} (tolerance {})\n", passed ? "ok " : "OUT",
-               result.check["name"].get<std::string>(), figure(result.check["expected"]), figure(result.check["got"]),
-               figure(result.check["relative_error"]), figure(result.check["tolerance"]));
-    if (options.out.empty()) continue;
-    const fs::path file = options.out / file_name(task.name);
-    const json table = {{"name", task.name}, {"check", result.check}, {"runs", result.runs}};
-    results::replace_file(file.string() + ".json", table.dump(2) + "\n");
-    fmt::print("{}.json\n", file.string());
-    draw(file.string() + ".png", task.name, result.figure);
-    if (!result.key.empty()) orders.emplace_back(task.name, std::move(result));
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "stopped on request\n");
+    return 130;
   }
-  draw_orders(orders, options.out);
+  if (!options.out.empty()) draw_orders(orders, options.out);
   return sound ? 0 : 1;
 }
 

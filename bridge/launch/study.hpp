@@ -27,6 +27,14 @@ struct StudyResult {
   std::string key{};                              ///< over which an order has been measured; else empty
 };
 
+/// How one run of a study has ended.
+struct Attempt {
+  nlohmann::json summary;
+  std::string trouble;   ///< why it failed, else empty
+  bool refused = false;  ///< when it failed: it ended by itself, or its scene is not sound
+  double wall_time_s = 0;
+};
+
 /// Makes the runs of a study; each forgets the one before.
 class StudyRuns {
  public:
@@ -34,8 +42,10 @@ class StudyRuns {
   /// `overrides` hold in all runs; `heard` is told of each.
   StudyRuns(std::filesystem::path scene, Settings overrides, Listener heard);
 
-  /// Summary of the scene with `settings`, whose only check is `expected`. Throws std::runtime_error when the run
-  /// fails, and Interrupted.
+  /// The scene with `settings`, whose only check is `expected`, ended when it takes longer. Throws Interrupted.
+  Attempt attempt(const Settings& settings, const scene::Expectation& expected, double longest_s);
+
+  /// Its summary. Throws std::runtime_error when the run fails, and Interrupted.
   nlohmann::json run(const Settings& settings, const scene::Expectation& expected);
 
   [[nodiscard]] double wall_time_s() const { return wall_time_s_; }
@@ -66,9 +76,17 @@ std::string orders_figure(const std::vector<std::pair<std::string, StudyResult>>
 /// All studies of a scene, each setting checked. Throws scene::SceneError when the scene is not sound with one.
 std::vector<StudyTask> study_tasks(const std::filesystem::path& scene, const Settings& overrides);
 
+/// The first over the second.
+Settings joined(Settings first, const Settings& second);
+
 /// The study's runs: on a failed one the check is not passed and says why under "trouble".
 StudyResult go(const StudyTask& task, const std::filesystem::path& scene, const Settings& overrides,
                const StudyRuns::Listener& heard);
+
+/// The same, told to people: figures and their check on standard output, runs on standard error; with a folder also a
+/// table and a figure there. Throws Interrupted.
+StudyResult perform(const StudyTask& task, const std::filesystem::path& scene, const Settings& overrides,
+                    const std::filesystem::path& out);
 
 /// "stands", "stopped", or the mode of the first failure.
 std::string outcome_word(const nlohmann::json& summary);

@@ -173,7 +173,9 @@ bool Supervised::all_fine() const {
 }
 
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
-                     const std::function<void()>& tick) {
+                     const std::function<void()>& tick, double longest_s) {
+  const auto begin = Clock::now();
+  const auto since = [](Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); };
   const StopSignals signals;
   const Reaper reaper;
   Children children;
@@ -209,9 +211,13 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
       trouble = now;
       sent = 1;
     }
+    if (longest_s > 0 && !result.overdue && since(begin) > longest_s) {
+      result.overdue = true;
+      children.signal(SIGKILL);
+    }
     if (trouble == Clock::time_point::max() && !result.ends.empty() && !result.all_fine()) trouble = now;
     if (trouble == Clock::time_point::max()) continue;
-    const double waited = std::chrono::duration<double>(now - trouble).count();
+    const double waited = since(trouble);
     if (sent < 1 && waited > grace_s) children.signal(SIGTERM), sent = 1;
     if (sent < 2 && waited > 2 * grace_s) children.signal(SIGKILL), sent = 2;
   }

@@ -27,6 +27,7 @@ struct ChildEnd {
 struct Supervised {
   std::vector<ChildEnd> ends;  ///< in the order in which they ended
   bool interrupted = false;    ///< we were asked to stop
+  bool overdue = false;        ///< it took too long and was killed
   [[nodiscard]] bool all_fine() const;
 };
 
@@ -35,8 +36,8 @@ struct Supervised {
 /// When one fails, the others get `grace_s` to notice by themselves, then SIGTERM, then SIGKILL. SIGINT or SIGTERM to
 /// us is passed on to the first command, which leaves in order and tells the others; a second one to all. What the
 /// commands themselves started and left behind is waited for, and killed after `grace_s`. The kernel ends the children
-/// should we be killed. `tick` is called about every 50 ms.
+/// should we be killed. `tick` is called about every 50 ms. What still runs after `longest_s` is killed; 0: never.
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
-                     const std::function<void()>& tick);
+                     const std::function<void()>& tick, double longest_s = 0);
 
 }  // namespace blockweir::launch

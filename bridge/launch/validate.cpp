@@ -20,15 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-std::vector<fs::path> all_cases() {
-  std::vector<fs::path> cases;
-  for (const auto& entry : fs::directory_iterator(cases_folder())) {
-    if (fs::exists(entry.path() / "scene.toml")) cases.push_back(entry.path());
-  }
-  std::sort(cases.begin(), cases.end());
-  return cases;
-}
-
 /// One run of a case: as it is, or one of its variants, with a point of the sweep.
 struct Trial {
   std::string label;  ///< for the table
@@ -40,7 +31,7 @@ std::vector<Trial> trials(const fs::path& path, const ValidateOptions& options) 
   std::vector<std::string> variants{""};
   for (const auto& variant : scene::read(path).scene.variants) variants.push_back(variant.name);
   for (const std::string& variant : variants) {
-    Trial trial{path.filename().string() + (variant.empty() ? "" : ", " + variant),
+    Trial trial{case_name(path) + (variant.empty() ? "" : ", " + variant),
                 {.scene = path, .variant = variant, .overrides = options.overrides, .quiet = true}};
     if (!options.sweep) {
       all.push_back(trial);
@@ -131,8 +122,7 @@ int validate(const ValidateOptions& options) {
         add_trial(table, trial);
       }
       for (const StudyTask& task : one.studies) {
-        add_study(table, fmt::format("{}, {}", one.path.filename().string(), task.name), task, one.path,
-                  options.overrides);
+        add_study(table, fmt::format("{}, {}", case_name(one.path), task.name), task, one.path, options.overrides);
       }
     }
   } catch (const Interrupted&) {

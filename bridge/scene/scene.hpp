@@ -246,17 +246,34 @@ struct OrderStudy : Study {
   bool operator==(const OrderStudy&) const = default;
 };
 
-/// A word over two keys, as the mode of failure, each cell against that of a formula.
+/// A key and what it is set to, one run after the other: numbers or words, as --set takes them.
+struct Sweep {
+  std::string key;
+  std::vector<std::string> values;
+  bool operator==(const Sweep&) const = default;
+};
+
+/// A quantity over two keys, a word or a number, each cell against that of a formula.
 struct MapStudy : Study {
-  std::array<std::string, 2> keys;
-  std::array<std::vector<double>, 2> values;
+  std::array<Sweep, 2> axes;
+  int may_refuse = 0;      ///< cells that may be refused with a reason
+  double longest_s = 120;  ///< of wall time: a cell that takes longer hangs
   bool operator==(const MapStudy&) const = default;
+};
+
+/// A curve of wall time against the error of the scene's first figure.
+struct Bench {
+  std::string name;
+  std::vector<std::string> set;  ///< holds in all its runs, as --set takes it
+  Sweep sweep;
+  bool operator==(const Bench&) const = default;
 };
 
 struct Studies {
   std::vector<LimitStudy> limits;
   std::vector<OrderStudy> orders;
   std::vector<MapStudy> maps;
+  std::vector<Bench> benches;
   bool operator==(const Studies&) const = default;
 };
 

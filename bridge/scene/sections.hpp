@@ -87,7 +87,7 @@ void read_coupling(Reading& reading);
 void read_output(Reading& reading);
 void read_expectations(Reading& reading);
 void read_variants(Reading& reading);
-/// [[limit]], [[order]] and [[map]].
+/// [[limit]], [[order]], [[map]] and [[bench]].
 void read_studies(Reading& reading);
 /// After all others.
 void reject_unknown_sections(Reading& reading);

@@ -15,19 +15,22 @@ struct Known {
   Names parts{"block, joint or arch"};
 };
 
+void require_own_name(TableReader& table, Reading& reading, Known& known, const std::string& name) {
+  if (name.empty() || known.studies.add(name)) return;
+  reading.problems.error(table.place("name"), fmt::format("a second study is called \"{}\"", name), "names that differ",
+                         "rename one of them");
+}
+
 /// What all kinds have in common; the quantity is that of the kind.
 void read_study(TableReader& table, Reading& reading, Known& known, Study& study) {
   Expectation& e = study.expected;
   table.text("name", study.name, true);
-  if (table.has("set")) table.texts("set", study.set);
+  table.texts_if_any("set", study.set);
   table.text("formula", e.formula);
   table.text("of", e.of);
   table.text("source", e.source);
   if (table.has("of") && !e.of.empty()) static_cast<void>(table.reference("of", known.parts));
-  if (!study.name.empty() && !known.studies.add(study.name)) {
-    reading.problems.error(table.place("name"), fmt::format("a second study is called \"{}\"", study.name),
-                           "names that differ", "rename one of them");
-  }
+  require_own_name(table, reading, known, study.name);
 }
 
 void read_limit(TableReader& table, Reading& reading, Known& known) {
@@ -67,14 +70,28 @@ void read_map(TableReader& table, Reading& reading, Known& known) {
   MapStudy study;
   read_study(table, reading, known, study);
   study.expected.quantity = "mode";
-  table.choice<std::string>("quantity", study.expected.quantity, {{"mode", "mode"}, {"stability", "stability"}});
-  table.text("x_key", study.keys[0], true);
-  table.numbers("x_values", study.values[0]);
-  table.text("y_key", study.keys[1], true);
-  table.numbers("y_values", study.values[1]);
+  table.text("quantity", study.expected.quantity);
+  table.text("x_key", study.axes[0].key, true);
+  table.settings("x_values", study.axes[0].values);
+  table.text("y_key", study.axes[1].key, true);
+  table.settings("y_values", study.axes[1].values);
+  table.number("value", study.expected.value);
   table.text("word", study.expected.word);
   require_one_answer(table, reading);
+  table.number("tolerance", study.expected.tolerance, positive());
+  table.integer("may_refuse", study.may_refuse, 0);
+  table.number("longest_s", study.longest_s, positive());
   reading.scene.studies.maps.push_back(std::move(study));
+}
+
+void read_bench(TableReader& table, Reading& reading, Known& known) {
+  Bench bench;
+  table.text("name", bench.name, true);
+  table.texts_if_any("set", bench.set);
+  table.text("key", bench.sweep.key, true);
+  table.settings("values", bench.sweep.values);
+  require_own_name(table, reading, known, bench.name);
+  reading.scene.studies.benches.push_back(std::move(bench));
 }
 
 }  // namespace
@@ -87,6 +104,7 @@ void read_studies(Reading& reading) {
   reading.each("limit", [&](TableReader& table) { read_limit(table, reading, known); });
   reading.each("order", [&](TableReader& table) { read_order(table, reading, known); });
   reading.each("map", [&](TableReader& table) { read_map(table, reading, known); });
+  reading.each("bench", [&](TableReader& table) { read_bench(table, reading, known); });
 }
 
 }  // namespace blockweir::scene

@@ -135,6 +135,27 @@ bool TableReader::numbers(const char* key, std::vector<double>& into, const Rang
   return true;
 }
 
+bool TableReader::settings(const char* key, std::vector<std::string>& into) {
+  constexpr const char* words = "a list of at least 1, each a finite number, true, false or a text";
+  const toml::node* node = ask(key, true, words);
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->empty()) return wrong(key, *node, words);
+  for (const auto& entry : *list) {
+    if (const auto number = finite_number(entry)) {
+      const std::string brief = fmt::format("{:g}", *number);  // 1e+13, not 10000000000000
+      into.push_back(std::stod(brief) == *number ? brief : fmt::format("{}", *number));
+    } else if (entry.is_string()) {
+      into.push_back(*entry.value<std::string>());
+    } else if (entry.is_boolean()) {
+      into.emplace_back(*entry.value<bool>() ? "true" : "false");
+    } else {
+      return wrong(key, entry, words);
+    }
+  }
+  return true;
+}
+
 bool TableReader::integer(const char* key, int& into, int least) {
   constexpr int most = 1'000'000;
   const std::string words = fmt::format("a whole number from {} to {}", least, most);

@@ -46,6 +46,8 @@ class TableReader {
   bool number(const char* key, std::optional<double>& into, const Range& range = any_number());
   /// At least `least` numbers, required.
   bool numbers(const char* key, std::vector<double>& into, const Range& range = any_number(), std::size_t least = 1);
+  /// At least one number, flag or text, required; as --set takes them.
+  bool settings(const char* key, std::vector<std::string>& into);
   bool integer(const char* key, int& into, int least);
   bool flag(const char* key, bool& into);
   bool text(const char* key, std::string& into, bool required = false);

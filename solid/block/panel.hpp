@@ -34,9 +34,8 @@ inline PanelForce panel_force(const Block& block, const Placement& placement, co
   const Point& b = block.vertices[(static_cast<std::size_t>(panel.edge) + 1) % block.vertices.size()];
   PanelForce result{.node = {a + panel.s_from * (b - a), a + panel.s_to * (b - a)}, .force = {}};
   const Point span = placement.vector(result.node[1] - result.node[0]);
-  const double length = span.norm();
-  const Point inward(-span.y() / length, span.x() / length);  // traction is -p n
-  const auto forces = nodal_forces(rule, length, panel.pressure_from_pa, panel.pressure_to_pa);
+  const Point inward(-span.y(), span.x());  // traction is -p n; as long as the panel, which may have no length
+  const auto forces = nodal_forces(rule, 1, panel.pressure_from_pa, panel.pressure_to_pa);
   for (std::size_t i = 0; i < 2; ++i) result.force[i] = forces[i] * inward;
   return result;
 }

@@ -9,9 +9,10 @@
 namespace blockweir::solid {
 namespace {
 
-// Penalties in units of the blocks' own stiffness at the contact: a sweep shrinks the gap to 1/(1 + ratio); much
-// larger ratios cost digits in the factorization.
-constexpr double largest_penalty_ratio = 1e6;
+// Penalties in units of the blocks' own stiffness at the contact: a sweep shrinks the gap to 1/(1 + ratio). Where two
+// contacts work against each other, as at both ends of a pillar's base of 1:1000, it is a thousand times as large and
+// more; still larger ratios cost digits in the factorization.
+constexpr double largest_penalty_ratio = 1e8;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);

@@ -15,6 +15,11 @@ Matrix26 rows(const Matrix26& T, const EdgeFrame& edge) {
   return J;
 }
 
+/// What moves a point, whether it cancels there or not: a slender block's base hardly moves while the block turns.
+double motion(const Vector6& increment, const Point& X) {
+  return increment.head<2>().norm() + increment.tail<4>().norm() * X.norm();
+}
+
 }  // namespace
 
 EdgeFrame edge_frame(const Trial& trial, const ContactPoint& c) {
@@ -49,14 +54,16 @@ Separation separation_of(const Trial& trial, const ContactPoint& c, const EdgeFr
   const auto v = at(c.vertex_part);
   const auto e = at(c.edge_part);
   const Point vertex_moved = trial.start[v].increment(trial.increment[v], c.vertex_at);
-  const Point edge_moved = trial.start[e].increment(trial.increment[e], edge_point(c, c.anchor));
+  const Point foot = edge_point(c, c.anchor);
+  const Point edge_moved = trial.start[e].increment(trial.increment[e], foot);
   const Point apart = c.separation + vertex_moved - edge_moved;
-  return {{edge.n.dot(apart), edge.t.dot(apart)}, vertex_moved.norm() + edge_moved.norm()};
+  return {{edge.n.dot(apart), edge.t.dot(apart)},
+          motion(trial.increment[v], c.vertex_at) + motion(trial.increment[e], foot)};
 }
 
 Separation separation_of(const Trial& trial, const Support& s) {
   const Point moved = trial.start[at(s.block)].increment(trial.increment[at(s.block)], s.material);
-  return {s.held().cwiseProduct(s.separation + moved), moved.norm()};
+  return {s.held().cwiseProduct(s.separation + moved), motion(trial.increment[at(s.block)], s.material)};
 }
 
 }  // namespace blockweir::solid

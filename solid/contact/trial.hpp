@@ -38,7 +38,7 @@ Interaction interaction_of(const Trial& trial, const ContactPoint& c, const Edge
 Interaction interaction_of(const Trial& trial, const Support& s);
 
 /// (gap, slip) of a contact, or (x, y) of a support from where it should be [m], followed by increments within the
-/// step, so that large penalties meet no cancellation; `moved` sums what both points have moved [m].
+/// step, so that large penalties meet no cancellation; `moved` sums what moves both points [m].
 struct Separation {
   Eigen::Vector2d value = Eigen::Vector2d::Zero();
   double moved = 0;

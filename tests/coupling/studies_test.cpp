@@ -108,12 +108,26 @@ TEST_F(Studies, AMapOfStability) {
   EXPECT_THAT(text("out"), HasSubstr("fluid.column.length_m=1.1: grows, but stable by the formula"));
 }
 
-TEST_F(Studies, AMapOfAnotherQuantityIsRefused) {
-  write_scene(
-      "[[map]]\nname = 'm'\nquantity = 'displacement_m'\nx_key = 'analysis.gravity_tilt_deg'\nx_values = [20]\n"
-      "y_key = 'wall.b.brick_length_m'\ny_values = [1]\nword = 'stands'\n");
+TEST_F(Studies, AMapOfANumberJudgesByTheTolerance) {
+  const std::string map =
+      "[[map]]\nname = 'weight'\nquantity = 'reaction_n_per_m'\nof = 'plane'\nx_key = 'analysis.gravity_tilt_deg'\n"
+      "x_values = [0, 20]\ny_key = 'wall.b.brick_length_m'\ny_values = [1, 2]\n";
+  write_scene(map + "formula = 'weight-of-all'\ntolerance = 1e-8\n");
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_EQ(result("weight")["check"]["right"], 4);
+  write_scene(map + "value = 12262.5\ntolerance = 0.1\n");  // of the level plane, and 6 % more than of the steep one
+  EXPECT_EQ(study(), 1);
+  EXPECT_EQ(result("weight")["check"]["right"], 2);
+  write_scene(map + "quantityy = 1\nvalue = 1\n");
   EXPECT_EQ(study(), 2);
-  EXPECT_THAT(text("out"), HasSubstr("stability"));
+}
+
+TEST_F(Studies, AMapOfNoQuantitySaysSo) {
+  write_scene(
+      "[[map]]\nname = 'm'\nquantity = 'displacment_m'\nx_key = 'analysis.gravity_tilt_deg'\nx_values = [20]\n"
+      "y_key = 'wall.b.brick_length_m'\ny_values = [1]\nvalue = 0\n");
+  EXPECT_EQ(study(), 1);
+  EXPECT_THAT(text("out"), HasSubstr("names no quantity: \"displacment_m\""));
 }
 
 TEST_F(Studies, AMapCountsItsWrongCells) {

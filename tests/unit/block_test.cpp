@@ -78,6 +78,15 @@ TEST(Block, ASmallIncrementLosesNoDigits) {
   EXPECT_DOUBLE_EQ(moved.y(), 1e-12);
 }
 
+/// As an edge's wet part may have, going on in time beyond the last exchange.
+TEST(Block, APanelWithoutLengthHasNoForce) {
+  const Block block = make_block(outline({{0, 0}, {3, 0.5}, {2, 2}, {0.5, 1.5}}), concrete, scene::Plane::strain);
+  const Placement placement(block.centroid, Vector6::Zero());
+  const Panel panel{.block = 0, .edge = 1, .s_from = 0.4, .s_to = 0.4, .pressure_from_pa = 3e4, .pressure_to_pa = 1e4};
+  EXPECT_EQ(generalized_force(placement, panel_force(block, placement, panel, scene::NodalRule::consistent)),
+            Vector6(Vector6::Zero()));
+}
+
 TEST(Block, LeverRuleOnAnEdgeEqualsVirtualWork) {
   const Block block = make_block(outline({{0, 0}, {3, 0.5}, {2, 2}, {0.5, 1.5}}), concrete, scene::Plane::strain);
   Vector6 d;

@@ -21,13 +21,14 @@ void expect_some_error(const std::string& scene, const std::vector<std::string>&
   for (const std::string& word : words) EXPECT_THAT(found[0], testing::HasSubstr(word));
 }
 
-TEST(SceneStudies, ThreeKindsAreRead) {
+TEST(SceneStudies, AllKindsAreRead) {
   const auto scene =
       blockweir::scene::read_text(
-          with_study(
-              "[[limit]]\nname = 'l'\nkey = 'a.b'\nfrom = 1\nto = 2\nvalue = 1.5\ntolerance = 0.01\n"
-              "[[order]]\nname = 'o'\nkey = 'a.b'\nvalues = [1, 2, 4]\nquantity = 'q'\nvalue = 0\norder = 2\n"
-              "[[map]]\nname = 'm'\nx_key = 'a'\nx_values = [1]\ny_key = 'b'\ny_values = [1, 2]\nword = 'stands'\n"),
+          with_study("[[limit]]\nname = 'l'\nkey = 'a.b'\nfrom = 1\nto = 2\nvalue = 1.5\ntolerance = 0.01\n"
+                     "[[order]]\nname = 'o'\nkey = 'a.b'\nvalues = [1, 2, 4]\nquantity = 'q'\nvalue = 0\norder = 2\n"
+                     "[[map]]\nname = 'm'\nx_key = 'a'\nx_values = [1e13]\ny_key = 'b'\ny_values = [1, 'x', "
+                     "true]\nword = 'stands'\n"
+                     "[[bench]]\nname = 'b'\nset = ['c=1']\nkey = 'a'\nvalues = [0.5]\n"),
           "s.toml")
           .scene;
   ASSERT_EQ(scene.studies.limits.size(), 1U);
@@ -36,7 +37,14 @@ TEST(SceneStudies, ThreeKindsAreRead) {
   ASSERT_EQ(scene.studies.orders.size(), 1U);
   EXPECT_EQ(scene.studies.orders[0].values.size(), 3U);
   ASSERT_EQ(scene.studies.maps.size(), 1U);
-  EXPECT_EQ(scene.studies.maps[0].expected.word, "stands");
+  const auto& map = scene.studies.maps[0];
+  EXPECT_EQ(map.expected.quantity, "mode");
+  EXPECT_EQ(map.expected.word, "stands");
+  EXPECT_EQ(map.may_refuse, 0);
+  EXPECT_THAT(map.axes[0].values, testing::ElementsAre("1e+13"));
+  EXPECT_THAT(map.axes[1].values, testing::ElementsAre("1", "x", "true"));
+  ASSERT_EQ(scene.studies.benches.size(), 1U);
+  EXPECT_EQ(scene.studies.benches[0].sweep.key, "a");
 }
 
 TEST(SceneStudies, AnAnswerIsStatedOnce) {
@@ -55,6 +63,13 @@ TEST(SceneStudies, AnOrderNeedsThreeValues) {
   expect_some_error(
       with_study("[[order]]\nname = 'o'\nkey = 'a'\nvalues = [1, 2]\nquantity = 'q'\nvalue = 0\norder = 1\n"),
       {"expected a list of at least 3"});
+}
+
+TEST(SceneStudies, ValuesOfAKeyAreNumbersFlagsOrTexts) {
+  const std::string bench = "[[bench]]\nname = 'b'\nkey = 'a'\n";
+  expect_some_error(with_study(bench), {"[[bench]] \"b\" has no \"values\"", "a list of at least 1"});
+  expect_some_error(with_study(bench + "values = []\n"), {"values in [[bench]] \"b\" is a list of 0"});
+  expect_some_error(with_study(bench + "values = [[1]]\n"), {"each a finite number, true, false or a text"});
 }
 
 TEST(SceneStudies, NamesDifferAndPartsExist) {

@@ -197,6 +197,50 @@ TEST(Solid, AFallingBlockComesToItsTerminalSpeedUnderMassDamping) {
   EXPECT_NEAR(solid.states()[0].velocity[1], -9.81 / 3, 1e-9);
 }
 
+/// Blocks with one strain stick until next to all joints slip at both ends: 50 cubes were left ringing.
+TEST(Solid, AColumnThatWidensStartsInEquilibrium) {
+  auto scene = empty_scene();
+  scene.default_joint.friction_angle_deg = 45;
+  add(scene, {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, true);
+  for (int i = 0; i < 50; ++i) add(scene, {{0, i + 0.0}, {1, i + 0.0}, {1, i + 1.0}, {0, i + 1.0}});
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 0.02);
+  double normal = 0;
+  for (const ContactPoint& c : solid.contacts()) {
+    if (std::min(c.vertex_block, c.edge_block) == 0) normal += c.force.x();
+  }
+  EXPECT_NEAR(normal / (50 * 2500 * 9.81), 1, 1e-5);  // held: 1e-2
+}
+
+/// The two ends of its base pull against each other a thousand times as stiffly as the pillar gives way upwards.
+TEST(Solid, APillarOfOneToAThousandStartsInEquilibrium) {
+  auto scene = empty_scene();
+  scene.analysis.gravity_tilt_deg = 0.01;
+  add(scene, {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, true);
+  add(scene, {{0, 0}, {0.001, 0}, {0.001, 1}, {0, 1}});
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 0.1);
+  EXPECT_LT(solid.largest_displacement_m(), 1e-5);
+}
+
+/// Both ends of its base stick at slips that differ by the round-off of the plane's coordinates.
+TEST(Solid, ARigidBlockOnASlopeStartsInEquilibrium) {
+  auto scene = empty_scene();
+  scene.analysis.rigid = scene::Rigid::all;
+  scene.default_joint.friction_angle_deg = 40;
+  const Point along(std::cos(std::numbers::pi / 6), -0.5);
+  const Point up(0.5, std::cos(std::numbers::pi / 6));
+  const auto at = [&](double x, double y) { return Point(7 * along + x * along + y * up); };
+  add(scene, {at(-9, -1), at(9, -1), at(9, 0), at(-9, 0)}, true);
+  add(scene, {at(0, 0), at(0.5, 0), at(0.5, 0.2), at(0, 0.2)});
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 0.1);
+  EXPECT_LT(solid.largest_displacement_m(), 1e-9);
+}
+
 TEST(Solid, ALedPointGoesWhereItsTableSays) {
   auto scene = empty_scene();
   scene.analysis.gravity_m_per_s2 = 0;

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// Wall time against error, with the real programs.
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string expected = "[[expect]]\nquantity = 'displacement_m'\nof = 'block'\nvalue = 0.0737220628028\n";
+
+class Bench : public Processes {
+ protected:
+  /// A block that slides against drag, which Shi's scheme meets to first order.
+  void write_scene(const std::string& bench, const std::string& figure = expected) const {
+    std::ofstream(folder / "s.toml") << R"([analysis]
+duration_s = 0.3
+step_s = 0.01
+gravity_tilt_deg = 20
+mass_damping_per_s = 5
+max_displacement_ratio = 1
+rigid = "all"
+[material.rock]
+youngs_modulus_pa = 50e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2500
+[joint]
+friction_angle_deg = 5
+[[block]]
+name = "plane"
+material = "rock"
+fixed = true
+vertices_m = [[-2, -1], [6, -1], [6, 0], [-2, 0]]
+[[block]]
+name = "block"
+material = "rock"
+vertices_m = [[0, 0], [1, 0], [1, 0.5], [0, 0.5]]
+)" << figure << bench;
+  }
+  [[nodiscard]] int bench(const std::string& more = "") const {
+    return shell(programs + "/blockweir bench s.toml --out b" + more);
+  }
+  [[nodiscard]] nlohmann::json row() const { return nlohmann::json::parse(text("b/bench.json"))[0]; }
+};
+
+TEST_F(Bench, HasThePointsOfItsCurvesAndTheirPicture) {
+  write_scene(
+      "[[bench]]\nname = 'step'\nkey = 'analysis.step_s'\nvalues = [0.0025, 0.005, 0.02]\n"
+      "[[bench]]\nname = 'integrator'\nkey = 'analysis.integrator'\nvalues = ['trapezoidal', 'generalized-alpha']\n"
+      "[[order]]\nname = 'order'\nkey = 'analysis.step_s'\nvalues = [0.005, 0.01, 0.02]\n"
+      "quantity = 'displacement_m'\nof = 'block'\nvalue = 0.0737220628028\norder = 1\n");
+  ASSERT_EQ(bench(), 0) << text("out");
+  EXPECT_EQ(row()["points"].size(), 1U + 3 + 2 + 3);
+  EXPECT_EQ(row()["figure"], "displacement_m of block");
+  EXPECT_LT(row()["points"][1]["relative_error"], row()["points"][3]["relative_error"]);
+  const nlohmann::json table = row();
+  for (const auto& point : table["points"]) EXPECT_GT(point["wall_time_s"].get<double>(), 0);
+  EXPECT_GT(fs::file_size(folder / "b/s.png"), 1000U);
+  EXPECT_THAT(text("out"), HasSubstr("s as it stands: error"));
+}
+
+TEST_F(Bench, InShortACurveHasItsEnds) {
+  write_scene("[[bench]]\nname = 'step'\nkey = 'analysis.step_s'\nvalues = [0.0025, 0.005, 0.02]\n");
+  ASSERT_EQ(bench(" --short"), 0) << text("out");
+  EXPECT_EQ(row()["points"].size(), 3U);
+}
+
+TEST_F(Bench, WhatIsSetHoldsInAllRuns) {
+  write_scene("[[bench]]\nname = 'integrator'\nkey = 'analysis.integrator'\nvalues = ['shi', 'trapezoidal']\n");
+  ASSERT_EQ(bench(), 0) << text("out");
+  const double before = row()["points"][0]["relative_error"];
+  ASSERT_EQ(bench(" --set analysis.step_s=0.001"), 0) << text("out");
+  EXPECT_LT(row()["points"][0]["relative_error"].get<double>(), before / 5);
+}
+
+TEST_F(Bench, ASettingThatDoesNotRunIsTold) {
+  write_scene(
+      "[[bench]]\nname = 'residual'\nset = ['analysis.max_displacement_ratio=1e-15']\nkey = 'analysis.step_s'\nvalues "
+      "= [0.01]\n");
+  EXPECT_EQ(bench(" --short"), 1);
+  EXPECT_EQ(row()["failed"].size(), 1U) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("did not settle"));
+  EXPECT_EQ(row()["points"].size(), 1U);
+}
+
+TEST_F(Bench, WhatIsWrongIsFoundBeforeAnythingRuns) {
+  write_scene("");
+  EXPECT_EQ(bench(), 2);
+  EXPECT_THAT(text("out"), HasSubstr("s.toml has no [[bench]]"));
+  write_scene("[[bench]]\nname = 'x'\nkey = 'analysis.step_s'\nvalues = [0.01]\n", "");
+  EXPECT_EQ(bench(), 2);
+  EXPECT_THAT(text("out"), HasSubstr("no figure whose error could be measured"));
+  write_scene("[[bench]]\nname = 'x'\nkey = 'analysis.stepp_s'\nvalues = [0.01]\n");
+  EXPECT_EQ(bench(), 2);
+  EXPECT_THAT(text("out"), HasSubstr("did you mean \"step_s\"?"));
+  EXPECT_FALSE(fs::exists(folder / "b"));
+}
+
+}  // namespace
+}  // namespace blockweir::test
