@@ -148,6 +148,7 @@ bool is_refusal(const Supervised& supervised) {
 RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool inproc, bool quiet,
              double longest_s) {
   const auto start = std::chrono::steady_clock::now();
+  const StopsLater until_the_summary_stands;
   RunResult result;
   result.folder = folder;
   const TemporaryFolder socket_folder;

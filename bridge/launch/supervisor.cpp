@@ -30,17 +30,25 @@ extern "C" void count_stop(int /*signal*/) {
   stop_signals = stop_signals + 1;
 }
 
+sigset_t stop_set() {
+  sigset_t both;
+  sigemptyset(&both);
+  sigaddset(&both, SIGINT);
+  sigaddset(&both, SIGTERM);
+  return both;
+}
+
 /// Counts SIGINT and SIGTERM for as long as it lives. They come only while somebody waits with `outside()` as mask, so
 /// that none is missed between a look at the count and the wait.
 class StopSignals {
  public:
   StopSignals() {
     stop_signals = 0;
-    sigset_t ours;
-    sigemptyset(&ours);
-    sigaddset(&ours, SIGINT);
-    sigaddset(&ours, SIGTERM);
-    ::sigprocmask(SIG_BLOCK, &ours, &outside_);
+    const sigset_t ours = stop_set();
+    ::sigprocmask(SIG_BLOCK, &ours, &before_);
+    outside_ = before_;
+    sigdelset(&outside_, SIGINT);
+    sigdelset(&outside_, SIGTERM);
     struct sigaction action = {};
     action.sa_handler = count_stop;
     sigemptyset(&action.sa_mask);
@@ -50,13 +58,14 @@ class StopSignals {
   ~StopSignals() {
     ::sigaction(SIGINT, &old_int_, nullptr);
     ::sigaction(SIGTERM, &old_term_, nullptr);
-    ::sigprocmask(SIG_SETMASK, &outside_, nullptr);
+    ::sigprocmask(SIG_SETMASK, &before_, nullptr);
   }
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
   [[nodiscard]] const sigset_t& outside() const { return outside_; }
 
  private:
+  sigset_t before_{};
   sigset_t outside_{};
   struct sigaction old_int_ {};
   struct sigaction old_term_ {};
@@ -167,6 +176,19 @@ struct Children {
 };
 
 }  // namespace
+
+StopsLater::StopsLater() {
+  const sigset_t both = stop_set();
+  ::sigprocmask(SIG_BLOCK, &both, &before_);
+}
+
+StopsLater::~StopsLater() {
+  const sigset_t both = stop_set();
+  const timespec now{};
+  while (::sigtimedwait(&both, nullptr, &now) > 0) {
+  }
+  ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+}
 
 bool Supervised::all_fine() const {
   return !interrupted && std::all_of(ends.begin(), ends.end(), [](const ChildEnd& end) { return end.exit_code == 0; });

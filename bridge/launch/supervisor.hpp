@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -29,6 +30,19 @@ struct Supervised {
   bool interrupted = false;    ///< we were asked to stop
   bool overdue = false;        ///< it took too long and was killed
   [[nodiscard]] bool all_fine() const;
+};
+
+/// SIGINT and SIGTERM wait for as long as it lives, but for supervise(), which hears them; those that came too late for
+/// that are forgotten.
+class StopsLater {
+ public:
+  StopsLater();
+  ~StopsLater();
+  StopsLater(const StopsLater&) = delete;
+  StopsLater& operator=(const StopsLater&) = delete;
+
+ private:
+  sigset_t before_{};
 };
 
 /// Runs all commands at once until the last has ended. Their standard error goes to files `log_folder`/NAME.log

@@ -36,7 +36,7 @@ class Recorder final : public schedule::SolidSide {
   }
 
   /// Writes summary.json; `extra` is merged into it. When `stopped` is not empty the run ended early, for that reason.
-  void finish(const nlohmann::json& extra, const std::string& stopped, const std::vector<std::string>& more_skips);
+  void finish(const nlohmann::json& extra, const std::string& stopped, const std::vector<std::string>& more_skips = {});
 
  private:
   /// Calls step(); one that meets what is not a number leaves repeat.toml behind.

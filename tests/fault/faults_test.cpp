@@ -41,6 +41,26 @@ TEST_F(Faults, CtrlCEndsBothAndLeavesNoOrphan) {
   EXPECT_FALSE(orphan()) << text("out");
 }
 
+/// From before its processes start until after they have ended.
+TEST_F(Faults, CtrlCAtAnyMomentLeavesASummaryOrNothing) {
+  for (int moment = 0; moment < 40; ++moment) {
+    SCOPED_TRACE(moment);
+    const pid_t run = start(programs + "/blockweir run " + cases + "monolith-slides --out o", "log");
+    std::this_thread::sleep_for(std::chrono::milliseconds(7 * moment));
+    kill(run, SIGINT);
+    const int status = end_of(run, 20);
+    EXPECT_THAT(status, testing::AnyOf(0, 130));
+    if (fs::exists(folder / "o/solid.log")) {
+      const auto summary = nlohmann::json::parse(text("o/summary.json"));
+      EXPECT_EQ(summary.contains("stopped"), status == 130) << text("log");
+      EXPECT_GT(summary["wall_time_s"], 0);
+      EXPECT_NE(text("log"), "");
+    }
+    fs::remove_all(folder / "o");
+  }
+  EXPECT_FALSE(orphan());
+}
+
 TEST_F(Faults, ATakenEndpointIsRefused) {
   const std::string end = " --endpoint ipc://" + (folder / "line").string() + " --set coupling.timeout_s=5";
   const pid_t first = start(programs + "/blockweir-solid " + cases + "monolith-slides --out a" + end, "first");
