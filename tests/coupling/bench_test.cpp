@@ -97,5 +97,19 @@ TEST_F(Bench, WhatIsWrongIsFoundBeforeAnythingRuns) {
   EXPECT_FALSE(fs::exists(folder / "b"));
 }
 
+TEST_F(Bench, SettingsOfTheCasesAreSoundAndOneRunsInShort) {
+  int benches = 0;
+  for (const auto& entry : fs::directory_iterator(cases)) {
+    std::ostringstream scene;
+    scene << std::ifstream(entry.path() / "scene.toml").rdbuf();
+    if (scene.str().find("[[bench]]") == std::string::npos) continue;
+    ++benches;
+    EXPECT_EQ(shell(programs + "/blockweir check " + entry.path().string()), 0) << text("out");
+  }
+  EXPECT_GE(benches, 7);
+  ASSERT_EQ(shell(programs + "/blockweir bench --short --out b " + cases + "water-column"), 0) << text("out");
+  EXPECT_GT(row()["points"].size(), 12U);
+}
+
 }  // namespace
 }  // namespace blockweir::test
