@@ -111,8 +111,8 @@ void FailureWatch::look(double time_s, double upstream_level_m) {
                    [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
 }
 
-/// Of the neighbours that do not come along, the one whose joint begins farthest upstream; blocks that had no joint
-/// with this one count when they touch it now. -1 when there is none.
+/// Of the neighbours that have not come half the way along (one that rings may be as fast), the one whose joint begins
+/// farthest upstream; blocks that had no joint with this one count when they touch it now. -1 when there is none.
 int FailureWatch::neighbour_left_behind(std::size_t b) const {
   int farthest = -1;
   double farthest_x = 0;
@@ -120,7 +120,7 @@ int FailureWatch::neighbour_left_behind(std::size_t b) const {
     const bool is_vertex = at(c.vertex_block) == b;
     if (!is_vertex && at(c.edge_block) != b) continue;
     const int other = is_vertex ? c.edge_block : c.vertex_block;
-    if (!solid_.blocks()[at(other)].fixed && speed(at(other)) >= speed(b) / 2) continue;
+    if (!solid_.blocks()[at(other)].fixed && travel(at(other)) >= travel(b) / 2) continue;
     const auto trace = joint_trace(b, at(other));
     if (trace.pieces.empty() && c.state == ContactState::open) continue;
     const double x = trace.pieces.empty() ? std::numeric_limits<double>::max() : trace.mouth().x();

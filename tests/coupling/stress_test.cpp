@@ -112,6 +112,13 @@ TEST_F(Stress, AShortMapHasTheEndsAndTheMiddleOfEachKey) {
   EXPECT_EQ(rows()[0]["runs"][1]["x"], 1e8);
 }
 
+TEST_F(Stress, MapsOfTheCasesHaveNoWrongCellInShort) {
+  EXPECT_EQ(shell(programs + "/blockweir stress --short cohesion penalty ratios sliver --out s"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("11 maps, no cell is wrong"));
+  const nlohmann::json table = rows();
+  for (const auto& row : table) EXPECT_EQ(row["refused"], 0) << row["map"];
+}
+
 TEST_F(Stress, WhatIsNoMapIsNamed) {
   write_scene("");
   EXPECT_EQ(stress(), 2);

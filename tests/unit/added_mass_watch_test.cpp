@@ -143,7 +143,7 @@ TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
   recorder.start(load_of({}, {}));
   recorder.place(motion);
   recorder.advance(load_of({1.32 * mass, 0, 0, 0, 0, 0}, {}), motion, 0, 0.01);
-  recorder.finish(nlohmann::json::object(), "");
+  recorder.finish(nlohmann::json::object(), "", {});
   EXPECT_EQ(summary()["added_mass"]["text"], "added mass 1.32 of block \"gate\"'s own (guarded)");
   EXPECT_EQ(summary()["added_mass"]["block"], "gate");
   EXPECT_EQ(summary()["added_mass"]["guarded"], true);
