@@ -13,12 +13,13 @@ namespace blockweir::launch {
 Progress::Progress(int fd, double duration_s, bool quiet)
     : fd_(fd), duration_s_(duration_s), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
-void Progress::update() {
+bool Progress::update() {
   char buffer[4096];
   for (ssize_t n = 0; (n = ::read(fd_, buffer, sizeof buffer)) > 0;)
     pending_.append(buffer, static_cast<std::size_t>(n));
   const auto end = pending_.rfind('\n');
-  if (end == std::string::npos) return;
+  if (end == std::string::npos) return begun_;
+  begun_ = true;
   const auto previous = end == 0 ? std::string::npos : pending_.rfind('\n', end - 1);
   const std::string line = pending_.substr(previous == std::string::npos ? 0 : previous + 1, end);
   pending_.erase(0, end + 1);
@@ -28,6 +29,7 @@ void Progress::update() {
   if (!quiet_ && std::sscanf(line.c_str(), "%lf %lf %lf", &time_s, &level_m, &displacement_m) == 3) {
     show(time_s, level_m, displacement_m);
   }
+  return begun_;
 }
 
 void Progress::show(double time_s, double level_m, double displacement_m) {

@@ -10,8 +10,8 @@ class Progress {
  public:
   /// Reads lines "time_s level_m largest_displacement_m" from `fd`, which does not block.
   Progress(int fd, double duration_s, bool quiet);
-  /// Shows what has come since the last call.
-  void update();
+  /// Shows what has come since the last call; true once anything has.
+  bool update();
   /// Clears the bar.
   void finish() const;
 
@@ -23,6 +23,7 @@ class Progress {
   bool quiet_;
   bool terminal_;
   int shown_tenths_ = 0;
+  bool begun_ = false;
   std::string pending_;
 };
 

@@ -160,7 +160,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   commands.front().inherited_fd = pipe_ends[1];
   Progress progress(pipe_ends[0], scene.analysis.duration_s, quiet);
   const Supervised supervised = supervise(
-      commands, folder, grace_s, [&] { progress.update(); }, longest_s);
+      commands, folder, grace_s, [&] { return progress.update(); }, longest_s);
   progress.finish();
   ::close(pipe_ends[0]);
   ::close(pipe_ends[1]);

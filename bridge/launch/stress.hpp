@@ -14,7 +14,8 @@ struct StressOptions {
   bool brief = false;                         ///< only the first, the middle and the last value of each key
 };
 
-/// Prints each map and then a row for each, draws them in a folder a scene and writes stress.json. Returns 1 when a cell is wrong, else 0.
+/// Prints each map and then a row for each, draws them in a folder a scene and writes stress.json. Returns 1 when a
+/// cell is wrong, else 0.
 int stress(const StressOptions& options);
 
 }  // namespace blockweir::launch

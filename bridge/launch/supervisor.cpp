@@ -195,7 +195,7 @@ bool Supervised::all_fine() const {
 }
 
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
-                     const std::function<void()>& tick, double longest_s) {
+                     const std::function<bool()>& tick, double longest_s) {
   const auto begin = Clock::now();
   const auto since = [](Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); };
   const StopSignals signals;
@@ -222,13 +222,13 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
   int sent = 0;  // 0 nothing, 1 SIGTERM, 2 SIGKILL
   while (children.running()) {
     children.wait(signals, result);
-    tick();
+    const bool in_touch = tick();
     const auto now = Clock::now();
     if (stop_signals > 0 && !result.interrupted) {
       result.interrupted = true;
       children.signal_first(SIGTERM);
     }
-    if (stop_signals > 1 && sent < 1) {
+    if (sent < 1 && (stop_signals > 1 || (result.interrupted && !in_touch))) {
       children.signal(SIGTERM);
       trouble = now;
       sent = 1;

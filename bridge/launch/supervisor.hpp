@@ -48,10 +48,11 @@ class StopsLater {
 /// Runs all commands at once until the last has ended. Their standard error goes to files `log_folder`/NAME.log
 /// unless a command says otherwise.
 /// When one fails, the others get `grace_s` to notice by themselves, then SIGTERM, then SIGKILL. SIGINT or SIGTERM to
-/// us is passed on to the first command, which leaves in order and tells the others; a second one to all. What the
-/// commands themselves started and left behind is waited for, and killed after `grace_s`. The kernel ends the children
-/// should we be killed. `tick` is called about every 50 ms. What still runs after `longest_s` is killed; 0: never.
+/// us is passed on to the first command, which leaves in order and tells the others; a second one, or one that comes
+/// before they are in touch, to all. What the commands themselves started and left behind is waited for, and killed
+/// after `grace_s`. The kernel ends the children should we be killed. `tick` is called about every 50 ms and says
+/// whether they are. What still runs after `longest_s` is killed; 0: never.
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
-                     const std::function<void()>& tick, double longest_s = 0);
+                     const std::function<bool()>& tick, double longest_s = 0);
 
 }  // namespace blockweir::launch

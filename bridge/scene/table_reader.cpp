@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 #include "bridge/scene/key_advice.hpp"
@@ -144,7 +145,7 @@ bool TableReader::settings(const char* key, std::vector<std::string>& into) {
   for (const auto& entry : *list) {
     if (const auto number = finite_number(entry)) {
       const std::string brief = fmt::format("{:g}", *number);  // 1e+13, not 10000000000000
-      into.push_back(std::stod(brief) == *number ? brief : fmt::format("{}", *number));
+      into.push_back(std::strtod(brief.c_str(), nullptr) == *number ? brief : fmt::format("{}", *number));
     } else if (entry.is_string()) {
       into.push_back(*entry.value<std::string>());
     } else if (entry.is_boolean()) {

@@ -87,7 +87,7 @@ fs::path find_plugin() {
 void run_program(const std::string& name, std::vector<std::string> words, const fs::path& folder) {
   launch::Command command{name, std::move(words)};
   command.output = folder / ("log." + name);
-  const launch::Supervised end = launch::supervise({command}, folder, grace_s, [] {});
+  const launch::Supervised end = launch::supervise({command}, folder, grace_s, [] { return true; });
   if (end.interrupted) throw std::runtime_error("asked to stop");
   if (!end.all_fine()) {
     throw std::runtime_error(fmt::format("{}: {} (see {})", name, cause(command.output, end.ends.front().exit_code),
@@ -99,7 +99,7 @@ std::optional<std::string> entry(const fs::path& folder, const std::string& file
   const std::string program = "foamDictionary";
   launch::Command command{program, {program, folder / file, "-case", folder, "-entry", name, "-value"}};
   command.output = folder / ("log." + program);
-  const launch::Supervised end = launch::supervise({command}, folder, grace_s, [] {});
+  const launch::Supervised end = launch::supervise({command}, folder, grace_s, [] { return true; });
   if (end.interrupted) throw std::runtime_error("asked to stop");
   if (end.all_fine()) return last_line(command.output);
   const std::string trouble = cause(command.output, end.ends.front().exit_code);

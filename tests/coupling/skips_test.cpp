@@ -31,10 +31,10 @@ class Skips : public SameResults {
 TEST_F(Skips, NothingIsSaidWhileBlocksAndWaterStand) {
   const std::string steps =
       " --set 'water.upstream_level_m={steps=[[0,20],[1.5,21],[2.5,21.2]]}' --set analysis.duration_s=3";
-  EXPECT_GT(skipped(steps), 200);
-  EXPECT_GT(skipped(steps + " --set coupling.schedule=parallel"), 200);
-  EXPECT_GT(skipped(steps + " --set coupling.schedule=improved"), 200);
-  EXPECT_GT(skipped(steps + " --set coupling.load_in_window=quadratic"), 200);
+  EXPECT_GT(skipped(steps), 50);
+  EXPECT_GT(skipped(steps + " --set coupling.schedule=parallel"), 50);
+  EXPECT_GT(skipped(steps + " --set coupling.schedule=improved"), 50);
+  EXPECT_GT(skipped(steps + " --set coupling.load_in_window=quadratic"), 50);
 }
 
 TEST_F(Skips, WaterThatRisesIsAskedEveryTime) {

@@ -12,7 +12,7 @@ class Supervisor : public Processes {
   /// Runs `line` in a shell in this test's folder.
   [[nodiscard]] launch::Supervised run(const std::string& line, double grace_s) const {
     const launch::Command command{"sh", {"sh", "-c", "cd " + folder.string() + " && " + line}};
-    return launch::supervise({command}, folder, grace_s, [] {});
+    return launch::supervise({command}, folder, grace_s, [] { return true; });
   }
 };
 
