@@ -108,11 +108,12 @@ class AugmentedLagrangian final : public Formulation {
            (p.force - multiplier).cwiseAbs().maxCoeff() <= settings_.force_tolerance_n + p.round_off;
   }
 
-  /// Gaps of round-off size would add up in the multipliers of redundant contacts: they are left out.
+  /// Gaps of round-off size would add up in the multipliers of redundant contacts: they are left out. A contact that is
+  /// settled keeps its penalty, which would only grow with the noise of a gap that cannot shrink.
   void update(Progress& progress, Eigen::Vector2d& multiplier, double& penalty) const {
     const double violation = progress.violated.cwiseAbs().maxCoeff();
     if (!progress.turning && violation <= settings_.position_round_off_m) return;
-    raise_if_slow(progress, penalty);
+    if (!settled(progress, multiplier)) raise_if_slow(progress, penalty);
     multiplier = progress.force;
   }
 
