@@ -108,12 +108,11 @@ class AugmentedLagrangian final : public Formulation {
            (p.force - multiplier).cwiseAbs().maxCoeff() <= settings_.force_tolerance_n + p.round_off;
   }
 
-  /// Gaps of round-off size would add up in the multipliers of redundant contacts: they are left out. A contact that is
-  /// settled keeps its penalty, which would only grow with the noise of a gap that cannot shrink.
+  /// Gaps of round-off size would add up in the multipliers of redundant contacts: they are left out.
   void update(Progress& progress, Eigen::Vector2d& multiplier, double& penalty) const {
     const double violation = progress.violated.cwiseAbs().maxCoeff();
     if (!progress.turning && violation <= settings_.position_round_off_m) return;
-    if (!settled(progress, multiplier)) raise_if_slow(progress, penalty);
+    raise_if_slow(progress, penalty);
     multiplier = progress.force;
   }
 
