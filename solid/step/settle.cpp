@@ -68,6 +68,8 @@ void Solid::settle(const std::vector<Panel>& water) {
   const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
   settling_ = true;
   formulation_->settings().joints_held = true;
+  // A penalty that the scene starts with may be far too small for a high stack to settle in one step.
+  const auto initial_penalty = std::exchange(formulation_->settings().initial_penalty, std::nullopt);
   matrices_dt_ = -1;
   islands_.clear();
 
@@ -85,6 +87,7 @@ void Solid::settle(const std::vector<Panel>& water) {
 
   formulation_->settings().joints_held = false;
   relax(pseudo_step, water);
+  formulation_->settings().initial_penalty = initial_penalty;
   settling_ = false;
   counts_.steps = 0;
   newmark_ = scheme;
