@@ -139,6 +139,8 @@ json summary(const Outcome& outcome) {
                  {"undone_steps", counts.undone_steps},
                  {"softened_steps", counts.softened_steps},
                  {"iterations", counts.iterations},
+                 {"factorizations", counts.factorizations},
+                 {"reused_factorizations", counts.reused_factorizations},
                  {"multiplier_sweeps", counts.sweeps},
                  {"state_changes", counts.state_changes},
                  {"broad_searches", counts.broad_searches},

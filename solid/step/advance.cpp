@@ -112,6 +112,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
 
   bool solved = true;
   for (IslandSystem& island : islands_) {
+    island.system->begin_step();
     island.asleep = may_sleep(island);
     if (island.asleep) {
       put_to_sleep(island);

@@ -35,8 +35,10 @@ struct Counts {
   long undone_steps = 0;
   long softened_steps = 0;  ///< tries with a smaller penalty
   long iterations = 0;      ///< solved linear systems
-  long sweeps = 0;          ///< multiplier updates
-  long state_changes = 0;   ///< open, stick, slip
+  long factorizations = 0;  ///< of matrices; the other solutions reuse one
+  long reused_factorizations = 0;
+  long sweeps = 0;         ///< multiplier updates
+  long state_changes = 0;  ///< open, stick, slip
   long broad_searches = 0;
   long settling_steps = 0;
   long solved_islands = 0;      ///< summed over steps
@@ -46,8 +48,9 @@ struct Counts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(steps, undone_steps, softened_steps, iterations, sweeps, state_changes, broad_searches, settling_steps,
-            solved_islands, most_islands, slept_islands, condition_number);
+    archive(steps, undone_steps, softened_steps, iterations, factorizations, reused_factorizations, sweeps,
+            state_changes, broad_searches, settling_steps, solved_islands, most_islands, slept_islands,
+            condition_number);
   }
 };
 

@@ -106,6 +106,8 @@ class Solid {
     std::unique_ptr<LinearSystem> system;
     SaddlePoint saddle;  ///< instead of it while there are unknown forces
     std::vector<UnknownForce> unknown_forces;
+    std::vector<Interaction> actions;  ///< of contacts, supports and bolts that act, at the trial
+    bool symmetric = true;             ///< are their stiffnesses?
     Eigen::VectorXd residual;
     Eigen::VectorXd correction;
     Eigen::VectorXd forces;
@@ -134,9 +136,10 @@ class Solid {
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
-  bool correct(IslandSystem& island, bool symmetric);
+  bool correct(IslandSystem& island);
   void correct_forces(IslandSystem& island);
-  double assemble(IslandSystem& island, bool& symmetric);
+  double unbalanced(IslandSystem& island);
+  void assemble(IslandSystem& island);
   void set_block_matrices(IslandSystem& island);
   template <class System>
   void add_stiffness(System& system, const Interaction& action) const;
