@@ -144,6 +144,7 @@ json summary(const Outcome& outcome) {
                  {"multiplier_sweeps", counts.sweeps},
                  {"state_changes", counts.state_changes},
                  {"broad_searches", counts.broad_searches},
+                 {"skipped_searches", counts.skipped_searches},
                  {"settling_steps", counts.settling_steps},
                  {"solved_islands", counts.solved_islands},
                  {"slept_islands", counts.slept_islands},
