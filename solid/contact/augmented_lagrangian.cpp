@@ -23,11 +23,11 @@ class AugmentedLagrangian final : public Formulation {
   AugmentedLagrangian(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
 
   /// Bounds each penalty by the stiffness with which the blocks themselves resist at the contact.
-  void begin_step(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-                  std::vector<ContactPoint>& contacts, std::vector<Support>& supports) override {
-    begin(trial, matrix, frozen, contacts, supports);
-    for (std::size_t k = 0; k < contacts.size(); ++k) bound(contacts[k].penalty, contacts_[k].stiffness);
-    for (std::size_t k = 0; k < supports.size(); ++k) bound(supports[k].penalty, supports_[k].stiffness);
+  void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+             const Held& held) override {
+    Formulation::begin(trial, matrix, frozen, held);
+    for (const int k : held.contact_ids) bound(held.contacts[at(k)].penalty, contacts_[at(k)].stiffness);
+    for (const int k : held.support_ids) bound(held.supports[at(k)].penalty, supports_[at(k)].stiffness);
   }
 
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {

@@ -27,7 +27,7 @@ std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, c
 }
 
 void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-                        const std::vector<ContactPoint>& contacts, const std::vector<Support>& supports) {
+                        const Held& held) {
   // Rayleigh quotient of the block's matrix along a point's motion: no mode that the point can excite is stiffer
   // by much. (Its inverse counterpart 1/(n W n) sees the softest mode, and sweeps then stall in the stiff ones.)
   const auto flexibility = [&](int block, const Eigen::Matrix<double, 1, 6>& shape) {
@@ -36,21 +36,19 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     const Eigen::VectorXd motion = shape.head(n).transpose();
     return motion.squaredNorm() * motion.squaredNorm() / motion.dot(matrix[at(block)].topLeftCorner(n, n) * motion);
   };
-  contacts_.assign(contacts.size(), {});
-  supports_.assign(supports.size(), {});
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const ContactPoint& c = contacts[k];
+  for (const int k : held.contact_ids) {
+    const ContactPoint& c = held.contacts[at(k)];
     const Point n = edge_frame(trial, c).n;
     const Matrix26 Tv = trial.placement[at(c.vertex_part)].shape(c.vertex_at);
     const Matrix26 Te = trial.placement[at(c.edge_part)].shape(edge_point(c, c.anchor));
-    contacts_[k].stiffness =
+    contacts_[at(k)].stiffness =
         1 / (flexibility(c.vertex_part, n.transpose() * Tv) + flexibility(c.edge_part, n.transpose() * Te));
-    contacts_[k].slip_force = c.multiplier.y();
+    contacts_[at(k)].slip_force = c.multiplier.y();
   }
-  for (std::size_t k = 0; k < supports.size(); ++k) {
-    const Support& s = supports[k];
+  for (const int k : held.support_ids) {
+    const Support& s = held.supports[at(k)];
     const Matrix26 T = trial.placement[at(s.block)].shape(s.material);
-    supports_[k].stiffness = 2 / (flexibility(s.block, T.row(0)) + flexibility(s.block, T.row(1)));
+    supports_[at(k)].stiffness = 2 / (flexibility(s.block, T.row(0)) + flexibility(s.block, T.row(1)));
   }
 }
 

@@ -39,10 +39,15 @@ class Formulation {
  public:
   virtual ~Formulation() = default;
 
-  /// For the step at hand; `matrix[b]` is block b's own matrix in it (inertia and elasticity). Frozen blocks do not
-  /// move.
-  virtual void begin_step(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-                          std::vector<ContactPoint>& contacts, std::vector<Support>& supports) = 0;
+  /// For the step at hand, of so many contacts and supports in all.
+  void begin_step(std::size_t contacts, std::size_t supports) {
+    contacts_.assign(contacts, {});
+    supports_.assign(supports, {});
+  }
+  /// Those of an island that the step solves; `matrix[b]` is block b's own matrix in it (inertia and elasticity).
+  /// Frozen blocks do not move.
+  virtual void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+                     const Held& held);
 
   /// Admissible force of contact `index` at the trial positions, with its linearization; sets the contact's state.
   virtual Interaction contact(const Trial& trial, int index, ContactPoint& point) = 0;
@@ -86,10 +91,6 @@ class Formulation {
     double last_violation = std::numeric_limits<double>::infinity();  ///< at the sweep before
     double stiffness = 0;  ///< of the blocks against the contact [N/m per metre]
   };
-
-  /// Prepares a Progress each, with the stiffness by which the blocks themselves resist at the contact.
-  void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-             const std::vector<ContactPoint>& contacts, const std::vector<Support>& supports);
 
   /// Separation that the contact resists: the gap less what dilation has opened, and the slip.
   Progress& follow(const Trial& trial, int index, const ContactPoint& c, const EdgeFrame& edge);

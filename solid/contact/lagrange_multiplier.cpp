@@ -21,11 +21,11 @@ class LagrangeMultiplier final : public Formulation {
  public:
   LagrangeMultiplier(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
 
-  void begin_step(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-                  std::vector<ContactPoint>& contacts, std::vector<Support>& supports) override {
-    begin(trial, matrix, frozen, contacts, supports);
-    for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k].penalty = contacts_[k].stiffness;
-    for (std::size_t k = 0; k < supports.size(); ++k) supports[k].penalty = supports_[k].stiffness;
+  void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+             const Held& held) override {
+    Formulation::begin(trial, matrix, frozen, held);
+    for (const int k : held.contact_ids) held.contacts[at(k)].penalty = contacts_[at(k)].stiffness;
+    for (const int k : held.support_ids) held.supports[at(k)].penalty = supports_[at(k)].stiffness;
   }
 
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {

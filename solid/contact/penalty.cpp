@@ -21,14 +21,15 @@ class Penalty final : public Formulation {
       : Formulation(laws, settings),
         spring_(settings.contact_stiffness.value_or(stiffness_over_modulus * settings.largest_modulus_pa)) {}
 
-  void begin_step(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-                  std::vector<ContactPoint>& contacts, std::vector<Support>& supports) override {
-    begin(trial, matrix, frozen, contacts, supports);
-    for (ContactPoint& c : contacts) c.penalty = spring_;
-    for (Support& s : supports) s.penalty = spring_;
-    dashpots_.assign(contacts.size(), {});
-    if (settings_.dashpot_ratio > 0 && trial.velocity_factor > 0) {
-      for (std::size_t k = 0; k < contacts.size(); ++k) dashpots_[k] = dashpot(trial, frozen, contacts[k]);
+  void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+             const Held& held) override {
+    Formulation::begin(trial, matrix, frozen, held);
+    const bool damps = settings_.dashpot_ratio > 0 && trial.velocity_factor > 0;
+    dashpots_.resize(held.contacts.size());
+    for (const int k : held.support_ids) held.supports[at(k)].penalty = spring_;
+    for (const int k : held.contact_ids) {
+      held.contacts[at(k)].penalty = spring_;
+      dashpots_[at(k)] = damps ? dashpot(trial, frozen, held.contacts[at(k)]) : Dashpot{};
     }
   }
 

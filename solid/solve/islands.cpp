@@ -48,6 +48,7 @@ std::vector<Island> find_islands(const std::vector<bool>& fixed, const std::vect
   }
   for (std::size_t k = 0; k < links.size(); ++k) {
     const auto& [a, b] = links[k];
+    if (fixed[at(a)] && fixed[at(b)]) continue;  // beside the ground, waiting while others settle
     Island& island = islands[at(island_of[at(fixed[at(a)] ? b : a)])];
     island.contacts.push_back(static_cast<int>(k));
     if (!fixed[at(a)] && !fixed[at(b)]) island.couples.emplace_back(std::minmax({local[at(a)], local[at(b)]}));

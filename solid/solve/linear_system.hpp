@@ -14,6 +14,8 @@ class LinearSystem {
  public:
   virtual ~LinearSystem() = default;
 
+  /// Solutions depend on nothing that was solved in steps before.
+  virtual void begin_step() {}
   virtual void set_zero() = 0;
   /// Adds to the block at local (row, column), of a rigid block the rigid part; off the diagonal only where a couple
   /// was announced.
@@ -21,6 +23,8 @@ class LinearSystem {
   /// Factorizes what was added and solves; `symmetric` promises K = K^T, which lets a sparse system use Cholesky.
   /// False when the matrix is singular to working accuracy.
   virtual bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) = 0;
+  /// Did the last solution take the factors of an earlier one?
+  [[nodiscard]] virtual bool reused() const { return false; }
   /// For another right-hand side, with the factors of the last solve.
   [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const = 0;
   /// What was added, all of it.

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sparse matrix with a pattern that stays, so that the symbolic factorization is done once: Cholesky (CHOLMOD) while
-// it is symmetric, LU (UMFPACK) while contacts slip.
+// it is symmetric, LU (UMFPACK) while contacts slip. The factors are kept, too.
 #pragma once
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
 #include <Eigen/UmfPackSupport>
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace blockweir::solid {
 
-struct SparseMatrix {
+class SparseMatrix {
+ public:
   using Matrix = Eigen::SparseMatrix<double>;
 
   /// Zeros where the entries say.
@@ -21,37 +23,78 @@ struct SparseMatrix {
     k.makeCompressed();
   }
   void set_zero() { std::fill_n(k.valuePtr(), k.nonZeros(), 0.0); }
+
+  /// Factors of earlier steps serve no matrix but the one that they were made of: a run that is resumed, and has none,
+  /// ends with the same bits.
+  void begin_step() { cholesky_.of_this_step = lu_.of_this_step = false; }
+
   /// False when it is singular to working accuracy.
   bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
-    by_cholesky = symmetric;
-    return symmetric ? solve_with(cholesky, cholesky_ready, f, d) : solve_with(lu, lu_ready, f, d);
+    by_cholesky_ = symmetric;
+    return symmetric ? solve_with(cholesky_, f, d) : solve_with(lu_, f, d);
   }
   /// With the factors of the last solve.
   [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const {
-    if (by_cholesky) return cholesky.solve(f);
-    return lu.solve(f);
+    Eigen::VectorXd d;
+    by_cholesky_ ? refine(cholesky_.solver, f, d) : refine(lu_.solver, f, d);
+    return d;
   }
+  /// Did the last solve factorize nothing?
+  [[nodiscard]] bool reused() const { return reused_; }
 
   Matrix k;
 
  private:
   template <class Solver>
-  bool solve_with(Solver& solver, bool& ready, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
-    if (!ready) {
-      solver.analyzePattern(k);
-      ready = true;
+  struct Factors {
+    Solver solver;
+    bool analysed = false;
+    bool made = false;
+    bool of_this_step = false;
+    std::vector<double> values;  ///< of the matrix that they were made of
+  };
+
+  template <class Solver>
+  bool solve_with(Factors<Solver>& factors, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
+    const bool same = factors.made && std::equal(factors.values.begin(), factors.values.end(), k.valuePtr());
+    factors.of_this_step = factors.of_this_step || same;
+    reused_ = same || (factors.of_this_step && refine(factors.solver, f, d));
+    if (reused_) {
+      if (same) d = factors.solver.solve(f);
+      return d.allFinite();
     }
-    solver.factorize(k);
-    if (solver.info() != Eigen::Success) return false;
-    d = solver.solve(f);
-    return solver.info() == Eigen::Success && d.allFinite();
+    if (!factors.analysed) factors.solver.analyzePattern(k);
+    factors.analysed = true;
+    factors.solver.factorize(k);
+    factors.made = factors.of_this_step = factors.solver.info() == Eigen::Success;
+    if (!factors.made) return false;
+    factors.values.assign(k.valuePtr(), k.valuePtr() + k.nonZeros());
+    d = factors.solver.solve(f);
+    return factors.solver.info() == Eigen::Success && d.allFinite();
   }
 
-  Eigen::CholmodDecomposition<Matrix> cholesky;
-  Eigen::UmfPackLU<Matrix> lu;
-  bool by_cholesky = false;  ///< the last solve
-  bool cholesky_ready = false;
-  bool lu_ready = false;
+  /// Solves with factors of a matrix near this one, again for what is left until nothing is: false where they serve it
+  /// badly.
+  template <class Solver>
+  bool refine(const Solver& solver, const Eigen::VectorXd& f, Eigen::VectorXd& d) const {
+    constexpr double accurate = 1e-8;
+    constexpr double fast = 0.1;  // a slower one costs more than new factors
+    const double enough = accurate * f.norm();
+    d = solver.solve(f);
+    for (double last = std::numeric_limits<double>::infinity();;) {
+      const Eigen::VectorXd left = f - k * d;
+      const double size = left.norm();
+      if (size <= enough) return d.allFinite();
+      if (!(size <= fast * last)) return false;
+      last = size;
+      d += solver.solve(left);
+    }
+  }
+
+  Factors<Eigen::CholmodDecomposition<Matrix>> cholesky_;
+  Factors<Eigen::UmfPackLU<Matrix>> lu_;
+  bool by_cholesky_ = false;  ///< the last solve
+  bool reused_ = false;
 };
 
 }  // namespace blockweir::solid

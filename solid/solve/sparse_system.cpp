@@ -40,7 +40,9 @@ class SparseSystem final : public LinearSystem {
     matrix_.set_pattern(u_.total, entries);
   }
 
+  void begin_step() override { matrix_.begin_step(); }
   void set_zero() override { matrix_.set_zero(); }
+  [[nodiscard]] bool reused() const override { return matrix_.reused(); }
 
   void add(int row, int column, const Matrix6& k) override {
     const auto& rows = rows_[at(column)];

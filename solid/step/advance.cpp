@@ -85,10 +85,15 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
   }
   end_s_ = end_s;
-  const std::vector<ContactPoint> contacts_before = contacts_;
+  contacts_before_ = contacts_;
   const std::vector<Support> supports_before = supports_;
 
-  search_.update(start_, contacts_);
+  if (contacts_stand_) {
+    ++counts_.skipped_searches;
+  } else {
+    search_.update(start_, contacts_);
+  }
+  const long state_changes_before = formulation_->state_changes();
   prepare_islands();
   prepare_matrices(dt);
   loads_.evaluate(end_s, water, start_, external_);
@@ -108,7 +113,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
                          support.target(end_s) - base_.displacement(end_s);
   }
   const Trial at_start{blocks_, start_, still_, start_, past_velocity_, newmark_.velocity_factor(dt)};
-  formulation_->begin_step(at_start, matrix_, frozen_, contacts_, supports_);
+  formulation_->begin_step(contacts_.size(), supports_.size());
 
   bool solved = true;
   for (IslandSystem& island : islands_) {
@@ -117,6 +122,9 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
       put_to_sleep(island);
     } else {
       ++counts_.solved_islands;
+      island.system->begin_step();
+      formulation_->begin(at_start, matrix_, frozen_,
+                          {island.island.contacts, contacts_, island.island.supports, supports_});
       solved = solved && find_equilibrium(island);
     }
   }
@@ -124,11 +132,15 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   solved = solved && moved <= scene_.analysis.max_displacement_ratio * size_;
   const bool seen = !solved || search_.covers(moved);
   if (!solved || !seen) {
-    contacts_ = contacts_before;
+    contacts_ = contacts_before_;
     supports_ = supports_before;
+    contacts_stand_ = false;
     return !seen && attempt(dt, end_s, water);
   }
   accept(dt, end_s);
+  const auto slips = [](const ContactPoint& c) { return c.state == ContactState::slip; };
+  contacts_stand_ = moved == 0 && formulation_->state_changes() == state_changes_before &&
+                    std::none_of(contacts_.begin(), contacts_.end(), slips);
   require_finite(end_s);
   return true;
 }
@@ -205,7 +217,7 @@ void Solid::put_to_sleep(const IslandSystem& s) {
 double Solid::largest_increment() const {
   double largest = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (frozen_[b] && !base_.moves_supports()) continue;
+    if ((frozen_[b] && !base_.moves_supports()) || increment_[b].isZero(0)) continue;
     for (const Point& X : blocks_[b].vertices) {
       largest = std::max(largest, start_[b].increment(increment_[b], X).norm());
     }

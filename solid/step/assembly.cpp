@@ -47,8 +47,6 @@ void Solid::add_own(System& system, const IslandSystem& s) const {
 }
 
 void Solid::set_block_matrices(IslandSystem& s) {
-  for (std::size_t k = 0; k < s.island.blocks.size(); ++k) local_[at(s.island.blocks[k])] = static_cast<int>(k);
-  if (s.unknowns->shared()) set_corner_maps(s);
   s.system->set_zero();
   add_own(*s.system, s);
 }
@@ -82,11 +80,21 @@ void Solid::add_constraints(IslandSystem& s, const Interaction& action, bool sup
   }
 }
 
-/// Matrix and residual at the trial; returns the largest unbalanced force, less what round-off explains.
-double Solid::assemble(IslandSystem& s, bool& symmetric) {
+/// The matrix that belongs to the residual.
+void Solid::assemble(IslandSystem& s) {
+  const Stopwatch watch(profile_.assembly);
+  set_block_matrices(s);
+  for (const Interaction& action : s.actions) {
+    if (action.constraint_count == 0) add_stiffness(*s.system, action);
+  }
+}
+
+/// Residual at the trial; returns the largest unbalanced force, less what round-off explains. What contacts, supports
+/// and bolts do is kept for the matrix, which only a residual that is too large asks for.
+double Solid::unbalanced(IslandSystem& s) {
   const Stopwatch watch(profile_.assembly);
   const double mass_factor = newmark_.mass_factor(matrices_dt_);
-  set_block_matrices(s);
+  if (s.unknowns->shared()) set_corner_maps(s);
   for (const int block : s.island.blocks) {
     const auto b = at(block);
     const Vector6 velocity = newmark_.velocity_factor(matrices_dt_) * increment_[b] + past_velocity_[b];
@@ -98,6 +106,8 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
 
   s.saddle.set_zero();
   s.unknown_forces.clear();
+  s.actions.clear();
+  s.symmetric = true;
   const auto add = [&](const Interaction& action, bool support, int index) {
     if (!action.acts()) return;
     const auto side = [&](int block, const Matrix26& shape, double sign) {
@@ -108,9 +118,9 @@ double Solid::assemble(IslandSystem& s, bool& symmetric) {
     };
     side(action.block_i, action.shape_i, 1);
     side(action.block_j, action.shape_j, -1);
+    s.actions.push_back(action);
     if (action.constraint_count > 0) return add_constraints(s, action, support, index);
-    symmetric = symmetric && action.stiffness(1, 0) == action.stiffness(0, 1);
-    add_stiffness(*s.system, action);
+    s.symmetric = s.symmetric && action.stiffness(1, 0) == action.stiffness(0, 1);
   };
   for (const int k : s.island.contacts) add(formulation_->contact(trial(), k, contacts_[at(k)]), false, k);
   for (const int k : s.island.supports) add(formulation_->support(trial(), k, supports_[at(k)]), true, k);

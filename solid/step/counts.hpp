@@ -35,9 +35,12 @@ struct Counts {
   long undone_steps = 0;
   long softened_steps = 0;  ///< tries with a smaller penalty
   long iterations = 0;      ///< solved linear systems
-  long sweeps = 0;          ///< multiplier updates
-  long state_changes = 0;   ///< open, stick, slip
+  long factorizations = 0;  ///< of matrices; the other solutions reuse one
+  long reused_factorizations = 0;
+  long sweeps = 0;         ///< multiplier updates
+  long state_changes = 0;  ///< open, stick, slip
   long broad_searches = 0;
+  long skipped_searches = 0;  ///< steps that found contacts as the step before had left them
   long settling_steps = 0;
   long solved_islands = 0;      ///< summed over steps
   long most_islands = 0;        ///< at a time
@@ -46,8 +49,9 @@ struct Counts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(steps, undone_steps, softened_steps, iterations, sweeps, state_changes, broad_searches, settling_steps,
-            solved_islands, most_islands, slept_islands, condition_number);
+    archive(steps, undone_steps, softened_steps, iterations, factorizations, reused_factorizations, sweeps,
+            state_changes, broad_searches, skipped_searches, settling_steps, solved_islands, most_islands,
+            slept_islands, condition_number);
   }
 };
 

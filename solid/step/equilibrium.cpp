@@ -53,6 +53,9 @@ void Solid::prepare_islands() {
     if (!frozen_[part]) islands_[island_of[part]].couplings.push_back(static_cast<int>(c));
   }
   give_bolts_to_islands();
+  for (const IslandSystem& s : islands_) {
+    for (std::size_t k = 0; k < s.island.blocks.size(); ++k) local_[at(s.island.blocks[k])] = static_cast<int>(k);
+  }
 }
 
 /// Links beyond those of contacts were bolts' own; a bolt belongs to the island of what moves at its ends.
@@ -75,13 +78,12 @@ void Solid::give_bolts_to_islands() {
 bool Solid::find_equilibrium(IslandSystem& s) {
   bool swept = false;  // multipliers have changed since the last solve
   for (int iteration = 0; iteration < scene_.contact.max_iterations; ++iteration) {
-    bool symmetric = true;
-    const double unbalanced = assemble(s, symmetric);
-    if (!std::isfinite(unbalanced)) {
+    const double left = unbalanced(s);
+    if (!std::isfinite(left)) {
       require_numbers(s);
       return false;
     }
-    if (!swept && unbalanced <= formulation_->settings().force_tolerance_n) {
+    if (!swept && left <= formulation_->settings().force_tolerance_n) {
       ++counts_.sweeps;
       if (formulation_->sweep({s.island.contacts, contacts_, s.island.supports, supports_}) &&
           (formulation_->settings().joints_held || !break_bonds(laws_, s.island.contacts, contacts_))) {
@@ -91,16 +93,18 @@ bool Solid::find_equilibrium(IslandSystem& s) {
       continue;
     }
     swept = false;
-    if (!correct(s, symmetric)) return false;
+    if (!correct(s)) return false;
   }
   return false;
 }
 
 /// One solution of the linearized equations, added to the trial.
-bool Solid::correct(IslandSystem& s, bool symmetric) {
+bool Solid::correct(IslandSystem& s) {
+  if (s.unknown_forces.empty()) assemble(s);
   const Stopwatch watch(profile_.solve);
   if (s.unknown_forces.empty()) {
-    if (!solve(s, symmetric)) return false;
+    if (!solve(s, s.symmetric)) return false;
+    ++(s.system->reused() ? counts_.reused_factorizations : counts_.factorizations);
   } else {
     if (!s.saddle.solve(s.residual, s.correction, s.forces)) return false;
     correct_forces(s);

@@ -24,13 +24,10 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
     if (block < 0) return Eigen::Vector2d::Zero();
     return shape * (increment_[at(block)] / dt - rate(at(block), placement_[at(block)], states_[at(block)].velocity));
   };
-  std::vector<Interaction> actions;
-  for (const int k : s.island.contacts) actions.push_back(formulation_->contact(trial(), k, contacts_[at(k)]));
-  for (const int k : s.island.supports) actions.push_back(formulation_->support(trial(), k, supports_[at(k)]));
+  std::vector<Interaction>& actions = s.actions;
   std::vector<Eigen::Vector2d> pull(actions.size(), Eigen::Vector2d::Zero());
   for (std::size_t k = 0; k < actions.size(); ++k) {
     const Interaction& a = actions[k];
-    if (!a.acts()) continue;
     const Eigen::Vector2d m = mismatch(a.block_i, a.shape_i) - mismatch(a.block_j, a.shape_j);
     for (int axis = 0; axis < 2; ++axis) {
       pull[k][axis] = a.held[axis] * m[axis];
@@ -47,7 +44,6 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   };
   for (std::size_t k = 0; k < actions.size(); ++k) {
     Interaction& a = actions[k];
-    if (!a.acts()) continue;
     a.stiffness = a.held.asDiagonal().toDenseMatrix();
     add_stiffness(*s.system, a);
     add(a.block_i, a.shape_i.transpose() * pull[k]);

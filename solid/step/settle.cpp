@@ -132,6 +132,7 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   }
   if (acceleration < 1e-4 * scene_.analysis.gravity_m_per_s2) return;
   states_ = states;
+  contacts_stand_ = false;
   start_ = start;
   contacts_ = contacts;
   supports_ = supports;
@@ -153,6 +154,7 @@ void Solid::start_acceleration(const std::vector<Panel>& water, double from_s) {
   newmark_ = scheme;
   matrices_dt_ = -1;
   states_ = states;
+  contacts_stand_ = false;
   start_ = start;
   contacts_ = contacts;
   supports_ = supports;

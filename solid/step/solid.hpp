@@ -77,8 +77,8 @@ class Solid {
   /// What a step changes.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(states_, contacts_, next_dt_, started_, time_s_, rest_, sleep_, guard_, water_work_, search_, counts_,
-            profile_, *formulation_);
+    archive(states_, contacts_, contacts_stand_, next_dt_, started_, time_s_, rest_, sleep_, guard_, water_work_,
+            search_, counts_, profile_, *formulation_);
     for (Support& support : supports_) archive(support);
     for (Bolt& bolt : bolts_) archive(bolt);
     if (substitute_) archive(*substitute_);
@@ -106,6 +106,8 @@ class Solid {
     std::unique_ptr<LinearSystem> system;
     SaddlePoint saddle;  ///< instead of it while there are unknown forces
     std::vector<UnknownForce> unknown_forces;
+    std::vector<Interaction> actions;  ///< of contacts, supports and bolts that act, at the trial
+    bool symmetric = true;             ///< are their stiffnesses?
     Eigen::VectorXd residual;
     Eigen::VectorXd correction;
     Eigen::VectorXd forces;
@@ -134,9 +136,10 @@ class Solid {
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
-  bool correct(IslandSystem& island, bool symmetric);
+  bool correct(IslandSystem& island);
   void correct_forces(IslandSystem& island);
-  double assemble(IslandSystem& island, bool& symmetric);
+  double unbalanced(IslandSystem& island);
+  void assemble(IslandSystem& island);
   void set_block_matrices(IslandSystem& island);
   template <class System>
   void add_stiffness(System& system, const Interaction& action) const;
@@ -195,7 +198,8 @@ class Solid {
   std::vector<ContactPoint> contacts_;
   std::vector<Support> supports_;
   std::vector<Bolt> bolts_;
-  double next_dt_ = 0;  ///< step that the last advance ended with
+  bool contacts_stand_ = false;  ///< nothing has moved since they were searched
+  double next_dt_ = 0;           ///< step that the last advance ended with
   bool started_ = false;
   double time_s_ = 0;  ///< of states_
   Rest rest_;
@@ -203,6 +207,7 @@ class Solid {
   Sleep sleep_;
 
   // The step at hand.
+  std::vector<ContactPoint> contacts_before_;
   Newmark newmark_;
   AddedMassGuard guard_;
   WaterWork water_work_;

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_step
 // How time and memory grow with the number of blocks: brick walls that stand, rock slopes that stand or slide. Each row
-// is a process of its own, so that its peak of memory is its own. Arguments: numbers of blocks (100 1000 10000 100000).
+// is a process of its own, so that its peak of memory is its own. Arguments: numbers of blocks (100 1000 10000 100000)
+// and kinds of scene (all).
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -63,16 +66,26 @@ void row(const Kind& kind, int blocks, int steps) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<Kind> kinds{{"wall", brick_wall},
-                                {"slope", [](int n) { return rock_slope(n, 0.6); }},
-                                {"sliding slope", [](int n) { return rock_slope(n, 0.3); }}};
+  const std::vector<Kind> kinds{
+      {"pyramid", [](int n) { return pyramid(static_cast<int>(std::lround(std::sqrt(2.0 * n)))); }},
+      {"wall", brick_wall},
+      {"slope", [](int n) { return rock_slope(n, 0.6); }},
+      {"sliding slope", [](int n) { return rock_slope(n, 0.3); }}};
   std::vector<int> sizes;
-  for (int i = 1; i < argc; ++i) sizes.push_back(std::atoi(argv[i]));
+  std::vector<std::string> wanted;
+  for (int i = 1; i < argc; ++i) {
+    if (const int size = std::atoi(argv[i]); size > 0) {
+      sizes.push_back(size);
+    } else {
+      wanted.emplace_back(argv[i]);
+    }
+  }
   if (sizes.empty()) sizes = {100, 1'000, 10'000, 100'000};
   fmt::print("{:<16} {:>7} {:>9} {:>9} {:>9} {:>6} {:>11} {:>8} {:>10} {:>9} {:>8} {:>10}\n", "scene", "blocks",
              "contacts", "build [s]", "rest [s]", "solves", "step [ms]", "solves", "us/block", "peak [MB]", "kB/block",
              "moved [m]");
   for (const Kind& kind : kinds) {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), kind.name) == wanted.end()) continue;
     for (const int blocks : sizes) {
       std::fflush(stdout);
       if (const pid_t child = fork(); child == 0) {

@@ -36,9 +36,44 @@ TEST(Large, APyramidOfBase100SettlesAndStandsStill) {
   Solid solid(scene);
   ASSERT_EQ(solid.blocks().size(), 5051U);
   solid.settle({});
+  EXPECT_EQ(solid.counts().factorizations, 1);  // of many solutions
   run(solid, 5);
   EXPECT_LT(solid.largest_displacement_m(), 1e-9);
   EXPECT_LT(std::abs(reaction_error(solid)), 1e-8);
+}
+
+TEST(Large, ContactsThatAreNotSearchedAgainAreThoseThatASearchWouldFind) {
+  auto scene = pyramid(20);
+  scene.analysis.sleep = false;
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 10);
+  EXPECT_GE(solid.counts().skipped_searches, 8);
+  std::vector<ContactPoint> found = solid.contacts();
+  const double reach = 0.05;  // of a block, as the solid's own
+  ContactSearch(solid.parts(), solid.laws(), solid.size_m(), reach, reach).update(solid.placements(), found);
+  ASSERT_EQ(found.size(), solid.contacts().size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const ContactPoint& kept = solid.contacts()[k];
+    ASSERT_TRUE(found[k].same_key(kept));
+    ASSERT_EQ(found[k].gap, kept.gap);
+    ASSERT_EQ(found[k].anchor, kept.anchor);
+    ASSERT_EQ(found[k].separation, kept.separation);
+    ASSERT_EQ(found[k].length, kept.length);
+    ASSERT_EQ(found[k].multiplier, kept.multiplier);
+    ASSERT_EQ(found[k].state, kept.state);
+  }
+}
+
+/// Blocks that wait while others settle belong to no island, nor do their contacts with the ground.
+TEST(Large, ABlockThatHoversOverTheGroundWaitsAndThenFalls) {
+  auto scene = pyramid(2);
+  add_block(scene, box(-3, 0.001, 1, 1));
+  Solid solid(scene);
+  solid.settle({});
+  EXPECT_EQ(solid.states()[4].displacement[1], 0);
+  run(solid, 6);
+  EXPECT_NEAR(solid.states()[4].displacement[1], -0.001, 1e-8);
 }
 
 /// What settling takes does not depend on how large the ground is drawn.
