@@ -116,6 +116,9 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   formulation_->begin_step(contacts_.size(), supports_.size());
 
   bool solved = true;
+  for (const IslandSystem& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
+    formulation_->begin(at_start, matrix_, frozen_, {s.island.contacts, contacts_, s.island.supports, supports_});
+  }
   for (IslandSystem& island : islands_) {
     island.asleep = may_sleep(island);
     if (island.asleep) {
@@ -123,8 +126,6 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     } else {
       ++counts_.solved_islands;
       island.system->begin_step();
-      formulation_->begin(at_start, matrix_, frozen_,
-                          {island.island.contacts, contacts_, island.island.supports, supports_});
       solved = solved && find_equilibrium(island);
     }
   }

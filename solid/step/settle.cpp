@@ -68,14 +68,20 @@ void Solid::settle(const std::vector<Panel>& water) {
   const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
   settling_ = true;
   formulation_->settings().joints_held = true;
-  // A penalty that the scene starts with may be far too small for a high stack to settle in one step.
-  const auto initial_penalty = std::exchange(formulation_->settings().initial_penalty, std::nullopt);
   matrices_dt_ = -1;
   islands_.clear();
 
+  const auto initial_penalty = formulation_->settings().initial_penalty;
+  const auto settles = [&] {
+    if (attempt(pseudo_step, settling_time_s(), water)) return true;
+    if (!formulation_->settings().initial_penalty) return false;
+    // What the scene starts with may be far too small for a high stack: the blocks' own stiffness knows better.
+    formulation_->settings().initial_penalty.reset();
+    return attempt(pseudo_step, settling_time_s(), water);
+  };
   for (int step = 0;; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (step == most_steps || !attempt(pseudo_step, settling_time_s(), water)) {
+    if (step == most_steps || !settles()) {
       throw SolveError(
           fmt::format("no equilibrium under the first loads was found with all joints held ({} steps); "
                       "set [analysis] start = \"unstressed\" if the structure moves from the start",
