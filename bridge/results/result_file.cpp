@@ -37,6 +37,15 @@ void ResultFile::line(const std::string& text) {
   size_ += text.size() + 1;
 }
 
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream stream(path, std::ios::trunc);
+  if (stream << text << std::flush) return;
+  stream.close();
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  cannot_write(path);
+}
+
 void replace_file(const std::filesystem::path& path, const std::string& text) {
   std::filesystem::path fresh = path;
   fresh += ".new";

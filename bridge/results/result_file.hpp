@@ -46,6 +46,9 @@ class ResultFile {
 /// and leaves the old one when that fails.
 void replace_file(const std::filesystem::path& path, const std::string& text);
 
+/// Writes a file that nobody reads yet: whole, or not at all when it throws std::runtime_error.
+void write_file(const std::filesystem::path& path, const std::string& text);
+
 /// Throws the error that says so.
 [[noreturn]] void cannot_write(const std::filesystem::path& path);
 

@@ -33,7 +33,7 @@ void Collection::add(const Grid& grid, const std::string& file, double time_s, c
   const std::string path = (folder_ / "frames" / file).string();
   writer_->vtk->SetInputData(grid.get());
   if (writer_->vtk->Write() == 0 || writer_->vtk->GetErrorCode() != 0) results::cannot_write(path);
-  results::replace_file(path, writer_->vtk->GetOutputString());
+  results::write_file(path, writer_->vtk->GetOutputString());
   repeat(file, time_s, part, part_number);
 }
 
