@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/repeat.hpp"
 #include "solid/output/capture.hpp"
-#include "solid/step/stopwatch.hpp"
 
 namespace blockweir::solid::output {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/results/stopwatch.hpp"
 #include "solid/step/solid.hpp"
-#include "solid/step/stopwatch.hpp"
 
 namespace blockweir::solid {
 namespace {

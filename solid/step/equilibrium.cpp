@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/results/stopwatch.hpp"
 #include "solid/solve/condition_number.hpp"
 #include "solid/step/solid.hpp"
-#include "solid/step/stopwatch.hpp"
 
 namespace blockweir::solid {
 namespace {
