@@ -13,6 +13,7 @@
 #include "bridge/channel/gate.hpp"
 #include "bridge/channel/hello.hpp"
 #include "bridge/channel/keys.hpp"
+#include "bridge/channel/outgoing.hpp"
 #include "bridge/channel/undisturbed.hpp"
 #include "bridge/channel/visitors.hpp"
 #include "bridge/wire/codec.hpp"
@@ -29,17 +30,6 @@ double seconds_since(Clock::time_point start) {
 constexpr int linger_ms = 1000;       // a last word still goes out
 constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that arrived just before a poll
 constexpr double spin_s = 50e-6;      // answers of a small scene come within this: no sleep, no wake-up
-
-/// What stands in the builder. A large frame is given away with its memory, and the next one gets some of that size.
-zmq::message_t frame_of(flatbuffers::FlatBufferBuilder& builder) {
-  constexpr std::size_t large = 1U << 14U;
-  const std::size_t size = builder.GetSize();
-  if (size < large) return {builder.GetBufferPointer(), size};
-  auto* given = new flatbuffers::DetachedBuffer(builder.Release());
-  builder = flatbuffers::FlatBufferBuilder(size + size / 8);
-  const auto free = [](void*, void* buffer) { delete static_cast<flatbuffers::DetachedBuffer*>(buffer); };
-  return {given->data(), given->size(), free, given};
-}
 
 /// An I/O thread answers even while its process computes; a stopped or vanished process does not. Only who connects
 /// beats, and says how long the listener is to wait for the next one: ZeroMQ 4.3.4 aborts where a beat of the listener's
@@ -110,9 +100,9 @@ struct Channel::Line {
   template <class Message>
   void send(const Message& message) {
     const auto start = Clock::now();
-    wire::encode(message, builder);
+    zmq::message_t frame = outgoing.frame([&](auto& builder) { wire::encode(message, builder); });
     const auto packed = Clock::now();
-    undisturbed([&] { return socket.send(frame_of(builder), zmq::send_flags::dontwait); });
+    undisturbed([&] { return socket.send(frame, zmq::send_flags::dontwait); });
     packed_s += std::chrono::duration<double>(packed - start).count();
     wire_s += seconds_since(packed);
   }
@@ -217,13 +207,13 @@ struct Channel::Line {
 
   Options options;
   bool listens;
+  Outgoing outgoing;
   zmq::context_t context{1};
   zmq::socket_t socket;
   Visitors visitors;
   std::optional<Gate> gate;
   zmq::message_t incoming;
   std::vector<std::uint64_t> realigned;
-  flatbuffers::FlatBufferBuilder builder;
   double waited_s = 0;
   double packed_s = 0;
   double wire_s = 0;
