@@ -8,7 +8,7 @@ namespace blockweir::vtk {
 namespace {
 
 vtkDoubleArray* array(vtkDataSetAttributes* owner, const char* name, int components) {
-  vtkNew<vtkDoubleArray> data;
+  vtkNew<SequentialArray> data;
   data->SetName(name);
   data->SetNumberOfComponents(components);
   owner->AddArray(data);
@@ -18,7 +18,9 @@ vtkDoubleArray* array(vtkDataSetAttributes* owner, const char* name, int compone
 }  // namespace
 
 Grid::Grid() {
-  points_->SetDataTypeToDouble();
+  vtkNew<SequentialArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  points_->SetData(coordinates);
   grid_->SetPoints(points_);
 }
 

@@ -2,13 +2,13 @@
 // A VTK unstructured grid under construction, in the plane z = 0.
 #pragma once
 
-#include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
-#include <vtkUnstructuredGrid.h>
 
 #include <Eigen/Core>
 #include <vector>
+
+#include "bridge/vtk/sequential.hpp"
 
 namespace blockweir::vtk {
 
@@ -26,7 +26,7 @@ class Grid {
 
  private:
   vtkNew<vtkPoints> points_;
-  vtkNew<vtkUnstructuredGrid> grid_;
+  vtkNew<SequentialGrid> grid_;
 };
 
 inline void add_vector(vtkDoubleArray* data, const Eigen::Vector2d& p) {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/vtk/sequential.hpp"
+
+#include <vtkObjectFactory.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace blockweir::vtk {
+namespace {
+
+void begin(double* range) {
+  range[0] = std::numeric_limits<double>::max();
+  range[1] = std::numeric_limits<double>::lowest();
+}
+
+/// A value that is no number has no place in a range.
+void widen(double* range, double value) {
+  range[0] = std::fmin(range[0], value);
+  range[1] = std::fmax(range[1], value);
+}
+
+}  // namespace
+
+vtkStandardNewMacro(SequentialGrid) vtkStandardNewMacro(SequentialArray)
+
+    bool SequentialArray::ComputeScalarRange(double* ranges) {
+  const int components = GetNumberOfComponents();
+  for (int c = 0; c < components; ++c) begin(ranges + 2 * c);
+  const double* value = GetPointer(0);
+  for (vtkIdType i = 0; i < GetNumberOfTuples(); ++i) {
+    for (int c = 0; c < components; ++c) widen(ranges + 2 * c, *value++);
+  }
+  return true;
+}
+
+bool SequentialArray::ComputeVectorRange(double range[2]) {
+  const int components = GetNumberOfComponents();
+  begin(range);
+  const double* value = GetPointer(0);
+  for (vtkIdType i = 0; i < GetNumberOfTuples(); ++i) {
+    double squares = 0;
+    for (int c = 0; c < components; ++c, ++value) squares += *value * *value;
+    widen(range, std::sqrt(squares));
+  }
+  return true;
+}
+
+}  // namespace blockweir::vtk

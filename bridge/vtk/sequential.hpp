@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// VTK's grid and array, looked at cell by cell and value by value. VTK's own way is for threads and asks the system for
+// the number of its processors sixteen times a file, which costs more than all else that a small frame needs.
+#pragma once
+
+#include <vtkDoubleArray.h>
+#include <vtkUnstructuredGrid.h>
+
+namespace blockweir::vtk {
+
+class SequentialGrid : public vtkUnstructuredGrid {
+ public:
+  static SequentialGrid* New();
+  vtkTypeMacro(SequentialGrid, vtkUnstructuredGrid) void GetCellTypes(vtkCellTypes* types) override {
+    vtkDataSet::GetCellTypes(types);
+  }
+};
+
+class SequentialArray : public vtkDoubleArray {
+ public:
+  static SequentialArray* New();
+  vtkTypeMacro(SequentialArray, vtkDoubleArray)
+
+      protected :
+      /// ranges: least and largest value of each component in turn.
+      bool ComputeScalarRange(double* ranges) override;
+  /// Least and largest length of a tuple.
+  bool ComputeVectorRange(double range[2]) override;
+};
+
+}  // namespace blockweir::vtk
