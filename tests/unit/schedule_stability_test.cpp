@@ -77,6 +77,8 @@ TEST(ScheduleStability, TheGuardMayGuessTooLowByWhatTheScheduleCarries) {
   };
   EXPECT_TRUE(grows(Schedule::serial, LoadInWindow::held, 0.49));
   EXPECT_FALSE(grows(Schedule::serial, LoadInWindow::held, 0.51));
+  EXPECT_TRUE(grows(Schedule::serial, LoadInWindow::linear, 0.74));
+  EXPECT_FALSE(grows(Schedule::serial, LoadInWindow::linear, 0.76));
   EXPECT_TRUE(grows(Schedule::parallel, LoadInWindow::held, 0.70));
   EXPECT_FALSE(grows(Schedule::parallel, LoadInWindow::held, 0.72));
   EXPECT_TRUE(grows(Schedule::improved, LoadInWindow::linear, 0.79));
