@@ -46,8 +46,15 @@ class Resume : public SameResults {
     EXPECT_THAT(text("log"), HasSubstr("goes on"));
     return true;
   }
-  void expect_same() {
-    SameResults::expect_same("whole", "parts");
+  /// Still water that was stopped before both sides were in touch remembers nothing: it starts anew, and so do its
+  /// counts.
+  [[nodiscard]] bool has_checkpoint(const std::string& side) const {
+    const fs::directory_iterator all(folder / "parts/checkpoint");
+    return std::any_of(begin(all), end(all),
+                       [&](const auto& file) { return file.path().filename().string().starts_with(side); });
+  }
+  void expect_same(const std::string& except = "none") {
+    SameResults::expect_same("whole", "parts", except);
     fs::remove_all(folder / "parts");
   }
 };
@@ -79,12 +86,13 @@ TEST_P(ResumeCases, GoOnFromRandomWindows) {
   const long rows = rows_of("whole");
   std::string stops;
   int resumed = 0;
-  for (int tries = 0; rows > 1 && resumed < times && tries < 5 * times; ++tries) {
+  for (int tries = 0; rows > 1 && resumed < times && tries < 40 * times; ++tries) {
     const long row = 1 + static_cast<long>(random() % static_cast<unsigned long>(rows - 1));
     if (stopped_at(command(GetParam(), "parts"), row)) {
       stops += " " + std::to_string(rows_of("parts"));
+      const bool anew = !has_checkpoint("hydrostatic");
       ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out") << text("log");
-      expect_same();
+      expect_same(anew ? "fluid_" : "none");
       ++resumed;
     }
     fs::remove_all(folder / "parts");
