@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // Wall time against error, with the real programs.
+#include "tests/block_on_plane.hpp"
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -21,22 +22,9 @@ gravity_tilt_deg = 20
 mass_damping_per_s = 5
 max_displacement_ratio = 1
 rigid = "all"
-[material.rock]
-youngs_modulus_pa = 50e9
-poissons_ratio = 0.2
-density_kg_per_m3 = 2500
 [joint]
 friction_angle_deg = 5
-[[block]]
-name = "plane"
-material = "rock"
-fixed = true
-vertices_m = [[-2, -1], [6, -1], [6, 0], [-2, 0]]
-[[block]]
-name = "block"
-material = "rock"
-vertices_m = [[0, 0], [1, 0], [1, 0.5], [0, 0.5]]
-)" << figure << bench;
+)" << block_on_plane << figure << bench;
   }
   [[nodiscard]] int bench(const std::string& more = "") const {
     return shell(programs + "/blockweir bench s.toml --out b" + more);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // Maps of stability with the real programs: cells that are right, refused and wrong are told apart.
+#include "tests/block_on_plane.hpp"
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -17,25 +18,12 @@ duration_s = 0.1
 step_s = 0.01
 max_displacement_ratio = 1
 gravity_tilt_deg = 30
-[material.rock]
-youngs_modulus_pa = 50e9
-poissons_ratio = 0.2
-density_kg_per_m3 = 2500
 [joint]
 friction_angle_deg = 20
-[[block]]
-name = "plane"
-material = "rock"
-fixed = true
-vertices_m = [[-2, -1], [6, -1], [6, 0], [-2, 0]]
-[[block]]
-name = "block"
-material = "rock"
-vertices_m = [[0, 0], [1, 0], [1, 0.5], [0, 0.5]]
 [[joints]]
 name = "base"
 between = ["plane", "block"]
-)" << map;
+)" << block_on_plane << map;
   }
   [[nodiscard]] int stress(const std::string& more = "") const {
     return shell(programs + "/blockweir stress s.toml --out s" + more);
