@@ -35,7 +35,23 @@ json judged(const Attempt& attempt) {
   cell["got"] = check["got"];
   cell["error"] = check["relative_error"];
   cell["shown"] = check["got"].is_string() ? check["got"] : cell["verdict"];
+  cell["iterations"] = attempt.summary["counts"]["iterations"];
   return cell;
+}
+
+/// From the least to the largest of what the cells of a row took.
+std::string work(const std::vector<json>& cells) {
+  const auto range = [&](const char* of, const char* format) -> std::string {
+    std::vector<double> values;
+    for (const json& cell : cells) {
+      if (cell.contains("iterations")) values.push_back(cell[of]);
+    }
+    if (values.empty()) return "none";
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return fmt::format(fmt::runtime(format), *least, *most);
+  };
+  return fmt::format("{} iterations, {} s", range("iterations", "{:.0f} to {:.0f}"),
+                     range("wall_time_s", "{:.2g} to {:.2g}"));
 }
 
 std::string difference(const json& cell) {
@@ -53,6 +69,7 @@ StudyResult draw_map(const scene::MapStudy& study, StudyRuns& runs) {
   // Rows from the last value down, as a map has its north on top.
   for (auto row = y.values.rbegin(); row != y.values.rend(); ++row) {
     result.text += fmt::format("  {:>12} ", *row);
+    std::vector<json> cells;
     for (const std::string& column : x.values) {
       const Settings settings{x.key + "=" + column, y.key + "=" + *row};
       json cell = judged(runs.attempt(settings, study.expected, study.longest_s));
@@ -62,9 +79,10 @@ StudyResult draw_map(const scene::MapStudy& study, StudyRuns& runs) {
       result.text += fmt::format(" {}{}", letter(cell["shown"]), verdict == "wrong" ? '!' : ' ');
       if (verdict != "right")
         differences += fmt::format("  {}: {}, {}: {}\n", verdict, settings[0], settings[1], difference(cell));
-      result.runs.push_back(std::move(cell));
+      cells.push_back(std::move(cell));
     }
-    result.text += "\n";
+    result.text += "   " + work(cells) + "\n";
+    for (json& cell : cells) result.runs.push_back(std::move(cell));
   }
   result.text +=
       fmt::format("  {} rightwards from {} to {}; {} upwards\n", x.key, x.values.front(), x.values.back(), y.key);

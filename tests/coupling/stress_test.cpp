@@ -50,6 +50,8 @@ TEST_F(Stress, RightCellsAreDrawnAndCounted) {
   ASSERT_EQ(stress(), 0) << text("out");
   EXPECT_THAT(verdicts(), testing::Each("right"));
   EXPECT_EQ(rows()[0]["right"], 6);
+  EXPECT_GT(rows()[0]["runs"][0]["iterations"], 0);
+  EXPECT_THAT(text("out"), HasSubstr(" iterations, "));
   EXPECT_GT(fs::file_size(folder / "s/s/slide.png"), 1000U);
   EXPECT_THAT(text("out"), HasSubstr("1 maps, no cell is wrong"));
 }
