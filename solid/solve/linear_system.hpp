@@ -25,6 +25,10 @@ class LinearSystem {
   virtual bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) = 0;
   /// Did the last solution take the factors of an earlier one?
   [[nodiscard]] virtual bool reused() const { return false; }
+  /// The next solution factorizes anew.
+  virtual void forget_factors() {}
+  /// Seconds in factorizations so far.
+  [[nodiscard]] virtual double factorization_s() const = 0;
   /// For another right-hand side, with the factors of the last solve.
   [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const = 0;
   /// What was added, all of it.

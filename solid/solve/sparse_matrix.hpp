@@ -10,6 +10,8 @@
 #include <limits>
 #include <vector>
 
+#include "bridge/results/stopwatch.hpp"
+
 namespace blockweir::solid {
 
 class SparseMatrix {
@@ -28,6 +30,12 @@ class SparseMatrix {
   /// ends with the same bits.
   void begin_step() { cholesky_.of_this_step = lu_.of_this_step = false; }
 
+  /// The next solve makes new ones.
+  void forget_factors() {
+    cholesky_.made = lu_.made = false;
+    begin_step();
+  }
+
   /// False when it is singular to working accuracy.
   bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
     by_cholesky_ = symmetric;
@@ -41,6 +49,7 @@ class SparseMatrix {
   }
   /// Did the last solve factorize nothing?
   [[nodiscard]] bool reused() const { return reused_; }
+  [[nodiscard]] double factorization_s() const { return factorization_s_; }
 
   Matrix k;
 
@@ -63,14 +72,20 @@ class SparseMatrix {
       if (same) d = factors.solver.solve(f);
       return d.allFinite();
     }
-    if (!factors.analysed) factors.solver.analyzePattern(k);
-    factors.analysed = true;
-    factors.solver.factorize(k);
+    factorize(factors.solver, factors.analysed);
     factors.made = factors.of_this_step = factors.solver.info() == Eigen::Success;
     if (!factors.made) return false;
     factors.values.assign(k.valuePtr(), k.valuePtr() + k.nonZeros());
     d = factors.solver.solve(f);
     return factors.solver.info() == Eigen::Success && d.allFinite();
+  }
+
+  template <class Solver>
+  void factorize(Solver& solver, bool& analysed) {
+    const Stopwatch watch(factorization_s_);
+    if (!analysed) solver.analyzePattern(k);
+    analysed = true;
+    solver.factorize(k);
   }
 
   /// Solves with factors of a matrix near this one, again for what is left until nothing is: false where they serve it
@@ -95,6 +110,7 @@ class SparseMatrix {
   Factors<Eigen::UmfPackLU<Matrix>> lu_;
   bool by_cholesky_ = false;  ///< the last solve
   bool reused_ = false;
+  double factorization_s_ = 0;
 };
 
 }  // namespace blockweir::solid
