@@ -120,6 +120,13 @@ double WaterLevels::downstream_m(double time_s) const {
   return level(downstream_, time_s);
 }
 
+bool WaterLevels::stand(double from_s, double to_s) const {
+  const auto stands = [&](const Pool& pool) {
+    return !pool.level || pool.level->value(from_s) == pool.level->value(to_s);
+  };
+  return stands(upstream_) && stands(downstream_);
+}
+
 void WaterLevels::set(double time_s) {
   if (!set_levels_) return;
   set(upstream_, time_s);
