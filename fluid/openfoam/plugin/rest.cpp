@@ -41,8 +41,9 @@ void Rest::look(double time_s, const std::vector<Pose>& pose) {
 }
 
 bool Rest::lasts(const wire::Motion& motion, double from_s, const std::vector<Pose>& before) const {
-  return rests_ && levels_.stand(looked_s_, motion.time_s) &&
-         farthest(motion.displacement, looked_at_) <= tolerance_ * depth_m_ &&
+  const double near_m = tolerance_ * depth_m_;
+  return rests_ && levels_.change_m(looked_s_, motion.time_s) <= near_m &&
+         farthest(motion.displacement, looked_at_) <= near_m &&
          farthest(motion.displacement, before) <= speed_m_per_s_ * (motion.time_s - from_s);
 }
 

@@ -10,7 +10,7 @@ namespace blockweir::openfoam {
 /// to e P in each pool, and nowhere faster than u = e c, c = sqrt(g d): a long wave of that speed has the pressure
 /// rho c u = e P. A wave that is at its turn fails by the first, one that passes through level by the second. Blocks
 /// rest while they are not faster than u, whose waves would be as high, nor farther than e d from where pressures were
-/// sampled.
+/// sampled; nor may a level be.
 class Rest {
  public:
   Rest(const Foam::fvMesh& mesh, const Foam::dictionary& dict, const ImmersedBlocks& blocks, const WaterLevels& levels);

@@ -120,11 +120,11 @@ double WaterLevels::downstream_m(double time_s) const {
   return level(downstream_, time_s);
 }
 
-bool WaterLevels::stand(double from_s, double to_s) const {
-  const auto stands = [&](const Pool& pool) {
-    return !pool.level || pool.level->value(from_s) == pool.level->value(to_s);
+double WaterLevels::change_m(double from_s, double to_s) const {
+  const auto change = [&](const Pool& pool) {
+    return pool.level ? std::abs(pool.level->value(to_s) - pool.level->value(from_s)) : 0.0;
   };
-  return stands(upstream_) && stands(downstream_);
+  return std::max(change(upstream_), change(downstream_));
 }
 
 void WaterLevels::set(double time_s) {
