@@ -149,7 +149,7 @@ void profile(const ProfileOptions& options) {
   }
   fmt::print("{}", profile_tree(summary));
   const std::filesystem::path file = options.run / (options.svg ? "profile.svg" : "profile.png");
-  gnuplot(picture(sides_of(summary), options.svg ? "svg size 1100,420" : "pngcairo size 1100,420", file));
+  gnuplot(picture(sides_of(summary), options.svg ? "svg size 1100,520" : "pngcairo size 1100,520", file));
   fmt::print("{}\n", file.string());
 }
 

@@ -80,6 +80,14 @@ TEST_F(Skips, SearchesChangeNoBitOfARun) {
               HasSubstr(" searches for contacts: nothing had moved, saved about "));
 }
 
+TEST_F(Skips, WhatIsNotDrawnChangesNoRow) {
+  ASSERT_EQ(shell(run_of(in_steps) + " --quiet --out few"), 0) << text("out");
+  for (const char* drawn : {"output.frame_every_s=0.01", "output.reservoir=true"}) {
+    ASSERT_EQ(shell(run_of(in_steps) + " --quiet --out all --set " + drawn), 0) << text("out");
+    EXPECT_EQ(text("few/history.csv"), text("all/history.csv")) << drawn;
+  }
+}
+
 TEST_F(Skips, ADrySceneStartsNoFluid) {
   ASSERT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out o"), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("skipped a fluid process: the scene has no water, saved about "));
