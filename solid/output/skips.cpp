@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bridge/results/saving.hpp"
 
 namespace blockweir::solid::output {
@@ -30,6 +32,17 @@ void rigid_blocks(const Solid& solid, json& list) {
                              saved(profile.assembly - profile.contact + profile.solve, unknowns, 3 * rigid)));
 }
 
+/// Less what refinement took, and tries of it that failed.
+void factorizations(const Counts& counts, const Profile& profile, json& list) {
+  if (counts.reused_factorizations == 0) return;
+  const double mean_s = profile.factorization / static_cast<double>(std::max(1L, counts.factorizations));
+  const double net_s = mean_s * static_cast<double>(counts.reused_factorizations) - profile.refinement;
+  list.push_back(
+      fmt::format("{} of {} factorizations: earlier factors served{}", counts.reused_factorizations,
+                  counts.reused_factorizations + counts.factorizations,
+                  net_s >= 0 ? saved(net_s) : fmt::format(", and trying them cost about {:.2g} s more", -net_s)));
+}
+
 }  // namespace
 
 json skips(const Solid& solid, const Frames& frames) {
@@ -52,11 +65,7 @@ json skips(const Solid& solid, const Frames& frames) {
                                counts.skipped_searches + counts.searches,
                                saved(profile.search, counts.searches, counts.skipped_searches)));
   }
-  if (counts.reused_factorizations > 0) {
-    list.push_back(fmt::format("{} of {} factorizations: earlier factors served{}", counts.reused_factorizations,
-                               counts.reused_factorizations + counts.factorizations,
-                               saved(profile.factorization, counts.factorizations, counts.reused_factorizations)));
-  }
+  factorizations(counts, profile, list);
   if (frames.not_asked_for > 0) {
     list.push_back(fmt::format("frames after {} of {} windows: one in {} s is asked for{}", frames.not_asked_for,
                                frames.not_asked_for + frames.written, solid.scene().output.frame_every_s,

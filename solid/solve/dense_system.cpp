@@ -24,13 +24,13 @@ class DenseSystem final : public LinearSystem {
   }
   bool solve(bool /*symmetric*/, const Eigen::VectorXd& f, Eigen::VectorXd& d) override {
     {
-      const Stopwatch watch(factorization_s_);
+      const Stopwatch watch(times_.factorization);
       lu_.compute(k_);
     }
     d = lu_.solve(f);
     return d.allFinite();
   }
-  [[nodiscard]] double factorization_s() const override { return factorization_s_; }
+  [[nodiscard]] SolutionTimes times() const override { return times_; }
   [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const override { return lu_.solve(f); }
   [[nodiscard]] Eigen::MatrixXd dense() const override { return k_; }
 
@@ -38,7 +38,7 @@ class DenseSystem final : public LinearSystem {
   Unknowns u_;
   Eigen::MatrixXd k_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-  double factorization_s_ = 0;
+  SolutionTimes times_;
 };
 
 }  // namespace

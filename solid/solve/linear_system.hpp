@@ -10,6 +10,12 @@
 
 namespace blockweir::solid {
 
+/// Seconds so far.
+struct SolutionTimes {
+  double factorization = 0;
+  double refinement = 0;  ///< solutions with factors of a matrix nearby, and tries that failed
+};
+
 class LinearSystem {
  public:
   virtual ~LinearSystem() = default;
@@ -27,8 +33,7 @@ class LinearSystem {
   [[nodiscard]] virtual bool reused() const { return false; }
   /// The next solution factorizes anew.
   virtual void forget_factors() {}
-  /// Seconds in factorizations so far.
-  [[nodiscard]] virtual double factorization_s() const = 0;
+  [[nodiscard]] virtual SolutionTimes times() const = 0;
   /// For another right-hand side, with the factors of the last solve.
   [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const = 0;
   /// What was added, all of it.

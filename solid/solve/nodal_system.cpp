@@ -25,7 +25,7 @@ class NodalSystem final : public LinearSystem {
   void set_zero() override { matrix_.set_zero(); }
   [[nodiscard]] bool reused() const override { return matrix_.reused(); }
   void forget_factors() override { matrix_.forget_factors(); }
-  [[nodiscard]] double factorization_s() const override { return matrix_.factorization_s(); }
+  [[nodiscard]] SolutionTimes times() const override { return matrix_.times(); }
 
   void add(int row, int column, const Matrix6& k) override {
     const Matrix6 mapped = u_.mapped(row, column, k);

@@ -64,12 +64,13 @@ struct Profile {
   double contact = 0;        ///< forces and states of contacts, supports and bolts
   double solve = 0;          ///< factorization being a part of it
   double factorization = 0;  ///< of the matrices that are counted
+  double refinement = 0;     ///< another part of it, see SolutionTimes
   double sweeps = 0;         ///< multipliers, bonds
   double accept = 0;         ///< states at the end of a step
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(search, islands, assembly, contact, solve, factorization, sweeps, accept);
+    archive(search, islands, assembly, contact, solve, factorization, refinement, sweeps, accept);
   }
 };
 

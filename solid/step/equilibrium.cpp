@@ -107,9 +107,10 @@ bool Solid::correct(IslandSystem& s) {
   if (s.unknown_forces.empty()) assemble(s);
   const Stopwatch watch(profile_.solve);
   if (s.unknown_forces.empty()) {
-    const double before_s = s.system->factorization_s();
+    const SolutionTimes before = s.system->times();
     if (!solve(s, s.symmetric)) return false;
-    profile_.factorization += s.system->factorization_s() - before_s;
+    profile_.factorization += s.system->times().factorization - before.factorization;
+    profile_.refinement += s.system->times().refinement - before.refinement;
     ++(s.system->reused() ? counts_.reused_factorizations : counts_.factorizations);
   } else {
     if (!s.saddle.solve(s.residual, s.correction, s.forces)) return false;
