@@ -3,11 +3,13 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "bridge/results/folder.hpp"
 #include "bridge/results/peak_memory.hpp"
+#include "bridge/results/saving.hpp"
 #include "bridge/scene/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "bridge/schedule/processes.hpp"
@@ -37,13 +39,29 @@ auto progress_to(int fd, double duration_s) {
   };
 }
 
-std::vector<std::string> skips_of(const Exchanges& exchanges, bool one_process) {
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Of this process's threads so far, its loading among it.
+double processor_s() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// What has not been said, or has needed no other process. Its start would have taken about what the solid's own took.
+std::vector<std::string> skips_of(const Exchanges& exchanges, bool dry, bool one_process, double exchange_s,
+                                  double start_s) {
+  using results::saved;
   std::vector<std::string> skips;
-  if (exchanges.skipped > 0) {
-    skips.push_back(fmt::format("{} of {} exchanges: no block had moved and the water stood", exchanges.skipped,
-                                exchanges.said + exchanges.skipped));
+  if (exchanges.skipped > 0 && !dry) {
+    skips.push_back(fmt::format("{} of {} exchanges: no block had moved and the water stood{}", exchanges.skipped,
+                                exchanges.said + exchanges.skipped,
+                                saved(exchange_s, exchanges.said, exchanges.skipped)));
   }
-  if (one_process && exchanges.said > 0) skips.emplace_back("a second process: the water was within the solid's");
+  if (dry) skips.push_back(fmt::format("a fluid process: the scene has no water{}", saved(start_s)));
+  if (one_process && exchanges.said > 0) {
+    skips.push_back(fmt::format("a second process: the water was within the solid's{}", saved(start_s)));
+  }
   return skips;
 }
 
@@ -67,30 +85,36 @@ FluidReport run_process(SolidProcess process) {
   std::optional<channel::Channel> channel;
   FluidReport report;
   Exchanges exchanges;
-  double connected_s = 0;
+  const double own_start_s = processor_s();
+  double started_s = 0;
   double waited_before_s = 0;
+  double within_s = 0;  // in a fluid of this process
   const auto finish = [&](const std::string& stopped) {
-    const std::chrono::duration<double> total = Clock::now() - start;
-    nlohmann::json profile = {{"start_up", connected_s}};
+    nlohmann::json profile = {{"start_up", started_s}};
+    double exchange_s = within_s;
+    if (process.make_fluid) profile["wait_for_fluid"] = within_s;
     if (channel) {
-      profile.update({{"wait_for_fluid", channel->waited_s() - waited_before_s},
-                      {"pack", channel->packed_s()},
-                      {"wire", channel->wire_s()}});
+      profile["wait_for_fluid"] = channel->waited_s() - waited_before_s;
+      profile["pack"] = channel->packed_s();
+      profile["wire"] = channel->wire_s();
+      exchange_s = channel->waited_s() - waited_before_s + channel->packed_s() + channel->wire_s();
     }
-    recorder.finish({{"wall_time_s", total.count()},
+    recorder.finish({{"wall_time_s", since(start)},
                      {"profile_s", profile},
                      {"counts", {{"exchanges", exchanges.said}, {"skipped_exchanges", exchanges.skipped}}},
                      {"peak_memory_mb", {{"solid", results::peak_memory_mb()}}}},
-                    stopped, skips_of(exchanges, process.make_fluid != nullptr));
+                    stopped, skips_of(exchanges, alone, process.make_fluid != nullptr, exchange_s, own_start_s));
   };
   try {
     if (alone) {
+      started_s = since(start);
       exchanges = run_solid(nullptr, scene, checkpoints, first, recorder);
     } else if (process.make_fluid) {
       const std::unique_ptr<FluidSide> fluid = process.make_fluid(scene, process.folder);
       checkpoint::Checkpoints its_own(process.folder, scene::name(scene.fluid), scene.digest, 0);
       FluidTurn turn(*fluid, its_own, first);
-      LocalFluid here(turn);
+      LocalFluid here(turn, within_s);
+      started_s = since(start);
       exchanges = run_solid(&here, scene, checkpoints, first, recorder);
       report = turn.report();
     } else {
@@ -99,7 +123,7 @@ FluidReport run_process(SolidProcess process) {
       process.line.open_timeout_s = scene.coupling.open_timeout_s;
       channel.emplace(process.line);
       channel->handshake(hello(scene, "solid", first));
-      connected_s = std::chrono::duration<double>(Clock::now() - start).count();
+      started_s = since(start);
       waited_before_s = channel->waited_s();
       RemoteFluid there(*channel);
       exchanges = run_solid(&there, scene, checkpoints, first, recorder);

@@ -31,16 +31,23 @@ struct Side {
 
 constexpr Phase of_solid[] = {{"start_up", "start-up"},
                               {"search", "contact search"},
-                              {"assembly_and_contact", "contact and assembly"},
+                              {"islands", "groups in contact"},
+                              {"contact", "contact forces"},
+                              {"assembly", "assembly"},
                               {"factorization", "factorization"},
                               {"solve", "solution"},
+                              {"state_changes", "multipliers and bonds"},
+                              {"accept", "states at the step's end"},
                               {"rest_of_step", "rest of the step"},
+                              {"watch", "failure, margins, energies"},
                               {"mapping", "water onto blocks"},
                               {"pack", "packing"},
                               {"wire", "wire"},
                               {"wait_for_fluid", "waiting for the water"},
                               {"output", "output"}};
-constexpr Phase of_fluid[] = {{"fluid_mapping", "blocks into water"},
+constexpr Phase of_fluid[] = {{"fluid_start_up", "start and end of interFoam"},
+                              {"fluid_mapping", "blocks into water"},
+                              {"fluid_cut", "blocks cut out of cells"},
                               {"fluid_step", "step"},
                               {"fluid_pack", "packing"},
                               {"fluid_wire", "wire"},
@@ -142,7 +149,7 @@ void profile(const ProfileOptions& options) {
   }
   fmt::print("{}", profile_tree(summary));
   const std::filesystem::path file = options.run / (options.svg ? "profile.svg" : "profile.png");
-  gnuplot(picture(sides_of(summary), options.svg ? "svg size 1100,420" : "pngcairo size 1100,420", file));
+  gnuplot(picture(sides_of(summary), options.svg ? "svg size 1100,520" : "pngcairo size 1100,520", file));
   fmt::print("{}\n", file.string());
 }
 

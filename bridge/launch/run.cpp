@@ -126,6 +126,7 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
     if (fluid.contains("checks")) {
       for (const json& check : fluid["checks"]) summary["checks"].push_back(check);
     }
+    for (const json& skip : fluid.value("skips", json::array())) summary["skips"].push_back(skip);
     if (fluid.contains("peak_memory_mb")) summary["peak_memory_mb"]["fluid"] = fluid["peak_memory_mb"];
     fs::remove(report_of(folder));
   }

@@ -166,6 +166,8 @@ struct Analysis {
   bool stop_at_failure = false;          ///< end the run once the failure is certain
   bool islands = true;                   ///< solve groups of blocks in contact apart
   bool sleep = true;                     ///< leave islands at rest under unchanging loads as they are
+  bool skip_searches = true;             ///< while nothing has moved, contacts are not searched anew
+  bool reuse_factors = true;             ///< factors of matrices serve again
   Rigid rigid = Rigid::named;
   double residual_tolerance = 1e-8;  ///< at_rest: largest unbalanced force over the weight of all that can move
 

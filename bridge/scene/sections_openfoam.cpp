@@ -12,8 +12,9 @@ namespace {
 /// Of the case that is written from the scene: a case of one's own has its mesh and its water.
 constexpr const char* case_keys[] = {"cells_in_depth", "upstream_depths",       "downstream_depths", "freeboard_depths",
                                      "floor_m",        "air_density_kg_per_m3", "initial_water_m",   "wave"};
-constexpr const char* run_keys[] = {"case",        "processes",        "reconstruct",
-                                    "max_courant", "steps_per_window", "level_control"};
+constexpr const char* run_keys[] = {"case",           "processes",        "reconstruct",
+                                    "max_courant",    "steps_per_window", "level_control",
+                                    "move_tolerance", "rest_tolerance"};
 
 void read_wave(TableReader& fluid, Reading& reading) {
   const toml::table* section = fluid.table("wave");
@@ -81,6 +82,12 @@ void check(TableReader& table, Reading& reading) {
     reading.problems.error(table.place("level_control"), "regular waves with a closed end",
                            "level_control = \"inflow\"", "leave level_control out");
   }
+  if (scene.openfoam.rest_tolerance > 0 &&
+      (scene.base_motion || comes_in(scene.openfoam) || !scene.openfoam.own_case.empty())) {
+    reading.problems.error(table.place("rest_tolerance"),
+                           "rest_tolerance beside a base motion, regular waves or a case of your own",
+                           "water that nothing but its levels and the blocks can move", "leave rest_tolerance out");
+  }
   if (scene.openfoam.reconstruct && scene.openfoam.processes == 1) {
     reading.problems.error(table.place("reconstruct"), "reconstruct with one process", "processes = 2 or more",
                            "leave reconstruct out: the results of one process are whole");
@@ -93,6 +100,7 @@ void check(TableReader& table, Reading& reading) {
 void read_openfoam(TableReader& table, Reading& reading) {
   OpenFoam& o = reading.scene.openfoam;
   const Range ratio{[](double r) { return r > 0 && r <= 1; }, "a number above 0 and up to 1"};
+  const Range tolerance{[](double t) { return t >= 0 && t <= 1e-3; }, "a number from 0 to 0.001"};
   table.text("case", o.own_case);
   table.integer("processes", o.processes, 1);
   table.flag("reconstruct", o.reconstruct);
@@ -104,6 +112,8 @@ void read_openfoam(TableReader& table, Reading& reading) {
   table.number("air_density_kg_per_m3", o.air_density_kg_per_m3, positive());
   table.number("max_courant", o.max_courant, ratio);
   table.integer("steps_per_window", o.steps_per_window, 1);
+  table.number("move_tolerance", o.move_tolerance, tolerance);
+  table.number("rest_tolerance", o.rest_tolerance, tolerance);
   table.outlines("initial_water_m", o.initial_water_m);
   read_wave(table, reading);
   if (o.wave) o.level_control = comes_in(o) ? LevelControl::inflow : LevelControl::free;

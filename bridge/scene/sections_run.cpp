@@ -68,6 +68,8 @@ void read_analysis(Reading& reading) {
   table.number("residual_tolerance", a.residual_tolerance, positive());
   table.flag("islands", a.islands);
   table.flag("sleep", a.sleep);
+  table.flag("skip_searches", a.skip_searches);
+  table.flag("reuse_factors", a.reuse_factors);
   table.choice<Rigid>(
       "rigid", a.rigid,
       {{"named", Rigid::named}, {"auto", Rigid::automatic}, {"all", Rigid::all}, {"none", Rigid::none}});

@@ -77,6 +77,7 @@ void read_water(Reading& reading) {
   table.integer("elements_per_face", w.elements_per_face, 1);
   table.number("open_crack_width_m", w.open_crack_width_m, positive());
   table.flag("may_overtop", w.may_overtop);
+  table.flag("skip_unchanged", w.skip_unchanged);
   if (!table.present()) return;
   reading.scene.fluid = FluidModel::hydrostatic;
   const toml::table* fluid = reading.section("fluid");

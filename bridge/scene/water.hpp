@@ -26,6 +26,7 @@ struct Water {
   int elements_per_face = 20;        ///< interface elements on an edge that is wet all along
   double open_crack_width_m = 0.05;  ///< narrower gaps between blocks carry no open water
   bool may_overtop = false;          ///< levels above the crest are meant
+  bool skip_unchanged = true;        ///< still water keeps its pressures while neither a level nor a block has moved
   bool operator==(const Water&) const = default;
 };
 
@@ -75,6 +76,8 @@ struct OpenFoam {
   double max_courant = 0.5;
   int steps_per_window = 1;  ///< at least; more where max_courant asks for it
   LevelControl level_control = LevelControl::table;
+  double move_tolerance = 1e-7;  ///< of the depth: blocks are cut out of the cells anew once a corner has gone so far
+  double rest_tolerance = 0;  ///< of the largest pressure: what is less counts as rest, and no step is made; 0: never
   std::vector<std::vector<Point>> initial_water_m;  ///< outlines full of water at time 0, beside the pools
   std::optional<Wave> wave;
   bool operator==(const OpenFoam&) const = default;

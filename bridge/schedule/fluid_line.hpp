@@ -32,12 +32,14 @@ class RemoteFluid final : public FluidLine {
 /// Answers as soon as it is told.
 class LocalFluid final : public FluidLine {
  public:
-  explicit LocalFluid(FluidTurn& fluid) : fluid_(fluid) {}
+  /// What its answers take is added to `seconds`.
+  LocalFluid(FluidTurn& fluid, double& seconds) : fluid_(fluid), seconds_(seconds) {}
   void tell(const wire::Motion& motion) override;
   void hear(wire::Load& load) override;
 
  private:
   FluidTurn& fluid_;
+  double& seconds_;
   const wire::Load* answer_ = nullptr;
 };
 

@@ -5,13 +5,15 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace blockweir::schedule {
 
 struct FluidReport {
   std::map<std::string, double> seconds{};  ///< by phase: wait, pack, wire, mapping, step, output
   std::map<std::string, long> counts{};
-  double peak_memory_mb = 0;  ///< 0: it has no process of its own
+  std::vector<std::string> skips{};  ///< what was not done, and what that has saved, in words
+  double peak_memory_mb = 0;         ///< 0: it has no process of its own
 };
 
 /// As JSON, {"seconds": {...}, "counts": {...}}. Throws std::runtime_error when `file` cannot be written.

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "bridge/results/stopwatch.hpp"
 #include "bridge/schedule/fluid_line.hpp"
 
 namespace blockweir::schedule {
 
 /// A fluid that fails is a partner that fails, wherever it is.
 void LocalFluid::tell(const wire::Motion& motion) {
+  const Stopwatch watch(seconds_);
   try {
     answer_ = fluid_.answer(motion);
     if (answer_ != nullptr) fluid_.record();

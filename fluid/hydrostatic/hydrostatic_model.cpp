@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "bridge/results/saving.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/polygon.hpp"
 #include "bridge/wire/panels.hpp"
@@ -51,13 +52,14 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   }
   const double upstream = level_at(scene_.water.upstream_level_m, to_s);
   const double downstream = level_at(scene_.water.downstream_level_m, to_s);
-  const bool still = !fresh_ && same(upstream, last_upstream_m_) && same(downstream, last_downstream_m_) &&
-                     motion.displacement == last_motion_.displacement;
+  const bool moved = fresh_ || motion.displacement != last_motion_.displacement || !scene_.water.skip_unchanged;
   load.holds_until_s = level_stands_until(scene_.water, to_s);
-  if (still) {
+  if (!moved && same(upstream, last_upstream_m_) && same(downstream, last_downstream_m_)) {
     ++unchanged_;
     return;
   }
+  const Stopwatch watch(update_s_);
+  if (moved) wetted_ = {};
   fresh_ = false;
   ++updates_;
   last_motion_.displacement = motion.displacement;
@@ -91,12 +93,31 @@ void HydrostaticModel::restore(const std::string& state) {
 }
 
 schedule::FluidReport HydrostaticModel::report() const {
-  return {{{"mapping", mapping_s_}}, {{"updates", updates_}, {"unchanged", unchanged_}}};
+  schedule::FluidReport report{{{"mapping", mapping_s_}}, {{"updates", updates_}, {"unchanged", unchanged_}}};
+  if (unchanged_ > 0) {
+    report.skips.push_back(fmt::format("pressures of {} of {} windows: neither a level nor a block had moved{}",
+                                       unchanged_, unchanged_ + updates_,
+                                       results::saved(update_s_, updates_, unchanged_)));
+  }
+  if (kept_faces_ > 0) {
+    report.skips.push_back(fmt::format("wet faces of a pool, {} of {} times: neither its level nor a block had moved{}",
+                                       kept_faces_, kept_faces_ + wettings_,
+                                       results::saved(mapping_s_, wettings_, kept_faces_)));
+  }
+  if (!scene_.output.reservoir) report.skips.emplace_back("the reservoir's mesh: its pictures are not asked for");
+  return report;
 }
 
-WetFaces HydrostaticModel::wet_part(Pool pool, double level_m) {
+const WetFaces& HydrostaticModel::wet_part(Pool pool, double level_m) {
+  std::optional<Wetted>& kept = wetted_[pool == Pool::upstream ? 0 : 1];
+  if (kept && kept->level_m == level_m) {
+    ++kept_faces_;
+    return kept->faces;
+  }
   const Stopwatch watch(mapping_s_);
-  return wet_faces(outlines_, pool, level_m, scene_.water.open_crack_width_m);
+  ++wettings_;
+  kept = Wetted{level_m, wet_faces(outlines_, pool, level_m, scene_.water.open_crack_width_m)};
+  return kept->faces;
 }
 
 void HydrostaticModel::place(const wire::Motion& motion) {
@@ -111,7 +132,7 @@ void HydrostaticModel::place(const wire::Motion& motion) {
 
 void HydrostaticModel::add_pool(Pool pool, double level_m, wire::Load& load) {
   const scene::Water& w = scene_.water;
-  const WetFaces wet = wet_part(pool, level_m);
+  const WetFaces& wet = wet_part(pool, level_m);
   const Hydrostatics water{
       .weight_n_per_m3 = w.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2,
       .atmosphere_pa = w.atmosphere == scene::Atmosphere::wet_faces ? w.atmospheric_pressure_pa : 0,

@@ -2,10 +2,14 @@
 // The reference fluid: still water in two pools and in the cracks that the scene fills, at the blocks' positions.
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "bridge/schedule/sides.hpp"
 #include "fluid/hydrostatic/cracks.hpp"
 #include "fluid/hydrostatic/interface_mesh.hpp"
 #include "fluid/hydrostatic/reservoir_mesh.hpp"
+#include "fluid/hydrostatic/wet_faces.hpp"
 
 namespace blockweir::hydrostatic {
 
@@ -33,16 +37,22 @@ class HydrostaticModel final : public schedule::FluidSide {
   [[nodiscard]] schedule::FluidReport report() const override;
 
  private:
+  /// What water at this level wets of the blocks where they are.
+  struct Wetted {
+    double level_m = 0;
+    WetFaces faces;
+  };
   void press(wire::Load& load);
   void place(const wire::Motion& motion);
-  [[nodiscard]] WetFaces wet_part(Pool pool, double level_m);
+  [[nodiscard]] const WetFaces& wet_part(Pool pool, double level_m);
   void add_pool(Pool pool, double level_m, wire::Load& load);
   void add_cracks(double upstream_m, double downstream_m, wire::Load& load);
 
   const scene::Scene& scene_;
   std::vector<Point> centroids_;
   std::vector<Crack> cracks_;
-  std::vector<std::vector<Point>> outlines_;  ///< current
+  std::vector<std::vector<Point>> outlines_;     ///< current
+  std::array<std::optional<Wetted>, 2> wetted_;  ///< of the pools, while no block moves
   std::vector<PoolSection> pools_;
   wire::Motion last_motion_;
   double last_upstream_m_ = 0;
@@ -50,7 +60,10 @@ class HydrostaticModel final : public schedule::FluidSide {
   bool fresh_ = true;
   long updates_ = 0;
   long unchanged_ = 0;  ///< windows in which neither level nor block moved
+  long wettings_ = 0;   ///< searches for wet faces
+  long kept_faces_ = 0;
   double mapping_s_ = 0;
+  double update_s_ = 0;
 };
 
 }  // namespace blockweir::hydrostatic

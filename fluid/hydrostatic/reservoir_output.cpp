@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "bridge/results/saving.hpp"
+#include "bridge/results/stopwatch.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
@@ -55,23 +57,29 @@ void RecordedModel::record(double time_s) {
 schedule::FluidReport RecordedModel::report() const {
   schedule::FluidReport report = model_.report();
   report.counts["meshes"] = meshes_;
+  if (repeats_ > 0) {
+    report.skips.push_back(fmt::format("{} of {} meshes of the reservoir: neither a level nor a block had moved{}",
+                                       repeats_, repeats_ + meshes_, results::saved(meshing_s_, meshes_, repeats_)));
+  }
   return report;
 }
 
 std::string RecordedModel::state() const {
-  return checkpoint::pack(model_.state(), files_, next_s_, last_file_, written_update_, meshes_);
+  return checkpoint::pack(model_.state(), files_, next_s_, last_file_, written_update_, meshes_, repeats_);
 }
 
 void RecordedModel::restore(const std::string& state) {
   std::string of_model;
-  checkpoint::unpack(state, of_model, files_, next_s_, last_file_, written_update_, meshes_);
+  checkpoint::unpack(state, of_model, files_, next_s_, last_file_, written_update_, meshes_, repeats_);
   model_.restore(of_model);
 }
 
 void RecordedModel::write(double time_s) {
   if (model_.updates() == written_update_) {
     files_.repeat(last_file_, time_s, part);
+    ++repeats_;
   } else {
+    const Stopwatch watch(meshing_s_);
     vtk::Grid grid;
     auto* pressure = grid.point_data("pressure_pa", 1);
     for (const PoolSection& pool : model_.pools()) {

@@ -32,6 +32,8 @@ class RecordedModel final : public schedule::FluidSide {
   std::string last_file_;
   long written_update_ = -1;
   long meshes_ = 0;
+  long repeats_ = 0;  ///< pictures whose mesh was the one before
+  double meshing_s_ = 0;
 };
 
 }  // namespace blockweir::hydrostatic

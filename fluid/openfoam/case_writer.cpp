@@ -169,7 +169,7 @@ void forget_former_run(const std::filesystem::path& folder) {
 }  // namespace
 
 Surroundings surroundings(const scene::Scene& scene, const Grid& grid) {
-  Surroundings around{grid.site, outlines_in(grid, scene), grid.cell_m};
+  Surroundings around{grid.site, outlines_in(grid, scene), grid.site.highest_m - grid.ground_m, grid.cell_m};
   if (scene::comes_in(scene.openfoam)) around.wave = stokes_wave(scene, grid);
   return around;
 }

@@ -15,6 +15,7 @@ namespace blockweir::openfoam {
 struct Surroundings {
   Site site;
   std::vector<std::vector<scene::Point>> outlines;  ///< of all blocks, the ground's drawn out beyond the mesh
+  double depth_m = 0;                               ///< largest, of the water
   std::optional<double> cell_m{};                   ///< side of a cell beside blocks; none: the plugin measures it
   std::optional<StokesWave> wave{};                 ///< that comes in at the upstream end
 };

@@ -11,6 +11,7 @@
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/results/peak_memory.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/saving.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "fluid/openfoam/case_writer.hpp"
 #include "fluid/openfoam/own_case.hpp"
@@ -65,15 +66,43 @@ void run_interfoam(const scene::Scene& scene, const fs::path& folder, double& se
   }
 }
 
-/// Seconds by phase, from the plugin's file; "step" is what is left of interFoam's own.
+/// Names and numbers that the plugin has left.
+template <class Number>
+std::map<std::string, Number> numbers(const fs::path& path) {
+  std::map<std::string, Number> all;
+  std::ifstream file(path);
+  std::string name;
+  for (Number number = 0; file >> name >> number;) all[name] = number;
+  return all;
+}
+
+/// Seconds by phase; interFoam's start and end are what is left.
 std::map<std::string, double> times(const fs::path& folder, double solved_s) {
-  std::map<std::string, double> seconds;
-  std::ifstream file(folder / "blockweir.times");
+  auto seconds = numbers<double>(folder / "blockweir.times");
   double other_s = 0;
-  std::string phase;
-  for (double s = 0; file >> phase >> s; other_s += s) seconds[phase] = s;
-  seconds["step"] = solved_s - other_s;
+  for (const auto& [phase, s] : seconds) other_s += s;
+  seconds["start_up"] = solved_s - other_s;
   return seconds;
+}
+
+/// In words, with the mean time of what was done, times what was not.
+nlohmann::json skips(const std::map<std::string, double>& seconds, const std::map<std::string, long>& counts) {
+  nlohmann::json list = nlohmann::json::array();
+  if (counts.empty()) return list;
+  const long passed = counts.at("windows_at_rest");
+  const long windows = counts.at("windows");
+  if (passed > 0) {
+    list.push_back(fmt::format("interFoam's steps in {} of {} windows: water and blocks were at rest{}", passed,
+                               passed + windows, results::saved(seconds.at("step"), windows, passed)));
+  }
+  const long skipped = counts.at("skipped_cuts");
+  const long cuts = counts.at("cuts");
+  if (skipped > 0) {
+    list.push_back(
+        fmt::format("cutting moved blocks out of cells, {} of {} times: no corner was beyond move_tolerance{}", skipped,
+                    skipped + cuts, results::saved(seconds.at("cut"), cuts, skipped)));
+  }
+  return list;
 }
 
 int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptions& options) {
@@ -81,8 +110,11 @@ int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptio
   double solved_s = 0;
   run_interfoam(scene, folder, solved_s);
   if (scene.openfoam.reconstruct) run_program("reconstructPar", {"reconstructPar", "-case", folder}, folder);
-  const nlohmann::json report = {{"seconds", times(folder, solved_s)},
-                                 {"counts", nlohmann::json::object()},
+  const auto seconds = times(folder, solved_s);
+  const auto counts = numbers<long>(folder / "blockweir.counts");
+  const nlohmann::json report = {{"seconds", seconds},
+                                 {"counts", counts},
+                                 {"skips", skips(seconds, counts)},
                                  {"peak_memory_mb", results::peak_memory_mb()},
                                  {"checks", water_checks(scene, folder / "water.csv")}};
   if (!options.report.empty()) results::replace_file(options.report, report.dump(2) + "\n");

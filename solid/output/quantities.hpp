@@ -8,6 +8,7 @@
 #include "solid/output/failure_watch.hpp"
 #include "solid/output/interface_energy.hpp"
 #include "solid/output/margins.hpp"
+#include "solid/output/skips.hpp"
 #include "solid/output/time_series.hpp"
 
 namespace blockweir::solid::output {
@@ -24,6 +25,7 @@ struct Outcome {
   const EnergyWatch& energy;
   const AddedMassWatch& added_mass;
   const InterfaceEnergy& interface_energy;
+  const Frames& frames;
   double largest_penetration_m = 0;    ///< over the whole run
   std::optional<double> breached_s{};  ///< since when open water has passed the structure
 };

@@ -119,6 +119,7 @@ void Recorder::watch_interface(const wire::Load& load, const wire::Motion& told,
                                double from_s, double to_s) {
   const scene::Scene& scene = solid_.scene();
   if (load.block.empty() || scene.analysis.kind != scene::AnalysisKind::dynamic) return;
+  const Stopwatch watch(watch_s_);
   double kinetic = energy_.now().kinetic;
   for (std::size_t b = 0; b < masses.size(); ++b) {
     const Eigen::Vector3d v = solid_.states()[b].velocity.head<3>();
@@ -130,6 +131,7 @@ void Recorder::watch_interface(const wire::Load& load, const wire::Motion& told,
 }
 
 void Recorder::observe(const wire::Load& load, double time_s) {
+  const Stopwatch watch(watch_s_);
   failure_.look(time_s, load.upstream_level_m);
   if (failure_.failures().empty()) margins_.look(solid_, time_s, load.upstream_level_m);
   acceleration_.add(time_s, solid_.states(), solid_.base().displacement(time_s));
@@ -146,6 +148,7 @@ void Recorder::record(const wire::Load& load, double time_s) {
   const bool history_due = last || time_s >= next_history_s_ - soon;
   const bool frame_due = last || time_s >= next_frame_s_ - soon;
   last_load_ = load;
+  if (!frame_due) ++frames_.not_asked_for;
   if (!history_due && !frame_due) return;
   capture(solid_, load, time_s, frame_);
   recorded_s_ = time_s;
@@ -154,6 +157,8 @@ void Recorder::record(const wire::Load& load, double time_s) {
     while (next_history_s_ <= time_s + soon) next_history_s_ += every.history_every_s;
   }
   if (frame_due) {
+    const Stopwatch of_frames(frames_.seconds);
+    ++frames_.written;
     frame_log_.write(frame_);
     vtk_.write(frame_);
     while (next_frame_s_ <= time_s + soon) next_frame_s_ += every.frame_every_s;
@@ -180,6 +185,23 @@ void Recorder::restore(const std::string& state) {
   checkpoint::unpack(state, *this);
 }
 
+/// By phase, none of which holds another.
+nlohmann::json Recorder::seconds() const {
+  const Profile& p = solid_.profile();
+  return {{"search", p.search},
+          {"islands", p.islands},
+          {"contact", p.contact},
+          {"assembly", p.assembly - p.contact},
+          {"factorization", p.factorization},
+          {"solve", p.solve - p.factorization},
+          {"state_changes", p.sweeps},
+          {"accept", p.accept},
+          {"rest_of_step", step_s_ - p.search - p.islands - p.assembly - p.solve - p.sweeps - p.accept},
+          {"mapping", map_s_},
+          {"watch", watch_s_},
+          {"output", output_s_}};
+}
+
 void Recorder::finish(const nlohmann::json& extra, const std::string& stopped,
                       const std::vector<std::string>& more_skips) {
   const Outcome outcome{.solid = solid_,
@@ -192,16 +214,13 @@ void Recorder::finish(const nlohmann::json& extra, const std::string& stopped,
                         .energy = energy_,
                         .added_mass = added_mass_,
                         .interface_energy = interface_energy_,
+                        .frames = frames_,
                         .largest_penetration_m = largest_penetration_m_,
                         .breached_s = breached_s_};
   nlohmann::json text;
   if (recorded_s_ >= 0) text = summary(outcome);
   for (const std::string& skip : more_skips) text["skips"].push_back(skip);
-  const Profile& profile = solid_.profile();
-  text["profile_s"] = {
-      {"search", profile.search}, {"assembly_and_contact", profile.assembly},
-      {"solve", profile.solve},   {"rest_of_step", step_s_ - profile.search - profile.assembly - profile.solve},
-      {"mapping", map_s_},        {"output", output_s_}};
+  text["profile_s"] = seconds();
   if (!stopped.empty()) {
     text["outcome"] = "stopped";
     text["stopped"] = stopped;

@@ -32,7 +32,7 @@ class Recorder final : public schedule::SolidSide {
   void serialize(Archive& archive) {
     archive(solid_, water_, failure_, margins_, acceleration_, series_, energy_, added_mass_, interface_energy_,
             history_, frame_log_, vtk_, first_, frame_, last_load_, next_history_s_, next_frame_s_, recorded_s_,
-            largest_penetration_m_, breached_s_, step_s_, map_s_, output_s_);
+            largest_penetration_m_, breached_s_, frames_, step_s_, map_s_, watch_s_, output_s_);
   }
 
   /// Writes summary.json; `extra` is merged into it. When `stopped` is not empty the run ended early, for that reason.
@@ -48,6 +48,7 @@ class Recorder final : public schedule::SolidSide {
   void map(const wire::Load& load);
   void observe(const wire::Load& load, double time_s);
   void record(const wire::Load& load, double time_s);
+  [[nodiscard]] nlohmann::json seconds() const;
 
   Solid solid_;
   WaterCourse water_;
@@ -71,8 +72,10 @@ class Recorder final : public schedule::SolidSide {
   double recorded_s_ = -1;  ///< time of frame_
   double largest_penetration_m_ = 0;
   std::optional<double> breached_s_;
+  Frames frames_;
   double step_s_ = 0;    ///< wall time in the solid's steps
   double map_s_ = 0;     ///< wall time between messages and blocks
+  double watch_s_ = 0;   ///< wall time in looking for failure, margins, energies
   double output_s_ = 0;  ///< wall time in writing
 };
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "solid/output/formulas.hpp"
@@ -56,35 +55,6 @@ json margin(const Outcome& o) {
   return found;
 }
 
-/// What this scene did not need, in words.
-json skips(const Outcome& o) {
-  json list = json::array();
-  const Counts counts = o.solid.counts();
-  const Profile& profile = o.solid.profile();
-  const auto& blocks = o.solid.blocks();
-  const auto rigid = std::count_if(blocks.begin(), blocks.end(), [](const Block& b) { return b.rigid; });
-  if (rigid > 0) {
-    const bool found = o.solid.scene().analysis.rigid == scene::Rigid::automatic;
-    list.push_back(
-        fmt::format("strains of {} blocks: {}", rigid,
-                    found ? "contact forces follow from equilibrium alone, and own strain moves points by less "
-                            "than 1 % of failure_displacement_m"
-                          : "the scene calls them rigid"));
-  }
-  if (o.solid.scene().fluid == scene::FluidModel::none) list.push_back("a fluid process: the scene has no water");
-  if (counts.most_islands > 1) {
-    list.push_back(
-        fmt::format("one system of all blocks: up to {} groups in contact were solved apart", counts.most_islands));
-  }
-  if (counts.slept_islands > 0) {
-    const double each = (profile.assembly + profile.solve) / static_cast<double>(std::max(1L, counts.solved_islands));
-    list.push_back(fmt::format("{} of {} solutions of islands that slept, saved about {:.2g} s", counts.slept_islands,
-                               counts.slept_islands + counts.solved_islands,
-                               each * static_cast<double>(counts.slept_islands)));
-  }
-  return list;
-}
-
 json number_check(const Outcome& outcome, const scene::Expectation& e) {
   const double got = quantity(outcome, e);
   if (!e.word.empty()) throw std::runtime_error(fmt::format("{} is a number, and the answer a word", e.quantity));
@@ -133,7 +103,7 @@ json summary(const Outcome& outcome) {
                {"largest_displacement_m", outcome.last.largest_displacement_m},
                {"largest_penetration_m", outcome.largest_penetration_m},
                {"checks", checks(outcome)},
-               {"skips", skips(outcome)},
+               {"skips", skips(outcome.solid, outcome.frames)},
                {"counts",
                 {{"steps", counts.steps},
                  {"undone_steps", counts.undone_steps},
@@ -143,6 +113,7 @@ json summary(const Outcome& outcome) {
                  {"reused_factorizations", counts.reused_factorizations},
                  {"multiplier_sweeps", counts.sweeps},
                  {"state_changes", counts.state_changes},
+                 {"searches", counts.searches},
                  {"broad_searches", counts.broad_searches},
                  {"skipped_searches", counts.skipped_searches},
                  {"settling_steps", counts.settling_steps},

@@ -2,6 +2,7 @@
 // Small islands: one dense matrix, LU with partial pivoting (a slipping contact makes K unsymmetric).
 #include <Eigen/LU>
 
+#include "bridge/results/stopwatch.hpp"
 #include "solid/solve/linear_system.hpp"
 
 namespace blockweir::solid {
@@ -22,10 +23,14 @@ class DenseSystem final : public LinearSystem {
     k_.block(u_.first[at(row)], u_.first[at(column)], rows, columns) += k.topLeftCorner(rows, columns);
   }
   bool solve(bool /*symmetric*/, const Eigen::VectorXd& f, Eigen::VectorXd& d) override {
-    lu_.compute(k_);
+    {
+      const Stopwatch watch(times_.factorization);
+      lu_.compute(k_);
+    }
     d = lu_.solve(f);
     return d.allFinite();
   }
+  [[nodiscard]] SolutionTimes times() const override { return times_; }
   [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const override { return lu_.solve(f); }
   [[nodiscard]] Eigen::MatrixXd dense() const override { return k_; }
 
@@ -33,6 +38,7 @@ class DenseSystem final : public LinearSystem {
   Unknowns u_;
   Eigen::MatrixXd k_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  SolutionTimes times_;
 };
 
 }  // namespace

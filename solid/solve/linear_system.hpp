@@ -10,6 +10,12 @@
 
 namespace blockweir::solid {
 
+/// Seconds so far.
+struct SolutionTimes {
+  double factorization = 0;
+  double refinement = 0;  ///< solutions with factors of a matrix nearby, and tries that failed
+};
+
 class LinearSystem {
  public:
   virtual ~LinearSystem() = default;
@@ -25,6 +31,9 @@ class LinearSystem {
   virtual bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) = 0;
   /// Did the last solution take the factors of an earlier one?
   [[nodiscard]] virtual bool reused() const { return false; }
+  /// The next solution factorizes anew.
+  virtual void forget_factors() {}
+  [[nodiscard]] virtual SolutionTimes times() const = 0;
   /// For another right-hand side, with the factors of the last solve.
   [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const = 0;
   /// What was added, all of it.

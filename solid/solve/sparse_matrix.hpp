@@ -10,6 +10,9 @@
 #include <limits>
 #include <vector>
 
+#include "bridge/results/stopwatch.hpp"
+#include "solid/solve/linear_system.hpp"
+
 namespace blockweir::solid {
 
 class SparseMatrix {
@@ -26,7 +29,16 @@ class SparseMatrix {
 
   /// Factors of earlier steps serve no matrix but the one that they were made of: a run that is resumed, and has none,
   /// ends with the same bits.
-  void begin_step() { cholesky_.of_this_step = lu_.of_this_step = false; }
+  void begin_step() {
+    cholesky_.begin_step();
+    lu_.begin_step();
+  }
+
+  /// The next solve makes new ones.
+  void forget_factors() {
+    cholesky_.made = lu_.made = false;
+    cholesky_.of_this_step = lu_.of_this_step = false;
+  }
 
   /// False when it is singular to working accuracy.
   bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
@@ -41,6 +53,7 @@ class SparseMatrix {
   }
   /// Did the last solve factorize nothing?
   [[nodiscard]] bool reused() const { return reused_; }
+  [[nodiscard]] SolutionTimes times() const { return times_; }
 
   Matrix k;
 
@@ -51,26 +64,54 @@ class SparseMatrix {
     bool analysed = false;
     bool made = false;
     bool of_this_step = false;
+    int pause = 0;               ///< solutions that are not to be tried by refinement
+    int next_pause = 1;          ///< after a try that fails: they cost time, and come in rows
     std::vector<double> values;  ///< of the matrix that they were made of
+
+    void begin_step() {
+      of_this_step = false;
+      pause = 0;
+      next_pause = 1;
+    }
   };
 
   template <class Solver>
   bool solve_with(Factors<Solver>& factors, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
     const bool same = factors.made && std::equal(factors.values.begin(), factors.values.end(), k.valuePtr());
     factors.of_this_step = factors.of_this_step || same;
-    reused_ = same || (factors.of_this_step && refine(factors.solver, f, d));
+    reused_ = same || (factors.of_this_step && serves(factors, f, d));
     if (reused_) {
       if (same) d = factors.solver.solve(f);
       return d.allFinite();
     }
-    if (!factors.analysed) factors.solver.analyzePattern(k);
-    factors.analysed = true;
-    factors.solver.factorize(k);
+    factorize(factors.solver, factors.analysed);
     factors.made = factors.of_this_step = factors.solver.info() == Eigen::Success;
     if (!factors.made) return false;
     factors.values.assign(k.valuePtr(), k.valuePtr() + k.nonZeros());
     d = factors.solver.solve(f);
     return factors.solver.info() == Eigen::Success && d.allFinite();
+  }
+
+  /// By refinement, unless that has failed just now.
+  template <class Solver>
+  bool serves(Factors<Solver>& factors, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
+    if (factors.pause > 0) {
+      --factors.pause;
+      return false;
+    }
+    const Stopwatch watch(times_.refinement);
+    const bool served = refine(factors.solver, f, d);
+    factors.pause = served ? 0 : factors.next_pause;
+    factors.next_pause = served ? 1 : 2 * factors.next_pause;
+    return served;
+  }
+
+  template <class Solver>
+  void factorize(Solver& solver, bool& analysed) {
+    const Stopwatch watch(times_.factorization);
+    if (!analysed) solver.analyzePattern(k);
+    analysed = true;
+    solver.factorize(k);
   }
 
   /// Solves with factors of a matrix near this one, again for what is left until nothing is: false where they serve it
@@ -95,6 +136,7 @@ class SparseMatrix {
   Factors<Eigen::UmfPackLU<Matrix>> lu_;
   bool by_cholesky_ = false;  ///< the last solve
   bool reused_ = false;
+  SolutionTimes times_;
 };
 
 }  // namespace blockweir::solid

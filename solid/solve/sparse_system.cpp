@@ -43,6 +43,8 @@ class SparseSystem final : public LinearSystem {
   void begin_step() override { matrix_.begin_step(); }
   void set_zero() override { matrix_.set_zero(); }
   [[nodiscard]] bool reused() const override { return matrix_.reused(); }
+  void forget_factors() override { matrix_.forget_factors(); }
+  [[nodiscard]] SolutionTimes times() const override { return matrix_.times(); }
 
   void add(int row, int column, const Matrix6& k) override {
     const auto& rows = rows_[at(column)];

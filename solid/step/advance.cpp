@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bridge/results/stopwatch.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
@@ -79,6 +80,16 @@ bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& wa
   return solved;
 }
 
+void Solid::find_contacts() {
+  if (contacts_stand_ && scene_.analysis.skip_searches) {
+    ++counts_.skipped_searches;
+    return;
+  }
+  const Stopwatch watch(profile_.search);
+  ++counts_.searches;
+  search_.update(start_, contacts_);
+}
+
 /// One step of length dt, or nothing at all: false leaves the state as it was.
 bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   if (scene_.analysis.kind == scene::AnalysisKind::quasi_static) {
@@ -88,11 +99,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   contacts_before_ = contacts_;
   const std::vector<Support> supports_before = supports_;
 
-  if (contacts_stand_) {
-    ++counts_.skipped_searches;
-  } else {
-    search_.update(start_, contacts_);
-  }
+  find_contacts();
   const long state_changes_before = formulation_->state_changes();
   prepare_islands();
   prepare_matrices(dt);
@@ -157,6 +164,7 @@ void Solid::carry_fixed_blocks(double end_s) {
 }
 
 void Solid::accept(double dt, double end_s) {
+  const Stopwatch watch(profile_.accept);
   time_s_ = end_s;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].fixed) states_[b].velocity.head<2>() = base_.velocity(end_s);

@@ -122,11 +122,14 @@ double Solid::unbalanced(IslandSystem& s) {
     if (action.constraint_count > 0) return add_constraints(s, action, support, index);
     s.symmetric = s.symmetric && action.stiffness(1, 0) == action.stiffness(0, 1);
   };
-  for (const int k : s.island.contacts) add(formulation_->contact(trial(), k, contacts_[at(k)]), false, k);
-  for (const int k : s.island.supports) add(formulation_->support(trial(), k, supports_[at(k)]), true, k);
   std::vector<Interaction> bolts;
-  for (const int k : s.bolts) bolts.push_back(interaction_of(trial(), bolts_[at(k)], base_.displacement(end_s_)));
-  for (const Interaction& bolt : bolts) add(bolt, false, -1);
+  {
+    const Stopwatch of_contact(profile_.contact);
+    for (const int k : s.island.contacts) add(formulation_->contact(trial(), k, contacts_[at(k)]), false, k);
+    for (const int k : s.island.supports) add(formulation_->support(trial(), k, supports_[at(k)]), true, k);
+    for (const int k : s.bolts) bolts.push_back(interaction_of(trial(), bolts_[at(k)], base_.displacement(end_s_)));
+    for (const Interaction& bolt : bolts) add(bolt, false, -1);
+  }
   if (!s.unknown_forces.empty()) {
     add_own(s.saddle, s);
     for (const Interaction& bolt : bolts) add_stiffness(s.saddle, bolt);

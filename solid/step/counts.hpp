@@ -40,6 +40,7 @@ struct Counts {
   long sweeps = 0;         ///< multiplier updates
   long state_changes = 0;  ///< open, stick, slip
   long broad_searches = 0;
+  long searches = 0;          ///< of contacts
   long skipped_searches = 0;  ///< steps that found contacts as the step before had left them
   long settling_steps = 0;
   long solved_islands = 0;      ///< summed over steps
@@ -50,21 +51,26 @@ struct Counts {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(steps, undone_steps, softened_steps, iterations, factorizations, reused_factorizations, sweeps,
-            state_changes, broad_searches, skipped_searches, settling_steps, solved_islands, most_islands,
+            state_changes, broad_searches, searches, skipped_searches, settling_steps, solved_islands, most_islands,
             slept_islands, condition_number);
   }
 };
 
 /// Seconds spent so far.
 struct Profile {
-  double search = 0;
-  double contact = 0;
-  double assembly = 0;
-  double solve = 0;
+  double search = 0;         ///< of contacts
+  double islands = 0;        ///< groups of blocks, and the patterns of their matrices
+  double assembly = 0;       ///< of residuals and matrices, contact being a part of it
+  double contact = 0;        ///< forces and states of contacts, supports and bolts
+  double solve = 0;          ///< factorization being a part of it
+  double factorization = 0;  ///< of the matrices that are counted
+  double refinement = 0;     ///< another part of it, see SolutionTimes
+  double sweeps = 0;         ///< multipliers, bonds
+  double accept = 0;         ///< states at the end of a step
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(search, contact, assembly, solve);
+    archive(search, islands, assembly, contact, solve, factorization, refinement, sweeps, accept);
   }
 };
 

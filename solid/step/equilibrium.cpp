@@ -19,7 +19,7 @@ std::size_t at(int i) {
 
 /// Islands, and with them the symbolic factorizations, are kept while the contact graph stands.
 void Solid::prepare_islands() {
-  const Stopwatch watch(profile_.search);
+  const Stopwatch watch(profile_.islands);
   std::vector<std::pair<int, int>> links;
   for (const ContactPoint& c : contacts_) links.emplace_back(c.vertex_part, c.edge_part);
   for (const Bolt& bolt : bolts_) {
@@ -84,11 +84,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
       return false;
     }
     if (!swept && left <= formulation_->settings().force_tolerance_n) {
-      ++counts_.sweeps;
-      if (formulation_->sweep({s.island.contacts, contacts_, s.island.supports, supports_}) &&
-          (formulation_->settings().joints_held || !break_bonds(laws_, s.island.contacts, contacts_))) {
-        return true;
-      }
+      if (sweep(s)) return true;
       swept = true;
       continue;
     }
@@ -98,12 +94,23 @@ bool Solid::find_equilibrium(IslandSystem& s) {
   return false;
 }
 
+/// Multipliers (8), then bonds: false where one of them has changed.
+bool Solid::sweep(IslandSystem& s) {
+  const Stopwatch watch(profile_.sweeps);
+  ++counts_.sweeps;
+  return formulation_->sweep({s.island.contacts, contacts_, s.island.supports, supports_}) &&
+         (formulation_->settings().joints_held || !break_bonds(laws_, s.island.contacts, contacts_));
+}
+
 /// One solution of the linearized equations, added to the trial.
 bool Solid::correct(IslandSystem& s) {
   if (s.unknown_forces.empty()) assemble(s);
   const Stopwatch watch(profile_.solve);
   if (s.unknown_forces.empty()) {
+    const SolutionTimes before = s.system->times();
     if (!solve(s, s.symmetric)) return false;
+    profile_.factorization += s.system->times().factorization - before.factorization;
+    profile_.refinement += s.system->times().refinement - before.refinement;
     ++(s.system->reused() ? counts_.reused_factorizations : counts_.factorizations);
   } else {
     if (!s.saddle.solve(s.residual, s.correction, s.forces)) return false;

@@ -133,9 +133,11 @@ class Solid {
   void start_acceleration(const std::vector<Panel>& water, double from_s);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
+  void find_contacts();
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
+  bool sweep(IslandSystem& island);
   bool correct(IslandSystem& island);
   void correct_forces(IslandSystem& island);
   double unbalanced(IslandSystem& island);

@@ -117,6 +117,7 @@ Eigen::MatrixXd Solid::mean_motions(const IslandSystem& s, Eigen::MatrixXd& iner
 
 /// (K + U S U^T) d = r from solutions with K: d = x - X (I + S U^T X)^-1 S U^T x, x = K^-1 r, X = K^-1 U.
 bool Solid::solve(IslandSystem& s, bool symmetric) const {
+  if (!scene_.analysis.reuse_factors) s.system->forget_factors();
   if (!s.system->solve(symmetric, s.residual, s.correction)) return false;
   if (mean_motions_.empty()) return true;
   Eigen::MatrixXd S;

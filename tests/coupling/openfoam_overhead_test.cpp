@@ -56,7 +56,8 @@ class Overhead : public OpenFoam {
     Cost cost = timed("with");
     EXPECT_EQ(end_of(solid, 5), 0) << text("solid");
     const auto profile = nlohmann::json::parse(text("o/summary.json"))["profile_s"];
-    for (const char* phase : {"search", "assembly_and_contact", "solve", "rest_of_step", "output"}) {
+    for (const char* phase : {"search", "islands", "contact", "assembly", "factorization", "solve", "state_changes",
+                              "accept", "rest_of_step", "watch", "output"}) {
       cost.solid_s += profile[phase].get<double>();
     }
     return cost;

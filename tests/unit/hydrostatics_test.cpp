@@ -223,5 +223,39 @@ TEST(Hydrostatics, NothingIsComputedAgainWhileNothingMoves) {
   EXPECT_EQ(model.updates(), 2);
 }
 
+/// The downstream pool stands; then both do; then a block moves.
+TEST(HydrostaticModel, KeepsWhatHasNotMovedAndSaysTheSamePressures) {
+  scene::Scene skipping = scene_of({{{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, 8);
+  skipping.water.upstream_level_m = {.time_s = {0, 1}, .value = {6, 9}};
+  skipping.water.downstream_level_m = scene::TimeTable::constant(3);
+  scene::Scene thorough = skipping;
+  thorough.water.skip_unchanged = false;
+  HydrostaticModel keeps(skipping);
+  HydrostaticModel repeats(thorough);
+  wire::Motion motion;
+  motion.displacement.resize(1);
+  motion.velocity.resize(1);
+  wire::Load kept;
+  wire::Load repeated;
+  for (const double t : {0.0, 0.25, 0.5, 1.0, 1.5, 2.0, 2.5}) {
+    if (t == 2.5) motion.displacement[0][0] = 0.125;
+    keeps.advance(motion, t, kept);
+    repeats.advance(motion, t, repeated);
+    EXPECT_EQ(kept.block, repeated.block) << t;
+    EXPECT_EQ(kept.edge, repeated.edge) << t;
+    EXPECT_EQ(kept.s_from, repeated.s_from) << t;
+    EXPECT_EQ(kept.s_to, repeated.s_to) << t;
+    EXPECT_EQ(kept.pressure_from_pa, repeated.pressure_from_pa) << t;
+    EXPECT_EQ(kept.pressure_to_pa, repeated.pressure_to_pa) << t;
+    EXPECT_EQ(kept.upstream_level_m, repeated.upstream_level_m) << t;
+  }
+  const auto lines = keeps.report().skips;
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0].rfind("pressures of 2 of 7 windows: neither a level nor a block had moved, saved about", 0), 0U);
+  EXPECT_EQ(lines[1].rfind("wet faces of a pool, 3 of 10 times: neither its level nor a block", 0), 0U) << lines[1];
+  EXPECT_EQ(repeats.updates(), 7);
+  EXPECT_EQ(repeats.report().skips.size(), 1U);
+}
+
 }  // namespace
 }  // namespace blockweir::hydrostatic

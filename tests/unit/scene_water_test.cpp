@@ -129,4 +129,22 @@ TEST(SceneWater, ResultsOfOneProcessAreNotPutTogether) {
                   .scene.openfoam.reconstruct);
 }
 
+TEST(SceneWater, TolerancesOfOpenFoamAreSmallAndRestIsForWaterThatNothingElseMoves) {
+  const auto openfoam = [](const std::string& keys) { return with("\"hydrostatic\"", "\"openfoam\"\n" + keys); };
+  EXPECT_EQ(read_text(openfoam("move_tolerance = 0\nrest_tolerance = 1e-5"), "s.toml").scene.openfoam.rest_tolerance,
+            1e-5);
+  for (const std::string key : {"move_tolerance", "rest_tolerance"}) {
+    expect_error(openfoam(key + " = 0.01"), 48, {key + " in [fluid] is 0.01", "a number from 0 to 0.001"});
+    expect_error(openfoam(key + " = -1e-9"), 48, {"a number from 0 to 0.001"});
+    expect_error(with("\"hydrostatic\"", "\"hydrostatic\"\n" + key + " = 0"), 48, {key + " without OpenFOAM"});
+  }
+  const std::vector<std::string> moved{"rest_tolerance beside a base motion, regular waves or a case of your own",
+                                       "leave rest_tolerance out"};
+  expect_error(openfoam("rest_tolerance = 1e-5\ncase = \"mine\""), 48, moved);
+  expect_error(openfoam("rest_tolerance = 1e-5\n"
+                        "wave = { kind = \"regular\", height_m = 0.1, period_s = 1 }"),
+               48, moved);
+  expect_error(openfoam("rest_tolerance = 1e-5") + "\n[base_motion]\nacceleration_x_m_per_s2 = 1\n", 48, moved);
+}
+
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "tests/large_scenes.hpp"
 #include "tests/verification/scenes.hpp"
 
 namespace blockweir::solid {
@@ -68,6 +69,35 @@ TEST(Skips, IslandsSolvedApartOrTogetherGiveTheSame) {
   EXPECT_EQ(apart.counts.most_islands, 2);
   scene.analysis.islands = false;
   EXPECT_LT(largest_difference(apart, result_of(scene)), 1e-9);
+}
+
+TEST(Skips, SearchesThatFindWhatIsKnownChangeNoBit) {
+  auto standing = pyramid(10);
+  auto pushed = two_stacks();
+  for (scene::Scene* scene : {&standing, &pushed}) {
+    scene->analysis.sleep = false;
+    const Result with = result_of(*scene, 1);
+    scene->analysis.skip_searches = false;
+    const Result without = result_of(*scene, 1);
+    EXPECT_EQ(without.counts.skipped_searches, 0);
+    EXPECT_EQ(with.counts.searches + with.counts.skipped_searches, without.counts.searches);
+    EXPECT_EQ(largest_difference(with, without), 0);
+    if (scene == &standing) EXPECT_GT(with.counts.skipped_searches, 50);
+  }
+}
+
+/// Blocks that stand, by Cholesky's factors, and blocks that slide, by LU.
+TEST(Skips, FactorsThatServeAgainLeaveTheAnswerAsItIs) {
+  for (auto scene : {pyramid(10), rock_slope(60, 0.3)}) {
+    scene.analysis.sleep = false;
+    const Result with = result_of(scene, 0.2);
+    scene.analysis.reuse_factors = false;
+    const Result without = result_of(scene, 0.2);
+    EXPECT_EQ(without.counts.reused_factorizations, 0);
+    EXPECT_GT(with.counts.reused_factorizations, 0);
+    EXPECT_EQ(without.counts.factorizations, without.counts.iterations);
+    EXPECT_LT(largest_difference(with, without), 1e-8);
+  }
 }
 
 TEST(Skips, ABlockThatIsReleasedDoesNotSleepHoweverShortTheStep) {

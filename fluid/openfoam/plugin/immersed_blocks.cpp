@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "bridge/results/stopwatch.hpp"
 #include "bridge/wire/placement.hpp"
 
 namespace blockweir::openfoam {
@@ -43,6 +44,7 @@ ImmersedBlocks::ImmersedBlocks(const Foam::fvMesh& mesh, const Interface& interf
           mesh, Foam::dimensionedScalar("blocks", Foam::dimless, 0.0), Foam::zeroGradientFvPatchScalarField::typeName),
       start_(interface.blocks.size(), Pose{}),
       end_(start_),
+      placed_(start_),
       parts_(interface.blocks.size()) {
   for (const InterfaceBlock& block : interface.blocks) outlines_.push_back(block.outline);
   for (std::size_t b = 0; b < outlines_.size(); ++b) clip(b);
@@ -76,15 +78,26 @@ double ImmersedBlocks::largest_cell_at_faces() const {
 
 void ImmersedBlocks::move(const std::vector<Pose>& start, const std::vector<Pose>& end, double dt_s) {
   dt_s_ = dt_s;
+  start_ = start;
+  end_ = end;
+  const double tolerance_m = interface_.move_tolerance * interface_.depth_m;
   for (std::size_t b = 0; b < outlines_.size(); ++b) {
-    const bool moved = end[b] != end_[b];
-    start_[b] = start[b];
-    end_[b] = end[b];
-    if (!moved) continue;
+    if (end[b] == placed_[b]) continue;
     const InterfaceBlock& block = interface_.blocks[b];
+    moved_.clear();
+    double farthest = 0;
     for (std::size_t v = 0; v < block.outline.size(); ++v) {
-      outlines_[b][v] = wire::place(block.centroid, end[b], block.outline[v]);
+      moved_.push_back(wire::place(block.centroid, end[b], block.outline[v]));
+      farthest = std::max(farthest, (moved_[v] - outlines_[b][v]).norm());
     }
+    if (farthest <= tolerance_m) {
+      ++skipped_cuts_;
+      continue;
+    }
+    const Stopwatch watch(cut_s_);
+    ++cuts_;
+    placed_[b] = end[b];
+    outlines_[b].swap(moved_);
     clip(b);
   }
 }

@@ -25,7 +25,9 @@ class ImmersedBlocks {
 
   ImmersedBlocks(const Foam::fvMesh& mesh, const Interface& interface);
 
-  /// Over a step of dt_s the blocks go from `start` to `end`. Those that do not move cost nothing.
+  /// Over a step of dt_s the blocks go from `start` to `end`. Those that do not move cost nothing, and one is cut out
+  /// of the cells anew only once a corner has gone farther than move_tolerance of the depth, where pressures differ by
+  /// as much of the largest.
   void move(const std::vector<Pose>& start, const std::vector<Pose>& end, double dt_s);
 
   [[nodiscard]] const Interface& interface() const { return interface_; }
@@ -34,8 +36,8 @@ class ImmersedBlocks {
   [[nodiscard]] CellLocator& locator() { return locator_; }
   [[nodiscard]] const CellLocator& locator() const { return locator_; }
   [[nodiscard]] const std::vector<Polygon>& outlines() const { return outlines_; }  ///< at the step's end
-  [[nodiscard]] const std::vector<Pose>& poses() const { return end_; }
-  [[nodiscard]] const Foam::volScalarField& filled() const { return filled_; }  ///< by all blocks together, 0..1
+  [[nodiscard]] const std::vector<Pose>& poses() const { return placed_; }          ///< of outlines()
+  [[nodiscard]] const Foam::volScalarField& filled() const { return filled_; }      ///< by all blocks together, 0..1
   [[nodiscard]] const std::vector<Part>& parts(std::size_t block) const { return parts_[block]; }
   /// Mean velocity over the step [m/s] of the point of a block that is at x at its end.
   [[nodiscard]] Point velocity(std::size_t block, const Point& x) const;
@@ -43,6 +45,11 @@ class ImmersedBlocks {
   /// Of the first block that has left the mesh: its name, where, and what to do. Empty: all are inside, but for the
   /// ground and for what sinks below the floor by less than a cell.
   [[nodiscard]] std::string strayed() const;
+
+  /// How often a block that had moved was cut out of the cells, how often that was not needed, and its seconds.
+  [[nodiscard]] long cuts() const { return cuts_; }
+  [[nodiscard]] long skipped_cuts() const { return skipped_cuts_; }
+  [[nodiscard]] double cut_s() const { return cut_s_; }
 
  private:
   void clip(std::size_t block);
@@ -57,9 +64,14 @@ class ImmersedBlocks {
   std::vector<Pose> start_;
   std::vector<Pose> end_;
   double dt_s_ = 1;
+  std::vector<Pose> placed_;
   std::vector<Polygon> outlines_;
+  Polygon moved_;
   std::vector<std::vector<Part>> parts_;
   PolygonClip clipper_;
+  long cuts_ = 0;
+  long skipped_cuts_ = 0;
+  double cut_s_ = 0;
 };
 
 }  // namespace blockweir::openfoam

@@ -91,6 +91,9 @@ Interface read_interface(const dictionary& dict) {
   i.own_case = dict.getOrDefault<Foam::Switch>("ownCase", false);
   i.water_density = dict.get<Foam::scalar>("waterDensity");
   i.gravity = dict.get<Foam::scalar>("gravity");
+  i.depth_m = dict.get<Foam::scalar>("depth");
+  i.move_tolerance = dict.get<Foam::scalar>("moveTolerance");
+  i.rest_tolerance = dict.get<Foam::scalar>("restTolerance");
   read_blocks(dict.subDict("blocks"), i);
   for (const Foam::entry& entry : dict.subDict("cracks")) i.cracks.push_back(crack(entry.dict()));
   return i;

@@ -18,6 +18,8 @@ defineTypeNameAndDebug(Session, 0);
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 const char* const name_in_registry = "blockweirSession";
 
 Foam::IOobject place_in_registry(const Foam::fvMesh& mesh) {
@@ -55,6 +57,10 @@ void on_the_way(const Course& c, double part, std::vector<Pose>& into) {
   }
 }
 
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 }  // namespace
 
 Session::Session(const Foam::fvMesh& mesh)
@@ -71,6 +77,7 @@ Session::Session(const Foam::fvMesh& mesh)
       edges_(blocks_, water_),
       added_mass_(mesh, blocks_, edges_),
       breach_(mesh, dict_, blocks_),
+      rest_(mesh, dict_, blocks_, levels_),
       record_(mesh, blocks_, interface_.hello.first_window > 0) {
   check_agreement();
   if (dict_.found("groundAccelerationX")) {
@@ -92,12 +99,18 @@ Session::Session(const Foam::fvMesh& mesh)
   if (!first) partner_.fail("the solid process ended the run before it began");
   course_.end = first->displacement;
   course_.end_velocity = first->velocity;
-  blocks_.move(course_.end, course_.end, 1);
+  place_blocks();
   if (interface_.own_case) {
     const std::string unfit = levels_.unfit_at_start();
     if (!unfit.empty()) partner_.fail(unfit);
   }
   exchange();
+}
+
+/// Where they were told to be last, at rest.
+void Session::place_blocks() {
+  const Stopwatch watch(mapping_s_);
+  blocks_.move(course_.end, course_.end, 1);
 }
 
 /// interFoam has read its fields of that time by itself.
@@ -111,8 +124,8 @@ void Session::resume() {
                               time_.value()));
   }
   window_ = next - 1;
-  blocks_.move(course_.end, course_.end, 1);
-  await_motion();
+  place_blocks();
+  if (const auto motion = await_motion()) start_window(*motion);
 }
 
 /// Fields go into a time folder of their own, what they leave out beside it.
@@ -171,15 +184,35 @@ void Session::end_step() {
   if (++step_ == steps_) exchange();
 }
 
-/// Pressures of now are said, the blocks' next places are heard.
+/// Pressures of now are said, the blocks' next places are heard: at once again, while nothing happens until then.
 void Session::exchange() {
+  if (windows_ > 0) steps_s_ += since(begun_) - (mapping_s_ - mapped_before_s_);
   sample();
-  partner_.send(load_);
-  {
-    const Stopwatch watch(output_s_);
-    record_.add(load_.time_s, load_, course_.end_velocity, ground_acceleration().x());
+  for (;;) {
+    say();
+    const auto motion = await_motion();
+    if (!motion) return;
+    if (!rest_.lasts(*motion, time_s_, course_.end)) return start_window(*motion);
+    pass(*motion);
   }
-  await_motion();
+}
+
+void Session::say() {
+  partner_.send(load_);
+  const Stopwatch watch(output_s_);
+  record_.add(load_.time_s, load_, course_.end_velocity, ground_acceleration().x());
+}
+
+/// A window without a step: interFoam's clock is put to its end, its fields and the pressures stay as they are.
+void Session::pass(const wire::Motion& motion) {
+  ++window_;
+  ++passed_;
+  time_s_ = motion.time_s;
+  time_.setTime(time_s_, time_.timeIndex());
+  course_.end = motion.displacement;
+  course_.end_velocity = motion.velocity;
+  load_.window = window_;
+  load_.time_s = time_s_;
 }
 
 void Session::sample() {
@@ -193,33 +226,41 @@ void Session::sample() {
   edges_.sample(load_);
   load_.breached = breach_.look();
   added_mass_.measure(load_.added_mass);
+  rest_.look(time_s_, course_.end);
 }
 
-/// For the summary of the run: a phase and its seconds a line.
-void Session::write_times() const {
+/// For the summary of the run: its phases with their seconds, then counts, a name and a number a line.
+void Session::write_report() const {
   if (!Foam::Pstream::master()) return;
-  std::ofstream(std::string(time_.globalPath()) + "/blockweir.times")
+  const std::string folder = time_.globalPath();
+  std::ofstream(folder + "/blockweir.times")
       << "wait " << partner_.waited_s() << "\npack " << partner_.packed_s() << "\nwire " << partner_.wire_s()
-      << "\nmapping " << mapping_s_ << "\noutput " << output_s_ << '\n';
+      << "\ncut " << blocks_.cut_s() << "\nmapping " << mapping_s_ - blocks_.cut_s() << "\nstep " << steps_s_
+      << "\noutput " << output_s_ << '\n';
+  std::ofstream(folder + "/blockweir.counts") << "windows " << windows_ << "\nwindows_at_rest " << passed_ << "\ncuts "
+                                              << blocks_.cuts() << "\nskipped_cuts " << blocks_.skipped_cuts() << '\n';
 }
 
-void Session::await_motion() {
-  const auto motion = partner_.receive(window_ + 1);
-  if (!motion) {
-    Foam::Info << "blockweir: the solid process has ended the run after window " << Foam::label(window_) << Foam::endl;
-    write_times();
-    time_.writeAndEnd();
-    return;
+/// The next window's motion, after a checkpoint where one is asked for; nothing when the solid has ended the run.
+std::optional<wire::Motion> Session::await_motion() {
+  for (std::uint64_t next = window_ + 1;; ++next) {
+    auto motion = partner_.receive(next);
+    if (!motion) {
+      Foam::Info << "blockweir: the solid process has ended the run after window " << Foam::label(window_)
+                 << Foam::endl;
+      write_report();
+      time_.writeAndEnd();
+      return std::nullopt;
+    }
+    const bool begun = time_.timeIndex() > time_.startTimeIndex();  // else there is nothing yet to go on from
+    if (motion->order != wire::Order::compute && begun) save();
+    if (motion->order != wire::Order::save) return motion;  // else the solid says next why it stops
   }
-  const bool begun = time_.timeIndex() > time_.startTimeIndex();  // else there is nothing yet to go on from
-  if (motion->order != wire::Order::compute && begun) save();
-  if (motion->order != wire::Order::save) return start_window(*motion);
-  ++window_;
-  await_motion();  // the solid says why it stops
 }
 
 void Session::start_window(const wire::Motion& motion) {
   ++window_;
+  ++windows_;
   step_ = 0;
   const double from_s = time_s_;
   const double to_s = time_s_ = motion.time_s;
@@ -237,6 +278,8 @@ void Session::start_window(const wire::Motion& motion) {
   steps_ = std::max(interface_.steps_per_window, static_cast<int>(std::ceil(wanted)));
   time_.setDeltaT((to_s - from_s) / steps_, false);
   levels_.set(to_s);
+  begun_ = Clock::now();
+  mapped_before_s_ = mapping_s_;
 }
 
 Foam::vector Session::ground_acceleration() const {

@@ -4,12 +4,15 @@
 
 #include <regIOobject.H>
 
+#include <chrono>
+
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "fluid/openfoam/plugin/added_mass.hpp"
 #include "fluid/openfoam/plugin/breach.hpp"
 #include "fluid/openfoam/plugin/edge_pressures.hpp"
 #include "fluid/openfoam/plugin/open_end.hpp"
 #include "fluid/openfoam/plugin/partner.hpp"
+#include "fluid/openfoam/plugin/rest.hpp"
 #include "fluid/openfoam/plugin/water_levels.hpp"
 #include "fluid/openfoam/plugin/water_record.hpp"
 
@@ -54,13 +57,16 @@ class Session : public Foam::regIOobject {
 
  private:
   void check_agreement();
+  void place_blocks();
   void exchange();
   void sample();
+  void say();
   void resume();
-  void await_motion();
+  std::optional<wire::Motion> await_motion();
   void save();
+  void pass(const wire::Motion& motion);
   void start_window(const wire::Motion& motion);
-  void write_times() const;
+  void write_report() const;
   [[nodiscard]] double crossings_per_s() const;
 
   const Foam::fvMesh& mesh_;
@@ -76,6 +82,7 @@ class Session : public Foam::regIOobject {
   EdgePressures edges_;
   AddedMass added_mass_;
   Breach breach_;
+  Rest rest_;
   WaterRecord record_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_x_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_y_;
@@ -92,6 +99,11 @@ class Session : public Foam::regIOobject {
   wire::Load load_;
   double mapping_s_ = 0;  ///< blocks into cells, pressures onto edges
   double output_s_ = 0;
+  double steps_s_ = 0;                           ///< interFoam's own, in the windows' steps
+  std::chrono::steady_clock::time_point begun_;  ///< of the window
+  double mapped_before_s_ = 0;
+  long windows_ = 0;  ///< that interFoam has made steps in
+  long passed_ = 0;   ///< those in which nothing happened
 };
 
 }  // namespace blockweir::openfoam

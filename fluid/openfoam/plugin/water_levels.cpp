@@ -120,6 +120,13 @@ double WaterLevels::downstream_m(double time_s) const {
   return level(downstream_, time_s);
 }
 
+double WaterLevels::change_m(double from_s, double to_s) const {
+  const auto change = [&](const Pool& pool) {
+    return pool.level ? std::abs(pool.level->value(to_s) - pool.level->value(from_s)) : 0.0;
+  };
+  return std::max(change(upstream_), change(downstream_));
+}
+
 void WaterLevels::set(double time_s) {
   if (!set_levels_) return;
   set(upstream_, time_s);

@@ -18,6 +18,9 @@ class WaterLevels {
   [[nodiscard]] double upstream_m(double time_s) const;
   [[nodiscard]] double downstream_m(double time_s) const;
 
+  /// How far the levels that the tables have at both times differ [m].
+  [[nodiscard]] double change_m(double from_s, double to_s) const;
+
   /// What contradicts water at rest at time 0, a user's case being taken as it is; empty: nothing.
   [[nodiscard]] std::string unfit_at_start() const;
 
