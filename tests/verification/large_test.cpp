@@ -145,8 +145,8 @@ TEST(Large, AWallOfDeformableBricksSettlesAndStandsWithFrictionAtItsBounds) {
   EXPECT_LT(solid.largest_displacement_m(), 2e-5);
 }
 
-/// Contact forces of rigid blocks are many times more than their motions, and leave most contacts of a slope that begins
-/// to slide near their bounds.
+/// Contact forces of rigid blocks are many times more than their motions, and leave most contacts of a slope that
+/// begins to slide near their bounds.
 TEST(Large, ASlopeOf300BlocksSlidesAsTheFormulaSays) {
   const double dip = 20 * std::numbers::pi / 180;
   auto scene = rock_slope(300, 0.3);
