@@ -29,6 +29,9 @@ class BlockIndex {
     return blocks;
   }
 
+  /// A block that is not looked for any more.
+  void forget(std::size_t i, const Block& block) { tree_.remove(Entry{box(bounds_of(block.vertices)), i}); }
+
  private:
   using Corner = boost::geometry::model::d2::point_xy<double>;
   using Box = boost::geometry::model::box<Corner>;

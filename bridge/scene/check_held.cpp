@@ -82,11 +82,13 @@ std::vector<Block> upright(const Scene& scene) {
 void check_held(const Scene& scene, Problems& problems) {
   if (scene.analysis.gravity_m_per_s2 == 0) return;
   const std::vector<Block> blocks = scene.analysis.gravity_tilt_deg == 0 ? scene.blocks : upright(scene);
-  const BlockIndex index(blocks);
+  BlockIndex open(blocks);  // those not yet held
   std::vector<bool> held = held_by_themselves(scene);
   std::vector<std::size_t> holding;
   for (std::size_t i = 0; i < held.size(); ++i) {
-    if (held[i]) holding.push_back(i);
+    if (!held[i]) continue;
+    holding.push_back(i);
+    if (!blocks[i].vertices.empty()) open.forget(i, blocks[i]);
   }
   auto left = static_cast<std::size_t>(std::count(held.begin(), held.end(), false));
   while (!holding.empty() && left > 0) {
@@ -98,6 +100,7 @@ void check_held(const Scene& scene, Problems& problems) {
       held[i] = true;
       --left;
       holding.push_back(i);
+      if (!blocks[i].vertices.empty()) open.forget(i, blocks[i]);
     };
     for (const Bolt& bolt : scene.bolts) {
       const auto [a, b] = bolt.blocks;
@@ -109,8 +112,8 @@ void check_held(const Scene& scene, Problems& problems) {
     const Point margin = Point::Constant(touching_ratio * reach.size());
     reach = {reach.low - margin, reach.high + margin};
     reach.high.y() = std::numeric_limits<double>::max();
-    for (const std::size_t i : index.meeting(reach)) {
-      if (!held[i] && (lies_above(blocks[i], holder) || touch(blocks[i], holder))) hold(i);
+    for (const std::size_t i : open.meeting(reach)) {
+      if (lies_above(blocks[i], holder) || touch(blocks[i], holder)) hold(i);
     }
   }
   for (std::size_t i = 0; i < held.size(); ++i) {

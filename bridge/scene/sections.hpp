@@ -56,8 +56,8 @@ void read_default_joint(Reading& reading);
 void add_block(Reading& reading, const Place& place, Block block);
 /// The same for one that [[arch]], [[wall]] or [[heap]] makes, which may be too thin.
 void add_made_block(Reading& reading, TableReader& table, Block block);
-/// Reports what would make more than 10,000 blocks, with those that are there.
-bool few_enough(Reading& reading, TableReader& table, double blocks);
+/// Reports what would make more than `most` blocks, or more than 100,000 with those that are there.
+bool few_enough(Reading& reading, TableReader& table, double blocks, double most = 100'000);
 /// Reports what has not exactly one of value, word and formula.
 void require_one_answer(TableReader& table, Reading& reading);
 

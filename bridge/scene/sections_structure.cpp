@@ -62,14 +62,14 @@ void add_block(Reading& reading, const Place& place, Block block) {
   reading.scene.blocks.push_back(std::move(block));
 }
 
-bool few_enough(Reading& reading, TableReader& table, double blocks) {
-  constexpr double most = 10'000;
+bool few_enough(Reading& reading, TableReader& table, double blocks, double most) {
+  constexpr double most_of_all = 100'000;
   const auto others = reading.scene.blocks.size();
-  if (blocks + static_cast<double>(others) <= most) return true;
+  if (blocks <= most && blocks + static_cast<double>(others) <= most_of_all) return true;
   reading.problems.error(
       table.place(),
       fmt::format("{} has {} blocks{}", table.name(), blocks, others > 0 ? fmt::format(", beside {}", others) : ""),
-      fmt::format("at most {} blocks", most), "make it of fewer blocks");
+      fmt::format("at most {} blocks", blocks > most ? most : most_of_all), "make it of fewer blocks");
   return false;
 }
 

@@ -3,6 +3,7 @@
 // penetration is below its tolerance and the forces have stopped moving.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solid/contact/formulation.hpp"
 
@@ -35,6 +36,7 @@ class AugmentedLagrangian final : public Formulation {
     Progress& progress = follow(trial, index, c, edge);
     progress.round_off = separation_round_off * c.penalty * progress.separation.moved;
     const JointForce force = judge(progress, c, c.multiplier - c.penalty * progress.separation.value);
+    if (settings_.friction_lags) return with_lagging_friction(trial, c, edge, progress);
     if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
     Interaction action = interaction_of(trial, c, edge, progress.separation.value.y());
     action.force = progress.force;
@@ -69,6 +71,7 @@ class AugmentedLagrangian final : public Formulation {
   /// stretches the row of blocks behind it. Penalties whose gap did not shrink fourfold are raised.
   bool sweep(const Held& held) override {
     if (all_settled(held)) return true;
+    if (settings_.friction_lags) raise_together(held);
     for (const int k : held.contact_ids) {
       ContactPoint& c = held.contacts[at(k)];
       if (c.state == ContactState::open) {
@@ -83,7 +86,23 @@ class AugmentedLagrangian final : public Formulation {
     return false;
   }
 
+  [[nodiscard]] bool can_lag_friction() const override { return true; }
+
  private:
+  /// Shear bounded by what does not depend on the normal force: a symmetric tangent.
+  [[nodiscard]] static Interaction with_lagging_friction(const Trial& trial, const ContactPoint& c,
+                                                         const EdgeFrame& edge, const Progress& progress) {
+    const bool closed = c.state != ContactState::open;
+    if (!closed && progress.bound == 0) return {.block_i = c.vertex_part, .block_j = c.edge_part};
+    Interaction action = interaction_of(trial, c, edge, progress.separation.value.y());
+    action.force = progress.force;
+    action.round_off = progress.round_off;
+    action.stiffness(0, 0) = closed ? c.penalty : 0;
+    action.stiffness(1, 1) = std::abs(progress.force.y()) < progress.bound ? c.penalty : 0;
+    action.held = {action.stiffness(0, 0), c.state == ContactState::stick ? c.penalty : 0};
+    return action;
+  }
+
   void bound(double& penalty, double stiffness) const {
     const double initial = settings_.initial_penalty.value_or(settings_.penalty_ratio * stiffness);
     penalty = std::min(penalty > 0 ? penalty : initial, settings_.penalty_ratio * stiffness);
@@ -112,8 +131,31 @@ class AugmentedLagrangian final : public Formulation {
   void update(Progress& progress, Eigen::Vector2d& multiplier, double& penalty) const {
     const double violation = progress.violated.cwiseAbs().maxCoeff();
     if (!progress.turning && violation <= settings_.position_round_off_m) return;
-    raise_if_slow(progress, penalty);
+    if (!settings_.friction_lags) raise_if_slow(progress, penalty);
     multiplier = progress.force;
+  }
+
+  /// While friction lags, all by as much and less at a time: a contact whose penalty stands out has a range of slips so
+  /// narrow that Newton's method passes it by, and forces that redundant contacts leave open would follow their bounds
+  /// in leaps.
+  void raise_together(const Held& held) {
+    constexpr double slow = 1.5;
+    constexpr double rise = 3;
+    double worst = 0;
+    double worst_before = 0;
+    const auto look = [&](Progress& p) {
+      const double violation = p.violated.cwiseAbs().maxCoeff();
+      worst = std::max(worst, violation);
+      worst_before = std::max(worst_before, std::exchange(p.last_violation, violation));
+    };
+    for (const int k : held.contact_ids) look(contacts_[at(k)]);
+    for (const int k : held.support_ids) look(supports_[at(k)]);
+    if (slow * worst <= worst_before) return;
+    const auto raise = [&](const Progress& p, double& penalty) {
+      penalty = std::min(rise * penalty, largest_penalty_ratio * p.stiffness);
+    };
+    for (const int k : held.contact_ids) raise(contacts_[at(k)], held.contacts[at(k)].penalty);
+    for (const int k : held.support_ids) raise(supports_[at(k)], held.supports[at(k)].penalty);
   }
 
   static void raise_if_slow(Progress& progress, double& penalty) {

@@ -61,6 +61,18 @@ Formulation::Progress& Formulation::follow(const Trial& trial, int index, const 
   return progress;
 }
 
+bool Formulation::lag_friction(const Held& held) {
+  bool stand = true;
+  for (const int k : held.contact_ids) {
+    const ContactPoint& c = held.contacts[at(k)];
+    const double bound = laws_[c.law].strength(c.bond, c.bond_length).shear_bound(c.force.x());
+    Progress& progress = contacts_[at(k)];
+    stand = stand && std::abs(bound - progress.bound) <= settings_.force_tolerance_n + progress.round_off;
+    progress.bound = bound;
+  }
+  return stand;
+}
+
 double Formulation::dilation_slope(const ContactPoint& c, const Progress& progress) const {
   if (c.state != ContactState::slip) return 0;
   return laws_[c.law].dilation_slope(c.slip_m + progress.separation.value.y(), -progress.slip_force);
@@ -70,6 +82,9 @@ JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::
   JointForce force;
   if (settings_.joints_held) {
     if (c.state != ContactState::open) force = {ContactState::stick, stuck.x(), stuck.y(), 0};
+  } else if (settings_.friction_lags) {
+    force = admissible(laws_[c.law].strength(c.bond, c.bond_length), progress.bound, stuck.x(), stuck.y());
+    progress.turning = false;
   } else {
     force = admissible(laws_[c.law].strength(c.bond, c.bond_length), stuck.x(), stuck.y());
     // Slip may not reverse without passing through stick: Newton's method would jump to and fro across the narrow

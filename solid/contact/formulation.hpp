@@ -25,6 +25,7 @@ struct FormulationSettings {
   double largest_modulus_pa = 0;            ///< of the scene's materials
   double penalty_ratio = 1e4;               ///< penalty a step starts with, over the blocks' own stiffness
   bool joints_held = false;                 ///< every contact in touch sticks, whatever its law says
+  bool friction_lags = false;               ///< shear is bounded by what lag_friction found, whatever acts now
 };
 
 /// What an island hands over: indices of its contacts and supports, and all of them.
@@ -57,6 +58,11 @@ class Formulation {
   /// equilibrium is to be found again.
   virtual bool sweep(const Held& held) = 0;
 
+  /// Can shear be bounded by normal forces that lag?
+  [[nodiscard]] virtual bool can_lag_friction() const { return false; }
+  /// Bounds of shear by the normal forces of now, until the next call: true when they have stopped moving.
+  bool lag_friction(const Held& held);
+
   /// Where forces are unknowns of the system: their correction, as solved for.
   virtual void correct_contact(int /*index*/, ContactPoint& /*point*/, const Eigen::Vector2d& /*force*/) {}
   virtual void correct_support(int /*index*/, Support& /*point*/, const Eigen::Vector2d& /*force*/) {}
@@ -87,6 +93,7 @@ class Formulation {
     Eigen::Vector2d violated = Eigen::Vector2d::Zero();  ///< part of the separation that should be zero
     double round_off = 0;                                ///< uncertainty of the force [N per metre]
     double slip_force = 0;  ///< shear force of the evaluation before, whose sign is the direction of slip
+    double bound = 0;       ///< of the shear force while friction lags [N per metre]
     bool turning = false;   ///< slip was about to reverse and is tried as stick; not a state to end in
     double last_violation = std::numeric_limits<double>::infinity();  ///< at the sweep before
     double stiffness = 0;  ///< of the blocks against the contact [N/m per metre]

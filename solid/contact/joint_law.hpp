@@ -14,6 +14,10 @@ struct Strength {
   double friction = 0;  ///< tan(phi)
   double cohesion = 0;  ///< c times bonded length
   double tension = 0;   ///< T times bonded length
+
+  [[nodiscard]] double shear_bound(double normal) const { return std::max(0.0, cohesion + normal * friction); }
+  /// A contact that has no tension lets go at zero.
+  [[nodiscard]] bool opens(double normal) const { return normal < -tension || (normal <= 0 && tension == 0); }
 };
 
 /// Forces on the vertex along the normal (compression positive) and along the edge.
@@ -27,11 +31,19 @@ struct JointForce {
 /// |shear| <= cohesion + normal * friction, normal >= -tension; beyond the first the contact slips at the bound
 /// of the current normal force, beyond the second it opens.
 inline JointForce admissible(const Strength& strength, double normal, double shear) {
-  if (normal < -strength.tension || (normal <= 0 && strength.tension == 0)) return {};
-  const double bound = std::max(0.0, strength.cohesion + normal * strength.friction);
+  if (strength.opens(normal)) return {};
+  const double bound = strength.shear_bound(normal);
   if (std::abs(shear) <= bound) return {ContactState::stick, normal, shear, 0};
   const double side = std::copysign(1.0, shear);
   return {ContactState::slip, normal, side * bound, bound > 0 ? side * strength.friction : 0};
+}
+
+/// The same with a bound of shear that does not depend on the normal force and acts on an open contact, too (Tresca's
+/// friction): the derivative of a convex function of gap and slip where there is no tension.
+inline JointForce admissible(const Strength& strength, double bound, double normal, double shear) {
+  const bool open = strength.opens(normal);
+  const ContactState closed = std::abs(shear) <= bound ? ContactState::stick : ContactState::slip;
+  return {open ? ContactState::open : closed, open ? 0 : normal, std::clamp(shear, -bound, bound), 0};
 }
 
 }  // namespace blockweir::solid

@@ -39,7 +39,7 @@ class LagrangeMultiplier final : public Formulation {
     double slope = 0;
     if (stuck.state == ContactState::slip) {
       const Strength strength = laws_[c.law].strength(c.bond, c.bond_length);
-      const double bound = std::max(0.0, strength.cohesion + c.multiplier.x() * strength.friction);
+      const double bound = strength.shear_bound(c.multiplier.x());
       shear = std::copysign(bound, stuck.shear);
       slope = dilation_slope(c, progress);
     } else {

@@ -108,6 +108,7 @@ json summary(const Outcome& outcome) {
                 {{"steps", counts.steps},
                  {"undone_steps", counts.undone_steps},
                  {"softened_steps", counts.softened_steps},
+                 {"lagged_steps", counts.lagged_steps},
                  {"iterations", counts.iterations},
                  {"factorizations", counts.factorizations},
                  {"reused_factorizations", counts.reused_factorizations},

@@ -39,7 +39,7 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
       water_work_.begin_step(water_forces(panels, blocks_, start_, described(), scene_.water.nodal_rule), guard_,
                              states_);
     }
-    if (attempt(dt, time + dt, panels) || attempt_softly(dt, time + dt, panels)) {
+    if (attempt(dt, time + dt, panels) || attempt_otherwise(dt, time + dt, panels)) {
       if (!panels.empty()) water_work_.end_step(guard_, states_, dt);
       time += dt;
       next_dt_ = std::min(largest_step, next_dt_ < dt ? next_dt_ * 2 : std::max(next_dt_, dt * 2));
@@ -56,19 +56,36 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
   }
 }
 
+/// A step whose states run in circles, in other ways to the same answer. Where contacts are redundant, those of
+/// Lagrange multipliers do: the augmented Lagrangian makes such a step.
+bool Solid::attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water) {
+  if (!substitute_) return attempt_with_lagging_friction(dt, end_s, water) || attempt_softly(dt, end_s, water);
+  ++counts_.softened_steps;
+  for (ContactPoint& c : contacts_) c.penalty = 0;
+  for (Support& s : supports_) s.penalty = 0;
+  formulation_.swap(substitute_);
+  const bool solved = attempt(dt, end_s, water) || attempt_with_lagging_friction(dt, end_s, water);
+  formulation_.swap(substitute_);
+  return solved;
+}
+
+/// For large islands: a small one that finds no states is better cut short, and costs little.
+bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water) {
+  const auto large = [](const IslandSystem& s) { return s.unknowns->total > large_island; };
+  if (!formulation_->can_lag_friction() || std::none_of(islands_.begin(), islands_.end(), large)) return false;
+  FormulationSettings& settings = formulation_->settings();
+  const double usual = std::exchange(settings.penalty_ratio, 1e-2 * settings.penalty_ratio);
+  ++counts_.lagged_steps;
+  settings.friction_lags = true;
+  const bool solved = attempt(dt, end_s, water);
+  settings.friction_lags = false;
+  settings.penalty_ratio = usual;
+  return solved;
+}
+
 /// A large penalty leaves a sticking contact a narrow range of slips, in which Newton's method may jump to and fro
-/// between states; a smaller one takes more sweeps to the same answer. Where contacts are redundant, the states of
-/// Lagrange multipliers run in circles: the augmented Lagrangian, whose answer is the same, makes such a step.
+/// between states; a smaller one takes more sweeps.
 bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& water) {
-  if (substitute_) {
-    ++counts_.softened_steps;
-    for (ContactPoint& c : contacts_) c.penalty = 0;
-    for (Support& s : supports_) s.penalty = 0;
-    formulation_.swap(substitute_);
-    const bool solved = attempt(dt, end_s, water);
-    formulation_.swap(substitute_);
-    return solved;
-  }
   const double usual = formulation_->settings().penalty_ratio;
   bool solved = false;
   for (double ratio = usual / 100; !solved && ratio >= usual / 1e6; ratio /= 100) {

@@ -34,6 +34,7 @@ struct Counts {
   long steps = 0;
   long undone_steps = 0;
   long softened_steps = 0;  ///< tries with a smaller penalty
+  long lagged_steps = 0;    ///< tries with friction that lags
   long iterations = 0;      ///< solved linear systems
   long factorizations = 0;  ///< of matrices; the other solutions reuse one
   long reused_factorizations = 0;
@@ -50,9 +51,9 @@ struct Counts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(steps, undone_steps, softened_steps, iterations, factorizations, reused_factorizations, sweeps,
-            state_changes, broad_searches, searches, skipped_searches, settling_steps, solved_islands, most_islands,
-            slept_islands, condition_number);
+    archive(steps, undone_steps, softened_steps, lagged_steps, iterations, factorizations, reused_factorizations,
+            sweeps, state_changes, broad_searches, searches, skipped_searches, settling_steps, solved_islands,
+            most_islands, slept_islands, condition_number);
   }
 };
 

@@ -76,7 +76,11 @@ void Solid::give_bolts_to_islands() {
 }
 
 bool Solid::find_equilibrium(IslandSystem& s) {
+  if (formulation_->settings().friction_lags) return find_equilibrium_with_lagging_friction(s);
+  // A large island whose states run in circles shows it by then; trying on costs a small one little, and may find out.
+  const int most_in_a_row = s.unknowns->total > large_island ? 50 : scene_.contact.max_iterations;
   bool swept = false;  // multipliers have changed since the last solve
+  int in_a_row = 0;    // solves since then
   for (int iteration = 0; iteration < scene_.contact.max_iterations; ++iteration) {
     const double left = unbalanced(s);
     if (!std::isfinite(left)) {
@@ -88,8 +92,9 @@ bool Solid::find_equilibrium(IslandSystem& s) {
       swept = true;
       continue;
     }
+    in_a_row = swept ? 0 : in_a_row + 1;
     swept = false;
-    if (!correct(s)) return false;
+    if (in_a_row > most_in_a_row || !correct(s)) return false;
   }
   return false;
 }
@@ -104,6 +109,12 @@ bool Solid::sweep(IslandSystem& s) {
 
 /// One solution of the linearized equations, added to the trial.
 bool Solid::correct(IslandSystem& s) {
+  if (!solve_linearized(s)) return false;
+  move(s, 1);
+  return true;
+}
+
+bool Solid::solve_linearized(IslandSystem& s) {
   if (s.unknown_forces.empty()) assemble(s);
   const Stopwatch watch(profile_.solve);
   if (s.unknown_forces.empty()) {
@@ -121,17 +132,23 @@ bool Solid::correct(IslandSystem& s) {
     counts_.condition_number = std::max(
         counts_.condition_number, condition_number(s.unknown_forces.empty() ? s.system->dense() : s.saddle.dense()));
   }
-  for (const auto& [node, first] : s.unknowns->nodes) node_increment_[at(node)] += s.correction.segment<2>(first);
+  return true;
+}
+
+/// Adds so much of the correction to the trial.
+void Solid::move(IslandSystem& s, double fraction) {
+  for (const auto& [node, first] : s.unknowns->nodes) {
+    node_increment_[at(node)] += fraction * s.correction.segment<2>(first);
+  }
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
     const auto b = at(s.island.blocks[k]);
     if (blocks_[b].is_part()) {
       follow_corners(b);
       continue;
     }
-    increment_[b] += s.unknowns->take(static_cast<int>(k), s.correction);
+    increment_[b] += fraction * s.unknowns->take(static_cast<int>(k), s.correction);
     placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
   }
-  return true;
 }
 
 void Solid::correct_forces(IslandSystem& s) {

@@ -125,7 +125,7 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   for (int step = 0; step < most_steps && dt > shortest; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
     if (!attempt(dt, settling_time_s(), water) &&
-        !(dt == pseudo_step && attempt_softly(dt, settling_time_s(), water))) {
+        !(dt == pseudo_step && attempt_otherwise(dt, settling_time_s(), water))) {
       dt /= 4;
       continue;
     }

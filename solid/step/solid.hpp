@@ -116,6 +116,8 @@ class Solid {
     Eigen::VectorXd uncertain;   ///< round-off of the residual at nodes
   };
 
+  static constexpr int large_island = 200;  ///< unknowns above which states that run in circles are not waited for
+
   /// The motion (u0, v0, r0) of a block with a mesh, whose inertia in water its triangles share.
   struct MeanMotion {
     std::size_t block = 0;
@@ -132,13 +134,20 @@ class Solid {
   void relax(double pseudo_step, const std::vector<Panel>& water);
   void start_acceleration(const std::vector<Panel>& water, double from_s);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
+  bool attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water);
+  bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
   void find_contacts();
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
   bool sweep(IslandSystem& island);
+  bool find_equilibrium_with_lagging_friction(IslandSystem& island);
+  bool minimize(IslandSystem& island);
+  double search_along_correction(IslandSystem& island);
   bool correct(IslandSystem& island);
+  bool solve_linearized(IslandSystem& island);
+  void move(IslandSystem& island, double fraction);
   void correct_forces(IslandSystem& island);
   double unbalanced(IslandSystem& island);
   void assemble(IslandSystem& island);

@@ -69,6 +69,12 @@ int main(int argc, char** argv) {
   const std::vector<Kind> kinds{
       {"pyramid", [](int n) { return pyramid(static_cast<int>(std::lround(std::sqrt(2.0 * n)))); }},
       {"wall", brick_wall},
+      {"deformable wall",
+       [](int n) {
+         scene::Scene scene = brick_wall(n);
+         scene.analysis.rigid = scene::Rigid::none;
+         return scene;
+       }},
       {"slope", [](int n) { return rock_slope(n, 0.6); }},
       {"sliding slope", [](int n) { return rock_slope(n, 0.3); }}};
   std::vector<int> sizes;

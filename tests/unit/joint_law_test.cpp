@@ -27,6 +27,19 @@ TEST(JointLaw, OpensBeyondItsTensionStrength) {
   EXPECT_EQ(admissible({.friction = 0.5}, 0, 0).state, ContactState::open);
 }
 
+TEST(JointLaw, WithABoundThatLagsShearDoesNotDependOnTheNormalForce) {
+  const Strength strength{.friction = 0.5};
+  const JointForce slips = admissible(strength, 20, 100, -30);
+  EXPECT_EQ(slips.state, ContactState::slip);
+  EXPECT_EQ(slips.shear, -20);
+  EXPECT_EQ(slips.shear_per_normal, 0);
+  EXPECT_EQ(admissible(strength, 20, 1, 15).state, ContactState::stick);
+  const JointForce opens = admissible(strength, 20, -1, 15);
+  EXPECT_EQ(opens.state, ContactState::open);
+  EXPECT_EQ(opens.normal, 0);
+  EXPECT_EQ(opens.shear, 15);
+}
+
 TEST(Neighbours, AreThoseThatAllPairsFind) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(0, 30);

@@ -108,10 +108,11 @@ TEST(SceneMasonry, CountsAreRequiredAndBounded) {
   sample::expect_error(scene_of(wall + "rows = 2\n"), 7, {"has no \"columns\"", "add columns = ..."});
   sample::expect_error(scene_of(arch), 7, {"has no \"voussoirs\""});
   sample::expect_error(scene_of(wall + "rows = 0\ncolumns = 2\n"), 12, {"rows"});
-  sample::expect_error(scene_of(wall + "rows = 101\ncolumns = 100\n"), 7, {"has 10100 blocks", "at most 10000"});
-  sample::expect_error(scene_of(arch + "voussoirs = 10001\n"), 7, {"has 10001 blocks", "make it of fewer blocks"});
-  sample::expect_error(scene_of(arch + "voussoirs = 5000\n" + wall + "rows = 51\ncolumns = 100\n"), 13,
-                       {"has 5100 blocks, beside 5002", "at most 10000"});
+  sample::expect_error(scene_of(wall + "rows = 1001\ncolumns = 100\n"), 7, {"has 100100 blocks", "at most 100000"});
+  sample::expect_error(scene_of(arch + "voussoirs = 10001\n"), 7,
+                       {"has 10001 blocks", "at most 10000", "make it of fewer blocks"});
+  sample::expect_error(scene_of(arch + "voussoirs = 5000\n" + wall + "rows = 951\ncolumns = 100\n"), 13,
+                       {"has 95100 blocks, beside 5002", "at most 100000"});
 }
 
 TEST(SceneMasonry, MeasuresAreAboveZero) {
@@ -143,7 +144,7 @@ TEST(SceneMasonry, NamesMaterialsAndBondsAreKnown) {
 TEST(SceneHeap, ItsBlocksFitTheBox) {
   sample::expect_error(scene_of(sample::with("0.9", "6", heap)), 7,
                        {"has 20 blocks of 6 m in a box of 5 m", "none wider than the box"});
-  sample::expect_error(scene_of(heap + "blocks = 10001\n"), 7, {"has 10001 blocks", "at most 10000 blocks"});
+  sample::expect_error(scene_of(heap + "blocks = 100001\n"), 7, {"has 100001 blocks", "at most 100000 blocks"});
   sample::expect_error(scene_of(heap + "blocks = 0\n"), 12, {"blocks"});
   sample::expect_error(scene_of(heap + "seed = -1\n"), 12, {"seed"});
 }

@@ -29,6 +29,18 @@ double reaction_error(const Solid& solid) {
   return reaction / weight - 1;
 }
 
+/// Shear beyond what the normal force allows, or a pull, at any contact, over the weight of all [1].
+double worst_against_coulomb(const Solid& solid, double friction) {
+  double weight = 0;
+  for (const Block& block : solid.blocks()) weight += block.fixed ? 0 : block.mass_per_m() * 9.81;
+  double worst = 0;
+  for (const ContactPoint& c : solid.contacts()) {
+    if (c.state == ContactState::open) continue;
+    worst = std::max({worst, -c.force.x(), std::abs(c.force.y()) - friction * c.force.x()});
+  }
+  return worst / weight;
+}
+
 /// Each block rests on two, at four points of two forces: contacts are many times more than motions.
 TEST(Large, APyramidOfBase100SettlesAndStandsStill) {
   auto scene = pyramid(100);
@@ -115,6 +127,37 @@ TEST(Large, ASlopeStandsWithTheFrictionOfItsDipAndSlidesAsTheFormulaSaysWithLess
     const double acceleration = std::max(0.0, 9.81 * (std::sin(dip) - friction * std::cos(dip)));
     EXPECT_NEAR(solid.states()[1].displacement.head<2>().norm(), acceleration * 0.5 * 0.5 / 2, 1e-6) << friction;
   }
+}
+
+/// Bricks that widen under the weight above slip at their ends, hundreds of them, and each slip changes the normal
+/// forces that bound the others: Newton's method on all of Coulomb's law runs in circles.
+TEST(Large, AWallOfDeformableBricksSettlesAndStandsWithFrictionAtItsBounds) {
+  auto scene = brick_wall(300);
+  scene.analysis.rigid = scene::Rigid::none;
+  Solid solid(scene);
+  solid.settle({});
+  EXPECT_GE(solid.counts().lagged_steps, 1);
+  for (int steps : {0, 3}) {
+    run(solid, steps);
+    EXPECT_LT(worst_against_coulomb(solid, 0.6), 2e-10) << steps;
+    EXPECT_LT(std::abs(reaction_error(solid)), 1e-7) << steps;
+  }
+  EXPECT_LT(solid.largest_displacement_m(), 2e-5);
+}
+
+/// Contact forces of rigid blocks are many times more than their motions, and leave most contacts of a slope that
+/// begins to slide near their bounds.
+TEST(Large, ASlopeOf300BlocksSlidesAsTheFormulaSays) {
+  const double dip = 20 * std::numbers::pi / 180;
+  auto scene = rock_slope(300, 0.3);
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 12);
+  const double acceleration = 9.81 * (std::sin(dip) - 0.3 * std::cos(dip));
+  EXPECT_GE(solid.counts().lagged_steps, 1);
+  EXPECT_EQ(solid.counts().steps, 12);  // none was cut
+  EXPECT_NEAR(solid.states()[1].displacement.head<2>().norm(), acceleration * 0.2 * 0.2 / 2, 1e-6);
+  EXPECT_LT(worst_against_coulomb(solid, 0.3), 2e-10);
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Equilibrium of one island with friction bounds that lag: within a sweep each is what the normal force of the sweep
+// before allows, so that the increment minimizes a convex energy, and Newton's method with a line search always finds
+// it. Sweeps of multipliers and bounds together lead to Coulomb's law (Simo and Laursen 1992, Comput. Struct. 42).
+#include <cmath>
+
+#include "bridge/results/stopwatch.hpp"
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid {
+
+/// For where the states of the whole law run in circles: a slip changes the normal force that bounds it, there and at
+/// its neighbours, and brings the states back with which Newton's method began.
+bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
+  const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
+  for (int sweep = 0; sweep < scene_.contact.max_iterations; ++sweep) {
+    const bool bounds_stand = formulation_->lag_friction(held);
+    if (!minimize(s)) return false;
+    const Stopwatch watch(profile_.sweeps);
+    ++counts_.sweeps;
+    const bool settled = formulation_->sweep(held) && bounds_stand;
+    if (settled && !break_bonds(laws_, s.island.contacts, contacts_)) return true;
+  }
+  return false;
+}
+
+/// Of the energy whose negative gradient is the residual.
+bool Solid::minimize(IslandSystem& s) {
+  double left = unbalanced(s);
+  for (int iteration = 0; iteration < scene_.contact.max_iterations; ++iteration) {
+    if (left <= formulation_->settings().force_tolerance_n) return true;
+    if (!std::isfinite(left)) {
+      require_numbers(s);
+      return false;
+    }
+    if (!solve_linearized(s)) return false;
+    left = search_along_correction(s);
+  }
+  return false;
+}
+
+/// Takes the whole correction, or as much of it as halves the slope of the energy where that has become as steep
+/// upward: by regula falsi and bisection in turns, for the slope has kinks. Returns the largest unbalanced force.
+double Solid::search_along_correction(IslandSystem& s) {
+  constexpr int most = 40;
+  struct Place {
+    double fraction;
+    double slope;  // of the energy, downward
+  };
+  Place low{0, s.residual.dot(s.correction)};
+  const double enough = low.slope / 2;
+  double left = 0;
+  const auto go_to = [&](double fraction, double from) {
+    move(s, fraction - from);
+    left = unbalanced(s);
+    return Place{fraction, s.residual.dot(s.correction)};
+  };
+  Place high = go_to(1, 0);
+  Place here = high;
+  if (here.slope >= -enough) return left;
+  for (int k = 0; k < most && std::abs(here.slope) > enough && left > formulation_->settings().force_tolerance_n; ++k) {
+    const double share = k % 2 == 0 ? low.slope / (low.slope - high.slope) : 0.5;
+    here = go_to(low.fraction + share * (high.fraction - low.fraction), here.fraction);
+    (here.slope > 0 ? low : high) = here;
+  }
+  return left;
+}
+
+}  // namespace blockweir::solid
