@@ -32,8 +32,8 @@ constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that
 constexpr double spin_s = 50e-6;      // answers of a small scene come within this: no sleep, no wake-up
 
 /// An I/O thread answers even while its process computes; a stopped or vanished process does not. Only who connects
-/// beats, and says how long the listener is to wait for the next one: ZeroMQ 4.3.4 aborts where a beat of the listener's
-/// own falls due for a stranger who has just left.
+/// beats, and says how long the listener is to wait for the next one: ZeroMQ 4.3.4 aborts where a beat of the
+/// listener's own falls due for a stranger who has just left.
 void keep_beating(zmq::socket_t& socket, double timeout_s) {
   const int every_ms = static_cast<int>(std::max(100.0, 1000 * timeout_s / 4));
   socket.set(zmq::sockopt::heartbeat_ivl, every_ms);
