@@ -15,8 +15,11 @@ struct Collection::Writer {
   vtkNew<vtkXMLUnstructuredGridWriter> vtk;
 };
 
-Collection::Collection(std::filesystem::path folder, std::string name)
-    : folder_(std::move(folder)), name_(std::move(name)), writer_(std::make_unique<Writer>()) {
+Collection::Collection(std::filesystem::path folder, const std::string& name)
+    : folder_(std::move(folder)),
+      list_(folder_ / name, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n",
+            "  </Collection>\n</VTKFile>\n"),
+      writer_(std::make_unique<Writer>()) {
   std::filesystem::create_directories(folder_ / "frames");
   vtkObject::GlobalWarningDisplayOff();  // failures are reported by add()
   writer_->vtk->SetCompressorTypeToNone();
@@ -42,10 +45,8 @@ void Collection::repeat(const std::string& file, double time_s, const char* part
                           part_number, part, file);
 }
 
-void Collection::save() const {
-  results::replace_file(folder_ / name_,
-                        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" +
-                            entries_ + "  </Collection>\n</VTKFile>\n");
+void Collection::save() {
+  list_.put(entries_);
 }
 
 }  // namespace blockweir::vtk

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "bridge/results/closed_file.hpp"
 #include "bridge/vtk/grid.hpp"
 
 namespace blockweir::vtk {
@@ -13,7 +14,7 @@ namespace blockweir::vtk {
 class Collection {
  public:
   /// The collection goes to `folder`/`name`, its files to `folder`/frames.
-  Collection(std::filesystem::path folder, std::string name);
+  Collection(std::filesystem::path folder, const std::string& name);
   ~Collection();
   Collection(const Collection&) = delete;
   Collection& operator=(const Collection&) = delete;
@@ -22,8 +23,8 @@ class Collection {
   void add(const Grid& grid, const std::string& file, double time_s, const char* part, int part_number = 0);
   /// Lists a file that is there already once more: nothing has changed since.
   void repeat(const std::string& file, double time_s, const char* part, int part_number = 0);
-  /// Puts the list in place of the former one. Throws std::runtime_error when it cannot be written.
-  void save() const;
+  /// Puts the list on disk. Throws std::runtime_error when it cannot be written, and leaves the former one.
+  void save();
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -33,8 +34,8 @@ class Collection {
  private:
   struct Writer;
   std::filesystem::path folder_;
-  std::string name_;
   std::string entries_;
+  results::ClosedFile list_;
   std::unique_ptr<Writer> writer_;
 };
 
