@@ -28,6 +28,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 constexpr int linger_ms = 1000;       // a last word still goes out
+constexpr int reconnect_ms = 5;       // who connects may come first: its next try is not far off
 constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that arrived just before a poll
 constexpr double spin_s = 50e-6;      // answers of a small scene come within this: no sleep, no wake-up
 
@@ -62,6 +63,7 @@ struct Channel::Line {
         visitors(context, socket, o.endpoint, listens && is_tcp(o.endpoint)) {
     check_endpoint(options.endpoint, listens, options.insecure || !options.keys.empty());
     socket.set(zmq::sockopt::linger, linger_ms);
+    socket.set(zmq::sockopt::reconnect_ivl, reconnect_ms);
     if (!listens) keep_beating(socket, options.timeout_s);
     socket.set(zmq::sockopt::maxmsgsize, std::int64_t{1} << 30);
     socket.set(zmq::sockopt::ipv6, options.endpoint.find('[') != std::string::npos ? 1 : 0);
