@@ -31,15 +31,25 @@ std::string ranges(const std::vector<Point>& points) {
                      shown(fine->error) / 2, shown(coarse->error) * 2);
 }
 
+/// At 1, 2 and 5 of each decade: times often span less than one.
+std::string time_tics() {
+  std::string tics;
+  for (int decade = -3; decade <= 4; ++decade) {
+    for (const int digit : {1, 2, 5}) tics += fmt::format("{}{}e{}", tics.empty() ? "" : ", ", digit, decade);
+  }
+  return "set xtics (" + tics + ")\n";
+}
+
 }  // namespace
 
 void draw_bench(const std::filesystem::path& file, const std::string& title, const std::string& figure,
                 const std::vector<Point>& points) {
   std::string script = fmt::format(
-      "set terminal pngcairo font 'sans,11' size 800,720\nset output {}\nset title {}\nset logscale xy\n"
-      "set format y '%.0e'\nset xlabel 'wall time [s]'\nset ylabel {}\nset grid\n"
-      "set key outside bottom center vertical maxrows 8 font ',9'\n{}",
-      gnuplot_path(file), gnuplot_text(title), gnuplot_text("relative error of " + figure), ranges(points));
+      "set terminal pngcairo font 'sans,11' size 1100,560\nset output {}\nset title {}\nset logscale xy\n"
+      "set format x '%g'\nset format y '%.0e'\nset xlabel 'wall time [s]'\nset ylabel {}\nset grid\n"
+      "set key outside right top Left reverse font ',9'\n{}{}",
+      gnuplot_path(file), gnuplot_text(title), gnuplot_text("relative error of " + figure), ranges(points),
+      time_tics());
   std::string plots;
   const auto plot = [&](const std::string& data, const std::string& style) {
     const auto number = std::count(plots.begin(), plots.end(), '$');
