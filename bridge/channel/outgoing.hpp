@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <list>
-#include <utility>
 #include <zmq.hpp>
 
 namespace blockweir::channel {

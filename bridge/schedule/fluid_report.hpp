@@ -16,7 +16,8 @@ struct FluidReport {
   double peak_memory_mb = 0;         ///< 0: it has no process of its own
 };
 
-/// As JSON, {"seconds": {...}, "counts": {...}}. Throws std::runtime_error when `file` cannot be written.
+/// As JSON, {"seconds": {...}, "counts": {...}, "skips": [...]}. Throws std::runtime_error when `file` cannot be
+/// written.
 void write_report(const std::filesystem::path& file, const FluidReport& report);
 
 }  // namespace blockweir::schedule

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/vtk/sequential.hpp"
 
-#include <vtkObjectFactory.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace blockweir::vtk {
 namespace {
+
+template <class Object>
+Object* made() {
+  auto* object = new Object;
+  object->InitializeObjectBase();
+  return object;
+}
 
 void begin(double* range) {
   range[0] = std::numeric_limits<double>::max();
@@ -23,9 +28,15 @@ void widen(double* range, double value) {
 
 }  // namespace
 
-vtkStandardNewMacro(SequentialGrid) vtkStandardNewMacro(SequentialArray)
+SequentialGrid* SequentialGrid::New() {
+  return made<SequentialGrid>();
+}
 
-    bool SequentialArray::ComputeScalarRange(double* ranges) {
+SequentialArray* SequentialArray::New() {
+  return made<SequentialArray>();
+}
+
+bool SequentialArray::ComputeScalarRange(double* ranges) {
   const int components = GetNumberOfComponents();
   for (int c = 0; c < components; ++c) begin(ranges + 2 * c);
   const double* value = GetPointer(0);

@@ -11,19 +11,16 @@ namespace blockweir::vtk {
 class SequentialGrid : public vtkUnstructuredGrid {
  public:
   static SequentialGrid* New();
-  vtkTypeMacro(SequentialGrid, vtkUnstructuredGrid) void GetCellTypes(vtkCellTypes* types) override {
-    vtkDataSet::GetCellTypes(types);
-  }
+  void GetCellTypes(vtkCellTypes* types) override { vtkDataSet::GetCellTypes(types); }
 };
 
 class SequentialArray : public vtkDoubleArray {
  public:
   static SequentialArray* New();
-  vtkTypeMacro(SequentialArray, vtkDoubleArray)
 
-      protected :
-      /// ranges: least and largest value of each component in turn.
-      bool ComputeScalarRange(double* ranges) override;
+ protected:
+  /// ranges: least and largest value of each component in turn.
+  bool ComputeScalarRange(double* ranges) override;
   /// Least and largest length of a tuple.
   bool ComputeVectorRange(double range[2]) override;
 };
