@@ -88,11 +88,13 @@ struct Channel::Line {
 
   void open() {
     try {
-      if (listens) {
-        socket.bind(options.endpoint);
-      } else {
-        socket.connect(options.endpoint);
-      }
+      undisturbed([&] {
+        if (listens) {
+          socket.bind(options.endpoint);
+        } else {
+          socket.connect(options.endpoint);
+        }
+      });
     } catch (const zmq::error_t& error) {
       throw PeerError(fmt::format("cannot {} {}: {}; choose another --endpoint", listens ? "listen at" : "connect to",
                                   options.endpoint, error.what()));

@@ -13,7 +13,7 @@ Gate::Gate(zmq::context_t& context, const std::string& partner_public) : questio
     zmq_z85_decode(reinterpret_cast<std::uint8_t*>(partner_.data()), partner_public.c_str());
   }
   questions_.set(zmq::sockopt::linger, 0);
-  questions_.bind("inproc://zeromq.zap.01");
+  undisturbed([&] { questions_.bind("inproc://zeromq.zap.01"); });
 }
 
 void Gate::answer() {

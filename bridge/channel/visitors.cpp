@@ -40,11 +40,13 @@ std::string address_of(int descriptor) {
 Visitors::Visitors(zmq::context_t& context, zmq::socket_t& socket, std::string endpoint, bool logs)
     : socket_(socket), events_(context, zmq::socket_type::pair), endpoint_(std::move(endpoint)), logs_(logs) {
   const std::string name = fmt::format("inproc://monitor-{}", static_cast<const void*>(this));
-  zmq_socket_monitor(socket.handle(), name.c_str(),
-                     ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_CONNECTED | ZMQ_EVENT_DISCONNECTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED |
-                         ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
-                         ZMQ_EVENT_HANDSHAKE_FAILED_AUTH);
-  events_.connect(name);
+  constexpr int of_interest = ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_CONNECTED | ZMQ_EVENT_DISCONNECTED |
+                              ZMQ_EVENT_HANDSHAKE_SUCCEEDED | ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL |
+                              ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL | ZMQ_EVENT_HANDSHAKE_FAILED_AUTH;
+  undisturbed([&] {
+    if (zmq_socket_monitor(socket.handle(), name.c_str(), of_interest) != 0) throw zmq::error_t();
+  });
+  undisturbed([&] { events_.connect(name); });
 }
 
 Visitors::~Visitors() {
