@@ -206,6 +206,7 @@ struct Channel::Line {
     } catch (const wire::BadMessage& bad) {
       throw PeerError(fmt::format("{} sent {} ({})", options.partner, bad.what(), moment));
     }
+    incoming.rebuild();
     packed_s += seconds_since(start);
   }
 
