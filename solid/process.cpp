@@ -29,13 +29,11 @@ auto progress_to(int fd, double duration_s) {
     const auto now = Clock::now();
     if (now - last < std::chrono::milliseconds(fd >= 0 ? 50 : 2000) && time_s < duration_s) return;
     last = now;
-    if (fd < 0) {
-      fmt::print(stderr, "{:.4g} of {:.4g} s, level {:.4g} m, largest displacement {:.3g} m\n", time_s, duration_s,
-                 level_m, displacement_m);
-      return;
-    }
-    const std::string line = fmt::format("{:.9g} {:.9g} {:.9g}\n", time_s, level_m, displacement_m);
-    silent = silent || ::write(fd, line.data(), line.size()) < 0;  // nobody listens any more: go on without
+    const std::string line = fd >= 0
+                                 ? fmt::format("{:.9g} {:.9g} {:.9g}\n", time_s, level_m, displacement_m)
+                                 : fmt::format("{:.4g} of {:.4g} s, level {:.4g} m, largest displacement {:.3g} m\n",
+                                               time_s, duration_s, level_m, displacement_m);
+    silent = ::write(fd >= 0 ? fd : STDERR_FILENO, line.data(), line.size()) < 0;  // nobody listens: go on without
   };
 }
 

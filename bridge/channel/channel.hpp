@@ -72,7 +72,7 @@ class Channel {
 };
 
 /// Installs handlers that count SIGINT and SIGTERM. Whoever waits for a Motion then throws Interrupted; a load that is
-/// on its way is still waited for, until asked twice.
+/// on its way is still waited for, until asked twice. What is written to a pipe that nobody reads is lost, no more.
 void catch_stop_signals();
 [[nodiscard]] bool stop_requested();
 [[nodiscard]] bool stop_requested_twice();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SIGINT and SIGTERM as a count that whoever waits looks at.
+// SIGINT and SIGTERM as a count that whoever waits looks at; a pipe that nobody reads ends nothing.
 #include <csignal>
 
 #include "bridge/channel/channel.hpp"
@@ -21,6 +21,7 @@ void catch_stop_signals() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);  // whoever read our progress may be gone before we are asked to stop
 }
 
 bool stop_requested() {

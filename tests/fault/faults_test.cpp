@@ -164,6 +164,11 @@ TEST_F(Faults, AKilledLauncherLeavesNoOrphan) {
   EXPECT_EQ(nlohmann::json::parse(text("o/summary.json"))["outcome"], "stopped");
 }
 
+TEST_F(Faults, WhoReadsTheProgressMayLeave) {
+  EXPECT_EQ(shell("bash -c '" + programs + "/blockweir-solid " + cases + "brick-rows --out o 2> >(true)'"), 0);
+  EXPECT_TRUE(nlohmann::json::parse(text("o/summary.json")).contains("outcome"));
+}
+
 TEST_F(Faults, AWrongPortIsSaidWithinTheTimeOut) {
   const std::string scene = cases + "monolith-slides --set coupling.timeout_s=1 --endpoint ";
   EXPECT_EQ(shell(programs + "/blockweir-hydrostatic " + scene + "tcp://127.0.0.1:9"), 1);
