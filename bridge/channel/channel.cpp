@@ -27,10 +27,11 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr int linger_ms = 1000;       // a last word still goes out
-constexpr int reconnect_ms = 5;       // who connects may come first: its next try is not far off
-constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that arrived just before a poll
-constexpr double spin_s = 50e-6;      // answers of a small scene come within this: no sleep, no wake-up
+constexpr int linger_ms = 1000;                 // a last word still goes out
+constexpr int reconnect_ms = 5;                 // who connects may come first: its next try is not far off
+constexpr double poll_slice_s = 0.2;            // how late a stop signal may be seen that arrived just before a poll
+constexpr std::size_t viewed_from = 1U << 16U;  // bytes; smaller frames are copied sooner than kept
+constexpr double spin_s = 50e-6;                // answers of a small scene come within this: no sleep, no wake-up
 
 /// An I/O thread answers even while its process computes; a stopped or vanished process does not. Only who connects
 /// beats, and says how long the listener is to wait for the next one: ZeroMQ 4.3.4 aborts where a beat of the
@@ -127,7 +128,7 @@ struct Channel::Line {
   }
 
   bool try_receive() {
-    return undisturbed([&] { return socket.recv(incoming, zmq::recv_flags::dontwait); }).has_value();
+    return undisturbed([&] { return socket.recv(*incoming, zmq::recv_flags::dontwait); }).has_value();
   }
 
   /// A pair socket has nowhere to put a message before its partner is there.
@@ -172,16 +173,31 @@ struct Channel::Line {
       }
       poll(std::min(poll_slice_s, patience_s - waited + 1e-3));
     }
-    visitors.partner_is(zmq_msg_get(incoming.handle(), ZMQ_SRCFD));
+    visitors.partner_is(zmq_msg_get(incoming->handle(), ZMQ_SRCFD));
     waited_s += seconds_since(start);
   }
 
   /// ZeroMQ hands small messages out from wherever they stand in its own buffer.
+  [[nodiscard]] bool aligned() const {
+    return reinterpret_cast<std::uintptr_t>(incoming->data()) % wire::alignment == 0;
+  }
   const void* aligned_bytes() {
-    if (reinterpret_cast<std::uintptr_t>(incoming.data()) % wire::alignment == 0) return incoming.data();
-    realigned.resize(incoming.size() / sizeof realigned.front() + 1);
-    std::memcpy(realigned.data(), incoming.data(), incoming.size());
+    if (aligned()) return incoming->data();
+    realigned.resize(incoming->size() / sizeof realigned.front() + 1);
+    std::memcpy(realigned.data(), incoming->data(), incoming->size());
     return realigned.data();
+  }
+
+  /// A large frame is left where it is, for the columns to view.
+  template <class Message>
+  void decode(const void* data, Message& into) {
+    if constexpr (std::is_same_v<Message, wire::Hello>) {
+      wire::decode(data, into);
+    } else if (incoming->size() < viewed_from || !aligned()) {
+      wire::decode(data, into);
+    } else {
+      wire::decode(data, into, std::exchange(incoming, std::make_shared<zmq::message_t>()));
+    }
   }
 
   template <class Message>
@@ -190,7 +206,7 @@ struct Channel::Line {
     const auto start = Clock::now();
     const void* data = aligned_bytes();
     try {
-      const wire::Kind got = wire::verify(data, incoming.size());
+      const wire::Kind got = wire::verify(data, incoming->size());
       if (got == wire::Kind::end) {
         wire::End end;
         wire::decode(data, end);
@@ -202,11 +218,10 @@ struct Channel::Line {
         throw PeerError(fmt::format("{} stopped {}: {}", options.partner, moment, failure.text));
       }
       if (got != kind) throw wire::BadMessage("a message of another kind than was due");
-      wire::decode(data, into);
+      decode(data, into);
     } catch (const wire::BadMessage& bad) {
       throw PeerError(fmt::format("{} sent {} ({})", options.partner, bad.what(), moment));
     }
-    incoming.rebuild();
     packed_s += seconds_since(start);
   }
 
@@ -217,7 +232,7 @@ struct Channel::Line {
   zmq::socket_t socket;
   Visitors visitors;
   std::optional<Gate> gate;
-  zmq::message_t incoming;
+  std::shared_ptr<zmq::message_t> incoming = std::make_shared<zmq::message_t>();
   std::vector<std::uint64_t> realigned;
   double waited_s = 0;
   double packed_s = 0;
@@ -258,6 +273,7 @@ void Channel::send(const wire::Failure& failure) {
 }
 
 void Channel::receive(wire::Motion& into) {
+  into.release();
   line_->receive(wire::Kind::motion, into, line_->options.timeout_s, line_->moment());
   if (into.displacement.size() != line_->blocks) {
     throw PeerError(fmt::format("{} sent positions of {} blocks in window {}, the handshake was on {}",
@@ -267,6 +283,7 @@ void Channel::receive(wire::Motion& into) {
 }
 
 void Channel::receive(wire::Load& into) {
+  into.release();
   line_->receive(wire::Kind::load, into, line_->options.timeout_s, line_->moment());
   line_->window = into.window;
 }

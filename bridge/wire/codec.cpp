@@ -61,40 +61,62 @@ struct Fraction {
   std::uint64_t operator()(double value) const { return (bits(value) | bits(1 - value)) >> 63U | bits(value - value); }
 };
 
-/// Copies `size` numbers and says whether all of them are as they should be.
+/// Are all numbers as they should be?
 template <class Fault>
-bool copy_if_all(const std::uint8_t* from, std::size_t size, double* into) {
+bool all_sound(const flatbuffers::Vector<double>* numbers) {
+  if (numbers == nullptr) return true;
   std::uint64_t faults = 0;
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < numbers->size(); ++i) {
     double value = 0;
-    std::memcpy(&value, from + i * sizeof value, sizeof value);
+    std::memcpy(&value, numbers->Data() + i * sizeof value, sizeof value);
     faults |= Fault()(value);
-    into[i] = value;
   }
   return faults == 0;
 }
 
-template <class Fault>
-bool copy_if_all(const flatbuffers::Vector<double>* from, std::vector<double>& into) {
-  into.resize(from != nullptr ? from->size() : 0);
-  return into.empty() || copy_if_all<Fault>(from->Data(), into.size(), into.data());
+/// `size` values from `from` on, viewed where they can be.
+template <class T>
+void take(const std::uint8_t* from, std::size_t size, Column<T>& into, const Keeper& keeper) {
+  if (keeper && reinterpret_cast<std::uintptr_t>(from) % alignof(T) == 0) {
+    into.view(reinterpret_cast<const T*>(from), size, keeper);
+    return;
+  }
+  into.assign(size, T());
+  if (size > 0) std::memcpy(into.own().data(), from, size * sizeof(T));
 }
 
-auto flat(Builder& builder, const std::vector<std::array<double, 6>>& rows) {
-  return builder.CreateVector(rows.empty() ? nullptr : rows.front().data(), 6 * rows.size());
+template <class T>
+void take(const flatbuffers::Vector<T>* from, Column<T>& into, const Keeper& keeper) {
+  if (from == nullptr) {
+    into.clear();
+  } else {
+    take(from->Data(), from->size(), into, keeper);
+  }
+}
+
+template <class T>
+auto vector(Builder& builder, const Column<T>& column) {
+  return builder.CreateVector(column.data(), column.size());
+}
+
+auto flat(Builder& builder, const Column<std::array<double, 6>>& rows) {
+  return builder.CreateVector(rows.empty() ? nullptr : rows.data()->data(), 6 * rows.size());
 }
 
 void require_finite(double value, const char* name, std::uint64_t window) {
   if (!std::isfinite(value)) throw BadMessage(fmt::format("{} is {} in window {}", name, value, window));
 }
 
-void read_rows(const flatbuffers::Vector<double>* from, std::vector<std::array<double, 6>>& into, const char* name,
-               std::uint64_t window) {
+void read_rows(const flatbuffers::Vector<double>* from, Column<std::array<double, 6>>& into, const Keeper& keeper,
+               const char* name, std::uint64_t window) {
   const std::size_t size = from != nullptr ? from->size() : 0;
   if (size % 6 != 0) throw BadMessage(fmt::format("{} holds {} numbers, not six a block", name, size));
-  into.resize(size / 6);
-  if (size == 0) return;
-  if (copy_if_all<Finite>(from->Data(), size, into.front().data())) return;
+  if (size == 0) {
+    into.clear();
+    return;
+  }
+  take(from->Data(), size / 6, into, keeper);
+  if (all_sound<Finite>(from)) return;
   for (std::size_t i = 0; i < size; ++i) {
     const double value = into[i / 6][i % 6];
     if (!std::isfinite(value)) {
@@ -130,12 +152,12 @@ void encode(const Motion& m, Builder& builder) {
 
 void encode(const Load& m, Builder& builder) {
   begin(builder);
-  const auto block = builder.CreateVector(m.block);
-  const auto edge = builder.CreateVector(m.edge);
-  const auto s_from = builder.CreateVector(m.s_from);
-  const auto s_to = builder.CreateVector(m.s_to);
-  const auto p_from = builder.CreateVector(m.pressure_from_pa);
-  const auto p_to = builder.CreateVector(m.pressure_to_pa);
+  const auto block = vector(builder, m.block);
+  const auto edge = vector(builder, m.edge);
+  const auto s_from = vector(builder, m.s_from);
+  const auto s_to = vector(builder, m.s_to);
+  const auto p_from = vector(builder, m.pressure_from_pa);
+  const auto p_to = vector(builder, m.pressure_to_pa);
   const auto added_mass = flat(builder, m.added_mass);
   finish(builder, buffer::Body::Load,
          buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, block, edge, s_from,
@@ -206,7 +228,7 @@ void decode(const void* data, Hello& m) {
   m.first_window = b.first_window();
 }
 
-void decode(const void* data, Motion& m) {
+void decode(const void* data, Motion& m, const Keeper& keeper) {
   const auto& b = body<buffer::Motion>(data);
   m.window = b.window();
   m.time_s = b.time_s();
@@ -215,14 +237,14 @@ void decode(const void* data, Motion& m) {
     throw BadMessage(fmt::format("order {} in window {}", b.order(), m.window));
   }
   m.order = static_cast<Order>(b.order());
-  read_rows(b.displacement(), m.displacement, "displacement", m.window);
-  read_rows(b.velocity(), m.velocity, "velocity", m.window);
+  read_rows(b.displacement(), m.displacement, keeper, "displacement", m.window);
+  read_rows(b.velocity(), m.velocity, keeper, "velocity", m.window);
   if (m.displacement.size() != m.velocity.size()) {
     throw BadMessage(fmt::format("{} displacements and {} velocities", m.displacement.size(), m.velocity.size()));
   }
 }
 
-void decode(const void* data, Load& m) {
+void decode(const void* data, Load& m, const Keeper& keeper) {
   const auto& b = body<buffer::Load>(data);
   m.window = b.window();
   m.time_s = b.time_s();
@@ -233,15 +255,15 @@ void decode(const void* data, Load& m) {
   if (std::isnan(m.holds_until_s)) require_finite(m.holds_until_s, "time that the pressures hold", m.window);
   if (std::isinf(m.upstream_level_m)) require_finite(m.upstream_level_m, "upstream level", m.window);
   if (std::isinf(m.downstream_level_m)) require_finite(m.downstream_level_m, "downstream level", m.window);
-  copy(b.block(), m.block);
-  copy(b.edge(), m.edge);
-  bool sound = copy_if_all<Fraction>(b.s_from(), m.s_from);
-  sound = copy_if_all<Fraction>(b.s_to(), m.s_to) && sound;
-  sound = copy_if_all<Finite>(b.pressure_from_pa(), m.pressure_from_pa) && sound;
-  sound = copy_if_all<Finite>(b.pressure_to_pa(), m.pressure_to_pa) && sound;
+  take(b.block(), m.block, keeper);
+  take(b.edge(), m.edge, keeper);
+  take(b.s_from(), m.s_from, keeper);
+  take(b.s_to(), m.s_to, keeper);
+  take(b.pressure_from_pa(), m.pressure_from_pa, keeper);
+  take(b.pressure_to_pa(), m.pressure_to_pa, keeper);
   m.breached = b.breached();
   m.cracks_from = b.cracks_from();
-  read_rows(b.added_mass(), m.added_mass, "added mass", m.window);
+  read_rows(b.added_mass(), m.added_mass, keeper, "added mass", m.window);
   const std::size_t n = m.block.size();
   for (const std::size_t size :
        {m.edge.size(), m.s_from.size(), m.s_to.size(), m.pressure_from_pa.size(), m.pressure_to_pa.size()}) {
@@ -249,7 +271,10 @@ void decode(const void* data, Load& m) {
   }
   if (m.cracks_from > n)
     throw BadMessage(fmt::format("cracks from panel {} of {} in window {}", m.cracks_from, n, m.window));
-  if (sound) return;
+  if (all_sound<Fraction>(b.s_from()) && all_sound<Fraction>(b.s_to()) && all_sound<Finite>(b.pressure_from_pa()) &&
+      all_sound<Finite>(b.pressure_to_pa())) {
+    return;
+  }
   for (std::size_t i = 0; i < n; ++i) {
     const auto panel = [&](const char* what, double value) {
       return fmt::format("{} of panel {} (block {}, edge {}) is {} in window {}", what, i, m.block[i], m.edge[i], value,

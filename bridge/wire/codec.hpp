@@ -4,6 +4,7 @@
 
 #include <flatbuffers/flatbuffers.h>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 
 #include "bridge/wire/message.hpp"
@@ -31,11 +32,15 @@ inline constexpr std::size_t alignment = 8;
 /// What kind of message a frame of `size` bytes holds; throws BadMessage when it holds none, or another than was sent.
 Kind verify(const void* frame, std::size_t size);
 
-/// Decode verified frames of the right kind into storage that is reused. Throw BadMessage for columns of unequal
-/// length, for fractions outside 0..1 and for values that are not finite (levels may be NaN: no pool).
+/// What keeps the memory of a frame.
+using Keeper = std::shared_ptr<const void>;
+
+/// Decode verified frames of the right kind: columns view the frame where somebody keeps it, else they are copied into
+/// storage that is reused. Throw BadMessage for columns of unequal length, for fractions outside 0..1 and for values
+/// that are not finite (levels may be NaN: no pool).
 void decode(const void* frame, Hello& into);
-void decode(const void* frame, Motion& into);
-void decode(const void* frame, Load& into);
+void decode(const void* frame, Motion& into, const Keeper& keeper = nullptr);
+void decode(const void* frame, Load& into, const Keeper& keeper = nullptr);
 void decode(const void* frame, End& into);
 void decode(const void* frame, Failure& into);
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "bridge/wire/column.hpp"
+
 namespace blockweir::wire {
 
 /// Raised whenever a message changes its meaning; partners of different versions refuse each other.
@@ -43,8 +45,14 @@ struct Motion {
   std::uint64_t window = 0;  ///< counted up by one each time
   double time_s = 0;         ///< never earlier than the one before
   Order order = Order::compute;
-  std::vector<std::array<double, 6>> displacement;
-  std::vector<std::array<double, 6>> velocity;
+  Column<std::array<double, 6>> displacement;
+  Column<std::array<double, 6>> velocity;
+
+  /// Lets go of the frame that brought it.
+  void release() {
+    displacement.release();
+    velocity.release();
+  }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -62,18 +70,29 @@ struct Load {
   double holds_until_s = 0;
   double upstream_level_m = 0;    ///< NaN where there is no pool
   double downstream_level_m = 0;  ///< NaN where there is no pool
-  std::vector<std::uint32_t> block;
-  std::vector<std::uint32_t> edge;
-  std::vector<double> s_from;
-  std::vector<double> s_to;
-  std::vector<double> pressure_from_pa;
-  std::vector<double> pressure_to_pa;
+  Column<std::uint32_t> block;
+  Column<std::uint32_t> edge;
+  Column<double> s_from;
+  Column<double> s_to;
+  Column<double> pressure_from_pa;
+  Column<double> pressure_to_pa;
   std::uint32_t cracks_from = 0;  ///< panels from this index on lie in cracks, those before on open water
   bool breached = false;          ///< open water has found a way past the structure
   /// The fluid's added mass on each block's rigid motion, by which its forces answer an acceleration: upper half
   /// (xx, xy, xr, yy, yr, rr) [kg/m, kg, kg m] of a symmetric matrix of translation x, y and rotation about the block's
   /// centroid where it is now. One row a block, zeros where the water does not reach, or none at all.
-  std::vector<std::array<double, 6>> added_mass;
+  Column<std::array<double, 6>> added_mass;
+
+  /// Lets go of the frame that brought it.
+  void release() {
+    block.release();
+    edge.release();
+    s_from.release();
+    s_to.release();
+    pressure_from_pa.release();
+    pressure_to_pa.release();
+    added_mass.release();
+  }
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -86,7 +86,7 @@ void Column::advance(const wire::Motion& motion, double to_s, wire::Load& load) 
   if (column_.cushion_pa_per_m) return;
   const double mass = inertia_ * width_m_;  // that the block feels at once
   load.added_mass.assign(blocks_, {});
-  load.added_mass[static_cast<std::size_t>(column_.block)] = {
+  load.added_mass.own()[static_cast<std::size_t>(column_.block)] = {
       mass * into_.x() * into_.x(), mass * into_.x() * into_.y(), 0, mass * into_.y() * into_.y(), 0, 0};
 }
 

@@ -59,13 +59,15 @@ void Recorder::map(const wire::Load& load) {
 void Recorder::predict(double ahead_s, wire::Motion& motion) {
   const Stopwatch watch(map_s_);
   const std::size_t n = solid_.described();
-  motion.displacement.resize(n);
-  motion.velocity.resize(n);
+  auto& displacement = motion.displacement.own();
+  auto& velocity = motion.velocity.own();
+  displacement.resize(n);
+  velocity.resize(n);
   for (std::size_t b = 0; b < n; ++b) {
     const BlockState& s = solid_.states()[b];
-    Vector6::Map(motion.displacement[b].data()) =
+    Vector6::Map(displacement[b].data()) =
         s.displacement + ahead_s * s.velocity + ahead_s * ahead_s / 2 * s.acceleration;
-    Vector6::Map(motion.velocity[b].data()) = s.velocity + ahead_s * s.acceleration;
+    Vector6::Map(velocity[b].data()) = s.velocity + ahead_s * s.acceleration;
   }
 }
 

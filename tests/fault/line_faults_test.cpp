@@ -37,10 +37,10 @@ struct Fault {
 
 /// A frame that is sound, but of another scene.
 std::vector<Frame> foreign(From from, const Frame& frame) {
-  if (from == From::fluid) return {altered<wire::Load>(frame, [](wire::Load& load) { load.block.at(0) = 1000; })};
+  if (from == From::fluid) return {altered<wire::Load>(frame, [](wire::Load& load) { load.block.own().at(0) = 1000; })};
   return {altered<wire::Motion>(frame, [](wire::Motion& motion) {
-    motion.displacement.emplace_back();
-    motion.velocity.emplace_back();
+    motion.displacement.own().emplace_back();
+    motion.velocity.own().emplace_back();
   })};
 }
 
@@ -48,9 +48,10 @@ std::vector<Fault> faults_of(From from) {
   const auto number = [from](double value) {
     return [from, value](const std::vector<Frame>& sent, std::mt19937&) -> std::vector<Frame> {
       if (from == From::fluid) {
-        return {altered<wire::Load>(sent.back(), [&](wire::Load& load) { load.pressure_from_pa.at(0) = value; })};
+        return {altered<wire::Load>(sent.back(), [&](wire::Load& load) { load.pressure_from_pa.own().at(0) = value; })};
       }
-      return {altered<wire::Motion>(sent.back(), [&](wire::Motion& motion) { motion.displacement.at(0)[0] = value; })};
+      return {altered<wire::Motion>(sent.back(),
+                                    [&](wire::Motion& motion) { motion.displacement.own().at(0)[0] = value; })};
     };
   };
   const bool pressures = from == From::fluid;

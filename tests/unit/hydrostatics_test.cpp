@@ -27,8 +27,8 @@ scene::Scene scene_of(std::vector<std::vector<Point>> outlines, double level) {
 wire::Load load_at_rest(const scene::Scene& scene) {
   HydrostaticModel model(scene);
   wire::Motion motion;
-  motion.displacement.resize(scene.blocks.size());
-  motion.velocity.resize(scene.blocks.size());
+  motion.displacement.own().resize(scene.blocks.size());
+  motion.velocity.own().resize(scene.blocks.size());
   wire::Load load;
   model.advance(motion, 0, load);
   return load;
@@ -189,7 +189,7 @@ TEST(Hydrostatics, SaysHowLongItsPressuresHold) {
   const auto holds_until = [&](double time_s) {
     HydrostaticModel model(scene);
     wire::Motion motion;
-    motion.displacement.resize(1);
+    motion.displacement.own().resize(1);
     wire::Load load;
     model.advance(motion, time_s, load);
     return load.holds_until_s;
@@ -211,14 +211,14 @@ TEST(Hydrostatics, NothingIsComputedAgainWhileNothingMoves) {
   const auto scene = scene_of({{{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, 7);
   HydrostaticModel model(scene);
   wire::Motion motion;
-  motion.displacement.resize(1);
+  motion.displacement.own().resize(1);
   wire::Load first;
   model.advance(motion, 0, first);
   wire::Load second = first;
   model.advance(motion, 1, second);
   EXPECT_EQ(model.report().counts.at("unchanged"), 1);
   EXPECT_EQ(second.pressure_from_pa, first.pressure_from_pa);
-  motion.displacement[0][0] = 1e-3;
+  motion.displacement.own()[0][0] = 1e-3;
   model.advance(motion, 2, second);
   EXPECT_EQ(model.updates(), 2);
 }
@@ -233,12 +233,12 @@ TEST(HydrostaticModel, KeepsWhatHasNotMovedAndSaysTheSamePressures) {
   HydrostaticModel keeps(skipping);
   HydrostaticModel repeats(thorough);
   wire::Motion motion;
-  motion.displacement.resize(1);
-  motion.velocity.resize(1);
+  motion.displacement.own().resize(1);
+  motion.velocity.own().resize(1);
   wire::Load kept;
   wire::Load repeated;
   for (const double t : {0.0, 0.25, 0.5, 1.0, 1.5, 2.0, 2.5}) {
-    if (t == 2.5) motion.displacement[0][0] = 0.125;
+    if (t == 2.5) motion.displacement.own()[0][0] = 0.125;
     keeps.advance(motion, t, kept);
     repeats.advance(motion, t, repeated);
     EXPECT_EQ(kept.block, repeated.block) << t;

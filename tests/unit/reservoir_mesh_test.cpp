@@ -34,7 +34,7 @@ PoolSection pool_at(double level_m, const std::vector<std::vector<Point>>& outli
   scene.output.reservoir = true;
   HydrostaticModel model(scene);
   wire::Motion motion;
-  motion.displacement.resize(outlines.size());
+  motion.displacement.own().resize(outlines.size());
   model.advance(motion, 0, load);
   return model.pools().at(0);
 }

@@ -39,6 +39,8 @@ std::string refusal(const Load& load) {
     EXPECT_EQ(verify(builder.GetBufferPointer(), builder.GetSize()), Kind::load);
     decode(builder.GetBufferPointer(), into);
   } catch (const BadMessage& bad) {
+    const Keeper here(builder.GetBufferPointer(), [](const void*) {});
+    EXPECT_THROW(decode(builder.GetBufferPointer(), into, here), BadMessage) << "when viewed";
     return bad.what();
   }
   return "";
@@ -72,7 +74,7 @@ TEST(Codec, ALoadWithoutAddedMassHasNone) {
 
 TEST(Codec, AnAddedMassThatIsNotANumberIsNamed) {
   Load load = sample();
-  load.added_mass[1][2] = std::numeric_limits<double>::infinity();
+  load.added_mass.own()[1][2] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(refusal(load), "added mass 2 of block 1 is inf in window 17");
 }
 
@@ -106,8 +108,32 @@ TEST(Codec, MotionArrivesAsItWasSent) {
 
 TEST(Codec, APressureThatIsNotANumberIsNamed) {
   Load load = sample();
-  load.pressure_to_pa[1] = std::numeric_limits<double>::quiet_NaN();
+  load.pressure_to_pa.own()[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal(load), "pressure of panel 1 (block 2, edge 0) is nan in window 17");
+}
+
+TEST(Codec, ColumnsStayInTheFrameThatIsKept) {
+  auto builder = std::make_shared<flatbuffers::FlatBufferBuilder>();
+  const Load sent = sample();
+  encode(sent, *builder);
+  const std::uint8_t* frame = builder->GetBufferPointer();
+  const std::uint8_t* end = frame + builder->GetSize();
+  const std::weak_ptr<flatbuffers::FlatBufferBuilder> kept = builder;
+  Load got = sample();
+  decode(frame, got, std::move(builder));
+  const auto* pressure = reinterpret_cast<const std::uint8_t*>(got.pressure_to_pa.data());
+  EXPECT_TRUE(frame <= pressure && pressure < end);
+  EXPECT_EQ(got.pressure_to_pa, sent.pressure_to_pa);
+  EXPECT_EQ(got.block, sent.block);
+  EXPECT_EQ(got.added_mass, sent.added_mass);
+  Load copy = got;
+  got.pressure_to_pa.own()[1] = 5;  // of its own from now on
+  EXPECT_EQ(got.pressure_to_pa, (Column<double>{3e4, 5}));
+  EXPECT_EQ(copy.pressure_to_pa, sent.pressure_to_pa);
+  got = Load();
+  EXPECT_FALSE(kept.expired());  // the copy keeps it, too
+  copy.release();
+  EXPECT_TRUE(kept.expired());
 }
 
 TEST(Codec, PressuresThatHoldUntilNoTimeAreRefused) {
@@ -118,7 +144,7 @@ TEST(Codec, PressuresThatHoldUntilNoTimeAreRefused) {
 
 TEST(Codec, ColumnsOfUnequalLengthAreRefused) {
   Load load = sample();
-  load.s_to.pop_back();
+  load.s_to.own().pop_back();
   EXPECT_EQ(refusal(load), "columns of 2 and 1 panels in window 17");
 }
 
@@ -130,7 +156,7 @@ TEST(Codec, CracksBeyondThePanelsAreRefused) {
 
 TEST(Codec, FractionsOutsideTheEdgeAreRefused) {
   Load load = sample();
-  load.s_to[0] = 1.5;
+  load.s_to.own()[0] = 1.5;
   EXPECT_THAT(refusal(load), testing::HasSubstr("end of panel 0 (block 1, edge 3) is 1.5"));
 }
 

@@ -71,12 +71,14 @@ std::optional<wire::Motion> Partner::receive(std::uint64_t window) {
   if (!Foam::Pstream::master()) {
     motion.window = window;
     const auto blocks = static_cast<std::size_t>(flat.size() / 12);
-    motion.displacement.resize(blocks);
-    motion.velocity.resize(blocks);
+    auto& displacement = motion.displacement.own();
+    auto& velocity = motion.velocity.own();
+    displacement.resize(blocks);
+    velocity.resize(blocks);
     for (std::size_t b = 0; b < blocks; ++b) {
       for (std::size_t k = 0; k < 6; ++k) {
-        motion.displacement[b][k] = flat[static_cast<Foam::label>(12 * b + k)];
-        motion.velocity[b][k] = flat[static_cast<Foam::label>(12 * b + 6 + k)];
+        displacement[b][k] = flat[static_cast<Foam::label>(12 * b + k)];
+        velocity[b][k] = flat[static_cast<Foam::label>(12 * b + 6 + k)];
       }
     }
   }

@@ -73,7 +73,7 @@ bool Rest::uniform(const Cells& pool) const {
   return highest < lowest || highest - lowest <= 2 * pressure_pa_;  // none there, or near their middle
 }
 
-double Rest::farthest(const std::vector<Pose>& a, const std::vector<Pose>& b) const {
+double Rest::farthest(const wire::Column<Pose>& a, const std::vector<Pose>& b) const {
   double distance = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
     if (a[k] == b[k]) continue;

@@ -24,7 +24,7 @@ class Rest {
   using Cells = std::vector<Foam::label>;
   [[nodiscard]] bool uniform(const Cells& pool) const;
   [[nodiscard]] bool slow() const;
-  [[nodiscard]] double farthest(const std::vector<Pose>& a, const std::vector<Pose>& b) const;
+  [[nodiscard]] double farthest(const wire::Column<Pose>& a, const std::vector<Pose>& b) const;
 
   const Foam::fvMesh& mesh_;
   const ImmersedBlocks& blocks_;

@@ -34,7 +34,7 @@ Foam::IOobject place_of_dictionary(const Foam::fvMesh& mesh) {
 
 /// Where blocks would have set out from, given their velocities at both ends of a window.
 std::vector<Pose> set_out_from(const wire::Motion& end, const std::vector<Pose>& first_velocity, double window_s) {
-  std::vector<Pose> start = end.displacement;
+  std::vector<Pose> start = end.displacement.values();
   for (std::size_t b = 0; b < start.size(); ++b) {
     for (std::size_t k = 0; k < start[b].size(); ++k) {
       start[b][k] -= window_s * (first_velocity[b][k] + end.velocity[b][k]) / 2;
@@ -97,8 +97,8 @@ Session::Session(const Foam::fvMesh& mesh)
   }
   const auto first = partner_.receive(0);
   if (!first) partner_.fail("the solid process ended the run before it began");
-  course_.end = first->displacement;
-  course_.end_velocity = first->velocity;
+  course_.end = first->displacement.values();
+  course_.end_velocity = first->velocity.values();
   place_blocks();
   if (interface_.own_case) {
     const std::string unfit = levels_.unfit_at_start();
@@ -209,8 +209,8 @@ void Session::pass(const wire::Motion& motion) {
   ++passed_;
   time_s_ = motion.time_s;
   time_.setTime(time_s_, time_.timeIndex());
-  course_.end = motion.displacement;
-  course_.end_velocity = motion.velocity;
+  course_.end = motion.displacement.values();
+  course_.end_velocity = motion.velocity.values();
   load_.window = window_;
   load_.time_s = time_s_;
 }
@@ -225,7 +225,7 @@ void Session::sample() {
   load_.downstream_level_m = levels_.downstream_m(load_.time_s);
   edges_.sample(load_);
   load_.breached = breach_.look();
-  added_mass_.measure(load_.added_mass);
+  added_mass_.measure(load_.added_mass.own());
   rest_.look(time_s_, course_.end);
 }
 
@@ -268,8 +268,8 @@ void Session::start_window(const wire::Motion& motion) {
   course_.duration_s = to_s - from_s;
   course_.start = window_ == 1 ? set_out_from(motion, course_.end_velocity, course_.duration_s) : course_.end;
   course_.start_velocity = course_.end_velocity;
-  course_.end = motion.displacement;
-  course_.end_velocity = motion.velocity;
+  course_.end = motion.displacement.values();
+  course_.end_velocity = motion.velocity.values();
   const double wanted = (to_s - from_s) * crossings_per_s() / interface_.max_courant;
   constexpr double most_steps = 1e4;
   if (!(wanted < most_steps)) {
