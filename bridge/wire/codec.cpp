@@ -65,10 +65,12 @@ struct Fraction {
 template <class Fault>
 bool all_sound(const flatbuffers::Vector<double>* numbers) {
   if (numbers == nullptr) return true;
+  const std::uint8_t* bytes = numbers->Data();
+  const std::size_t size = numbers->size();
   std::uint64_t faults = 0;
-  for (std::size_t i = 0; i < numbers->size(); ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     double value = 0;
-    std::memcpy(&value, numbers->Data() + i * sizeof value, sizeof value);
+    std::memcpy(&value, bytes + i * sizeof value, sizeof value);
     faults |= Fault()(value);
   }
   return faults == 0;
