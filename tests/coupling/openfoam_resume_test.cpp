@@ -85,7 +85,10 @@ TEST_F(ResumeOpenFoam, CasesGoOnFromRandomWindows) {
       int status = -1;
       while (rows_of("parts") < row && status < 0) status = end_of(run, 0.001);
       if (status < 0) kill(run, SIGINT), status = end_of(run, 60);
-      if (status == 130) {
+      if (status == 130 && text("log").find("goes on") == std::string::npos) {
+        std::printf("%s %s: stopped before the first step, to which nothing goes on\n", version.of.c_str(),
+                    version.variant.c_str());
+      } else if (status == 130) {
         const long stopped = rows_of("parts");
         ASSERT_EQ(end_of(start(programs + "/blockweir resume parts --quiet", "log"), 600), 0) << text("log");
         const double off = pressure_difference(text("whole/frames.jsonl"), text("parts/frames.jsonl"));
