@@ -47,20 +47,30 @@ void meet(MovedEdge& in, MovedEdge& out) {
 Ring grown(const Ring& outline, double distance_m) {
   const std::size_t n = outline.size();
   Ring line;
+  line.reserve(n + 4);
+  Point way = outline.front() - outline.back();
+  double length = way.norm();
+  Point in = way / length;
   for (std::size_t i = 0; i < n; ++i) {
     const Point& p = outline[i];
-    const Point in = (p - outline[(i + n - 1) % n]).normalized();
-    const Point out = (outline[(i + 1) % n] - p).normalized();
+    const double length_before = length;
+    way = outline[(i + 1) % n] - p;
+    length = way.norm();
+    const Point out = way / length;
     const Point in_right = right_of(in);
     const Point out_right = right_of(out);
+    const double turn = cross(in, out);
     const double ahead = in.dot(out);
-    if (cross(in, out) < -1e-9) {
+    // A mitre shortens both edges of a reflex corner by distance * tan(turn/2); half of each is this corner's.
+    const bool roomy = 2 * distance_m * -turn < (1 + ahead) * std::min(length_before, length);
+    if (turn < 0 && !roomy) {
       line.insert(line.end(), {p + distance_m * in_right, p, p + distance_m * out_right});
-    } else if (ahead >= 0) {
+    } else if (turn < 0 || ahead >= 0) {
       line.emplace_back(p + distance_m / (1 + ahead) * (in_right + out_right));
     } else {
       line.insert(line.end(), {p + distance_m * (in_right + in), p + distance_m * (out_right - out)});
     }
+    in = out;
   }
   return line;
 }

@@ -14,8 +14,9 @@ using scene::Point;
 using Ring = std::vector<Point>;
 
 /// `outline`, counter-clockwise, with every edge moved out by `distance_m`. Corners that turn by up to 90 degrees are
-/// mitred, sharper ones cut square. At reflex corners the line visits the corner itself: where edges are short it makes
-/// loops there that run clockwise, so what lies inside has a positive winding number.
+/// mitred, sharper ones cut square, reflex ones mitred, too. Where a reflex corner's edges are too short for that, the
+/// line visits the corner itself: it makes a loop there that runs clockwise, so what lies inside has a positive winding
+/// number.
 Ring grown(const Ring& outline, double distance_m);
 
 struct Piece {

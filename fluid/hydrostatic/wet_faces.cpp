@@ -13,9 +13,12 @@ namespace cl = ClipperLib;
 constexpr double units_per_m = 1099511627776.0;  // 2^40: Clipper counts in whole numbers, of 1e-12 m here
 constexpr double tiny_m = 1e-6;                  // shorter than anything that matters, longer than round-off
 
+cl::cInt to_units(double metres) {
+  return static_cast<cl::cInt>(metres * units_per_m + std::copysign(0.5, metres));
+}
+
 cl::IntPoint to_units(const Point& p) {
-  return {static_cast<cl::cInt>(std::llround(p.x() * units_per_m)),
-          static_cast<cl::cInt>(std::llround(p.y() * units_per_m))};
+  return {to_units(p.x()), to_units(p.y())};
 }
 
 Point to_metres(const cl::IntPoint& p) {
@@ -30,6 +33,7 @@ Point on_coarse_grid(const Point& p) {
 
 cl::Path to_units(const Ring& ring) {
   cl::Path path;
+  path.reserve(ring.size());
   for (const Point& p : ring) path.push_back(to_units(p));
   return path;
 }
@@ -90,6 +94,8 @@ std::vector<Piece> moved_back(const cl::Path& path, const Ring& frame, double gr
   const cl::IntPoint high = to_units(frame[2]);
   Ring ring;
   std::vector<double> right_m;
+  ring.reserve(path.size());
+  right_m.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     const cl::IntPoint& a = path[i];
     const cl::IntPoint& b = path[(i + 1) % path.size()];
