@@ -75,6 +75,8 @@ void read_water(Reading& reading) {
   table.choice<NodalRule>("nodal_rule", w.nodal_rule,
                           {{"consistent", NodalRule::consistent}, {"lumped", NodalRule::lumped}});
   table.integer("elements_per_face", w.elements_per_face, 1);
+  // The consistent forces of a linear pressure do not depend on their number.
+  if (!table.has("elements_per_face") && w.nodal_rule == NodalRule::consistent) w.elements_per_face = 1;
   table.number("open_crack_width_m", w.open_crack_width_m, positive());
   table.flag("may_overtop", w.may_overtop);
   table.flag("skip_unchanged", w.skip_unchanged);

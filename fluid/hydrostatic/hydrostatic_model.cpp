@@ -104,6 +104,10 @@ schedule::FluidReport HydrostaticModel::report() const {
                                        kept_faces_, kept_faces_ + wettings_,
                                        results::saved(mapping_s_, wettings_, kept_faces_)));
   }
+  if (scene_.water.elements_per_face == 1 && scene_.water.nodal_rule == scene::NodalRule::consistent) {
+    report.skips.emplace_back(
+        "all but one pressure element of a face: consistent forces of a linear pressure need no more");
+  }
   if (!scene_.output.reservoir) report.skips.emplace_back("the reservoir's mesh: its pictures are not asked for");
   return report;
 }
@@ -137,16 +141,17 @@ void HydrostaticModel::add_pool(Pool pool, double level_m, wire::Load& load) {
       .weight_n_per_m3 = w.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2,
       .atmosphere_pa = w.atmosphere == scene::Atmosphere::wet_faces ? w.atmospheric_pressure_pa : 0,
       .level_m = level_m};
-  const std::size_t first = load.block.size();
   add_wet_elements(outlines_, wet.intervals, water, w.elements_per_face, load);
   load.breached = load.breached || wet.breached;
   if (!scene_.output.reservoir) return;
   PoolSection& section = pools_.emplace_back(PoolSection{water, wet.region, {}});
-  for (std::size_t i = first; i < load.block.size(); ++i) {
-    const auto& outline = outlines_[load.block[i]];
-    const Point& a = outline[load.edge[i]];
-    const Point span = outline[(load.edge[i] + 1) % outline.size()] - a;
-    section.interface.push_back({a + load.s_from[i] * span, a + load.s_to[i] * span});
+  wire::Load drawn;
+  add_wet_elements(outlines_, wet.intervals, water, elements_drawn(w), drawn);
+  for (std::size_t i = 0; i < drawn.block.size(); ++i) {
+    const auto& outline = outlines_[drawn.block[i]];
+    const Point& a = outline[drawn.edge[i]];
+    const Point span = outline[(drawn.edge[i] + 1) % outline.size()] - a;
+    section.interface.push_back({a + drawn.s_from[i] * span, a + drawn.s_to[i] * span});
   }
 }
 

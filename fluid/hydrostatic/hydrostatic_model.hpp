@@ -2,6 +2,7 @@
 // The reference fluid: still water in two pools and in the cracks that the scene fills, at the blocks' positions.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -13,7 +14,12 @@
 
 namespace blockweir::hydrostatic {
 
-/// A pool's section, with the interface elements that load the blocks.
+/// Elements of the drawn reservoir, to its depth and on an edge that is wet all along: those of the load, or more.
+inline int elements_drawn(const scene::Water& water) {
+  return std::max(water.elements_per_face, 20);
+}
+
+/// A pool's section, with elements on the blocks.
 struct PoolSection {
   Hydrostatics water;
   std::vector<Ring> region;

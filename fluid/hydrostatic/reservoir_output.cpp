@@ -39,7 +39,7 @@ RecordedModel::RecordedModel(const scene::Scene& scene, const std::filesystem::p
     : model_(scene),
       files_(folder, "reservoir.pvd"),
       frame_every_s_(scene.output.frame_every_s),
-      elements_per_depth_(scene.water.elements_per_face),
+      elements_per_depth_(elements_drawn(scene.water)),
       near_m_(scene.water.open_crack_width_m / 5) {}
 
 void RecordedModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {

@@ -13,25 +13,33 @@ namespace cl = ClipperLib;
 constexpr double units_per_m = 1099511627776.0;  // 2^40: Clipper counts in whole numbers, of 1e-12 m here
 constexpr double tiny_m = 1e-6;                  // shorter than anything that matters, longer than round-off
 
+cl::cInt to_units(double metres) {
+  return static_cast<cl::cInt>(metres * units_per_m + std::copysign(0.5, metres));
+}
+
 cl::IntPoint to_units(const Point& p) {
-  return {static_cast<cl::cInt>(std::llround(p.x() * units_per_m)),
-          static_cast<cl::cInt>(std::llround(p.y() * units_per_m))};
+  return {to_units(p.x()), to_units(p.y())};
 }
 
 Point to_metres(const cl::IntPoint& p) {
   return {static_cast<double>(p.X) / units_per_m, static_cast<double>(p.Y) / units_per_m};
 }
 
-cl::Path rectangle(double left, double bottom, double right, double top) {
-  return {to_units({left, bottom}), to_units({right, bottom}), to_units({right, top}), to_units({left, top})};
+/// Growing, Clipper and moving back have rounded: corners at round numbers are there again.
+Point on_coarse_grid(const Point& p) {
+  constexpr double per_m = units_per_m / 16;
+  return {std::nearbyint(p.x() * per_m) / per_m, std::nearbyint(p.y() * per_m) / per_m};
 }
 
-cl::Paths offset(const cl::Paths& paths, double distance_m) {
-  cl::ClipperOffset tool(/*miterLimit=*/10);
-  tool.AddPaths(paths, cl::jtMiter, cl::etClosedPolygon);
-  cl::Paths result;
-  tool.Execute(result, distance_m * units_per_m);
-  return result;
+cl::Path to_units(const Ring& ring) {
+  cl::Path path;
+  path.reserve(ring.size());
+  for (const Point& p : ring) path.push_back(to_units(p));
+  return path;
+}
+
+Ring rectangle(double left, double bottom, double right, double top) {
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
 struct Extent {
@@ -68,42 +76,87 @@ Point crest_corner(const std::vector<std::vector<Point>>& outlines, Pool pool, d
   return corner;
 }
 
-/// Blocks with their narrow gaps filled: outlines of all that water cannot enter.
-cl::Paths impervious(const std::vector<std::vector<Point>>& outlines, double open_crack_width_m) {
-  cl::Paths blocks;
-  for (const auto& outline : outlines) {
-    cl::Path path;
-    for (const Point& p : outline) path.push_back(to_units(p));
-    blocks.push_back(std::move(path));
-  }
-  cl::Paths merged;
-  cl::Clipper union_of;
-  union_of.AddPaths(blocks, cl::ptSubject, true);
-  union_of.Execute(cl::ctUnion, merged, cl::pftNonZero, cl::pftNonZero);
-  cl::Paths closed = offset(offset(merged, open_crack_width_m / 2), -open_crack_width_m / 2);
-  closed.insert(closed.end(), merged.begin(), merged.end());
-  return closed;
+/// What the grown blocks and wall leave of the frame: its outer rings and holes.
+cl::Paths water_between(const std::vector<std::vector<Point>>& outlines, const Ring& wall, const Ring& frame,
+                        double growth_m) {
+  cl::Clipper clipper;
+  clipper.AddPath(to_units(frame), cl::ptSubject, true);
+  for (const auto& outline : outlines) clipper.AddPath(to_units(grown(outline, growth_m)), cl::ptClip, true);
+  clipper.AddPath(to_units(grown(wall, growth_m)), cl::ptClip, true);
+  cl::Paths water;
+  clipper.Execute(cl::ctDifference, water, cl::pftPositive, cl::pftPositive);
+  return water;
 }
 
-/// Adds the parts of the pool's boundary a-b that lie on edges of blocks. Filling the gaps moves the boundary by less
-/// than `near_m` where blocks have slipped a little past each other.
-void map_to_edges(const std::vector<std::vector<Point>>& outlines, const Point& a, const Point& b, double near_m,
-                  std::vector<WetInterval>& intervals) {
+/// The water's boundary where the blocks are: the frame, which is as much larger as they are, moves towards the water.
+std::vector<Piece> moved_back(const cl::Path& path, const Ring& frame, double growth_m) {
+  const cl::IntPoint low = to_units(frame[0]);
+  const cl::IntPoint high = to_units(frame[2]);
+  Ring ring;
+  std::vector<double> right_m;
+  ring.reserve(path.size());
+  right_m.reserve(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const cl::IntPoint& a = path[i];
+    const cl::IntPoint& b = path[(i + 1) % path.size()];
+    if ((to_metres(b) - to_metres(a)).norm() < tiny_m) continue;  // of no direction
+    const bool upright = a.X == b.X && (a.X == low.X || a.X == high.X);
+    const bool level = a.Y == b.Y && (a.Y == low.Y || a.Y == high.Y);
+    ring.push_back(to_metres(a));
+    right_m.push_back(upright || level ? -growth_m : growth_m);
+  }
+  std::vector<Piece> pieces = moved_right(ring, right_m);
+  for (Piece& piece : pieces) piece = {on_coarse_grid(piece.from), on_coarse_grid(piece.to)};
+  return pieces;
+}
+
+/// What of an edge of a block is under the level.
+struct SunkenEdge {
+  int block;
+  int edge;
+  Point from;
+  Point along;
+  double length_m;
+  double s_from;
+  double s_to;
+};
+
+std::vector<SunkenEdge> sunken_edges(const std::vector<std::vector<Point>>& outlines, double level_m) {
+  std::vector<SunkenEdge> edges;
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     const auto& outline = outlines[k];
     for (std::size_t e = 0; e < outline.size(); ++e) {
-      const Point& p = outline[e];
-      const Point span = outline[(e + 1) % outline.size()] - p;
+      const Point& from = outline[e];
+      const Point span = outline[(e + 1) % outline.size()] - from;
+      const bool flat = std::abs(span.y()) < tiny_m;
+      if (flat && from.y() >= level_m) continue;
+      const double surface = flat ? 1 : std::clamp((level_m - from.y()) / span.y(), 0.0, 1.0);
       const double length = span.norm();
-      const Point t = span / length;
-      const auto away = [&](const Point& q) { return std::abs(t.x() * (q - p).y() - t.y() * (q - p).x()); };
-      const bool parallel = std::abs(t.dot(b - a)) > 0.99 * (b - a).norm();
-      if (!parallel || away(a) > near_m || away(b) > near_m) continue;
-      const auto [s0, s1] = std::minmax({t.dot(a - p) / length, t.dot(b - p) / length});
-      const double from = std::max(0.0, s0);
-      const double to = std::min(1.0, s1);
-      if ((to - from) * length > tiny_m) intervals.push_back({static_cast<int>(k), static_cast<int>(e), from, to});
+      const auto [low, high] = span.y() < 0 && !flat ? std::pair(surface, 1.0) : std::pair(0.0, surface);
+      if (low >= high) continue;
+      edges.push_back({static_cast<int>(k), static_cast<int>(e), from, span / length, length, low, high});
     }
+  }
+  return edges;
+}
+
+/// Adds the parts of edges that lie on the pool's boundary. Filling the gaps moves the boundary by less than `near_m`
+/// where blocks have slipped a little past each other.
+void map_to_edges(const std::vector<SunkenEdge>& edges, const Piece& boundary, double near_m,
+                  std::vector<WetInterval>& intervals) {
+  const auto& [a, b] = boundary;
+  const double parallel = 0.99 * (b - a).norm();
+  for (const SunkenEdge& edge : edges) {
+    const Point& t = edge.along;
+    if (std::abs(t.dot(b - a)) <= parallel) continue;
+    const auto away = [&](const Point& q) {
+      return std::abs(t.x() * (q - edge.from).y() - t.y() * (q - edge.from).x());
+    };
+    if (away(a) > near_m || away(b) > near_m) continue;
+    const auto [s0, s1] = std::minmax({t.dot(a - edge.from) / edge.length_m, t.dot(b - edge.from) / edge.length_m});
+    const double from = std::max(edge.s_from, s0);
+    const double to = std::min(edge.s_to, s1);
+    if ((to - from) * edge.length_m > tiny_m) intervals.push_back({edge.block, edge.edge, from, to});
   }
 }
 
@@ -151,26 +204,24 @@ WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, d
   WetFaces result;
   const Extent e = extent_of(outlines);
   if (outlines.empty() || level_m <= e.bottom) return result;
-  const double pad = 1;  // m; any strip of open water beside the model will do
-  cl::Paths taken = impervious(outlines, open_crack_width_m);
+  const double growth = open_crack_width_m / 2;
+  const double pad = 1 + growth;  // m; any strip of open water beside the model will do
+  const Ring frame = rectangle(e.left - pad, e.bottom - growth, e.right + pad, level_m + growth);
   const double wall = 1e-3;
   const Point crest = crest_corner(outlines, pool, e.top, open_crack_width_m);
   const double wall_left = pool == Pool::upstream ? crest.x() : crest.x() - wall;
-  taken.push_back(rectangle(wall_left, crest.y() - wall, wall_left + wall, std::max(level_m, e.top) + pad));
-  cl::Paths water;
-  cl::Clipper clipper;
-  clipper.AddPath(rectangle(e.left - pad, e.bottom, e.right + pad, level_m), cl::ptSubject, true);
-  clipper.AddPaths(taken, cl::ptClip, true);
-  clipper.Execute(cl::ctDifference, water, cl::pftNonZero, cl::pftNonZero);
+  const cl::Paths water =
+      water_between(outlines, rectangle(wall_left, crest.y() - wall, wall_left + wall, std::max(level_m, e.top) + pad),
+                    frame, growth);
 
+  const std::vector<SunkenEdge> edges = sunken_edges(outlines, level_m);
   const double far_left = e.left - pad + tiny_m;
   const double far_right = e.right + pad - tiny_m;
   const auto add_boundary = [&](const cl::Path& path) {
     Ring& ring = result.region.emplace_back();
-    for (const cl::IntPoint& p : path) ring.push_back(to_metres(p));
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      map_to_edges(outlines, to_metres(path[i]), to_metres(path[(i + 1) % path.size()]), open_crack_width_m / 5,
-                   result.intervals);
+    for (const Piece& piece : moved_back(path, frame, growth)) {
+      ring.insert(ring.end(), {piece.from, piece.to});
+      map_to_edges(edges, piece, open_crack_width_m / 5, result.intervals);
     }
   };
   for (const cl::Path& component : water) {

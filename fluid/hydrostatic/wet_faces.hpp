@@ -4,11 +4,9 @@
 
 #include <vector>
 
-#include "bridge/scene/scene.hpp"
+#include "fluid/hydrostatic/sideways.hpp"
 
 namespace blockweir::hydrostatic {
-
-using scene::Point;
 
 enum class Pool { upstream, downstream };
 
@@ -20,9 +18,6 @@ struct WetInterval {
   double s_to = 1;
 };
 
-/// A closed line; the outer ones run counter-clockwise, holes clockwise.
-using Ring = std::vector<Point>;
-
 struct WetFaces {
   std::vector<WetInterval> intervals;
   std::vector<Ring> region;  ///< the pool's section: outer rings and holes
@@ -30,7 +25,8 @@ struct WetFaces {
 };
 
 /// The pool is what of the half plane under `level_m` is connected to the far left (upstream) or far right
-/// (downstream) once the blocks, and all gaps between them narrower than `open_crack_width_m`, are taken out.
+/// (downstream) once the blocks, and all gaps between them narrower than `open_crack_width_m`, are taken out: the
+/// blocks grow by half that width, what they leave of the water is found, and its boundary moves back onto them.
 /// A thin wall on the structure's highest point keeps the two pools apart: water above the crest presses on faces
 /// up to the crest and not on the crest itself.
 WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, double level_m,

@@ -163,6 +163,53 @@ TEST(Hydrostatics, WaterThatPassesAWideGapIsABreach) {
   EXPECT_FALSE(breached(0.2, 4.9));  // the gap is above the water
 }
 
+/// A block on its tip, over a plate, on which the structure's crest stands beside it.
+TEST(Hydrostatics, AGapBetweenACornerAndAFaceIsAsNarrow) {
+  const auto breached = [](double gap) {
+    return wet_faces({{{-4, 0}, {4, 0}, {4, 1}, {-4, 1}}, {{0, 1 + gap}, {3, 4}, {0, 12}, {-3, 4}}}, Pool::upstream, 6,
+                     0.05)
+        .breached;
+  };
+  for (const double gap : {0.0, 0.001, 0.02, 0.049}) EXPECT_FALSE(breached(gap)) << gap;
+  for (const double gap : {0.061, 0.2}) EXPECT_TRUE(breached(gap)) << gap;
+}
+
+/// A block that has slipped on another, and turned a little: water on the step as far as the upper one's face.
+TEST(Hydrostatics, TheStepOfASlipIsWetUpToTheUpperBlock) {
+  for (const double turn : {0.0, 1e-9, 1e-6, 1e-4}) {
+    for (const double slip : {0.0, 1e-12, 1e-8, 1e-6, 1e-5, 1e-3, 0.3, 1.0}) {
+      const auto turned = [&](double x, double y) { return Point(x - turn * (y - 5), y + turn * (x - slip)); };
+      const std::vector<std::vector<Point>> outlines = {
+          {{0, 0}, {4, 0}, {4, 5}, {0, 5}},
+          {turned(slip, 5), turned(4 + slip, 5), turned(4 + slip, 12), turned(slip, 12)}};
+      double front = 0;
+      double step = 0;
+      for (const WetInterval& w : wet_faces(outlines, Pool::upstream, 10, 0.05).intervals) {
+        const auto& o = outlines[static_cast<std::size_t>(w.block)];
+        const auto e = static_cast<std::size_t>(w.edge);
+        const double length = (w.s_to - w.s_from) * (o[(e + 1) % 4] - o[e]).norm();
+        if (e == 3) front += length;
+        if (w.block == 0 && w.edge == 2) step += length;
+      }
+      EXPECT_NEAR(front, 10, 1e-6) << slip << ' ' << turn;
+      EXPECT_NEAR(step, slip < 0.05 ? 0 : slip, 1e-9 + 0.1 * turn) << slip << ' ' << turn;
+    }
+  }
+}
+
+TEST(Hydrostatics, WhatStandsAboveTheSurfaceIsDryHoweverNear) {
+  for (const double height : {-0.3, -1e-3, 1e-3, 0.01, 0.1}) {  // of a flat ledge over the level
+    const std::vector<std::vector<Point>> outlines = {
+        {{0, 0}, {6, 0}, {6, 12}, {3, 12}, {3, 8 + height}, {0, 8 + height}}};
+    double ledge = 0;
+    for (const WetInterval& w : wet_faces(outlines, Pool::upstream, 8, 0.05).intervals) {
+      if (w.edge == 4) ledge += 3 * (w.s_to - w.s_from);
+      if (w.edge == 5) EXPECT_NEAR((w.s_to - w.s_from) * (8 + height), std::min(8.0, 8 + height), 1e-9);
+    }
+    EXPECT_NEAR(ledge, height < 0 ? 3 : 0, 1e-9) << height;
+  }
+}
+
 TEST(Hydrostatics, UpliftLawsGiveTheirShareOfTheMouthPressure) {
   for (const auto& [law, k] : {std::pair{scene::Uplift::triangular, 0.5}, std::pair{scene::Uplift::full, 1.0}}) {
     auto scene = scene_of({{{0, 0}, {6, 0}, {6, 2}, {0, 2}}, {{0, 2}, {6, 2}, {6, 9}, {0, 9}}}, 8);

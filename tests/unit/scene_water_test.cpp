@@ -21,6 +21,15 @@ TimeTable level_of(const std::string& value) {
   return *read_text(with(level, "upstream_level_m = " + value), "s.toml").scene.water.upstream_level_m;
 }
 
+TEST(SceneWater, LumpedForcesNeedManyElementsAndConsistentOnesOneAndWhatIsStatedHolds) {
+  const auto elements = [](const std::string& more) {
+    return read_text(with("[water]", "[water]\n" + more), "s.toml").scene.water.elements_per_face;
+  };
+  EXPECT_EQ(elements(""), 1);
+  EXPECT_EQ(elements("nodal_rule = \"lumped\""), 20);
+  EXPECT_EQ(elements("elements_per_face = 7"), 7);
+}
+
 TEST(SceneTimeTable, ANumberIsConstant) {
   const TimeTable t = level_of("3");
   EXPECT_EQ(t.at(-1), 3);
