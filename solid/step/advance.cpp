@@ -149,7 +149,6 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
       put_to_sleep(island);
     } else {
       ++counts_.solved_islands;
-      island.system->begin_step();
       solved = solved && find_equilibrium(island);
     }
   }

@@ -82,7 +82,9 @@ class Solid {
     for (Support& support : supports_) archive(support);
     for (Bolt& bolt : bolts_) archive(bolt);
     if (substitute_) archive(*substitute_);
-    if (Archive::is_loading::value) follow_states();
+    std::vector<KeptFactors> kept = kept_factors();
+    archive(links_, kept);
+    if (Archive::is_loading::value) follow_states(std::move(kept));
   }
 
  private:
@@ -127,7 +129,8 @@ class Solid {
     [[nodiscard]] bool in(const Parts& parts, const Island& island) const;
   };
 
-  void follow_states();
+  void follow_states(std::vector<KeptFactors> kept);
+  [[nodiscard]] std::vector<KeptFactors> kept_factors() const;
   void bond_touching_contacts();
   void begin_window(const Answered& answered);
   void guard(double dt);
@@ -242,6 +245,7 @@ class Solid {
   std::vector<int> local_;             ///< index of a block within its island
   std::vector<std::pair<int, int>> links_;
   std::vector<IslandSystem> islands_;
+  std::vector<KeptFactors> kept_;  ///< from a checkpoint: of the islands that its contacts make
   Counts counts_;
   Profile profile_;
 };

@@ -50,6 +50,9 @@ void row(const Kind& kind, int blocks, int steps) {
   const double build_s = seconds([&] { solid = std::make_unique<solid::Solid>(scene); });
   const double settle_s = seconds([&] { solid->settle({}); });
   const long settling = solid->counts().iterations;
+  const auto q = solid->profile();
+  const auto before = fmt::format("fact {} reused {} lagged {} search {:.2f} islands {:.2f} assembly {:.2f} contact {:.2f} solve {:.2f} fact {:.2f} refine {:.2f} sweeps {:.2f} accept {:.2f}", solid->counts().factorizations, solid->counts().reused_factorizations, solid->counts().lagged_steps, q.search, q.islands, q.assembly, q.contact, q.solve, q.factorization, q.refinement, q.sweeps, q.accept);
+  const auto t0 = clock();
   const double step_s = seconds([&] {
     for (int n = 0; n < steps; ++n) solid->advance(n * dt, (n + 1) * dt, {});
   });
@@ -60,6 +63,11 @@ void row(const Kind& kind, int blocks, int steps) {
              static_cast<double>(solid->counts().iterations - settling) / steps,
              1e6 * a_step_s / static_cast<double>(count), peak_mb(), 1024 * peak_mb() / static_cast<double>(count),
              solid->largest_displacement_m());
+  {
+    const auto p = solid->profile();
+    const auto c = solid->counts();
+    fmt::print("   fact {} reused {} searches {} skipped {} undone {} lagged {} sweeps {} | settled: {} ; search {:.2f} islands {:.2f} assembly {:.2f} contact {:.2f} solve {:.2f} fact {:.2f} refine {:.2f} sweeps {:.2f} accept {:.2f} all {:.2f} cpu {:.2f}\n", c.factorizations, c.reused_factorizations, c.searches, c.skipped_searches, c.undone_steps, c.lagged_steps, c.sweeps, before, p.search-q.search,p.islands-q.islands,p.assembly-q.assembly,p.contact-q.contact,p.solve-q.solve,p.factorization-q.factorization,p.refinement-q.refinement,p.sweeps-q.sweeps,p.accept-q.accept, step_s, double(clock()-t0)/CLOCKS_PER_SEC);
+  }
   std::fflush(stdout);
 }
 
