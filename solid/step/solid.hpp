@@ -83,7 +83,7 @@ class Solid {
     for (Bolt& bolt : bolts_) archive(bolt);
     if (substitute_) archive(*substitute_);
     std::vector<KeptFactors> kept = kept_factors();
-    archive(links_, kept);
+    archive(links_, kept, whole_law_);
     if (Archive::is_loading::value) follow_states(std::move(kept));
   }
 
@@ -136,6 +136,7 @@ class Solid {
   void guard(double dt);
   void relax(double pseudo_step, const std::vector<Panel>& water);
   void start_acceleration(const std::vector<Panel>& water, double from_s);
+  bool try_step(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
@@ -218,6 +219,7 @@ class Solid {
   double time_s_ = 0;  ///< of states_
   Rest rest_;
   bool settling_ = false;
+  Pause whole_law_;  ///< of Coulomb: fails where friction has to lag
   Sleep sleep_;
 
   // The step at hand.
