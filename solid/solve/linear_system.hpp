@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "solid/solve/pause.hpp"
 #include "solid/solve/unknowns.hpp"
 
 namespace blockweir::solid {
@@ -16,12 +17,31 @@ struct SolutionTimes {
   double refinement = 0;  ///< solutions with factors of a matrix nearby, and tries that failed
 };
 
+/// What factors were made of: who factorizes it again has them to the bit.
+struct KeptFactors {
+  struct Matrix {
+    std::vector<double> values;  ///< of the sparse matrix; none: there are no factors
+    Pause pause;                 ///< in trying other matrices with them
+
+    [[nodiscard]] bool made() const { return !values.empty(); }
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(values, pause);
+    }
+  };
+  Matrix cholesky;
+  Matrix lu;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(cholesky, lu);
+  }
+};
+
 class LinearSystem {
  public:
   virtual ~LinearSystem() = default;
 
-  /// Solutions depend on nothing that was solved in steps before.
-  virtual void begin_step() {}
   virtual void set_zero() = 0;
   /// Adds to the block at local (row, column), of a rigid block the rigid part; off the diagonal only where a couple
   /// was announced.
@@ -33,6 +53,9 @@ class LinearSystem {
   [[nodiscard]] virtual bool reused() const { return false; }
   /// The next solution factorizes anew.
   virtual void forget_factors() {}
+  /// Solutions depend on the factors of those before: a run that is resumed is to have the same.
+  [[nodiscard]] virtual KeptFactors kept_factors() const { return {}; }
+  virtual void restore(const KeptFactors& /*kept*/) {}
   [[nodiscard]] virtual SolutionTimes times() const = 0;
   /// For another right-hand side, with the factors of the last solve.
   [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const = 0;

@@ -21,10 +21,11 @@ class NodalSystem final : public LinearSystem {
     matrix_.set_pattern(u_.total, entries);
   }
 
-  void begin_step() override { matrix_.begin_step(); }
   void set_zero() override { matrix_.set_zero(); }
   [[nodiscard]] bool reused() const override { return matrix_.reused(); }
   void forget_factors() override { matrix_.forget_factors(); }
+  [[nodiscard]] KeptFactors kept_factors() const override { return matrix_.kept(); }
+  void restore(const KeptFactors& kept) override { matrix_.restore(kept); }
   [[nodiscard]] SolutionTimes times() const override { return matrix_.times(); }
 
   void add(int row, int column, const Matrix6& k) override {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sparse matrix with a pattern that stays, so that the symbolic factorization is done once: Cholesky (CHOLMOD) while
-// it is symmetric, LU (UMFPACK) while contacts slip. The factors are kept, too.
+// it is symmetric, LU (UMFPACK) while contacts slip. The factors are kept, too, and serve matrices nearby.
 #pragma once
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
 #include <Eigen/UmfPackSupport>
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "bridge/results/stopwatch.hpp"
@@ -27,17 +29,17 @@ class SparseMatrix {
   }
   void set_zero() { std::fill_n(k.valuePtr(), k.nonZeros(), 0.0); }
 
-  /// Factors of earlier steps serve no matrix but the one that they were made of: a run that is resumed, and has none,
-  /// ends with the same bits.
-  void begin_step() {
-    cholesky_.begin_step();
-    lu_.begin_step();
-  }
-
   /// The next solve makes new ones.
   void forget_factors() {
-    cholesky_.made = lu_.made = false;
-    cholesky_.of_this_step = lu_.of_this_step = false;
+    cholesky_.of = {};
+    lu_.of = {};
+  }
+
+  /// Made of a matrix with this pattern, factors are those that gave `kept`, to the bit.
+  [[nodiscard]] KeptFactors kept() const { return {cholesky_.of, lu_.of}; }
+  void restore(const KeptFactors& kept) {
+    restore(cholesky_, kept.cholesky);
+    restore(lu_, kept.lu);
   }
 
   /// False when it is singular to working accuracy.
@@ -62,47 +64,43 @@ class SparseMatrix {
   struct Factors {
     Solver solver;
     bool analysed = false;
-    bool made = false;
-    bool of_this_step = false;
-    int pause = 0;               ///< solutions that are not to be tried by refinement
-    int next_pause = 1;          ///< after a try that fails: they cost time, and come in rows
-    std::vector<double> values;  ///< of the matrix that they were made of
-
-    void begin_step() {
-      of_this_step = false;
-      pause = 0;
-      next_pause = 1;
-    }
+    KeptFactors::Matrix of;
   };
 
   template <class Solver>
   bool solve_with(Factors<Solver>& factors, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
-    const bool same = factors.made && std::equal(factors.values.begin(), factors.values.end(), k.valuePtr());
-    factors.of_this_step = factors.of_this_step || same;
-    reused_ = same || (factors.of_this_step && serves(factors, f, d));
+    const bool same = factors.of.made() && std::equal(factors.of.values.begin(), factors.of.values.end(), k.valuePtr());
+    reused_ = same || (factors.of.made() && serves(factors, f, d));
     if (reused_) {
       if (same) d = factors.solver.solve(f);
       return d.allFinite();
     }
     factorize(factors.solver, factors.analysed);
-    factors.made = factors.of_this_step = factors.solver.info() == Eigen::Success;
-    if (!factors.made) return false;
-    factors.values.assign(k.valuePtr(), k.valuePtr() + k.nonZeros());
+    if (factors.solver.info() != Eigen::Success) {
+      factors.of.values.clear();
+      return false;
+    }
+    factors.of.values.assign(k.valuePtr(), k.valuePtr() + k.nonZeros());
     d = factors.solver.solve(f);
     return factors.solver.info() == Eigen::Success && d.allFinite();
+  }
+
+  template <class Solver>
+  void restore(Factors<Solver>& factors, const KeptFactors::Matrix& of) {
+    factors.of = of;
+    if (!of.made()) return;
+    if (std::ssize(of.values) != k.nonZeros()) throw std::runtime_error("a checkpoint with factors of another matrix");
+    std::copy(of.values.begin(), of.values.end(), k.valuePtr());
+    factorize(factors.solver, factors.analysed);
   }
 
   /// By refinement, unless that has failed just now.
   template <class Solver>
   bool serves(Factors<Solver>& factors, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
-    if (factors.pause > 0) {
-      --factors.pause;
-      return false;
-    }
+    if (factors.of.pause.skips()) return false;
     const Stopwatch watch(times_.refinement);
     const bool served = refine(factors.solver, f, d);
-    factors.pause = served ? 0 : factors.next_pause;
-    factors.next_pause = served ? 1 : 2 * factors.next_pause;
+    served ? factors.of.pause.succeeded() : factors.of.pause.failed();
     return served;
   }
 

@@ -39,7 +39,7 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
       water_work_.begin_step(water_forces(panels, blocks_, start_, described(), scene_.water.nodal_rule), guard_,
                              states_);
     }
-    if (attempt(dt, time + dt, panels) || attempt_otherwise(dt, time + dt, panels)) {
+    if (try_step(dt, time + dt, panels)) {
       if (!panels.empty()) water_work_.end_step(guard_, states_, dt);
       time += dt;
       next_dt_ = std::min(largest_step, next_dt_ < dt ? next_dt_ * 2 : std::max(next_dt_, dt * 2));
@@ -56,23 +56,37 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
   }
 }
 
-/// A step whose states run in circles, in other ways to the same answer. Where contacts are redundant, those of
+/// Where friction has had to lag it will have to again: the whole of Coulomb's law, which finds that out by running in
+/// circles, is left out for a while.
+bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
+  if (whole_law_.skips() && attempt_with_lagging_friction(dt, end_s, water)) return true;
+  if (!attempt(dt, end_s, water)) return attempt_otherwise(dt, end_s, water);
+  whole_law_.succeeded();
+  return true;
+}
+
+/// A step whose states run in circles, in other ways to the same answer: by friction that lags where islands are large,
+/// for a small one that finds no states is better cut short, and costs little. Where contacts are redundant, states of
 /// Lagrange multipliers do: the augmented Lagrangian makes such a step.
 bool Solid::attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water) {
-  if (!substitute_) return attempt_with_lagging_friction(dt, end_s, water) || attempt_softly(dt, end_s, water);
+  const auto large = [](const IslandSystem& s) { return s.unknowns->total > large_island; };
+  const bool may_lag = std::any_of(islands_.begin(), islands_.end(), large);
+  if (!substitute_) {
+    if (!may_lag || !attempt_with_lagging_friction(dt, end_s, water)) return attempt_softly(dt, end_s, water);
+    whole_law_.failed();
+    return true;
+  }
   ++counts_.softened_steps;
   for (ContactPoint& c : contacts_) c.penalty = 0;
   for (Support& s : supports_) s.penalty = 0;
   formulation_.swap(substitute_);
-  const bool solved = attempt(dt, end_s, water) || attempt_with_lagging_friction(dt, end_s, water);
+  const bool solved = attempt(dt, end_s, water) || (may_lag && attempt_with_lagging_friction(dt, end_s, water));
   formulation_.swap(substitute_);
   return solved;
 }
 
-/// For large islands: a small one that finds no states is better cut short, and costs little.
 bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water) {
-  const auto large = [](const IslandSystem& s) { return s.unknowns->total > large_island; };
-  if (!formulation_->can_lag_friction() || std::none_of(islands_.begin(), islands_.end(), large)) return false;
+  if (!formulation_->can_lag_friction()) return false;
   FormulationSettings& settings = formulation_->settings();
   const double usual = std::exchange(settings.penalty_ratio, 1e-2 * settings.penalty_ratio);
   ++counts_.lagged_steps;
@@ -149,7 +163,6 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
       put_to_sleep(island);
     } else {
       ++counts_.solved_islands;
-      island.system->begin_step();
       solved = solved && find_equilibrium(island);
     }
   }

@@ -27,7 +27,8 @@ void Solid::prepare_islands() {
       links.emplace_back(bolt.part[0], bolt.part[1]);
     }
   }
-  if (links == links_ && !islands_.empty()) return;
+  const bool stand = links == links_;
+  if (stand && !islands_.empty()) return;
   links_ = std::move(links);
   std::vector<int> support_blocks;
   for (const Support& s : supports_) support_blocks.push_back(s.block);
@@ -56,6 +57,10 @@ void Solid::prepare_islands() {
   for (const IslandSystem& s : islands_) {
     for (std::size_t k = 0; k < s.island.blocks.size(); ++k) local_[at(s.island.blocks[k])] = static_cast<int>(k);
   }
+  if (stand && kept_.size() == islands_.size()) {
+    for (std::size_t i = 0; i < islands_.size(); ++i) islands_[i].system->restore(kept_[i]);
+  }
+  kept_.clear();
 }
 
 /// Links beyond those of contacts were bolts' own; a bolt belongs to the island of what moves at its ends.

@@ -31,7 +31,7 @@ void Solid::come_to_rest(const std::vector<Panel>& water) {
   rest_ = {};
   for (double dt = longest; rest_.steps < most_steps && dt > shortest * longest;) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (!attempt(dt, at_s, water) && !attempt_otherwise(dt, at_s, water)) {
+    if (!try_step(dt, at_s, water)) {
       dt /= 4;
       continue;
     }

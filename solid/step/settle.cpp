@@ -93,6 +93,7 @@ void Solid::settle(const std::vector<Panel>& water) {
 
   formulation_->settings().joints_held = false;
   relax(pseudo_step, water);
+  whole_law_ = {};  // a step of the run is shorter by far
   formulation_->settings().initial_penalty = initial_penalty;
   settling_ = false;
   counts_.steps = 0;
@@ -124,8 +125,8 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   double acceleration = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps && dt > shortest; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (!attempt(dt, settling_time_s(), water) &&
-        !(dt == pseudo_step && attempt_otherwise(dt, settling_time_s(), water))) {
+    const bool whole_step = dt == pseudo_step;
+    if (!(whole_step ? try_step(dt, settling_time_s(), water) : attempt(dt, settling_time_s(), water))) {
       dt /= 4;
       continue;
     }

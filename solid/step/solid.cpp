@@ -144,10 +144,20 @@ Solid::Solid(const scene::Scene& scene)
 }
 
 /// After states have been read from a checkpoint.
-void Solid::follow_states() {
+void Solid::follow_states(std::vector<KeptFactors> kept) {
   if (states_.size() != blocks_.size()) throw std::runtime_error("a checkpoint of another number of blocks");
   for (std::size_t b = 0; b < blocks_.size(); ++b) start_[b] = Placement(blocks_[b].centroid, states_[b].displacement);
   matrices_dt_ = -1;
+  islands_.clear();
+  kept_ = std::move(kept);
+}
+
+std::vector<KeptFactors> Solid::kept_factors() const {
+  if (!scene_.analysis.reuse_factors) return {};
+  if (islands_.empty()) return kept_;
+  std::vector<KeptFactors> kept;
+  for (const IslandSystem& s : islands_) kept.push_back(s.system->kept_factors());
+  return kept;
 }
 
 /// Blocks that touch in the scene's outline are joined by a bond, with its strength and its peak friction.

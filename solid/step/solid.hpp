@@ -82,7 +82,9 @@ class Solid {
     for (Support& support : supports_) archive(support);
     for (Bolt& bolt : bolts_) archive(bolt);
     if (substitute_) archive(*substitute_);
-    if (Archive::is_loading::value) follow_states();
+    std::vector<KeptFactors> kept = kept_factors();
+    archive(links_, kept, whole_law_);
+    if (Archive::is_loading::value) follow_states(std::move(kept));
   }
 
  private:
@@ -127,12 +129,14 @@ class Solid {
     [[nodiscard]] bool in(const Parts& parts, const Island& island) const;
   };
 
-  void follow_states();
+  void follow_states(std::vector<KeptFactors> kept);
+  [[nodiscard]] std::vector<KeptFactors> kept_factors() const;
   void bond_touching_contacts();
   void begin_window(const Answered& answered);
   void guard(double dt);
   void relax(double pseudo_step, const std::vector<Panel>& water);
   void start_acceleration(const std::vector<Panel>& water, double from_s);
+  bool try_step(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
@@ -215,6 +219,7 @@ class Solid {
   double time_s_ = 0;  ///< of states_
   Rest rest_;
   bool settling_ = false;
+  Pause whole_law_;  ///< of Coulomb: fails where friction has to lag
   Sleep sleep_;
 
   // The step at hand.
@@ -242,6 +247,7 @@ class Solid {
   std::vector<int> local_;             ///< index of a block within its island
   std::vector<std::pair<int, int>> links_;
   std::vector<IslandSystem> islands_;
+  std::vector<KeptFactors> kept_;  ///< from a checkpoint: of the islands that its contacts make
   Counts counts_;
   Profile profile_;
 };

@@ -49,17 +49,19 @@ void row(const Kind& kind, int blocks, int steps) {
   std::unique_ptr<solid::Solid> solid;
   const double build_s = seconds([&] { solid = std::make_unique<solid::Solid>(scene); });
   const double settle_s = seconds([&] { solid->settle({}); });
-  const long settling = solid->counts().iterations;
+  const solid::Counts settled = solid->counts();
   const double step_s = seconds([&] {
     for (int n = 0; n < steps; ++n) solid->advance(n * dt, (n + 1) * dt, {});
   });
   const double a_step_s = step_s / steps;
+  const auto a_step = [steps](long after, long before) { return static_cast<double>(after - before) / steps; };
   const auto count = solid->blocks().size();
-  fmt::print("{:<16} {:>7} {:>9} {:>9.2f} {:>9.2f} {:>6} {:>11.2f} {:>8.1f} {:>10.2f} {:>9.0f} {:>8.1f} {:>10.1e}\n",
-             kind.name, count, solid->contacts().size(), build_s, settle_s, settling, 1e3 * a_step_s,
-             static_cast<double>(solid->counts().iterations - settling) / steps,
-             1e6 * a_step_s / static_cast<double>(count), peak_mb(), 1024 * peak_mb() / static_cast<double>(count),
-             solid->largest_displacement_m());
+  fmt::print(
+      "{:<16} {:>7} {:>9} {:>9.2f} {:>9.2f} {:>6} {:>11.2f} {:>8.1f} {:>8.1f} {:>10.2f} {:>9.0f} {:>8.1f} {:>10.1e}\n",
+      kind.name, count, solid->contacts().size(), build_s, settle_s, settled.iterations, 1e3 * a_step_s,
+      a_step(solid->counts().iterations, settled.iterations),
+      a_step(solid->counts().factorizations, settled.factorizations), 1e6 * a_step_s / static_cast<double>(count),
+      peak_mb(), 1024 * peak_mb() / static_cast<double>(count), solid->largest_displacement_m());
   std::fflush(stdout);
 }
 
@@ -87,9 +89,9 @@ int main(int argc, char** argv) {
     }
   }
   if (sizes.empty()) sizes = {100, 1'000, 10'000, 100'000};
-  fmt::print("{:<16} {:>7} {:>9} {:>9} {:>9} {:>6} {:>11} {:>8} {:>10} {:>9} {:>8} {:>10}\n", "scene", "blocks",
-             "contacts", "build [s]", "rest [s]", "solves", "step [ms]", "solves", "us/block", "peak [MB]", "kB/block",
-             "moved [m]");
+  fmt::print("{:<16} {:>7} {:>9} {:>9} {:>9} {:>6} {:>11} {:>8} {:>8} {:>10} {:>9} {:>8} {:>10}\n", "scene", "blocks",
+             "contacts", "build [s]", "rest [s]", "solves", "step [ms]", "solves", "factors", "us/block", "peak [MB]",
+             "kB/block", "moved [m]");
   for (const Kind& kind : kinds) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), kind.name) == wanted.end()) continue;
     for (const int blocks : sizes) {

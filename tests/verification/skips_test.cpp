@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_step
+// links: solid_step bridge_checkpoint
 // What a scene does not need is not done, and the answer is the same: islands apart, sleep, rigid blocks.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "bridge/checkpoint/archive.hpp"
 #include "tests/large_scenes.hpp"
 #include "tests/verification/scenes.hpp"
 
@@ -97,6 +98,27 @@ TEST(Skips, FactorsThatServeAgainLeaveTheAnswerAsItIs) {
     EXPECT_GT(with.counts.reused_factorizations, 0);
     EXPECT_EQ(without.counts.factorizations, without.counts.iterations);
     EXPECT_LT(largest_difference(with, without), 1e-8);
+  }
+}
+
+/// A checkpoint holds what factors were made of: a run that is resumed has the same, and ends with the same bits.
+TEST(Skips, FactorsThatOutliveACheckpointServeAResumedRunAsTheyWould) {
+  auto scene = brick_wall(60);
+  scene.analysis.rigid = scene::Rigid::none;
+  scene.analysis.step_s = 1e-3;
+  scene.default_joint.cohesion_pa = scene.default_joint.tension_strength_pa = 1e9;
+  Solid whole(scene);
+  run(whole, 0.01);
+  Solid resumed(scene);
+  checkpoint::unpack(checkpoint::pack(whole), resumed);
+  checkpoint::unpack(checkpoint::pack(resumed), resumed);  // before it has made a step
+  const Counts before = whole.counts();
+  for (Solid* solid : {&whole, &resumed}) solid->advance(0.01, 0.02, {});
+  EXPECT_GT(whole.counts().reused_factorizations, before.reused_factorizations + 10);
+  EXPECT_EQ(resumed.counts().factorizations, whole.counts().factorizations);
+  for (std::size_t b = 0; b < whole.states().size(); ++b) {
+    ASSERT_EQ(resumed.states()[b].displacement, whole.states()[b].displacement) << b;
+    ASSERT_EQ(resumed.states()[b].velocity, whole.states()[b].velocity) << b;
   }
 }
 
