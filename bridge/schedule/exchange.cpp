@@ -39,12 +39,14 @@ void Exchange::tell(wire::Motion& motion, double time_s) {
     motion.window = number_ - 1;
     motion.time_s = time_s;
     told_ = motion;
+    solid_.record();
     return;
   }
   motion.window = number_;
   motion.time_s = time_s;
   motion.order = stop ? wire::Order::save : checkpoints_.due() ? wire::Order::save_and_compute : wire::Order::compute;
   if (fluid_ != nullptr) fluid_->tell(motion);
+  solid_.record();
   if (motion.order != wire::Order::compute) save();
   if (stop) throw channel::Interrupted("asked to stop");
   ++number_;

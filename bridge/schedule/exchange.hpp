@@ -18,8 +18,8 @@ class Exchange {
   /// Goes on before motion `number`, as the checkpoint has it.
   void resume(std::uint64_t number);
 
-  /// Says the next motion, of `time_s`; a checkpoint first, when one is due or the run is to be stopped. Then it throws
-  /// channel::Interrupted.
+  /// Says the next motion, of `time_s`, and has the solid record what led to it; a checkpoint, too, when one is due or
+  /// the run is to be stopped. Then it throws channel::Interrupted.
   void tell(wire::Motion& motion, double time_s);
   /// Waits for the pressures for what was told. In between the solid may step.
   void hear();

@@ -11,6 +11,8 @@ void parallel_staggered(Exchange& water, Windows& windows, SolidSide& solid) {
     if (!last) {
       solid.predict(windows.to_s() - windows.from_s(), motion);
       water.tell(motion, windows.to_s());
+    } else {
+      solid.record();
     }
     solid.advance(water.load(), water.answered(), windows.from_s(), windows.to_s());
     if (last) return;

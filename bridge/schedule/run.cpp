@@ -42,6 +42,7 @@ Exchanges run_solid(FluidLine* fluid, const scene::Scene& scene, checkpoint::Che
     Exchange exchange(fluid, checkpoints, windows, solid, scene.coupling.skip_exchanges);
     if (first > 0) exchange.resume(first);
     function_of(scene.coupling.schedule)(exchange, windows, solid);
+    solid.record();
     if (fluid != nullptr) fluid->end("the run is complete");
     counted = {static_cast<long>(exchange.number()), exchange.skipped()};
   };

@@ -29,6 +29,8 @@ class SolidSide : public Resumable {
   virtual void start(const wire::Load& load) = 0;
   /// Steps from from_s to to_s under `load`, which answers the motion `told`.
   virtual void advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) = 0;
+  /// After each advance(), before the next: write the results, when the next motion is on its way and the fluid steps.
+  virtual void record() {}
   /// Nothing has moved in the window just made.
   [[nodiscard]] virtual bool calm() const { return false; }
   /// Nothing is left to learn from the rest of the run.

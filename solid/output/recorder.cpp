@@ -78,7 +78,9 @@ void Recorder::start(const wire::Load& load) {
     if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(water_.at(load.time_s));
   });
   observe(load, 0);
-  record(load, 0);
+  last_load_ = load;
+  unrecorded_ = 0;
+  record();
   first_ = frame_;
 }
 
@@ -97,7 +99,8 @@ void Recorder::advance(const wire::Load& load, const wire::Motion& told, double 
     if (c.state != ContactState::open) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
   }
   if (load.breached && !breached_s_) breached_s_ = from_s;
-  record(load, to_s);
+  last_load_ = load;
+  unrecorded_ = to_s;
 }
 
 bool Recorder::calm() const {
@@ -141,7 +144,10 @@ void Recorder::observe(const wire::Load& load, double time_s) {
   energy_.look(solid_);
 }
 
-void Recorder::record(const wire::Load& load, double time_s) {
+void Recorder::record() {
+  if (!unrecorded_) return;
+  const double time_s = *unrecorded_;
+  unrecorded_.reset();
   const Stopwatch watch(output_s_);
   const scene::Output& every = solid_.scene().output;
   const double duration = solid_.scene().analysis.duration_s;
@@ -149,10 +155,9 @@ void Recorder::record(const wire::Load& load, double time_s) {
   const bool last = time_s >= duration - soon || finished();
   const bool history_due = last || time_s >= next_history_s_ - soon;
   const bool frame_due = last || time_s >= next_frame_s_ - soon;
-  last_load_ = load;
   if (!frame_due) ++frames_.not_asked_for;
   if (!history_due && !frame_due) return;
-  capture(solid_, load, time_s, frame_);
+  capture(solid_, last_load_, time_s, frame_);
   recorded_s_ = time_s;
   if (history_due) {
     history_.write(frame_);
@@ -165,7 +170,7 @@ void Recorder::record(const wire::Load& load, double time_s) {
     vtk_.write(frame_);
     while (next_frame_s_ <= time_s + soon) next_frame_s_ += every.frame_every_s;
   }
-  progress_(time_s, load.upstream_level_m, frame_.largest_displacement_m);
+  progress_(time_s, last_load_.upstream_level_m, frame_.largest_displacement_m);
 }
 
 bool Recorder::finished() const {
@@ -206,6 +211,7 @@ nlohmann::json Recorder::seconds() const {
 
 void Recorder::finish(const nlohmann::json& extra, const std::string& stopped,
                       const std::vector<std::string>& more_skips) {
+  record();
   const Outcome outcome{.solid = solid_,
                         .first = first_.blocks.empty() ? frame_ : first_,
                         .last = frame_,

@@ -23,6 +23,7 @@ class Recorder final : public schedule::SolidSide {
   void predict(double ahead_s, wire::Motion& motion) override;
   void start(const wire::Load& load) override;
   void advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) override;
+  void record() override;
   [[nodiscard]] bool calm() const override;
   [[nodiscard]] bool finished() const override;
   [[nodiscard]] std::string state() const override;
@@ -47,7 +48,6 @@ class Recorder final : public schedule::SolidSide {
   /// What the water presses on, on the blocks where they are.
   void map(const wire::Load& load);
   void observe(const wire::Load& load, double time_s);
-  void record(const wire::Load& load, double time_s);
   [[nodiscard]] nlohmann::json seconds() const;
 
   Solid solid_;
@@ -66,7 +66,8 @@ class Recorder final : public schedule::SolidSide {
   Progress progress_;
   Frame first_;
   Frame frame_;
-  wire::Load last_load_;
+  wire::Load last_load_;              ///< under which the blocks have come to where they are
+  std::optional<double> unrecorded_;  ///< time that is to be recorded; none where a checkpoint is written
   double next_history_s_ = 0;
   double next_frame_s_ = 0;
   double recorded_s_ = -1;  ///< time of frame_
