@@ -24,6 +24,7 @@ class Placement {
   Placement() = default;
   Placement(const Point& centroid, const Vector6& displacement)
       : centre_(centroid + displacement.head<2>()),
+        moved_(displacement.head<2>()),
         strain_(displacement.tail<3>()),
         cos_(std::cos(displacement[2])),
         sin_(std::sin(displacement[2])) {}
@@ -40,6 +41,15 @@ class Placement {
   /// Vector between two material points, or from the centroid: R (I + E) X.
   [[nodiscard]] Point vector(const Point& X) const { return turn(X + strained(strain_, X)); }
   [[nodiscard]] Point position(const Point& X) const { return centre_ + vector(X); }
+
+  /// Displacement of a material point since the scene's outline, free of cancellation: what round-off does to it does
+  /// not grow with the distance from the origin.
+  [[nodiscard]] Point displacement(const Point& X) const {
+    const double c1 = cos_ > 0 ? -sin_ * sin_ / (1 + cos_) : cos_ - 1;
+    const Point strained_by = strained(strain_, X);
+    const Point y = X + strained_by;
+    return moved_ + strained_by + Point(c1 * y.x() - sin_ * y.y(), sin_ * y.x() + c1 * y.y());
+  }
 
   /// Exact shape matrix T = dx/dd at a material point: columns of u0, v0, r0, ex, ey, gxy.
   [[nodiscard]] Matrix26 shape(const Point& X) const {
@@ -68,6 +78,7 @@ class Placement {
 
  private:
   Point centre_ = Point::Zero();
+  Point moved_ = Point::Zero();
   Eigen::Vector3d strain_ = Eigen::Vector3d::Zero();
   double cos_ = 1;
   double sin_ = 0;

@@ -23,12 +23,21 @@ class AugmentedLagrangian final : public Formulation {
  public:
   AugmentedLagrangian(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
 
-  /// Bounds each penalty by the stiffness with which the blocks themselves resist at the contact.
+  /// Bounds each penalty by the stiffness with which the blocks themselves resist at the contact. Its change is no
+  /// reason for a force to change.
   void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
              const Held& held) override {
     Formulation::begin(trial, matrix, frozen, held);
-    for (const int k : held.contact_ids) bound(held.contacts[at(k)].penalty, contacts_[at(k)].stiffness);
-    for (const int k : held.support_ids) bound(held.supports[at(k)].penalty, supports_[at(k)].stiffness);
+    for (const int k : held.contact_ids) {
+      ContactPoint& c = held.contacts[at(k)];
+      const double change = bound(c.penalty, contacts_[at(k)].stiffness);
+      if (change != 0) c.multiplier += change * follow(trial, k, c, edge_frame(trial, c)).separation.value;
+    }
+    for (const int k : held.support_ids) {
+      Support& s = held.supports[at(k)];
+      const double change = bound(s.penalty, supports_[at(k)].stiffness);
+      if (change != 0) s.multiplier += change * separation_of(trial, s).value;
+    }
   }
 
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
@@ -103,9 +112,12 @@ class AugmentedLagrangian final : public Formulation {
     return action;
   }
 
-  void bound(double& penalty, double stiffness) const {
+  /// Returns by how much it changes a penalty that has been in use.
+  [[nodiscard]] double bound(double& penalty, double stiffness) const {
     const double initial = settings_.initial_penalty.value_or(settings_.penalty_ratio * stiffness);
-    penalty = std::min(penalty > 0 ? penalty : initial, settings_.penalty_ratio * stiffness);
+    const double before = penalty;
+    penalty = std::min(before > 0 ? before : initial, settings_.penalty_ratio * stiffness);
+    return before > 0 ? penalty - before : 0;
   }
 
   [[nodiscard]] bool all_settled(const Held& held) const {

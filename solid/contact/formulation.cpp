@@ -55,7 +55,6 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
 Formulation::Progress& Formulation::follow(const Trial& trial, int index, const ContactPoint& c,
                                            const EdgeFrame& edge) {
   Progress& progress = contacts_[at(index)];
-  progress.evaluated = true;
   progress.separation = separation_of(trial, c, edge);
   progress.separation.value.x() -= laws_[c.law].dilation_m(c.slip_m + progress.separation.value.y());
   return progress;
@@ -79,6 +78,7 @@ double Formulation::dilation_slope(const ContactPoint& c, const Progress& progre
 }
 
 JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::Vector2d& stuck) {
+  progress.evaluated = true;
   JointForce force;
   if (settings_.joints_held) {
     if (c.state != ContactState::open) force = {ContactState::stick, stuck.x(), stuck.y(), 0};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "solid/contact/trial.hpp"
+
 namespace blockweir::solid {
 namespace {
 
@@ -87,7 +89,7 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
     vertices_on_edges(a, b);
     vertices_on_edges(b, a);
   }
-  inherit(contacts);
+  inherit(placements, contacts);
   drop_edges_seen_from_within();
   keep_one_of_each_meeting();
   contacts.swap(found_);
@@ -166,9 +168,19 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
   }
 }
 
+/// Vertex minus anchor point: as the scene's outlines have it, and what displacements have made of it. So at rest it
+/// stays the same to the last digit, wherever the blocks stand.
+Point ContactSearch::apart(const std::vector<Placement>& placements, const ContactPoint& c) const {
+  const auto v = static_cast<std::size_t>(c.vertex_part);
+  const auto e = static_cast<std::size_t>(c.edge_part);
+  const Point foot = edge_point(c, c.anchor);
+  const Point at_first = (parts_.blocks[v].centroid - parts_.blocks[e].centroid) + (c.vertex_at - foot);
+  return at_first + (placements[v].displacement(c.vertex_at) - placements[e].displacement(foot));
+}
+
 /// The same contact keeps its memory and its slip anchor. Of those that are gone, each hands its force to the
 /// nearest new contact between the same two blocks that points the same way.
-void ContactSearch::inherit(std::vector<ContactPoint>& old) {
+void ContactSearch::inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old) {
   const auto normal = [this](const ContactPoint& c) {
     const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
     const auto e = static_cast<std::size_t>(c.edge);
@@ -197,12 +209,8 @@ void ContactSearch::inherit(std::vector<ContactPoint>& old) {
     inherited_[static_cast<std::size_t>(heir - found_.begin())] = 1;
     if (was.state == ContactState::open) continue;
     // In touch: slip goes on from the old anchor, so that what a tolerance lets through does not add up.
-    const auto& E = corners_[static_cast<std::size_t>(was.edge_block)];
-    const auto e = static_cast<std::size_t>(was.edge);
-    const Point anchor = E[e] + was.anchor * (E[next(e, E.size())] - E[e]);
     heir->anchor = was.anchor;
-    heir->separation =
-        corners_[static_cast<std::size_t>(was.vertex_block)][static_cast<std::size_t>(was.vertex)] - anchor;
+    heir->separation = apart(placements, *heir);
   }
   for (const ContactPoint* was : gone) {
     const Point place = corners_[static_cast<std::size_t>(was->vertex_block)][static_cast<std::size_t>(was->vertex)];

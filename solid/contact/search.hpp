@@ -42,7 +42,8 @@ class ContactSearch {
   void vertices_on_edges(int vertex_block, int edge_block);
   void drop_edges_seen_from_within();
   void keep_one_of_each_meeting();
-  void inherit(std::vector<ContactPoint>& old);
+  [[nodiscard]] Point apart(const std::vector<Placement>& placements, const ContactPoint& c) const;
+  void inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old);
 
   const Parts& parts_;
   const JointLaws& laws_;

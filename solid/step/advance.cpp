@@ -133,8 +133,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   carry_fixed_blocks(end_s);
   for (Support& support : supports_) {
     const auto b = static_cast<std::size_t>(support.block);
-    support.separation = start_[b].position(support.material) - blocks_[b].centroid - support.material -
-                         support.target(end_s) - base_.displacement(end_s);
+    support.separation = start_[b].displacement(support.material) - support.target(end_s) - base_.displacement(end_s);
   }
   const Trial at_start{blocks_, start_, still_, start_, past_velocity_, newmark_.velocity_factor(dt)};
   formulation_->begin_step(contacts_.size(), supports_.size());

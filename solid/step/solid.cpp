@@ -185,7 +185,7 @@ double Solid::largest_displacement_m() const {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].fixed || blocks_[b].meshed) continue;
     for (const Point& X : blocks_[b].vertices) {
-      largest = std::max(largest, (start_[b].position(X) - blocks_[b].centroid - X - base).norm());
+      largest = std::max(largest, (start_[b].displacement(X) - base).norm());
     }
   }
   return largest;

@@ -54,6 +54,21 @@ TEST(Large, APyramidOfBase100SettlesAndStandsStill) {
   EXPECT_LT(std::abs(reaction_error(solid)), 1e-8);
 }
 
+/// Separations are known to the last digit at any height: a step finds the forces of the one before in balance.
+TEST(Large, AHighColumnThatStandsSolvesNothing) {
+  auto scene = large_scene(1);
+  scene.analysis.sleep = false;
+  add_block(scene, box(-20, -1, 41, 1), true);
+  for (int i = 0; i < 200; ++i) add_block(scene, box(0, i, 1, 1));
+  Solid solid(scene);
+  solid.settle({});
+  const long solved = solid.counts().iterations;
+  run(solid, 20);
+  EXPECT_EQ(solid.counts().iterations, solved);
+  EXPECT_GE(solid.counts().skipped_searches, 18);
+  EXPECT_LT(std::abs(reaction_error(solid)), 1e-8);
+}
+
 TEST(Large, ContactsThatAreNotSearchedAgainAreThoseThatASearchWouldFind) {
   auto scene = pyramid(20);
   scene.analysis.sleep = false;

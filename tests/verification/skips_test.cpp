@@ -57,8 +57,9 @@ TEST(Skips, SleepingIslandsLeaveTheAnswerAsItIs) {
   const Result without = result_of(scene);
   EXPECT_GT(with.counts.slept_islands, 150);  // the left stack nearly always, the right one until it is pushed
   EXPECT_EQ(without.counts.slept_islands, 0);
-  EXPECT_LT(with.counts.iterations, without.counts.iterations);
-  EXPECT_GT(with.displacement[8][0], 0.1);  // pushed off
+  EXPECT_LT(with.counts.solved_islands, without.counts.solved_islands);
+  EXPECT_LE(with.counts.iterations, without.counts.iterations);  // what rests finds its forces in balance as it is
+  EXPECT_GT(with.displacement[8][0], 0.1);                       // pushed off
   EXPECT_LT(largest_difference(with, without), 1e-9);
 }
 
