@@ -15,6 +15,28 @@ inline Matrix6 corner_shape(const Block& triangle, const Placement& placement) {
   return V;
 }
 
+/// Its inverse: rates of the six unknowns by those of the corners. In the triangle's own frame the corners' rates are
+/// w(X) = w0 + G X with G = r P (I + E) + dE/dt, P the quarter turn: its antisymmetric part gives r, what is left
+/// dE/dt.
+inline Matrix6 corner_map(const Block& triangle, const Placement& placement) {
+  const auto& X = triangle.vertices;
+  const Eigen::Vector3d& e = placement.strain();
+  const double stretch = 2 + e[0] + e[1];
+  Matrix6 map = Matrix6::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point g = perpendicular(X[(i + 2) % 3] - X[(i + 1) % 3]) / (2 * triangle.area);  // of the corner's share
+    for (int axis = 0; axis < 2; ++axis) {
+      const Point w = placement.unturn(Point::Unit(axis));
+      const Eigen::Matrix2d G = w * g.transpose();
+      const double r = (G(1, 0) - G(0, 1)) / stretch;
+      auto column = map.col(2 * static_cast<Eigen::Index>(i) + axis);
+      column[axis] = 1.0 / 3;
+      column.tail<4>() << r, G(0, 0) + r * e[2] / 2, G(1, 1) - r * e[2] / 2, G(0, 1) + G(1, 0) - r * (e[0] - e[1]);
+    }
+  }
+  return map;
+}
+
 /// Inertia of the corners: consistent, in global axes, and so constant whatever the turn.
 inline Matrix6 corner_mass(const Block& triangle) {
   Eigen::Matrix3d shares = Eigen::Matrix3d::Ones();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Islands with meshed blocks: a sparse matrix of nodes and blocks, with a pattern fixed by meshes and contacts.
+#include <algorithm>
 
 #include "solid/solve/linear_system.hpp"
 #include "solid/solve/sparse_matrix.hpp"
@@ -19,6 +20,15 @@ class NodalSystem final : public LinearSystem {
     for (int b = 0; b < u_.blocks(); ++b) couple(b, b);
     for (const auto& [a, b] : couples) couple(a, b);
     matrix_.set_pattern(u_.total, entries);
+    columns_.resize(static_cast<std::size_t>(u_.blocks()));
+    const auto find = [&](int row, int column) {
+      auto& places = columns_[static_cast<std::size_t>(column)].emplace_back(Couple{row, {}}).places;
+      for (const int j : u_.of(column)) {
+        for (const int i : u_.of(row)) places.push_back(place(i, j));
+      }
+    };
+    for (int b = 0; b < u_.blocks(); ++b) find(b, b);
+    for (const auto& [a, b] : couples) find(a, b), find(b, a);
   }
 
   void begin_step() override { matrix_.begin_step(); }
@@ -29,11 +39,12 @@ class NodalSystem final : public LinearSystem {
 
   void add(int row, int column, const Matrix6& k) override {
     const Matrix6 mapped = u_.mapped(row, column, k);
-    for (std::size_t j = 0; j < u_.of(column).size(); ++j) {
-      for (std::size_t i = 0; i < u_.of(row).size(); ++i) {
-        matrix_.k.coeffRef(u_.of(row)[i], u_.of(column)[j]) +=
-            mapped(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      }
+    const auto& couples = columns_[static_cast<std::size_t>(column)];
+    const auto couple = std::find_if(couples.begin(), couples.end(), [=](const Couple& c) { return c.row == row; });
+    const int* next = couple->places.data();
+    const auto rows = static_cast<Eigen::Index>(u_.of(row).size());
+    for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(u_.of(column).size()); ++j) {
+      for (Eigen::Index i = 0; i < rows; ++i) matrix_.k.valuePtr()[*next++] += mapped(i, j);
     }
   }
 
@@ -46,7 +57,20 @@ class NodalSystem final : public LinearSystem {
   [[nodiscard]] Eigen::MatrixXd dense() const override { return matrix_.k; }
 
  private:
+  /// Where the entries of a pair of blocks stand among the matrix's values, column by column.
+  struct Couple {
+    int row;
+    std::vector<int> places;
+  };
+
+  [[nodiscard]] int place(int i, int j) {
+    const int* rows = matrix_.k.innerIndexPtr();
+    const int* const first = rows + matrix_.k.outerIndexPtr()[j];
+    return static_cast<int>(std::lower_bound(first, rows + matrix_.k.outerIndexPtr()[j + 1], i) - rows);
+  }
+
   const Unknowns& u_;
+  std::vector<std::vector<Couple>> columns_;
   SparseMatrix matrix_;
 };
 

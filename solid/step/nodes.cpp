@@ -2,7 +2,6 @@
 // Blocks with a mesh in a step: their nodes are the unknowns, triangles follow from their corners, and the block
 // follows its triangles as their mean.
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
@@ -38,13 +37,13 @@ const Eigen::Matrix2d quarter_turn = (Eigen::Matrix2d() << 0, -1, 1, 0).finished
 /// Rate of the six unknowns at a placement, from the state's.
 Vector6 Solid::rate(std::size_t b, const Placement& placement, const Vector6& of_state) const {
   if (!blocks_[b].is_part() || of_state.isZero(0)) return of_state;
-  return corner_shape(blocks_[b], placement).partialPivLu().solve(of_state);
+  return corner_map(blocks_[b], placement) * of_state;
 }
 
 /// A generalized force as the state has it.
 Vector6 Solid::at_corners(std::size_t b, const Vector6& force) const {
   if (!blocks_[b].is_part()) return force;
-  return corner_shape(blocks_[b], placement_[b]).transpose().partialPivLu().solve(force);
+  return corner_map(blocks_[b], placement_[b]).transpose() * force;
 }
 
 Matrix6 Solid::inertia(std::size_t b) const {
@@ -77,7 +76,7 @@ void Solid::follow_corners(std::size_t t) {
 void Solid::set_corner_maps(IslandSystem& s) {
   for (int k = 0; k < s.unknowns->blocks(); ++k) {
     const auto b = at(s.island.blocks[at(k)]);
-    if (blocks_[b].is_part()) s.unknowns->set_map(k, corner_shape(blocks_[b], placement_[b]).inverse());
+    if (blocks_[b].is_part()) s.unknowns->set_map(k, corner_map(blocks_[b], placement_[b]));
   }
 }
 
