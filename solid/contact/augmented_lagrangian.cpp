@@ -95,6 +95,17 @@ class AugmentedLagrangian final : public Formulation {
     return false;
   }
 
+  [[nodiscard]] double unsettled(const Held& held) const override {
+    double largest = 0;
+    const auto look = [&](const Progress& p, const Eigen::Vector2d& multiplier) {
+      if (p.violated.cwiseAbs().maxCoeff() <= settings_.position_round_off_m) return;
+      largest = std::max(largest, (p.force - multiplier).cwiseAbs().maxCoeff());
+    };
+    for (const int k : held.contact_ids) look(contacts_[at(k)], held.contacts[at(k)].multiplier);
+    for (const int k : held.support_ids) look(supports_[at(k)], held.supports[at(k)].multiplier);
+    return largest;
+  }
+
   [[nodiscard]] bool can_lag_friction() const override { return true; }
 
  private:

@@ -28,13 +28,22 @@ std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, c
 
 void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
                         const Held& held) {
-  // Rayleigh quotient of the block's matrix along a point's motion: no mode that the point can excite is stiffer
-  // by much. (Its inverse counterpart 1/(n W n) sees the softest mode, and sweeps then stall in the stiff ones.)
+  // Rayleigh quotient of the block's matrix along a point's motion, turns and strains taken as what they move at the
+  // radius, which makes metres of all: no mode that the point can excite is stiffer by much. (Its inverse counterpart
+  // 1/(n W n) sees the softest mode, and sweeps then stall in the stiff ones.)
   const auto flexibility = [&](int block, const Eigen::Matrix<double, 1, 6>& shape) {
     if (frozen[at(block)]) return 0.0;
-    const int n = trial.blocks[at(block)].unknowns();
-    const Eigen::VectorXd motion = shape.head(n).transpose();
-    return motion.squaredNorm() * motion.squaredNorm() / motion.dot(matrix[at(block)].topLeftCorner(n, n) * motion);
+    const auto quotient = [](const auto& motion, const auto& pulled, const auto& k) {
+      return motion.squaredNorm() * motion.squaredNorm() / pulled.dot(k * pulled);
+    };
+    const Block& of = trial.blocks[at(block)];
+    Vector6 motion = shape.transpose();
+    motion.tail<4>() /= of.radius;
+    Vector6 pulled = motion;
+    pulled.tail<4>() /= of.radius;
+    const Matrix6& k = matrix[at(block)];
+    return of.rigid ? quotient(motion.head<3>(), pulled.head<3>(), k.topLeftCorner<3, 3>())
+                    : quotient(motion, pulled, k);
   };
   for (const int k : held.contact_ids) {
     const ContactPoint& c = held.contacts[at(k)];

@@ -58,6 +58,10 @@ class Formulation {
   /// equilibrium is to be found again.
   virtual bool sweep(const Held& held) = 0;
 
+  /// How far forces still are from those that a sweep would leave alone [N per metre]; equilibrium need not be found
+  /// much more closely before it.
+  [[nodiscard]] virtual double unsettled(const Held& /*held*/) const { return 0; }
+
   /// Can shear be bounded by normal forces that lag?
   [[nodiscard]] virtual bool can_lag_friction() const { return false; }
   /// Bounds of shear by the normal forces of now, until the next call: true when they have stopped moving.

@@ -21,6 +21,7 @@ std::size_t at(int i) {
 void Solid::prepare_islands() {
   const Stopwatch watch(profile_.islands);
   std::vector<std::pair<int, int>> links;
+  links.reserve(contacts_.size() + bolts_.size());
   for (const ContactPoint& c : contacts_) links.emplace_back(c.vertex_part, c.edge_part);
   for (const Bolt& bolt : bolts_) {
     if (bolt.part[1] >= 0 && !frozen_[at(bolt.part[0])] && !frozen_[at(bolt.part[1])]) {
@@ -79,6 +80,8 @@ bool Solid::find_equilibrium(IslandSystem& s) {
   if (formulation_->settings().friction_lags) return find_equilibrium_with_lagging_friction(s);
   // A large island whose states run in circles shows it by then; trying on costs a small one little, and may find out.
   const int most_in_a_row = s.unknowns->total > large_island ? 50 : scene_.contact.max_iterations;
+  const double tolerance = formulation_->settings().force_tolerance_n;
+  const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
   bool swept = false;  // multipliers have changed since the last solve
   int in_a_row = 0;    // solves since then
   for (int iteration = 0; iteration < scene_.contact.max_iterations; ++iteration) {
@@ -87,7 +90,9 @@ bool Solid::find_equilibrium(IslandSystem& s) {
       require_numbers(s);
       return false;
     }
-    if (!swept && left <= formulation_->settings().force_tolerance_n) {
+    // Multipliers that will move on need no closer equilibrium: the next solution finds both.
+    const double enough = std::max(tolerance, 0.01 * formulation_->unsettled(held));
+    if (!swept && left <= enough) {
       if (sweep(s)) return true;
       swept = true;
       continue;

@@ -68,16 +68,26 @@ void Solid::settle(const std::vector<Panel>& water) {
   const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
   settling_ = true;
   formulation_->settings().joints_held = true;
+  // What the start leaves unbalanced or apart stays as long as nothing moves: it is found ten times as closely as a
+  // step.
+  const double tolerance_n =
+      std::exchange(formulation_->settings().force_tolerance_n, 0.1 * formulation_->settings().force_tolerance_n);
   matrices_dt_ = -1;
   islands_.clear();
 
   const auto initial_penalty = formulation_->settings().initial_penalty;
+  // Slender structures are soft against the inertia of such steps and come to rest a tenth at a time: longer steps take
+  // them there sooner.
+  double dt = pseudo_step;
+  double longest = 100 * pseudo_step;
+  double moved_before = std::numeric_limits<double>::infinity();
   const auto settles = [&] {
-    if (attempt(pseudo_step, settling_time_s(), water)) return true;
+    if (attempt(dt, settling_time_s(), water)) return true;
+    if (dt > pseudo_step) return longest = dt = pseudo_step, attempt(dt, settling_time_s(), water);
     if (!formulation_->settings().initial_penalty) return false;
     // What the scene starts with may be far too small for a high stack: the blocks' own stiffness knows better.
     formulation_->settings().initial_penalty.reset();
-    return attempt(pseudo_step, settling_time_s(), water);
+    return attempt(dt, settling_time_s(), water);
   };
   for (int step = 0;; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
@@ -88,12 +98,20 @@ void Solid::settle(const std::vector<Panel>& water) {
                       step));
     }
     ++counts_.settling_steps;
-    if (largest_increment() <= at_rest_m) break;
+    const double moved = largest_increment();
+    if (moved <= at_rest_m) break;
+    if (dt > pseudo_step && moved > moved_before) {
+      longest = dt = pseudo_step;  // what is loose wants its inertia
+    } else if (moved > 1e-2 * moved_before) {
+      dt = std::min(10 * dt, longest);
+    }
+    moved_before = moved;
   }
 
   formulation_->settings().joints_held = false;
   relax(pseudo_step, water);
   formulation_->settings().initial_penalty = initial_penalty;
+  formulation_->settings().force_tolerance_n = tolerance_n;
   settling_ = false;
   counts_.steps = 0;
   newmark_ = scheme;
