@@ -8,11 +8,23 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-Matrix26 rows(const Matrix26& T, const EdgeFrame& edge) {
+/// The edge's normal and tangent dotted with the shape matrix of a material point.
+Matrix26 rows(const Placement& placement, const Point& X, const EdgeFrame& edge) {
+  const Point y = X + strained(placement.strain(), X);
   Matrix26 J;
-  J.row(0) = edge.n.transpose() * T;
-  J.row(1) = edge.t.transpose() * T;
+  const auto set = [&](int row, const Point& axis) {
+    const Point a = placement.unturn(axis);
+    J.row(row) << axis.x(), axis.y(), y.x() * a.y() - y.y() * a.x(), X.x() * a.x(), X.y() * a.y(),
+        (X.y() * a.x() + X.x() * a.y()) / 2;
+  };
+  set(0, edge.n);
+  set(1, edge.t);
   return J;
+}
+
+/// What rests does so exactly: no sine is taken of it.
+Point moved(const Placement& start, const Vector6& increment, const Point& X) {
+  return increment.isZero(0) ? Point(Point::Zero()) : start.increment(increment, X);
 }
 
 /// What moves a point, whether it cancels there or not: a slender block's base hardly moves while the block turns.
@@ -38,8 +50,8 @@ Interaction interaction_of(const Trial& trial, const ContactPoint& c, const Edge
   action.block_i = c.vertex_part;
   action.block_j = c.edge_part;
   const double foot = c.anchor + slip / edge.length;
-  action.shape_i = rows(trial.placement[at(c.vertex_part)].shape(c.vertex_at), edge);
-  action.shape_j = rows(trial.placement[at(c.edge_part)].shape(edge_point(c, foot)), edge);
+  action.shape_i = rows(trial.placement[at(c.vertex_part)], c.vertex_at, edge);
+  action.shape_j = rows(trial.placement[at(c.edge_part)], edge_point(c, foot), edge);
   return action;
 }
 
@@ -53,9 +65,9 @@ Interaction interaction_of(const Trial& trial, const Support& s) {
 Separation separation_of(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge) {
   const auto v = at(c.vertex_part);
   const auto e = at(c.edge_part);
-  const Point vertex_moved = trial.start[v].increment(trial.increment[v], c.vertex_at);
+  const Point vertex_moved = moved(trial.start[v], trial.increment[v], c.vertex_at);
   const Point foot = edge_point(c, c.anchor);
-  const Point edge_moved = trial.start[e].increment(trial.increment[e], foot);
+  const Point edge_moved = moved(trial.start[e], trial.increment[e], foot);
   const Point apart = c.separation + vertex_moved - edge_moved;
   return {{edge.n.dot(apart), edge.t.dot(apart)},
           motion(trial.increment[v], c.vertex_at) + motion(trial.increment[e], foot)};

@@ -19,6 +19,8 @@ std::size_t at(int i) {
 /// slipping contact has no part in it: with that coupling the projection could grow what it should remove.
 void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   constexpr double unheard_m_per_s = 1e-9;
+  const auto rests = [this](int b) { return increment_[at(b)].isZero(0) && states_[at(b)].velocity.isZero(0); };
+  if (!base_.moves_supports() && std::all_of(s.island.blocks.begin(), s.island.blocks.end(), rests)) return;
   double loudest = 0;
   const auto mismatch = [&](int block, const Matrix26& shape) -> Eigen::Vector2d {
     if (block < 0) return Eigen::Vector2d::Zero();
