@@ -9,16 +9,18 @@ namespace blockweir::launch {
 
 /// A run of a bench.
 struct Point {
-  std::string curve;    ///< the setting that it belongs to
-  std::string setting;  ///< "key=value"; empty: the scene as it stands
-  double time_s = 0;    ///< least wall time of its repeats
-  double error = 0;     ///< relative, of the scene's first figure
+  std::string curve;              ///< the setting that it belongs to
+  std::string setting;            ///< "key=value"; empty: the scene as it stands
+  double time_s = 0;              ///< least wall time of its repeats
+  double error = 0;               ///< relative, of the scene's first figure
+  std::vector<double> times_s{};  ///< of the repeats, in their order
 };
 
 /// Errors below it are round-off, and equal.
 constexpr double round_off = 1e-12;
 
-/// Is `a` faster than `b` at no larger error, or more accurate at no longer time, by more than a tenth?
+/// Is `a` faster than `b` at no larger error, or more accurate at no longer time, by more than a tenth: by the least
+/// times and, where repeats were made by turns, in each of them?
 bool betters(const Point& a, const Point& b);
 
 /// Indices of those that no other is both faster and more accurate than, by time: the Pareto front.

@@ -27,4 +27,14 @@ TEST(Pareto, WhatIsBetteredIsSoClearly) {
   EXPECT_FALSE(betters(at(1, 1e-15), at(1, 1e-13))) << "both are round-off";
 }
 
+TEST(Pareto, OneSlowRepeatOfTwoEqualRunsMakesNeitherTheBetter) {
+  Point a = at(1, 1e-3);
+  Point b = at(1.2, 1e-3);
+  a.times_s = {1, 1.3, 1.1};
+  b.times_s = {1.2, 1.2, 1.3};
+  EXPECT_FALSE(betters(a, b));
+  b.times_s = {1.2, 1.5, 1.3};
+  EXPECT_TRUE(betters(a, b));
+}
+
 }  // namespace
