@@ -31,7 +31,8 @@ class AugmentedLagrangian final : public Formulation {
     for (const int k : held.contact_ids) {
       ContactPoint& c = held.contacts[at(k)];
       const double change = bound(c.penalty, contacts_[at(k)].stiffness);
-      if (change != 0) c.multiplier += change * follow(trial, k, c, edge_frame(trial, c)).separation.value;
+      if (change == 0 || c.state == ContactState::open) continue;
+      c.multiplier += change * follow(trial, k, c, edge_frame(trial, c)).separation.value;
     }
     for (const int k : held.support_ids) {
       Support& s = held.supports[at(k)];

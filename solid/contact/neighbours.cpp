@@ -34,11 +34,18 @@ void add_if_near(const std::vector<Box>& boxes, const std::vector<bool>& movable
 
 Pairs neighbours(const std::vector<Box>& boxes, const std::vector<bool>& movable) {
   Pairs pairs;
-  if (boxes.size() < 2) return pairs;
+  constexpr int few = 8;  // a grid costs more than it saves
+  const auto count = static_cast<int>(boxes.size());
+  if (count <= few) {
+    for (int a = 0; a < count; ++a) {
+      for (int b = a + 1; b < count; ++b) add_if_near(boxes, movable, a, b, pairs);
+    }
+    return pairs;
+  }
   const double cell = 2 * typical_extent(boxes);
   std::unordered_map<std::uint64_t, std::vector<int>> grid;
   std::vector<int> large;
-  for (int b = 0; b < static_cast<int>(boxes.size()); ++b) {
+  for (int b = 0; b < count; ++b) {
     const Box& box = boxes[static_cast<std::size_t>(b)];
     for (const int other : large) add_if_near(boxes, movable, b, other, pairs);
     if (extent(box) > 4 * cell) {

@@ -98,9 +98,13 @@ void Solid::add_residual_at_corners(IslandSystem& s, int k) {
   const auto t = at(s.island.blocks[at(k)]);
   const Vector6 pull = newmark_.mass_factor(matrices_dt_) * (corner_mass(blocks_[t]) * corner_increment(t));
   s.unknowns->add(k, balance_[t], s.residual);
-  s.residual(s.unknowns->of(k)) += history_[t] - pull;
+  const Vector6 left = history_[t] - pull;
   const double noise = round_off_[t] + round_off * (pull.cwiseAbs().maxCoeff() + history_[t].cwiseAbs().maxCoeff());
-  s.uncertain(s.unknowns->of(k)).array() += corner_share * noise;
+  const auto& numbers = s.unknowns->of(k);
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    s.residual[numbers[at(static_cast<int>(i))]] += left[i];
+    s.uncertain[numbers[at(static_cast<int>(i))]] += corner_share * noise;
+  }
 }
 
 double Solid::unbalanced_at_nodes(const IslandSystem& s) {
