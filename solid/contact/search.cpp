@@ -143,7 +143,9 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       const Point n(t.y(), -t.x());
       const double gap = n.dot(V[v] - a);
       const double s = t.dot(V[v] - a);
-      if (std::abs(gap) > reach_ || s < -coincidence_ || s > edge_length + coincidence_) continue;
+      // Two acute corners may meet where neither faces the other's edges.
+      const double beyond = std::max(-s, s - edge_length);
+      if (std::abs(gap) > reach_ || beyond > std::max(coincidence_, gap / 2)) continue;
       if (n.dot(to_before) < -parallel_tolerance || n.dot(to_after) < -parallel_tolerance) continue;
       if (gap < -deep && !encloses(E, V[v])) continue;  // on the block's far side, not in it
       ContactPoint contact;
@@ -280,6 +282,20 @@ void ContactSearch::keep_one_of_each_meeting() {
     }
     return -1;
   };
+  /// Can two corners pass each other: does the vertex come towards an end of the edge, with nothing of its block beside
+  /// what lies between?
+  const auto may_pass = [&](const ContactPoint& c) {
+    const auto& V = corners_[static_cast<std::size_t>(c.vertex_block)];
+    const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
+    const auto v = static_cast<std::size_t>(c.vertex);
+    const auto e = static_cast<std::size_t>(c.edge);
+    const Point span = E[next(e, E.size())] - E[e];
+    const double from_end = span.norm() * std::min(c.anchor, 1 - c.anchor);
+    if (from_end > std::max(2 * coincidence_, parallel_tolerance * std::abs(c.gap))) return false;
+    const Point inward = (c.anchor < 0.5 ? 1 : -1) * span.normalized();
+    const auto beside = [&](std::size_t w) { return inward.dot((V[w] - V[v]).normalized()) > parallel_tolerance; };
+    return !beside(previous(v, V.size())) && !beside(next(v, V.size()));
+  };
   std::vector<char> drop(found_.size(), 0);
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const int wi = drop[i] != 0 ? -1 : met_vertex(found_[i]);
@@ -304,9 +320,10 @@ void ContactSearch::keep_one_of_each_meeting() {
       }
       drop[j] = 1;
     }
-    // Two corners that touch in a point and share no length do not press on each other until one has entered.
+    // Corners that touch in a point and share no length, as those of bricks that slide over others, press only once one
+    // has entered.
     if (drop[i] == 0 && found_[i].length <= 2 * coincidence_ && found_[i].gap > -coincidence_ &&
-        found_[i].state == ContactState::open) {
+        found_[i].state == ContactState::open && may_pass(found_[i])) {
       drop[i] = 1;
     }
   }

@@ -17,6 +17,9 @@ class ContactSearch {
  public:
   /// Gaps up to the reach are contacts in waiting. Two blocks may each move in a step, one towards the other.
   static constexpr double reach_per_move = 2.5;
+  /// The farthest that a block among others may turn in a step: which vertices may meet which edges holds about as long
+  /// [rad].
+  static constexpr double most_turn = 0.05;
   /// The reach begins with `reach_m` and grows with what blocks move, up to `farthest_reach_m`.
   ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m, double farthest_reach_m);
 

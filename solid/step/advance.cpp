@@ -166,7 +166,8 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     }
   }
   const double moved = largest_increment();
-  solved = solved && moved <= scene_.analysis.max_displacement_ratio * size_;
+  solved =
+      solved && moved <= scene_.analysis.max_displacement_ratio * size_ && largest_turn() <= ContactSearch::most_turn;
   const bool seen = !solved || search_.covers(moved);
   if (!solved || !seen) {
     contacts_ = contacts_before_;
@@ -249,6 +250,17 @@ void Solid::put_to_sleep(const IslandSystem& s) {
     states_[b].velocity.setZero();
     states_[b].acceleration.setZero();
   }
+}
+
+/// Largest turn of any block near others in the step at hand [rad].
+double Solid::largest_turn() const {
+  double largest = 0;
+  for (const ContactPoint& c : contacts_) {
+    for (const int b : {c.vertex_part, c.edge_part}) {
+      largest = std::max(largest, std::abs(increment_[static_cast<std::size_t>(b)][2]));
+    }
+  }
+  return largest;
 }
 
 /// Largest displacement of any vertex in the step at hand [m].

@@ -184,6 +184,7 @@ class Solid {
   [[nodiscard]] bool may_sleep(const IslandSystem& island) const;
   void put_to_sleep(const IslandSystem& island);
   [[nodiscard]] double largest_increment() const;
+  [[nodiscard]] double largest_turn() const;
   [[nodiscard]] Trial trial() const {
     return {blocks_, start_, increment_, placement_, past_velocity_, newmark_.velocity_factor(matrices_dt_)};
   }

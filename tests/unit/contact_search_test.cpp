@@ -17,8 +17,7 @@ scene::Scene two_slabs() {
   return scene;
 }
 
-std::vector<ContactPoint> contacts_within(double reach_m) {
-  const scene::Scene scene = two_slabs();
+std::vector<ContactPoint> contacts_within(double reach_m, const scene::Scene& scene = two_slabs()) {
   const Parts parts = make_parts(scene);
   const JointLaws laws(scene);
   std::vector<Placement> placements;
@@ -38,6 +37,32 @@ TEST(ContactSearch, FindsTheSameContactsWhereTheReachIsLongerThanBlocksAreThick)
       EXPECT_EQ(c.gap, 0) << "reach " << reach;
     }
   }
+}
+
+/// Contacts of two outlines that do not touch.
+std::vector<ContactPoint> contacts_between(const std::vector<Point>& one, const std::vector<Point>& other) {
+  scene::Scene scene = two_slabs();
+  scene.blocks[0].vertices = one;
+  scene.blocks[1].vertices = other;
+  return contacts_within(0.1, scene);
+}
+
+/// It would be through before it has "entered" by the end of a step.
+TEST(ContactSearch, SeesACornerThatComesToAnEdgeNearItsEnd) {
+  const auto contacts = contacts_between({{-1, -1}, {0, -1}, {0, 0}, {-1, 0}}, {{-1, 0.2}, {0.007, 0.015}, {-0.5, 1}});
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(contacts[0].vertex_block, 0);
+  EXPECT_NEAR(contacts[0].gap, 0.016, 0.001);
+}
+
+TEST(ContactSearch, SeesAcuteCornersOfWhichNeitherFacesAnEdge) {
+  const auto contacts = contacts_between({{0.5, 0.02}, {1, 0}, {0.7, 0.6}}, {{1.006, 0}, {1.7, 0.1}, {1.02, 0.5}});
+  EXPECT_EQ(contacts.size(), 1U);
+}
+
+TEST(ContactSearch, LetsCornersPassThatSlideOverEachOther) {
+  EXPECT_TRUE(
+      contacts_between({{-1, 0}, {-1e-3, 0}, {-1e-3, 0.5}, {-1, 0.5}}, {{0, -0.5}, {1, -0.5}, {1, 0}, {0, 0}}).empty());
 }
 
 TEST(ContactSearch, LooksFartherOnceBlocksHaveMovedFarther) {
