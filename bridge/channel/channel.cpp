@@ -43,6 +43,12 @@ void keep_beating(zmq::socket_t& socket, double timeout_s) {
   socket.set(zmq::sockopt::heartbeat_ttl, 2 * every_ms);
 }
 
+/// ZeroMQ lets go of the memory when it has sent it.
+zmq::message_t sent_from(wire::Part& part) {
+  const auto let_go = [](void*, void* keeper) { delete static_cast<wire::Keeper*>(keeper); };
+  return {const_cast<void*>(part.data), part.size, let_go, new wire::Keeper(std::move(part.keeper))};
+}
+
 void secure(zmq::socket_t& socket, const Keys& keys, bool listens) {
   socket.set(zmq::sockopt::curve_secretkey, keys.own_secret);
   if (listens) {
@@ -105,11 +111,26 @@ struct Channel::Line {
   template <class Message>
   void send(const Message& message) {
     const auto start = Clock::now();
-    zmq::message_t frame = outgoing.frame([&](auto& builder) { wire::encode(message, builder); });
+    zmq::message_t frame = outgoing.frame([&](auto& builder) {
+      if constexpr (std::is_same_v<Message, wire::Motion> || std::is_same_v<Message, wire::Load>) {
+        wire::encode(message, builder, &parts);
+      } else {
+        wire::encode(message, builder);
+      }
+    });
     const auto packed = Clock::now();
-    undisturbed([&] { return socket.send(frame, zmq::send_flags::dontwait); });
+    for (wire::Part& part : parts) {
+      send_part(frame, zmq::send_flags::sndmore);
+      frame = sent_from(part);
+    }
+    send_part(frame, zmq::send_flags::none);
+    parts.clear();
     packed_s += std::chrono::duration<double>(packed - start).count();
     wire_s += seconds_since(packed);
+  }
+
+  void send_part(zmq::message_t& frame, zmq::send_flags flags) {
+    undisturbed([&] { return socket.send(frame, flags | zmq::send_flags::dontwait); });
   }
 
   /// Until something happens at the line, or `longest_s` has passed.
@@ -158,6 +179,7 @@ struct Channel::Line {
   /// Waits for the next message's bytes.
   void wait(double patience_s, const std::string& moment, bool (*give_up)()) {
     const auto start = Clock::now();
+    keep_what_is_viewed();
     while (!try_receive()) {
       if (give_up()) throw Interrupted("asked to stop");
       const double waited = seconds_since(start);
@@ -193,11 +215,24 @@ struct Channel::Line {
   void decode(const void* data, Message& into) {
     if constexpr (std::is_same_v<Message, wire::Hello>) {
       wire::decode(data, into);
-    } else if (incoming->size() < viewed_from || !aligned()) {
-      wire::decode(data, into);
     } else {
-      wire::decode(data, into, std::exchange(incoming, std::make_shared<zmq::message_t>()));
+      const std::shared_ptr<zmq::message_t> first = incoming;  // stays while its parts come
+      wire::decode(data, into, first->size() >= viewed_from && aligned() ? first : nullptr,
+                   [&] { return next_part(); });
     }
+    if (incoming->more()) throw wire::BadMessage("more parts than it says");
+  }
+
+  /// A message arrives whole: its parts wait for nobody.
+  wire::Part next_part() {
+    if (!incoming->more()) return {};
+    keep_what_is_viewed();
+    if (!try_receive()) return {};
+    return {incoming->data(), incoming->size(), incoming};
+  }
+
+  void keep_what_is_viewed() {
+    if (incoming.use_count() > 1) incoming = std::make_shared<zmq::message_t>();
   }
 
   template <class Message>
@@ -234,6 +269,7 @@ struct Channel::Line {
   std::optional<Gate> gate;
   std::shared_ptr<zmq::message_t> incoming = std::make_shared<zmq::message_t>();
   std::vector<std::uint64_t> realigned;
+  std::vector<wire::Part> parts;
   double waited_s = 0;
   double packed_s = 0;
   double wire_s = 0;

@@ -13,4 +13,20 @@ std::uint64_t checksum(const void* data, std::size_t size) {
   return XXH3_64bits(data, size);
 }
 
+Checksum::Checksum() : state_(XXH3_createState()) {
+  XXH3_64bits_reset(state_.get());
+}
+
+void Checksum::add(const void* data, std::size_t size) {
+  XXH3_64bits_update(state_.get(), data, size);
+}
+
+std::uint64_t Checksum::value() const {
+  return XXH3_64bits_digest(state_.get());
+}
+
+void Checksum::Free::operator()(XXH3_state_s* state) const {
+  XXH3_freeState(state);
+}
+
 }  // namespace blockweir::wire

@@ -4,10 +4,27 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+
+struct XXH3_state_s;
 
 namespace blockweir::wire {
 
 /// XXH3, 64 bit: the same number on every machine, at the speed of its memory.
 std::uint64_t checksum(const void* data, std::size_t size);
+
+/// The same of bytes that are added piece by piece.
+class Checksum {
+ public:
+  Checksum();
+  void add(const void* data, std::size_t size);
+  [[nodiscard]] std::uint64_t value() const;
+
+ private:
+  struct Free {
+    void operator()(XXH3_state_s* state) const;
+  };
+  std::unique_ptr<XXH3_state_s, Free> state_;
+};
 
 }  // namespace blockweir::wire

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "bridge/wire/checksum.hpp"
+#include "bridge/wire/column_codec.hpp"
 #include "bridge/wire/messages_generated.h"
 
 namespace blockweir::wire {
@@ -38,91 +39,32 @@ std::string text(const flatbuffers::String* from) {
   return from != nullptr ? from->str() : std::string();
 }
 
-/// Byte by byte: the verifier does not look at how a vector's elements are aligned.
-template <class T>
-void copy(const flatbuffers::Vector<T>* from, std::vector<T>& into) {
-  static_assert(FLATBUFFERS_LITTLEENDIAN, "messages are little-endian");
-  into.resize(from != nullptr ? from->size() : 0);
-  if (!into.empty()) std::memcpy(into.data(), from->Data(), into.size() * sizeof(T));
-}
-
-std::uint64_t bits(double value) {
-  std::uint64_t same = 0;
-  std::memcpy(&same, &value, sizeof same);
-  return same;
-}
-
-/// What is left of a value that is no number, and nothing of one that is: no branch, so that a processor looks at
-/// several at once. Who is wrong is looked for when one is.
-struct Finite {
-  std::uint64_t operator()(double value) const { return bits(value - value); }
-};
-struct Fraction {
-  std::uint64_t operator()(double value) const { return (bits(value) | bits(1 - value)) >> 63U | bits(value - value); }
-};
-
-/// Are all numbers as they should be?
-template <class Fault>
-bool all_sound(const flatbuffers::Vector<double>* numbers) {
-  if (numbers == nullptr) return true;
-  const std::uint8_t* bytes = numbers->Data();
-  const std::size_t size = numbers->size();
-  std::uint64_t faults = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    double value = 0;
-    std::memcpy(&value, bytes + i * sizeof value, sizeof value);
-    faults |= Fault()(value);
-  }
-  return faults == 0;
-}
-
-/// `size` values from `from` on, viewed where they can be.
-template <class T>
-void take(const std::uint8_t* from, std::size_t size, Column<T>& into, const Keeper& keeper) {
-  if (keeper && reinterpret_cast<std::uintptr_t>(from) % alignof(T) == 0) {
-    into.view(reinterpret_cast<const T*>(from), size, keeper);
-    return;
-  }
-  into.assign(size, T());
-  if (size > 0) std::memcpy(into.own().data(), from, size * sizeof(T));
-}
-
-template <class T>
-void take(const flatbuffers::Vector<T>* from, Column<T>& into, const Keeper& keeper) {
-  if (from == nullptr) {
-    into.clear();
-  } else {
-    take(from->Data(), from->size(), into, keeper);
-  }
-}
-
-template <class T>
-auto vector(Builder& builder, const Column<T>& column) {
-  return builder.CreateVector(column.data(), column.size());
-}
-
-auto flat(Builder& builder, const Column<std::array<double, 6>>& rows) {
-  return builder.CreateVector(rows.empty() ? nullptr : rows.data()->data(), 6 * rows.size());
-}
-
 void require_finite(double value, const char* name, std::uint64_t window) {
   if (!std::isfinite(value)) throw BadMessage(fmt::format("{} is {} in window {}", name, value, window));
 }
 
-void read_rows(const flatbuffers::Vector<double>* from, Column<std::array<double, 6>>& into, const Keeper& keeper,
-               const char* name, std::uint64_t window) {
-  const std::size_t size = from != nullptr ? from->size() : 0;
-  if (size % 6 != 0) throw BadMessage(fmt::format("{} holds {} numbers, not six a block", name, size));
-  if (size == 0) {
-    into.clear();
-    return;
-  }
-  take(from->Data(), size / 6, into, keeper);
-  if (all_sound<Finite>(from)) return;
-  for (std::size_t i = 0; i < size; ++i) {
-    const double value = into[i / 6][i % 6];
+/// Names the number that is none.
+void refuse_rows(const Column<std::array<double, 6>>& rows, const char* name, std::uint64_t window) {
+  for (std::size_t i = 0; i < 6 * rows.size(); ++i) {
+    const double value = rows[i / 6][i % 6];
     if (!std::isfinite(value)) {
       throw BadMessage(fmt::format("{} {} of block {} is {} in window {}", name, i % 6, i / 6, value, window));
+    }
+  }
+}
+
+/// Names the panel whose pressures or ends cannot be.
+void refuse_panels(const Load& m) {
+  for (std::size_t i = 0; i < m.block.size(); ++i) {
+    const auto panel = [&](const char* what, double value) {
+      return fmt::format("{} of panel {} (block {}, edge {}) is {} in window {}", what, i, m.block[i], m.edge[i], value,
+                         m.window);
+    };
+    for (const double p : {m.pressure_from_pa[i], m.pressure_to_pa[i]}) {
+      if (!std::isfinite(p)) throw BadMessage(panel("pressure", p));
+    }
+    for (const double s : {m.s_from[i], m.s_to[i]}) {
+      if (!(s >= 0 && s <= 1)) throw BadMessage(panel("end", s));
     }
   }
 }
@@ -144,26 +86,29 @@ void encode(const Hello& m, Builder& builder) {
                              counts, vertices, m.first_window));
 }
 
-void encode(const Motion& m, Builder& builder) {
+void encode(const Motion& m, Builder& builder, std::vector<Part>* parts) {
   begin(builder);
-  const auto displacement = flat(builder, m.displacement);
-  const auto velocity = flat(builder, m.velocity);
+  ColumnWriter write(builder, parts);
+  const auto displacement = write(m.displacement);
+  const auto velocity = write(m.velocity);
   finish(builder, buffer::Body::Motion,
-         buffer::CreateMotion(builder, m.window, m.time_s, displacement, velocity, static_cast<std::uint8_t>(m.order)));
+         buffer::CreateMotion(builder, m.window, m.time_s, displacement, velocity, static_cast<std::uint8_t>(m.order),
+                              write.parts()));
 }
 
-void encode(const Load& m, Builder& builder) {
+void encode(const Load& m, Builder& builder, std::vector<Part>* parts) {
   begin(builder);
-  const auto block = vector(builder, m.block);
-  const auto edge = vector(builder, m.edge);
-  const auto s_from = vector(builder, m.s_from);
-  const auto s_to = vector(builder, m.s_to);
-  const auto p_from = vector(builder, m.pressure_from_pa);
-  const auto p_to = vector(builder, m.pressure_to_pa);
-  const auto added_mass = flat(builder, m.added_mass);
+  ColumnWriter write(builder, parts);
+  const auto block = write(m.block);
+  const auto edge = write(m.edge);
+  const auto s_from = write(m.s_from);
+  const auto s_to = write(m.s_to);
+  const auto p_from = write(m.pressure_from_pa);
+  const auto p_to = write(m.pressure_to_pa);
+  const auto added_mass = write(m.added_mass);
   finish(builder, buffer::Body::Load,
          buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, block, edge, s_from,
-                            s_to, p_from, p_to, m.breached, m.cracks_from, added_mass, m.holds_until_s));
+                            s_to, p_from, p_to, m.breached, m.cracks_from, added_mass, m.holds_until_s, write.parts()));
 }
 
 void encode(const End& m, Builder& builder) {
@@ -230,7 +175,7 @@ void decode(const void* data, Hello& m) {
   m.first_window = b.first_window();
 }
 
-void decode(const void* data, Motion& m, const Keeper& keeper) {
+void decode(const void* data, Motion& m, const Keeper& keeper, const NextPart& next) {
   const auto& b = body<buffer::Motion>(data);
   m.window = b.window();
   m.time_s = b.time_s();
@@ -239,14 +184,17 @@ void decode(const void* data, Motion& m, const Keeper& keeper) {
     throw BadMessage(fmt::format("order {} in window {}", b.order(), m.window));
   }
   m.order = static_cast<Order>(b.order());
-  read_rows(b.displacement(), m.displacement, keeper, "displacement", m.window);
-  read_rows(b.velocity(), m.velocity, keeper, "velocity", m.window);
+  ColumnReader columns(b.parts(), m.window, keeper, next);
+  const char* name = "displacement";
+  if (!columns.read<Finite>(b.displacement(), m.displacement, name)) refuse_rows(m.displacement, name, m.window);
+  name = "velocity";
+  if (!columns.read<Finite>(b.velocity(), m.velocity, name)) refuse_rows(m.velocity, name, m.window);
   if (m.displacement.size() != m.velocity.size()) {
     throw BadMessage(fmt::format("{} displacements and {} velocities", m.displacement.size(), m.velocity.size()));
   }
 }
 
-void decode(const void* data, Load& m, const Keeper& keeper) {
+void decode(const void* data, Load& m, const Keeper& keeper, const NextPart& next) {
   const auto& b = body<buffer::Load>(data);
   m.window = b.window();
   m.time_s = b.time_s();
@@ -257,15 +205,19 @@ void decode(const void* data, Load& m, const Keeper& keeper) {
   if (std::isnan(m.holds_until_s)) require_finite(m.holds_until_s, "time that the pressures hold", m.window);
   if (std::isinf(m.upstream_level_m)) require_finite(m.upstream_level_m, "upstream level", m.window);
   if (std::isinf(m.downstream_level_m)) require_finite(m.downstream_level_m, "downstream level", m.window);
-  take(b.block(), m.block, keeper);
-  take(b.edge(), m.edge, keeper);
-  take(b.s_from(), m.s_from, keeper);
-  take(b.s_to(), m.s_to, keeper);
-  take(b.pressure_from_pa(), m.pressure_from_pa, keeper);
-  take(b.pressure_to_pa(), m.pressure_to_pa, keeper);
   m.breached = b.breached();
   m.cracks_from = b.cracks_from();
-  read_rows(b.added_mass(), m.added_mass, keeper, "added mass", m.window);
+  ColumnReader columns(b.parts(), m.window, keeper, next);
+  bool sound = true;
+  sound &= columns.read<Any>(b.block(), m.block, "block");
+  sound &= columns.read<Any>(b.edge(), m.edge, "edge");
+  sound &= columns.read<Fraction>(b.s_from(), m.s_from, "s_from");
+  sound &= columns.read<Fraction>(b.s_to(), m.s_to, "s_to");
+  sound &= columns.read<Finite>(b.pressure_from_pa(), m.pressure_from_pa, "pressure_from_pa");
+  sound &= columns.read<Finite>(b.pressure_to_pa(), m.pressure_to_pa, "pressure_to_pa");
+  if (!columns.read<Finite>(b.added_mass(), m.added_mass, "added mass")) {
+    refuse_rows(m.added_mass, "added mass", m.window);
+  }
   const std::size_t n = m.block.size();
   for (const std::size_t size :
        {m.edge.size(), m.s_from.size(), m.s_to.size(), m.pressure_from_pa.size(), m.pressure_to_pa.size()}) {
@@ -273,22 +225,7 @@ void decode(const void* data, Load& m, const Keeper& keeper) {
   }
   if (m.cracks_from > n)
     throw BadMessage(fmt::format("cracks from panel {} of {} in window {}", m.cracks_from, n, m.window));
-  if (all_sound<Fraction>(b.s_from()) && all_sound<Fraction>(b.s_to()) && all_sound<Finite>(b.pressure_from_pa()) &&
-      all_sound<Finite>(b.pressure_to_pa())) {
-    return;
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto panel = [&](const char* what, double value) {
-      return fmt::format("{} of panel {} (block {}, edge {}) is {} in window {}", what, i, m.block[i], m.edge[i], value,
-                         m.window);
-    };
-    for (const double p : {m.pressure_from_pa[i], m.pressure_to_pa[i]}) {
-      if (!std::isfinite(p)) throw BadMessage(panel("pressure", p));
-    }
-    for (const double s : {m.s_from[i], m.s_to[i]}) {
-      if (!(s >= 0 && s <= 1)) throw BadMessage(panel("end", s));
-    }
-  }
+  if (!sound) refuse_panels(m);
 }
 
 void decode(const void* data, End& m) {

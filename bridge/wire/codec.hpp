@@ -4,8 +4,10 @@
 
 #include <flatbuffers/flatbuffers.h>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "bridge/wire/message.hpp"
 
@@ -18,11 +20,23 @@ struct BadMessage : std::runtime_error {
 
 enum class Kind { hello, motion, load, end, failure };
 
+/// What keeps memory.
+using Keeper = std::shared_ptr<const void>;
+
+/// A part of a message beside its first frame: a large column, sent from where it stands.
+struct Part {
+  const void* data = nullptr;
+  std::size_t size = 0;  ///< [bytes]
+  Keeper keeper;
+};
+/// Columns from this size on become parts where `parts` is given [bytes].
+inline constexpr std::size_t smallest_part = 1U << 18U;
+
 /// Encode into `builder`: the frame that goes over the line, the message and then its checksum, stands at
-/// GetBufferPointer(), GetSize().
+/// GetBufferPointer(), GetSize(). Its `parts` follow it.
 void encode(const Hello& message, flatbuffers::FlatBufferBuilder& builder);
-void encode(const Motion& message, flatbuffers::FlatBufferBuilder& builder);
-void encode(const Load& message, flatbuffers::FlatBufferBuilder& builder);
+void encode(const Motion& message, flatbuffers::FlatBufferBuilder& builder, std::vector<Part>* parts = nullptr);
+void encode(const Load& message, flatbuffers::FlatBufferBuilder& builder, std::vector<Part>* parts = nullptr);
 void encode(const End& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const Failure& message, flatbuffers::FlatBufferBuilder& builder);
 
@@ -32,15 +46,15 @@ inline constexpr std::size_t alignment = 8;
 /// What kind of message a frame of `size` bytes holds; throws BadMessage when it holds none, or another than was sent.
 Kind verify(const void* frame, std::size_t size);
 
-/// What keeps the memory of a frame.
-using Keeper = std::shared_ptr<const void>;
+/// Answers the next part of the message at hand; one without data where there is none.
+using NextPart = std::function<Part()>;
 
 /// Decode verified frames of the right kind: columns view the frame where somebody keeps it, else they are copied into
-/// storage that is reused. Throw BadMessage for columns of unequal length, for fractions outside 0..1 and for values
-/// that are not finite (levels may be NaN: no pool).
+/// storage that is reused; parts are asked of `next`, and verified. Throw BadMessage for columns of unequal length, for
+/// fractions outside 0..1 and for values that are not finite (levels may be NaN: no pool).
 void decode(const void* frame, Hello& into);
-void decode(const void* frame, Motion& into, const Keeper& keeper = nullptr);
-void decode(const void* frame, Load& into, const Keeper& keeper = nullptr);
+void decode(const void* frame, Motion& into, const Keeper& keeper = nullptr, const NextPart& next = nullptr);
+void decode(const void* frame, Load& into, const Keeper& keeper = nullptr, const NextPart& next = nullptr);
 void decode(const void* frame, End& into);
 void decode(const void* frame, Failure& into);
 

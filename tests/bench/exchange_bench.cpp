@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_channel
 // What an exchange of a window costs over the line, against raw ZeroMQ that sends as many bytes to and fro, side by
-// side in one run. Both have a thread for the other side, on the same kind of endpoint.
+// side in one run. Both have a thread for the other side, on the same kind of endpoint. Arguments: numbers of panels.
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
+#include <cstdlib>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -136,9 +136,12 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  std::vector<std::size_t> sizes;
+  for (int i = 1; i < argc; ++i) sizes.push_back(std::strtoul(argv[i], nullptr, 10));
+  if (sizes.empty()) sizes = {10, 100, 1'000, 10'000, 100'000};
   fmt::print("panels    bytes        ours [us]   raw [us]   ours/raw\n");
-  for (const std::size_t panels : {10U, 100U, 1'000U, 10'000U, 100'000U}) {
+  for (const std::size_t panels : sizes) {
     const int rounds = panels > 10'000 ? 200 : 2000;
     Line line(panels, rounds);
     Raw raw(panels, rounds);

@@ -60,14 +60,14 @@ std::vector<Fault> faults_of(From from) {
        [](const std::vector<Frame>& sent, std::mt19937& random) -> std::vector<Frame> {
          return {Frame(sent.back().begin(), sent.back().begin() + static_cast<long>(random() % sent.back().size()))};
        },
-       "bytes that are damaged, or not of protocol 7"},
+       "bytes that are damaged, or not of protocol 8"},
       {"flipped",
        [](const std::vector<Frame>& sent, std::mt19937& random) -> std::vector<Frame> {
          Frame frame = sent.back();
          frame[random() % frame.size()] ^= static_cast<std::uint8_t>(1U << random() % 8);
          return {frame};
        },
-       "bytes that are damaged, or not of protocol 7"},
+       "bytes that are damaged, or not of protocol 8"},
       {"replayed",
        [](const std::vector<Frame>& sent, std::mt19937& random) -> std::vector<Frame> {
          return {sent[1 + random() % (sent.size() - 2)]};
@@ -219,9 +219,9 @@ TEST_F(LineFaults, APartnerOfAnotherVersionIsRefusedWithBothNumbers) {
       From::fluid,
       [](From, std::size_t number, const std::vector<Frame>& sent) -> std::vector<Frame> {
         if (number > 0) return {sent.back()};
-        return {altered<wire::Hello>(sent.back(), [](wire::Hello& hello) { hello.protocol = 8; })};
+        return {altered<wire::Hello>(sent.back(), [](wire::Hello& hello) { hello.protocol = 9; })};
       },
-      "handshake refused: protocol: solid has 7, hydrostatic has 8");
+      "handshake refused: protocol: solid has 8, hydrostatic has 9");
 }
 
 TEST_F(LineFaults, APartnerFromBeforeChecksumsIsRefused) {
@@ -230,7 +230,7 @@ TEST_F(LineFaults, APartnerFromBeforeChecksumsIsRefused) {
       [](From, std::size_t, const std::vector<Frame>& sent) -> std::vector<Frame> {
         return {Frame(sent.back().begin(), sent.back().end() - 8)};
       },
-      "not of protocol 7: are both sides of one version of blockweir?");
+      "not of protocol 8: are both sides of one version of blockweir?");
 }
 
 TEST_F(LineFaults, AStrangerOnALineInUseChangesNothing) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands in the line between solid and fluid and does to one frame what a bad line or a bad partner would.
+// Stands in the line between solid and fluid and does to one frame what a bad line or a bad partner would. The parts of
+// a message count as frames.
 #pragma once
 
 #include <atomic>
@@ -52,7 +53,8 @@ class Relay {
       sent.emplace_back(bytes, bytes + message.size());
       for (const Frame& frame : tamper_(from, sent.size() - 1, sent)) {
         // The solid may have said its hello before the fluid has come.
-        while (!stop_ && !target.send(zmq::buffer(frame), zmq::send_flags::dontwait)) {
+        const auto more = message.more() ? zmq::send_flags::sndmore : zmq::send_flags::none;
+        while (!stop_ && !target.send(zmq::buffer(frame), more | zmq::send_flags::dontwait)) {
           std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
       }

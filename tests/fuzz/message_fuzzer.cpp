@@ -19,10 +19,11 @@ void decode_into_used(const void* frame) {
 
 /// Columns that are copied, and columns that are looked at where they stand.
 template <class Message>
-void decode_both_ways(const void* frame) {
+void decode_both_ways(const void* frame, std::size_t size) {
   decode_into_used<Message>(frame);
   Message viewing;
-  decode(frame, viewing, Keeper(frame, [](const void*) {}));
+  const Keeper here(frame, [](const void*) {});
+  decode(frame, viewing, here, [&] { return Part{frame, size, here}; });
   flatbuffers::FlatBufferBuilder again;
   encode(viewing, again);
 }
@@ -33,9 +34,9 @@ void read(const void* frame, std::size_t size) {
       case Kind::hello:
         return decode_into_used<Hello>(frame);
       case Kind::motion:
-        return decode_both_ways<Motion>(frame);
+        return decode_both_ways<Motion>(frame, size);
       case Kind::load:
-        return decode_both_ways<Load>(frame);
+        return decode_both_ways<Load>(frame, size);
       case Kind::end:
         return decode_into_used<End>(frame);
       case Kind::failure:
