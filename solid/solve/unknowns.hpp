@@ -54,7 +54,9 @@ class Unknowns {
   }
   /// Adds a block's generalized force to all.
   void add(int block, const Vector6& force, Eigen::VectorXd& all) const {
-    all(of(block)) += mapped(block, force).head(count[at(block)]);
+    const Vector6 own = mapped(block, force);
+    Eigen::Index i = 0;
+    for (const int number : of(block)) all[number] += own[i++];
   }
   /// A block's displacement, of a rigid one without strains, of all.
   [[nodiscard]] Vector6 take(int block, const Eigen::VectorXd& all) const {
@@ -64,7 +66,8 @@ class Unknowns {
   /// A block's unknowns as they are: of a triangle, displacements of its corners.
   [[nodiscard]] Vector6 take_own(int block, const Eigen::VectorXd& all) const {
     Vector6 d = Vector6::Zero();
-    d.head(count[at(block)]) = all(of(block));
+    Eigen::Index i = 0;
+    for (const int number : of(block)) d[i++] = all[number];
     return d;
   }
 
