@@ -141,6 +141,7 @@ class Solid {
   bool attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
+  [[nodiscard]] double timed() const;
   void find_contacts();
   void prepare_matrices(double dt);
   void prepare_islands();
