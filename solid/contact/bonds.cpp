@@ -8,10 +8,9 @@ namespace blockweir::solid {
 bool break_bonds(const JointLaws& laws, std::span<const int> contact_ids, std::vector<ContactPoint>& contacts) {
   const auto at = [&](int k) -> ContactPoint& { return contacts[static_cast<std::size_t>(k)]; };
   const auto breakable = [&](const ContactPoint& c) { return c.bond > 0 && !laws[c.law].keeps_cohesion; };
-  const auto joint = [](const ContactPoint& c) { return std::minmax(c.vertex_block, c.edge_block); };
   bool broken = false;
   for (auto first = contact_ids.begin(), end = first; first != contact_ids.end(); first = end) {
-    end = std::find_if(first, contact_ids.end(), [&](int k) { return joint(at(k)) != joint(at(*first)); });
+    end = std::find_if(first, contact_ids.end(), [&](int k) { return at(k).pair() != at(*first).pair(); });
     const bool held =
         std::any_of(first, end, [&](int k) { return at(k).state == ContactState::stick && breakable(at(k)); });
     const auto survives = [&](const ContactPoint& c) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <utility>
 
 #include "solid/contact/joint_law.hpp"
 
@@ -40,6 +42,9 @@ struct ContactPoint {
   double elastic_slip = 0;  ///< m of the step's slip that a contact spring gives back
 
   [[nodiscard]] bool bonded() const { return bond > 0; }
+
+  /// The two blocks, low index first.
+  [[nodiscard]] std::pair<int, int> pair() const { return std::minmax({vertex_block, edge_block}); }
 
   [[nodiscard]] bool same_key(const ContactPoint& other) const {
     return vertex_block == other.vertex_block && vertex == other.vertex && edge_block == other.edge_block &&

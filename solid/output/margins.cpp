@@ -47,7 +47,7 @@ void Margins::look(const Solid& solid, double time_s, double level_m) {
   constexpr double negligible = 1e-6;
   std::map<std::pair<int, int>, JointSum> joints;
   for (const ContactPoint& c : solid.contacts()) {
-    joints[std::minmax(c.vertex_block, c.edge_block)].add(c, solid.laws()[c.law], solid.place(c));
+    joints[c.pair()].add(c, solid.laws()[c.law], solid.place(c));
   }
   for (const auto& [pair, sum] : joints) {
     const auto keep_lowest = [&, &of = pair](std::optional<Margin>& lowest, double value) {

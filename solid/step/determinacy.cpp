@@ -86,7 +86,7 @@ std::vector<bool> rigid_blocks(const scene::Scene& scene, const std::vector<Bloc
 
   std::set<std::pair<int, int>> faces;
   for (const ContactPoint& c : contacts) {
-    if (c.state != ContactState::open) faces.insert(std::minmax(c.vertex_block, c.edge_block));
+    if (c.state != ContactState::open) faces.insert(c.pair());
   }
   const std::vector<std::pair<int, int>> links(faces.begin(), faces.end());
   std::vector<int> supports;

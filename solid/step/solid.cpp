@@ -168,12 +168,9 @@ void Solid::bond_touching_contacts() {
     c.bond = 1;
     c.state = ContactState::stick;
   }
-  const auto of_one_joint = [](const ContactPoint& a, const ContactPoint& b) {
-    return std::minmax(a.vertex_block, a.edge_block) == std::minmax(b.vertex_block, b.edge_block);
-  };
   for (auto first = contacts_.begin(), end = first; first != contacts_.end(); first = end) {  // contacts of a joint
     double whole = 0;
-    for (end = first; end != contacts_.end() && of_one_joint(*first, *end); ++end) whole += end->bond * end->length;
+    for (end = first; end != contacts_.end() && end->pair() == first->pair(); ++end) whole += end->bond * end->length;
     for (auto c = first; c != end; ++c) {
       if (!c->bonded()) continue;
       const double bonded = laws_[c->law].bonded_length_m;

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Corners that meet: of all pairs of vertex and edge that describe one contact, the search keeps one.
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "solid/contact/outline.hpp"
+#include "solid/contact/search.hpp"
+
+namespace blockweir::solid {
+
+/// A vertex that touches one edge of a block near a corner lies far behind the next one, which it has never met: only
+/// closed contacts, and of the others the least penetrated, may press from within.
+void ContactSearch::drop_edges_seen_from_within() {
+  const auto same_vertex = [](const ContactPoint& a, const ContactPoint& b) {
+    return a.vertex_block == b.vertex_block && a.vertex == b.vertex && a.edge_block == b.edge_block;
+  };
+  std::size_t kept = 0;
+  for (std::size_t first = 0, end = 0; first < found_.size(); first = end) {  // edges that one vertex meets
+    double best = found_[first].gap;
+    for (end = first; end < found_.size() && same_vertex(found_[first], found_[end]); ++end) {
+      best = std::max(best, found_[end].gap);
+    }
+    for (std::size_t i = first; i < end; ++i) {
+      const ContactPoint& c = found_[i];
+      if (c.state == ContactState::open && c.gap < -coincidence_ && c.gap < best) continue;
+      inherited_[kept] = inherited_[i];
+      found_[kept++] = found_[i];
+    }
+  }
+  found_.resize(kept);
+  inherited_.resize(kept);
+}
+
+/// Where two convex vertices meet, up to four vertex-edge candidates describe one contact.
+void ContactSearch::keep_one_of_each_meeting() {
+  const auto vertex_of = [this](const ContactPoint& c) -> const Point& {
+    return corners_[static_cast<std::size_t>(c.vertex_block)][static_cast<std::size_t>(c.vertex)];
+  };
+  const auto convex = [this](int block, std::size_t v) {  // or straight: a node on a face
+    const auto& P = corners_[static_cast<std::size_t>(block)];
+    const Point in = (P[v] - P[previous(v, P.size())]).normalized();
+    return cross(in, (P[next(v, P.size())] - P[v]).normalized()) > -parallel_tolerance;
+  };
+  /// The vertex of the edge's block that the contact's vertex lies at, or -1.
+  const auto met_vertex = [&](const ContactPoint& c) {
+    const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
+    const auto e = static_cast<std::size_t>(c.edge);
+    for (const std::size_t w : {e, next(e, E.size())}) {
+      if ((E[w] - vertex_of(c)).norm() < std::max(2 * coincidence_, 2 * std::abs(c.gap)) && convex(c.edge_block, w)) {
+        return static_cast<int>(w);
+      }
+    }
+    return -1;
+  };
+  /// Can two corners pass each other: does the vertex come towards an end of the edge, with nothing of its block beside
+  /// what lies between?
+  const auto may_pass = [&](const ContactPoint& c) {
+    const auto& V = corners_[static_cast<std::size_t>(c.vertex_block)];
+    const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
+    const auto v = static_cast<std::size_t>(c.vertex);
+    const auto e = static_cast<std::size_t>(c.edge);
+    const Point span = E[next(e, E.size())] - E[e];
+    const double from_end = span.norm() * std::min(c.anchor, 1 - c.anchor);
+    if (from_end > std::max(2 * coincidence_, parallel_tolerance * std::abs(c.gap))) return false;
+    const Point inward = (c.anchor < 0.5 ? 1 : -1) * span.normalized();
+    const auto beside = [&](std::size_t w) { return inward.dot((V[w] - V[v]).normalized()) > parallel_tolerance; };
+    return !beside(previous(v, V.size())) && !beside(next(v, V.size()));
+  };
+  std::vector<char> drop(found_.size(), 0);
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    const int wi = drop[i] != 0 ? -1 : met_vertex(found_[i]);
+    if (wi < 0) continue;
+    for (std::size_t j = i + 1; j < found_.size() && found_[j].pair() == found_[i].pair(); ++j) {
+      ContactPoint& a = found_[i];
+      ContactPoint& b = found_[j];
+      if (drop[j] != 0) continue;
+      const bool same = b.vertex_block == a.vertex_block && b.vertex == a.vertex && b.edge_block == a.edge_block;
+      const bool mirrored = b.vertex_block == a.edge_block && b.vertex == wi && b.edge_block == a.vertex_block;
+      if (!(same || mirrored) || met_vertex(b) < 0) continue;
+      if (mirrored && met_vertex(b) != a.vertex) continue;
+      // Faces that lie on each other outrank a mere meeting of corners; then memory; then the entrance edge.
+      const auto rank = [&](std::size_t k) {
+        const ContactPoint& c = found_[k];
+        return std::make_tuple(c.length > 2 * coincidence_, inherited_[k] != 0 && c.state != ContactState::open, c.gap);
+      };
+      if (same) a.length = b.length = a.length + b.length;  // two edges of one face, which go on from each other
+      if (rank(j) > rank(i)) {
+        drop[i] = 1;
+        break;
+      }
+      drop[j] = 1;
+    }
+    // Corners that touch in a point and share no length, as those of bricks that slide over others, press only once one
+    // has entered.
+    if (drop[i] == 0 && found_[i].length <= 2 * coincidence_ && found_[i].gap > -coincidence_ &&
+        found_[i].state == ContactState::open && may_pass(found_[i])) {
+      drop[i] = 1;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    if (drop[i] == 0) found_[kept++] = found_[i];
+  }
+  found_.resize(kept);
+}
+
+}  // namespace blockweir::solid
