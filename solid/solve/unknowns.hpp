@@ -15,7 +15,7 @@ class Unknowns {
  public:
   /// 6 or 3 of each block. `nodes`: of triangles, numbered at will; -1 for other blocks; empty where there are none.
   explicit Unknowns(const std::vector<int>& count_of, const std::vector<std::array<int, 3>>& nodes_of = {})
-      : count(count_of), map_(count_of.size(), Matrix6::Identity()) {
+      : count(count_of) {
     std::unordered_map<int, int> first_of;  // node: its x displacement
     for (std::size_t b = 0; b < count.size(); ++b) {
       const bool triangle = !nodes_of.empty() && nodes_of[b][0] >= 0;
@@ -31,6 +31,7 @@ class Unknowns {
         own.insert(own.end(), {found->second, found->second + 1});
       }
     }
+    if (shared()) map_.assign(count.size(), Matrix6::Identity());
   }
 
   std::vector<int> count;
@@ -74,7 +75,7 @@ class Unknowns {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   std::vector<std::vector<int>> number_;
-  std::vector<Matrix6> map_;
+  std::vector<Matrix6> map_;  ///< where blocks share unknowns
 };
 
 }  // namespace blockweir::solid
