@@ -131,6 +131,7 @@ void Loads::add_bodies(double time_s, std::vector<Vector6>& forces) const {
   }
   if (!base_started_) return;
   const Point inertia = base_.inertia(time_s);
+  if (inertia.isZero(0)) return;
   for (std::size_t b = 0; b < forces.size(); ++b) forces[b].head<2>() -= parts_.blocks[b].mass_per_m() * inertia;
 }
 

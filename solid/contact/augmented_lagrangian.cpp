@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solid/block/parallel.hpp"
 #include "solid/contact/formulation.hpp"
 
 namespace blockweir::solid {
@@ -22,24 +23,6 @@ std::size_t at(int i) {
 class AugmentedLagrangian final : public Formulation {
  public:
   AugmentedLagrangian(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
-
-  /// Bounds each penalty by the stiffness with which the blocks themselves resist at the contact. Its change is no
-  /// reason for a force to change.
-  void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-             const Held& held) override {
-    Formulation::begin(trial, matrix, frozen, held);
-    for (const int k : held.contact_ids) {
-      ContactPoint& c = held.contacts[at(k)];
-      const double change = bound(c.penalty, contacts_[at(k)].stiffness);
-      if (change == 0 || c.state == ContactState::open) continue;
-      c.multiplier += change * follow(trial, k, c, edge_frame(trial, c)).separation.value;
-    }
-    for (const int k : held.support_ids) {
-      Support& s = held.supports[at(k)];
-      const double change = bound(s.penalty, supports_[at(k)].stiffness);
-      if (change != 0) s.multiplier += change * separation_of(trial, s).value;
-    }
-  }
 
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
     const EdgeFrame edge = edge_frame(trial, c);
@@ -82,14 +65,15 @@ class AugmentedLagrangian final : public Formulation {
   bool sweep(const Held& held) override {
     if (all_settled(held)) return true;
     if (settings_.friction_lags) raise_together(held);
-    for (const int k : held.contact_ids) {
+    for_each(held.contact_ids.size(), [&](std::size_t i) {
+      const int k = held.contact_ids[i];
       ContactPoint& c = held.contacts[at(k)];
       if (c.state == ContactState::open) {
         c.multiplier.setZero();  // no force is left to remember
       } else {
         update(contacts_[at(k)], c.multiplier, c.penalty);
       }
-    }
+    });
     for (const int k : held.support_ids) {
       update(supports_[at(k)], held.supports[at(k)].multiplier, held.supports[at(k)].penalty);
     }
@@ -97,19 +81,35 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   [[nodiscard]] double unsettled(const Held& held) const override {
-    double largest = 0;
-    const auto look = [&](const Progress& p, const Eigen::Vector2d& multiplier) {
-      if (p.violated.cwiseAbs().maxCoeff() <= settings_.position_round_off_m) return;
-      largest = std::max(largest, (p.force - multiplier).cwiseAbs().maxCoeff());
+    const auto moves_by = [&](const Progress& p, const Eigen::Vector2d& multiplier) {
+      if (p.violated.cwiseAbs().maxCoeff() <= settings_.position_round_off_m) return 0.0;
+      return (p.force - multiplier).cwiseAbs().maxCoeff();
     };
-    for (const int k : held.contact_ids) look(contacts_[at(k)], held.contacts[at(k)].multiplier);
-    for (const int k : held.support_ids) look(supports_[at(k)], held.supports[at(k)].multiplier);
-    return largest;
+    double most = largest(held.contact_ids.size(), [&](std::size_t i) {
+      const int k = held.contact_ids[i];
+      return moves_by(contacts_[at(k)], held.contacts[at(k)].multiplier);
+    });
+    for (const int k : held.support_ids) {
+      most = std::max(most, moves_by(supports_[at(k)], held.supports[at(k)].multiplier));
+    }
+    return most;
   }
 
   [[nodiscard]] bool can_lag_friction() const override { return true; }
 
  private:
+  /// Bounds the penalty by the stiffness with which the blocks themselves resist at the contact. Its change is no
+  /// reason for the force to change.
+  void begin_contact(const Trial& trial, const std::vector<bool>& /*frozen*/, int k, ContactPoint& c) override {
+    const double change = bound(c.penalty, contacts_[at(k)].stiffness);
+    if (change == 0 || c.state == ContactState::open) return;
+    c.multiplier += change * follow(trial, k, c, edge_frame(trial, c)).separation.value;
+  }
+  void begin_support(const Trial& trial, int k, Support& s) override {
+    const double change = bound(s.penalty, supports_[at(k)].stiffness);
+    if (change != 0) s.multiplier += change * separation_of(trial, s).value;
+  }
+
   /// Shear bounded by what does not depend on the normal force: a symmetric tangent.
   [[nodiscard]] static Interaction with_lagging_friction(const Trial& trial, const ContactPoint& c,
                                                          const EdgeFrame& edge, const Progress& progress) {
@@ -133,14 +133,15 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   [[nodiscard]] bool all_settled(const Held& held) const {
-    const auto contact_settled = [&](int k) {
+    const auto contact_settled = [&](std::size_t i) {
+      const int k = held.contact_ids[i];
       const ContactPoint& c = held.contacts[at(k)];
       // Only an open contact that a negative multiplier held open may still have to close.
       if (c.state == ContactState::open) return c.multiplier.x() >= 0 || contacts_[at(k)].separation.value.x() >= 0;
       return settled(contacts_[at(k)], c.multiplier);
     };
     const auto support_settled = [&](int k) { return settled(supports_[at(k)], held.supports[at(k)].multiplier); };
-    return std::all_of(held.contact_ids.begin(), held.contact_ids.end(), contact_settled) &&
+    return all_of(held.contact_ids.size(), contact_settled) &&
            std::all_of(held.support_ids.begin(), held.support_ids.end(), support_settled);
   }
 

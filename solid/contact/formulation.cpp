@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solid/block/parallel.hpp"
+
 namespace blockweir::solid {
 namespace {
 
@@ -26,38 +28,45 @@ std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, c
   return make_augmented_lagrangian(laws, settings);
 }
 
+void Formulation::begin_step(std::size_t contacts, std::size_t supports) {
+  contacts_.resize(contacts);
+  for_each(contacts, [this](std::size_t k) { contacts_[k] = {}; });
+  supports_.assign(supports, {});
+}
+
 void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
                         const Held& held) {
   // Rayleigh quotient of the block's matrix along a point's motion, turns and strains taken as what they move at the
   // radius, which makes metres of all: no mode that the point can excite is stiffer by much. (Its inverse counterpart
   // 1/(n W n) sees the softest mode, and sweeps then stall in the stiff ones.)
-  const auto flexibility = [&](int block, const Eigen::Matrix<double, 1, 6>& shape) {
+  const auto flexibility = [&](int block, const Point& axis, const Point& X) {
     if (frozen[at(block)]) return 0.0;
-    const auto quotient = [](const auto& motion, const auto& pulled, const auto& k) {
+    const auto quotient = [&](auto motion, const auto& k) {
+      motion.template tail<motion.RowsAtCompileTime - 2>() /= trial.blocks[at(block)].radius;
+      auto pulled = motion;
+      pulled.template tail<motion.RowsAtCompileTime - 2>() /= trial.blocks[at(block)].radius;
       return motion.squaredNorm() * motion.squaredNorm() / pulled.dot(k * pulled);
     };
-    const Block& of = trial.blocks[at(block)];
-    Vector6 motion = shape.transpose();
-    motion.tail<4>() /= of.radius;
-    Vector6 pulled = motion;
-    pulled.tail<4>() /= of.radius;
+    const Placement& placement = trial.placement[at(block)];
     const Matrix6& k = matrix[at(block)];
-    return of.rigid ? quotient(motion.head<3>(), pulled.head<3>(), k.topLeftCorner<3, 3>())
-                    : quotient(motion, pulled, k);
+    if (!trial.blocks[at(block)].rigid) return quotient(Vector6(placement.shape(X).transpose() * axis), k);
+    const double turning = axis.dot(perpendicular(placement.vector(X)));
+    return quotient(Eigen::Vector3d(axis.x(), axis.y(), turning), k.topLeftCorner<3, 3>());
   };
-  for (const int k : held.contact_ids) {
-    const ContactPoint& c = held.contacts[at(k)];
+  for_each(held.contact_ids.size(), [&](std::size_t i) {
+    const int k = held.contact_ids[i];
+    ContactPoint& c = held.contacts[at(k)];
     const Point n = edge_frame(trial, c).n;
-    const Matrix26 Tv = trial.placement[at(c.vertex_part)].shape(c.vertex_at);
-    const Matrix26 Te = trial.placement[at(c.edge_part)].shape(edge_point(c, c.anchor));
     contacts_[at(k)].stiffness =
-        1 / (flexibility(c.vertex_part, n.transpose() * Tv) + flexibility(c.edge_part, n.transpose() * Te));
+        1 / (flexibility(c.vertex_part, n, c.vertex_at) + flexibility(c.edge_part, n, edge_point(c, c.anchor)));
     contacts_[at(k)].slip_force = c.multiplier.y();
-  }
+    begin_contact(trial, frozen, k, c);
+  });
   for (const int k : held.support_ids) {
-    const Support& s = held.supports[at(k)];
-    const Matrix26 T = trial.placement[at(s.block)].shape(s.material);
-    supports_[at(k)].stiffness = 2 / (flexibility(s.block, T.row(0)) + flexibility(s.block, T.row(1)));
+    Support& s = held.supports[at(k)];
+    supports_[at(k)].stiffness =
+        2 / (flexibility(s.block, Point::Unit(0), s.material) + flexibility(s.block, Point::Unit(1), s.material));
+    begin_support(trial, k, s);
   }
 }
 
@@ -103,7 +112,7 @@ JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::
     if (progress.turning) force = {ContactState::stick, stuck.x(), stuck.y(), 0};
   }
   progress.slip_force = force.shear;
-  if (force.state != c.state) ++state_changes_;
+  if (force.state != c.state) state_changes_.fetch_add(1, std::memory_order_relaxed);
   c.state = force.state;
   progress.force = {force.normal, force.shear};
   c.force = progress.force;
@@ -113,15 +122,15 @@ JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::
 }
 
 void Formulation::accept(const Trial& trial, std::vector<ContactPoint>& contacts) const {
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
+  for_each(contacts.size(), [&](std::size_t k) {
     ContactPoint& c = contacts[k];
-    if (c.state != ContactState::slip || !contacts_[k].evaluated) continue;
+    if (c.state != ContactState::slip || !contacts_[k].evaluated) return;
     const double slip = contacts_[k].separation.value.y() - c.elastic_slip;
     c.slip_m += slip;
     c.slip_path_m += std::abs(slip);
     c.anchor += slip / edge_frame(trial, c).length;
     if (c.bond > 0) c.bond = std::min(c.bond, laws_[c.law].bond_after(c.slip_path_m));
-  }
+  });
 }
 
 }  // namespace blockweir::solid

@@ -3,6 +3,7 @@
 // share.
 #pragma once
 
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -41,16 +42,14 @@ class Formulation {
   virtual ~Formulation() = default;
 
   /// For the step at hand, of so many contacts and supports in all.
-  void begin_step(std::size_t contacts, std::size_t supports) {
-    contacts_.assign(contacts, {});
-    supports_.assign(supports, {});
-  }
+  void begin_step(std::size_t contacts, std::size_t supports);
   /// Those of an island that the step solves; `matrix[b]` is block b's own matrix in it (inertia and elasticity).
   /// Frozen blocks do not move.
   virtual void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
                      const Held& held);
 
-  /// Admissible force of contact `index` at the trial positions, with its linearization; sets the contact's state.
+  /// Admissible force of contact `index` at the trial positions, with its linearization; sets the contact's state. May
+  /// be asked for several contacts at a time.
   virtual Interaction contact(const Trial& trial, int index, ContactPoint& point) = 0;
   virtual Interaction support(const Trial& trial, int index, Support& point) = 0;
 
@@ -83,7 +82,9 @@ class Formulation {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(state_changes_);
+    long changes = state_changes_;
+    archive(changes);
+    state_changes_ = changes;
   }
 
  protected:
@@ -103,6 +104,10 @@ class Formulation {
     double stiffness = 0;  ///< of the blocks against the contact [N/m per metre]
   };
 
+  /// What a formulation does of its own as a step begins; of several contacts at a time.
+  virtual void begin_contact(const Trial& trial, const std::vector<bool>& frozen, int index, ContactPoint& c) = 0;
+  virtual void begin_support(const Trial& trial, int index, Support& s) = 0;
+
   /// Separation that the contact resists: the gap less what dilation has opened, and the slip.
   Progress& follow(const Trial& trial, int index, const ContactPoint& c, const EdgeFrame& edge);
 
@@ -119,7 +124,7 @@ class Formulation {
   std::vector<Progress> supports_;
 
  private:
-  long state_changes_ = 0;
+  std::atomic<long> state_changes_ = 0;
 };
 
 std::unique_ptr<Formulation> make_penalty(const JointLaws& laws, const FormulationSettings& settings);

@@ -20,15 +20,14 @@ struct Constraint {
 struct Interaction {
   int block_i = -1;
   int block_j = -1;  ///< -1: the ground
-  Matrix26 shape_i;  ///< rows: local axes dotted with T of block i at the point
+  int constraint_count = 0;
+  double round_off = 0;  ///< what cancellation leaves uncertain of the force [N per metre]
+  Matrix26 shape_i;      ///< rows: local axes dotted with T of block i at the point
   Matrix26 shape_j;
   Eigen::Vector2d force = Eigen::Vector2d::Zero();      ///< N per metre
   Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  ///< -d force / d separation [N/m per metre]
   Eigen::Vector2d held = Eigen::Vector2d::Zero();       ///< weight of axes along which nothing may move; 0 for others
   std::array<Constraint, 2> constraints;                ///< instead of stiffness where forces are unknowns
-  int constraint_count = 0;
-
-  double round_off = 0;  ///< what cancellation leaves uncertain of the force [N per metre]
 
   [[nodiscard]] bool acts() const { return constraint_count > 0 || !stiffness.isZero(0) || !force.isZero(0); }
 };

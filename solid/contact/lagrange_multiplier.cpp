@@ -21,13 +21,6 @@ class LagrangeMultiplier final : public Formulation {
  public:
   LagrangeMultiplier(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
 
-  void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-             const Held& held) override {
-    Formulation::begin(trial, matrix, frozen, held);
-    for (const int k : held.contact_ids) held.contacts[at(k)].penalty = contacts_[at(k)].stiffness;
-    for (const int k : held.support_ids) held.supports[at(k)].penalty = supports_[at(k)].stiffness;
-  }
-
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
     const EdgeFrame edge = edge_frame(trial, c);
     Progress& progress = follow(trial, index, c, edge);
@@ -88,6 +81,12 @@ class LagrangeMultiplier final : public Formulation {
     c.multiplier = contacts_[at(index)].force + force;
   }
   void correct_support(int /*index*/, Support& s, const Eigen::Vector2d& force) override { s.multiplier += force; }
+
+ private:
+  void begin_contact(const Trial& /*trial*/, const std::vector<bool>& /*frozen*/, int k, ContactPoint& c) override {
+    c.penalty = contacts_[at(k)].stiffness;
+  }
+  void begin_support(const Trial& /*trial*/, int k, Support& s) override { s.penalty = supports_[at(k)].stiffness; }
 };
 
 }  // namespace

@@ -23,14 +23,8 @@ class Penalty final : public Formulation {
 
   void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
              const Held& held) override {
-    Formulation::begin(trial, matrix, frozen, held);
-    const bool damps = settings_.dashpot_ratio > 0 && trial.velocity_factor > 0;
     dashpots_.resize(held.contacts.size());
-    for (const int k : held.support_ids) held.supports[at(k)].penalty = spring_;
-    for (const int k : held.contact_ids) {
-      held.contacts[at(k)].penalty = spring_;
-      dashpots_[at(k)] = damps ? dashpot(trial, frozen, held.contacts[at(k)]) : Dashpot{};
-    }
+    Formulation::begin(trial, matrix, frozen, held);
   }
 
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
@@ -85,6 +79,13 @@ class Penalty final : public Formulation {
     Eigen::Vector2d start = Eigen::Vector2d::Zero();      ///< separation at the start of the step [m]
     Eigen::Vector2d past_rate = Eigen::Vector2d::Zero();  ///< of separation, with no further movement [m/s]
   };
+
+  void begin_contact(const Trial& trial, const std::vector<bool>& frozen, int k, ContactPoint& c) override {
+    const bool damps = settings_.dashpot_ratio > 0 && trial.velocity_factor > 0;
+    c.penalty = spring_;
+    dashpots_[at(k)] = damps ? dashpot(trial, frozen, c) : Dashpot{};
+  }
+  void begin_support(const Trial& /*trial*/, int /*k*/, Support& s) override { s.penalty = spring_; }
 
   /// The ratio is of the critical damping of the spring with the mass that both blocks put against it, as if they were
   /// rigid and alone: 1/m = n^T M^-1 n over both.

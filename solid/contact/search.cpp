@@ -2,9 +2,11 @@
 #include "solid/contact/search.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <tuple>
 
+#include "solid/block/parallel.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/contact/trial.hpp"
 
@@ -78,18 +80,21 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
 }
 
 void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
-  bool stale = corners_at_pairs_.empty();
-  for (std::size_t b = 0; b < corners_.size(); ++b) {
+  std::atomic<bool> stale = corners_at_pairs_.empty();
+  for_each(corners_.size(), [&](std::size_t b) {
     boxes_[b].setEmpty();
+    bool left = false;
     for (std::size_t v = 0; v < corners_[b].size(); ++v) {
       corners_[b][v] = placements[static_cast<std::size_t>(parts_.outlines[b][v].part)].position(
           parts_.vertex(parts_.outlines[b][v]));
       boxes_[b].extend(corners_[b][v]);
-      stale = stale || (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > margin() / 2;
+      left = left || (!corners_at_pairs_.empty() &&
+                      (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > margin() / 2);
     }
     boxes_[b].min().array() -= reach_ / 2;
     boxes_[b].max().array() += reach_ / 2;
-  }
+    if (left) stale.store(true, std::memory_order_relaxed);
+  });
   if (!stale) return;
   corners_at_pairs_ = corners_;
   std::vector<Box> wide = boxes_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bridge/results/stopwatch.hpp"
+#include "solid/block/parallel.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
@@ -111,14 +112,16 @@ bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& wa
   return solved;
 }
 
-void Solid::find_contacts() {
+/// False where contacts are those of the step before.
+bool Solid::find_contacts() {
   if (contacts_stand_ && scene_.analysis.skip_searches) {
     ++counts_.skipped_searches;
-    return;
+    return false;
   }
   const Stopwatch watch(profile_.search);
   ++counts_.searches;
   search_.update(start_, contacts_);
+  return true;
 }
 
 /// Phases of a step of few blocks take no longer than looks at the clock: but for the first steps, one in 16 is timed
@@ -137,22 +140,25 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
   }
   end_s_ = end_s;
-  contacts_before_ = contacts_;
+  contacts_before_.resize(contacts_.size());
+  for_each(contacts_.size(), [this](std::size_t k) { contacts_before_[k] = contacts_[k]; });
   const std::vector<Support> supports_before = supports_;
 
-  find_contacts();
+  const bool searched = find_contacts();
   const long state_changes_before = formulation_->state_changes();
-  prepare_islands();
+  if (searched || islands_.empty()) prepare_islands();
   prepare_matrices(dt);
   loads_.evaluate(end_s, water, start_, external_);
   if (guard_.acts()) guard(dt);
   require_finite_loads(end_s);
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+  for_each(blocks_.size(), [&](std::size_t b) {
     increment_[b] = frozen_[b] ? Vector6::Zero() : Vector6(dt * states_[b].velocity);
-    history_[b] = newmark_.history(inertia(b), states_[b], dt);
+    const bool own = !blocks_[b].is_part() && b >= guard_.blocks();
+    history_[b] =
+        own ? newmark_.history(blocks_[b].mass, states_[b], dt) : newmark_.history(inertia(b), states_[b], dt);
     past_velocity_[b] = rate(b, start_[b], newmark_.past_velocity(states_[b], dt));
     placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
-  }
+  });
   predict_nodes(dt);
   carry_fixed_blocks(end_s);
   for (Support& support : supports_) {
@@ -176,8 +182,8 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     }
   }
   const double moved = largest_increment();
-  solved =
-      solved && moved <= scene_.analysis.max_displacement_ratio * size_ && largest_turn() <= ContactSearch::most_turn;
+  solved = solved && moved <= scene_.analysis.max_displacement_ratio * size_ &&
+           (moved == 0 || largest_turn() <= ContactSearch::most_turn);
   const bool seen = !solved || search_.covers(moved);
   if (!solved || !seen) {
     contacts_ = contacts_before_;
@@ -186,9 +192,9 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     return !seen && attempt(dt, end_s, water);
   }
   accept(dt, end_s);
-  const auto slips = [](const ContactPoint& c) { return c.state == ContactState::slip; };
-  contacts_stand_ = moved == 0 && formulation_->state_changes() == state_changes_before &&
-                    std::none_of(contacts_.begin(), contacts_.end(), slips);
+  const auto holds = [this](std::size_t k) { return contacts_[k].state != ContactState::slip; };
+  contacts_stand_ =
+      moved == 0 && formulation_->state_changes() == state_changes_before && all_of(contacts_.size(), holds);
   require_finite(end_s);
   return true;
 }
@@ -211,20 +217,20 @@ void Solid::accept(double dt, double end_s) {
   }
   for (IslandSystem& island : islands_) {
     if (island.asleep) continue;
-    for (const int block : island.island.blocks) {
-      const auto b = static_cast<std::size_t>(block);
+    for_each(island.island.blocks.size(), [&](std::size_t k) {
+      const auto b = static_cast<std::size_t>(island.island.blocks[k]);
       newmark_.finish(states_[b], blocks_[b].is_part() ? corner_increment(b) : increment_[b], dt);
       states_[b].force = at_corners(b, balance_[b]);
-    }
+    });
     if (newmark_.flips_held_velocities() && formulation_->holds_exactly()) quiet_held_directions(island, dt);
   }
   formulation_->accept(trial(), contacts_);
   for (Bolt& bolt : bolts_) solid::accept(trial(), base_.displacement(end_s), bolt);
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (frozen_[b] && !base_.moves_supports()) continue;
+  for_each(blocks_.size(), [&](std::size_t b) {
+    if (frozen_[b] && !base_.moves_supports()) return;
     states_[b].displacement += increment_[b];
-    start_[b] = Placement(blocks_[b].centroid, states_[b].displacement);
-  }
+    start_[b] = placement_[b];
+  });
   follow_triangles();
   sleep_.look(blocks_, states_, external_, dt);
   ++counts_.steps;
@@ -257,6 +263,7 @@ void Solid::put_to_sleep(const IslandSystem& s) {
   for (const int block : s.island.blocks) {
     const auto b = static_cast<std::size_t>(block);
     increment_[b].setZero();
+    placement_[b] = start_[b];
     states_[b].velocity.setZero();
     states_[b].acceleration.setZero();
   }
@@ -264,25 +271,19 @@ void Solid::put_to_sleep(const IslandSystem& s) {
 
 /// Largest turn of any block near others in the step at hand [rad].
 double Solid::largest_turn() const {
-  double largest = 0;
-  for (const ContactPoint& c : contacts_) {
-    for (const int b : {c.vertex_part, c.edge_part}) {
-      largest = std::max(largest, std::abs(increment_[static_cast<std::size_t>(b)][2]));
-    }
-  }
-  return largest;
+  const auto turn = [this](int b) { return std::abs(increment_[static_cast<std::size_t>(b)][2]); };
+  return largest(contacts_.size(),
+                 [&](std::size_t k) { return std::max(turn(contacts_[k].vertex_part), turn(contacts_[k].edge_part)); });
 }
 
 /// Largest displacement of any vertex in the step at hand [m].
 double Solid::largest_increment() const {
-  double largest = 0;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if ((frozen_[b] && !base_.moves_supports()) || increment_[b].isZero(0)) continue;
-    for (const Point& X : blocks_[b].vertices) {
-      largest = std::max(largest, start_[b].increment(increment_[b], X).norm());
-    }
-  }
-  return largest;
+  return largest(blocks_.size(), [&](std::size_t b) {
+    double moved = 0;
+    if ((frozen_[b] && !base_.moves_supports()) || increment_[b].isZero(0)) return moved;
+    for (const Point& X : blocks_[b].vertices) moved = std::max(moved, start_[b].increment(increment_[b], X).norm());
+    return moved;
+  });
 }
 
 void Solid::refuse(std::size_t b, const char* what, double time_s) const {
@@ -291,9 +292,12 @@ void Solid::refuse(std::size_t b, const char* what, double time_s) const {
 }
 
 void Solid::require_finite(double time_s) const {
+  const auto finite = [this](std::size_t b) {
+    return states_[b].displacement.allFinite() && states_[b].velocity.allFinite();
+  };
+  if (all_of(blocks_.size(), finite)) return;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (states_[b].displacement.allFinite() && states_[b].velocity.allFinite()) continue;
-    refuse(b, "the displacement", time_s);
+    if (!finite(b)) refuse(b, "the displacement", time_s);
   }
 }
 

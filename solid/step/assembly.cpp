@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Matrix and residual of one island at the trial (5)-(6): blocks, contacts, supports, bolts, meshes.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "bridge/results/stopwatch.hpp"
+#include "solid/block/parallel.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
@@ -17,7 +19,7 @@ std::size_t at(int i) {
 
 /// A generalized force as a plain one: moments and strain forces over the block's radius [N per metre].
 double magnitude(const Vector6& force, const Block& block) {
-  const double turning = force.segment(2, block.unknowns() - 2).cwiseAbs().maxCoeff();
+  const double turning = block.rigid ? std::abs(force[2]) : force.tail<4>().cwiseAbs().maxCoeff();
   return std::max(force.head<2>().cwiseAbs().maxCoeff(), turning / block.radius);
 }
 
@@ -26,11 +28,11 @@ double magnitude(const Vector6& force, const Block& block) {
 void Solid::prepare_matrices(double dt) {
   if (dt == matrices_dt_) return;
   matrices_dt_ = dt;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+  for_each(blocks_.size(), [&](std::size_t b) {
     matrix_[b] = newmark_.mass_factor(dt) * blocks_[b].mass + blocks_[b].stiffness +
                  newmark_.velocity_factor(dt) * blocks_[b].damping;
     if (b < guard_.blocks()) matrix_[b].topLeftCorner<3, 3>() += newmark_.mass_factor(dt) * guard_.mass(b);
-  }
+  });
 }
 
 /// The blocks' own matrices on the diagonal, and what triangles of a mesh share beside it.
@@ -54,15 +56,23 @@ void Solid::set_block_matrices(IslandSystem& s) {
 /// What a contact or support adds to the matrix: J^T C J on the diagonal of each block, -J^T C J between the two.
 template <class System>
 void Solid::add_stiffness(System& system, const Interaction& action) const {
+  add_columns(system, action, false);
+  add_columns(system, action, true);
+}
+
+/// In the columns of one of both blocks.
+template <class System>
+void Solid::add_columns(System& system, const Interaction& action, bool of_second) const {
   const auto moves = [this](int block) { return block >= 0 && !frozen_[at(block)]; };
-  const auto add = [&](int row, const Matrix26& row_shape, int column, const Matrix26& column_shape, double sign) {
-    if (!moves(row) || !moves(column)) return;
+  const int column = of_second ? action.block_j : action.block_i;
+  if (!moves(column)) return;
+  const Matrix26& column_shape = of_second ? action.shape_j : action.shape_i;
+  const auto add = [&](int row, const Matrix26& row_shape, double sign) {
+    if (!moves(row)) return;
     system.add(local_[at(row)], local_[at(column)], sign * row_shape.transpose() * action.stiffness * column_shape);
   };
-  add(action.block_i, action.shape_i, action.block_i, action.shape_i, 1);
-  add(action.block_j, action.shape_j, action.block_j, action.shape_j, 1);
-  add(action.block_i, action.shape_i, action.block_j, action.shape_j, -1);
-  add(action.block_j, action.shape_j, action.block_i, action.shape_i, -1);
+  add(action.block_i, action.shape_i, of_second ? -1 : 1);
+  add(action.block_j, action.shape_j, of_second ? 1 : -1);
 }
 
 /// Forces that are unknowns: their columns and equations.
@@ -80,83 +90,121 @@ void Solid::add_constraints(IslandSystem& s, const Interaction& action, bool sup
   }
 }
 
-/// The matrix that belongs to the residual.
+/// The matrix that belongs to the residual. Each block takes up its own columns, but where blocks share them.
 void Solid::assemble(IslandSystem& s) {
   const Stopwatch watch(profile_.assembly);
   set_block_matrices(s);
-  for (const Interaction& action : s.actions) {
-    if (action.constraint_count == 0) add_stiffness(*s.system, action);
+  if (s.unknowns->shared()) {
+    for (const Interaction& action : s.actions) {
+      if (action.acts() && action.constraint_count == 0) add_stiffness(*s.system, action);
+    }
+    return;
   }
+  for_each(s.island.blocks.size(), [&](std::size_t k) {
+    for (const Incidence::End& end : s.incidence.of(k)) {
+      const Interaction& action = s.actions[at(end.interaction)];
+      if (action.acts() && action.constraint_count == 0) add_columns(*s.system, action, end.second);
+    }
+  });
 }
 
 /// Residual at the trial; returns the largest unbalanced force, less what round-off explains. What contacts, supports
 /// and bolts do is kept for the matrix, which only a residual that is too large asks for.
 double Solid::unbalanced(IslandSystem& s) {
   const Stopwatch watch(profile_.assembly);
-  const double mass_factor = newmark_.mass_factor(matrices_dt_);
   if (s.unknowns->shared()) set_corner_maps(s);
-  for (const int block : s.island.blocks) {
-    const auto b = at(block);
-    const Vector6 velocity = newmark_.velocity_factor(matrices_dt_) * increment_[b] + past_velocity_[b];
-    const Vector6 drag = blocks_[b].damping * velocity;
-    balance_[b] = external_[b] - blocks_[b].stiffness * (states_[b].displacement + increment_[b]) - drag;
-    round_off_[b] = round_off * (magnitude(external_[b], blocks_[b]) + magnitude(drag, blocks_[b]));
-  }
+  for_each(s.island.blocks.size(), [&](std::size_t k) { balance_own(at(s.island.blocks[k])); });
   balance_couplings(s);
-
-  s.saddle.set_zero();
-  s.unknown_forces.clear();
-  s.actions.clear();
-  s.symmetric = true;
-  const auto add = [&](const Interaction& action, bool support, int index) {
-    if (!action.acts()) return;
-    const auto side = [&](int block, const Matrix26& shape, double sign) {
-      if (block < 0 || frozen_[at(block)]) return;
-      const Vector6 force = sign * (shape.transpose() * action.force);
-      balance_[at(block)] += force;
-      round_off_[at(block)] += round_off * magnitude(force, blocks_[at(block)]) + action.round_off;
-    };
-    side(action.block_i, action.shape_i, 1);
-    side(action.block_j, action.shape_j, -1);
-    s.actions.push_back(action);
-    if (action.constraint_count > 0) return add_constraints(s, action, support, index);
-    s.symmetric = s.symmetric && action.stiffness(1, 0) == action.stiffness(0, 1);
-  };
-  std::vector<Interaction> bolts;
-  {
-    const Stopwatch of_contact(profile_.contact);
-    for (const int k : s.island.contacts) add(formulation_->contact(trial(), k, contacts_[at(k)]), false, k);
-    for (const int k : s.island.supports) add(formulation_->support(trial(), k, supports_[at(k)]), true, k);
-    for (const int k : s.bolts) bolts.push_back(interaction_of(trial(), bolts_[at(k)], base_.displacement(end_s_)));
-    for (const Interaction& bolt : bolts) add(bolt, false, -1);
-  }
-  if (!s.unknown_forces.empty()) {
-    add_own(s.saddle, s);
-    for (const Interaction& bolt : bolts) add_stiffness(s.saddle, bolt);
-    add_mean_inertia_to_saddle(s);
-  }
-
-  double unbalanced = 0;
+  let_act(s);
   s.residual.setZero();
-  s.uncertain.setZero(s.residual.size());
+  s.uncertain.setZero(s.unknowns->shared() ? s.residual.size() : 0);
+  const double unbalanced = largest(s.island.blocks.size(), [&](std::size_t k) {
+    take_up(s, k);
+    return blocks_[at(s.island.blocks[k])].is_part() ? 0.0 : add_residual(s, k);
+  });
+  if (!std::isfinite(unbalanced) || !s.unknowns->shared()) return unbalanced;
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
-    const auto b = at(s.island.blocks[k]);
-    if (blocks_[b].is_part()) {
-      add_residual_at_corners(s, static_cast<int>(k));
-      continue;
-    }
-    Vector6 inertia = mass_factor * (blocks_[b].mass * increment_[b]);
-    if (b < guard_.blocks()) inertia.head<3>() += mass_factor * (guard_.mass(b) * increment_[b].head<3>());
-    const Vector6 residual = balance_[b] - inertia + history_[b];
-    s.unknowns->add(static_cast<int>(k), residual, s.residual);
-    const double noise =
-        round_off_[b] + round_off * (magnitude(inertia, blocks_[b]) + magnitude(history_[b], blocks_[b]));
-    const double force = magnitude(residual, blocks_[b]);
-    unbalanced = std::isfinite(force) ? std::max(unbalanced, force - noise) : force;
-    if (!std::isfinite(unbalanced)) return unbalanced;
+    if (blocks_[at(s.island.blocks[k])].is_part()) add_residual_at_corners(s, static_cast<int>(k));
   }
   add_mean_inertia(s);
   return std::max(unbalanced, unbalanced_at_nodes(s));
+}
+
+/// Loads, elasticity and drag of a block.
+void Solid::balance_own(std::size_t b) {
+  const Vector6 velocity = newmark_.velocity_factor(matrices_dt_) * increment_[b] + past_velocity_[b];
+  const Vector6 drag = blocks_[b].damping * velocity;
+  balance_[b] = external_[b] - blocks_[b].stiffness * (states_[b].displacement + increment_[b]) - drag;
+  round_off_[b] = round_off * (magnitude(external_[b], blocks_[b]) + magnitude(drag, blocks_[b]));
+}
+
+/// What contacts, supports and bolts of an island do at the trial.
+void Solid::let_act(IslandSystem& s) {
+  const Stopwatch watch(profile_.contact);
+  std::atomic<bool> symmetric = true;
+  std::atomic<bool> constrained = false;
+  const auto keep = [&](std::size_t k, const Interaction& action) {
+    s.actions[k] = action;
+    if (action.constraint_count > 0) {
+      constrained.store(true, std::memory_order_relaxed);
+    } else if (action.stiffness(1, 0) != action.stiffness(0, 1)) {
+      symmetric.store(false, std::memory_order_relaxed);
+    }
+  };
+  const Trial now = trial();
+  const std::vector<int>& contacts = s.island.contacts;
+  const std::vector<int>& supports = s.island.supports;
+  const std::size_t of_bolts = contacts.size() + supports.size();
+  s.actions.resize(of_bolts + s.bolts.size());
+  for_each(contacts.size(),
+           [&](std::size_t i) { keep(i, formulation_->contact(now, contacts[i], contacts_[at(contacts[i])])); });
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    keep(contacts.size() + i, formulation_->support(now, supports[i], supports_[at(supports[i])]));
+  }
+  for (std::size_t i = 0; i < s.bolts.size(); ++i) {
+    keep(of_bolts + i, interaction_of(now, bolts_[at(s.bolts[i])], base_.displacement(end_s_)));
+  }
+  s.symmetric = symmetric;
+
+  s.unknown_forces.clear();
+  if (!constrained) return;
+  s.saddle.set_zero();
+  for (std::size_t k = 0; k < of_bolts; ++k) {
+    const bool support = k >= contacts.size();
+    add_constraints(s, s.actions[k], support, support ? supports[k - contacts.size()] : contacts[k]);
+  }
+  add_own(s.saddle, s);
+  for (std::size_t i = 0; i < s.bolts.size(); ++i) {
+    if (s.actions[of_bolts + i].acts()) add_stiffness(s.saddle, s.actions[of_bolts + i]);
+  }
+  add_mean_inertia_to_saddle(s);
+}
+
+/// Adds to the balance of an island's block k what acts on it.
+void Solid::take_up(const IslandSystem& s, std::size_t k) {
+  const auto b = at(s.island.blocks[k]);
+  for (const Incidence::End& end : s.incidence.of(k)) {
+    const Interaction& action = s.actions[at(end.interaction)];
+    if (!action.acts()) continue;
+    const Vector6 force = end.second ? Vector6(-(action.shape_j.transpose() * action.force))
+                                     : Vector6(action.shape_i.transpose() * action.force);
+    balance_[b] += force;
+    round_off_[b] += round_off * magnitude(force, blocks_[b]) + action.round_off;
+  }
+}
+
+/// Of an island's block k: balance less inertia. Returns the unbalanced force, less what round-off explains.
+double Solid::add_residual(IslandSystem& s, std::size_t k) {
+  const double mass_factor = newmark_.mass_factor(matrices_dt_);
+  const auto b = at(s.island.blocks[k]);
+  Vector6 inertia = mass_factor * (blocks_[b].mass * increment_[b]);
+  if (b < guard_.blocks()) inertia.head<3>() += mass_factor * (guard_.mass(b) * increment_[b].head<3>());
+  const Vector6 residual = balance_[b] - inertia + history_[b];
+  s.unknowns->add(static_cast<int>(k), residual, s.residual);
+  const double noise =
+      round_off_[b] + round_off * (magnitude(inertia, blocks_[b]) + magnitude(history_[b], blocks_[b]));
+  const double force = magnitude(residual, blocks_[b]);
+  return std::isfinite(force) ? std::max(0.0, force - noise) : force;
 }
 
 template void Solid::add_stiffness(LinearSystem& system, const Interaction& action) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bridge/results/stopwatch.hpp"
+#include "solid/block/parallel.hpp"
 #include "solid/solve/condition_number.hpp"
 #include "solid/step/solid.hpp"
 
@@ -58,6 +59,7 @@ void Solid::prepare_islands() {
   for (const IslandSystem& s : islands_) {
     for (std::size_t k = 0; k < s.island.blocks.size(); ++k) local_[at(s.island.blocks[k])] = static_cast<int>(k);
   }
+  find_incidences();
   if (stand && kept_.size() == islands_.size()) {
     for (std::size_t i = 0; i < islands_.size(); ++i) islands_[i].system->restore(kept_[i]);
   }
@@ -81,6 +83,19 @@ void Solid::give_bolts_to_islands() {
   }
 }
 
+/// Of all that acts in an island, as the residual has it: contacts, supports, bolts.
+void Solid::find_incidences() {
+  const auto number = [this](int b) { return b < 0 || frozen_[at(b)] ? -1 : local_[at(b)]; };
+  for (IslandSystem& s : islands_) {
+    std::vector<std::pair<int, int>> ends;
+    for (const int k : s.island.contacts) ends.emplace_back(contacts_[at(k)].vertex_part, contacts_[at(k)].edge_part);
+    for (const int k : s.island.supports) ends.emplace_back(supports_[at(k)].block, -1);
+    for (const int k : s.bolts) ends.emplace_back(bolts_[at(k)].part[0], bolts_[at(k)].part[1]);
+    for (auto& [a, b] : ends) a = number(a), b = number(b);
+    s.incidence = Incidence(s.island.blocks.size(), ends);
+  }
+}
+
 bool Solid::find_equilibrium(IslandSystem& s) {
   if (formulation_->settings().friction_lags) return find_equilibrium_with_lagging_friction(s);
   // A large island whose states run in circles shows it by then; trying on costs a small one little, and may find out.
@@ -96,8 +111,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
       return false;
     }
     // Multipliers that will move on need no closer equilibrium: the next solution finds both.
-    const double enough = std::max(tolerance, 0.01 * formulation_->unsettled(held));
-    if (!swept && left <= enough) {
+    if (!swept && (left <= tolerance || left <= 0.01 * formulation_->unsettled(held))) {
       if (sweep(s)) return true;
       swept = true;
       continue;
@@ -150,15 +164,12 @@ void Solid::move(IslandSystem& s, double fraction) {
   for (const auto& [node, first] : s.unknowns->nodes) {
     node_increment_[at(node)] += fraction * s.correction.segment<2>(first);
   }
-  for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
+  for_each(s.island.blocks.size(), [&](std::size_t k) {
     const auto b = at(s.island.blocks[k]);
-    if (blocks_[b].is_part()) {
-      follow_corners(b);
-      continue;
-    }
+    if (blocks_[b].is_part()) return follow_corners(b);
     increment_[b] += fraction * s.unknowns->take(static_cast<int>(k), s.correction);
     placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
-  }
+  });
 }
 
 void Solid::correct_forces(IslandSystem& s) {

@@ -30,6 +30,7 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   std::vector<Eigen::Vector2d> pull(actions.size(), Eigen::Vector2d::Zero());
   for (std::size_t k = 0; k < actions.size(); ++k) {
     const Interaction& a = actions[k];
+    if (!a.acts()) continue;
     const Eigen::Vector2d m = mismatch(a.block_i, a.shape_i) - mismatch(a.block_j, a.shape_j);
     for (int axis = 0; axis < 2; ++axis) {
       pull[k][axis] = a.held[axis] * m[axis];
@@ -46,6 +47,7 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   };
   for (std::size_t k = 0; k < actions.size(); ++k) {
     Interaction& a = actions[k];
+    if (!a.acts()) continue;
     a.stiffness = a.held.asDiagonal().toDenseMatrix();
     add_stiffness(*s.system, a);
     add(a.block_i, a.shape_i.transpose() * pull[k]);

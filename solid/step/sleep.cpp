@@ -3,13 +3,15 @@
 
 #include <algorithm>
 
+#include "solid/block/parallel.hpp"
+
 namespace blockweir::solid {
 
 void Sleep::look(const std::vector<Block>& blocks, const std::vector<BlockState>& states,
                  const std::vector<Vector6>& external, double dt) {
   constexpr double still = 1e-12;
   constexpr double inertia_m_per_s2 = 1e-7 * 9.81;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
+  for_each(blocks.size(), [&](std::size_t b) {
     const auto fastest = [&](const Vector6& rate) {
       if (blocks[b].is_part()) return rate.cwiseAbs().maxCoeff();     // of its corners
       const double arm = blocks[b].is_part() ? 1 : blocks[b].radius;  // a triangle has the rates of its corners
@@ -22,7 +24,7 @@ void Sleep::look(const std::vector<Block>& blocks, const std::vector<BlockState>
     } else if (++rests_[b] == long_enough) {
       load_[b] = external[b];
     }
-  }
+  });
 }
 
 bool Sleep::rests(std::size_t b, const std::vector<Block>& blocks, const std::vector<Vector6>& external,

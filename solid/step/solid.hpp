@@ -13,6 +13,7 @@
 #include "solid/contact/bonds.hpp"
 #include "solid/contact/formulation.hpp"
 #include "solid/contact/search.hpp"
+#include "solid/solve/incidence.hpp"
 #include "solid/solve/islands.hpp"
 #include "solid/solve/saddle_point.hpp"
 #include "solid/step/added_mass_guard.hpp"
@@ -108,7 +109,8 @@ class Solid {
     std::unique_ptr<LinearSystem> system;
     SaddlePoint saddle;  ///< instead of it while there are unknown forces
     std::vector<UnknownForce> unknown_forces;
-    std::vector<Interaction> actions;  ///< of contacts, supports and bolts that act, at the trial
+    std::vector<Interaction> actions;  ///< of contacts, supports and bolts, in this order, at the trial
+    Incidence incidence;               ///< of them
     bool symmetric = true;             ///< are their stiffnesses?
     Eigen::VectorXd residual;
     Eigen::VectorXd correction;
@@ -142,7 +144,7 @@ class Solid {
   bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
   [[nodiscard]] double timed() const;
-  void find_contacts();
+  bool find_contacts();
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
@@ -155,11 +157,18 @@ class Solid {
   void move(IslandSystem& island, double fraction);
   void correct_forces(IslandSystem& island);
   double unbalanced(IslandSystem& island);
+  void balance_own(std::size_t b);
+  void let_act(IslandSystem& island);
+  void take_up(const IslandSystem& island, std::size_t k);
+  double add_residual(IslandSystem& island, std::size_t k);
   void assemble(IslandSystem& island);
   void set_block_matrices(IslandSystem& island);
   template <class System>
   void add_stiffness(System& system, const Interaction& action) const;
+  template <class System>
+  void add_columns(System& system, const Interaction& action, bool of_second) const;
   void give_bolts_to_islands();
+  void find_incidences();
   void add_constraints(IslandSystem& island, const Interaction& action, bool support, int index) const;
   void quiet_held_directions(IslandSystem& island, double dt);
   [[nodiscard]] Vector6 rate(std::size_t b, const Placement& placement, const Vector6& of_state) const;

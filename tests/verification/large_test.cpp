@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "solid/block/parallel.hpp"
 #include "solid/step/solid.hpp"
 #include "tests/large_scenes.hpp"
 
@@ -194,6 +195,50 @@ TEST(Large, ASlopeOf300BlocksSlidesAsTheFormulaSays) {
   EXPECT_EQ(solid.counts().steps, 12);  // none was cut
   EXPECT_NEAR(solid.states()[1].displacement.head<2>().norm(), acceleration * 0.2 * 0.2 / 2, 1e-6);
   EXPECT_LT(worst_against_coulomb(solid, 0.3), 2e-10);
+}
+
+/// Displacements, velocities, accelerations, then multipliers, forces, penalties and states of contacts, on so many
+/// threads.
+std::vector<double> all_of_it(const scene::Scene& scene, int steps, std::size_t on_threads) {
+  const std::size_t before = threads();
+  set_threads(on_threads);
+  Solid solid(scene);
+  if (scene.analysis.start == scene::Start::equilibrium) solid.settle({});
+  run(solid, steps);
+  set_threads(before);
+  std::vector<double> all;
+  for (const BlockState& s : solid.states()) {
+    for (const Vector6* part : {&s.displacement, &s.velocity, &s.acceleration, &s.force}) {
+      all.insert(all.end(), part->data(), part->data() + 6);
+    }
+  }
+  for (const ContactPoint& c : solid.contacts()) {
+    all.insert(all.end(), {c.multiplier.x(), c.multiplier.y(), c.force.x(), c.force.y(), c.separation.x(),
+                           c.separation.y(), c.penalty, c.slip_m, static_cast<double>(c.state)});
+  }
+  return all;
+}
+
+TEST(Large, AWallThatIsShakenIsTheSameOnAnyNumberOfThreads) {
+  auto scene = brick_wall(4200);
+  scene.base_motion.emplace();
+  scene.base_motion->acceleration_x_m_per_s2 = scene::TimeTable::constant(1);
+  EXPECT_EQ(all_of_it(scene, 1, 1), all_of_it(scene, 1, 2));
+}
+
+TEST(Large, BlocksThatSlideAreTheSameOnAnyNumberOfThreads) {
+  auto scene = large_scene(0.6);
+  scene.analysis.start = scene::Start::unstressed;
+  scene.analysis.islands = false;
+  const int count = 4200;
+  add_block(scene, box(-10, -1, 2 * count + 20, 1), true);
+  for (int i = 0; i < count; ++i) {
+    add_block(scene, box(2 * i, 0, 1, 0.2));
+    scene.blocks.back().initial_velocity_m_per_s = scene::Point(1, 0);
+  }
+  const std::vector<double> alone = all_of_it(scene, 4, 1);
+  EXPECT_NEAR(alone[24], 4.0 / 60 - 0.6 * 9.81 * std::pow(4.0 / 60, 2) / 2, 1e-6);  // of the first
+  EXPECT_EQ(all_of_it(scene, 4, 2), alone);
 }
 
 }  // namespace

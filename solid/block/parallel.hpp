@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loops over many blocks or contacts on several cores. Each index writes what is its own and reductions do not depend
+// on order, so that any number of threads gives the same bits.
+#pragma once
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+
+namespace blockweir::solid {
+
+/// Fewer indices are not worth waking other threads for, and leave the other cores to the fluid.
+constexpr std::size_t many = 4000;
+
+/// Threads that loops run on, the caller's among them: as OMP_NUM_THREADS says, which libraries for linear algebra
+/// obey, too; else one for each core.
+[[nodiscard]] std::size_t threads();
+void set_threads(std::size_t count);
+
+/// Calls work(context, first, end) for pieces of [0, count), on all threads that are free. None of them spins while it
+/// waits, and what another thread has not begun the caller does: a busy core costs no time.
+void share(std::size_t count, void (*work)(const void* context, std::size_t first, std::size_t end),
+           const void* context);
+
+/// Calls range(first, end) for pieces of [0, count), or for all of it where that is not much.
+template <class Range>
+void in_pieces(std::size_t count, const Range& range) {
+  if (count < many) return range(std::size_t{0}, count);
+  const auto call = [](const void* of, std::size_t first, std::size_t end) {
+    (*static_cast<const Range*>(of))(first, end);
+  };
+  share(count, call, &range);
+}
+
+/// Calls work(i) for each i of [0, count); it must not throw.
+template <class Work>
+void for_each(std::size_t count, const Work& work) {
+  in_pieces(count, [&work](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) work(i);
+  });
+}
+
+/// Largest value(i), at least 0; not finite where one of them is not. Each is asked for once.
+template <class Value>
+double largest(std::size_t count, const Value& value) {
+  const auto exceeds = [](double a, double b) { return a > b || std::isnan(a); };
+  std::atomic<double> all = 0;
+  in_pieces(count, [&](std::size_t first, std::size_t end) {
+    double of_piece = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      const double v = value(i);
+      if (exceeds(v, of_piece)) of_piece = v;
+    }
+    double so_far = all;
+    while (exceeds(of_piece, so_far) && !all.compare_exchange_weak(so_far, of_piece)) {
+    }
+  });
+  return all;
+}
+
+template <class Predicate>
+bool all_of(std::size_t count, const Predicate& predicate) {
+  std::atomic<bool> all = true;
+  in_pieces(count, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end && all.load(std::memory_order_relaxed); ++i) {
+      if (!predicate(i)) all.store(false, std::memory_order_relaxed);
+    }
+  });
+  return all;
+}
+
+}  // namespace blockweir::solid
