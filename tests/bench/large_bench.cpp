@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_step
-// How time and memory grow with the number of blocks: brick walls that stand, rock slopes that stand or slide. Each row
-// is a process of its own, so that its peak of memory is its own. Arguments: numbers of blocks (100 1000 10000 100000)
-// and kinds of scene (all).
+// How time and memory grow with the number of blocks: brick walls that stand, rock slopes that stand or slide; steps on
+// one thread and on two, by turns. Each row is a process of its own, so that its peak of memory is its own. Arguments:
+// numbers of blocks (100 1000 10000 100000) and kinds of scene (all).
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "solid/block/parallel.hpp"
 #include "solid/step/solid.hpp"
 #include "tests/large_scenes.hpp"
 
@@ -50,17 +51,21 @@ void row(const Kind& kind, int blocks, int steps) {
   const double build_s = seconds([&] { solid = std::make_unique<solid::Solid>(scene); });
   const double settle_s = seconds([&] { solid->settle({}); });
   const solid::Counts settled = solid->counts();
-  const double step_s = seconds([&] {
-    for (int n = 0; n < steps; ++n) solid->advance(n * dt, (n + 1) * dt, {});
-  });
-  const double a_step_s = step_s / steps;
-  const auto a_step = [steps](long after, long before) { return static_cast<double>(after - before) / steps; };
+  double one_s = 0;
+  double two_s = 0;
+  for (int n = 0; n < 2 * steps; ++n) {
+    const bool two = n % 2 == 1;
+    solid::set_threads(two ? 2 : 1);
+    (two ? two_s : one_s) += seconds([&] { solid->advance(n * dt, (n + 1) * dt, {}); }) / steps;
+  }
+  const auto a_step = [steps](long after, long before) { return static_cast<double>(after - before) / (2 * steps); };
   const auto count = solid->blocks().size();
   fmt::print(
-      "{:<16} {:>7} {:>9} {:>9.2f} {:>9.2f} {:>6} {:>11.2f} {:>8.1f} {:>8.1f} {:>10.2f} {:>9.0f} {:>8.1f} {:>10.1e}\n",
-      kind.name, count, solid->contacts().size(), build_s, settle_s, settled.iterations, 1e3 * a_step_s,
-      a_step(solid->counts().iterations, settled.iterations),
-      a_step(solid->counts().factorizations, settled.factorizations), 1e6 * a_step_s / static_cast<double>(count),
+      "{:<16} {:>7} {:>9} {:>9.2f} {:>9.2f} {:>6} {:>11.2f} {:>9.2f} {:>8.2f} {:>8.1f} {:>8.1f} {:>10.2f} {:>9.0f} "
+      "{:>8.1f} {:>10.1e}\n",
+      kind.name, count, solid->contacts().size(), build_s, settle_s, settled.iterations, 1e3 * one_s, 1e3 * two_s,
+      one_s / two_s, a_step(solid->counts().iterations, settled.iterations),
+      a_step(solid->counts().factorizations, settled.factorizations), 1e6 * one_s / static_cast<double>(count),
       peak_mb(), 1024 * peak_mb() / static_cast<double>(count), solid->largest_displacement_m());
   std::fflush(stdout);
 }
@@ -89,9 +94,9 @@ int main(int argc, char** argv) {
     }
   }
   if (sizes.empty()) sizes = {100, 1'000, 10'000, 100'000};
-  fmt::print("{:<16} {:>7} {:>9} {:>9} {:>9} {:>6} {:>11} {:>8} {:>8} {:>10} {:>9} {:>8} {:>10}\n", "scene", "blocks",
-             "contacts", "build [s]", "rest [s]", "solves", "step [ms]", "solves", "factors", "us/block", "peak [MB]",
-             "kB/block", "moved [m]");
+  fmt::print("{:<16} {:>7} {:>9} {:>9} {:>9} {:>6} {:>11} {:>9} {:>8} {:>8} {:>8} {:>10} {:>9} {:>8} {:>10}\n", "scene",
+             "blocks", "contacts", "build [s]", "rest [s]", "solves", "step [ms]", "on two", "speed-up", "solves",
+             "factors", "us/block", "peak [MB]", "kB/block", "moved [m]");
   for (const Kind& kind : kinds) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), kind.name) == wanted.end()) continue;
     for (const int blocks : sizes) {
