@@ -99,7 +99,11 @@ void Solid::find_incidences() {
 bool Solid::find_equilibrium(IslandSystem& s) {
   if (formulation_->settings().friction_lags) return find_equilibrium_with_lagging_friction(s);
   // A large island whose states run in circles shows it by then; trying on costs a small one little, and may find out.
-  const int most_in_a_row = s.unknowns->total > large_island ? 50 : scene_.contact.max_iterations;
+  // In the largest a solution costs several of those by Cholesky that find states while friction lags.
+  const int unknowns = s.unknowns->total;
+  const int most_in_a_row = unknowns > 10 * large_island ? 15
+                            : unknowns > large_island    ? 50
+                                                         : scene_.contact.max_iterations;
   const double tolerance = formulation_->settings().force_tolerance_n;
   const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
   bool swept = false;  // multipliers have changed since the last solve

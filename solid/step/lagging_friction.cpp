@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Equilibrium of one island with friction bounds that lag: within a sweep each is what the normal force of the sweep
 // before allows, so that the increment minimizes a convex energy, and Newton's method with a line search always finds
-// it. Sweeps of multipliers and bounds together lead to Coulomb's law (Simo and Laursen 1992, Comput. Struct. 42).
+// it. Sweeps of multipliers and bounds together lead to Coulomb's law (Simo and Laursen 1992, Comput. Struct. 42). An
+// interior point method finds the states to begin with.
 #include <cmath>
+#include <memory>
 
 #include "bridge/results/stopwatch.hpp"
+#include "solid/contact/interior_point.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
@@ -13,6 +16,7 @@ namespace blockweir::solid {
 /// its neighbours, and brings the states back with which Newton's method began.
 bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
   const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
+  approach(s);
   for (int sweep = 0; sweep < scene_.contact.max_iterations; ++sweep) {
     const bool bounds_stand = formulation_->lag_friction(held);
     if (!minimize(s)) return false;
@@ -22,6 +26,26 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
     if (settled && !break_bonds(laws_, s.island.contacts, contacts_)) return true;
   }
   return false;
+}
+
+/// Where hundreds of contacts slip or open at once, Newton's method would look for their states by hundreds of
+/// solutions. What this leaves undone, sweeps do.
+void Solid::approach(IslandSystem& s) {
+  constexpr int most_solutions = 60;
+  const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
+  std::unique_ptr<Formulation> other = std::make_unique<InteriorPoint>(laws_, formulation_->settings());
+  auto& method = static_cast<InteriorPoint&>(*other);
+  method.begin_step(contacts_.size(), supports_.size());
+  method.begin(trial(), matrix_, frozen_, held);
+  formulation_.swap(other);
+  for (int solutions = 0; solutions < most_solutions; ++solutions) {
+    const double left = unbalanced(s);
+    if (left <= method.settings().force_tolerance_n || !std::isfinite(left) || !solve_linearized(s)) break;
+    move(s, 1);
+    move(s, method.follow_correction(trial(), held) - 1);
+  }
+  method.hand_over(held);
+  formulation_.swap(other);
 }
 
 /// Of the energy whose negative gradient is the residual.

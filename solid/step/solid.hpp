@@ -150,6 +150,7 @@ class Solid {
   bool find_equilibrium(IslandSystem& island);
   bool sweep(IslandSystem& island);
   bool find_equilibrium_with_lagging_friction(IslandSystem& island);
+  void approach(IslandSystem& island);
   bool minimize(IslandSystem& island);
   double search_along_correction(IslandSystem& island);
   bool correct(IslandSystem& island);

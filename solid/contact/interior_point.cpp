@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/contact/interior_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blockweir::solid {
+namespace {
+
+// What a contact gives to a change of its force, over the flexibility of its blocks. Redundant contacts, whose forces
+// equilibrium leaves open, would else make the matrix singular; no change is left at the end, and no error with it.
+constexpr double compliance_ratio = 1e-5;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+double InteriorPoint::bound(const ContactPoint& c, const Point& p) const {
+  const Strength of = strength(c);
+  return of.shear_bound(p.normal.force - of.tension);
+}
+
+void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+                          const Held& held) {
+  Formulation::begin(trial, matrix, frozen, held);
+  points_.assign(contacts_.size(), {});
+  double largest = settings_.force_tolerance_n;
+  for (const int k : held.contact_ids) largest = std::max(largest, held.contacts[at(k)].force.cwiseAbs().maxCoeff());
+  double sum = 0;
+  for (const int k : held.contact_ids) {
+    const ContactPoint& c = held.contacts[at(k)];
+    Point& p = points_[at(k)];
+    const double motion = largest / contacts_[at(k)].stiffness;
+    const double gap = std::max(follow(trial, k, c, edge_frame(trial, c)).separation.value.x(), motion);
+    p.normal = {largest * motion / gap, gap};
+    sum += largest * motion;
+    const double most = bound(c, p);
+    p.has_friction = most > 0;
+    if (p.has_friction) p.forward = p.backward = {most, largest * motion / most};
+  }
+  product_ = 0.1 * sum / std::max<double>(1, static_cast<double>(held.contact_ids.size()));
+}
+
+Interaction InteriorPoint::contact(const Trial& trial, int index, ContactPoint& c) {
+  const EdgeFrame edge = edge_frame(trial, c);
+  Point& p = points_[at(index)];
+  p.separation = follow(trial, index, c, edge).separation.value;
+  const double compliance = compliance_ratio / contacts_[at(index)].stiffness;
+  const Pair& n = p.normal;
+  p.stiffness.x() = 1 / (1 / n.stiffness() + compliance);
+  p.force.x() = n.force + p.stiffness.x() * (n.lacks(product_) - (p.separation.x() - n.motion));
+  if (p.has_friction) {
+    const Pair& f = p.forward;
+    const Pair& b = p.backward;
+    const double most = bound(c, p);
+    const double slip = f.lacks(product_) - (most + p.shear - f.force) / f.stiffness() -
+                        (b.lacks(product_) - (most - p.shear - b.force) / b.stiffness());
+    p.stiffness.y() = 1 / (1 / f.stiffness() + 1 / b.stiffness() + compliance);
+    p.force.y() = p.shear + p.stiffness.y() * (slip - (p.separation.y() - (f.motion - b.motion)));
+  }
+  Interaction action = interaction_of(trial, c, edge, p.separation.y());
+  action.force = p.force - Eigen::Vector2d(strength(c).tension, 0);
+  action.stiffness = p.stiffness.asDiagonal().toDenseMatrix();
+  return action;
+}
+
+Interaction InteriorPoint::support(const Trial& trial, int index, Support& s) {
+  const Separation separation = separation_of(trial, s);
+  const double penalty = supports_[at(index)].stiffness / compliance_ratio;
+  Interaction action = interaction_of(trial, s);
+  action.force = s.multiplier - penalty * separation.value;
+  action.stiffness = (penalty * s.held()).asDiagonal().toDenseMatrix();
+  return action;
+}
+
+double InteriorPoint::follow_correction(const Trial& trial, const Held& held) {
+  constexpr double within = 0.99;
+  double fraction = 1;
+  const auto keep_positive = [&](const Pair& pair) {
+    if (pair.force_change < 0) fraction = std::min(fraction, -within * pair.force / pair.force_change);
+    if (pair.motion_change < 0) fraction = std::min(fraction, -within * pair.motion / pair.motion_change);
+  };
+  for (const int k : held.contact_ids) {
+    const ContactPoint& c = held.contacts[at(k)];
+    Point& p = points_[at(k)];
+    const Eigen::Vector2d moved = follow(trial, k, c, edge_frame(trial, c)).separation.value - p.separation;
+    const Eigen::Vector2d force = p.force - p.stiffness.cwiseProduct(moved);
+    p.normal.follow(force.x() - p.normal.force, product_);
+    keep_positive(p.normal);
+    if (!p.has_friction) continue;
+    const double most = bound(c, p);
+    p.shear_change = force.y() - p.shear;
+    p.forward.follow(most + force.y() - p.forward.force, product_);
+    p.backward.follow(most - force.y() - p.backward.force, product_);
+    keep_positive(p.forward);
+    keep_positive(p.backward);
+  }
+  double sum = 0;
+  double count = 0;
+  const auto go = [&](Pair& pair) {
+    pair.force += fraction * pair.force_change;
+    pair.motion += fraction * pair.motion_change;
+    sum += pair.force * pair.motion;
+    ++count;
+  };
+  for (const int k : held.contact_ids) {
+    Point& p = points_[at(k)];
+    go(p.normal);
+    if (!p.has_friction) continue;
+    p.shear += fraction * p.shear_change;
+    go(p.forward);
+    go(p.backward);
+  }
+  // Corrections cut short want more equal products.
+  const double share = fraction > 0.9 ? 0.1 : fraction > 0.5 ? 0.3 : 0.6;
+  product_ = share * sum / std::max(1.0, count);
+  return fraction;
+}
+
+void InteriorPoint::hand_over(const Held& held) const {
+  for (const int k : held.contact_ids) {
+    ContactPoint& c = held.contacts[at(k)];
+    const Point& p = points_[at(k)];
+    const double stiffness = contacts_[at(k)].stiffness;
+    c.multiplier.setZero();
+    c.state = ContactState::open;
+    if (p.normal.stiffness() > stiffness) {
+      const double most = p.has_friction ? bound(c, p) : 0;
+      const bool slips = !p.has_friction || std::min(p.forward.stiffness(), p.backward.stiffness()) < stiffness;
+      c.multiplier = {p.normal.force - strength(c).tension, std::clamp(p.shear, -most, most)};
+      c.state = slips ? ContactState::slip : ContactState::stick;
+    }
+    c.force = c.multiplier;
+  }
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Primal-dual interior point method for contacts with friction whose bounds lag (Wright 1997, Primal-Dual
+// Interior-Point Methods; for friction Kucera, Machalova, Netuka and Zencak 2013, Optim. Methods Softw. 28): forces and
+// the motions that they resist stay positive, while their products go to zero together. However many contacts change
+// their state, some tens of solutions find all states.
+#pragma once
+
+#include "solid/contact/formulation.hpp"
+
+namespace blockweir::solid {
+
+class InteriorPoint final : public Formulation {
+ public:
+  InteriorPoint(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
+
+  /// Forces that act now, the largest of them, set the scale.
+  void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+             const Held& held) override;
+
+  /// Newton's method on the products: force is what will act after a correction that moves nothing.
+  Interaction contact(const Trial& trial, int index, ContactPoint& c) override;
+  Interaction support(const Trial& trial, int index, Support& s) override;
+  bool sweep(const Held& /*held*/) override { return true; }
+
+  /// Once the blocks have moved by a whole correction: the fraction of it that leaves all positive, which forces
+  /// follow.
+  double follow_correction(const Trial& trial, const Held& held);
+  /// Forces and states, for the augmented Lagrangian to begin with.
+  void hand_over(const Held& held) const;
+
+ private:
+  /// A force and the motion that it resists; one of them goes to zero.
+  struct Pair {
+    double force = 1;
+    double motion = 1;
+    double force_change = 0;
+    double motion_change = 0;
+
+    [[nodiscard]] double stiffness() const { return force / motion; }
+    /// What the motion lacks of the product.
+    [[nodiscard]] double lacks(double product) const { return product / force - motion; }
+    void follow(double change, double product) {
+      force_change = change;
+      motion_change = lacks(product) - change / stiffness();
+    }
+  };
+  struct Point {
+    Pair normal;    ///< pressure above the tension that can be borne, gap
+    Pair forward;   ///< bound + shear, slip along the edge
+    Pair backward;  ///< bound - shear, slip the other way
+    double shear = 0;
+    double shear_change = 0;
+    bool has_friction = false;
+    Eigen::Vector2d separation = Eigen::Vector2d::Zero();  ///< where it was linearized
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();      ///< after a correction that moves nothing, less its stiffness
+    Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();  ///< times what does move
+  };
+
+  [[nodiscard]] Strength strength(const ContactPoint& c) const { return laws_[c.law].strength(c.bond, c.bond_length); }
+  /// Bound of shear by the pressure of now.
+  [[nodiscard]] double bound(const ContactPoint& c, const Point& p) const;
+
+  std::vector<Point> points_;
+  double product_ = 0;  ///< that the next correction aims at
+};
+
+}  // namespace blockweir::solid
