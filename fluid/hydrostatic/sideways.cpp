@@ -88,7 +88,6 @@ std::vector<Piece> moved_right(const Ring& ring, const std::vector<double>& righ
     for (std::size_t i = 0; i < edges.size(); ++i) meet(edges[i], edges[(i + 1) % edges.size()]);
   } while (std::erase_if(edges, [](const MovedEdge& e) { return e.turned_round(); }) > 0);
   std::vector<Piece> pieces;
-  pieces.reserve(edges.size());
   for (const auto& [piece, along, distance, before, after] : edges) {
     pieces.push_back({piece.from + before * along, piece.to + after * along});
   }

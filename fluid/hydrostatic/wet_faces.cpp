@@ -1,24 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/hydrostatic/wet_faces.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-
-#include "fluid/hydrostatic/pool_outline.hpp"
+#include <polyclipping/clipper.hpp>
 
 namespace blockweir::hydrostatic {
 namespace {
 
-constexpr double tiny_m = 1e-6;  // shorter than anything that matters, longer than round-off
+namespace cl = ClipperLib;
+constexpr double units_per_m = 1099511627776.0;  // 2^40: Clipper counts in whole numbers, of 1e-12 m here
+constexpr double tiny_m = 1e-6;                  // shorter than anything that matters, longer than round-off
 
-/// Growing, crossing and moving back have rounded: corners at round numbers are there again.
+cl::cInt to_units(double metres) {
+  return static_cast<cl::cInt>(metres * units_per_m + std::copysign(0.5, metres));
+}
+
+cl::IntPoint to_units(const Point& p) {
+  return {to_units(p.x()), to_units(p.y())};
+}
+
+Point to_metres(const cl::IntPoint& p) {
+  return {static_cast<double>(p.X) / units_per_m, static_cast<double>(p.Y) / units_per_m};
+}
+
+/// Growing, Clipper and moving back have rounded: corners at round numbers are there again.
 Point on_coarse_grid(const Point& p) {
-  constexpr double per_m = 1 / (16 * outline_unit_m);
+  constexpr double per_m = units_per_m / 16;
   return {std::nearbyint(p.x() * per_m) / per_m, std::nearbyint(p.y() * per_m) / per_m};
+}
+
+cl::Path to_units(const Ring& ring) {
+  cl::Path path;
+  path.reserve(ring.size());
+  for (const Point& p : ring) path.push_back(to_units(p));
+  return path;
 }
 
 Ring rectangle(double left, double bottom, double right, double top) {
@@ -59,61 +76,34 @@ Point crest_corner(const std::vector<std::vector<Point>>& outlines, Pool pool, d
   return corner;
 }
 
-/// What the grown blocks and a thin wall leave of the water, and how far everything has grown.
-struct GrownSection {
-  Ring frame;
-  std::vector<OutlineRing> rings;
-  std::vector<double> growth_m;  ///< of the blocks and the wall
-  double frame_growth_m = 0;
-};
-
-bool reaches_below(const std::vector<Point>& outline, double height) {
-  return std::any_of(outline.begin(), outline.end(), [&](const Point& p) { return p.y() < height; });
-}
-
-/// Each block grows by a whole number of units more than the one before it, so that faces in one line, or as far apart
-/// as gaps close, do not touch but cross or keep apart; the frame grows less than all, so that there is no film of
-/// water between it and a block. What is above the water is not in its way. Where edges touch nevertheless, other
-/// numbers are tried.
-GrownSection grown_section(const std::vector<std::vector<Point>>& outlines, const Ring& wall, const Extent& e,
-                           double level_m, double growth_m, FrameSide side) {
-  const std::size_t n = outlines.size();
-  const double pad = 1 + growth_m;  // m; any strip of open water beside the model will do
-  GrownSection section;
-  std::vector<Ring> obstacles(n + 1);
-  section.growth_m.resize(n + 1);
-  for (int step = 4; step < 400; ++step) {  // units
-    const auto more = [&](std::size_t k) { return static_cast<double>(k + 1) * step * outline_unit_m; };
-    for (std::size_t k = 0; k <= n; ++k) {
-      section.growth_m[k] = growth_m + more(k);
-      const Ring& outline = k < n ? outlines[k] : wall;
-      if (reaches_below(outline, level_m + 4 * growth_m)) obstacles[k] = grown(outline, section.growth_m[k]);
-    }
-    section.frame_growth_m = growth_m - more(n + 1);
-    section.frame =
-        rectangle(e.left - pad, e.bottom - section.frame_growth_m, e.right + pad, level_m + section.frame_growth_m);
-    if (auto rings = pool_outline(section.frame, side, obstacles)) {
-      section.rings = std::move(*rings);
-      return section;
-    }
-  }
-  throw std::logic_error("edges of grown blocks touch however much they grow");
+/// What the grown blocks and wall leave of the frame: its outer rings and holes.
+cl::Paths water_between(const std::vector<std::vector<Point>>& outlines, const Ring& wall, const Ring& frame,
+                        double growth_m) {
+  cl::Clipper clipper;
+  clipper.AddPath(to_units(frame), cl::ptSubject, true);
+  for (const auto& outline : outlines) clipper.AddPath(to_units(grown(outline, growth_m)), cl::ptClip, true);
+  clipper.AddPath(to_units(grown(wall, growth_m)), cl::ptClip, true);
+  cl::Paths water;
+  clipper.Execute(cl::ctDifference, water, cl::pftPositive, cl::pftPositive);
+  return water;
 }
 
 /// The water's boundary where the blocks are: the frame, which is as much larger as they are, moves towards the water.
-std::vector<Piece> moved_back(const OutlineRing& outline, const GrownSection& section) {
+std::vector<Piece> moved_back(const cl::Path& path, const Ring& frame, double growth_m) {
+  const cl::IntPoint low = to_units(frame[0]);
+  const cl::IntPoint high = to_units(frame[2]);
   Ring ring;
   std::vector<double> right_m;
-  const std::size_t n = outline.corner.size();
-  ring.reserve(n);
-  right_m.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point& a = outline.corner[i];
-    if ((outline.corner[(i + 1) % n] - a).squaredNorm() < tiny_m * tiny_m) continue;  // of no direction
-    const int on = outline.on[i];
-    ring.push_back(a);
-    right_m.push_back(on == OutlineRing::frame ? -section.frame_growth_m
-                                               : section.growth_m[static_cast<std::size_t>(on)]);
+  ring.reserve(path.size());
+  right_m.reserve(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const cl::IntPoint& a = path[i];
+    const cl::IntPoint& b = path[(i + 1) % path.size()];
+    if ((to_metres(b) - to_metres(a)).norm() < tiny_m) continue;  // of no direction
+    const bool upright = a.X == b.X && (a.X == low.X || a.X == high.X);
+    const bool level = a.Y == b.Y && (a.Y == low.Y || a.Y == high.Y);
+    ring.push_back(to_metres(a));
+    right_m.push_back(upright || level ? -growth_m : growth_m);
   }
   std::vector<Piece> pieces = moved_right(ring, right_m);
   for (Piece& piece : pieces) piece = {on_coarse_grid(piece.from), on_coarse_grid(piece.to)};
@@ -133,7 +123,6 @@ struct SunkenEdge {
 
 std::vector<SunkenEdge> sunken_edges(const std::vector<std::vector<Point>>& outlines, double level_m) {
   std::vector<SunkenEdge> edges;
-  edges.reserve(4 * outlines.size());
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     const auto& outline = outlines[k];
     for (std::size_t e = 0; e < outline.size(); ++e) {
@@ -215,37 +204,41 @@ WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, d
   WetFaces result;
   const Extent e = extent_of(outlines);
   if (outlines.empty() || level_m <= e.bottom) return result;
-  const double farthest =
-      std::max({std::abs(e.left), std::abs(e.right), std::abs(e.bottom), std::abs(e.top), std::abs(level_m)});
-  if (!(farthest < largest_coordinate_m / 2)) {
-    throw std::runtime_error(fmt::format(
-        "a block or the level is {:.3g} m from the origin; still water is found up to {:.0f} m from it: end "
-        "the run before blocks are that far, or move the section to the origin",
-        farthest, largest_coordinate_m / 2));
-  }
-  constexpr double wall = 1e-3;
+  const double growth = open_crack_width_m / 2;
+  const double pad = 1 + growth;  // m; any strip of open water beside the model will do
+  const Ring frame = rectangle(e.left - pad, e.bottom - growth, e.right + pad, level_m + growth);
+  const double wall = 1e-3;
   const Point crest = crest_corner(outlines, pool, e.top, open_crack_width_m);
   const double wall_left = pool == Pool::upstream ? crest.x() : crest.x() - wall;
-  const GrownSection section = grown_section(
-      outlines,
-      rectangle(wall_left, crest.y() - wall, wall_left + wall, std::max(level_m, e.top) + 1 + open_crack_width_m), e,
-      level_m, open_crack_width_m / 2, pool == Pool::upstream ? FrameSide::left : FrameSide::right);
+  const cl::Paths water =
+      water_between(outlines, rectangle(wall_left, crest.y() - wall, wall_left + wall, std::max(level_m, e.top) + pad),
+                    frame, growth);
 
   const std::vector<SunkenEdge> edges = sunken_edges(outlines, level_m);
-  for (const OutlineRing& outline : section.rings) {
+  const double far_left = e.left - pad + tiny_m;
+  const double far_right = e.right + pad - tiny_m;
+  const auto add_boundary = [&](const cl::Path& path) {
     Ring& ring = result.region.emplace_back();
-    ring.reserve(2 * outline.corner.size());
-    for (const Piece& piece : moved_back(outline, section)) {
+    for (const Piece& piece : moved_back(path, frame, growth)) {
       ring.insert(ring.end(), {piece.from, piece.to});
       map_to_edges(edges, piece, open_crack_width_m / 5, result.intervals);
     }
-  }
-  const auto reaches = [&](const Point& of_frame) {
-    const Ring& outer = section.rings.front().corner;
-    return std::any_of(outer.begin(), outer.end(),
-                       [&](const Point& p) { return std::abs(p.x() - of_frame.x()) < tiny_m; });
   };
-  result.breached = reaches(section.frame[0]) && reaches(section.frame[1]);
+  for (const cl::Path& component : water) {
+    if (!cl::Orientation(component)) continue;  // a hole: the outline of a block under water, see below
+    bool left = false;
+    bool right = false;
+    for (const cl::IntPoint& corner : component) {
+      left = left || to_metres(corner).x() < far_left;
+      right = right || to_metres(corner).x() > far_right;
+    }
+    if (!(pool == Pool::upstream ? left : right)) continue;
+    result.breached = result.breached || (left && right);
+    add_boundary(component);
+    for (const cl::Path& hole : water) {
+      if (!cl::Orientation(hole) && cl::PointInPolygon(hole.front(), component) != 0) add_boundary(hole);
+    }
+  }
   tidy(outlines, level_m, open_crack_width_m, result.intervals);
   return result;
 }
