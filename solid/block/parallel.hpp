@@ -12,13 +12,13 @@ namespace blockweir::solid {
 /// Fewer indices are not worth waking other threads for, and leave the other cores to the fluid.
 constexpr std::size_t many = 4000;
 
-/// Threads that loops run on, the caller's among them: as OMP_NUM_THREADS says, which libraries for linear algebra
-/// obey, too; else one for each core.
+/// Threads that loops run on at most, the caller's among them: as OMP_NUM_THREADS says, which libraries for linear
+/// algebra obey, too; else one for each core.
 [[nodiscard]] std::size_t threads();
 void set_threads(std::size_t count);
 
-/// Calls work(context, first, end) for pieces of [0, count), on all threads that are free. None of them spins while it
-/// waits, and what another thread has not begun the caller does: a busy core costs no time.
+/// Calls work(context, first, end) for pieces of [0, count). TBB's threads steal pieces: what another has not begun the
+/// caller does, so that a busy core costs no time.
 void share(std::size_t count, void (*work)(const void* context, std::size_t first, std::size_t end),
            const void* context);
 

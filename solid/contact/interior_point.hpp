@@ -56,6 +56,10 @@ class InteriorPoint final : public Formulation {
     Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();  ///< times what does move
   };
 
+  void begin_contact(const Trial& /*trial*/, const std::vector<bool>& /*frozen*/, int /*k*/,
+                     ContactPoint& /*c*/) override {}
+  void begin_support(const Trial& /*trial*/, int /*k*/, Support& /*s*/) override {}
+
   [[nodiscard]] Strength strength(const ContactPoint& c) const { return laws_[c.law].strength(c.bond, c.bond_length); }
   /// Bound of shear by the pressure of now.
   [[nodiscard]] double bound(const ContactPoint& c, const Point& p) const;

@@ -29,7 +29,7 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
 }
 
 /// Where hundreds of contacts slip or open at once, Newton's method would look for their states by hundreds of
-/// solutions. What this leaves undone, sweeps do.
+/// solutions. What this leaves undone, sweeps do; where it does not get there they begin as without it.
 void Solid::approach(IslandSystem& s) {
   constexpr int most_solutions = 60;
   const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
@@ -38,14 +38,21 @@ void Solid::approach(IslandSystem& s) {
   method.begin_step(contacts_.size(), supports_.size());
   method.begin(trial(), matrix_, frozen_, held);
   formulation_.swap(other);
+  Eigen::VectorXd way = Eigen::VectorXd::Zero(s.unknowns->total);
+  bool there = false;
   for (int solutions = 0; solutions < most_solutions; ++solutions) {
     const double left = unbalanced(s);
-    if (left <= method.settings().force_tolerance_n || !std::isfinite(left) || !solve_linearized(s)) break;
+    there = left <= method.settings().force_tolerance_n;
+    if (there || !std::isfinite(left) || !solve_linearized(s)) break;
     move(s, 1);
-    move(s, method.follow_correction(trial(), held) - 1);
+    const double fraction = method.follow_correction(trial(), held);
+    move(s, fraction - 1);
+    way += fraction * s.correction;
   }
-  method.hand_over(held);
   formulation_.swap(other);
+  if (there) return method.hand_over(held);
+  s.correction = way;
+  move(s, -1);
 }
 
 /// Of the energy whose negative gradient is the residual.
