@@ -83,11 +83,9 @@ void ImmersedBlocks::move(const std::vector<Pose>& start, const std::vector<Pose
   const double tolerance_m = interface_.move_tolerance * interface_.depth_m;
   for (std::size_t b = 0; b < outlines_.size(); ++b) {
     if (end[b] == placed_[b]) continue;
-    const InterfaceBlock& block = interface_.blocks[b];
-    moved_.clear();
+    place(b, end[b]);
     double farthest = 0;
-    for (std::size_t v = 0; v < block.outline.size(); ++v) {
-      moved_.push_back(wire::place(block.centroid, end[b], block.outline[v]));
+    for (std::size_t v = 0; v < moved_.size(); ++v) {
       farthest = std::max(farthest, (moved_[v] - outlines_[b][v]).norm());
     }
     if (farthest <= tolerance_m) {
@@ -96,10 +94,30 @@ void ImmersedBlocks::move(const std::vector<Pose>& start, const std::vector<Pose
     }
     const Stopwatch watch(cut_s_);
     ++cuts_;
-    placed_[b] = end[b];
-    outlines_[b].swap(moved_);
-    clip(b);
+    cut(b, end[b]);
   }
+}
+
+void ImmersedBlocks::cut_again(const std::vector<Pose>& poses) {
+  for (std::size_t b = 0; b < outlines_.size(); ++b) {
+    if (poses[b] == placed_[b]) continue;
+    place(b, poses[b]);
+    cut(b, poses[b]);
+  }
+}
+
+/// moved_ is the outline there.
+void ImmersedBlocks::place(std::size_t b, const Pose& pose) {
+  const InterfaceBlock& block = interface_.blocks[b];
+  moved_.clear();
+  for (const Point& vertex : block.outline) moved_.push_back(wire::place(block.centroid, pose, vertex));
+}
+
+/// At moved_.
+void ImmersedBlocks::cut(std::size_t b, const Pose& pose) {
+  placed_[b] = pose;
+  outlines_[b].swap(moved_);
+  clip(b);
 }
 
 std::string ImmersedBlocks::strayed() const {

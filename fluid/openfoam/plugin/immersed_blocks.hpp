@@ -29,6 +29,8 @@ class ImmersedBlocks {
   /// of the cells anew only once a corner has gone farther than move_tolerance of the depth, where pressures differ by
   /// as much of the largest.
   void move(const std::vector<Pose>& start, const std::vector<Pose>& end, double dt_s);
+  /// Where they were cut out of the cells last, in a run that goes on.
+  void cut_again(const std::vector<Pose>& poses);
 
   [[nodiscard]] const Interface& interface() const { return interface_; }
   /// Side of a cell beside blocks [m]: the interface's, or else the largest of all cells at their faces at the start.
@@ -52,6 +54,8 @@ class ImmersedBlocks {
   [[nodiscard]] double cut_s() const { return cut_s_; }
 
  private:
+  void place(std::size_t block, const Pose& pose);
+  void cut(std::size_t block, const Pose& pose);
   void clip(std::size_t block);
   [[nodiscard]] double largest_cell_at_faces() const;
 

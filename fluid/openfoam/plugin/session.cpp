@@ -117,13 +117,15 @@ void Session::place_blocks() {
 void Session::resume() {
   const std::uint64_t next = interface_.hello.first_window;
   double field_time_s = 0;
-  checkpoint::unpack(checkpoints_.read(next), field_time_s, time_s_, course_.end, course_.end_velocity, added_mass_,
-                     breach_, record_);
+  std::vector<Pose> cut_at;
+  checkpoint::unpack(checkpoints_.read(next), field_time_s, time_s_, course_.end, course_.end_velocity, cut_at,
+                     added_mass_, breach_, record_);
   if (std::abs(field_time_s - time_.value()) > 1e-9 * interface_.hello.window_s) {
     partner_.fail(fmt::format("checkpoint {} is of {:.9g} s, but interFoam starts at {:.9g} s", next, field_time_s,
                               time_.value()));
   }
   window_ = next - 1;
+  blocks_.cut_again(cut_at);
   place_blocks();
   if (const auto motion = await_motion()) start_window(*motion);
 }
@@ -133,7 +135,7 @@ void Session::save() {
   time_.writeNow();
   if (!Foam::Pstream::master()) return;
   checkpoints_.write(window_ + 1, checkpoint::pack(time_.value(), time_s_, course_.end, course_.end_velocity,
-                                                   added_mass_, breach_, record_));
+                                                   blocks_.poses(), added_mass_, breach_, record_));
 }
 
 Session::~Session() = default;
