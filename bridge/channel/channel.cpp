@@ -5,13 +5,13 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <zmq.hpp>
 
 #include "bridge/channel/endpoint.hpp"
 #include "bridge/channel/gate.hpp"
 #include "bridge/channel/hello.hpp"
+#include "bridge/channel/incoming.hpp"
 #include "bridge/channel/keys.hpp"
 #include "bridge/channel/outgoing.hpp"
 #include "bridge/channel/undisturbed.hpp"
@@ -27,11 +27,10 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr int linger_ms = 1000;                 // a last word still goes out
-constexpr int reconnect_ms = 5;                 // who connects may come first: its next try is not far off
-constexpr double poll_slice_s = 0.2;            // how late a stop signal may be seen that arrived just before a poll
-constexpr std::size_t viewed_from = 1U << 16U;  // bytes; smaller frames are copied sooner than kept
-constexpr double spin_s = 50e-6;                // answers of a small scene come within this: no sleep, no wake-up
+constexpr int linger_ms = 1000;       // a last word still goes out
+constexpr int reconnect_ms = 5;       // who connects may come first: its next try is not far off
+constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that arrived just before a poll
+constexpr double spin_s = 50e-6;      // answers of a small scene come within this: no sleep, no wake-up
 
 /// An I/O thread answers even while its process computes; a stopped or vanished process does not. Only who connects
 /// beats, and says how long the listener is to wait for the next one: ZeroMQ 4.3.4 aborts where a beat of the
@@ -148,10 +147,6 @@ struct Channel::Line {
     return visitors.left();
   }
 
-  bool try_receive() {
-    return undisturbed([&] { return socket.recv(*incoming, zmq::recv_flags::dontwait); }).has_value();
-  }
-
   /// A pair socket has nowhere to put a message before its partner is there.
   void await_partner() {
     const auto start = Clock::now();
@@ -179,13 +174,12 @@ struct Channel::Line {
   /// Waits for the next message's bytes.
   void wait(double patience_s, const std::string& moment, bool (*give_up)()) {
     const auto start = Clock::now();
-    keep_what_is_viewed();
-    while (!try_receive()) {
+    while (!incoming.receive()) {
       if (give_up()) throw Interrupted("asked to stop");
       const double waited = seconds_since(start);
       if (waited < spin_s) continue;
       if (partner_left()) {
-        if (try_receive()) break;
+        if (incoming.receive()) break;
         throw PeerError(
             fmt::format("{} closed the line {}; see its own message for the cause", options.partner, moment));
       }
@@ -195,53 +189,17 @@ struct Channel::Line {
       }
       poll(std::min(poll_slice_s, patience_s - waited + 1e-3));
     }
-    visitors.partner_is(zmq_msg_get(incoming->handle(), ZMQ_SRCFD));
+    visitors.partner_is(incoming.source());
     waited_s += seconds_since(start);
-  }
-
-  /// ZeroMQ hands small messages out from wherever they stand in its own buffer.
-  [[nodiscard]] bool aligned() const {
-    return reinterpret_cast<std::uintptr_t>(incoming->data()) % wire::alignment == 0;
-  }
-  const void* aligned_bytes() {
-    if (aligned()) return incoming->data();
-    realigned.resize(incoming->size() / sizeof realigned.front() + 1);
-    std::memcpy(realigned.data(), incoming->data(), incoming->size());
-    return realigned.data();
-  }
-
-  /// A large frame is left where it is, for the columns to view.
-  template <class Message>
-  void decode(const void* data, Message& into) {
-    if constexpr (std::is_same_v<Message, wire::Hello>) {
-      wire::decode(data, into);
-    } else {
-      const std::shared_ptr<zmq::message_t> first = incoming;  // stays while its parts come
-      wire::decode(data, into, first->size() >= viewed_from && aligned() ? first : nullptr,
-                   [&] { return next_part(); });
-    }
-    if (incoming->more()) throw wire::BadMessage("more parts than it says");
-  }
-
-  /// A message arrives whole: its parts wait for nobody.
-  wire::Part next_part() {
-    if (!incoming->more()) return {};
-    keep_what_is_viewed();
-    if (!try_receive()) return {};
-    return {incoming->data(), incoming->size(), incoming};
-  }
-
-  void keep_what_is_viewed() {
-    if (incoming.use_count() > 1) incoming = std::make_shared<zmq::message_t>();
   }
 
   template <class Message>
   void receive(wire::Kind kind, Message& into, double patience_s, const std::string& moment) {
     wait(patience_s, moment, kind == wire::Kind::load ? stop_requested_twice : stop_requested);
     const auto start = Clock::now();
-    const void* data = aligned_bytes();
+    const void* data = incoming.bytes();
     try {
-      const wire::Kind got = wire::verify(data, incoming->size());
+      const wire::Kind got = wire::verify(data, incoming.size());
       if (got == wire::Kind::end) {
         wire::End end;
         wire::decode(data, end);
@@ -253,7 +211,7 @@ struct Channel::Line {
         throw PeerError(fmt::format("{} stopped {}: {}", options.partner, moment, failure.text));
       }
       if (got != kind) throw wire::BadMessage("a message of another kind than was due");
-      decode(data, into);
+      incoming.decode(data, into);
     } catch (const wire::BadMessage& bad) {
       throw PeerError(fmt::format("{} sent {} ({})", options.partner, bad.what(), moment));
     }
@@ -267,8 +225,7 @@ struct Channel::Line {
   zmq::socket_t socket;
   Visitors visitors;
   std::optional<Gate> gate;
-  std::shared_ptr<zmq::message_t> incoming = std::make_shared<zmq::message_t>();
-  std::vector<std::uint64_t> realigned;
+  Incoming incoming{socket};
   std::vector<wire::Part> parts;
   double waited_s = 0;
   double packed_s = 0;
