@@ -112,7 +112,7 @@ struct Channel::Line {
     const auto start = Clock::now();
     zmq::message_t frame = outgoing.frame([&](auto& builder) {
       if constexpr (std::is_same_v<Message, wire::Motion> || std::is_same_v<Message, wire::Load>) {
-        wire::encode(message, builder, &parts);
+        wire::encode(message, builder, parts);
       } else {
         wire::encode(message, builder);
       }
@@ -197,21 +197,21 @@ struct Channel::Line {
   void receive(wire::Kind kind, Message& into, double patience_s, const std::string& moment) {
     wait(patience_s, moment, kind == wire::Kind::load ? stop_requested_twice : stop_requested);
     const auto start = Clock::now();
-    const void* data = incoming.bytes();
+    const wire::Part frame = incoming.frame();
     try {
-      const wire::Kind got = wire::verify(data, incoming.size());
+      const wire::Kind got = wire::verify(frame);
       if (got == wire::Kind::end) {
         wire::End end;
-        wire::decode(data, end);
+        wire::decode(frame, end);
         throw PeerEnded(end.reason);
       }
       if (got == wire::Kind::failure) {
         wire::Failure failure;
-        wire::decode(data, failure);
+        wire::decode(frame, failure);
         throw PeerError(fmt::format("{} stopped {}: {}", options.partner, moment, failure.text));
       }
       if (got != kind) throw wire::BadMessage("a message of another kind than was due");
-      incoming.decode(data, into);
+      incoming.decode(frame, into);
     } catch (const wire::BadMessage& bad) {
       throw PeerError(fmt::format("{} sent {} ({})", options.partner, bad.what(), moment));
     }

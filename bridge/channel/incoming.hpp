@@ -24,28 +24,26 @@ class Incoming {
     return undisturbed([&] { return socket_.recv(*frame_, zmq::recv_flags::dontwait); }).has_value();
   }
 
-  [[nodiscard]] std::size_t size() const { return frame_->size(); }
   /// File descriptor of the connection that brought it.
   [[nodiscard]] int source() { return zmq_msg_get(frame_->handle(), ZMQ_SRCFD); }
 
-  /// Its bytes, aligned: ZeroMQ hands small messages out from wherever they stand in its own buffer.
-  const void* bytes() {
-    if (aligned()) return frame_->data();
+  /// The frame, aligned: ZeroMQ hands small messages out from wherever they stand in its own buffer.
+  wire::Part frame() {
+    constexpr std::size_t viewed_from = 1U << 16U;  // bytes; smaller frames are copied sooner than kept
+    if (aligned()) return {frame_->data(), frame_->size(), frame_->size() >= viewed_from ? frame_ : nullptr};
     realigned_.resize(frame_->size() / sizeof realigned_.front() + 1);
     std::memcpy(realigned_.data(), frame_->data(), frame_->size());
-    return realigned_.data();
+    return {realigned_.data(), frame_->size()};
   }
 
-  /// Decodes `data`, which is bytes(), and the parts that follow.
+  /// Decodes `frame`, which is frame(), and the parts that follow.
   template <class Message>
-  void decode(const void* data, Message& into) {
+  void decode(const wire::Part& frame, Message& into) {
     if constexpr (std::is_same_v<Message, wire::Hello>) {
-      wire::decode(data, into);
+      wire::decode(frame, into);
     } else {
-      constexpr std::size_t viewed_from = 1U << 16U;         // bytes; smaller frames are copied sooner than kept
       const std::shared_ptr<zmq::message_t> first = frame_;  // stays while its parts come
-      wire::decode(data, into, first->size() >= viewed_from && aligned() ? first : nullptr,
-                   [&] { return next_part(); });
+      wire::decode(frame, into, [&] { return next_part(); });
     }
     if (frame_->more()) throw wire::BadMessage("more parts than it says");
   }

@@ -9,8 +9,8 @@
 
 namespace blockweir::wire {
 
-std::uint64_t checksum(const void* data, std::size_t size) {
-  return XXH3_64bits(data, size);
+std::uint64_t checksum(const void* data, std::size_t size, std::uint64_t seed) {
+  return XXH3_64bits_withSeed(data, size, seed);
 }
 
 Checksum::Checksum() : state_(XXH3_createState()) {

@@ -10,10 +10,10 @@ struct XXH3_state_s;
 
 namespace blockweir::wire {
 
-/// XXH3, 64 bit: the same number on every machine, at the speed of its memory.
-std::uint64_t checksum(const void* data, std::size_t size);
+/// XXH3, 64 bit: the same number on every machine, at the speed of its memory. Of the bytes, and of `seed`.
+std::uint64_t checksum(const void* data, std::size_t size, std::uint64_t seed = 0);
 
-/// The same of bytes that are added piece by piece.
+/// The same of bytes that are added piece by piece, with seed 0.
 class Checksum {
  public:
   Checksum();

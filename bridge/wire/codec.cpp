@@ -16,23 +16,47 @@ namespace {
 
 using Builder = flatbuffers::FlatBufferBuilder;
 
-/// A buffer is filled from its end: what comes first stands last. That is the checksum's place.
+/// Last in a frame.
+struct Trailer {
+  std::uint64_t columns = 0;  ///< bytes of columns before it, whose checksums the table tells
+  std::uint64_t sum = 0;      ///< of the bytes before these, and of their number
+};
+
+/// A buffer is filled from its end: what comes first stands last.
 void begin(Builder& builder) {
   builder.Clear();
+  builder.PushElement(std::uint64_t{0});
   builder.PushElement(std::uint64_t{0});
 }
 
 template <class Offset>
-void finish(Builder& builder, buffer::Body kind, Offset body) {
+void finish(Builder& builder, buffer::Body kind, Offset body, std::size_t columns = 0) {
   buffer::FinishEnvelopeBuffer(builder, buffer::CreateEnvelope(builder, kind, body.Union()));
-  const std::size_t length = builder.GetSize() - sizeof(std::uint64_t);
-  const std::uint64_t sum = checksum(builder.GetBufferPointer(), length);
-  std::memcpy(builder.GetBufferPointer() + length, &sum, sizeof sum);
+  std::uint8_t* end = builder.GetBufferPointer() + builder.GetSize() - sizeof(Trailer);
+  const std::size_t table = builder.GetSize() - sizeof(Trailer) - columns;
+  const Trailer trailer{columns, checksum(builder.GetBufferPointer(), table, columns)};
+  std::memcpy(end, &trailer, sizeof trailer);
+}
+
+Trailer trailer_of(const Part& frame) {
+  Trailer trailer;
+  std::memcpy(&trailer, static_cast<const std::uint8_t*>(frame.data) + frame.size - sizeof trailer, sizeof trailer);
+  return trailer;
+}
+
+template <class Message>
+ColumnReader columns_of(const Message& message, const Part& frame, const NextPart& next) {
+  return {message.columns(),
+          static_cast<const std::uint8_t*>(frame.data) + frame.size - sizeof(Trailer),
+          trailer_of(frame).columns,
+          message.window(),
+          frame.keeper,
+          next};
 }
 
 template <class Body>
-const Body& body(const void* data) {
-  return *buffer::GetEnvelope(data)->template body_as<Body>();
+const Body& body(const Part& frame) {
+  return *buffer::GetEnvelope(frame.data)->template body_as<Body>();
 }
 
 std::string text(const flatbuffers::String* from) {
@@ -86,29 +110,31 @@ void encode(const Hello& m, Builder& builder) {
                              counts, vertices, m.first_window));
 }
 
-void encode(const Motion& m, Builder& builder, std::vector<Part>* parts) {
+void encode(const Motion& m, Builder& builder, std::vector<Part>& parts) {
   begin(builder);
   ColumnWriter write(builder, parts);
-  const auto displacement = write(m.displacement);
-  const auto velocity = write(m.velocity);
+  write(m.displacement);
+  write(m.velocity);
+  const std::size_t columns = builder.GetSize() - sizeof(Trailer);
   finish(builder, buffer::Body::Motion,
-         buffer::CreateMotion(builder, m.window, m.time_s, displacement, velocity, static_cast<std::uint8_t>(m.order),
-                              write.parts()));
+         buffer::CreateMotion(builder, m.window, m.time_s, static_cast<std::uint8_t>(m.order), write.told()), columns);
 }
 
-void encode(const Load& m, Builder& builder, std::vector<Part>* parts) {
+void encode(const Load& m, Builder& builder, std::vector<Part>& parts) {
   begin(builder);
   ColumnWriter write(builder, parts);
-  const auto block = write(m.block);
-  const auto edge = write(m.edge);
-  const auto s_from = write(m.s_from);
-  const auto s_to = write(m.s_to);
-  const auto p_from = write(m.pressure_from_pa);
-  const auto p_to = write(m.pressure_to_pa);
-  const auto added_mass = write(m.added_mass);
+  write(m.s_from);
+  write(m.s_to);
+  write(m.pressure_from_pa);
+  write(m.pressure_to_pa);
+  write(m.added_mass);
+  write(m.block);  // after those that are aligned to more
+  write(m.edge);
+  const std::size_t columns = builder.GetSize() - sizeof(Trailer);
   finish(builder, buffer::Body::Load,
-         buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, block, edge, s_from,
-                            s_to, p_from, p_to, m.breached, m.cracks_from, added_mass, m.holds_until_s, write.parts()));
+         buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, m.breached,
+                            m.cracks_from, m.holds_until_s, write.told()),
+         columns);
 }
 
 void encode(const End& m, Builder& builder) {
@@ -123,20 +149,20 @@ void encode(const Failure& m, Builder& builder) {
   finish(builder, buffer::Body::Failure, buffer::CreateFailure(builder, words));
 }
 
-Kind verify(const void* data, std::size_t size) {
-  std::uint64_t sum = 0;
-  const std::size_t length = size - std::min(size, sizeof sum);
-  if (length > 0) std::memcpy(&sum, static_cast<const std::uint8_t*>(data) + length, sizeof sum);
-  if (length == 0 || sum != checksum(data, length)) {
+Kind verify(const Part& frame) {
+  const Trailer trailer = frame.size > sizeof(Trailer) ? trailer_of(frame) : Trailer();
+  const std::size_t length = frame.size - std::min(frame.size, sizeof trailer);
+  const std::size_t table = length - std::min<std::uint64_t>(length, trailer.columns);
+  if (table == 0 || trailer.sum != checksum(frame.data, table, trailer.columns)) {
     throw BadMessage(
         fmt::format("{} bytes that are damaged, or not of protocol {}: are both sides of one version of blockweir?",
-                    size, protocol_version));
+                    frame.size, protocol_version));
   }
-  flatbuffers::Verifier verifier(static_cast<const std::uint8_t*>(data), length);
+  flatbuffers::Verifier verifier(static_cast<const std::uint8_t*>(frame.data), table);
   if (!buffer::VerifyEnvelopeBuffer(verifier)) {
-    throw BadMessage(fmt::format("{} bytes that are not a message of protocol {}", size, protocol_version));
+    throw BadMessage(fmt::format("{} bytes that are not a message of protocol {}", frame.size, protocol_version));
   }
-  const buffer::Envelope* envelope = buffer::GetEnvelope(data);
+  const buffer::Envelope* envelope = buffer::GetEnvelope(frame.data);
   if (envelope->body() != nullptr) {
     switch (envelope->body_type()) {
       case buffer::Body::Hello:
@@ -153,11 +179,11 @@ Kind verify(const void* data, std::size_t size) {
         break;
     }
   }
-  throw BadMessage(fmt::format("a message of {} bytes without a known body", size));
+  throw BadMessage(fmt::format("a message of {} bytes without a known body", frame.size));
 }
 
-void decode(const void* data, Hello& m) {
-  const auto& b = body<buffer::Hello>(data);
+void decode(const Part& frame, Hello& m) {
+  const auto& b = body<buffer::Hello>(frame);
   m.protocol = b.protocol();
   m.role = text(b.role());
   m.build = text(b.build());
@@ -175,8 +201,8 @@ void decode(const void* data, Hello& m) {
   m.first_window = b.first_window();
 }
 
-void decode(const void* data, Motion& m, const Keeper& keeper, const NextPart& next) {
-  const auto& b = body<buffer::Motion>(data);
+void decode(const Part& frame, Motion& m, const NextPart& next) {
+  const auto& b = body<buffer::Motion>(frame);
   m.window = b.window();
   m.time_s = b.time_s();
   require_finite(m.time_s, "time", m.window);
@@ -184,18 +210,19 @@ void decode(const void* data, Motion& m, const Keeper& keeper, const NextPart& n
     throw BadMessage(fmt::format("order {} in window {}", b.order(), m.window));
   }
   m.order = static_cast<Order>(b.order());
-  ColumnReader columns(b.parts(), m.window, keeper, next);
+  ColumnReader columns = columns_of(b, frame, next);
   const char* name = "displacement";
-  if (!columns.read<Finite>(b.displacement(), m.displacement, name)) refuse_rows(m.displacement, name, m.window);
+  if (!columns.read<Finite>(m.displacement, name)) refuse_rows(m.displacement, name, m.window);
   name = "velocity";
-  if (!columns.read<Finite>(b.velocity(), m.velocity, name)) refuse_rows(m.velocity, name, m.window);
+  if (!columns.read<Finite>(m.velocity, name)) refuse_rows(m.velocity, name, m.window);
+  columns.end();
   if (m.displacement.size() != m.velocity.size()) {
     throw BadMessage(fmt::format("{} displacements and {} velocities", m.displacement.size(), m.velocity.size()));
   }
 }
 
-void decode(const void* data, Load& m, const Keeper& keeper, const NextPart& next) {
-  const auto& b = body<buffer::Load>(data);
+void decode(const Part& frame, Load& m, const NextPart& next) {
+  const auto& b = body<buffer::Load>(frame);
   m.window = b.window();
   m.time_s = b.time_s();
   m.upstream_level_m = b.upstream_level_m();
@@ -207,17 +234,18 @@ void decode(const void* data, Load& m, const Keeper& keeper, const NextPart& nex
   if (std::isinf(m.downstream_level_m)) require_finite(m.downstream_level_m, "downstream level", m.window);
   m.breached = b.breached();
   m.cracks_from = b.cracks_from();
-  ColumnReader columns(b.parts(), m.window, keeper, next);
+  ColumnReader columns = columns_of(b, frame, next);
   bool sound = true;
-  sound &= columns.read<Any>(b.block(), m.block, "block");
-  sound &= columns.read<Any>(b.edge(), m.edge, "edge");
-  sound &= columns.read<Fraction>(b.s_from(), m.s_from, "s_from");
-  sound &= columns.read<Fraction>(b.s_to(), m.s_to, "s_to");
-  sound &= columns.read<Finite>(b.pressure_from_pa(), m.pressure_from_pa, "pressure_from_pa");
-  sound &= columns.read<Finite>(b.pressure_to_pa(), m.pressure_to_pa, "pressure_to_pa");
-  if (!columns.read<Finite>(b.added_mass(), m.added_mass, "added mass")) {
+  sound &= columns.read<Fraction>(m.s_from, "s_from");
+  sound &= columns.read<Fraction>(m.s_to, "s_to");
+  sound &= columns.read<Finite>(m.pressure_from_pa, "pressure_from_pa");
+  sound &= columns.read<Finite>(m.pressure_to_pa, "pressure_to_pa");
+  if (!columns.read<Finite>(m.added_mass, "added mass")) {
     refuse_rows(m.added_mass, "added mass", m.window);
   }
+  sound &= columns.read<Any>(m.block, "block");
+  sound &= columns.read<Any>(m.edge, "edge");
+  columns.end();
   const std::size_t n = m.block.size();
   for (const std::size_t size :
        {m.edge.size(), m.s_from.size(), m.s_to.size(), m.pressure_from_pa.size(), m.pressure_to_pa.size()}) {
@@ -228,12 +256,12 @@ void decode(const void* data, Load& m, const Keeper& keeper, const NextPart& nex
   if (!sound) refuse_panels(m);
 }
 
-void decode(const void* data, End& m) {
-  m.reason = text(body<buffer::End>(data).reason());
+void decode(const Part& frame, End& m) {
+  m.reason = text(body<buffer::End>(frame).reason());
 }
 
-void decode(const void* data, Failure& m) {
-  m.text = text(body<buffer::Failure>(data).text());
+void decode(const Part& frame, Failure& m) {
+  m.text = text(body<buffer::Failure>(frame).text());
 }
 
 }  // namespace blockweir::wire

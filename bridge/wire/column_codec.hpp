@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Columns of numbers as bytes and back: in the first frame of their message, or each a part of its own. C++17.
+// Columns of numbers as bytes and back: at the end of their message's frame, or each a part of its own. C++17.
 #pragma once
 
 #include <flatbuffers/flatbuffers.h>
@@ -35,34 +35,32 @@ void copy(const flatbuffers::Vector<T>* from, std::vector<T>& into) {
   if (!into.empty()) std::memcpy(into.data(), from->Data(), into.size() * sizeof(T));
 }
 
-/// Writes the columns of one message.
+/// Writes the columns of one message, before its table: into its frame, or as parts that follow it.
 class ColumnWriter {
  public:
-  ColumnWriter(flatbuffers::FlatBufferBuilder& builder, std::vector<Part>* parts) : builder_(builder), parts_(parts) {}
+  ColumnWriter(flatbuffers::FlatBufferBuilder& builder, std::vector<Part>& parts) : builder_(builder), parts_(parts) {
+    parts_.clear();
+  }
 
   template <class T>
-  auto operator()(const Column<T>& column) {
-    using Number = typename Row<T>::Number;
-    const std::size_t bytes = column.size() * sizeof(T);
-    if (parts_ != nullptr && bytes >= smallest_part) {
-      parts_->push_back({column.data(), bytes, column.keeper()});
-      told_.emplace_back(bytes, checksum(column.data(), bytes));
-      return flatbuffers::Offset<flatbuffers::Vector<Number>>();
+  void operator()(const Column<T>& column) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(column.data());
+    const std::size_t size = column.size() * sizeof(T);
+    told_.emplace_back(size, checksum(bytes, size));
+    if (size >= smallest_part) {
+      parts_.push_back({bytes, size, column.keeper()});
+    } else if (size > 0) {
+      builder_.PushBytes(bytes, size);
     }
-    told_.emplace_back();
-    return builder_.CreateVector(reinterpret_cast<const Number*>(column.data()), bytes / sizeof(Number));
   }
 
-  /// What the message says of its parts; nothing where there are none.
-  [[nodiscard]] auto parts() const {
-    return parts_ == nullptr || parts_->empty() ? flatbuffers::Offset<flatbuffers::Vector<const buffer::Part*>>()
-                                                : builder_.CreateVectorOfStructs(told_);
-  }
+  /// What the table says of them.
+  [[nodiscard]] auto told() const { return builder_.CreateVectorOfStructs(told_); }
 
  private:
   flatbuffers::FlatBufferBuilder& builder_;
-  std::vector<Part>* parts_;
-  std::vector<buffer::Part> told_;
+  std::vector<Part>& parts_;
+  std::vector<buffer::ColumnSum> told_;
 };
 
 /// What is left of a value that is no number, and nothing of one that is: no branch, so that a processor looks at
@@ -88,52 +86,72 @@ struct Any {
 /// Reads the columns of one message, in the order in which they were written.
 class ColumnReader {
  public:
-  ColumnReader(const flatbuffers::Vector<const buffer::Part*>* told, std::uint64_t window, Keeper keeper,
-               const NextPart& next)
-      : window_(window), keeper_(std::move(keeper)), next_(next) {
-    told_.resize(told != nullptr ? told->size() : 0);
-    if (!told_.empty()) std::memcpy(told_.data(), told->Data(), told_.size() * sizeof(buffer::Part));
-  }
+  /// `in_frame` bytes of columns end at `end`; the first of them stands last.
+  ColumnReader(const flatbuffers::Vector<const buffer::ColumnSum*>* told, const std::uint8_t* end, std::size_t in_frame,
+               std::uint64_t window, Keeper keeper, const NextPart& next)
+      : told_(told), end_(end), in_frame_(in_frame), window_(window), keeper_(std::move(keeper)), next_(next) {}
 
   /// Are all numbers as they should be?
   template <class Sound, class T>
-  bool read(const flatbuffers::Vector<typename Row<T>::Number>* here, Column<T>& into, const char* name) {
-    const std::size_t column = column_++;
-    if (column < told_.size() && told_[column].bytes() > 0) return read_part<Sound>(told_[column], into, name);
-    if (here == nullptr || here->size() == 0) {
-      into.clear();
-      return true;
-    }
+  bool read(Column<T>& into, const char* name) {
     using Number = typename Row<T>::Number;
-    const std::size_t bytes = here->size() * sizeof(Number);
-    take(here->Data(), bytes, keeper_, into, name);
-    return faults_in<Sound, Number>(here->Data(), bytes) == 0;
-  }
-
- private:
-  template <class Sound, class T>
-  bool read_part(const buffer::Part& told, Column<T>& into, const char* name) {
-    const Part part = next_ ? next_() : Part();
-    if (part.data == nullptr) throw BadMessage(fmt::format("no {} in window {}", name, window_));
+    if (told_ == nullptr || column_ == told_->size()) throw missing(name);
+    buffer::ColumnSum told;
+    std::memcpy(&told, told_->Data() + column_++ * sizeof told, sizeof told);
+    const Part part = told.bytes() >= smallest_part ? next_part(name) : from_frame(told.bytes(), name);
     if (part.size != told.bytes()) {
       throw BadMessage(
           fmt::format("{} bytes of {} where {} were due, in window {}", part.size, name, told.bytes(), window_));
     }
-    // Summed and looked at in pieces, the second time from the processor's first cache.
+    if (part.size % sizeof(T) != 0) {
+      throw BadMessage(fmt::format("{} holds {} numbers, not {} a block", name, part.size / sizeof(Number),
+                                   sizeof(T) / sizeof(Number)));
+    }
+    const auto [sum, faults] = looked_at<Sound, Number>(part);
+    if (sum != told.sum()) {
+      throw BadMessage(fmt::format("{} bytes that are damaged, or not the {} of window {}", part.size, name, window_));
+    }
+    take(part, into);
+    return faults == 0;
+  }
+
+  void end() const {
+    if (in_frame_ > 0) throw BadMessage(fmt::format("{} bytes more than it says in window {}", in_frame_, window_));
+  }
+
+ private:
+  [[nodiscard]] BadMessage missing(const char* name) const {
+    return BadMessage(fmt::format("no {} in window {}", name, window_));
+  }
+
+  Part next_part(const char* name) {
+    Part part = next_ ? next_() : Part();
+    if (part.data == nullptr) throw missing(name);
+    return part;
+  }
+
+  Part from_frame(std::size_t size, const char* name) {
+    if (size > in_frame_) throw missing(name);
+    in_frame_ -= size;
+    end_ -= size;
+    return {end_, size, keeper_};
+  }
+
+  /// Checksum, and whether a number is not as it should be: piece by piece, the second time from the processor's first
+  /// cache.
+  template <class Sound, class Number>
+  static std::pair<std::uint64_t, std::uint64_t> looked_at(const Part& part) {
     constexpr std::size_t piece = 1U << 14U;
     const auto* bytes = static_cast<const std::uint8_t*>(part.data);
+    if (part.size <= piece) return {checksum(bytes, part.size), faults_in<Sound, Number>(bytes, part.size)};
     Checksum sum;
     std::uint64_t faults = 0;
     for (std::size_t from = 0; from < part.size; from += piece) {
       const std::size_t size = std::min(piece, part.size - from);
       sum.add(bytes + from, size);
-      faults |= faults_in<Sound, typename Row<T>::Number>(bytes + from, size);
+      faults |= faults_in<Sound, Number>(bytes + from, size);
     }
-    if (sum.value() != told.sum()) {
-      throw BadMessage(fmt::format("{} bytes that are damaged, or not the {} of window {}", part.size, name, window_));
-    }
-    take(bytes, part.size, part.keeper, into, name);
-    return faults == 0;
+    return {sum.value(), faults};
   }
 
   template <class Sound, class Number>
@@ -149,25 +167,24 @@ class ColumnReader {
 
   /// Viewed where it can be.
   template <class T>
-  void take(const std::uint8_t* from, std::size_t bytes, const Keeper& keeper, Column<T>& into, const char* name) {
-    if (bytes % sizeof(T) != 0) {
-      using Number = typename Row<T>::Number;
-      throw BadMessage(
-          fmt::format("{} holds {} numbers, not {} a block", name, bytes / sizeof(Number), sizeof(T) / sizeof(Number)));
-    }
-    const std::size_t size = bytes / sizeof(T);
-    if (keeper && reinterpret_cast<std::uintptr_t>(from) % alignof(T) == 0) {
-      into.view(reinterpret_cast<const T*>(from), size, keeper);
+  static void take(const Part& from, Column<T>& into) {
+    const std::size_t size = from.size / sizeof(T);
+    if (size == 0) {
+      into.clear();
+    } else if (from.keeper && reinterpret_cast<std::uintptr_t>(from.data) % alignof(T) == 0) {
+      into.view(static_cast<const T*>(from.data), size, from.keeper);
     } else {
       into.assign(size, T());
-      std::memcpy(into.own().data(), from, bytes);
+      std::memcpy(into.own().data(), from.data, from.size);
     }
   }
 
+  const flatbuffers::Vector<const buffer::ColumnSum*>* told_;
+  const std::uint8_t* end_;
+  std::size_t in_frame_;
   std::uint64_t window_;
   Keeper keeper_;
   const NextPart& next_;
-  std::vector<buffer::Part> told_;
   std::size_t column_ = 0;
 };
 

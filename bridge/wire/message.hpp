@@ -13,7 +13,7 @@
 namespace blockweir::wire {
 
 /// Raised whenever a message changes its meaning; partners of different versions refuse each other.
-inline constexpr std::uint32_t protocol_version = 8;
+inline constexpr std::uint32_t protocol_version = 9;
 
 /// First message of either side. Everything in it must agree, but for `role` and `build`.
 struct Hello {

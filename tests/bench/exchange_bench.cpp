@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <numeric>
 #include <thread>
 #include <vector>
 #include <zmq.hpp>
@@ -81,8 +82,10 @@ class Line {
 template <class Message>
 std::size_t bytes_of(const Message& message) {
   flatbuffers::FlatBufferBuilder builder;
-  wire::encode(message, builder);
-  return builder.GetSize();
+  std::vector<wire::Part> parts;
+  wire::encode(message, builder, parts);
+  return std::accumulate(parts.begin(), parts.end(), std::size_t{builder.GetSize()},
+                         [](std::size_t sum, const wire::Part& part) { return sum + part.size; });
 }
 
 /// The same bytes, unread. It looks for an answer as the line does: at once for a while, then asleep.

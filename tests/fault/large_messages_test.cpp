@@ -135,7 +135,8 @@ TEST(LargeMessages, AMessageWithMorePartsThanItSaysIsRefused) {
   EXPECT_THAT(refusal(1 + frames_a_load,
                       [](const std::vector<Frame>&) {
                         flatbuffers::FlatBufferBuilder without;
-                        wire::encode(wire::Load{.window = 1}, without);
+                        std::vector<wire::Part> none;
+                        wire::encode(wire::Load{.window = 1}, without, none);
                         return Frame(without.GetBufferPointer(), without.GetBufferPointer() + without.GetSize());
                       }),
               testing::HasSubstr("more parts than it says"));
