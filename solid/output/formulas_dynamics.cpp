@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "bridge/scene/polygon.hpp"
+#include "solid/output/dominant_eigenvalue.hpp"
 #include "solid/output/formula_parts.hpp"
 #include "solid/output/schedule_stability.hpp"
 #include "solid/step/newmark.hpp"
@@ -36,9 +37,7 @@ std::complex<double> contact_root(const Scene& s, const std::string& of) {
   step.row(0) = Eigen::RowVector3d(1, 1, 0.5 - n.beta) + n.beta * a1;
   step.row(1) = Eigen::RowVector3d(0, 1, 1 - n.gamma) + n.gamma * a1;
   step.row(2) = a1;
-  const Eigen::Vector3cd roots = Eigen::EigenSolver<Eigen::Matrix3d>(step, false).eigenvalues();
-  return *std::max_element(roots.begin(), roots.end(),
-                           [](const auto& p, const auto& q) { return std::abs(p) < std::abs(q); });
+  return dominant_eigenvalue(step);
 }
 
 /// Shi's scheme: 1/sqrt(1 + Om^2/2) up to Om = 4, where the roots turn real.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Figures from the course of a block's motion: oscillation, rebound, rocking, waves.
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <numbers>
 #include <span>
 
+#include "solid/output/dominant_eigenvalue.hpp"
 #include "solid/output/quantity_parts.hpp"
 
 namespace blockweir::solid::output {
@@ -58,10 +58,7 @@ struct Recurrence {
     Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(order, order);
     companion.row(0) = factors.transpose();
     companion.diagonal(-1).setOnes();
-    const Eigen::VectorXcd roots = Eigen::EigenSolver<Eigen::MatrixXd>(companion, false).eigenvalues();
-    Eigen::Index largest = 0;
-    roots.cwiseAbs().maxCoeff(&largest);
-    return roots[largest];
+    return dominant_eigenvalue(companion);
   }
 };
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/output/schedule_stability.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <stdexcept>
 
 #include "bridge/scene/polygon.hpp"
+#include "solid/output/dominant_eigenvalue.hpp"
 #include "solid/output/formula_parts.hpp"
 
 namespace blockweir::solid::output {
@@ -127,7 +127,7 @@ double schedule_growth(const Oscillator& o) {
     const auto after = std::bit_cast<std::array<double, size>>(window(o, std::bit_cast<State>(unit)));
     map.col(i) = Eigen::Map<const Eigen::Vector<double, size>>(after.data());
   }
-  return Eigen::EigenSolver<decltype(map)>(map, false).eigenvalues().cwiseAbs().maxCoeff();
+  return std::abs(dominant_eigenvalue(map));
 }
 
 }  // namespace blockweir::solid::output
