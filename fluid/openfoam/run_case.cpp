@@ -23,12 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A case as interFoam needs it, and a line on it.
+/// A case as interFoam needs it, and what ParaView opens it by; a line on it.
 std::string make_case(const scene::Scene& scene, const RunOptions& options, const CaseOptions& writing) {
   const fs::path& folder = writing.folder;
   if (scene.openfoam.own_case.empty()) {
     const Grid grid = make_grid(scene);
     write_case(scene, grid, writing);
+    results::replace_file(folder / "water.foam", "");
     if (!options.case_only) run_program("blockMesh", {"blockMesh", "-case", folder}, folder);
     return fmt::format("{}: {} cells in {} columns and {} rows, {:.4g} m beside the structure\n", folder.string(),
                        grid.cells(), grid.columns(), grid.rows(), grid.cell_m);
@@ -36,6 +37,7 @@ std::string make_case(const scene::Scene& scene, const RunOptions& options, cons
   const fs::path here = options.scene_folder.empty() ? scene.file.parent_path() : options.scene_folder;
   const fs::path own = (here / scene.openfoam.own_case).lexically_normal();
   adopt_case(scene, own, writing);
+  results::replace_file(folder / "water.foam", "");
   return fmt::format("{}: a copy of {} with the blocks\n", folder.string(), own.string());
 }
 

@@ -28,6 +28,7 @@ class OpenFoamFaults : public OpenFoam {
   void write_case(const std::string& change) const {
     ASSERT_EQ(shell(programs + "/blockweir-openfoam " + scene + " --case-only --out of --endpoint " + endpoint), 0)
         << text("out");
+    EXPECT_TRUE(fs::exists(folder / "of/water.foam"));  // ParaView opens the folder by it
     ASSERT_EQ(shell("sh -c \"" + change + "\""), 0) << text("out");
     ASSERT_EQ(shell(std::string("env ") + environment + "blockMesh -case of"), 0) << text("out");
   }

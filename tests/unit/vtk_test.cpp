@@ -10,9 +10,11 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "solid/output/history_writer.hpp"
@@ -73,6 +75,18 @@ TEST_F(VtkFiles, AreReadBackToTheBit) {
   auto* water = read(reader, folder / "frames/water_000001.vtu");
   EXPECT_EQ(water->GetNumberOfCells(), 2);  // the panel and the surface of one pool
   EXPECT_EQ(water->GetPointData()->GetArray("pressure_pa")->GetComponent(1, 0), 14715);
+}
+
+/// Debian 12's ParaView reads no others from 4 kB on.
+TEST_F(VtkFiles, AreXmlThroughout) {
+  VtkWriter(folder).write(frame_at(1.0 / 3));
+  for (const char* name : {"blocks", "joints", "water"}) {
+    std::ifstream file(folder / "frames" / (std::string(name) + "_000000.vtu"));
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    EXPECT_FALSE(text.empty());
+    EXPECT_TRUE(std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }))
+        << name;
+  }
 }
 
 TEST_F(VtkFiles, AreListedInTheCollectionWithTheirTimes) {
