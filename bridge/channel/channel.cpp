@@ -180,6 +180,7 @@ struct Channel::Line {
       if (waited < spin_s) continue;
       if (partner_left()) {
         if (incoming.receive()) break;
+        socket.set(zmq::sockopt::linger, 0);  // nobody is there to hear what is still to be sent
         throw PeerError(
             fmt::format("{} closed the line {}; see its own message for the cause", options.partner, moment));
       }
