@@ -95,6 +95,18 @@ class AugmentedLagrangian final : public Formulation {
     return most;
   }
 
+  /// Gaps of round-off size are left out of multipliers: the penalty times these is what friction would be out by.
+  void keep_slip_forces(const Trial& trial, const Held& held) override {
+    for_each(held.contact_ids.size(), [&](std::size_t i) {
+      const int k = held.contact_ids[i];
+      ContactPoint& c = held.contacts[at(k)];
+      if (c.state != ContactState::slip) return;
+      Progress& progress = follow(trial, k, c, edge_frame(trial, c));
+      c.multiplier = {c.force.x() + c.penalty * progress.separation.value.x(), c.force.y()};
+      progress.slip_force = c.force.y();
+    });
+  }
+
   [[nodiscard]] bool can_lag_friction() const override { return true; }
 
  private:

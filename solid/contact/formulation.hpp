@@ -48,6 +48,9 @@ class Formulation {
   virtual void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
                      const Held& held);
 
+  /// What slips begins with the force that it ended the step before with, to the last digit.
+  virtual void keep_slip_forces(const Trial& /*trial*/, const Held& /*held*/) {}
+
   /// Admissible force of contact `index` at the trial positions, with its linearization; sets the contact's state. May
   /// be asked for several contacts at a time.
   virtual Interaction contact(const Trial& trial, int index, ContactPoint& point) = 0;

@@ -28,19 +28,18 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
   points_.assign(contacts_.size(), {});
   double largest = settings_.force_tolerance_n;
   for (const int k : held.contact_ids) largest = std::max(largest, held.contacts[at(k)].force.cwiseAbs().maxCoeff());
-  double sum = 0;
   for (const int k : held.contact_ids) {
     const ContactPoint& c = held.contacts[at(k)];
     Point& p = points_[at(k)];
     const double motion = largest / contacts_[at(k)].stiffness;
     const double gap = std::max(follow(trial, k, c, edge_frame(trial, c)).separation.value.x(), motion);
     p.normal = {largest * motion / gap, gap};
-    sum += largest * motion;
     const double most = bound(c, p);
     p.has_friction = most > 0;
     if (p.has_friction) p.forward = p.backward = {most, largest * motion / most};
   }
-  product_ = 0.1 * sum / std::max<double>(1, static_cast<double>(held.contact_ids.size()));
+  product_ = 0;
+  fraction_ = 1;
 }
 
 Interaction InteriorPoint::contact(const Trial& trial, int index, ContactPoint& c) {
@@ -75,48 +74,58 @@ Interaction InteriorPoint::support(const Trial& trial, int index, Support& s) {
   return action;
 }
 
-double InteriorPoint::follow_correction(const Trial& trial, const Held& held) {
+double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
   constexpr double within = 0.99;
   double fraction = 1;
-  const auto keep_positive = [&](const Pair& pair) {
-    if (pair.force_change < 0) fraction = std::min(fraction, -within * pair.force / pair.force_change);
-    if (pair.motion_change < 0) fraction = std::min(fraction, -within * pair.motion / pair.motion_change);
-  };
   for (const int k : held.contact_ids) {
     const ContactPoint& c = held.contacts[at(k)];
     Point& p = points_[at(k)];
     const Eigen::Vector2d moved = follow(trial, k, c, edge_frame(trial, c)).separation.value - p.separation;
     const Eigen::Vector2d force = p.force - p.stiffness.cwiseProduct(moved);
     p.normal.follow(force.x() - p.normal.force, product_);
-    keep_positive(p.normal);
     if (!p.has_friction) continue;
     const double most = bound(c, p);
     p.shear_change = force.y() - p.shear;
     p.forward.follow(most + force.y() - p.forward.force, product_);
     p.backward.follow(most - force.y() - p.backward.force, product_);
-    keep_positive(p.forward);
-    keep_positive(p.backward);
   }
+  for_pairs(held, [&](const Pair& pair) {
+    if (pair.force_change < 0) fraction = std::min(fraction, -within * pair.force / pair.force_change);
+    if (pair.motion_change < 0) fraction = std::min(fraction, -within * pair.motion / pair.motion_change);
+  });
+  return fraction;
+}
+
+double InteriorPoint::mean_product(const Held& held, double fraction) {
   double sum = 0;
   double count = 0;
-  const auto go = [&](Pair& pair) {
+  for_pairs(held, [&](const Pair& pair) {
+    sum += (pair.force + fraction * pair.force_change) * (pair.motion + fraction * pair.motion_change);
+    ++count;
+  });
+  return sum / std::max(1.0, count);
+}
+
+void InteriorPoint::predict(const Trial& trial, const Held& held) {
+  const double fraction = find_changes(trial, held);
+  const double now = mean_product(held, 0);
+  const double share = std::max(0.0, mean_product(held, fraction)) / now;
+  product_ = std::max(share * share * share, fraction_ > 0.5 ? 0 : 0.3) * now;
+  for_pairs(held, [fraction](Pair& pair) {
+    pair.product_change = fraction * fraction * pair.force_change * pair.motion_change;
+  });
+}
+
+double InteriorPoint::follow_correction(const Trial& trial, const Held& held) {
+  const double fraction = find_changes(trial, held);
+  for (const int k : held.contact_ids) points_[at(k)].shear += fraction * points_[at(k)].shear_change;
+  for_pairs(held, [fraction](Pair& pair) {
     pair.force += fraction * pair.force_change;
     pair.motion += fraction * pair.motion_change;
-    sum += pair.force * pair.motion;
-    ++count;
-  };
-  for (const int k : held.contact_ids) {
-    Point& p = points_[at(k)];
-    go(p.normal);
-    if (!p.has_friction) continue;
-    p.shear += fraction * p.shear_change;
-    go(p.forward);
-    go(p.backward);
-  }
-  // Corrections cut short want more equal products.
-  const double share = fraction > 0.9 ? 0.1 : fraction > 0.5 ? 0.3 : 0.6;
-  product_ = share * sum / std::max(1.0, count);
-  return fraction;
+    pair.product_change = 0;
+  });
+  product_ = 0;
+  return fraction_ = fraction;
 }
 
 void InteriorPoint::hand_over(const Held& held) const {

@@ -22,6 +22,9 @@ class InteriorPoint final : public Formulation {
   Interaction support(const Trial& trial, int index, Support& s) override;
   bool sweep(const Held& /*held*/) override { return true; }
 
+  /// Once the blocks have moved by a whole correction that aims at products of zero: what the next one, with the same
+  /// matrix, is to aim at instead (Mehrotra 1992, SIAM J. Optim. 2).
+  void predict(const Trial& trial, const Held& held);
   /// Once the blocks have moved by a whole correction: the fraction of it that leaves all positive, which forces
   /// follow.
   double follow_correction(const Trial& trial, const Held& held);
@@ -35,10 +38,11 @@ class InteriorPoint final : public Formulation {
     double motion = 1;
     double force_change = 0;
     double motion_change = 0;
+    double product_change = 0;  ///< that a correction aims at beside what it is linear in
 
     [[nodiscard]] double stiffness() const { return force / motion; }
     /// What the motion lacks of the product.
-    [[nodiscard]] double lacks(double product) const { return product / force - motion; }
+    [[nodiscard]] double lacks(double product) const { return (product - product_change) / force - motion; }
     void follow(double change, double product) {
       force_change = change;
       motion_change = lacks(product) - change / stiffness();
@@ -64,8 +68,25 @@ class InteriorPoint final : public Formulation {
   /// Bound of shear by the pressure of now.
   [[nodiscard]] double bound(const ContactPoint& c, const Point& p) const;
 
+  /// By a whole correction; returns the fraction of it that leaves all positive.
+  double find_changes(const Trial& trial, const Held& held);
+  /// After that fraction of the changes.
+  [[nodiscard]] double mean_product(const Held& held, double fraction);
+
+  template <class Work>
+  void for_pairs(const Held& held, const Work& work) {
+    for (const int k : held.contact_ids) {
+      Point& p = points_[static_cast<std::size_t>(k)];
+      work(p.normal);
+      if (!p.has_friction) continue;
+      work(p.forward);
+      work(p.backward);
+    }
+  }
+
   std::vector<Point> points_;
-  double product_ = 0;  ///< that the next correction aims at
+  double fraction_ = 1;  ///< of the last correction
+  double product_ = 0;   ///< that the next correction aims at
 };
 
 }  // namespace blockweir::solid

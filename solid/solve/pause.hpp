@@ -15,6 +15,8 @@ class Pause {
     left_ = next_;
     next_ = std::min(longest, 2 * next_);
   }
+  /// Since the last success.
+  [[nodiscard]] bool after_failure() const { return next_ > 1; }
   void succeeded() { *this = {}; }
 
   template <class Archive>

@@ -170,7 +170,9 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
 
   bool solved = true;
   for (const IslandSystem& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
-    formulation_->begin(at_start, matrix_, frozen_, {s.island.contacts, contacts_, s.island.supports, supports_});
+    const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
+    formulation_->begin(at_start, matrix_, frozen_, held);
+    if (s.unknowns->total > large_island) formulation_->keep_slip_forces(at_start, held);
   }
   for (IslandSystem& island : islands_) {
     island.asleep = may_sleep(island);
@@ -178,6 +180,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
       put_to_sleep(island);
     } else {
       ++counts_.solved_islands;
+      start_where_it_rests(island);
       solved = solved && find_equilibrium(island);
     }
   }

@@ -108,6 +108,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
   const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
   bool swept = false;  // multipliers have changed since the last solve
   int in_a_row = 0;    // solves since then
+  double first = 0;    // unbalanced as they began
   for (int iteration = 0; iteration < scene_.contact.max_iterations; ++iteration) {
     const double left = unbalanced(s);
     if (!std::isfinite(left)) {
@@ -120,11 +121,27 @@ bool Solid::find_equilibrium(IslandSystem& s) {
       swept = true;
       continue;
     }
+    if (swept || iteration == 0) first = left;
     in_a_row = swept ? 0 : in_a_row + 1;
     swept = false;
-    if (in_a_row > most_in_a_row || !correct(s)) return false;
+    const bool diverges = unknowns > 10 * large_island && in_a_row > 2 && left > 1e6 * first;
+    if (diverges || in_a_row > most_in_a_row || !correct(s)) return false;
   }
   return false;
+}
+
+/// What a large island's velocities are is round-off where they would move it by no more: with penalties times
+/// that, a wall that stands would be out of balance as each step begins.
+void Solid::start_where_it_rests(const IslandSystem& s) {
+  const double round_off_m = 10 * formulation_->settings().position_round_off_m;
+  if (s.unknowns->total <= large_island || s.unknowns->shared()) return;
+  for (const int block : s.island.blocks) {
+    const auto b = at(block);
+    const double moved = increment_[b].head<2>().norm() + blocks_[b].radius * increment_[b].tail<4>().norm();
+    if (moved > round_off_m) continue;
+    increment_[b].setZero();
+    placement_[b] = start_[b];
+  }
 }
 
 /// Multipliers (8), then bonds: false where one of them has changed.

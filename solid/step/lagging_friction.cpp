@@ -16,10 +16,13 @@ namespace blockweir::solid {
 /// its neighbours, and brings the states back with which Newton's method began.
 bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
   const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
-  approach(s);
+  constexpr int few_solutions = 5;
+  formulation_->lag_friction(held);
+  // A step after one whose friction lagged begins with its states, or nearly so.
+  if (!whole_law_.after_failure() || !minimize(s, few_solutions)) approach(s);
   for (int sweep = 0; sweep < scene_.contact.max_iterations; ++sweep) {
     const bool bounds_stand = formulation_->lag_friction(held);
-    if (!minimize(s)) return false;
+    if (!minimize(s, scene_.contact.max_iterations)) return false;
     const Stopwatch watch(profile_.sweeps);
     ++counts_.sweeps;
     const bool settled = formulation_->sweep(held) && bounds_stand;
@@ -31,7 +34,7 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
 /// Where hundreds of contacts slip or open at once, Newton's method would look for their states by hundreds of
 /// solutions. What this leaves undone, sweeps do; where it does not get there they begin as without it.
 void Solid::approach(IslandSystem& s) {
-  constexpr int most_solutions = 60;
+  constexpr int most_solutions = 100;
   const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
   std::unique_ptr<Formulation> other = std::make_unique<InteriorPoint>(laws_, formulation_->settings());
   auto& method = static_cast<InteriorPoint&>(*other);
@@ -45,6 +48,12 @@ void Solid::approach(IslandSystem& s) {
     there = left <= method.settings().force_tolerance_n;
     if (there || !std::isfinite(left) || !solve_linearized(s)) break;
     move(s, 1);
+    method.predict(trial(), held);
+    move(s, -1);
+    unbalanced(s);
+    if (!solve(s, true)) break;
+    ++counts_.iterations;
+    move(s, 1);
     const double fraction = method.follow_correction(trial(), held);
     move(s, fraction - 1);
     way += fraction * s.correction;
@@ -56,9 +65,9 @@ void Solid::approach(IslandSystem& s) {
 }
 
 /// Of the energy whose negative gradient is the residual.
-bool Solid::minimize(IslandSystem& s) {
+bool Solid::minimize(IslandSystem& s, int most_solutions) {
   double left = unbalanced(s);
-  for (int iteration = 0; iteration < scene_.contact.max_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most_solutions; ++iteration) {
     if (left <= formulation_->settings().force_tolerance_n) return true;
     if (!std::isfinite(left)) {
       require_numbers(s);

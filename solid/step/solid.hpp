@@ -151,12 +151,13 @@ class Solid {
   bool sweep(IslandSystem& island);
   bool find_equilibrium_with_lagging_friction(IslandSystem& island);
   void approach(IslandSystem& island);
-  bool minimize(IslandSystem& island);
+  bool minimize(IslandSystem& island, int most_solutions);
   double search_along_correction(IslandSystem& island);
   bool correct(IslandSystem& island);
   bool solve_linearized(IslandSystem& island);
   void move(IslandSystem& island, double fraction);
   void correct_forces(IslandSystem& island);
+  void start_where_it_rests(const IslandSystem& island);
   double unbalanced(IslandSystem& island);
   void balance_own(std::size_t b);
   void let_act(IslandSystem& island);
