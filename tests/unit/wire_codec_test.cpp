@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "bridge/channel/hello.hpp"
+#include "bridge/wire/checksum.hpp"
 #include "bridge/wire/codec.hpp"
 #include "bridge/wire/messages_generated.h"
 
@@ -84,23 +86,41 @@ TEST(Codec, AnAddedMassThatIsNotANumberIsNamed) {
   EXPECT_EQ(refusal(load), "added mass 2 of block 1 is inf in window 17");
 }
 
+/// What a reader says of a frame whose table tells of other columns than it holds.
+std::string refusal_of_told(const Load& load, const std::function<void(buffer::ColumnSum*)>& alter) {
+  const Sent sent(load);
+  auto* columns = const_cast<flatbuffers::Vector<const buffer::ColumnSum*>*>(
+      buffer::GetEnvelope(sent.builder.GetBufferPointer())->body_as_Load()->columns());
+  alter(reinterpret_cast<buffer::ColumnSum*>(columns->Data()));
+  Load into;
+  try {
+    decode(sent.frame(), into);
+  } catch (const BadMessage& bad) {
+    return bad.what();
+  }
+  return "";
+}
+
 TEST(Codec, AddedMassesThatAreNotSixABlockAreRefused) {
   Load load = sample();
   load.pressure_to_pa = {0, 1, 2, 3, 4, 5, 6};
   load.added_mass.clear();
-  Sent sent(load);
   // The table gets to say that these are the added masses, which stand behind them.
-  auto* columns = const_cast<flatbuffers::Vector<const buffer::ColumnSum*>*>(
-      buffer::GetEnvelope(sent.builder.GetBufferPointer())->body_as_Load()->columns());
-  auto* told = reinterpret_cast<buffer::ColumnSum*>(columns->Data());
-  std::swap(told[3], told[4]);
-  Load into;
-  try {
-    decode(sent.frame(), into);
-    FAIL() << "was read";
-  } catch (const BadMessage& bad) {
-    EXPECT_STREQ(bad.what(), "added mass holds 7 numbers, not 6 a block");
-  }
+  EXPECT_EQ(refusal_of_told(load, [](buffer::ColumnSum* told) { std::swap(told[3], told[4]); }),
+            "added mass holds 7 numbers, not 6 a block");
+}
+
+TEST(Codec, AFrameThatHoldsLessOrMoreThanItsTableSaysIsRefused) {
+  EXPECT_EQ(refusal_of_told(sample(),
+                            [](buffer::ColumnSum* told) {
+                              told[6] = {16, told[6].sum()};
+                            }),
+            "no edge in window 17");
+  EXPECT_EQ(refusal_of_told(sample(),
+                            [](buffer::ColumnSum* told) {
+                              told[6] = {0, checksum(nullptr, 0)};
+                            }),
+            "8 bytes more than it says in window 17");
 }
 
 TEST(Codec, MotionArrivesAsItWasSent) {
