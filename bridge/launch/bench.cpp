@@ -47,7 +47,7 @@ bool is_first(const scene::Scene& scene, const scene::Expectation& expected) {
   return expected.quantity == first.quantity && expected.of == first.of;
 }
 
-std::string words(const std::string& curve, const std::string& setting) {
+std::string in_words(const std::string& curve, const std::string& setting) {
   return setting.empty() ? curve : fmt::format("{}, {}", curve, setting);
 }
 
@@ -70,7 +70,7 @@ Case case_of(const fs::path& path, const Settings& overrides, bool brief) {
     const scene::Scene set = scene::read(path, setting.all).scene;
     if (!set.expectations.empty() || !set.water_expectations.empty()) continue;
     throw std::invalid_argument(fmt::format("{}, {}: no figure whose error could be measured; add an [[expect]]",
-                                            path.string(), words(setting.curve, setting.key_and_value)));
+                                            path.string(), in_words(setting.curve, setting.key_and_value)));
   }
   return bench;
 }
@@ -169,7 +169,7 @@ json told(const Case& bench, const Measured& measured, const fs::path& out) {
   for (std::size_t i = 0; i < measured.points.size(); ++i) {
     const Point& p = measured.points[i];
     const bool on_front = std::find(best.begin(), best.end(), i) != best.end();
-    fmt::print("  {:<74} error {:>9.2e}  {:>8.3f} s{}\n", words(p.curve, p.setting), p.error, p.time_s,
+    fmt::print("  {:<74} error {:>9.2e}  {:>8.3f} s{}\n", in_words(p.curve, p.setting), p.error, p.time_s,
                on_front ? "  *" : "");
     row["points"].push_back(as_json(p));
     row["points"].back()["on_front"] = on_front;
@@ -189,7 +189,7 @@ json told(const Case& bench, const Measured& measured, const fs::path& out) {
   for (const Point& p : better_ones(measured.points)) {
     verdict +=
         fmt::format("{}\n    {}: error {:.2g} in {:.3f} s", row["bettered_by"].empty() ? "NOT on the front:" : "",
-                    words(p.curve, p.setting), p.error, p.time_s);
+                    in_words(p.curve, p.setting), p.error, p.time_s);
     row["bettered_by"].push_back(as_json(p));
   }
   row["verdict"] = verdict + (row["bettered_by"].empty() ? "on the front" : "");

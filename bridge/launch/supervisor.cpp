@@ -111,10 +111,10 @@ class Reaper {
   ~Reaper() { ::prctl(PR_SET_CHILD_SUBREAPER, before_); }
   Reaper(const Reaper&) = delete;
   Reaper& operator=(const Reaper&) = delete;
-  /// Returns when nothing is left; what has not ended by itself after `grace_s` is killed.
-  static void reap(double grace_s) {
+  /// Returns when nothing is left; what has not ended by itself after `patience_s` is killed.
+  static void reap(double patience_s) {
     for (const auto begin = Clock::now(); ::waitpid(-1, nullptr, WNOHANG) >= 0;) {
-      if (std::chrono::duration<double>(Clock::now() - begin).count() > grace_s) kill_children();
+      if (std::chrono::duration<double>(Clock::now() - begin).count() > patience_s) kill_children();
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
   }

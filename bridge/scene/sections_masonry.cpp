@@ -23,9 +23,9 @@ int read_count(TableReader& table, Reading& reading, const char* key) {
 }
 
 /// Points on the ring's radii, the angle counted from the crown, downstream.
-class Ring {
+class ArchRing {
  public:
-  explicit Ring(const Arch& arch) : arch_(arch) {}
+  explicit ArchRing(const Arch& arch) : arch_(arch) {}
 
   [[nodiscard]] Point at(double radius_m, double angle) const {
     return arch_.centre_m + radius_m * Point(std::sin(angle), std::cos(angle));
@@ -75,7 +75,7 @@ void read_arch(TableReader& table, Reading& reading) {
   reading.scene.arches.push_back(arch);  // a wrong one too: what names it is right
   if (!sound) return;
 
-  const Ring ring(arch);
+  const ArchRing ring(arch);
   const double half = arch.embrace_deg * std::numbers::pi / 360;
   const auto radius_of_joint = [&](int i) { return -half + 2 * half * i / arch.voussoirs; };
   const auto add = [&](const std::string& name, std::vector<Point> vertices, bool fixed) {

@@ -9,16 +9,13 @@
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/results/saving.hpp"
 #include "bridge/results/stopwatch.hpp"
+#include "bridge/scene/at.hpp"
 #include "bridge/scene/polygon.hpp"
 #include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double level_at(const std::optional<scene::TimeTable>& table, double time_s) {
   return table ? table->at(time_s) : std::numeric_limits<double>::quiet_NaN();

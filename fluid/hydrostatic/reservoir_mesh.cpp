@@ -164,7 +164,7 @@ std::vector<Kernel::Point_2> lattice(const Triangulation& boundary, const NodeTr
   return points;
 }
 
-Box extent_of(const std::vector<Ring>& region) {
+Box box_of(const std::vector<Ring>& region) {
   Box box;
   bg::assign_inverse(box);
   for (const Ring& ring : region) {
@@ -221,7 +221,7 @@ ReservoirMesh mesh_reservoir(const std::vector<Ring>& region, const std::vector<
     }
   }
   mark_inside(mesh);
-  const auto points = lattice(mesh, NodeTree(boundary_nodes), extent_of(region), size);
+  const auto points = lattice(mesh, NodeTree(boundary_nodes), box_of(region), size);
   mesh.insert(points.begin(), points.end());
   mark_inside(mesh);
   return extract(mesh);

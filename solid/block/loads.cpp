@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "bridge/scene/at.hpp"
+
 namespace blockweir::solid {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The edge that both points lie on (the scene's check has seen that there is one), as a panel without pressure.
 Panel panel_between(const Block& block, int index, const Point& from, const Point& to) {

@@ -5,15 +5,12 @@
 #include <limits>
 #include <map>
 
+#include "bridge/scene/at.hpp"
 #include "bridge/scene/outline.hpp"
 #include "bridge/section/mesh.hpp"
 
 namespace blockweir::solid {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A block of its own: it is its one part.
 std::vector<OutlineSide> whole(int block, std::size_t edges) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/contact/formulation.hpp"
 
@@ -15,10 +16,6 @@ namespace {
 // contacts work against each other, as at both ends of a pillar's base of 1:1000, it is a thousand times as large and
 // more; still larger ratios cost digits in the factorization.
 constexpr double largest_penalty_ratio = 1e8;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class AugmentedLagrangian final : public Formulation {
  public:

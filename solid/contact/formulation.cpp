@@ -4,16 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 
 namespace blockweir::solid {
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, const JointLaws& laws,
                                               const FormulationSettings& settings) {

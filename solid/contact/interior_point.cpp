@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/scene/at.hpp"
+
 namespace blockweir::solid {
 namespace {
 
 // What a contact gives to a change of its force, over the flexibility of its blocks. Redundant contacts, whose forces
 // equilibrium leaves open, would else make the matrix singular; no change is left at the end, and no error with it.
 constexpr double compliance_ratio = 1e-5;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 // would be admissible to, for any c > 0.
 #include <cmath>
 
+#include "bridge/scene/at.hpp"
 #include "solid/contact/formulation.hpp"
 
 namespace blockweir::solid {
@@ -12,10 +13,6 @@ namespace {
 // Contacts between two stiff faces are often redundant, the saddle-point matrix then singular: constraints give way by
 // this much of the blocks' own compliance, and Newton's iterations take its trace out of the answer.
 constexpr double regularization = 1e-9;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class LagrangeMultiplier final : public Formulation {
  public:

@@ -4,16 +4,13 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "bridge/scene/at.hpp"
 #include "solid/contact/formulation.hpp"
 
 namespace blockweir::solid {
 namespace {
 
 constexpr double stiffness_over_modulus = 40;  // springs that give a tenth of a per cent of a block's own strain
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class Penalty final : public Formulation {
  public:

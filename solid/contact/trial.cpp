@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/contact/trial.hpp"
 
+#include "bridge/scene/at.hpp"
+
 namespace blockweir::solid {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The edge's normal and tangent dotted with the shape matrix of a material point.
 Matrix26 rows(const Placement& placement, const Point& X, const EdgeFrame& edge) {

@@ -3,15 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "bridge/scene/at.hpp"
 #include "solid/output/energy.hpp"
 #include "solid/output/stress_field.hpp"
 
 namespace blockweir::solid::output {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void capture_block(const Solid& solid, std::size_t b, BlockRow& row) {
   const Block& block = solid.blocks()[b];

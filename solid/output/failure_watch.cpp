@@ -6,18 +6,10 @@
 #include <limits>
 #include <map>
 
+#include "bridge/scene/at.hpp"
 #include "solid/output/joint_name.hpp"
 
 namespace blockweir::solid::output {
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 FailureWatch::FailureWatch(const Solid& solid) : solid_(solid), rest_(solid.described()), guided_(rest_.size()) {
   std::map<std::size_t, int> supports;
@@ -154,7 +146,10 @@ double FailureWatch::slip(std::size_t b, std::size_t other) const {
 }
 
 Failure FailureWatch::describe(std::size_t b) const {
-  Failure failure{.block = static_cast<int>(b), .time_s = rest_[b].time_s, .level_m = rest_[b].level_m, .head_m = nan};
+  Failure failure{.block = static_cast<int>(b),
+                  .time_s = rest_[b].time_s,
+                  .level_m = rest_[b].level_m,
+                  .head_m = std::numeric_limits<double>::quiet_NaN()};
   const int other = neighbour_left_behind(b);
   if (other < 0) {
     failure.mode = "falling";

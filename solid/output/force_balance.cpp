@@ -2,19 +2,12 @@
 // How far a block would slide on a level joint by the balance of forces alone: what the contact has no part in.
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "solid/output/formula_parts.hpp"
 #include "solid/output/quantity_parts.hpp"
 
 namespace blockweir::solid::output {
 namespace {
-
-const scene::Joint& joint_named(const scene::Scene& s, const std::string& name) {
-  for (const scene::Joint& joint : s.joints) {
-    if (joint.name == name) return joint;
-  }
-  throw std::runtime_error("slip_over_balance is of a joint that [[joints]] names");
-}
 
 /// Position and velocity of a point mass under a force F and dry friction R.
 struct Slider {

@@ -8,17 +8,11 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/polygon.hpp"
 
 namespace blockweir::solid::output {
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 const scene::Block& block_named(const Scene& s, const std::string& name) {
   for (const auto& block : s.blocks) {

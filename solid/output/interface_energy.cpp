@@ -9,9 +9,9 @@
 namespace blockweir::solid::output {
 namespace {
 
-constexpr double gain = 3;     // times the energy before: a fourfold one
-constexpr double share = 0.5;  // of what the water gives or takes
-constexpr int in_a_row = 5;    // 3^5 times the energy at first
+constexpr double gain = 3;           // times the energy before: a fourfold one
+constexpr double least_share = 0.5;  // of what the water gives or takes
+constexpr int in_a_row = 5;          // 3^5 times the energy at first
 constexpr std::uint64_t patience = 40;
 
 double resting_energy(const Solid& solid) {
@@ -55,7 +55,7 @@ void InterfaceEnergy::judge(double kinetic) {
   if (growth_) return;
   const double made = now_.made - mark_.made;
   const double given = std::abs(now_.given - mark_.given);
-  const bool again = made > gain * scale_ && made > share * given;
+  const bool again = made > gain * scale_ && made > least_share * given;
   largest_kinetic_ = std::max(largest_kinetic_, kinetic);
   if (!again && now_.window - mark_.window < patience) return;
   if (again && times_ == 0) suspect_ = mark_;

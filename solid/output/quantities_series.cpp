@@ -14,8 +14,6 @@
 namespace blockweir::solid::output {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 const Course& course_of(const Outcome& o, const std::string& of) {
   return o.series.of(block_index(o.solid, of));
 }

@@ -12,8 +12,6 @@
 namespace blockweir::solid::output {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 template <double Failure::*Member>
 double of_first_failure(const Outcome& o, const std::string&) {
   return o.failure.failures().empty() ? nan : o.failure.failures().front().*Member;

@@ -2,12 +2,15 @@
 // What the figures of [[expect]] have in common: tables of them.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 
 #include "solid/output/quantities.hpp"
 
 namespace blockweir::solid::output {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();  ///< a figure that the run does not have
 
 /// By name; each gets the finished run and what the expectation is `of`.
 using Quantities = std::map<std::string, double (*)(const Outcome&, const std::string&)>;

@@ -5,12 +5,10 @@
 #include <map>
 #include <set>
 
+#include "bridge/scene/at.hpp"
+
 namespace blockweir::solid::output {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Stress from a strain in a frame that is turned by `angle`, in global axes.
 Eigen::Vector3d global_stress(const Block& block, const Eigen::Vector3d& strain, double angle) {

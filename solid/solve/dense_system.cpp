@@ -3,14 +3,11 @@
 #include <Eigen/LU>
 
 #include "bridge/results/stopwatch.hpp"
+#include "bridge/scene/at.hpp"
 #include "solid/solve/linear_system.hpp"
 
 namespace blockweir::solid {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class DenseSystem final : public LinearSystem {
  public:

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "bridge/scene/at.hpp"
+
 namespace blockweir::solid {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int root(std::vector<int>& parent, int b) {
   while (parent[at(b)] != b) b = parent[at(b)] = parent[at(parent[at(b)])];

@@ -2,15 +2,12 @@
 // Large islands: block-sparse matrix with a pattern fixed by the contact graph.
 #include <algorithm>
 
+#include "bridge/scene/at.hpp"
 #include "solid/solve/linear_system.hpp"
 #include "solid/solve/sparse_matrix.hpp"
 
 namespace blockweir::solid {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class SparseSystem final : public LinearSystem {
  public:

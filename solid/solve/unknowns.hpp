@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "bridge/scene/at.hpp"
 #include "solid/block/block.hpp"
 
 namespace blockweir::solid {
@@ -73,7 +74,6 @@ class Unknowns {
   }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   std::vector<std::vector<int>> number_;
   std::vector<Matrix6> map_;  ///< where blocks share unknowns
 };

@@ -5,17 +5,12 @@
 #include <cmath>
 
 #include "bridge/results/stopwatch.hpp"
+#include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
 namespace {
-
-constexpr double round_off = 1e-13;  // relative, of a sum of some tens of terms
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A generalized force as a plain one: moments and strain forces over the block's radius [N per metre].
 double magnitude(const Vector6& force, const Block& block) {
@@ -135,7 +130,7 @@ void Solid::balance_own(std::size_t b) {
   const Vector6 velocity = newmark_.velocity_factor(matrices_dt_) * increment_[b] + past_velocity_[b];
   const Vector6 drag = blocks_[b].damping * velocity;
   balance_[b] = external_[b] - blocks_[b].stiffness * (states_[b].displacement + increment_[b]) - drag;
-  round_off_[b] = round_off * (magnitude(external_[b], blocks_[b]) + magnitude(drag, blocks_[b]));
+  round_off_[b] = sum_round_off * (magnitude(external_[b], blocks_[b]) + magnitude(drag, blocks_[b]));
 }
 
 /// What contacts, supports and bolts of an island do at the trial.
@@ -189,7 +184,7 @@ void Solid::take_up(const IslandSystem& s, std::size_t k) {
     const Vector6 force = end.second ? Vector6(-(action.shape_j.transpose() * action.force))
                                      : Vector6(action.shape_i.transpose() * action.force);
     balance_[b] += force;
-    round_off_[b] += round_off * magnitude(force, blocks_[b]) + action.round_off;
+    round_off_[b] += sum_round_off * magnitude(force, blocks_[b]) + action.round_off;
   }
 }
 
@@ -202,7 +197,7 @@ double Solid::add_residual(IslandSystem& s, std::size_t k) {
   const Vector6 residual = balance_[b] - inertia + history_[b];
   s.unknowns->add(static_cast<int>(k), residual, s.residual);
   const double noise =
-      round_off_[b] + round_off * (magnitude(inertia, blocks_[b]) + magnitude(history_[b], blocks_[b]));
+      round_off_[b] + sum_round_off * (magnitude(inertia, blocks_[b]) + magnitude(history_[b], blocks_[b]));
   const double force = magnitude(residual, blocks_[b]);
   return std::isfinite(force) ? std::max(0.0, force - noise) : force;
 }

@@ -6,14 +6,11 @@
 #include <cmath>
 #include <set>
 
+#include "bridge/scene/at.hpp"
 #include "solid/solve/islands.hpp"
 
 namespace blockweir::solid {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double largest(const scene::TimeTable& course) {
   double size = 0;

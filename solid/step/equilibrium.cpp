@@ -5,18 +5,12 @@
 #include <cmath>
 
 #include "bridge/results/stopwatch.hpp"
+#include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/solve/condition_number.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 /// Islands, and with them the symbolic factorizations, are kept while the contact graph stands.
 void Solid::prepare_islands() {

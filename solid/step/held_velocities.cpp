@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/scene/at.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 /// Velocities along held directions (closed contacts, sticking ones along the edge too, supports) become the mean of
 /// the step: the velocities get the smallest change, in the metric of the step's matrix, that does so. Friction of a

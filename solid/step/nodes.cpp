@@ -5,15 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "bridge/scene/at.hpp"
 #include "solid/block/corners.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// E of six unknowns or of their rates.
 Eigen::Matrix2d strain_of(const Vector6& d) {
@@ -29,7 +26,6 @@ Eigen::Matrix2d rotation(double angle) {
   return Eigen::Rotation2Dd(angle).toRotationMatrix();
 }
 
-constexpr double round_off = 1e-13;  // relative, of a sum of some tens of terms
 const Eigen::Matrix2d quarter_turn = (Eigen::Matrix2d() << 0, -1, 1, 0).finished();
 
 }  // namespace
@@ -99,7 +95,7 @@ void Solid::add_residual_at_corners(IslandSystem& s, int k) {
   const Vector6 pull = newmark_.mass_factor(matrices_dt_) * (corner_mass(blocks_[t]) * corner_increment(t));
   s.unknowns->add(k, balance_[t], s.residual);
   const Vector6 left = history_[t] - pull;
-  const double noise = round_off_[t] + round_off * (pull.cwiseAbs().maxCoeff() + history_[t].cwiseAbs().maxCoeff());
+  const double noise = round_off_[t] + sum_round_off * (pull.cwiseAbs().maxCoeff() + history_[t].cwiseAbs().maxCoeff());
   const auto& numbers = s.unknowns->of(k);
   for (Eigen::Index i = 0; i < 6; ++i) {
     s.residual[numbers[at(static_cast<int>(i))]] += left[i];

@@ -244,9 +244,12 @@ class Solid {
   std::unique_ptr<Formulation> formulation_;
   std::unique_ptr<Formulation> substitute_;  ///< for steps that Lagrange multipliers cannot settle
   ContactSearch search_;
-  std::vector<bool> frozen_;            ///< fixed, or waiting while others settle
-  double end_s_ = 0;                    ///< of the step
-  double matrices_dt_ = -1;             ///< step that matrix_ was made for
+  std::vector<bool> frozen_;  ///< fixed, or waiting while others settle
+  double end_s_ = 0;          ///< of the step
+  double matrices_dt_ = -1;   ///< step that matrix_ was made for
+  /// Relative, of a sum of some tens of terms.
+  static constexpr double sum_round_off = 1e-13;
+
   std::vector<Matrix6> matrix_;         ///< inertia and elasticity of each block
   std::vector<Vector6> external_;       ///< loads at the end of the step
   std::vector<Vector6> history_;        ///< what inertia remembers; of triangles, at their corners

@@ -6,19 +6,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "bridge/scene/at.hpp"
 #include "solid/block/corners.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-constexpr double round_off = 1e-13;  // relative, of a sum of some tens of terms
-
-}  // namespace
 
 void Solid::begin_window(const Answered& answered) {
   const bool guards = scene_.coupling.added_mass_guard && scene_.analysis.kind == scene::AnalysisKind::dynamic;
@@ -83,7 +75,7 @@ void Solid::add_mean_inertia(IslandSystem& s) {
       moved += mean.of_corners[k] * corner_increment(at(triangles[k]));
     }
     const Eigen::Vector3d pull = newmark_.mass_factor(matrices_dt_) * (guard_.mass(mean.block) * moved);
-    const Eigen::Vector3d noise = round_off * (pull.cwiseAbs() + mean.history.cwiseAbs());
+    const Eigen::Vector3d noise = sum_round_off * (pull.cwiseAbs() + mean.history.cwiseAbs());
     for (std::size_t k = 0; k < triangles.size(); ++k) {
       const auto& nodes = s.unknowns->of(local_[at(triangles[k])]);
       s.residual(nodes) += mean.of_corners[k].transpose() * (mean.history - pull);
