@@ -19,16 +19,16 @@ struct Word {
   char letter;
   const char* colour;
 };
-constexpr std::array<Word, 10> words{{{"stands", '.', "#73a946"},
-                                      {"sliding", 's', "#3465a4"},
-                                      {"overturning", 'o', "#e08e0b"},
-                                      {"sliding and overturning", 'b', "#a0408a"},
-                                      {"falling", 'f', "#555753"},
-                                      {"stable", '-', "#73a946"},
-                                      {"grows", 'g', "#e08e0b"},
-                                      {"right", '.', "#73a946"},
-                                      {"refused", 'r', "#d3d7cf"},
-                                      {"wrong", 'X', "#f57900"}}};
+constexpr std::array<Word, 10> outcomes{{{"stands", '.', "#73a946"},
+                                         {"sliding", 's', "#3465a4"},
+                                         {"overturning", 'o', "#e08e0b"},
+                                         {"sliding and overturning", 'b', "#a0408a"},
+                                         {"falling", 'f', "#555753"},
+                                         {"stable", '-', "#73a946"},
+                                         {"grows", 'g', "#e08e0b"},
+                                         {"right", '.', "#73a946"},
+                                         {"refused", 'r', "#d3d7cf"},
+                                         {"wrong", 'X', "#f57900"}}};
 constexpr std::size_t most_labels = 200;  // more would cover each other
 
 bool has(const json& cells, const char* word) {
@@ -46,13 +46,13 @@ std::string tics(const char* axis, const scene::Sweep& sweep) {
 }  // namespace
 
 char letter(const std::string& word) {
-  const auto* found = std::find_if(words.begin(), words.end(), [&](const Word& one) { return word == one.word; });
-  return found == words.end() ? '?' : found->letter;
+  const auto* found = std::find_if(outcomes.begin(), outcomes.end(), [&](const Word& one) { return word == one.word; });
+  return found == outcomes.end() ? '?' : found->letter;
 }
 
 std::string legend(const json& cells) {
   std::string text;
-  for (const Word& one : words) {
+  for (const Word& one : outcomes) {
     if (has(cells, one.word)) text += fmt::format("  {} {}", one.letter, one.word);
   }
   return text + "\n";
@@ -74,8 +74,8 @@ std::string map_figure(const scene::MapStudy& study, const json& cells) {
     figure += fmt::format("${} << EOD\n{}EOD\n", name, points);
     curves += fmt::format("{}${} {}", curves.empty() ? "" : ", ", name, style);
   };
-  for (const Word& one : words) {
-    plot(fmt::format("m{}", &one - words.data()),
+  for (const Word& one : outcomes) {
+    plot(fmt::format("m{}", &one - outcomes.data()),
          fmt::format("with boxxyerror fc rgb '{}' title '{}'", one.colour, one.word),
          [&](const json& cell) { return cell["shown"] == one.word ? "0.5 0.5" : ""; });
   }
