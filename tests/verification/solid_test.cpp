@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "bridge/scene/polygon.hpp"
 #include "tests/verification/scenes.hpp"
@@ -104,6 +105,18 @@ TEST(Solid, SlidingStartsAtTheSameHeadWhateverThePenalty) {
           << "penalty " << penalty << ", head " << head;
     }
   }
+}
+
+TEST(Solid, APenaltyThatStartsLowRisesUntilItCostsNoMoreSolutions) {
+  const auto solutions = [](std::optional<double> penalty) {
+    auto scene = lower_crack();
+    scene.contact.initial_penalty_n_per_m2 = penalty;
+    Solid solid(scene);
+    solid.settle(water_on_face(16));
+    for (int n = 0; n < 100; ++n) solid.advance(n * 0.01, (n + 1) * 0.01, water_on_face(16 + n * 0.01));
+    return static_cast<double>(solid.counts().iterations);
+  };
+  EXPECT_LE(solutions(5e6), 1.2 * solutions({}));
 }
 
 TEST(Solid, KeptCohesionAddsItsForceToFriction) {
