@@ -246,6 +246,7 @@ class Solid {
   ContactSearch search_;
   std::vector<bool> frozen_;            ///< fixed, or waiting while others settle
   double end_s_ = 0;                    ///< of the step
+  bool goes_too_far_ = false;           ///< states were found, but blocks move or turn by more than a step may
   double matrices_dt_ = -1;             ///< step that matrix_ was made for
   std::vector<Matrix6> matrix_;         ///< inertia and elasticity of each block
   std::vector<Vector6> external_;       ///< loads at the end of the step
