@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/vtk/collection.hpp"
 
+#include <SMP/Common/vtkSMPToolsAPI.h>
 #include <fmt/format.h>
 #include <vtkObject.h>
 #include <vtkXMLUnstructuredGridWriter.h>
-
-#include <cstdlib>
 
 #include "bridge/results/result_file.hpp"
 
@@ -27,8 +26,13 @@ Collection::Collection(std::filesystem::path folder, const std::string& name)
   // that are longer than 4 kB: it feeds them to its XML parser, libexpat 2.5.0-1+deb12u2.
   writer_->vtk->SetDataModeToBinary();
   writer_->vtk->WriteToOutputStringOn();  // a file goes out in one piece, not in a hundred
-  // Threads for a few hundred points would spin beside solid and water. VTK's own header for this is not C++20.
-  ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
+  // Threads for a few hundred points would spin beside solid and water. Even those that are not used ask the system
+  // for its number of processors, six times a file, unless they have been told how many to be. VTK's own header for
+  // this, vtkSMPTools.h, is not C++20.
+  auto& threads = ::vtk::detail::smp::vtkSMPToolsAPI::GetInstance();
+  threads.SetBackend("STDThread");
+  threads.Initialize(1);
+  threads.SetBackend("Sequential");
 }
 
 Collection::~Collection() = default;

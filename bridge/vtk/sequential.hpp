@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's grid and array, looked at cell by cell and value by value. VTK's own way is for threads and asks the system for
-// the number of its processors sixteen times a file, which costs more than all else that a small frame needs.
+// VTK's grid and array, looked at cell by cell and value by value. VTK's own way is for threads, for which it gets
+// ready at each look: 2 % of the instructions of a small scene's run.
 #pragma once
 
 #include <vtkDoubleArray.h>

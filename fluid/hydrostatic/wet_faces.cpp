@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/hydrostatic/wet_faces.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,24 +43,12 @@ Ring rectangle(double left, double bottom, double right, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-struct Extent {
-  double left = std::numeric_limits<double>::infinity();
-  double right = -std::numeric_limits<double>::infinity();
-  double bottom = std::numeric_limits<double>::infinity();
-  double top = -std::numeric_limits<double>::infinity();
-};
+using Box = Eigen::AlignedBox2d;
 
-Extent extent_of(const std::vector<std::vector<Point>>& outlines) {
-  Extent e;
-  for (const auto& outline : outlines) {
-    for (const Point& p : outline) {
-      e.left = std::min(e.left, p.x());
-      e.right = std::max(e.right, p.x());
-      e.bottom = std::min(e.bottom, p.y());
-      e.top = std::max(e.top, p.y());
-    }
-  }
-  return e;
+Box box_of(const std::vector<Point>& outline) {
+  Box box;
+  for (const Point& p : outline) box.extend(p);
+  return box;
 }
 
 /// The crest's corner on the pool's side: of all vertices that are as high as the highest but for `tolerance_m` the
@@ -79,9 +68,13 @@ Point crest_corner(const std::vector<std::vector<Point>>& outlines, Pool pool, d
 /// What the grown blocks and wall leave of the frame: its outer rings and holes.
 cl::Paths water_between(const std::vector<std::vector<Point>>& outlines, const Ring& wall, const Ring& frame,
                         double growth_m) {
+  const Point most = Point::Constant(2 * growth_m);  // how far a corner grows, and more
+  const Box reach(frame[0] - most, frame[2] + most);
   cl::Clipper clipper;
   clipper.AddPath(to_units(frame), cl::ptSubject, true);
-  for (const auto& outline : outlines) clipper.AddPath(to_units(grown(outline, growth_m)), cl::ptClip, true);
+  for (const auto& outline : outlines) {
+    if (box_of(outline).intersects(reach)) clipper.AddPath(to_units(grown(outline, growth_m)), cl::ptClip, true);
+  }
   clipper.AddPath(to_units(grown(wall, growth_m)), cl::ptClip, true);
   cl::Paths water;
   clipper.Execute(cl::ctDifference, water, cl::pftPositive, cl::pftPositive);
@@ -123,6 +116,7 @@ struct SunkenEdge {
 
 std::vector<SunkenEdge> sunken_edges(const std::vector<std::vector<Point>>& outlines, double level_m) {
   std::vector<SunkenEdge> edges;
+  edges.reserve(4 * outlines.size());
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     const auto& outline = outlines[k];
     for (std::size_t e = 0; e < outline.size(); ++e) {
@@ -197,26 +191,15 @@ void tidy(const std::vector<std::vector<Point>>& outlines, double level_m, doubl
   intervals.swap(joined);
 }
 
-}  // namespace
-
-WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, double level_m,
-                   double open_crack_width_m) {
+/// Of the pool in this frame; `breached` where it reaches from the frame's left to its right.
+WetFaces wet_faces_within(const Ring& frame, const std::vector<std::vector<Point>>& outlines, const Ring& wall,
+                          Pool pool, double level_m, double open_crack_width_m) {
   WetFaces result;
-  const Extent e = extent_of(outlines);
-  if (outlines.empty() || level_m <= e.bottom) return result;
   const double growth = open_crack_width_m / 2;
-  const double pad = 1 + growth;  // m; any strip of open water beside the model will do
-  const Ring frame = rectangle(e.left - pad, e.bottom - growth, e.right + pad, level_m + growth);
-  const double wall = 1e-3;
-  const Point crest = crest_corner(outlines, pool, e.top, open_crack_width_m);
-  const double wall_left = pool == Pool::upstream ? crest.x() : crest.x() - wall;
-  const cl::Paths water =
-      water_between(outlines, rectangle(wall_left, crest.y() - wall, wall_left + wall, std::max(level_m, e.top) + pad),
-                    frame, growth);
-
+  const cl::Paths water = water_between(outlines, wall, frame, growth);
   const std::vector<SunkenEdge> edges = sunken_edges(outlines, level_m);
-  const double far_left = e.left - pad + tiny_m;
-  const double far_right = e.right + pad - tiny_m;
+  const double far_left = frame[0].x() + tiny_m;
+  const double far_right = frame[2].x() - tiny_m;
   const auto add_boundary = [&](const cl::Path& path) {
     Ring& ring = result.region.emplace_back();
     for (const Piece& piece : moved_back(path, frame, growth)) {
@@ -241,6 +224,32 @@ WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, d
   }
   tidy(outlines, level_m, open_crack_width_m, result.intervals);
   return result;
+}
+
+}  // namespace
+
+WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, double level_m,
+                   double open_crack_width_m) {
+  Box all;
+  for (const auto& outline : outlines) all.extend(box_of(outline));
+  if (outlines.empty() || level_m <= all.min().y()) return {};
+  const double growth = open_crack_width_m / 2;
+  const double pad = 1 + growth;  // m; any strip of open water beside the model will do
+  const double wall = 1e-3;
+  const Point crest = crest_corner(outlines, pool, all.max().y(), open_crack_width_m);
+  const double wall_left = pool == Pool::upstream ? crest.x() : crest.x() - wall;
+  const Ring thin_wall =
+      rectangle(wall_left, crest.y() - wall, wall_left + wall, std::max(level_m, all.max().y()) + pad);
+  const auto between = [&](double left, double right) {
+    const Ring frame = rectangle(left, all.min().y() - growth, right, level_m + growth);
+    return wet_faces_within(frame, outlines, thin_wall, pool, level_m, open_crack_width_m);
+  };
+  // What lies beyond the wall matters only where water gets there: to look at half the model takes less.
+  const double left = all.min().x() - pad;
+  const double right = all.max().x() + pad;
+  const double middle = wall_left + wall / 2;
+  WetFaces found = pool == Pool::upstream ? between(left, middle) : between(middle, right);
+  return found.breached ? between(left, right) : found;
 }
 
 }  // namespace blockweir::hydrostatic

@@ -58,7 +58,7 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   /// One sweep (8): where any is not settled all multipliers are updated, for what a contact's penalty is left to carry
-  /// stretches the row of blocks behind it. Penalties whose gap did not shrink fourfold are raised.
+  /// stretches the row of blocks behind it. Penalties that are low, or whose gap did not shrink fourfold, are raised.
   bool sweep(const Held& held) override {
     if (all_settled(held)) return true;
     if (settings_.friction_lags) raise_together(held);
@@ -192,9 +192,12 @@ class AugmentedLagrangian final : public Formulation {
     for (const int k : held.support_ids) raise(supports_[at(k)], held.supports[at(k)].penalty);
   }
 
-  static void raise_if_slow(Progress& progress, double& penalty) {
+  /// Where the scene starts it lower than steps choose by themselves it rises with each sweep: up to there it costs no
+  /// digits.
+  void raise_if_slow(Progress& progress, double& penalty) const {
     const double violation = progress.violated.cwiseAbs().maxCoeff();
-    if (4 * violation > progress.last_violation) {
+    const bool low = settings_.initial_penalty && 10 * penalty <= settings_.penalty_ratio * progress.stiffness;
+    if (low || 4 * violation > progress.last_violation) {
       penalty = std::min(10 * penalty, largest_penalty_ratio * progress.stiffness);
     }
     progress.last_violation = violation;

@@ -57,11 +57,11 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
   }
 }
 
-/// Where friction has had to lag it will have to again: the whole of Coulomb's law, which finds that out by running in
-/// circles, is left out for a while.
+/// A step that goes too far does so whatever finds its states: it is cut. Where friction has had to lag it will have to
+/// again: the whole of Coulomb's law, which finds that out by running in circles, is left out for a while.
 bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
   if (whole_law_.skips() && attempt_with_lagging_friction(dt, end_s, water)) return true;
-  if (!attempt(dt, end_s, water)) return attempt_otherwise(dt, end_s, water);
+  if (!attempt(dt, end_s, water)) return !goes_too_far_ && attempt_otherwise(dt, end_s, water);
   whole_law_.succeeded();
   return true;
 }
@@ -103,7 +103,7 @@ bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::ve
 bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& water) {
   const double usual = formulation_->settings().penalty_ratio;
   bool solved = false;
-  for (double ratio = usual / 100; !solved && ratio >= usual / 1e6; ratio /= 100) {
+  for (double ratio = usual / 100; !solved && !goes_too_far_ && ratio >= usual / 1e6; ratio /= 100) {
     ++counts_.softened_steps;
     formulation_->settings().penalty_ratio = ratio;
     solved = attempt(dt, end_s, water);
@@ -186,8 +186,9 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     }
   }
   const double moved = largest_increment();
-  solved = solved && moved <= scene_.analysis.max_displacement_ratio * size_ &&
-           (moved == 0 || largest_turn() <= ContactSearch::most_turn);
+  goes_too_far_ = solved && !(moved <= scene_.analysis.max_displacement_ratio * size_ &&
+                              (moved == 0 || largest_turn() <= ContactSearch::most_turn));
+  solved = solved && !goes_too_far_;
   const bool seen = !solved || search_.covers(moved);
   if (!solved || !seen) {
     contacts_ = contacts_before_;

@@ -244,9 +244,10 @@ class Solid {
   std::unique_ptr<Formulation> formulation_;
   std::unique_ptr<Formulation> substitute_;  ///< for steps that Lagrange multipliers cannot settle
   ContactSearch search_;
-  std::vector<bool> frozen_;  ///< fixed, or waiting while others settle
-  double end_s_ = 0;          ///< of the step
-  double matrices_dt_ = -1;   ///< step that matrix_ was made for
+  std::vector<bool> frozen_;   ///< fixed, or waiting while others settle
+  double end_s_ = 0;           ///< of the step
+  bool goes_too_far_ = false;  ///< states were found, but blocks move or turn by more than a step may
+  double matrices_dt_ = -1;    ///< step that matrix_ was made for
   /// Relative, of a sum of some tens of terms.
   static constexpr double sum_round_off = 1e-13;
 

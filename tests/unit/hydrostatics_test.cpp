@@ -3,6 +3,7 @@
 // Force and moment of still water against the formulas, by both nodal rules; which faces are wet.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
@@ -161,6 +162,31 @@ TEST(Hydrostatics, WaterThatPassesAWideGapIsABreach) {
   EXPECT_FALSE(breached(0.01, 10));
   EXPECT_TRUE(breached(0.2, 10));
   EXPECT_FALSE(breached(0.2, 4.9));  // the gap is above the water
+}
+
+/// Behind two blocks with a gap between them stands a third, 2 m away.
+TEST(Hydrostatics, WaterReachesWhatStandsBehindTheCrestThroughAWideGapOnly) {
+  for (const Pool pool : {Pool::upstream, Pool::downstream}) {
+    const auto wet_behind = [&](double gap) {
+      std::vector<std::vector<Point>> outlines = {{{0, 0}, {4, 0}, {4, 5}, {0, 5}},
+                                                  {{0, 5 + gap}, {4, 5 + gap}, {4, 12}, {0, 12}},
+                                                  {{6, 0}, {8, 0}, {8, 11}, {6, 11}}};
+      for (auto& outline : outlines) {
+        if (pool == Pool::upstream) break;
+        for (Point& p : outline) p.x() *= -1;
+        std::reverse(outline.begin(), outline.end());
+      }
+      double length = 0;
+      for (const WetInterval& w : wet_faces(outlines, pool, 10, 0.05).intervals) {
+        const auto& o = outlines[static_cast<std::size_t>(w.block)];
+        const auto e = static_cast<std::size_t>(w.edge);
+        if (w.block == 2) length += (w.s_to - w.s_from) * (o[(e + 1) % 4] - o[e]).norm();
+      }
+      return length;
+    };
+    EXPECT_EQ(wet_behind(0.01), 0);
+    EXPECT_NEAR(wet_behind(0.2), 10, 1e-6);  // its face
+  }
 }
 
 /// A block on its tip, over a plate, on which the structure's crest stands beside it.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "bridge/scene/polygon.hpp"
 #include "tests/verification/scenes.hpp"
@@ -104,6 +105,32 @@ TEST(Solid, SlidingStartsAtTheSameHeadWhateverThePenalty) {
           << "penalty " << penalty << ", head " << head;
     }
   }
+}
+
+TEST(Solid, APenaltyThatStartsLowRisesUntilItCostsNoMoreSolutions) {
+  const auto solutions = [](std::optional<double> penalty) {
+    auto scene = lower_crack();
+    scene.contact.initial_penalty_n_per_m2 = penalty;
+    Solid solid(scene);
+    solid.settle(water_on_face(16));
+    for (int n = 0; n < 100; ++n) solid.advance(n * 0.01, (n + 1) * 0.01, water_on_face(16 + n * 0.01));
+    return static_cast<double>(solid.counts().iterations);
+  };
+  EXPECT_LE(solutions(5e6), 1.2 * solutions({}));
+}
+
+TEST(Solid, AStepThatGoesTooFarIsCutAndNotTriedInOtherWays) {
+  auto scene = empty_scene();
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 30;
+  add(scene, {{-1, -1}, {9, -1}, {9, 0}, {-1, 0}}, true);
+  add(scene, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  scene.blocks[1].initial_velocity_m_per_s = {6, 0};
+  Solid solid(scene);
+  run(solid, 0.5);
+  EXPECT_GT(solid.counts().undone_steps, 0);
+  EXPECT_EQ(solid.counts().softened_steps, 0);
+  const double braked = 9.81 * std::tan(std::numbers::pi / 6);
+  EXPECT_NEAR(solid.states()[1].velocity.x(), 6 - 0.5 * braked, 1e-3);
 }
 
 TEST(Solid, KeptCohesionAddsItsForceToFriction) {
