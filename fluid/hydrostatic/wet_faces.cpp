@@ -43,12 +43,12 @@ Ring rectangle(double left, double bottom, double right, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-using Box = Eigen::AlignedBox2d;
+using Extent = Eigen::AlignedBox2d;
 
-Box box_of(const std::vector<Point>& outline) {
-  Box box;
-  for (const Point& p : outline) box.extend(p);
-  return box;
+Extent extent_of(const std::vector<Point>& outline) {
+  Extent extent;
+  for (const Point& p : outline) extent.extend(p);
+  return extent;
 }
 
 /// The crest's corner on the pool's side: of all vertices that are as high as the highest but for `tolerance_m` the
@@ -69,11 +69,11 @@ Point crest_corner(const std::vector<std::vector<Point>>& outlines, Pool pool, d
 cl::Paths water_between(const std::vector<std::vector<Point>>& outlines, const Ring& wall, const Ring& frame,
                         double growth_m) {
   const Point most = Point::Constant(2 * growth_m);  // how far a corner grows, and more
-  const Box reach(frame[0] - most, frame[2] + most);
+  const Extent reach(frame[0] - most, frame[2] + most);
   cl::Clipper clipper;
   clipper.AddPath(to_units(frame), cl::ptSubject, true);
   for (const auto& outline : outlines) {
-    if (box_of(outline).intersects(reach)) clipper.AddPath(to_units(grown(outline, growth_m)), cl::ptClip, true);
+    if (extent_of(outline).intersects(reach)) clipper.AddPath(to_units(grown(outline, growth_m)), cl::ptClip, true);
   }
   clipper.AddPath(to_units(grown(wall, growth_m)), cl::ptClip, true);
   cl::Paths water;
@@ -230,8 +230,8 @@ WetFaces wet_faces_within(const Ring& frame, const std::vector<std::vector<Point
 
 WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, double level_m,
                    double open_crack_width_m) {
-  Box all;
-  for (const auto& outline : outlines) all.extend(box_of(outline));
+  Extent all;
+  for (const auto& outline : outlines) all.extend(extent_of(outline));
   if (outlines.empty() || level_m <= all.min().y()) return {};
   const double growth = open_crack_width_m / 2;
   const double pad = 1 + growth;  // m; any strip of open water beside the model will do
