@@ -172,6 +172,7 @@ void tidy(const std::vector<std::vector<Point>>& outlines, double level_m, doubl
   const auto key = [](const WetInterval& w) { return std::make_tuple(w.block, w.edge, w.s_from); };
   std::sort(intervals.begin(), intervals.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
   std::vector<WetInterval> joined;
+  joined.reserve(intervals.size());
   for (WetInterval w : intervals) {
     const auto& outline = outlines[static_cast<std::size_t>(w.block)];
     const Point& p = outline[static_cast<std::size_t>(w.edge)];
@@ -198,11 +199,14 @@ WetFaces wet_faces_within(const Ring& frame, const std::vector<std::vector<Point
   const double growth = open_crack_width_m / 2;
   const cl::Paths water = water_between(outlines, wall, frame, growth);
   const std::vector<SunkenEdge> edges = sunken_edges(outlines, level_m);
+  result.intervals.reserve(edges.size());
   const double far_left = frame[0].x() + tiny_m;
   const double far_right = frame[2].x() - tiny_m;
   const auto add_boundary = [&](const cl::Path& path) {
+    const std::vector<Piece> pieces = moved_back(path, frame, growth);
     Ring& ring = result.region.emplace_back();
-    for (const Piece& piece : moved_back(path, frame, growth)) {
+    ring.reserve(2 * pieces.size());
+    for (const Piece& piece : pieces) {
       ring.insert(ring.end(), {piece.from, piece.to});
       map_to_edges(edges, piece, open_crack_width_m / 5, result.intervals);
     }
