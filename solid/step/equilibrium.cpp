@@ -98,12 +98,14 @@ bool Solid::find_equilibrium(IslandSystem& s) {
   const int most_in_a_row = unknowns > 10 * large_island ? 15
                             : unknowns > large_island    ? 50
                                                          : scene_.contact.max_iterations;
+  // Where it has failed, its next turn is a short one.
+  const int most = unknowns > large_island && whole_law_.after_failure() ? 20 : scene_.contact.max_iterations;
   const double tolerance = formulation_->settings().force_tolerance_n;
   const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
   bool swept = false;  // multipliers have changed since the last solve
   int in_a_row = 0;    // solves since then
   double first = 0;    // unbalanced as they began
-  for (int iteration = 0; iteration < scene_.contact.max_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most; ++iteration) {
     const double left = unbalanced(s);
     if (!std::isfinite(left)) {
       require_numbers(s);
@@ -118,7 +120,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
     if (swept || iteration == 0) first = left;
     in_a_row = swept ? 0 : in_a_row + 1;
     swept = false;
-    const bool diverges = unknowns > 10 * large_island && in_a_row > 2 && left > 1e6 * first;
+    const bool diverges = unknowns > 10 * large_island && in_a_row > 2 && left > 1e3 * first;
     if (diverges || in_a_row > most_in_a_row || !correct(s)) return false;
   }
   return false;

@@ -206,6 +206,23 @@ TEST(Large, AnInteriorPointThatIsOnlyComeNearToIsNotThrownAway) {
   EXPECT_LT(solutions(1000), 2 * solutions(1));  // three times as many from where it began
 }
 
+/// The whole law, whose states run in circles, gives way after two solutions; an interior point takes hardly more
+/// factorizations for five times as many blocks.
+TEST(Large, ASlopeOfThousandsSettlesWithAsManyFactorizationsAsOneOfAThousand) {
+  const auto settle = [](int blocks) {
+    const auto scene = rock_slope(blocks, 0.6);
+    Solid solid(scene);
+    solid.settle({});
+    EXPECT_EQ(solid.counts().lagged_steps, 1) << blocks;
+    EXPECT_LT(worst_against_coulomb(solid, 0.6), 2e-10) << blocks;
+    EXPECT_LT(solid.largest_displacement_m(), 1e-10) << blocks;
+    return solid.counts().factorizations;
+  };
+  const long of_a_thousand = settle(1000);
+  EXPECT_LT(of_a_thousand, 25);  // 37 by the whole law
+  EXPECT_LT(static_cast<double>(settle(5000)), 1.3 * static_cast<double>(of_a_thousand));
+}
+
 /// Its acceleration does not change from one quasi-static step to the next.
 TEST(Large, AStartThatSlidesIsNotWaitedFor) {
   const auto scene = rock_slope(100, 0.3);
