@@ -37,7 +37,7 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
 /// solutions. What this leaves undone, sweeps do; where it does not get near they begin as without it. Among thousands
 /// of deformable bricks some contacts with next to no force on them go to and fro: it stops there.
 void Solid::approach(IslandSystem& s) {
-  constexpr int most_solutions = 100;
+  constexpr int most_solutions = 200;
   constexpr double near = 1e-5;  // of what was unbalanced
   constexpr int patience = 8;
   const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
