@@ -178,7 +178,7 @@ struct Channel::Line {
     while (!incoming.receive()) {
       if (give_up()) throw Interrupted("asked to stop");
       const double waited = seconds_since(start);
-      if (waited < spin_s) {
+      if (waited < spin_s && last_wait_s < spin_s) {
         std::this_thread::yield();  // to those that bring the answer, where cores are few
         continue;
       }
@@ -195,7 +195,8 @@ struct Channel::Line {
       poll(std::min(poll_slice_s, patience_s - waited + 1e-3));
     }
     visitors.partner_is(incoming.source());
-    waited_s += seconds_since(start);
+    last_wait_s = seconds_since(start);
+    waited_s += last_wait_s;
   }
 
   template <class Message>
@@ -233,6 +234,7 @@ struct Channel::Line {
   Incoming incoming{socket};
   std::vector<wire::Part> parts;
   double waited_s = 0;
+  double last_wait_s = 0;  ///< after a long wait the next is likely to be long: who keeps looking is in the way
   double packed_s = 0;
   double wire_s = 0;
   std::uint64_t window = 0;
