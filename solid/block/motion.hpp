@@ -63,6 +63,16 @@ class Placement {
     return T;
   }
 
+  /// T^T f: a force at a material point as one on the six unknowns.
+  [[nodiscard]] Vector6 generalized(const Point& f, const Point& X) const {
+    const Point y = X + strained(strain_, X);
+    const Point own = unturn(f);
+    Vector6 force;
+    force << f, y.x() * own.y() - y.y() * own.x(), X.x() * own.x(), X.y() * own.y(),
+        (X.y() * own.x() + X.x() * own.y()) / 2;
+    return force;
+  }
+
   /// Displacement of a material point when this placement is changed by `increment` of the six unknowns, free of
   /// cancellation: R ((R(dr) - I)(I + E) X + R(dr) dE X) + du.
   [[nodiscard]] Point increment(const Vector6& increment, const Point& X) const {

@@ -43,8 +43,7 @@ inline PanelForce panel_force(const Block& block, const Placement& placement, co
 /// Generalized force of a panel: nodal forces onto the block (11). As the displacement is linear in position the
 /// lever rule between vertices and the virtual work T^T f are the same.
 inline Vector6 generalized_force(const Placement& placement, const PanelForce& panel) {
-  return placement.shape(panel.node[0]).transpose() * panel.force[0] +
-         placement.shape(panel.node[1]).transpose() * panel.force[1];
+  return placement.generalized(panel.force[0], panel.node[0]) + placement.generalized(panel.force[1], panel.node[1]);
 }
 
 }  // namespace blockweir::solid

@@ -26,9 +26,9 @@ class AugmentedLagrangian final : public Formulation {
     Progress& progress = follow(trial, index, c, edge);
     progress.round_off = separation_round_off * c.penalty * progress.separation.moved;
     const JointForce force = judge(progress, c, c.multiplier - c.penalty * progress.separation.value);
-    if (settings_.friction_lags) return with_lagging_friction(trial, c, edge, progress);
+    if (settings_.friction_lags) return with_lagging_friction(c, edge, progress);
     if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
-    Interaction action = interaction_of(trial, c, edge, progress.separation.value.y());
+    Interaction action = interaction_of(c, edge, progress.separation.value.y());
     action.force = progress.force;
     action.round_off = progress.round_off;
     action.stiffness(0, 0) = c.penalty;
@@ -49,7 +49,7 @@ class AugmentedLagrangian final : public Formulation {
     progress.violated = progress.separation.value;
     progress.round_off = separation_round_off * s.penalty * progress.separation.moved;
     progress.force = s.multiplier - s.penalty * progress.separation.value;
-    Interaction action = interaction_of(trial, s);
+    Interaction action = interaction_of(s);
     action.force = progress.force;
     action.round_off = progress.round_off;
     action.held = s.penalty * s.held();
@@ -120,11 +120,11 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   /// Shear bounded by what does not depend on the normal force: a symmetric tangent.
-  [[nodiscard]] static Interaction with_lagging_friction(const Trial& trial, const ContactPoint& c,
-                                                         const EdgeFrame& edge, const Progress& progress) {
+  [[nodiscard]] static Interaction with_lagging_friction(const ContactPoint& c, const EdgeFrame& edge,
+                                                         const Progress& progress) {
     const bool closed = c.state != ContactState::open;
     if (!closed && progress.bound == 0) return {.block_i = c.vertex_part, .block_j = c.edge_part};
-    Interaction action = interaction_of(trial, c, edge, progress.separation.value.y());
+    Interaction action = interaction_of(c, edge, progress.separation.value.y());
     action.force = progress.force;
     action.round_off = progress.round_off;
     action.stiffness(0, 0) = closed ? c.penalty : 0;

@@ -12,13 +12,6 @@ Point end_of(const Trial& trial, const Bolt& bolt, std::size_t end, const Point&
   return trial.placement[static_cast<std::size_t>(b)].position(bolt.material[end]);
 }
 
-Matrix26 shape_of(const Trial& trial, const Bolt& bolt, std::size_t end, const Point& along) {
-  const Matrix26 T = trial.placement[static_cast<std::size_t>(bolt.part[end])].shape(bolt.material[end]);
-  Matrix26 shape;
-  shape << along.transpose() * T, perpendicular(along).transpose() * T;
-  return shape;
-}
-
 }  // namespace
 
 Bolt make_bolt(const scene::Bolt& described, const Parts& parts) {
@@ -50,9 +43,11 @@ Interaction interaction_of(const Trial& trial, const Bolt& bolt, const Point& gr
   const double length = (from - to).norm();
   const Point along = (from - to) / length;
   const BoltForce acting = bolt_force(bolt, length - bolt.drawn_length_m);
-  Interaction action{.block_i = bolt.part[0], .block_j = bolt.part[1]};
-  action.shape_i = shape_of(trial, bolt, 0, along);
-  if (bolt.part[1] >= 0) action.shape_j = shape_of(trial, bolt, 1, along);
+  Interaction action{.block_i = bolt.part[0],
+                     .block_j = bolt.part[1],
+                     .at_i = bolt.material[0],
+                     .at_j = bolt.material[1],
+                     .axis = along};
   action.force = {-acting.tension_n_per_m, 0};
   action.stiffness(0, 0) = acting.slope_n_per_m2;
   action.stiffness(1, 1) = acting.tension_n_per_m / length;

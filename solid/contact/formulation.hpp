@@ -69,7 +69,11 @@ class Formulation {
   /// Bounds of shear by the normal forces of now, until the next call: true when they have stopped moving.
   bool lag_friction(const Held& held);
 
-  /// Where forces are unknowns of the system: their correction, as solved for.
+  /// Where forces are unknowns of the system: what they fulfil, as the last contact() or support() has it.
+  [[nodiscard]] virtual std::span<const Constraint> constraints_of_contact(int /*index*/) const { return {}; }
+  [[nodiscard]] virtual std::span<const Constraint> constraints_of_support(int /*index*/) const { return {}; }
+  [[nodiscard]] virtual bool solves_for_forces() const { return false; }
+  /// Their correction, as solved for.
   virtual void correct_contact(int /*index*/, ContactPoint& /*point*/, const Eigen::Vector2d& /*force*/) {}
   virtual void correct_support(int /*index*/, Support& /*point*/, const Eigen::Vector2d& /*force*/) {}
 

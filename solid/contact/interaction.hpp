@@ -2,8 +2,6 @@
 // What a contact or a support puts into the equations of the blocks that it joins.
 #pragma once
 
-#include <array>
-
 #include "solid/block/motion.hpp"
 
 namespace blockweir::solid {
@@ -16,20 +14,33 @@ struct Constraint {
   double compliance = 0;                            ///< m per N per metre: what keeps redundant constraints apart
 };
 
-/// Force and its linearization in a local frame of two axes. Block i gets shape_i^T force, block j its opposite.
+/// Force and its linearization in a local frame: `axis` and its counter-clockwise perpendicular. Block i gets the force
+/// at its point, block j the opposite at its own.
 struct Interaction {
   int block_i = -1;
-  int block_j = -1;  ///< -1: the ground
-  int constraint_count = 0;
-  double round_off = 0;  ///< what cancellation leaves uncertain of the force [N per metre]
-  Matrix26 shape_i;      ///< rows: local axes dotted with T of block i at the point
-  Matrix26 shape_j;
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();      ///< N per metre
+  int block_j = -1;            ///< -1: the ground
+  Point at_i = Point::Zero();  ///< material points [m]
+  Point at_j = Point::Zero();
+  Point axis = Point::UnitX();
+  Point force = Point::Zero();                          ///< in the local frame [N per metre]
   Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  ///< -d force / d separation [N/m per metre]
-  Eigen::Vector2d held = Eigen::Vector2d::Zero();       ///< weight of axes along which nothing may move; 0 for others
-  std::array<Constraint, 2> constraints;                ///< instead of stiffness where forces are unknowns
+  Point held = Point::Zero();                           ///< weight of axes along which nothing may move; 0 for others
+  double round_off = 0;  ///< what cancellation leaves uncertain of the force [N per metre]
 
-  [[nodiscard]] bool acts() const { return constraint_count > 0 || !stiffness.isZero(0) || !force.isZero(0); }
+  /// Of one of both ends.
+  [[nodiscard]] int block(bool second) const { return second ? block_j : block_i; }
+  [[nodiscard]] const Point& at(bool second) const { return second ? at_j : at_i; }
+
+  /// What acts on block i, along global axes.
+  [[nodiscard]] Point pull() const { return force.x() * axis + force.y() * perpendicular(axis); }
+
+  /// Rows: the local axes dotted with T of an end's block there.
+  [[nodiscard]] Matrix26 shape(const Placement& placement, bool second) const {
+    Matrix26 rows;
+    rows.row(0) = placement.generalized(axis, at(second));
+    rows.row(1) = placement.generalized(perpendicular(axis), at(second));
+    return rows;
+  }
 };
 
 }  // namespace blockweir::solid

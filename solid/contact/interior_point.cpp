@@ -57,7 +57,7 @@ Interaction InteriorPoint::contact(const Trial& trial, int index, ContactPoint& 
     p.stiffness.y() = 1 / (1 / f.stiffness() + 1 / b.stiffness() + compliance);
     p.force.y() = p.shear + p.stiffness.y() * (slip - (p.separation.y() - (f.motion - b.motion)));
   }
-  Interaction action = interaction_of(trial, c, edge, p.separation.y());
+  Interaction action = interaction_of(c, edge, p.separation.y());
   action.force = p.force - Eigen::Vector2d(strength(c).tension, 0);
   action.stiffness = p.stiffness.asDiagonal().toDenseMatrix();
   return action;
@@ -66,7 +66,7 @@ Interaction InteriorPoint::contact(const Trial& trial, int index, ContactPoint& 
 Interaction InteriorPoint::support(const Trial& trial, int index, Support& s) {
   const Separation separation = separation_of(trial, s);
   const double penalty = supports_[at(index)].stiffness / compliance_ratio;
-  Interaction action = interaction_of(trial, s);
+  Interaction action = interaction_of(s);
   action.force = s.multiplier - penalty * separation.value;
   action.stiffness = (penalty * s.held()).asDiagonal().toDenseMatrix();
   return action;

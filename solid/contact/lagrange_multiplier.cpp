@@ -2,6 +2,7 @@
 // Classical Lagrange multipliers: contact forces are unknowns beside the displacements, gaps and slips their equations.
 // States follow the primal-dual active set: a contact is closed, sticks or slips by what multiplier less c * separation
 // would be admissible to, for any c > 0.
+#include <array>
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
@@ -18,12 +19,29 @@ class LagrangeMultiplier final : public Formulation {
  public:
   LagrangeMultiplier(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
 
+  void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
+             const Held& held) override {
+    of_contacts_.resize(held.contacts.size());
+    of_supports_.resize(held.supports.size());
+    Formulation::begin(trial, matrix, frozen, held);
+  }
+
+  [[nodiscard]] bool solves_for_forces() const override { return true; }
+  [[nodiscard]] std::span<const Constraint> constraints_of_contact(int index) const override {
+    return of_contacts_[at(index)].span();
+  }
+  [[nodiscard]] std::span<const Constraint> constraints_of_support(int index) const override {
+    return of_supports_[at(index)].span();
+  }
+
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
     const EdgeFrame edge = edge_frame(trial, c);
     Progress& progress = follow(trial, index, c, edge);
     const JointForce stuck = judge(progress, c, c.multiplier - c.penalty * progress.separation.value);
+    Constraints& constraints = of_contacts_[at(index)];
+    constraints.count = 0;
     if (stuck.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
-    Interaction action = interaction_of(trial, c, edge, progress.separation.value.y());
+    Interaction action = interaction_of(c, edge, progress.separation.value.y());
     const double compliance = regularization / c.penalty;
     double shear = c.multiplier.y();
     double slope = 0;
@@ -33,10 +51,10 @@ class LagrangeMultiplier final : public Formulation {
       shear = std::copysign(bound, stuck.shear);
       slope = dilation_slope(c, progress);
     } else {
-      action.constraints[1] = {{0, 1}, {0, 1}, progress.separation.value.y(), compliance};
+      constraints.all[1] = {{0, 1}, {0, 1}, progress.separation.value.y(), compliance};
     }
-    action.constraints[0] = {{1, slope}, {1, stuck.shear_per_normal}, progress.separation.value.x(), compliance};
-    action.constraint_count = stuck.state == ContactState::stick ? 2 : 1;
+    constraints.all[0] = {{1, slope}, {1, stuck.shear_per_normal}, progress.separation.value.x(), compliance};
+    constraints.count = stuck.state == ContactState::stick ? 2 : 1;
     action.force = c.force = progress.force = {c.multiplier.x(), shear};
     action.held = {c.penalty, stuck.state == ContactState::stick ? c.penalty : 0};
     return action;
@@ -46,14 +64,15 @@ class LagrangeMultiplier final : public Formulation {
     Progress& progress = supports_[at(index)];
     progress.separation = separation_of(trial, s);
     progress.violated = progress.separation.value;
-    Interaction action = interaction_of(trial, s);
+    Interaction action = interaction_of(s);
     action.force = s.multiplier;
     action.held = s.penalty * s.held();
+    Constraints& constraints = of_supports_[at(index)];
+    constraints.count = 0;
     for (int axis = 0; axis < 2; ++axis) {
       if (s.held()[axis] == 0) continue;
       const Eigen::Vector2d unit = Eigen::Vector2d::Unit(axis);
-      action.constraints[at(action.constraint_count++)] = {unit, unit, progress.violated[axis],
-                                                           regularization / s.penalty};
+      constraints.all[constraints.count++] = {unit, unit, progress.violated[axis], regularization / s.penalty};
     }
     return action;
   }
@@ -80,10 +99,19 @@ class LagrangeMultiplier final : public Formulation {
   void correct_support(int /*index*/, Support& s, const Eigen::Vector2d& force) override { s.multiplier += force; }
 
  private:
+  struct Constraints {
+    std::size_t count = 0;
+    std::array<Constraint, 2> all;
+    [[nodiscard]] std::span<const Constraint> span() const { return {all.data(), count}; }
+  };
+
   void begin_contact(const Trial& /*trial*/, const std::vector<bool>& /*frozen*/, int k, ContactPoint& c) override {
     c.penalty = contacts_[at(k)].stiffness;
   }
   void begin_support(const Trial& /*trial*/, int k, Support& s) override { s.penalty = supports_[at(k)].stiffness; }
+
+  std::vector<Constraints> of_contacts_;
+  std::vector<Constraints> of_supports_;
 };
 
 }  // namespace

@@ -35,7 +35,7 @@ class Penalty final : public Formulation {
     const JointForce force = judge(progress, c, -spring_ * apart.value - dashpot.coefficient * rate);
     c.elastic_slip = force.state == ContactState::slip ? -force.shear / spring_ : 0;
     if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
-    Interaction action = interaction_of(trial, c, edge, apart.value.y());
+    Interaction action = interaction_of(c, edge, apart.value.y());
     action.force = progress.force;
     action.round_off = progress.round_off;
     const double stiffness = spring_ + dashpot.coefficient * trial.velocity_factor;
@@ -52,7 +52,7 @@ class Penalty final : public Formulation {
   Interaction support(const Trial& trial, int index, Support& s) override {
     Progress& progress = supports_[at(index)];
     progress.separation = separation_of(trial, s);
-    Interaction action = interaction_of(trial, s);
+    Interaction action = interaction_of(s);
     action.force = -spring_ * progress.separation.value;
     action.round_off = separation_round_off * spring_ * progress.separation.moved;
     action.stiffness = (spring_ * s.held()).asDiagonal().toDenseMatrix();
@@ -88,18 +88,21 @@ class Penalty final : public Formulation {
   /// rigid and alone: 1/m = n^T M^-1 n over both.
   [[nodiscard]] Dashpot dashpot(const Trial& trial, const std::vector<bool>& frozen, const ContactPoint& c) const {
     const EdgeFrame edge = edge_frame(trial, c);
-    const Interaction action = interaction_of(trial, c, edge, 0);
+    const Interaction action = interaction_of(c, edge, 0);
     double inverse_mass = 0;
     Dashpot dashpot{.start = separation_of(trial, c, edge).value};
-    const auto add = [&](int block, const Matrix26& shape, double sign) {
+    const auto add = [&](bool second) {
+      const int block = action.block(second);
+      const Matrix26 shape = action.shape(trial.placement[at(block)], second);
+      const double sign = second ? -1 : 1;
       dashpot.past_rate += sign * (shape * trial.past_velocity[at(block)]);  // a moving base carries fixed blocks too
       if (frozen[at(block)]) return;
       const Eigen::Matrix<double, 1, 3> n = shape.row(0).head<3>();
       const Eigen::Matrix3d mass = trial.blocks[at(block)].mass.topLeftCorner<3, 3>();
       inverse_mass += n.dot(mass.inverse() * n.transpose());
     };
-    add(c.vertex_part, action.shape_i, 1);
-    add(c.edge_part, action.shape_j, -1);
+    add(false);
+    add(true);
     if (inverse_mass > 0) dashpot.coefficient = 2 * settings_.dashpot_ratio * std::sqrt(spring_ / inverse_mass);
     return dashpot;
   }

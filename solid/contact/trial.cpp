@@ -6,20 +6,6 @@
 namespace blockweir::solid {
 namespace {
 
-/// The edge's normal and tangent dotted with the shape matrix of a material point.
-Matrix26 rows(const Placement& placement, const Point& X, const EdgeFrame& edge) {
-  const Point y = X + strained(placement.strain(), X);
-  Matrix26 J;
-  const auto set = [&](int row, const Point& axis) {
-    const Point a = placement.unturn(axis);
-    J.row(row) << axis.x(), axis.y(), y.x() * a.y() - y.y() * a.x(), X.x() * a.x(), X.y() * a.y(),
-        (X.y() * a.x() + X.x() * a.y()) / 2;
-  };
-  set(0, edge.n);
-  set(1, edge.t);
-  return J;
-}
-
 /// What rests does so exactly: no sine is taken of it.
 Point moved(const Placement& start, const Vector6& increment, const Point& X) {
   return increment.isZero(0) ? Point(Point::Zero()) : start.increment(increment, X);
@@ -43,21 +29,16 @@ Point edge_point(const ContactPoint& c, double fraction) {
   return c.edge_from + fraction * (c.edge_to - c.edge_from);
 }
 
-Interaction interaction_of(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge, double slip) {
-  Interaction action;
-  action.block_i = c.vertex_part;
-  action.block_j = c.edge_part;
-  const double foot = c.anchor + slip / edge.length;
-  action.shape_i = rows(trial.placement[at(c.vertex_part)], c.vertex_at, edge);
-  action.shape_j = rows(trial.placement[at(c.edge_part)], edge_point(c, foot), edge);
-  return action;
+Interaction interaction_of(const ContactPoint& c, const EdgeFrame& edge, double slip) {
+  return {.block_i = c.vertex_part,
+          .block_j = c.edge_part,
+          .at_i = c.vertex_at,
+          .at_j = edge_point(c, c.anchor + slip / edge.length),
+          .axis = edge.n};
 }
 
-Interaction interaction_of(const Trial& trial, const Support& s) {
-  Interaction action;
-  action.block_i = s.block;
-  action.shape_i = trial.placement[at(s.block)].shape(s.material);
-  return action;
+Interaction interaction_of(const Support& s) {
+  return {.block_i = s.block, .at_i = s.material};
 }
 
 Separation separation_of(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge) {

@@ -32,10 +32,9 @@ EdgeFrame edge_frame(const Trial& trial, const ContactPoint& c);
 /// Material point of the edge's part at that fraction of the edge.
 Point edge_point(const ContactPoint& c, double fraction);
 
-/// Both blocks' shape matrices at the vertex and at its foot on the edge, in the edge's frame; force and stiffness
-/// open.
-Interaction interaction_of(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge, double slip);
-Interaction interaction_of(const Trial& trial, const Support& s);
+/// At the vertex and at its foot on the edge, in the edge's frame of normal and tangent; force and stiffness open.
+Interaction interaction_of(const ContactPoint& c, const EdgeFrame& edge, double slip);
+Interaction interaction_of(const Support& s);
 
 /// (gap, slip) of a contact, or (x, y) of a support from where it should be [m], followed by increments within the
 /// step, so that large penalties meet no cancellation; `moved` sums what moves both points [m].

@@ -58,30 +58,28 @@ void Solid::add_stiffness(System& system, const Interaction& action) const {
 /// In the columns of one of both blocks.
 template <class System>
 void Solid::add_columns(System& system, const Interaction& action, bool of_second) const {
-  const auto moves = [this](int block) { return block >= 0 && !frozen_[at(block)]; };
-  const int column = of_second ? action.block_j : action.block_i;
-  if (!moves(column)) return;
-  const Matrix26& column_shape = of_second ? action.shape_j : action.shape_i;
-  const auto add = [&](int row, const Matrix26& row_shape, double sign) {
-    if (!moves(row)) return;
-    system.add(local_[at(row)], local_[at(column)], sign * row_shape.transpose() * action.stiffness * column_shape);
-  };
-  add(action.block_i, action.shape_i, of_second ? -1 : 1);
-  add(action.block_j, action.shape_j, of_second ? 1 : -1);
+  const int column = action.block(of_second);
+  if (!moves(column) || action.stiffness.isZero(0)) return;
+  const Matrix26 shape = action.shape(placement_[at(column)], of_second);
+  const Matrix26 force = action.stiffness * shape;
+  system.add(local_[at(column)], local_[at(column)], shape.transpose() * force);
+  const int row = action.block(!of_second);
+  if (!moves(row)) return;
+  system.add(local_[at(row)], local_[at(column)], -action.shape(placement_[at(row)], !of_second).transpose() * force);
 }
 
 /// Forces that are unknowns: their columns and equations.
 void Solid::add_constraints(IslandSystem& s, const Interaction& action, bool support, int index) const {
-  for (int i = 0; i < action.constraint_count; ++i) {
-    const Constraint& c = action.constraints[at(i)];
+  for (const Constraint& c :
+       support ? formulation_->constraints_of_support(index) : formulation_->constraints_of_contact(index)) {
     s.saddle.add_force(c.violation, c.compliance);
     s.unknown_forces.push_back({support, index, c.force});
-    const auto couple = [&](int block, const Matrix26& shape, double sign) {
-      if (block < 0 || frozen_[at(block)]) return;
-      s.saddle.couple(local_[at(block)], sign * (shape.transpose() * c.force), sign * (shape.transpose() * c.row));
-    };
-    couple(action.block_i, action.shape_i, 1);
-    couple(action.block_j, action.shape_j, -1);
+    for (const bool second : {false, true}) {
+      const int block = action.block(second);
+      if (!moves(block)) continue;
+      const Matrix26 shape = (second ? -1 : 1) * action.shape(placement_[at(block)], second);
+      s.saddle.couple(local_[at(block)], shape.transpose() * c.force, shape.transpose() * c.row);
+    }
   }
 }
 
@@ -90,15 +88,12 @@ void Solid::assemble(IslandSystem& s) {
   const Stopwatch watch(profile_.assembly);
   set_block_matrices(s);
   if (s.unknowns->shared()) {
-    for (const Interaction& action : s.actions) {
-      if (action.acts() && action.constraint_count == 0) add_stiffness(*s.system, action);
-    }
+    for (const Interaction& action : s.actions) add_stiffness(*s.system, action);
     return;
   }
   for_each(s.island.blocks.size(), [&](std::size_t k) {
     for (const Incidence::End& end : s.incidence.of(k)) {
-      const Interaction& action = s.actions[at(end.interaction)];
-      if (action.acts() && action.constraint_count == 0) add_columns(*s.system, action, end.second);
+      add_columns(*s.system, s.actions[at(end.interaction)], end.second);
     }
   });
 }
@@ -137,14 +132,9 @@ void Solid::balance_own(std::size_t b) {
 void Solid::let_act(IslandSystem& s) {
   const Stopwatch watch(profile_.contact);
   std::atomic<bool> symmetric = true;
-  std::atomic<bool> constrained = false;
   const auto keep = [&](std::size_t k, const Interaction& action) {
     s.actions[k] = action;
-    if (action.constraint_count > 0) {
-      constrained.store(true, std::memory_order_relaxed);
-    } else if (action.stiffness(1, 0) != action.stiffness(0, 1)) {
-      symmetric.store(false, std::memory_order_relaxed);
-    }
+    if (action.stiffness(1, 0) != action.stiffness(0, 1)) symmetric.store(false, std::memory_order_relaxed);
   };
   const Trial now = trial();
   const std::vector<int>& contacts = s.island.contacts;
@@ -162,16 +152,15 @@ void Solid::let_act(IslandSystem& s) {
   s.symmetric = symmetric;
 
   s.unknown_forces.clear();
-  if (!constrained) return;
+  if (!formulation_->solves_for_forces()) return;
   s.saddle.set_zero();
   for (std::size_t k = 0; k < of_bolts; ++k) {
     const bool support = k >= contacts.size();
     add_constraints(s, s.actions[k], support, support ? supports[k - contacts.size()] : contacts[k]);
   }
+  if (s.unknown_forces.empty()) return;
   add_own(s.saddle, s);
-  for (std::size_t i = 0; i < s.bolts.size(); ++i) {
-    if (s.actions[of_bolts + i].acts()) add_stiffness(s.saddle, s.actions[of_bolts + i]);
-  }
+  for (std::size_t i = 0; i < s.bolts.size(); ++i) add_stiffness(s.saddle, s.actions[of_bolts + i]);
   add_mean_inertia_to_saddle(s);
 }
 
@@ -180,9 +169,8 @@ void Solid::take_up(const IslandSystem& s, std::size_t k) {
   const auto b = at(s.island.blocks[k]);
   for (const Incidence::End& end : s.incidence.of(k)) {
     const Interaction& action = s.actions[at(end.interaction)];
-    if (!action.acts()) continue;
-    const Vector6 force = end.second ? Vector6(-(action.shape_j.transpose() * action.force))
-                                     : Vector6(action.shape_i.transpose() * action.force);
+    if (action.force.isZero(0)) continue;
+    const Vector6 force = placement_[b].generalized((end.second ? -1 : 1) * action.pull(), action.at(end.second));
     balance_[b] += force;
     round_off_[b] += sum_round_off * magnitude(force, blocks_[b]) + action.round_off;
   }

@@ -16,16 +16,17 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   const auto rests = [this](int b) { return increment_[at(b)].isZero(0) && states_[at(b)].velocity.isZero(0); };
   if (!base_.moves_supports() && std::all_of(s.island.blocks.begin(), s.island.blocks.end(), rests)) return;
   double loudest = 0;
-  const auto mismatch = [&](int block, const Matrix26& shape) -> Eigen::Vector2d {
-    if (block < 0) return Eigen::Vector2d::Zero();
-    return shape * (increment_[at(block)] / dt - rate(at(block), placement_[at(block)], states_[at(block)].velocity));
+  const auto mismatch = [&](const Interaction& a, bool second) -> Eigen::Vector2d {
+    if (a.block(second) < 0) return Eigen::Vector2d::Zero();
+    const auto b = at(a.block(second));
+    return a.shape(placement_[b], second) * (increment_[b] / dt - rate(b, placement_[b], states_[b].velocity));
   };
   std::vector<Interaction>& actions = s.actions;
   std::vector<Eigen::Vector2d> pull(actions.size(), Eigen::Vector2d::Zero());
   for (std::size_t k = 0; k < actions.size(); ++k) {
     const Interaction& a = actions[k];
-    if (!a.acts()) continue;
-    const Eigen::Vector2d m = mismatch(a.block_i, a.shape_i) - mismatch(a.block_j, a.shape_j);
+    if (a.held.isZero(0)) continue;
+    const Eigen::Vector2d m = mismatch(a, false) - mismatch(a, true);
     for (int axis = 0; axis < 2; ++axis) {
       pull[k][axis] = a.held[axis] * m[axis];
       if (a.held[axis] > 0) loudest = std::max(loudest, std::abs(m[axis]));
@@ -35,17 +36,17 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
 
   set_block_matrices(s);
   s.residual.setZero();
-  const auto add = [&](int block, const Vector6& push) {
-    if (block < 0 || frozen_[at(block)]) return;
-    s.unknowns->add(local_[at(block)], push, s.residual);
-  };
   for (std::size_t k = 0; k < actions.size(); ++k) {
     Interaction& a = actions[k];
-    if (!a.acts()) continue;
     a.stiffness = a.held.asDiagonal().toDenseMatrix();
     add_stiffness(*s.system, a);
-    add(a.block_i, a.shape_i.transpose() * pull[k]);
-    if (a.block_j >= 0) add(a.block_j, -(a.shape_j.transpose() * pull[k]));
+    a.force = pull[k];
+    for (const bool second : {false, true}) {
+      if (!moves(a.block(second))) continue;
+      const auto b = at(a.block(second));
+      const Vector6 push = placement_[b].generalized((second ? -1 : 1) * a.pull(), a.at(second));
+      s.unknowns->add(local_[b], push, s.residual);
+    }
   }
   if (!solve(s, /*symmetric=*/true)) return;
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {

@@ -169,6 +169,8 @@ class Solid {
   void add_stiffness(System& system, const Interaction& action) const;
   template <class System>
   void add_columns(System& system, const Interaction& action, bool of_second) const;
+  /// Has this block, -1 for the ground, unknowns?
+  [[nodiscard]] bool moves(int block) const { return block >= 0 && !frozen_[static_cast<std::size_t>(block)]; }
   void give_bolts_to_islands();
   void find_incidences();
   void add_constraints(IslandSystem& island, const Interaction& action, bool support, int index) const;

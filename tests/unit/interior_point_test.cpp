@@ -91,7 +91,7 @@ class Found {
     Eigen::Vector3d left = load - inertia * increment_[1].head<3>();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const Interaction action = method_.contact(trial(), static_cast<int>(k), contacts[k]);
-      const Eigen::Matrix<double, 2, 3> shape = action.shape_i.leftCols<3>();
+      const Eigen::Matrix<double, 2, 3> shape = action.shape(placement_[1], false).leftCols<3>();
       left += shape.transpose() * action.force;
       matrix_ += shape.transpose() * action.stiffness * shape;
     }
