@@ -23,28 +23,23 @@ Eigen::Matrix3d elastic_matrix(const scene::Material& material, scene::Plane pla
 }
 
 /// Rows of T at (X, Y): (1, 0, -Y, X, 0, Y/2) and (0, 1, X, 0, Y, X/2); centroid terms integrate to zero.
-Matrix6 mass_matrix(const PolygonMoments& m, double density) {
-  Matrix6 M = Matrix6::Zero();
-  M(0, 0) = M(1, 1) = m.area;
-  M(2, 2) = m.xx + m.yy;
-  M(2, 3) = M(3, 2) = -m.xy;
-  M(2, 4) = M(4, 2) = m.xy;
-  M(2, 5) = M(5, 2) = (m.xx - m.yy) / 2;
-  M(3, 3) = m.xx;
-  M(4, 4) = m.yy;
-  M(3, 5) = M(5, 3) = m.xy / 2;
-  M(4, 5) = M(5, 4) = m.xy / 2;
-  M(5, 5) = (m.xx + m.yy) / 4;
-  return density * M;
+Inertia inertia_of(const PolygonMoments& m, double density) {
+  const double difference = (m.xx - m.yy) / 2;
+  const double half = m.xy / 2;
+  Eigen::Matrix4d M;
+  M << m.xx + m.yy, -m.xy, m.xy, difference,  //
+      -m.xy, m.xx, 0, half,                   //
+      m.xy, 0, m.yy, half,                    //
+      difference, half, half, (m.xx + m.yy) / 4;
+  return {density * m.area, density * M};
 }
 
 }  // namespace
 
 double retardation_time(const Block& block, double damping_ratio) {
   if (damping_ratio == 0) return 0;
-  const Eigen::Matrix3d K = block.stiffness.bottomRightCorner<3, 3>();
-  const Eigen::Matrix3d M = block.mass.bottomRightCorner<3, 3>();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> modes(K, M, Eigen::EigenvaluesOnly);
+  const Eigen::Matrix3d M = block.inertia.matrix().bottomRightCorner<3, 3>();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> modes(block.stiffness, M, Eigen::EigenvaluesOnly);
   return 2 * damping_ratio / std::sqrt(modes.eigenvalues().minCoeff());
 }
 
@@ -59,12 +54,11 @@ Block make_block(const scene::Block& described, const scene::Material& material,
     block.vertices.push_back(vertex - moments.centroid);
     block.radius = std::max(block.radius, block.vertices.back().norm());
   }
-  block.mass = mass_matrix(moments, material.density_kg_per_m3);
-  block.stiffness.setZero();
+  block.inertia = inertia_of(moments, material.density_kg_per_m3);
   block.elasticity = elastic_matrix(material, plane);
-  block.stiffness.bottomRightCorner<3, 3>() = moments.area * block.elasticity;
+  block.stiffness = moments.area * block.elasticity;
   block.initial_stress = described.initial_stress_pa.value_or(material.initial_stress_pa);
-  block.damping = retardation_time(block, material.damping_ratio) * block.stiffness;
+  block.retardation_s = retardation_time(block, material.damping_ratio);
   return block;
 }
 

@@ -16,11 +16,37 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Matrix26 = Eigen::Matrix<double, 2, 6>;
 
+/// Integral of density T^T T over a block, T the first-order shape matrix (1)-(3) about its centroid: displacements of
+/// the centroid go apart of turn and strains.
+class Inertia {
+ public:
+  Inertia() = default;
+  /// Mass [kg per metre]; of (r0, ex, ey, gxy) [kg m2 per metre].
+  Inertia(double mass, const Eigen::Matrix4d& of_turn_and_strains) : mass_(mass), rest_(of_turn_and_strains) {}
+
+  [[nodiscard]] double mass() const { return mass_; }
+  [[nodiscard]] double of_turn() const { return rest_(0, 0); }
+  [[nodiscard]] Vector6 operator*(const Vector6& rate) const {
+    Vector6 momentum;
+    momentum << mass_ * rate.head<2>(), rest_ * rate.tail<4>();
+    return momentum;
+  }
+  [[nodiscard]] Matrix6 matrix() const {
+    Matrix6 all = Matrix6::Zero();
+    all(0, 0) = all(1, 1) = mass_;
+    all.bottomRightCorner<4, 4>() = rest_;
+    return all;
+  }
+
+ private:
+  double mass_ = 0;
+  Eigen::Matrix4d rest_ = Eigen::Matrix4d::Zero();
+};
+
 /// The six unknowns of a block are (u0, v0, r0, ex, ey, gxy): centroid displacement [m], rotation [rad] and the
 /// strains in the block's own, turned frame. Strains live in that frame so that stress and strain rate turn with
-/// the block, and both matrices below are constant for the life of the block.
+/// the block, and inertia and stiffness are constant for the life of the block.
 struct Block {
-  std::string name;
   Point centroid;               ///< m, in the scene's outline
   std::vector<Point> vertices;  ///< m, relative to the centroid, counter-clockwise
   double area = 0;              ///< m2
@@ -30,13 +56,14 @@ struct Block {
   std::array<int, 3> nodes{-1, -1, -1};  ///< of a part: a triangle of a block with a mesh
   bool meshed = false;                   ///< its parts move; it follows them as their mean
   Eigen::Matrix3d elasticity;            ///< Hooke's law from (ex, ey, gxy) to (sxx, syy, sxy) [Pa]
-  Matrix6 mass;                          ///< integral of density T^T T, T the first-order shape matrix (1)-(3)
-  Matrix6 stiffness;                     ///< area * elastic matrix in the strain rows, zero elsewhere [N per metre]
-  Matrix6 damping;  ///< Kelvin-Voigt: proportional to the stiffness by the material's damping ratio
+  Inertia inertia;
+  Eigen::Matrix3d stiffness;  ///< of the strains: area * elasticity [N per metre]
+  double retardation_s = 0;   ///< Kelvin-Voigt: what resists a strain rate, over the stiffness
   Eigen::Vector3d initial_stress = Eigen::Vector3d::Zero();  ///< (xx, yy, xy) where there is no strain [Pa]
+  std::string name;
 
   [[nodiscard]] int unknowns() const { return rigid ? 3 : 6; }
-  [[nodiscard]] double mass_per_m() const { return mass(0, 0); }
+  [[nodiscard]] double mass_per_m() const { return inertia.mass(); }
   [[nodiscard]] bool is_part() const { return nodes[0] >= 0; }
 };
 

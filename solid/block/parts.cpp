@@ -25,8 +25,8 @@ void couple(Parts& parts, int i, int j, double retardation_s) {
   Block& a = parts.blocks[at(i)];
   Block& b = parts.blocks[at(j)];
   const double share = 1 / (3 * (a.area + b.area));
-  a.stiffness.bottomRightCorner<3, 3>() += share * a.area * a.area * a.elasticity;
-  b.stiffness.bottomRightCorner<3, 3>() += share * b.area * b.area * b.elasticity;
+  a.stiffness += share * a.area * a.area * a.elasticity;
+  b.stiffness += share * b.area * b.area * b.elasticity;
   parts.couplings.push_back({i, j, share * a.area * b.area * a.elasticity, retardation_s});
 }
 
@@ -42,12 +42,9 @@ void smooth(Parts& parts, const section::Mesh& mesh, int first, double retardati
   }
   for (const section::BoundarySide& side : mesh.boundary) {
     Block& triangle = parts.blocks[at(first + side.triangle)];
-    triangle.stiffness.bottomRightCorner<3, 3>() += triangle.area / 3 * triangle.elasticity;
+    triangle.stiffness += triangle.area / 3 * triangle.elasticity;
   }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Block& triangle = parts.blocks[at(first) + t];
-    triangle.damping = retardation_s * triangle.stiffness;
-  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) parts.blocks[at(first) + t].retardation_s = retardation_s;
 }
 
 void add_mesh(Parts& parts, const scene::Block& described, const scene::Material& material, scene::Plane plane,

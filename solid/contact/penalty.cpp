@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Penalty method: a contact is a spring, and a dashpot where the scene says so. The penetration is what the spring
 // needs.
-#include <Eigen/LU>
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
@@ -97,9 +96,9 @@ class Penalty final : public Formulation {
       const double sign = second ? -1 : 1;
       dashpot.past_rate += sign * (shape * trial.past_velocity[at(block)]);  // a moving base carries fixed blocks too
       if (frozen[at(block)]) return;
-      const Eigen::Matrix<double, 1, 3> n = shape.row(0).head<3>();
-      const Eigen::Matrix3d mass = trial.blocks[at(block)].mass.topLeftCorner<3, 3>();
-      inverse_mass += n.dot(mass.inverse() * n.transpose());
+      const Inertia& inertia = trial.blocks[at(block)].inertia;
+      inverse_mass +=
+          shape.row(0).head<2>().squaredNorm() / inertia.mass() + shape(0, 2) * shape(0, 2) / inertia.of_turn();
     };
     add(false);
     add(true);

@@ -13,9 +13,9 @@ Energy energy_of(const Solid& solid) {
     if (block.fixed || block.meshed) continue;  // of a meshed block its triangles count
     const BlockState& s = solid.states()[b];
     const Vector6 velocity = solid.velocity(b);
-    sum.kinetic += velocity.dot(block.mass * velocity) / 2;
-    sum.strain += s.displacement.dot(block.stiffness * s.displacement) / 2 +
-                  block.area * block.initial_stress.dot(s.displacement.tail<3>());
+    sum.kinetic += velocity.dot(block.inertia * velocity) / 2;
+    const auto strain = s.displacement.tail<3>();
+    sum.strain += strain.dot(block.stiffness * strain) / 2 + block.area * block.initial_stress.dot(strain);
     sum.potential -= block.mass_per_m() * solid.scene().analysis.gravity().dot(s.displacement.head<2>());
   }
   for (const StrainCoupling& c : solid.parts().couplings) {

@@ -164,11 +164,12 @@ double wave_speed(const Outcome& o, const std::string& of) {
 
 /// Largest change of the moment of momentum about the centroid, over its first value.
 double angular_momentum_error(const Outcome& o, const std::string& of) {
-  const Matrix6& mass = o.solid.blocks()[block_index(o.solid, of)].mass;
+  const Inertia& inertia = o.solid.blocks()[block_index(o.solid, of)].inertia;
+  const auto momentum = [&](const Sample& s) { return (inertia * s.velocity)[2]; };
   const Course& course = course_of(o, of);
-  const double first = mass.row(2).dot(course.front().velocity);
+  const double first = momentum(course.front());
   double largest = 0;
-  for (const Sample& s : course) largest = std::max(largest, std::abs(mass.row(2).dot(s.velocity) / first - 1));
+  for (const Sample& s : course) largest = std::max(largest, std::abs(momentum(s) / first - 1));
   return largest;
 }
 

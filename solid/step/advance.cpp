@@ -155,7 +155,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     increment_[b] = frozen_[b] ? Vector6::Zero() : Vector6(dt * states_[b].velocity);
     const bool own = !blocks_[b].is_part() && b >= guard_.blocks();
     history_[b] =
-        own ? newmark_.history(blocks_[b].mass, states_[b], dt) : newmark_.history(inertia(b), states_[b], dt);
+        own ? newmark_.history(blocks_[b].inertia, states_[b], dt) : newmark_.history(inertia(b), states_[b], dt);
     past_velocity_[b] = rate(b, start_[b], newmark_.past_velocity(states_[b], dt));
     placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
   });

@@ -24,8 +24,10 @@ void Solid::prepare_matrices(double dt) {
   if (dt == matrices_dt_) return;
   matrices_dt_ = dt;
   for_each(blocks_.size(), [&](std::size_t b) {
-    matrix_[b] = newmark_.mass_factor(dt) * blocks_[b].mass + blocks_[b].stiffness +
-                 newmark_.velocity_factor(dt) * blocks_[b].damping;
+    const double velocity_factor = newmark_.velocity_factor(dt);
+    const double drag = velocity_factor * scene_.analysis.mass_damping_per_s;
+    matrix_[b] = (newmark_.mass_factor(dt) + drag) * blocks_[b].inertia.matrix();
+    matrix_[b].bottomRightCorner<3, 3>() += (1 + velocity_factor * blocks_[b].retardation_s) * blocks_[b].stiffness;
     if (b < guard_.blocks()) matrix_[b].topLeftCorner<3, 3>() += newmark_.mass_factor(dt) * guard_.mass(b);
   });
 }
@@ -122,10 +124,13 @@ double Solid::unbalanced(IslandSystem& s) {
 
 /// Loads, elasticity and drag of a block.
 void Solid::balance_own(std::size_t b) {
+  const Block& block = blocks_[b];
   const Vector6 velocity = newmark_.velocity_factor(matrices_dt_) * increment_[b] + past_velocity_[b];
-  const Vector6 drag = blocks_[b].damping * velocity;
-  balance_[b] = external_[b] - blocks_[b].stiffness * (states_[b].displacement + increment_[b]) - drag;
-  round_off_[b] = sum_round_off * (magnitude(external_[b], blocks_[b]) + magnitude(drag, blocks_[b]));
+  Vector6 drag = scene_.analysis.mass_damping_per_s * (block.inertia * velocity);
+  drag.tail<3>() += block.retardation_s * (block.stiffness * velocity.tail<3>());
+  balance_[b] = external_[b] - drag;
+  balance_[b].tail<3>() -= block.stiffness * (states_[b].displacement + increment_[b]).tail<3>();
+  round_off_[b] = sum_round_off * (magnitude(external_[b], block) + magnitude(drag, block));
 }
 
 /// What contacts, supports and bolts of an island do at the trial.
@@ -180,7 +185,7 @@ void Solid::take_up(const IslandSystem& s, std::size_t k) {
 double Solid::add_residual(IslandSystem& s, std::size_t k) {
   const double mass_factor = newmark_.mass_factor(matrices_dt_);
   const auto b = at(s.island.blocks[k]);
-  Vector6 inertia = mass_factor * (blocks_[b].mass * increment_[b]);
+  Vector6 inertia = mass_factor * (blocks_[b].inertia * increment_[b]);
   if (b < guard_.blocks()) inertia.head<3>() += mass_factor * (guard_.mass(b) * increment_[b].head<3>());
   const Vector6 residual = balance_[b] - inertia + history_[b];
   s.unknowns->add(static_cast<int>(k), residual, s.residual);

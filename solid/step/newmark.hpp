@@ -35,7 +35,8 @@ struct Newmark {
   }
 
   /// What the past contributes to the right-hand side, divided by (1 - alpha_f).
-  [[nodiscard]] Vector6 history(const Matrix6& mass, const BlockState& s, double dt) const {
+  template <class Inertia>  // of a block, or a 6x6 matrix
+  [[nodiscard]] Vector6 history(const Inertia& mass, const BlockState& s, double dt) const {
     const Vector6 a = (1 - alpha_m) * (s.velocity / (beta * dt) + (0.5 / beta - 1) * s.acceleration);
     return (alpha_f * s.force + mass * (a - alpha_m * s.acceleration)) / (1 - alpha_f);
   }

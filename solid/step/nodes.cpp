@@ -43,7 +43,7 @@ Vector6 Solid::at_corners(std::size_t b, const Vector6& force) const {
 }
 
 Matrix6 Solid::inertia(std::size_t b) const {
-  Matrix6 mass = blocks_[b].is_part() ? corner_mass(blocks_[b]) : blocks_[b].mass;
+  Matrix6 mass = blocks_[b].is_part() ? corner_mass(blocks_[b]) : blocks_[b].inertia.matrix();
   if (b < guard_.blocks()) mass.topLeftCorner<3, 3>() += guard_.mass(b);
   return mass;
 }

@@ -13,7 +13,7 @@ double Solid::unbalanced_ratio() const {
   double largest = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (frozen_[b]) continue;
-    const Vector6 inertia = newmark_.mass_factor(matrices_dt_) * (blocks_[b].mass * increment_[b]);
+    const Vector6 inertia = newmark_.mass_factor(matrices_dt_) * (blocks_[b].inertia * increment_[b]);
     largest = std::max({largest, inertia.head<2>().cwiseAbs().maxCoeff(), std::abs(inertia[2]) / blocks_[b].radius});
   }
   return largest / force_scale_;

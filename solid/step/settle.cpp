@@ -45,7 +45,7 @@ double Solid::pseudo_step_s() const {
   double longest = 0;
   for (const Block& block : blocks_) {
     if (block.fixed) continue;
-    const double modulus = block.stiffness(3, 3) / block.area;
+    const double modulus = block.stiffness(0, 0) / block.area;
     if (modulus > 0) longest = std::max(longest, std::sqrt(2e4 * block.mass_per_m() / modulus));
   }
   return longest;

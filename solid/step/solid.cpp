@@ -103,7 +103,6 @@ Solid::Solid(const scene::Scene& scene)
   const std::size_t n = blocks_.size();
   if (scene.analysis.kind == scene::AnalysisKind::at_rest) loads_.start_base();
   newmark_.damps = scene.analysis.kind == scene::AnalysisKind::dynamic;
-  for (Block& block : blocks_) block.damping += scene.analysis.mass_damping_per_s * block.mass;
   states_.resize(n);
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     if (blocks_[b].fixed) continue;

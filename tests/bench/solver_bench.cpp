@@ -90,7 +90,9 @@ Matrix matrix_of(const solid::Solid& solid, double dt, int unknowns) {
     if (blocks[b].fixed) continue;
     first[b] = size;
     size += unknowns;
-    add(b, b, solid::Newmark{}.mass_factor(dt) * blocks[b].mass + blocks[b].stiffness);
+    solid::Matrix6 own = solid::Newmark{}.mass_factor(dt) * blocks[b].inertia.matrix();
+    own.bottomRightCorner<3, 3>() += blocks[b].stiffness;
+    add(b, b, own);
   }
   for (const solid::ContactPoint& c : solid.contacts()) {
     if (c.state == solid::ContactState::open) continue;

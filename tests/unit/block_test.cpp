@@ -43,7 +43,7 @@ TEST(Block, MassMatrixIsTheIntegralOfTheShapeMatrix) {
       sum += 2500 * area / 3 * T.transpose() * T;
     }
   }
-  EXPECT_LT((sum - block.mass).cwiseAbs().maxCoeff(), 1e-9 * block.mass.maxCoeff());
+  EXPECT_LT((sum - block.inertia.matrix()).cwiseAbs().maxCoeff(), 1e-9 * block.inertia.matrix().maxCoeff());
 }
 
 TEST(Block, ShapeMatrixIsTheDerivativeOfThePosition) {

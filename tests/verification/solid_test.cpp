@@ -26,8 +26,8 @@ TEST(Solid, AThousandTurnsKeepAreaAndAngularMomentum) {
   std::vector<Point> outline;
   for (const Point& X : solid.blocks()[0].vertices) outline.push_back(solid.placements()[0].position(X));
   EXPECT_NEAR(scene::signed_area(outline) / solid.blocks()[0].area, 1, 1e-12);
-  const Vector6 momentum = solid.blocks()[0].mass * solid.states()[0].velocity;
-  EXPECT_NEAR(momentum[2] / (solid.blocks()[0].mass(2, 2) * 20 * std::numbers::pi), 1, 1e-10);
+  const Vector6 momentum = solid.blocks()[0].inertia * solid.states()[0].velocity;
+  EXPECT_NEAR(momentum[2] / (solid.blocks()[0].inertia.of_turn() * 20 * std::numbers::pi), 1, 1e-10);
 }
 
 /// Error of the position of a falling block under a force that grows with time, after 1 s: cubic in time.
