@@ -33,7 +33,8 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
   while (to_s - time > 1e-9 * largest_step) {
     // Equal steps up to the end of the window, none longer than allowed; 1e-9 forgives round-off in the quotient.
     const double allowed = std::min(next_dt_, largest_step);
-    const double dt = (to_s - time) / std::ceil((to_s - time) / allowed * (1 - 1e-9));
+    const double equal = (to_s - time) / std::ceil((to_s - time) / allowed * (1 - 1e-9));
+    const double dt = std::abs(equal - allowed) <= 1e-9 * allowed ? allowed : equal;  // so that matrices stand
     const std::vector<Panel>& panels = water.at(time + dt);
     if (guard_.acts()) guard_.begin_step(water.weights(time + dt));
     if (!panels.empty()) {
