@@ -24,12 +24,11 @@ class AugmentedLagrangian final : public Formulation {
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
     const EdgeFrame edge = edge_frame(trial, c);
     Progress& progress = follow(trial, index, c, edge);
-    progress.round_off = separation_round_off * c.penalty * progress.separation.moved;
-    const JointForce force = judge(progress, c, c.multiplier - c.penalty * progress.separation.value);
+    const JointForce force = judge(progress, c, c.multiplier - c.penalty * progress.separation);
     if (settings_.friction_lags) return with_lagging_friction(c, edge, progress);
     if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
-    Interaction action = interaction_of(c, edge, progress.separation.value.y());
-    action.force = progress.force;
+    Interaction action = interaction_of(c, edge, progress.separation.y());
+    action.force = c.force;
     action.round_off = progress.round_off;
     action.stiffness(0, 0) = c.penalty;
     action.held.x() = c.penalty;
@@ -44,13 +43,10 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   Interaction support(const Trial& trial, int index, Support& s) override {
-    Progress& progress = supports_[at(index)];
-    progress.separation = separation_of(trial, s);
-    progress.violated = progress.separation.value;
-    progress.round_off = separation_round_off * s.penalty * progress.separation.moved;
-    progress.force = s.multiplier - s.penalty * progress.separation.value;
+    const Progress& progress = follow(trial, index, s);
+    s.force = s.multiplier - s.penalty * progress.separation;
     Interaction action = interaction_of(s);
-    action.force = progress.force;
+    action.force = s.force;
     action.round_off = progress.round_off;
     action.held = s.penalty * s.held();
     action.stiffness = action.held.asDiagonal().toDenseMatrix();
@@ -68,26 +64,24 @@ class AugmentedLagrangian final : public Formulation {
       if (c.state == ContactState::open) {
         c.multiplier.setZero();  // no force is left to remember
       } else {
-        update(contacts_[at(k)], c.multiplier, c.penalty);
+        update(contacts_[at(k)], c);
       }
     });
-    for (const int k : held.support_ids) {
-      update(supports_[at(k)], held.supports[at(k)].multiplier, held.supports[at(k)].penalty);
-    }
+    for (const int k : held.support_ids) update(supports_[at(k)], held.supports[at(k)]);
     return false;
   }
 
   [[nodiscard]] double unsettled(const Held& held) const override {
-    const auto moves_by = [&](const Progress& p, const Eigen::Vector2d& multiplier) {
-      if (p.violated.cwiseAbs().maxCoeff() <= settings_.position_round_off_m) return 0.0;
-      return (p.force - multiplier).cwiseAbs().maxCoeff();
+    const auto moves_by = [&](const Progress& p, const auto& of) {
+      if (p.violation(of.state) <= settings_.position_round_off_m) return 0.0;
+      return (of.force - of.multiplier).cwiseAbs().maxCoeff();
     };
     double most = largest(held.contact_ids.size(), [&](std::size_t i) {
       const int k = held.contact_ids[i];
-      return moves_by(contacts_[at(k)], held.contacts[at(k)].multiplier);
+      return moves_by(contacts_[at(k)], held.contacts[at(k)]);
     });
     for (const int k : held.support_ids) {
-      most = std::max(most, moves_by(supports_[at(k)], held.supports[at(k)].multiplier));
+      most = std::max(most, moves_by(supports_[at(k)], held.supports[at(k)]));
     }
     return most;
   }
@@ -99,7 +93,7 @@ class AugmentedLagrangian final : public Formulation {
       ContactPoint& c = held.contacts[at(k)];
       if (c.state != ContactState::slip) return;
       Progress& progress = follow(trial, k, c, edge_frame(trial, c));
-      c.multiplier = {c.force.x() + c.penalty * progress.separation.value.x(), c.force.y()};
+      c.multiplier = {c.force.x() + c.penalty * progress.separation.x(), c.force.y()};
       progress.slip_force = c.force.y();
     });
   }
@@ -112,7 +106,7 @@ class AugmentedLagrangian final : public Formulation {
   void begin_contact(const Trial& trial, const std::vector<bool>& /*frozen*/, int k, ContactPoint& c) override {
     const double change = bound(c.penalty, contacts_[at(k)].stiffness);
     if (change == 0 || c.state == ContactState::open) return;
-    c.multiplier += change * follow(trial, k, c, edge_frame(trial, c)).separation.value;
+    c.multiplier += change * follow(trial, k, c, edge_frame(trial, c)).separation;
   }
   void begin_support(const Trial& trial, int k, Support& s) override {
     const double change = bound(s.penalty, supports_[at(k)].stiffness);
@@ -124,11 +118,11 @@ class AugmentedLagrangian final : public Formulation {
                                                          const Progress& progress) {
     const bool closed = c.state != ContactState::open;
     if (!closed && progress.bound == 0) return {.block_i = c.vertex_part, .block_j = c.edge_part};
-    Interaction action = interaction_of(c, edge, progress.separation.value.y());
-    action.force = progress.force;
+    Interaction action = interaction_of(c, edge, progress.separation.y());
+    action.force = c.force;
     action.round_off = progress.round_off;
     action.stiffness(0, 0) = closed ? c.penalty : 0;
-    action.stiffness(1, 1) = std::abs(progress.force.y()) < progress.bound ? c.penalty : 0;
+    action.stiffness(1, 1) = std::abs(c.force.y()) < progress.bound ? c.penalty : 0;
     action.held = {action.stiffness(0, 0), c.state == ContactState::stick ? c.penalty : 0};
     return action;
   }
@@ -146,30 +140,32 @@ class AugmentedLagrangian final : public Formulation {
       const int k = held.contact_ids[i];
       const ContactPoint& c = held.contacts[at(k)];
       // Only an open contact that a negative multiplier held open may still have to close.
-      if (c.state == ContactState::open) return c.multiplier.x() >= 0 || contacts_[at(k)].separation.value.x() >= 0;
-      return settled(contacts_[at(k)], c.multiplier);
+      if (c.state == ContactState::open) return c.multiplier.x() >= 0 || contacts_[at(k)].separation.x() >= 0;
+      return settled(contacts_[at(k)], c);
     };
-    const auto support_settled = [&](int k) { return settled(supports_[at(k)], held.supports[at(k)].multiplier); };
+    const auto support_settled = [&](int k) { return settled(supports_[at(k)], held.supports[at(k)]); };
     return all_of(held.contact_ids.size(), contact_settled) &&
            std::all_of(held.support_ids.begin(), held.support_ids.end(), support_settled);
   }
 
-  [[nodiscard]] bool settled(const Progress& p, const Eigen::Vector2d& multiplier) const {
-    const double violation = p.violated.cwiseAbs().maxCoeff();
+  template <class ContactOrSupport>
+  [[nodiscard]] bool settled(const Progress& p, const ContactOrSupport& of) const {
+    const double violation = p.violation(of.state);
     if (p.turning || violation > settings_.penetration_tolerance_m) return false;
     return violation <= settings_.position_round_off_m ||
-           (p.force - multiplier).cwiseAbs().maxCoeff() <= settings_.force_tolerance_n + p.round_off;
+           (of.force - of.multiplier).cwiseAbs().maxCoeff() <= settings_.force_tolerance_n + p.round_off;
   }
 
   /// Gaps of round-off size would add up in the multipliers of redundant contacts: they are left out.
-  void update(Progress& progress, Eigen::Vector2d& multiplier, double& penalty) const {
-    const double violation = progress.violated.cwiseAbs().maxCoeff();
+  template <class ContactOrSupport>
+  void update(Progress& progress, ContactOrSupport& of) const {
+    const double violation = progress.violation(of.state);
     if (!progress.turning && violation <= settings_.position_round_off_m) return;
     // The large penalties of held joints leave redundant contacts what a few round-offs make of their gaps: larger ones
     // would only make more force of that.
     const bool shrinks = !settings_.joints_held || violation > 4 * settings_.position_round_off_m;
-    if (!settings_.friction_lags && shrinks) raise_if_slow(progress, penalty);
-    multiplier = progress.force;
+    if (!settings_.friction_lags && shrinks) raise_if_slow(progress, of.penalty, violation);
+    of.multiplier = of.force;
   }
 
   /// While friction lags, all by as much and less at a time: a contact whose penalty stands out has a range of slips so
@@ -180,13 +176,13 @@ class AugmentedLagrangian final : public Formulation {
     constexpr double rise = 3;
     double worst = 0;
     double worst_before = 0;
-    const auto look = [&](Progress& p) {
-      const double violation = p.violated.cwiseAbs().maxCoeff();
+    const auto look = [&](Progress& p, const auto& of) {
+      const double violation = p.violation(of.state);
       worst = std::max(worst, violation);
       worst_before = std::max(worst_before, std::exchange(p.last_violation, violation));
     };
-    for (const int k : held.contact_ids) look(contacts_[at(k)]);
-    for (const int k : held.support_ids) look(supports_[at(k)]);
+    for (const int k : held.contact_ids) look(contacts_[at(k)], held.contacts[at(k)]);
+    for (const int k : held.support_ids) look(supports_[at(k)], held.supports[at(k)]);
     if (slow * worst <= worst_before) return;
     const auto raise = [&](const Progress& p, double& penalty) {
       penalty = std::min(rise * penalty, largest_penalty_ratio * p.stiffness);
@@ -197,8 +193,7 @@ class AugmentedLagrangian final : public Formulation {
 
   /// Where the scene starts it lower than steps choose by themselves it rises with each sweep: up to there it costs no
   /// digits.
-  void raise_if_slow(Progress& progress, double& penalty) const {
-    const double violation = progress.violated.cwiseAbs().maxCoeff();
+  void raise_if_slow(Progress& progress, double& penalty, double violation) const {
     const bool low = settings_.initial_penalty && 10 * penalty <= settings_.penalty_ratio * progress.stiffness;
     if (low || 4 * violation > progress.last_violation) {
       penalty = std::min(10 * penalty, largest_penalty_ratio * progress.stiffness);

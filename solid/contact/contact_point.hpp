@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One vertex of a block's outline against one edge of another's, with the memory that it keeps from step to step.
+// One vertex of a block's outline against one edge of another's.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,23 @@
 
 namespace blockweir::solid {
 
-struct ContactPoint {
+/// What it keeps from step to step, and an equilibrium changes.
+struct ContactMemory {
+  Eigen::Vector2d multiplier = Eigen::Vector2d::Zero();  ///< (normal, shear) force on the vertex [N per metre]
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();       ///< what acts: multiplier less penalty times separation
+  double penalty = 0;                                    ///< N/m per metre
+  double bond_length = 0;                                ///< m, part of the joint that was bonded at the start
+  double bond = 0;                                       ///< what is left of cohesion and tension: 1 all, 0 none
+  double slip_m = 0;                                     ///< signed sum of slip along the edge
+  double slip_path_m = 0;                                ///< sum of its magnitude
+  ContactState state = ContactState::open;
+
+  [[nodiscard]] bool bonded() const { return bond > 0; }
+};
+
+struct ContactPoint : ContactMemory {
   // Who: constant while the contact lasts.
+  int law = 0;  ///< index into the model's joint laws
   int vertex_block = 0;
   int vertex = 0;
   int edge_block = 0;
@@ -22,26 +37,13 @@ struct ContactPoint {
   Eigen::Vector2d vertex_at = Eigen::Vector2d::Zero();
   Eigen::Vector2d edge_from = Eigen::Vector2d::Zero();
   Eigen::Vector2d edge_to = Eigen::Vector2d::Zero();
-  int law = 0;  ///< index into the model's joint laws
 
   // Geometry at the start of the step.
   double anchor = 0;                                     ///< fraction along the edge from which slip is measured
   Eigen::Vector2d separation = Eigen::Vector2d::Zero();  ///< vertex minus anchor point [m]
   double gap = 0;                                        ///< normal part of it [m], negative: penetration
   double length = 0;                                     ///< m of joint that the contact stands for
-
-  // Memory.
-  Eigen::Vector2d multiplier = Eigen::Vector2d::Zero();  ///< (normal, shear) force on the vertex [N per metre]
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();       ///< what acts: multiplier less penalty times separation
-  double penalty = 0;                                    ///< N/m per metre
-  double bond_length = 0;                                ///< m, part of the joint that was bonded at the start
-  double bond = 0;                                       ///< what is left of cohesion and tension: 1 all, 0 none
-  ContactState state = ContactState::open;
-  double slip_m = 0;        ///< signed sum of slip along the edge
-  double slip_path_m = 0;   ///< sum of its magnitude
-  double elastic_slip = 0;  ///< m of the step's slip that a contact spring gives back
-
-  [[nodiscard]] bool bonded() const { return bond > 0; }
+  double elastic_slip = 0;                               ///< m of the step's slip that a contact spring gives back
 
   /// The two blocks, low index first.
   [[nodiscard]] std::pair<int, int> pair() const { return std::minmax({vertex_block, edge_block}); }

@@ -67,8 +67,18 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
 Formulation::Progress& Formulation::follow(const Trial& trial, int index, const ContactPoint& c,
                                            const EdgeFrame& edge) {
   Progress& progress = contacts_[at(index)];
-  progress.separation = separation_of(trial, c, edge);
-  progress.separation.value.x() -= laws_[c.law].dilation_m(c.slip_m + progress.separation.value.y());
+  const Separation found = separation_of(trial, c, edge);
+  progress.separation = found.value;
+  progress.separation.x() -= laws_[c.law].dilation_m(c.slip_m + found.value.y());
+  progress.round_off = separation_round_off * c.penalty * found.moved;
+  return progress;
+}
+
+Formulation::Progress& Formulation::follow(const Trial& trial, int index, const Support& s) {
+  Progress& progress = supports_[at(index)];
+  const Separation found = separation_of(trial, s);
+  progress.separation = found.value;
+  progress.round_off = separation_round_off * s.penalty * found.moved;
   return progress;
 }
 
@@ -86,7 +96,7 @@ bool Formulation::lag_friction(const Held& held) {
 
 double Formulation::dilation_slope(const ContactPoint& c, const Progress& progress) const {
   if (c.state != ContactState::slip) return 0;
-  return laws_[c.law].dilation_slope(c.slip_m + progress.separation.value.y(), -progress.slip_force);
+  return laws_[c.law].dilation_slope(c.slip_m + progress.separation.y(), -progress.slip_force);
 }
 
 JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::Vector2d& stuck) {
@@ -108,23 +118,24 @@ JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::
   progress.slip_force = force.shear;
   if (force.state != c.state) state_changes_.fetch_add(1, std::memory_order_relaxed);
   c.state = force.state;
-  progress.force = {force.normal, force.shear};
-  c.force = progress.force;
-  progress.violated = {force.state == ContactState::open ? 0 : progress.separation.value.x(),
-                       force.state == ContactState::stick ? progress.separation.value.y() : 0};
+  c.force = {force.normal, force.shear};
   return force;
 }
 
-void Formulation::accept(const Trial& trial, std::vector<ContactPoint>& contacts) const {
+bool Formulation::accept(const Trial& trial, std::vector<ContactPoint>& contacts) const {
+  std::atomic<bool> any_slips = false;
   for_each(contacts.size(), [&](std::size_t k) {
     ContactPoint& c = contacts[k];
-    if (c.state != ContactState::slip || !contacts_[k].evaluated) return;
-    const double slip = contacts_[k].separation.value.y() - c.elastic_slip;
+    if (c.state != ContactState::slip) return;
+    any_slips.store(true, std::memory_order_relaxed);
+    if (!contacts_[k].evaluated) return;
+    const double slip = contacts_[k].separation.y() - c.elastic_slip;
     c.slip_m += slip;
     c.slip_path_m += std::abs(slip);
     c.anchor += slip / edge_frame(trial, c).length;
     if (c.bond > 0) c.bond = std::min(c.bond, laws_[c.law].bond_after(c.slip_path_m));
   });
+  return any_slips;
 }
 
 }  // namespace blockweir::solid

@@ -3,7 +3,9 @@
 // share.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -80,8 +82,8 @@ class Formulation {
   /// Is a velocity along a closed contact an error of the time integration? Not where contacts are springs.
   [[nodiscard]] virtual bool holds_exactly() const { return true; }
 
-  /// Slip, dilation and anchors of an accepted step.
-  void accept(const Trial& trial, std::vector<ContactPoint>& contacts) const;
+  /// Slip, dilation and anchors of an accepted step; does any contact slip?
+  bool accept(const Trial& trial, std::vector<ContactPoint>& contacts) const;
 
   FormulationSettings& settings() { return settings_; }
   /// Counted up by one for each contact whose state differs from the evaluation before.
@@ -99,16 +101,20 @@ class Formulation {
 
   /// Of a contact or support, in the step at hand.
   struct Progress {
-    bool evaluated = false;                              ///< in the step at hand: not where blocks sleep
-    Separation separation;                               ///< at the trial
-    Eigen::Vector2d force = Eigen::Vector2d::Zero();     ///< admissible force there
-    Eigen::Vector2d violated = Eigen::Vector2d::Zero();  ///< part of the separation that should be zero
-    double round_off = 0;                                ///< uncertainty of the force [N per metre]
+    Eigen::Vector2d separation = Eigen::Vector2d::Zero();  ///< that is resisted, at the trial [m]
+    double round_off = 0;                                  ///< uncertainty of the force [N per metre]
     double slip_force = 0;  ///< shear force of the evaluation before, whose sign is the direction of slip
     double bound = 0;       ///< of the shear force while friction lags [N per metre]
-    bool turning = false;   ///< slip was about to reverse and is tried as stick; not a state to end in
     double last_violation = std::numeric_limits<double>::infinity();  ///< at the sweep before
-    double stiffness = 0;  ///< of the blocks against the contact [N/m per metre]
+    double stiffness = 0;    ///< of the blocks against the contact [N/m per metre]
+    bool evaluated = false;  ///< in the step at hand: not where blocks sleep
+    bool turning = false;    ///< slip was about to reverse and is tried as stick; not a state to end in
+
+    /// The largest part of the separation that should be zero in this state; a support sticks.
+    [[nodiscard]] double violation(ContactState state) const {
+      return std::max(state == ContactState::open ? 0 : std::abs(separation.x()),
+                      state == ContactState::stick ? std::abs(separation.y()) : 0);
+    }
   };
 
   /// What a formulation does of its own as a step begins; of several contacts at a time.
@@ -117,9 +123,9 @@ class Formulation {
 
   /// Separation that the contact resists: the gap less what dilation has opened, and the slip.
   Progress& follow(const Trial& trial, int index, const ContactPoint& c, const EdgeFrame& edge);
+  Progress& follow(const Trial& trial, int index, const Support& s);
 
-  /// State and admissible force from those that would act if the contact stuck; notes what of the separation is
-  /// violated.
+  /// State and admissible force from those that would act if the contact stuck.
   JointForce judge(Progress& progress, ContactPoint& c, const Eigen::Vector2d& stuck);
 
   /// d(resisted gap)/d(slip) of a slipping contact that dilates; else 0.

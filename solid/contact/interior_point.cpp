@@ -30,7 +30,7 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
     const ContactPoint& c = held.contacts[at(k)];
     Point& p = points_[at(k)];
     const double motion = largest / contacts_[at(k)].stiffness;
-    const double gap = std::max(follow(trial, k, c, edge_frame(trial, c)).separation.value.x(), motion);
+    const double gap = std::max(follow(trial, k, c, edge_frame(trial, c)).separation.x(), motion);
     p.normal = {largest * motion / gap, gap};
     const double most = bound(c, p);
     p.has_friction = most > 0;
@@ -43,7 +43,7 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
 Interaction InteriorPoint::contact(const Trial& trial, int index, ContactPoint& c) {
   const EdgeFrame edge = edge_frame(trial, c);
   Point& p = points_[at(index)];
-  p.separation = follow(trial, index, c, edge).separation.value;
+  p.separation = follow(trial, index, c, edge).separation;
   const double compliance = compliance_ratio / contacts_[at(index)].stiffness;
   const Pair& n = p.normal;
   p.stiffness.x() = 1 / (1 / n.stiffness() + compliance);
@@ -78,7 +78,7 @@ double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
   for (const int k : held.contact_ids) {
     const ContactPoint& c = held.contacts[at(k)];
     Point& p = points_[at(k)];
-    const Eigen::Vector2d moved = follow(trial, k, c, edge_frame(trial, c)).separation.value - p.separation;
+    const Eigen::Vector2d moved = follow(trial, k, c, edge_frame(trial, c)).separation - p.separation;
     const Eigen::Vector2d force = p.force - p.stiffness.cwiseProduct(moved);
     p.normal.follow(force.x() - p.normal.force, product_);
     if (!p.has_friction) continue;

@@ -37,11 +37,11 @@ class LagrangeMultiplier final : public Formulation {
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
     const EdgeFrame edge = edge_frame(trial, c);
     Progress& progress = follow(trial, index, c, edge);
-    const JointForce stuck = judge(progress, c, c.multiplier - c.penalty * progress.separation.value);
+    const JointForce stuck = judge(progress, c, c.multiplier - c.penalty * progress.separation);
     Constraints& constraints = of_contacts_[at(index)];
     constraints.count = 0;
     if (stuck.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
-    Interaction action = interaction_of(c, edge, progress.separation.value.y());
+    Interaction action = interaction_of(c, edge, progress.separation.y());
     const double compliance = regularization / c.penalty;
     double shear = c.multiplier.y();
     double slope = 0;
@@ -51,19 +51,17 @@ class LagrangeMultiplier final : public Formulation {
       shear = std::copysign(bound, stuck.shear);
       slope = dilation_slope(c, progress);
     } else {
-      constraints.all[1] = {{0, 1}, {0, 1}, progress.separation.value.y(), compliance};
+      constraints.all[1] = {{0, 1}, {0, 1}, progress.separation.y(), compliance};
     }
-    constraints.all[0] = {{1, slope}, {1, stuck.shear_per_normal}, progress.separation.value.x(), compliance};
+    constraints.all[0] = {{1, slope}, {1, stuck.shear_per_normal}, progress.separation.x(), compliance};
     constraints.count = stuck.state == ContactState::stick ? 2 : 1;
-    action.force = c.force = progress.force = {c.multiplier.x(), shear};
+    action.force = c.force = {c.multiplier.x(), shear};
     action.held = {c.penalty, stuck.state == ContactState::stick ? c.penalty : 0};
     return action;
   }
 
   Interaction support(const Trial& trial, int index, Support& s) override {
-    Progress& progress = supports_[at(index)];
-    progress.separation = separation_of(trial, s);
-    progress.violated = progress.separation.value;
+    const Progress& progress = follow(trial, index, s);
     Interaction action = interaction_of(s);
     action.force = s.multiplier;
     action.held = s.penalty * s.held();
@@ -72,29 +70,29 @@ class LagrangeMultiplier final : public Formulation {
     for (int axis = 0; axis < 2; ++axis) {
       if (s.held()[axis] == 0) continue;
       const Eigen::Vector2d unit = Eigen::Vector2d::Unit(axis);
-      constraints.all[constraints.count++] = {unit, unit, progress.violated[axis], regularization / s.penalty};
+      constraints.all[constraints.count++] = {unit, unit, progress.separation[axis], regularization / s.penalty};
     }
     return action;
   }
 
   bool sweep(const Held& held) override {
     bool settled = true;
-    const auto within = [this](const Progress& p) {
-      return !p.turning && p.violated.cwiseAbs().maxCoeff() <= settings_.penetration_tolerance_m;
+    const auto within = [this](const Progress& p, const auto& of) {
+      return !p.turning && p.violation(of.state) <= settings_.penetration_tolerance_m;
     };
     for (const int k : held.contact_ids) {
       ContactPoint& c = held.contacts[at(k)];
       if (c.state == ContactState::open) c.multiplier.setZero();
-      settled = settled && within(contacts_[at(k)]);
+      settled = settled && within(contacts_[at(k)], c);
     }
-    for (const int k : held.support_ids) settled = settled && within(supports_[at(k)]);
+    for (const int k : held.support_ids) settled = settled && within(supports_[at(k)], held.supports[at(k)]);
     return settled;
   }
 
   /// Axes without a constraint get what the law says at the corrected normal force.
-  void correct_contact(int index, ContactPoint& c, const Eigen::Vector2d& force) override {
+  void correct_contact(int /*index*/, ContactPoint& c, const Eigen::Vector2d& force) override {
     if (c.state == ContactState::open) return c.multiplier.setZero(), void();
-    c.multiplier = contacts_[at(index)].force + force;
+    c.multiplier = c.force + force;
   }
   void correct_support(int /*index*/, Support& s, const Eigen::Vector2d& force) override { s.multiplier += force; }
 

@@ -27,15 +27,14 @@ class Penalty final : public Formulation {
     const EdgeFrame edge = edge_frame(trial, c);
     Progress& progress = follow(trial, index, c, edge);
     const Dashpot& dashpot = dashpots_[at(index)];
-    const Separation& apart = progress.separation;
-    progress.round_off = separation_round_off * c.penalty * apart.moved;
-    const Eigen::Vector2d moved = apart.value - dashpot.start;  // since the start of the step
+    const Eigen::Vector2d& apart = progress.separation;
+    const Eigen::Vector2d moved = apart - dashpot.start;  // since the start of the step
     const Eigen::Vector2d rate = trial.velocity_factor * moved + dashpot.past_rate;
-    const JointForce force = judge(progress, c, -spring_ * apart.value - dashpot.coefficient * rate);
+    const JointForce force = judge(progress, c, -spring_ * apart - dashpot.coefficient * rate);
     c.elastic_slip = force.state == ContactState::slip ? -force.shear / spring_ : 0;
     if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
-    Interaction action = interaction_of(c, edge, apart.value.y());
-    action.force = progress.force;
+    Interaction action = interaction_of(c, edge, apart.y());
+    action.force = c.force;
     action.round_off = progress.round_off;
     const double stiffness = spring_ + dashpot.coefficient * trial.velocity_factor;
     action.stiffness(0, 0) = stiffness;
@@ -49,13 +48,11 @@ class Penalty final : public Formulation {
   }
 
   Interaction support(const Trial& trial, int index, Support& s) override {
-    Progress& progress = supports_[at(index)];
-    progress.separation = separation_of(trial, s);
+    const Progress& progress = follow(trial, index, s);
     Interaction action = interaction_of(s);
-    action.force = -spring_ * progress.separation.value;
-    action.round_off = separation_round_off * spring_ * progress.separation.moved;
+    s.multiplier = s.force = action.force = -spring_ * progress.separation;
+    action.round_off = progress.round_off;
     action.stiffness = (spring_ * s.held()).asDiagonal().toDenseMatrix();
-    s.multiplier = action.force;
     return action;
   }
 

@@ -176,16 +176,7 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
     const Point t = (E[next(e, E.size())] - E[e]).normalized();
     return Point(t.y(), -t.x());
   };
-  const auto take = [](ContactPoint& heir, const ContactPoint& from) {
-    heir.multiplier = from.multiplier;
-    heir.force = from.force;
-    heir.penalty = from.penalty;
-    heir.bond_length = from.bond_length;
-    heir.bond = from.bond;
-    heir.state = from.state;
-    heir.slip_m = from.slip_m;
-    heir.slip_path_m = from.slip_path_m;
-  };
+  const auto take = [](ContactMemory& heir, const ContactMemory& from) { heir = from; };
   inherited_.assign(found_.size(), 0);
   std::vector<const ContactPoint*> gone;
   for (const ContactPoint& was : old) {

@@ -4,16 +4,20 @@
 
 #include "bridge/scene/scene.hpp"
 #include "solid/contact/interaction.hpp"
+#include "solid/contact/joint_law.hpp"
 
 namespace blockweir::solid {
 
 struct Support {
+  static constexpr ContactState state = ContactState::stick;  ///< always
+
   int block = 0;
   Point material;  ///< m, relative to the centroid
   const scene::Support* described = nullptr;
 
   Point separation = Point::Zero();  ///< from where the point should be at the end of the step [m]
   Point multiplier = Point::Zero();  ///< force on the block [N per metre]
+  Point force = Point::Zero();       ///< what acts: multiplier less penalty times separation
   double penalty = 0;
 
   [[nodiscard]] Point target(double time_s) const {
@@ -26,7 +30,7 @@ struct Support {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(separation, multiplier, penalty);
+    archive(separation, multiplier, force, penalty);
   }
 };
 

@@ -141,11 +141,10 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
   }
   end_s_ = end_s;
-  contacts_before_.resize(contacts_.size());
-  for_each(contacts_.size(), [this](std::size_t k) { contacts_before_[k] = contacts_[k]; });
-  const std::vector<Support> supports_before = supports_;
-
   const bool searched = find_contacts();
+  memory_before_.resize(contacts_.size());
+  for_each(contacts_.size(), [this](std::size_t k) { memory_before_[k] = contacts_[k]; });
+  const std::vector<Support> supports_before = supports_;
   const long state_changes_before = formulation_->state_changes();
   if (searched || islands_.empty()) prepare_islands();
   prepare_matrices(dt);
@@ -192,15 +191,14 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   solved = solved && !goes_too_far_;
   const bool seen = !solved || search_.covers(moved);
   if (!solved || !seen) {
-    contacts_ = contacts_before_;
+    for_each(contacts_.size(),
+             [this](std::size_t k) { static_cast<ContactMemory&>(contacts_[k]) = memory_before_[k]; });
     supports_ = supports_before;
-    contacts_stand_ = false;
+    contacts_stand_ = seen;
     return !seen && attempt(dt, end_s, water);
   }
-  accept(dt, end_s);
-  const auto holds = [this](std::size_t k) { return contacts_[k].state != ContactState::slip; };
-  contacts_stand_ =
-      moved == 0 && formulation_->state_changes() == state_changes_before && all_of(contacts_.size(), holds);
+  const bool any_slips = accept(dt, end_s);
+  contacts_stand_ = moved == 0 && formulation_->state_changes() == state_changes_before && !any_slips;
   require_finite(end_s);
   return true;
 }
@@ -215,7 +213,8 @@ void Solid::carry_fixed_blocks(double end_s) {
   }
 }
 
-void Solid::accept(double dt, double end_s) {
+/// Does any contact slip?
+bool Solid::accept(double dt, double end_s) {
   const Stopwatch watch(profile_.accept);
   time_s_ = end_s;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -230,7 +229,7 @@ void Solid::accept(double dt, double end_s) {
     });
     if (newmark_.flips_held_velocities() && formulation_->holds_exactly()) quiet_held_directions(island, dt);
   }
-  formulation_->accept(trial(), contacts_);
+  const bool any_slips = formulation_->accept(trial(), contacts_);
   for (Bolt& bolt : bolts_) solid::accept(trial(), base_.displacement(end_s), bolt);
   for_each(blocks_.size(), [&](std::size_t b) {
     if (frozen_[b] && !base_.moves_supports()) return;
@@ -240,6 +239,7 @@ void Solid::accept(double dt, double end_s) {
   follow_triangles();
   sleep_.look(blocks_, states_, external_, dt);
   ++counts_.steps;
+  return any_slips;
 }
 
 bool Solid::may_sleep(const IslandSystem& s) const {

@@ -194,7 +194,7 @@ class Solid {
   [[nodiscard]] Vector6 corner_increment(std::size_t triangle) const;
   void follow_triangles();
   void carry_fixed_blocks(double end_s);
-  void accept(double dt, double end_s);
+  bool accept(double dt, double end_s);
   [[nodiscard]] bool may_sleep(const IslandSystem& island) const;
   void put_to_sleep(const IslandSystem& island);
   [[nodiscard]] double largest_increment() const;
@@ -238,7 +238,7 @@ class Solid {
   Sleep sleep_;
 
   // The step at hand.
-  std::vector<ContactPoint> contacts_before_;
+  std::vector<ContactMemory> memory_before_;  ///< of contacts_
   Newmark newmark_;
   AddedMassGuard guard_;
   WaterWork water_work_;
