@@ -90,7 +90,10 @@ void Partner::send(const wire::Load& load) {
 }
 
 void Partner::fail(const std::string& text) {
-  on_master([&] { channel_->send(wire::Failure{text}); });
+  on_master([&] {
+    channel_->send(wire::Failure{text});
+    channel_.reset();  // a line that closes waits until its last word has gone out; a process that ends does not
+  });
   FatalErrorInFunction << text.c_str() << Foam::exit(Foam::FatalError);
   std::abort();
 }
