@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/output/history_writer.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace blockweir::solid::output {
@@ -56,9 +56,13 @@ HistoryWriter::HistoryWriter(const std::filesystem::path& folder, const scene::S
 }
 
 void HistoryWriter::write(const Frame& frame) {
-  fmt::memory_buffer row;
-  const auto add = [&](double value) { fmt::format_to(std::back_inserter(row), ",{:.12g}", value); };
-  fmt::format_to(std::back_inserter(row), "{:.12g}", frame.time_s);
+  std::string row;
+  const auto add = [&](double value) {
+    if (!row.empty()) row += ',';
+    std::array<char, 32> text{};  // of a double there are 24 characters at most
+    row.append(text.data(), std::to_chars(text.begin(), text.end(), value).ptr);
+  };
+  add(frame.time_s);
   for (const double v : {frame.upstream_level_m, frame.downstream_level_m, frame.largest_displacement_m,
                          frame.kinetic_energy_j_per_m, frame.strain_energy_j_per_m, frame.potential_energy_j_per_m}) {
     add(v);
@@ -96,7 +100,7 @@ void HistoryWriter::write(const Frame& frame) {
       add(v);
     }
   }
-  file_.line(fmt::to_string(row));
+  file_.line(row);
 }
 
 }  // namespace blockweir::solid::output
