@@ -151,7 +151,10 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   for (int step = 0; step < most_steps && dt > shortest; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
     const bool whole_step = dt >= pseudo_step;
-    if (!(whole_step ? try_step(dt, settling_time_s(), water) : attempt(dt, settling_time_s(), water))) {
+    const auto shorter_step = [&] {
+      return attempt(dt, settling_time_s(), water) || (!goes_too_far_ && attempt_softly(dt, settling_time_s(), water));
+    };
+    if (!(whole_step ? try_step(dt, settling_time_s(), water) : shorter_step())) {
       dt /= 4;
       continue;
     }
