@@ -22,12 +22,6 @@ std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, c
   return make_augmented_lagrangian(laws, settings);
 }
 
-void Formulation::begin_step(std::size_t contacts, std::size_t supports) {
-  contacts_.resize(contacts);
-  for_each(contacts, [this](std::size_t k) { contacts_[k] = {}; });
-  supports_.assign(supports, {});
-}
-
 void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
                         const Held& held) {
   // Rayleigh quotient of the block's matrix along a point's motion, turns and strains taken as what they move at the
@@ -43,25 +37,41 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     };
     const Placement& placement = trial.placement[at(block)];
     const Matrix6& k = matrix[at(block)];
-    if (!trial.blocks[at(block)].rigid) return quotient(Vector6(placement.shape(X).transpose() * axis), k);
+    if (!trial.blocks[at(block)].rigid) return quotient(placement.generalized(axis, X), k);
     const double turning = axis.dot(perpendicular(placement.vector(X)));
     return quotient(Eigen::Vector3d(axis.x(), axis.y(), turning), k.topLeftCorner<3, 3>());
   };
+  contacts_.resize(held.contacts.size());
+  contacts_before_.resize(held.contacts.size());
   for_each(held.contact_ids.size(), [&](std::size_t i) {
     const int k = held.contact_ids[i];
     ContactPoint& c = held.contacts[at(k)];
+    contacts_before_[at(k)] = c;
+    Progress& progress = contacts_[at(k)] = {};
     const Point n = edge_frame(trial, c).n;
-    contacts_[at(k)].stiffness =
+    progress.stiffness =
         1 / (flexibility(c.vertex_part, n, c.vertex_at) + flexibility(c.edge_part, n, edge_point(c, c.anchor)));
-    contacts_[at(k)].slip_force = c.multiplier.y();
+    progress.slip_force = c.multiplier.y();
     begin_contact(trial, frozen, k, c);
   });
+  supports_.resize(held.supports.size());
+  supports_before_.resize(held.supports.size());
   for (const int k : held.support_ids) {
     Support& s = held.supports[at(k)];
-    supports_[at(k)].stiffness =
+    supports_before_[at(k)] = s;
+    Progress& progress = supports_[at(k)] = {};
+    progress.stiffness =
         2 / (flexibility(s.block, Point::Unit(0), s.material) + flexibility(s.block, Point::Unit(1), s.material));
     begin_support(trial, k, s);
   }
+}
+
+void Formulation::undo(const Held& held) const {
+  for_each(held.contact_ids.size(), [&](std::size_t i) {
+    const auto k = at(held.contact_ids[i]);
+    static_cast<ContactMemory&>(held.contacts[k]) = contacts_before_[k];
+  });
+  for (const int k : held.support_ids) held.supports[at(k)] = supports_before_[at(k)];
 }
 
 Formulation::Progress& Formulation::follow(const Trial& trial, int index, const ContactPoint& c,
@@ -100,7 +110,6 @@ double Formulation::dilation_slope(const ContactPoint& c, const Progress& progre
 }
 
 JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::Vector2d& stuck) {
-  progress.evaluated = true;
   JointForce force;
   if (settings_.joints_held) {
     if (c.state != ContactState::open) force = {ContactState::stick, stuck.x(), stuck.y(), 0};
@@ -122,13 +131,13 @@ JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::
   return force;
 }
 
-bool Formulation::accept(const Trial& trial, std::vector<ContactPoint>& contacts) const {
+bool Formulation::accept(const Trial& trial, const Held& held) const {
   std::atomic<bool> any_slips = false;
-  for_each(contacts.size(), [&](std::size_t k) {
-    ContactPoint& c = contacts[k];
+  for_each(held.contact_ids.size(), [&](std::size_t i) {
+    const auto k = at(held.contact_ids[i]);
+    ContactPoint& c = held.contacts[k];
     if (c.state != ContactState::slip) return;
     any_slips.store(true, std::memory_order_relaxed);
-    if (!contacts_[k].evaluated) return;
     const double slip = contacts_[k].separation.y() - c.elastic_slip;
     c.slip_m += slip;
     c.slip_path_m += std::abs(slip);

@@ -43,10 +43,8 @@ class Formulation {
  public:
   virtual ~Formulation() = default;
 
-  /// For the step at hand, of so many contacts and supports in all.
-  void begin_step(std::size_t contacts, std::size_t supports);
-  /// Those of an island that the step solves; `matrix[b]` is block b's own matrix in it (inertia and elasticity).
-  /// Frozen blocks do not move.
+  /// A step of an island; `matrix[b]` is block b's own matrix in it (inertia and elasticity). Frozen blocks do not
+  /// move.
   virtual void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
                      const Held& held);
 
@@ -82,8 +80,10 @@ class Formulation {
   /// Is a velocity along a closed contact an error of the time integration? Not where contacts are springs.
   [[nodiscard]] virtual bool holds_exactly() const { return true; }
 
+  /// The step is not to be: what contacts and supports remember is what they did as it began.
+  void undo(const Held& held) const;
   /// Slip, dilation and anchors of an accepted step; does any contact slip?
-  bool accept(const Trial& trial, std::vector<ContactPoint>& contacts) const;
+  bool accept(const Trial& trial, const Held& held) const;
 
   FormulationSettings& settings() { return settings_; }
   /// Counted up by one for each contact whose state differs from the evaluation before.
@@ -106,9 +106,8 @@ class Formulation {
     double slip_force = 0;  ///< shear force of the evaluation before, whose sign is the direction of slip
     double bound = 0;       ///< of the shear force while friction lags [N per metre]
     double last_violation = std::numeric_limits<double>::infinity();  ///< at the sweep before
-    double stiffness = 0;    ///< of the blocks against the contact [N/m per metre]
-    bool evaluated = false;  ///< in the step at hand: not where blocks sleep
-    bool turning = false;    ///< slip was about to reverse and is tried as stick; not a state to end in
+    double stiffness = 0;  ///< of the blocks against the contact [N/m per metre]
+    bool turning = false;  ///< slip was about to reverse and is tried as stick; not a state to end in
 
     /// The largest part of the separation that should be zero in this state; a support sticks.
     [[nodiscard]] double violation(ContactState state) const {
@@ -137,6 +136,8 @@ class Formulation {
   std::vector<Progress> supports_;
 
  private:
+  std::vector<ContactMemory> contacts_before_;  ///< as the step began
+  std::vector<Support> supports_before_;
   std::atomic<long> state_changes_ = 0;
 };
 

@@ -19,13 +19,13 @@ struct Constraint {
 struct Interaction {
   int block_i = -1;
   int block_j = -1;            ///< -1: the ground
+  double round_off = 0;        ///< what cancellation leaves uncertain of the force [N per metre]
   Point at_i = Point::Zero();  ///< material points [m]
   Point at_j = Point::Zero();
   Point axis = Point::UnitX();
   Point force = Point::Zero();                          ///< in the local frame [N per metre]
   Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  ///< -d force / d separation [N/m per metre]
   Point held = Point::Zero();                           ///< weight of axes along which nothing may move; 0 for others
-  double round_off = 0;  ///< what cancellation leaves uncertain of the force [N per metre]
 
   /// Of one of both ends.
   [[nodiscard]] int block(bool second) const { return second ? block_j : block_i; }

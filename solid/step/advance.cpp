@@ -142,9 +142,6 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   }
   end_s_ = end_s;
   const bool searched = find_contacts();
-  memory_before_.resize(contacts_.size());
-  for_each(contacts_.size(), [this](std::size_t k) { memory_before_[k] = contacts_[k]; });
-  const std::vector<Support> supports_before = supports_;
   const long state_changes_before = formulation_->state_changes();
   if (searched || islands_.empty()) prepare_islands();
   prepare_matrices(dt);
@@ -166,11 +163,10 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     support.separation = start_[b].displacement(support.material) - support.target(end_s) - base_.displacement(end_s);
   }
   const Trial at_start{blocks_, start_, still_, start_, past_velocity_, newmark_.velocity_factor(dt)};
-  formulation_->begin_step(contacts_.size(), supports_.size());
 
   bool solved = true;
   for (const IslandSystem& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
-    const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
+    const Held held = held_by(s);
     formulation_->begin(at_start, matrix_, frozen_, held);
     // While a structure settles, steps and penalties are others each time.
     if (s.unknowns->total > large_island && end_s != settling_time_s()) formulation_->keep_slip_forces(at_start, held);
@@ -191,9 +187,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   solved = solved && !goes_too_far_;
   const bool seen = !solved || search_.covers(moved);
   if (!solved || !seen) {
-    for_each(contacts_.size(),
-             [this](std::size_t k) { static_cast<ContactMemory&>(contacts_[k]) = memory_before_[k]; });
-    supports_ = supports_before;
+    for (const IslandSystem& s : islands_) formulation_->undo(held_by(s));
     contacts_stand_ = seen;
     return !seen && attempt(dt, end_s, water);
   }
@@ -220,6 +214,7 @@ bool Solid::accept(double dt, double end_s) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].fixed) states_[b].velocity.head<2>() = base_.velocity(end_s);
   }
+  bool any_slips = false;
   for (IslandSystem& island : islands_) {
     if (island.asleep) continue;
     for_each(island.island.blocks.size(), [&](std::size_t k) {
@@ -228,8 +223,8 @@ bool Solid::accept(double dt, double end_s) {
       states_[b].force = at_corners(b, balance_[b]);
     });
     if (newmark_.flips_held_velocities() && formulation_->holds_exactly()) quiet_held_directions(island, dt);
+    any_slips = formulation_->accept(trial(), held_by(island)) || any_slips;
   }
-  const bool any_slips = formulation_->accept(trial(), contacts_);
   for (Bolt& bolt : bolts_) solid::accept(trial(), base_.displacement(end_s), bolt);
   for_each(blocks_.size(), [&](std::size_t b) {
     if (frozen_[b] && !base_.moves_supports()) return;

@@ -101,7 +101,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
   // Where it has failed, its next turn is a short one.
   const int most = unknowns > large_island && whole_law_.after_failure() ? 20 : scene_.contact.max_iterations;
   const double tolerance = formulation_->settings().force_tolerance_n;
-  const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
+  const Held held = held_by(s);
   bool swept = false;  // multipliers have changed since the last solve
   int in_a_row = 0;    // solves since then
   double first = 0;    // unbalanced as they began
@@ -144,7 +144,7 @@ void Solid::start_where_it_rests(const IslandSystem& s) {
 bool Solid::sweep(IslandSystem& s) {
   const Stopwatch watch(profile_.sweeps);
   ++counts_.sweeps;
-  return formulation_->sweep({s.island.contacts, contacts_, s.island.supports, supports_}) &&
+  return formulation_->sweep(held_by(s)) &&
          (formulation_->settings().joints_held || !break_bonds(laws_, s.island.contacts, contacts_));
 }
 

@@ -17,7 +17,7 @@ namespace blockweir::solid {
 /// For where the states of the whole law run in circles: a slip changes the normal force that bounds it, there and at
 /// its neighbours, and brings the states back with which Newton's method began.
 bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
-  const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
+  const Held held = held_by(s);
   constexpr int few_solutions = 5;
   formulation_->lag_friction(held);
   // A step after one whose friction lagged begins with its states, or nearly so.
@@ -40,10 +40,9 @@ void Solid::approach(IslandSystem& s) {
   constexpr int most_solutions = 200;
   constexpr double near = 1e-5;  // of what was unbalanced
   constexpr int patience = 8;
-  const Held held{s.island.contacts, contacts_, s.island.supports, supports_};
+  const Held held = held_by(s);
   std::unique_ptr<Formulation> other = std::make_unique<InteriorPoint>(laws_, formulation_->settings());
   auto& method = static_cast<InteriorPoint&>(*other);
-  method.begin_step(contacts_.size(), supports_.size());
   method.begin(trial(), matrix_, frozen_, held);
   formulation_.swap(other);
   Eigen::VectorXd way = Eigen::VectorXd::Zero(s.unknowns->total);

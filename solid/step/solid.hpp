@@ -169,6 +169,9 @@ class Solid {
   void add_stiffness(System& system, const Interaction& action) const;
   template <class System>
   void add_columns(System& system, const Interaction& action, bool of_second) const;
+  [[nodiscard]] Held held_by(const IslandSystem& s) {
+    return {s.island.contacts, contacts_, s.island.supports, supports_};
+  }
   /// Has this block, -1 for the ground, unknowns?
   [[nodiscard]] bool moves(int block) const { return block >= 0 && !frozen_[static_cast<std::size_t>(block)]; }
   void give_bolts_to_islands();
@@ -238,7 +241,6 @@ class Solid {
   Sleep sleep_;
 
   // The step at hand.
-  std::vector<ContactMemory> memory_before_;  ///< of contacts_
   Newmark newmark_;
   AddedMassGuard guard_;
   WaterWork water_work_;

@@ -43,7 +43,6 @@ class Found {
     for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = static_cast<int>(k);
     std::vector<Support> supports;
     const Held held{ids, contacts, {}, supports};
-    method_.begin_step(contacts.size(), 0);
     method_.begin(trial(), {Matrix6::Identity(), inertia * Matrix6::Identity()}, {true, false}, held);
     for (corrections = 0; corrections < most_corrections; ++corrections) {
       Eigen::Vector3d left = residual(load);
