@@ -30,7 +30,7 @@ struct Support {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(separation, multiplier, force, penalty);
+    archive(separation, multiplier, penalty);
   }
 };
 

@@ -5,6 +5,7 @@
 #include <linux/perf_event.h>
 #include <sys/syscall.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bridge/results/stopwatch.hpp"
@@ -58,6 +59,11 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+/// What others do on the machine only adds to it.
+double least(const std::vector<double>& values) {
+  return *std::min_element(values.begin(), values.end());
+}
+
 class ProfileCost : public Processes {
  protected:
   ~ProfileCost() override { Stopwatch::all_stopped = false; }
@@ -90,8 +96,8 @@ TEST_F(ProfileCost, IsUnderAFiftiethOfARun) {
       once(scene, false, with);
       once(scene, true, without);
     }
-    const double by_time = median(with.seconds) / median(without.seconds) - 1;
-    std::printf("%s: stopwatches cost %.2f %% of the processor's time (median of 5 runs each way)", scene.c_str(),
+    const double by_time = least(with.seconds) / least(without.seconds) - 1;
+    std::printf("%s: stopwatches cost %.2f %% of the processor's time (least of 5 runs each way)", scene.c_str(),
                 100 * by_time);
     if (median(without.instructions) == 0) {
       std::printf("\n");
