@@ -31,7 +31,7 @@ double seconds_since(Clock::time_point start) {
 constexpr int linger_ms = 1000;       // a last word still goes out
 constexpr int reconnect_ms = 5;       // who connects may come first: its next try is not far off
 constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that arrived just before a poll
-constexpr double spin_s = 200e-6;     // answers of a small scene come within this: no sleep, no wake-up
+constexpr double spin_s = 1e-3;       // answers on some ten thousand panels come within this: no sleep, no wake-up
 
 /// An I/O thread answers even while its process computes; a stopped or vanished process does not. Only who connects
 /// beats, and says how long the listener is to wait for the next one: ZeroMQ 4.3.4 aborts where a beat of the
