@@ -37,6 +37,10 @@ std::string report(const RunResult& result) {
   }
   if (s.contains("added_mass")) text += fmt::format("{}\n", s["added_mass"]["text"].get<std::string>());
   for (const json& check : s.value("checks", json::array())) {
+    if (check.contains("trouble")) {
+      text += fmt::format("OUT     {}: {}\n", check["name"].get<std::string>(), check["trouble"].get<std::string>());
+      continue;
+    }
     text += fmt::format("{}  {}: expected {}, got {}, off by {} (tolerance {})\n",
                         check["passed"].get<bool>() ? "ok    " : "OUT   ", check["name"].get<std::string>(),
                         figure(check["expected"]), figure(check["got"]), number(check["relative_error"]),

@@ -82,6 +82,8 @@ Attempt StudyRuns::attempt(const Settings& settings, const scene::Expectation& e
     const RunResult result = launch::run(options);
     if (result.exit_code == 130) throw Interrupted();
     attempt = {result.summary, result.trouble, result.refused, result.summary["wall_time_s"].get<double>()};
+    const json checks = result.summary.value("checks", json::array());
+    if (attempt.trouble.empty() && !checks.empty()) attempt.trouble = checks[0].value("trouble", "");
   } catch (const scene::SceneError& error) {
     attempt = {.trouble = error.what(), .refused = true};
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/scene/answers.hpp"
 #include "bridge/scene/outline.hpp"
 #include "bridge/scene/sections.hpp"
 
@@ -166,10 +167,10 @@ void read_expectations(Reading& reading) {
   for (const Arch& arch : reading.scene.arches) named.add(arch.name);
   reading.each("expect", [&](TableReader& table) {
     Expectation e;
-    table.text("quantity", e.quantity, true);
+    table.word("quantity", e.quantity, quantity_names(), true);
     table.number("value", e.value);
     table.text("word", e.word);
-    table.text("formula", e.formula);
+    table.word("formula", e.formula, formula_names());
     table.text("of", e.of);
     read_point(table, reading, e);
     table.number("tolerance", e.tolerance, positive());

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bridge/scene/answers.hpp"
 #include "bridge/scene/sections.hpp"
 
 namespace blockweir::scene {
@@ -26,7 +27,7 @@ void read_study(TableReader& table, Reading& reading, Known& known, Study& study
   Expectation& e = study.expected;
   table.text("name", study.name, true);
   table.texts_if_any("set", study.set);
-  table.text("formula", e.formula);
+  table.word("formula", e.formula, formula_names());
   table.text("of", e.of);
   table.text("source", e.source);
   if (table.has("of") && !e.of.empty()) static_cast<void>(table.reference("of", known.parts));
@@ -58,7 +59,7 @@ void read_order(TableReader& table, Reading& reading, Known& known) {
   read_study(table, reading, known, study);
   table.text("key", study.key, true);
   table.numbers("values", study.values, positive(), 3);
-  table.text("quantity", study.expected.quantity, true);
+  table.word("quantity", study.expected.quantity, quantity_names(), true);
   table.number("value", study.expected.value);
   require_one_answer(table, reading);
   table.number("order", study.order, any_number(), true);
@@ -70,7 +71,7 @@ void read_map(TableReader& table, Reading& reading, Known& known) {
   MapStudy study;
   read_study(table, reading, known, study);
   study.expected.quantity = "mode";
-  table.text("quantity", study.expected.quantity);
+  table.word("quantity", study.expected.quantity, quantity_names());
   table.text("x_key", study.axes[0].key, true);
   table.settings("x_values", study.axes[0].values);
   table.text("y_key", study.axes[1].key, true);

@@ -186,6 +186,11 @@ bool TableReader::text(const char* key, std::string& into, bool required) {
   return true;
 }
 
+bool TableReader::word(const char* key, std::string& into, const std::vector<std::string>& known, bool required) {
+  if (!text(key, into, required)) return false;
+  return std::find(known.begin(), known.end(), into) != known.end() || not_one_of(key, into, known);
+}
+
 bool TableReader::texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count) {
   const std::string words = count ? fmt::format("a list of {} names", *count) : "a list of texts";
   const toml::node* node = ask(key, true, words);

@@ -51,6 +51,8 @@ class TableReader {
   bool integer(const char* key, int& into, int least);
   bool flag(const char* key, bool& into);
   bool text(const char* key, std::string& into, bool required = false);
+  /// One of the known words; may be absent, unless it is required.
+  bool word(const char* key, std::string& into, const std::vector<std::string>& known, bool required = false);
   /// A list of `count` texts; without it, of any number but none.
   bool texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count = {});
   /// The same where the key may be absent; false when it is.

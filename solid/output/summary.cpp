@@ -79,12 +79,23 @@ json word_check(const Outcome& outcome, const scene::Expectation& e) {
           {"passed", got == expected}};
 }
 
+/// Of an expectation that this scene cannot answer: nothing else of the run is lost for it.
+json no_check(const char* trouble) {
+  return {{"expected", nullptr},  {"got", nullptr},  {"relative_error", nullptr},
+          {"tolerance", nullptr}, {"passed", false}, {"trouble", trouble}};
+}
+
 }  // namespace
 
 json checks(const Outcome& outcome) {
   json list = json::array();
   for (const scene::Expectation& e : outcome.solid.scene().expectations) {
-    json check = is_word(e.quantity) ? word_check(outcome, e) : number_check(outcome, e);
+    json check;
+    try {
+      check = is_word(e.quantity) ? word_check(outcome, e) : number_check(outcome, e);
+    } catch (const std::runtime_error& error) {
+      check = no_check(error.what());
+    }
     check["name"] = e.of.empty() ? e.quantity : e.quantity + " of " + e.of;
     check["formula"] = e.formula;
     check["source"] = e.source;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "bridge/scene/polygon.hpp"
 #include "solid/output/formula_parts.hpp"
@@ -39,23 +40,54 @@ std::string slide_or_topple(const scene::Scene& scene, const std::string& of) {
   return shear_per_normal <= p.friction ? "overturning" : "sliding and overturning";
 }
 
+std::string stability(const Outcome& o, const std::string& /*of*/) {
+  return o.interface_energy.growth() ? "grows" : "stable";
+}
+
+std::string schedule_stability(const scene::Scene& scene, const std::string& of) {
+  return schedule_growth(oscillator_of(scene, of)) > least_growth ? "grows" : "stable";
+}
+
+using Words = std::map<std::string, std::string (*)(const Outcome&, const std::string&)>;
+const Words& words() {
+  static const Words all = {{"mode", mode}, {"stability", stability}};
+  return all;
+}
+
+using WordFormulas = std::map<std::string, std::string (*)(const scene::Scene&, const std::string&)>;
+const WordFormulas& word_formulas() {
+  static const WordFormulas all = {{"slide-or-topple", slide_or_topple}, {"schedule-stability", schedule_stability}};
+  return all;
+}
+
 }  // namespace
 
+std::vector<std::string> word_quantity_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, function] : words()) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> word_formula_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, function] : word_formulas()) names.push_back(name);
+  return names;
+}
+
 bool is_word(const std::string& quantity) {
-  return quantity == "mode" || quantity == "stability";
+  return words().contains(quantity);
 }
 
 std::string word(const Outcome& outcome, const scene::Expectation& expectation) {
-  if (expectation.quantity == "stability") return outcome.interface_energy.growth() ? "grows" : "stable";
-  return mode(outcome, expectation.of);
+  return words().at(expectation.quantity)(outcome, expectation.of);
 }
 
 std::string word_formula(const scene::Scene& scene, const scene::Expectation& expectation) {
-  if (expectation.formula == "slide-or-topple") return slide_or_topple(scene, expectation.of);
-  if (expectation.formula == "schedule-stability") {
-    return schedule_growth(oscillator_of(scene, expectation.of)) > least_growth ? "grows" : "stable";
+  const auto found = word_formulas().find(expectation.formula);
+  if (found == word_formulas().end()) {
+    throw std::runtime_error(fmt::format("no formula for a word is called \"{}\"", expectation.formula));
   }
-  throw std::runtime_error(fmt::format("no formula for a word is called \"{}\"", expectation.formula));
+  return found->second(scene, expectation.of);
 }
 
 }  // namespace blockweir::solid::output

@@ -16,6 +16,9 @@ bool is_word(const std::string& quantity);
 /// one) fails, or the first that does where none is named; "stands".
 std::string word(const Outcome& outcome, const scene::Expectation& expectation);
 
+std::vector<std::string> word_quantity_names();
+std::vector<std::string> word_formula_names();
+
 /// The word of `expectation.formula` for this scene. Throws std::runtime_error when there is no such formula, or the
 /// scene has not what it speaks of.
 std::string word_formula(const scene::Scene& scene, const scene::Expectation& expectation);

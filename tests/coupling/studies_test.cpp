@@ -122,12 +122,18 @@ TEST_F(Studies, AMapOfANumberJudgesByTheTolerance) {
   EXPECT_EQ(study(), 2);
 }
 
-TEST_F(Studies, AMapOfNoQuantitySaysSo) {
-  write_scene(
-      "[[map]]\nname = 'm'\nquantity = 'displacment_m'\nx_key = 'analysis.gravity_tilt_deg'\nx_values = [20]\n"
-      "y_key = 'wall.b.brick_length_m'\ny_values = [1]\nvalue = 0\n");
-  EXPECT_EQ(study(), 1);
-  EXPECT_THAT(text("out"), HasSubstr("names no quantity: \"displacment_m\""));
+TEST_F(Studies, AMapOfWhatTheSceneHasNotSaysSo) {
+  const auto map_of = [&](const std::string& quantity) {
+    write_scene(
+        "[[map]]\nname = 'm'\nquantity = '" + quantity +
+        "'\nx_key = 'analysis.gravity_tilt_deg'\nx_values = [20]\ny_key = 'wall.b.brick_length_m'\ny_values = [1]\n"
+        "value = 0\n");
+    return study();
+  };
+  EXPECT_EQ(map_of("displacment_m"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("did you mean \"displacement_m\"?"));
+  EXPECT_EQ(map_of("point_stress_yy_pa"), 1);
+  EXPECT_THAT(text("out"), HasSubstr("point_stress_yy_pa\" needs at_m = [x, y]"));
 }
 
 TEST_F(Studies, AMapCountsItsWrongCells) {

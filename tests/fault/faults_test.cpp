@@ -179,6 +179,16 @@ TEST_F(Faults, AWrongPortIsSaidWithinTheTimeOut) {
   }
 }
 
+TEST_F(Faults, AnExpectationThatTheSceneCannotAnswerCostsNoResult) {
+  const std::string wrong = "expect=[{quantity='joint_force_n_per_m',value=1,of='block'}]";
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --set \"" + wrong + "\" --out o"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("OUT     joint_force_n_per_m of block: [[expect]] of = \"block\" names no joint"));
+  const auto summary = nlohmann::json::parse(text("o/summary.json"));
+  EXPECT_NE(summary["outcome"], "stopped");
+  EXPECT_FALSE(summary["checks"][0]["passed"]);
+  EXPECT_GT(summary["counts"]["steps"], 10);
+}
+
 TEST_F(Faults, ALoadBeyondAllNumbersEndsTheRunAndLeavesASceneThatRepeatsIt) {
   std::ifstream original(cases + "cracked-dam-upper/scene.toml");
   std::ofstream scene(folder / "scene.toml");

@@ -166,7 +166,15 @@ TEST(SceneKeys, ASceneWithoutBlocksOrMaterialsIsRefused) {
 
 TEST(SceneKeys, ExpectationsHaveExactlyOneFigure) {
   expect_error(with("value = 1.0\n", ""), 52, {"[[expect]] has no answer", "exactly one of value, word and formula"});
-  expect_error(with("value = 1.0", "value = 1.0\nformula = \"f\""), 52, {"[[expect]] has both value and formula"});
+  expect_error(with("value = 1.0", "value = 1.0\nformula = \"weight-of-all\""), 52,
+               {"[[expect]] has both value and formula"});
+}
+
+TEST(SceneKeys, WhatIsExpectedIsAFigureThatThereIs) {
+  expect_error(with("quantity = \"failure_head_m\"", "quantity = \"failure_haed_m\""), 53,
+               {"quantity in [[expect]] is \"failure_haed_m\"", "did you mean \"failure_head_m\"?"});
+  expect_error(with("value = 1.0", "formula = \"plane-crack\""), 54,
+               {"formula in [[expect]] is \"plane-crack\"", "expected one of"});
 }
 
 TEST(SceneKeys, EveryProblemIsReportedAtOnceInOrderOfLines) {

@@ -25,7 +25,8 @@ TEST(SceneStudies, AllKindsAreRead) {
   const auto scene =
       blockweir::scene::read_text(
           with_study("[[limit]]\nname = 'l'\nkey = 'a.b'\nfrom = 1\nto = 2\nvalue = 1.5\ntolerance = 0.01\n"
-                     "[[order]]\nname = 'o'\nkey = 'a.b'\nvalues = [1, 2, 4]\nquantity = 'q'\nvalue = 0\norder = 2\n"
+                     "[[order]]\nname = 'o'\nkey = 'a.b'\nvalues = [1, 2, 4]\nquantity = 'displacement_m'\nvalue = "
+                     "0\norder = 2\n"
                      "[[map]]\nname = 'm'\nx_key = 'a'\nx_values = [1e13]\ny_key = 'b'\ny_values = [1, 'x', "
                      "true]\nword = 'stands'\n"
                      "[[bench]]\nname = 'b'\nset = ['c=1']\nkey = 'a'\nvalues = [0.5]\n"),
@@ -50,7 +51,15 @@ TEST(SceneStudies, AllKindsAreRead) {
 TEST(SceneStudies, AnAnswerIsStatedOnce) {
   const std::string limit = "[[limit]]\nname = 'l'\nkey = 'a'\nfrom = 1\nto = 2\n";
   expect_some_error(with_study(limit), {"[[limit]] \"l\" has no answer", "exactly one of value, word and formula"});
-  expect_some_error(with_study(limit + "value = 1\nformula = 'f'\n"), {"has both value and formula"});
+  expect_some_error(with_study(limit + "value = 1\nformula = 'weight-of-all'\n"), {"has both value and formula"});
+}
+
+TEST(SceneStudies, TheAnswersNamesAreKnownBeforeAnythingRuns) {
+  const std::string order = "[[order]]\nname = 'o'\nkey = 'a.b'\nvalues = [1, 2, 4]\nvalue = 0\norder = 2\n";
+  expect_some_error(with_study(order + "quantity = 'displacment_m'\n"),
+                    {"quantity in [[order]] \"o\" is \"displacment_m\"", "did you mean \"displacement_m\"?"});
+  expect_some_error(with_study("[[limit]]\nname = 'l'\nkey = 'a'\nfrom = 1\nto = 2\nformula = 'arch-tickness'\n"),
+                    {"formula in [[limit]] \"l\" is \"arch-tickness\"", "did you mean \"arch-thickness\"?"});
 }
 
 TEST(SceneStudies, ALimitNeedsTwoEnds) {
@@ -61,7 +70,8 @@ TEST(SceneStudies, ALimitNeedsTwoEnds) {
 
 TEST(SceneStudies, AnOrderNeedsThreeValues) {
   expect_some_error(
-      with_study("[[order]]\nname = 'o'\nkey = 'a'\nvalues = [1, 2]\nquantity = 'q'\nvalue = 0\norder = 1\n"),
+      with_study(
+          "[[order]]\nname = 'o'\nkey = 'a'\nvalues = [1, 2]\nquantity = 'displacement_m'\nvalue = 0\norder = 1\n"),
       {"expected a list of at least 3"});
 }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_output
+// The names that a scene may expect are those that the solid knows.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bridge/scene/answers.hpp"
+#include "solid/output/formulas.hpp"
+#include "solid/output/words.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+std::vector<std::string> both(std::vector<std::string> names, const std::vector<std::string>& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
+}
+
+TEST(Answers, QuantitiesOfASceneAreTheSolids) {
+  EXPECT_THAT(scene::quantity_names(),
+              testing::UnorderedElementsAreArray(both(quantity_names(), word_quantity_names())));
+}
+
+TEST(Answers, FormulasOfASceneAreTheSolids) {
+  EXPECT_THAT(scene::formula_names(), testing::UnorderedElementsAreArray(both(formula_names(), word_formula_names())));
+}
+
+}  // namespace
+}  // namespace blockweir::solid::output
