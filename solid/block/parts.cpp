@@ -126,18 +126,4 @@ void Parts::split(const Panel& panel, std::vector<Panel>& panels) const {
   }
 }
 
-std::vector<Eigen::Vector3d> smoothed_strains(const Parts& parts, const std::vector<Vector6>& displacement) {
-  const auto strain = [&](int t) { return displacement[at(t)].tail<3>(); };
-  std::vector<Eigen::Vector3d> smooth(parts.blocks.size(), Eigen::Vector3d::Zero());
-  std::vector<int> sides(parts.blocks.size(), 0);
-  for (const StrainCoupling& c : parts.couplings) {
-    const double a = parts.blocks[at(c.i)].area;
-    const double b = parts.blocks[at(c.j)].area;
-    const Eigen::Vector3d common = (a * strain(c.i) + b * strain(c.j)) / (a + b);
-    for (const int t : {c.i, c.j}) smooth[at(t)] += common / 3, ++sides[at(t)];
-  }
-  for (std::size_t t = 0; t < smooth.size(); ++t) smooth[t] += (3 - sides[t]) / 3.0 * displacement[t].tail<3>();
-  return smooth;
-}
-
 }  // namespace blockweir::solid

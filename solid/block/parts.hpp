@@ -58,7 +58,4 @@ struct Parts {
 /// block would be too stiff in bending.
 Parts make_parts(const scene::Scene& scene);
 
-/// Strain (ex, ey, gxy) of triangle `part` in its own frame, as smoothed: the mean over its three side domains.
-std::vector<Eigen::Vector3d> smoothed_strains(const Parts& parts, const std::vector<Vector6>& displacement);
-
 }  // namespace blockweir::solid

@@ -90,11 +90,11 @@ BoltRow bolt_row(const Solid& solid, const Bolt& bolt) {
 
 }  // namespace
 
-std::vector<Panel> panels_of(const wire::Load& load, const std::vector<Block>& blocks) {
+std::vector<Panel> panels_of(const wire::Load& load, const Solid& solid) {
   std::vector<Panel> panels;
   panels.reserve(load.block.size());
   for (std::size_t i = 0; i < load.block.size(); ++i) {
-    if (load.block[i] >= blocks.size() || load.edge[i] >= blocks[load.block[i]].vertices.size()) {
+    if (load.block[i] >= solid.described() || load.edge[i] >= solid.blocks()[load.block[i]].vertices.size()) {
       throw std::runtime_error(fmt::format("the fluid process loads block {}, edge {}, which the scene does not have",
                                            load.block[i], load.edge[i]));
     }
@@ -134,7 +134,7 @@ void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& f
   frame.panels.clear();
   std::vector<Panel> pieces;
   std::size_t described = 0;  // panels of the load so far
-  for (const Panel& whole : panels_of(load, blocks)) {
+  for (const Panel& whole : panels_of(load, solid)) {
     pieces.clear();
     solid.parts().split(whole, pieces);
     for (const Panel& panel : pieces) {

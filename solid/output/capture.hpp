@@ -8,8 +8,8 @@
 
 namespace blockweir::solid::output {
 
-/// Panels of a load message as the solid's own.
-std::vector<Panel> panels_of(const wire::Load& load, const std::vector<Block>& blocks);
+/// Panels of a load message as the solid's own. Throws std::runtime_error for an edge that the scene does not describe.
+std::vector<Panel> panels_of(const wire::Load& load, const Solid& solid);
 
 /// The moment `time_s`; storage of `frame` is reused.
 void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& frame);

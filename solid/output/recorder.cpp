@@ -53,7 +53,7 @@ void Recorder::place(wire::Motion& motion) {
 
 void Recorder::map(const wire::Load& load) {
   const Stopwatch watch(map_s_);
-  water_.add(load.time_s, panels_of(load, solid_.blocks()));
+  water_.add(load.time_s, panels_of(load, solid_));
 }
 
 void Recorder::predict(double ahead_s, wire::Motion& motion) {
@@ -115,7 +115,7 @@ void Recorder::solve(const wire::Load& load, double until_s, const std::function
     const scene::Scene& scene = solid_.scene();
     const std::string file = (folder_ / "repeat.toml").string();
     results::replace_file(file, scene::repeat_text(scene, std::max(until_s, scene.analysis.step_s),
-                                                   face_pressures_of(panels_of(load, solid_.blocks()), scene)));
+                                                   face_pressures_of(panels_of(load, solid_), scene)));
     throw NotFinite(fmt::format("{}; \"blockweir run {}\" repeats it", error.what(), file));
   }
 }
@@ -130,7 +130,7 @@ void Recorder::watch_interface(const wire::Load& load, const wire::Motion& told,
     const Eigen::Vector3d v = solid_.states()[b].velocity.head<3>();
     if (!solid_.blocks()[b].fixed) kinetic += v.dot(masses[b] * v) / 2;
   }
-  interface_energy_.look(panels_of(load, solid_.blocks()), told, {from_s, to_s}, kinetic);
+  interface_energy_.look(panels_of(load, solid_), told, {from_s, to_s}, kinetic);
   if (!interface_energy_.growth() || scene.coupling.on_energy_gain == scene::EnergyGain::report) return;
   throw std::runtime_error(interface_energy_.trouble(added_mass_.ratio()));
 }

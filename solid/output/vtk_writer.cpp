@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace blockweir::solid::output {
 namespace {
@@ -99,8 +100,8 @@ void fill_water(const Frame& frame, Grid& grid) {
   auto* pressure = grid.point_data("pressure_pa", 1);
   auto* block = grid.cell_data("block", 1);
   auto* in_crack = grid.cell_data("in_crack", 1);
-  double left = 0;
-  double right = 0;
+  double left = std::numeric_limits<double>::infinity();
+  double right = -left;
   Point crest(0, -1e300);
   for (const BlockRow& b : frame.blocks) {
     for (const Point& p : b.vertices_m) {

@@ -76,6 +76,14 @@ Island join(const std::vector<Island>& islands) {
     all.supports.insert(all.supports.end(), island.supports.begin(), island.supports.end());
     for (const auto& [a, b] : island.couples) all.couples.emplace_back(first + a, first + b);
   }
+  const std::vector<int> apart = all.blocks;
+  std::sort(all.blocks.begin(), all.blocks.end());
+  const auto now = [&](int local) {
+    const auto place = std::lower_bound(all.blocks.begin(), all.blocks.end(), apart[at(local)]);
+    return static_cast<int>(place - all.blocks.begin());
+  };
+  for (auto& couple : all.couples) couple = std::minmax({now(couple.first), now(couple.second)});
+  std::sort(all.couples.begin(), all.couples.end());
   return all;
 }
 

@@ -77,6 +77,17 @@ TEST_F(VtkFiles, AreReadBackToTheBit) {
   EXPECT_EQ(water->GetPointData()->GetArray("pressure_pa")->GetComponent(1, 0), 14715);
 }
 
+/// From the model's end, wherever the model is.
+TEST_F(VtkFiles, AreDrawnWithTheWatersSurfaceWhereTheModelStands) {
+  Frame frame = frame_at(0);
+  for (Point& p : frame.blocks[0].vertices_m) p.x() += 1000;
+  VtkWriter(folder).write(frame);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  auto* water = read(reader, folder / "frames/water_000000.vtu");
+  EXPECT_EQ(water->GetPoint(2)[0], 1000);
+  EXPECT_EQ(water->GetPoint(2)[1], 1.5);
+}
+
 /// Debian 12's ParaView reads no others from 4 kB on.
 TEST_F(VtkFiles, AreXmlThroughout) {
   VtkWriter(folder).write(frame_at(1.0 / 3));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_step
+// links: solid_output
 // Blocks with a mesh against closed answers: rigid motion, uniform strain, contact through the mesh, spinning.
 #include <gtest/gtest.h>
 
@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "solid/block/corners.hpp"
+#include "solid/output/capture.hpp"
+#include "solid/output/stress_field.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
@@ -133,13 +135,31 @@ TEST(Mesh, OwnWeightGivesAStressThatGrowsWithDepth) {
   solid.settle({});
   const double unit_weight = 2500 * 9.81;
   EXPECT_NEAR(stress_in_block(solid.blocks()[1], solid.states()[1].displacement)[1] / (-unit_weight * 3), 1, 1e-6);
-  const auto strains = smoothed_strains(solid.parts(), [&] {
-    std::vector<Vector6> d;
-    for (const BlockState& state : solid.states()) d.push_back(state.displacement);
-    return d;
-  }());
-  for (std::size_t t = 2; t < solid.blocks().size(); ++t) {
-    EXPECT_NEAR(50e9 * strains[t][1], -unit_weight * (6 - solid.blocks()[t].centroid.y()), 0.05 * unit_weight * 6);
+  const output::StressField field(solid, 1);
+  for (const Point& p : {Point(1, 0.1), Point(0.3, 2), Point(1.7, 4), Point(1, 5.9)}) {
+    EXPECT_NEAR(field.stress_at(p)[1], -unit_weight * (6 - p.y()), 0.01 * unit_weight * 6) << p.transpose();
+  }
+}
+
+/// The solid counts triangles as blocks, too; what a fluid may press on are the scene's.
+TEST(Mesh, AFluidPressesOnTheScenesBlocksAndNotOnTriangles) {
+  auto scene = empty_scene();
+  add_ground(scene);
+  add(scene, {{0, 0}, {2, 0}, {2, 6}, {0, 6}}, 2);
+  const Solid solid(scene);
+  wire::Load load;
+  for (auto* list : {&load.s_from, &load.pressure_from_pa, &load.pressure_to_pa}) list->own() = {0};
+  load.s_to.own() = {1};
+  load.edge.own() = {1};
+  load.block.own() = {1};
+  EXPECT_EQ(output::panels_of(load, solid).size(), 1U);
+  ASSERT_GT(solid.blocks().size(), 2U);
+  load.block.own() = {2};
+  try {
+    output::panels_of(load, solid);
+    FAIL() << "a triangle was pressed on";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "the fluid process loads block 2, edge 1, which the scene does not have");
   }
 }
 
