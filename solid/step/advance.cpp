@@ -49,12 +49,7 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
     }
     ++counts_.undone_steps;
     next_dt_ = dt / 4;
-    if (next_dt_ < smallest_step) {
-      throw SolveError(
-          fmt::format("the contact states did not settle at {:.6g} s, even with a step of {:.3g} s; a "
-                      "smaller [analysis] step_s or a larger [contact] max_iterations may help",
-                      time, dt));
-    }
+    if (next_dt_ < smallest_step) refuse_step(time, dt);
   }
 }
 
@@ -102,6 +97,7 @@ bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::ve
 /// A large penalty leaves a sticking contact a narrow range of slips, in which Newton's method may jump to and fro
 /// between states; a smaller one takes more sweeps.
 bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& water) {
+  if (!formulation_->can_lag_friction()) return false;  // has no penalties of its own
   const double usual = formulation_->settings().penalty_ratio;
   bool solved = false;
   for (double ratio = usual / 100; !solved && !goes_too_far_ && ratio >= usual / 1e6; ratio /= 100) {
@@ -232,7 +228,7 @@ bool Solid::accept(double dt, double end_s) {
     start_[b] = placement_[b];
   });
   follow_triangles();
-  sleep_.look(blocks_, states_, external_, dt);
+  if (!settling_) sleep_.look(blocks_, states_, external_, dt);  // what waits for others to settle does not rest
   ++counts_.steps;
   return any_slips;
 }
@@ -285,6 +281,19 @@ double Solid::largest_increment() const {
     for (const Point& X : blocks_[b].vertices) moved = std::max(moved, start_[b].increment(increment_[b], X).norm());
     return moved;
   });
+}
+
+void Solid::refuse_step(double time_s, double dt) const {
+  if (goes_too_far_) {
+    throw SolveError(
+        fmt::format("at {:.6g} s blocks move by more than [analysis] max_displacement_ratio, or turn by more than a "
+                    "search of contacts follows, even in a step of {:.3g} s; are velocities and loads in their units?",
+                    time_s, dt));
+  }
+  throw SolveError(
+      fmt::format("the contact states did not settle at {:.6g} s, even with a step of {:.3g} s; a smaller [analysis] "
+                  "step_s or a larger [contact] max_iterations may help",
+                  time_s, dt));
 }
 
 void Solid::refuse(std::size_t b, const char* what, double time_s) const {

@@ -13,9 +13,8 @@ void Sleep::look(const std::vector<Block>& blocks, const std::vector<BlockState>
   constexpr double inertia_m_per_s2 = 1e-7 * 9.81;
   for_each(blocks.size(), [&](std::size_t b) {
     const auto fastest = [&](const Vector6& rate) {
-      if (blocks[b].is_part()) return rate.cwiseAbs().maxCoeff();     // of its corners
-      const double arm = blocks[b].is_part() ? 1 : blocks[b].radius;  // a triangle has the rates of its corners
-      return std::max(rate.head<2>().cwiseAbs().maxCoeff(), arm * rate.tail<4>().cwiseAbs().maxCoeff());
+      if (blocks[b].is_part()) return rate.cwiseAbs().maxCoeff();  // of its corners
+      return std::max(rate.head<2>().cwiseAbs().maxCoeff(), blocks[b].radius * rate.tail<4>().cwiseAbs().maxCoeff());
     };
     const bool rests = dt * fastest(states[b].velocity) <= still * size_ &&
                        (blocks[b].fixed || fastest(states[b].acceleration) <= inertia_m_per_s2);

@@ -60,7 +60,6 @@ class Solid {
   [[nodiscard]] Point place(const ContactPoint& c) const {
     return start_[static_cast<std::size_t>(c.vertex_part)].position(c.vertex_at);
   }
-  [[nodiscard]] const std::vector<Support>& supports() const { return supports_; }
   [[nodiscard]] const std::vector<Bolt>& bolts() const { return bolts_; }
   [[nodiscard]] const JointLaws& laws() const { return laws_; }
   [[nodiscard]] const BaseMotion& base() const { return base_; }
@@ -213,6 +212,7 @@ class Solid {
   [[nodiscard]] double unbalanced_ratio() const;
   void require_finite_loads(double time_s) const;
   void require_numbers(const IslandSystem& island) const;
+  [[noreturn]] void refuse_step(double time_s, double dt) const;
   [[noreturn]] void refuse(std::size_t b, const char* what, double time_s) const;
 
   // Constant.

@@ -64,6 +64,24 @@ TEST(Skips, SleepingIslandsLeaveTheAnswerAsItIs) {
   EXPECT_LT(largest_difference(with, without), 1e-9);
 }
 
+/// While the stack settles one block waits in the air and one lies on the ground, both with a speed to begin with.
+TEST(Skips, WhatMovesFromTheStartIsNotAsleepWhenTheRestHasSettled) {
+  auto scene = empty_scene();
+  scene.analysis.step_s = 0.01;
+  add(scene, {{-9, -1}, {19, -1}, {19, 0}, {-9, 0}}, true);
+  for (int row = 0; row < 3; ++row) add(scene, {{0, row * 1.0}, {1, row * 1.0}, {1, row + 1.0}, {0, row + 1.0}});
+  add(scene, {{4, 3}, {5, 3}, {5, 4}, {4, 4}});
+  add(scene, {{8, 0}, {9, 0}, {9, 1}, {8, 1}});
+  for (const std::size_t b : {4U, 5U}) scene.blocks[b].initial_velocity_m_per_s = Point(1, 0);
+  const Result with = result_of(scene, 0.1);
+  EXPECT_GT(with.counts.slept_islands, 0);  // the stack
+  EXPECT_NEAR(with.displacement[4][0], 0.1, 1e-9);
+  EXPECT_NEAR(with.displacement[4][1], -9.81 * 0.1 * 0.1 / 2, 0.005);
+  EXPECT_GT(with.displacement[5][0], 0.05);
+  scene.analysis.sleep = false;
+  EXPECT_LT(largest_difference(with, result_of(scene, 0.1)), 1e-9);
+}
+
 TEST(Skips, IslandsSolvedApartOrTogetherGiveTheSame) {
   auto scene = two_stacks();
   scene.analysis.sleep = false;
@@ -71,6 +89,14 @@ TEST(Skips, IslandsSolvedApartOrTogetherGiveTheSame) {
   EXPECT_EQ(apart.counts.most_islands, 2);
   scene.analysis.islands = false;
   EXPECT_LT(largest_difference(apart, result_of(scene)), 1e-9);
+}
+
+/// Blocks stay in their order, which what looks them up relies on.
+TEST(Skips, IslandsJoinedKeepTheOrderOfBlocks) {
+  const Island all = join({{.blocks = {0, 3}, .contacts = {1}, .supports = {}, .couples = {{0, 1}}},
+                           {.blocks = {1, 2}, .contacts = {0}, .supports = {2}, .couples = {{0, 1}}}});
+  EXPECT_THAT(all.blocks, testing::ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(all.couples, testing::ElementsAre(std::pair(0, 3), std::pair(1, 2)));
 }
 
 TEST(Skips, SearchesThatFindWhatIsKnownChangeNoBit) {
