@@ -43,6 +43,18 @@ TEST_F(OwnCase, IsWrittenByTheCommandCase) {
   }
 }
 
+/// Neither by a copy nor by a case that the scene has written.
+TEST_F(OwnCase, IsNotOverwritten) {
+  const std::string before = contents("scene/basin");
+  for (const std::string& of : {std::string("scene"), cases + "cracked-dam-upper-openfoam"}) {
+    EXPECT_EQ(shell(programs + "/blockweir case " + of + " --out scene/basin"), 2);
+    EXPECT_THAT(text("out"), HasSubstr("scene/basin: not empty and not a case that blockweir has written; choose"));
+    EXPECT_EQ(contents("scene/basin"), before);
+  }
+  EXPECT_EQ(shell(programs + "/blockweir case scene --out c"), 0);
+  EXPECT_EQ(shell(programs + "/blockweir case scene --out c"), 0) << text("out");
+}
+
 TEST_F(OwnCase, FailsAtTheHeadOfTheCaseThatTheSceneWrites) {
   const std::string scene = cases + "cracked-dam-upper-openfoam" + set("analysis.duration_s=1") +
                             set("water.upstream_level_m={table=[[0,21.9],[1,22.4]]}");
