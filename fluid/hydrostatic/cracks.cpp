@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/hydrostatic/cracks.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -17,12 +18,13 @@ using scene::JointTrace;
 using scene::Point;
 using scene::TracePiece;
 
+/// The larger side of the box around all blocks, wherever it stands.
 double size_of(const scene::Scene& scene) {
-  double size = 0;
+  Eigen::AlignedBox2d box;
   for (const scene::Block& block : scene.blocks) {
-    for (const Point& p : block.vertices) size = std::max(size, p.cwiseAbs().maxCoeff());
+    for (const Point& p : block.vertices) box.extend(p);
   }
-  return size;
+  return box.isEmpty() ? 0 : box.sizes().maxCoeff();
 }
 
 /// Each joint with an uplift law as a crack of its own.

@@ -107,6 +107,17 @@ TEST(Cracks, AreThoseOfASearchOfAllPairs) {
   EXPECT_GT(joined, 200U);
 }
 
+TEST(Cracks, AreTheSameFarFromTheOrigin) {
+  scene::Scene scene = rubble(6, 5, 1);
+  const std::vector<Crack> here = find_cracks(scene);
+  for (scene::Block& block : scene.blocks) {
+    for (Point& p : block.vertices) p += Point(5e6, -9e6);
+  }
+  const std::vector<Crack> there = find_cracks(scene);
+  ASSERT_EQ(there.size(), here.size());
+  for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(there[i].length_m, here[i].length_m, 1e-6) << i;
+}
+
 /// All pairs of 900 blocks take 26 s.
 TEST(Cracks, OfThousandsOfJointsAreFoundAtOnce) {
   const auto start = std::chrono::steady_clock::now();
