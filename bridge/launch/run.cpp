@@ -12,6 +12,7 @@
 
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/launch/commands.hpp"
+#include "bridge/launch/former_run.hpp"
 #include "bridge/launch/progress.hpp"
 #include "bridge/launch/supervisor.hpp"
 #include "bridge/launch/temporary_folder.hpp"
@@ -25,18 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 constexpr double grace_s = 5;
-
-bool is_run(const fs::path& folder) {
-  std::error_code unreadable;
-  return fs::exists(scene_of(folder), unreadable) && fs::exists(folder / "solid.log", unreadable);
-}
-
-/// Does the folder hold what no run has written? What is no folder at all is make_folder's to refuse.
-bool is_anothers(const fs::path& folder) {
-  std::error_code unreadable;
-  const fs::directory_iterator contents(folder, unreadable);
-  return contents != fs::directory_iterator() && !is_run(folder);
-}
 
 fs::path results_folder(const RunOptions& options) {
   if (!options.out.empty()) {
@@ -90,11 +79,6 @@ std::string first_trouble(const Supervised& supervised, const fs::path& folder) 
                : cause->last_line;
   }
   return "";
-}
-
-void forget_checkpoints(const fs::path& folder) {
-  checkpoint::forget(folder);
-  checkpoint::forget(folder / "openfoam");
 }
 
 /// The last checkpoint that all processes of the run can go on from; 0: there is none. Still water remembers nothing,
@@ -185,9 +169,7 @@ RunResult run(const RunOptions& options) {
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
   const fs::path folder = results_folder(options);
   results::make_folder(folder);
-  fs::remove(folder / "summary.json");
-  fs::remove_all(folder / "frames");
-  forget_checkpoints(folder);
+  forget_former_run(folder, read.scene);
   results::replace_file(scene_of(folder), read.scene.text);
   return go(read.scene, folder, 0, options.inproc, options.quiet, options.longest_s);
 }

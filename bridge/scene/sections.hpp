@@ -3,6 +3,7 @@
 #pragma once
 
 #include <toml++/toml.h>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ void read_heading(Reading& reading);
 void read_analysis(Reading& reading);
 void read_materials(Reading& reading);
 void read_default_joint(Reading& reading);
+/// Leaves a sound counter-clockwise outline, or none; messages begin with `whose`, at the place of a vertex.
+void mend_outline(std::vector<Point>& outline, const std::string& whose, Problems& problems,
+                  const std::function<Place(std::size_t vertex)>& place_of);
 /// Takes up a block that is sound but for its name, which has to be its own.
 void add_block(Reading& reading, const Place& place, Block block);
 /// The same for one that [[arch]], [[wall]] or [[heap]] makes, which may be too thin.

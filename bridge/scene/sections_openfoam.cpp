@@ -27,6 +27,15 @@ void read_wave(TableReader& fluid, Reading& reading) {
   reading.scene.openfoam.wave = wave;
 }
 
+void read_initial_water(TableReader& table, Reading& reading) {
+  auto& outlines = reading.scene.openfoam.initial_water_m;
+  if (!table.outlines("initial_water_m", outlines)) return;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    mend_outline(outlines[i], fmt::format("outline {} of initial_water_m", i + 1), reading.problems,
+                 [&](std::size_t) { return table.place("initial_water_m", i); });
+  }
+}
+
 void check_own_case(TableReader& table, Reading& reading) {
   if (!table.has("case")) return;
   if (reading.scene.openfoam.own_case.empty()) {
@@ -114,7 +123,7 @@ void read_openfoam(TableReader& table, Reading& reading) {
   table.integer("steps_per_window", o.steps_per_window, 1);
   table.number("move_tolerance", o.move_tolerance, tolerance);
   table.number("rest_tolerance", o.rest_tolerance, tolerance);
-  table.outlines("initial_water_m", o.initial_water_m);
+  read_initial_water(table, reading);
   read_wave(table, reading);
   if (o.wave) o.level_control = comes_in(o) ? LevelControl::inflow : LevelControl::free;
   if (!o.own_case.empty()) o.level_control = LevelControl::free;

@@ -19,26 +19,15 @@ Range poissons_ratio(Plane plane) {
   return {[](double nu) { return nu >= 0 && nu <= 0.5; }, "a number from 0 to 0.5 (plane stress)"};
 }
 
-/// Leaves in `vertices` a sound counter-clockwise outline, or none.
-void mend_outline(TableReader& table, Block& block, Problems& problems) {
-  if (const auto fault = outline_fault(block.vertices)) {
-    problems.error(table.place("vertices_m", fault->vertex), fmt::format("block \"{}\" {}", block.name, fault->found),
-                   fault->expected, fault->remedy);
-    block.vertices.clear();
-  } else if (signed_area(block.vertices) < 0) {
-    problems.note(table.place("vertices_m"), fmt::format("block \"{}\" runs clockwise", block.name),
-                  "it was taken the other way round");
-    // The first vertex stays first.
-    std::reverse(block.vertices.begin() + 1, block.vertices.end());
-  }
-}
-
 void read_block(TableReader& table, Reading& reading) {
   Block block;
   block.line = table.place().line;
   table.text("name", block.name, true);
   block.material = table.reference("material", reading.materials);
-  if (table.points("vertices_m", block.vertices)) mend_outline(table, block, reading.problems);
+  if (table.points("vertices_m", block.vertices)) {
+    mend_outline(block.vertices, fmt::format("block \"{}\"", block.name), reading.problems,
+                 [&](std::size_t vertex) { return table.place("vertices_m", vertex); });
+  }
   table.flag("fixed", block.fixed);
   table.flag("rigid", block.rigid);
   table.point("initial_velocity_m_per_s", block.initial_velocity_m_per_s);
@@ -53,6 +42,18 @@ void read_block(TableReader& table, Reading& reading) {
 }
 
 }  // namespace
+
+void mend_outline(std::vector<Point>& outline, const std::string& whose, Problems& problems,
+                  const std::function<Place(std::size_t)>& place_of) {
+  if (const auto fault = outline_fault(outline)) {
+    problems.error(place_of(fault->vertex), fmt::format("{} {}", whose, fault->found), fault->expected, fault->remedy);
+    outline.clear();
+  } else if (signed_area(outline) < 0) {
+    problems.note(place_of(0), fmt::format("{} runs clockwise", whose), "it was taken the other way round");
+    // The first vertex stays first.
+    std::reverse(outline.begin() + 1, outline.end());
+  }
+}
 
 void add_block(Reading& reading, const Place& place, Block block) {
   if (!reading.blocks.add(block.name) && !block.name.empty()) {

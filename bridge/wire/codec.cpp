@@ -90,7 +90,19 @@ void refuse_panels(const Load& m) {
     for (const double s : {m.s_from[i], m.s_to[i]}) {
       if (!(s >= 0 && s <= 1)) throw BadMessage(panel("end", s));
     }
+    if (m.s_from[i] > m.s_to[i]) {
+      throw BadMessage(fmt::format("{}, before its s_from of {}", panel("s_to", m.s_to[i]), m.s_from[i]));
+    }
   }
+}
+
+/// Does no panel run backwards? Its water would pull.
+bool forwards(const Column<double>& from, const Column<double>& to) {
+  const double* s_from = from.data();
+  const double* s_to = to.data();
+  bool backwards = false;
+  for (std::size_t i = 0; i < from.size(); ++i) backwards |= s_from[i] > s_to[i];
+  return !backwards;
 }
 
 }  // namespace
@@ -253,7 +265,7 @@ void decode(const Part& frame, Load& m, const NextPart& next) {
   }
   if (m.cracks_from > n)
     throw BadMessage(fmt::format("cracks from panel {} of {} in window {}", m.cracks_from, n, m.window));
-  if (!sound) refuse_panels(m);
+  if (!sound || !forwards(m.s_from, m.s_to)) refuse_panels(m);
 }
 
 void decode(const Part& frame, End& m) {

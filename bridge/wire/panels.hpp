@@ -6,7 +6,7 @@
 
 namespace blockweir::wire {
 
-/// Adds one panel: fractions 0..1 along the edge, pressures [Pa] at both.
+/// Adds one panel: fractions 0 <= s_from <= s_to <= 1 along the edge, pressures [Pa] at both.
 inline void add_panel(Load& load, int block, int edge, double s_from, double s_to, double p_from, double p_to) {
   load.block.push_back(static_cast<std::uint32_t>(block));
   load.edge.push_back(static_cast<std::uint32_t>(edge));

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/hydrostatic/cracks.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <queue>
 #include <set>
+#include <tuple>
 
+#include "bridge/scene/block_index.hpp"
 #include "bridge/wire/panels.hpp"
 
 namespace blockweir::hydrostatic {
@@ -14,12 +18,13 @@ using scene::JointTrace;
 using scene::Point;
 using scene::TracePiece;
 
+/// The larger side of the box around all blocks, wherever it stands.
 double size_of(const scene::Scene& scene) {
-  double size = 0;
+  Eigen::AlignedBox2d box;
   for (const scene::Block& block : scene.blocks) {
-    for (const Point& p : block.vertices) size = std::max(size, p.cwiseAbs().maxCoeff());
+    for (const Point& p : block.vertices) box.extend(p);
   }
-  return size;
+  return box.isEmpty() ? 0 : box.sizes().maxCoeff();
 }
 
 /// Each joint with an uplift law as a crack of its own.
@@ -39,10 +44,17 @@ std::vector<Crack> single_joints(const scene::Scene& scene, double touching_m) {
     add(joint.between[0], joint.between[1], joint.law.uplift);
     named.insert(std::minmax(joint.between[0], joint.between[1]));
   }
-  const int n = scene.default_joint.uplift == scene::Uplift::none ? 0 : static_cast<int>(scene.blocks.size());
-  for (int a = 0; a < n; ++a) {
-    for (int b = a + 1; b < n; ++b) {
-      if (named.count({a, b}) == 0) add(a, b, scene.default_joint.uplift);
+  if (scene.default_joint.uplift == scene::Uplift::none) return cracks;
+  const scene::BlockIndex index(scene.blocks);
+  for (std::size_t a = 0; a < scene.blocks.size(); ++a) {
+    const Point margin = Point::Constant(2 * touching_m);
+    scene::Bounds reach = scene::bounds_of(scene.blocks[a].vertices);
+    reach = {reach.low - margin, reach.high + margin};
+    std::vector<std::size_t> near = index.meeting(reach);
+    std::sort(near.begin(), near.end());
+    for (const std::size_t b : near) {
+      const std::pair pair(static_cast<int>(a), static_cast<int>(b));
+      if (b > a && named.count(pair) == 0) add(pair.first, pair.second, scene.default_joint.uplift);
     }
   }
   return cracks;
@@ -61,24 +73,54 @@ double straightness(const Crack& before, const Crack& after, double touching_m) 
   return cosine > std::sqrt(0.5) ? cosine : -1;
 }
 
-/// Joins the straightest continuation there is; false where there is none.
-bool join_one(std::vector<Crack>& cracks, double touching_m) {
-  double best = 0;
-  std::size_t before = 0;
-  std::size_t after = 0;
-  for (std::size_t i = 0; i < cracks.size(); ++i) {
-    for (std::size_t j = 0; j < cracks.size(); ++j) {
-      const double found = i == j ? -1 : straightness(cracks[i], cracks[j], touching_m);
-      if (found > best) best = found, before = i, after = j;
-    }
+/// Of one crack into another, both by their number. `parts` of the first one when it was found: with more of them it
+/// ends elsewhere.
+struct Continuation {
+  double straightness;
+  std::size_t before;
+  std::size_t after;
+  std::size_t parts;
+  /// The straightest is last, of those as straight the one whose cracks come first in the scene.
+  bool operator<(const Continuation& other) const {
+    return std::tie(straightness, other.before, other.after) < std::tie(other.straightness, before, after);
   }
-  if (best <= 0) return false;
-  auto& parts = cracks[before].parts;
-  auto& more = cracks[after].parts;
-  std::move(more.begin(), more.end(), std::back_inserter(parts));
-  cracks[before].length_m += cracks[after].length_m;
-  cracks.erase(cracks.begin() + static_cast<std::ptrdiff_t>(after));
-  return true;
+};
+
+/// Joins the straightest continuation as long as there is one.
+void join(std::vector<Crack>& cracks, double touching_m) {
+  using Corner = boost::geometry::model::d2::point_xy<double>;
+  using Mouth = std::pair<Corner, std::size_t>;
+  const auto corner = [](const Point& p) { return Corner(p.x(), p.y()); };
+  std::vector<Mouth> all;
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    all.emplace_back(corner(cracks[i].parts.front().trace.mouth()), i);
+  }
+  const boost::geometry::index::rtree<Mouth, boost::geometry::index::linear<16>> mouths(all);
+  std::priority_queue<Continuation> open;
+  const auto look_on_from = [&](std::size_t before) {
+    const Point& end = cracks[before].parts.back().trace.end();
+    const Point margin = Point::Constant(2 * touching_m);
+    const boost::geometry::model::box<Corner> near(corner(end - margin), corner(end + margin));
+    for (auto found = mouths.qbegin(boost::geometry::index::intersects(near)); found != mouths.qend(); ++found) {
+      const std::size_t after = found->second;
+      if (after == before || cracks[after].parts.empty()) continue;
+      const double straight = straightness(cracks[before], cracks[after], touching_m);
+      if (straight > 0) open.push({straight, before, after, cracks[before].parts.size()});
+    }
+  };
+  for (std::size_t i = 0; i < cracks.size(); ++i) look_on_from(i);
+  while (!open.empty()) {
+    const Continuation next = open.top();
+    open.pop();
+    Crack& before = cracks[next.before];
+    Crack& after = cracks[next.after];
+    if (before.parts.size() != next.parts || after.parts.empty()) continue;
+    std::move(after.parts.begin(), after.parts.end(), std::back_inserter(before.parts));
+    before.length_m += after.length_m;
+    after.parts.clear();
+    look_on_from(next.before);
+  }
+  std::erase_if(cracks, [](const Crack& crack) { return crack.parts.empty(); });
 }
 
 }  // namespace
@@ -86,8 +128,7 @@ bool join_one(std::vector<Crack>& cracks, double touching_m) {
 std::vector<Crack> find_cracks(const scene::Scene& scene) {
   const double touching_m = 1e-6 * size_of(scene);
   std::vector<Crack> cracks = single_joints(scene, touching_m);
-  while (join_one(cracks, touching_m)) {
-  }
+  join(cracks, touching_m);
   return cracks;
 }
 

@@ -11,32 +11,42 @@ namespace blockweir::hydrostatic {
 namespace {
 
 namespace cl = ClipperLib;
-constexpr double units_per_m = 1099511627776.0;  // 2^40: Clipper counts in whole numbers, of 1e-12 m here
-constexpr double tiny_m = 1e-6;                  // shorter than anything that matters, longer than round-off
+constexpr double tiny_m = 1e-6;  // shorter than anything that matters, longer than round-off
 
-cl::cInt to_units(double metres) {
-  return static_cast<cl::cInt>(metres * units_per_m + std::copysign(0.5, metres));
-}
+/// Metres to Clipper's whole numbers and back: 1e-12 m each, coarser where the model is larger than Clipper then takes.
+struct Grid {
+  Point origin_m;  ///< multiples of 2^20 m: none where the model is less than 500 km from it
+  double per_m;
+  double unit_m;
 
-cl::IntPoint to_units(const Point& p) {
-  return {to_units(p.x()), to_units(p.y())};
-}
-
-Point to_metres(const cl::IntPoint& p) {
-  return {static_cast<double>(p.X) / units_per_m, static_cast<double>(p.Y) / units_per_m};
-}
+  /// `size_m` in each direction from the middle.
+  Grid(const Point& middle, double size_m) {
+    constexpr double step_m = 1048576;
+    for (const int i : {0, 1}) origin_m[i] = step_m * std::nearbyint(middle[i] / step_m);
+    per_m = std::ldexp(1.0, std::min(40, 60 - std::ilogb(size_m + step_m / 2)));
+    unit_m = 1 / per_m;
+  }
+  [[nodiscard]] cl::IntPoint units(const Point& p) const {
+    const auto whole = [&](double metres) {
+      return static_cast<cl::cInt>(metres * per_m + std::copysign(0.5, metres));
+    };
+    return {whole(p.x() - origin_m.x()), whole(p.y() - origin_m.y())};
+  }
+  [[nodiscard]] Point metres(const cl::IntPoint& p) const {
+    return {origin_m.x() + static_cast<double>(p.X) * unit_m, origin_m.y() + static_cast<double>(p.Y) * unit_m};
+  }
+  [[nodiscard]] cl::Path units(const Ring& ring) const {
+    cl::Path path;
+    path.reserve(ring.size());
+    for (const Point& p : ring) path.push_back(units(p));
+    return path;
+  }
+};
 
 /// Growing, Clipper and moving back have rounded: corners at round numbers are there again.
 Point on_coarse_grid(const Point& p) {
-  constexpr double per_m = units_per_m / 16;
+  constexpr double per_m = 68719476736.0;  // 2^36, of any grid
   return {std::nearbyint(p.x() * per_m) / per_m, std::nearbyint(p.y() * per_m) / per_m};
-}
-
-cl::Path to_units(const Ring& ring) {
-  cl::Path path;
-  path.reserve(ring.size());
-  for (const Point& p : ring) path.push_back(to_units(p));
-  return path;
 }
 
 Ring rectangle(double left, double bottom, double right, double top) {
@@ -67,24 +77,24 @@ Point crest_corner(const std::vector<std::vector<Point>>& outlines, Pool pool, d
 
 /// What the grown blocks and wall leave of the frame: its outer rings and holes.
 cl::Paths water_between(const std::vector<std::vector<Point>>& outlines, const Ring& wall, const Ring& frame,
-                        double growth_m) {
+                        double growth_m, const Grid& grid) {
   const Point most = Point::Constant(2 * growth_m);  // how far a corner grows, and more
   const Extent reach(frame[0] - most, frame[2] + most);
   cl::Clipper clipper;
-  clipper.AddPath(to_units(frame), cl::ptSubject, true);
+  clipper.AddPath(grid.units(frame), cl::ptSubject, true);
   for (const auto& outline : outlines) {
-    if (extent_of(outline).intersects(reach)) clipper.AddPath(to_units(grown(outline, growth_m)), cl::ptClip, true);
+    if (extent_of(outline).intersects(reach)) clipper.AddPath(grid.units(grown(outline, growth_m)), cl::ptClip, true);
   }
-  clipper.AddPath(to_units(grown(wall, growth_m)), cl::ptClip, true);
+  clipper.AddPath(grid.units(grown(wall, growth_m)), cl::ptClip, true);
   cl::Paths water;
   clipper.Execute(cl::ctDifference, water, cl::pftPositive, cl::pftPositive);
   return water;
 }
 
 /// The water's boundary where the blocks are: the frame, which is as much larger as they are, moves towards the water.
-std::vector<Piece> moved_back(const cl::Path& path, const Ring& frame, double growth_m) {
-  const cl::IntPoint low = to_units(frame[0]);
-  const cl::IntPoint high = to_units(frame[2]);
+std::vector<Piece> moved_back(const cl::Path& path, const Ring& frame, double growth_m, const Grid& grid) {
+  const cl::IntPoint low = grid.units(frame[0]);
+  const cl::IntPoint high = grid.units(frame[2]);
   Ring ring;
   std::vector<double> right_m;
   ring.reserve(path.size());
@@ -92,10 +102,10 @@ std::vector<Piece> moved_back(const cl::Path& path, const Ring& frame, double gr
   for (std::size_t i = 0; i < path.size(); ++i) {
     const cl::IntPoint& a = path[i];
     const cl::IntPoint& b = path[(i + 1) % path.size()];
-    if ((to_metres(b) - to_metres(a)).norm() < tiny_m) continue;  // of no direction
+    if ((grid.metres(b) - grid.metres(a)).norm() < tiny_m) continue;  // of no direction
     const bool upright = a.X == b.X && (a.X == low.X || a.X == high.X);
     const bool level = a.Y == b.Y && (a.Y == low.Y || a.Y == high.Y);
-    ring.push_back(to_metres(a));
+    ring.push_back(grid.metres(a));
     right_m.push_back(upright || level ? -growth_m : growth_m);
   }
   std::vector<Piece> pieces = moved_right(ring, right_m);
@@ -194,16 +204,16 @@ void tidy(const std::vector<std::vector<Point>>& outlines, double level_m, doubl
 
 /// Of the pool in this frame; `breached` where it reaches from the frame's left to its right.
 WetFaces wet_faces_within(const Ring& frame, const std::vector<std::vector<Point>>& outlines, const Ring& wall,
-                          Pool pool, double level_m, double open_crack_width_m) {
+                          Pool pool, double level_m, double open_crack_width_m, const Grid& grid) {
   WetFaces result;
   const double growth = open_crack_width_m / 2;
-  const cl::Paths water = water_between(outlines, wall, frame, growth);
+  const cl::Paths water = water_between(outlines, wall, frame, growth, grid);
   const std::vector<SunkenEdge> edges = sunken_edges(outlines, level_m);
   result.intervals.reserve(edges.size());
   const double far_left = frame[0].x() + tiny_m;
   const double far_right = frame[2].x() - tiny_m;
   const auto add_boundary = [&](const cl::Path& path) {
-    const std::vector<Piece> pieces = moved_back(path, frame, growth);
+    const std::vector<Piece> pieces = moved_back(path, frame, growth, grid);
     Ring& ring = result.region.emplace_back();
     ring.reserve(2 * pieces.size());
     for (const Piece& piece : pieces) {
@@ -216,8 +226,8 @@ WetFaces wet_faces_within(const Ring& frame, const std::vector<std::vector<Point
     bool left = false;
     bool right = false;
     for (const cl::IntPoint& corner : component) {
-      left = left || to_metres(corner).x() < far_left;
-      right = right || to_metres(corner).x() > far_right;
+      left = left || grid.metres(corner).x() < far_left;
+      right = right || grid.metres(corner).x() > far_right;
     }
     if (!(pool == Pool::upstream ? left : right)) continue;
     result.breached = result.breached || (left && right);
@@ -244,9 +254,11 @@ WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, d
   const double wall_left = pool == Pool::upstream ? crest.x() : crest.x() - wall;
   const Ring thin_wall =
       rectangle(wall_left, crest.y() - wall, wall_left + wall, std::max(level_m, all.max().y()) + pad);
+  const Extent reach(all.min(), Point(all.max().x(), std::max(level_m, all.max().y())));
+  const Grid grid(reach.center(), reach.sizes().maxCoeff() / 2 + 2 * pad);
   const auto between = [&](double left, double right) {
     const Ring frame = rectangle(left, all.min().y() - growth, right, level_m + growth);
-    return wet_faces_within(frame, outlines, thin_wall, pool, level_m, open_crack_width_m);
+    return wet_faces_within(frame, outlines, thin_wall, pool, level_m, open_crack_width_m, grid);
   };
   // What lies beyond the wall matters only where water gets there: to look at half the model takes less.
   const double left = all.min().x() - pad;

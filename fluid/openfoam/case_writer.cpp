@@ -207,6 +207,8 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
     results::replace_file(options.folder / file, text);
   };
   const InitialWater water = initial_water(grid, scene);
+  // This marks the folder as ours.
+  write("constant/blockweir", interface_dictionary(scene, surroundings(scene, grid), options.endpoint, 0));
   write("grid.json", nlohmann::json{{"x_m", grid.x}, {"y_m", grid.y}}.dump() + "\n");  // for pictures
   write("system/blockMeshDict", block_mesh(grid));
   write("system/controlDict", control(scene, options));
@@ -223,7 +225,6 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
             fmt::format("dimensions [0 1 -2 0 0 0 0];\nvalue (0 {} 0);\n", exact(-scene.analysis.gravity_m_per_s2)));
   write("constant/hRef", file_header("uniformDimensionedScalarField", "hRef") +
                              fmt::format("dimensions [0 1 0 0 0 0 0];\nvalue {};\n", exact(water.reference_level_m)));
-  write("constant/blockweir", interface_dictionary(scene, surroundings(scene, grid), options.endpoint, 0));
   write("0/alpha.water", field("alpha.water", "[0 0 0 0 0 0 0]", water.fraction,
                                "    \"(upstream|downstream|floor)\" { type zeroGradient; }\n"
                                "    atmosphere { type inletOutlet; inletValue uniform 0; value uniform 0; }\n"));

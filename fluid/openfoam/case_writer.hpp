@@ -18,8 +18,8 @@ struct CaseOptions {
 };
 
 /// Writes 0, constant and system and removes the times and parts of a former run; what else stands in the folder is
-/// left alone. Throws std::invalid_argument for a
-/// scene that cannot be meshed and std::runtime_error when a file cannot be written.
+/// left alone. Throws std::invalid_argument for a scene that cannot be meshed and std::runtime_error when a file cannot
+/// be written.
 void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options);
 
 Surroundings surroundings(const scene::Scene& scene, const Grid& grid);

@@ -23,9 +23,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What no former call has marked as ours is somebody's own.
+void refuse_anothers(const fs::path& folder) {
+  std::error_code none;
+  if (fs::directory_iterator(folder, none) == fs::directory_iterator()) return;
+  if (fs::exists(folder / "constant/blockweir")) return;
+  throw std::invalid_argument(fmt::format(
+      "--out {}: not empty and not a case that blockweir has written; choose another folder", folder.string()));
+}
+
 /// A case as interFoam needs it, and what ParaView opens it by; a line on it.
 std::string make_case(const scene::Scene& scene, const RunOptions& options, const CaseOptions& writing) {
   const fs::path& folder = writing.folder;
+  refuse_anothers(folder);
   if (scene.openfoam.own_case.empty()) {
     const Grid grid = make_grid(scene);
     write_case(scene, grid, writing);

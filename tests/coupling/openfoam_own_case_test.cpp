@@ -43,6 +43,18 @@ TEST_F(OwnCase, IsWrittenByTheCommandCase) {
   }
 }
 
+/// Neither by a copy nor by a case that the scene has written.
+TEST_F(OwnCase, IsNotOverwritten) {
+  const std::string before = contents("scene/basin");
+  for (const std::string& of : {std::string("scene"), cases + "cracked-dam-upper-openfoam"}) {
+    EXPECT_EQ(shell(programs + "/blockweir case " + of + " --out scene/basin"), 2);
+    EXPECT_THAT(text("out"), HasSubstr("scene/basin: not empty and not a case that blockweir has written; choose"));
+    EXPECT_EQ(contents("scene/basin"), before);
+  }
+  EXPECT_EQ(shell(programs + "/blockweir case scene --out c"), 0);
+  EXPECT_EQ(shell(programs + "/blockweir case scene --out c"), 0) << text("out");
+}
+
 TEST_F(OwnCase, FailsAtTheHeadOfTheCaseThatTheSceneWrites) {
   const std::string scene = cases + "cracked-dam-upper-openfoam" + set("analysis.duration_s=1") +
                             set("water.upstream_level_m={table=[[0,21.9],[1,22.4]]}");
@@ -64,6 +76,29 @@ TEST_F(OwnCase, FailsAtTheHeadOfTheCaseThatTheSceneWrites) {
     return nlohmann::json::parse(text(out + "/summary.json"))["failure"]["head_m"].get<double>();
   };
   EXPECT_NEAR(head("own") / head("written"), 1, 1e-3);
+}
+
+/// Two blocks that rise together, one on the other, fill what the one leaves of a cell and the other enters.
+TEST_F(OwnCase, HasInItsCellsWhatTheMovingBlocksFillTogether) {
+  change("sed -i 's/simpleGrading.*/simpleGrading (1 1 1)/' scene/basin/system/blockMeshDict");
+  std::ofstream(folder / "scene/scene.toml", std::ios::app)
+      << "[[block]]\nname = \"hat\"\nmaterial = \"concrete\"\ninitial_velocity_m_per_s = [0, 3]\n"
+         "vertices_m = [[6, 10.6], [7, 10.6], [7, 11.4], [6, 11.4]]\n";
+  EXPECT_EQ(run("scene", "o",
+                set("analysis.duration_s=0.1") + set("block.rider.initial_velocity_m_per_s=[0,3]") +
+                    set("block.rider.vertices_m=[[6,10],[7,10],[7,10.6],[6,10.6]]")),
+            0)
+      << text("out");
+  std::istringstream field(text("o/openfoam/0.09/blocks"));
+  std::string word;
+  while (field >> word && word != "nonuniform") {
+  }
+  std::size_t cells = 0;
+  field >> word >> cells >> word;
+  double filled = 0;
+  for (double f = 0; cells > 0 && field >> f; --cells) filled += f;
+  EXPECT_EQ(cells, 0U);
+  EXPECT_NEAR(filled * 0.5 * 12 / 22, 8 * 10 + 1.4, 1e-4);  // cells of wall and blocks are all of one size
 }
 
 TEST_F(OwnCase, OnTwoProcessesFeelsTheSame) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // The real programs: cases against their figures, two processes by hand across tcp, what a run leaves.
+#include <set>
+
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -115,6 +117,32 @@ TEST_F(Processes, TheReservoirIsWrittenWhereAskedFor) {
   EXPECT_TRUE(fs::exists(folder / "o/frames/reservoir_000000.vtu"));
   EXPECT_EQ(shell(run + "p"), 0);
   EXPECT_FALSE(fs::exists(folder / "p/reservoir.pvd"));
+}
+
+TEST_F(Processes, AFolderOfAFormerRunIsAsGoodAsNew) {
+  const auto run = [&](const std::string& scene_and_out) {
+    EXPECT_EQ(shell(programs + "/blockweir run " + cases + scene_and_out), 0) << text("out");
+  };
+  const auto names = [&](const char* of) {
+    std::set<std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / of)) {
+      all.insert(entry.path().lexically_relative(folder / of));
+    }
+    return all;
+  };
+  run("hydrostatic-wall --quiet --out reused --set output.reservoir=true");
+  for (const char* draw : {"plot reused --animate", "plot reused --svg", "profile reused", "profile reused --svg"}) {
+    EXPECT_EQ(shell(programs + "/blockweir " + draw), 0) << text("out");
+  }
+  for (const char* left : {"openfoam/system", "checkpoint"}) fs::create_directories(folder / "reused" / left);
+  for (const char* left : {"openfoam/water.csv", "openfoam.log", "column.log", "fluid.json", "repeat.toml", "notes"}) {
+    std::ofstream(folder / "reused" / left) << "of before\n";
+  }
+  EXPECT_GT(names("reused").size(), 25U);
+  for (const char* out : {"reused", "fresh"}) run(std::string("own-weight --quiet --out ") + out);
+  std::set<std::string> expected = names("fresh");
+  expected.insert("notes");  // somebody's own
+  EXPECT_EQ(names("reused"), expected);
 }
 
 TEST_F(Processes, TwoShellsAcrossTcpGiveTheLaunchersResult) {

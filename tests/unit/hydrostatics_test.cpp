@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: fluid_hydrostatic solid_block
-// Force and moment of still water against the formulas, by both nodal rules; which faces are wet.
+// Force and moment of still water against the formulas, by both nodal rules.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -136,23 +136,6 @@ TEST(Hydrostatics, AnAtmosphereOnWetFacesAloneGivesThePapers170KiloPascal) {
   EXPECT_NEAR(largest, 101300 + 9810 * 7, 1e-6);
 }
 
-TEST(Hydrostatics, NarrowGapsCarryNoWaterAndWideOnesDo) {
-  const auto wet_length = [](double gap) {
-    const std::vector<std::vector<Point>> outlines = {{{0, 0}, {4, 0}, {4, 5}, {0, 5}},
-                                                      {{0, 5 + gap}, {4, 5 + gap}, {4, 12}, {0, 12}}};
-    double length = 0;
-    for (const WetInterval& w : wet_faces(outlines, Pool::upstream, 10, 0.05).intervals) {
-      const auto& o = outlines[static_cast<std::size_t>(w.block)];
-      const auto e = static_cast<std::size_t>(w.edge);
-      length += (w.s_to - w.s_from) * (o[(e + 1) % 4] - o[e]).norm();
-    }
-    return length;
-  };
-  EXPECT_NEAR(wet_length(0), 10, 1e-9);
-  EXPECT_NEAR(wet_length(0.01), 10, 0.02);
-  EXPECT_GT(wet_length(0.2), 17);  // both faces of the gap, 4 m each
-}
-
 TEST(Hydrostatics, WaterThatPassesAWideGapIsABreach) {
   const auto breached = [](double gap, double level) {
     const auto scene =
@@ -162,78 +145,6 @@ TEST(Hydrostatics, WaterThatPassesAWideGapIsABreach) {
   EXPECT_FALSE(breached(0.01, 10));
   EXPECT_TRUE(breached(0.2, 10));
   EXPECT_FALSE(breached(0.2, 4.9));  // the gap is above the water
-}
-
-/// Behind two blocks with a gap between them stands a third, 2 m away.
-TEST(Hydrostatics, WaterReachesWhatStandsBehindTheCrestThroughAWideGapOnly) {
-  for (const Pool pool : {Pool::upstream, Pool::downstream}) {
-    const auto wet_behind = [&](double gap) {
-      std::vector<std::vector<Point>> outlines = {{{0, 0}, {4, 0}, {4, 5}, {0, 5}},
-                                                  {{0, 5 + gap}, {4, 5 + gap}, {4, 12}, {0, 12}},
-                                                  {{6, 0}, {8, 0}, {8, 11}, {6, 11}}};
-      for (auto& outline : outlines) {
-        if (pool == Pool::upstream) break;
-        for (Point& p : outline) p.x() *= -1;
-        std::reverse(outline.begin(), outline.end());
-      }
-      double length = 0;
-      for (const WetInterval& w : wet_faces(outlines, pool, 10, 0.05).intervals) {
-        const auto& o = outlines[static_cast<std::size_t>(w.block)];
-        const auto e = static_cast<std::size_t>(w.edge);
-        if (w.block == 2) length += (w.s_to - w.s_from) * (o[(e + 1) % 4] - o[e]).norm();
-      }
-      return length;
-    };
-    EXPECT_EQ(wet_behind(0.01), 0);
-    EXPECT_NEAR(wet_behind(0.2), 10, 1e-6);  // its face
-  }
-}
-
-/// A block on its tip, over a plate, on which the structure's crest stands beside it.
-TEST(Hydrostatics, AGapBetweenACornerAndAFaceIsAsNarrow) {
-  const auto breached = [](double gap) {
-    return wet_faces({{{-4, 0}, {4, 0}, {4, 1}, {-4, 1}}, {{0, 1 + gap}, {3, 4}, {0, 12}, {-3, 4}}}, Pool::upstream, 6,
-                     0.05)
-        .breached;
-  };
-  for (const double gap : {0.0, 0.001, 0.02, 0.049}) EXPECT_FALSE(breached(gap)) << gap;
-  for (const double gap : {0.061, 0.2}) EXPECT_TRUE(breached(gap)) << gap;
-}
-
-/// A block that has slipped on another, and turned a little: water on the step as far as the upper one's face.
-TEST(Hydrostatics, TheStepOfASlipIsWetUpToTheUpperBlock) {
-  for (const double turn : {0.0, 1e-9, 1e-6, 1e-4}) {
-    for (const double slip : {0.0, 1e-12, 1e-8, 1e-6, 1e-5, 1e-3, 0.3, 1.0}) {
-      const auto turned = [&](double x, double y) { return Point(x - turn * (y - 5), y + turn * (x - slip)); };
-      const std::vector<std::vector<Point>> outlines = {
-          {{0, 0}, {4, 0}, {4, 5}, {0, 5}},
-          {turned(slip, 5), turned(4 + slip, 5), turned(4 + slip, 12), turned(slip, 12)}};
-      double front = 0;
-      double step = 0;
-      for (const WetInterval& w : wet_faces(outlines, Pool::upstream, 10, 0.05).intervals) {
-        const auto& o = outlines[static_cast<std::size_t>(w.block)];
-        const auto e = static_cast<std::size_t>(w.edge);
-        const double length = (w.s_to - w.s_from) * (o[(e + 1) % 4] - o[e]).norm();
-        if (e == 3) front += length;
-        if (w.block == 0 && w.edge == 2) step += length;
-      }
-      EXPECT_NEAR(front, 10, 1e-6) << slip << ' ' << turn;
-      EXPECT_NEAR(step, slip < 0.05 ? 0 : slip, 1e-9 + 0.1 * turn) << slip << ' ' << turn;
-    }
-  }
-}
-
-TEST(Hydrostatics, WhatStandsAboveTheSurfaceIsDryHoweverNear) {
-  for (const double height : {-0.3, -1e-3, 1e-3, 0.01, 0.1}) {  // of a flat ledge over the level
-    const std::vector<std::vector<Point>> outlines = {
-        {{0, 0}, {6, 0}, {6, 12}, {3, 12}, {3, 8 + height}, {0, 8 + height}}};
-    double ledge = 0;
-    for (const WetInterval& w : wet_faces(outlines, Pool::upstream, 8, 0.05).intervals) {
-      if (w.edge == 4) ledge += 3 * (w.s_to - w.s_from);
-      if (w.edge == 5) EXPECT_NEAR((w.s_to - w.s_from) * (8 + height), std::min(8.0, 8 + height), 1e-9);
-    }
-    EXPECT_NEAR(ledge, height < 0 ? 3 : 0, 1e-9) << height;
-  }
 }
 
 TEST(Hydrostatics, UpliftLawsGiveTheirShareOfTheMouthPressure) {

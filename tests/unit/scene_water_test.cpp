@@ -132,6 +132,19 @@ TEST(SceneWater, ACaseOfOnesOwnIsNamedInPlaceOfTheKeysThatWriteOne) {
   expect_error(with("\"hydrostatic\"", "\"hydrostatic\"\ncase = \"mine\""), 48, {"case without OpenFOAM"});
 }
 
+TEST(SceneWater, DrawnWaterIsTakenCounterClockwiseAndHasToBeSound) {
+  const auto drawn = [](const std::string& outlines) {
+    return with("\"hydrostatic\"", "\"openfoam\"\ninitial_water_m = " + outlines);
+  };
+  const ReadScene turned = read_text(drawn("[[[-3, 0], [-3, 1], [-2, 1], [-2, 0]]]"), "s.toml");
+  EXPECT_THAT(turned.scene.openfoam.initial_water_m,
+              ElementsAre(ElementsAre(Point(-3, 0), Point(-2, 0), Point(-2, 1), Point(-3, 1))));
+  ASSERT_EQ(turned.notes.size(), 1U);
+  EXPECT_THAT(turned.notes[0].text(), testing::HasSubstr("outline 1 of initial_water_m runs clockwise"));
+  expect_error(drawn("[\n[[-3, 0], [-2, 0], [-2, 1]],\n[[-3, 2], [-2, 3], [-2, 2], [-3, 3]]]"), 50,
+               {"outline 2 of initial_water_m crosses itself at (-2.5, 2.5)", "put the vertices in order"});
+}
+
 TEST(SceneWater, ResultsOfOneProcessAreNotPutTogether) {
   expect_error(with("\"hydrostatic\"", "\"openfoam\"\nreconstruct = true"), 48, {"reconstruct with one process"});
   EXPECT_TRUE(read_text(with("\"hydrostatic\"", "\"openfoam\"\nprocesses = 2\nreconstruct = true"), "s.toml")

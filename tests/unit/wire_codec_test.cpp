@@ -187,6 +187,14 @@ TEST(Codec, FractionsOutsideTheEdgeAreRefused) {
   EXPECT_THAT(refusal(load), testing::HasSubstr("end of panel 0 (block 1, edge 3) is 1.5"));
 }
 
+TEST(Codec, APanelThatRunsBackwardsIsNamed) {
+  Load load = sample();
+  load.s_from.own()[1] = 1;
+  EXPECT_EQ(refusal(load), "");  // to a point
+  load.s_to.own()[1] = 0.75;
+  EXPECT_EQ(refusal(load), "s_to of panel 1 (block 2, edge 0) is 0.75 in window 17, before its s_from of 1");
+}
+
 /// A load whose columns of doubles are parts, as it goes over the line.
 class LargeLoad : public testing::Test {
  protected:

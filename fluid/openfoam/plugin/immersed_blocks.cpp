@@ -48,6 +48,7 @@ ImmersedBlocks::ImmersedBlocks(const Foam::fvMesh& mesh, const Interface& interf
       parts_(interface.blocks.size()) {
   for (const InterfaceBlock& block : interface.blocks) outlines_.push_back(block.outline);
   for (std::size_t b = 0; b < outlines_.size(); ++b) clip(b);
+  fill();
   cell_m_ = interface.cell_m ? *interface.cell_m : largest_cell_at_faces();
 }
 
@@ -81,6 +82,7 @@ void ImmersedBlocks::move(const std::vector<Pose>& start, const std::vector<Pose
   start_ = start;
   end_ = end;
   const double tolerance_m = interface_.move_tolerance * interface_.depth_m;
+  const long cuts_before = cuts_;
   for (std::size_t b = 0; b < outlines_.size(); ++b) {
     if (end[b] == placed_[b]) continue;
     place(b, end[b]);
@@ -96,6 +98,9 @@ void ImmersedBlocks::move(const std::vector<Pose>& start, const std::vector<Pose
     ++cuts_;
     cut(b, end[b]);
   }
+  if (cuts_ == cuts_before) return;
+  const Stopwatch watch(cut_s_);
+  fill();
 }
 
 void ImmersedBlocks::cut_again(const std::vector<Pose>& poses) {
@@ -104,6 +109,7 @@ void ImmersedBlocks::cut_again(const std::vector<Pose>& poses) {
     place(b, poses[b]);
     cut(b, poses[b]);
   }
+  fill();
 }
 
 /// moved_ is the outline there.
@@ -143,7 +149,6 @@ std::string ImmersedBlocks::strayed() const {
 }
 
 void ImmersedBlocks::clip(std::size_t b) {
-  for (const Part& part : parts_[b]) filled_[part.cell] = std::max(0.0, filled_[part.cell] - part.fraction);
   parts_[b].clear();
   Point low = outlines_[b].front();
   Point high = low;
@@ -157,7 +162,16 @@ void ImmersedBlocks::clip(std::size_t b) {
     const double fraction = clipper_.common_area(outlines_[b], outline) / area(outline);
     if (fraction > least) parts_[b].push_back({cell, std::min(1.0, fraction)});
   });
-  for (const Part& part : parts_[b]) filled_[part.cell] = std::min(1.0, filled_[part.cell] + part.fraction);
+}
+
+/// Anew from all blocks: the same for the same parts, whichever came first, and however often they have moved.
+void ImmersedBlocks::fill() {
+  Foam::scalarField& filled = filled_.primitiveFieldRef();
+  filled = 0;
+  for (const auto& parts : parts_) {
+    for (const Part& part : parts) filled[part.cell] += part.fraction;
+  }
+  for (Foam::scalar& f : filled) f = std::min(1.0, f);
 }
 
 Point ImmersedBlocks::velocity(std::size_t b, const Point& x) const {

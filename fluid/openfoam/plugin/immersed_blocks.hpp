@@ -57,6 +57,7 @@ class ImmersedBlocks {
   void place(std::size_t block, const Pose& pose);
   void cut(std::size_t block, const Pose& pose);
   void clip(std::size_t block);
+  void fill();
   [[nodiscard]] double largest_cell_at_faces() const;
 
   const Foam::fvMesh& mesh_;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// `blockweir compare` whose runs are stopped or killed.
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+class Compare : public Processes {
+ protected:
+  [[nodiscard]] pid_t start_compare() const {
+    return start("env TMPDIR=" + folder.string() + " " + programs + "/blockweir compare " + cases +
+                     "cracked-dam-upper --set analysis.step_s=0.001 --set analysis.duration_s=5 --json table.json",
+                 "log");
+  }
+  /// Until one of the runs, whose scene holds `words`, has written some rows; false when none has within 20 s.
+  [[nodiscard]] bool run_under_way(const std::string& words) const {
+    for (int wait = 0; wait < 20'000; ++wait, std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+      for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string run = entry.path().filename().string() + "/run";
+        if (text(run + "/scene.toml").find(words) != std::string::npos && rows_of(run) > 5) return true;
+      }
+    }
+    return false;
+  }
+  static pid_t first_child_of(pid_t process) {
+    const std::string id = std::to_string(process);
+    std::ifstream children("/proc/" + id + "/task/" + id + "/children");
+    pid_t first = 0;
+    children >> first;
+    return first;
+  }
+};
+
+TEST_F(Compare, EndsAtCtrlC) {
+  const pid_t compare = start_compare();
+  ASSERT_TRUE(run_under_way("[analysis]"));
+  kill(compare, SIGINT);
+  EXPECT_EQ(end_of(compare, 10), 130) << text("log");
+  EXPECT_THAT(text("log"), testing::HasSubstr("stopped on request"));
+  EXPECT_FALSE(fs::exists(folder / "table.json"));
+  EXPECT_FALSE(orphan());
+}
+
+TEST_F(Compare, SaysThatTheRunWithConditionNumbersFailed) {
+  const pid_t compare = start_compare();
+  ASSERT_TRUE(run_under_way("measure_condition = true"));
+  const pid_t solid = first_child_of(compare);
+  ASSERT_GT(solid, 0);
+  kill(solid, SIGKILL);
+  const auto told = [&] { return text("log").find("measure_condition") != std::string::npos; };
+  for (int wait = 0; wait < 10'000 && !told(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_THAT(text("log"), testing::HasSubstr("penalty               with contact.measure_condition: the solid "
+                                              "process was ended by signal 9"));
+  kill(compare, SIGINT);
+  EXPECT_EQ(end_of(compare, 10), 130) << text("log");
+}
+
+}  // namespace
+}  // namespace blockweir::test
