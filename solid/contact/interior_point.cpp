@@ -13,6 +13,9 @@ namespace {
 // equilibrium leaves open, would else make the matrix singular; no change is left at the end, and no error with it.
 constexpr double compliance_ratio = 1e-5;
 
+// Of its force or its motion, what a pair may lose at once.
+constexpr double within = 0.99;
+
 }  // namespace
 
 double InteriorPoint::bound(const ContactPoint& c, const Point& p) const {
@@ -73,7 +76,6 @@ Interaction InteriorPoint::support(const Trial& trial, int index, Support& s) {
 }
 
 double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
-  constexpr double within = 0.99;
   double fraction = 1;
   for (const int k : held.contact_ids) {
     const ContactPoint& c = held.contacts[at(k)];
@@ -87,10 +89,7 @@ double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
     p.forward.follow(most + force.y() - p.forward.force, product_);
     p.backward.follow(most - force.y() - p.backward.force, product_);
   }
-  for_pairs(held, [&](const Pair& pair) {
-    if (pair.force_change < 0) fraction = std::min(fraction, -within * pair.force / pair.force_change);
-    if (pair.motion_change < 0) fraction = std::min(fraction, -within * pair.motion / pair.motion_change);
-  });
+  for_pairs(held, [&](const Pair& pair) { fraction = std::min(fraction, pair.positive_fraction(within)); });
   return fraction;
 }
 
@@ -115,11 +114,13 @@ void InteriorPoint::predict(const Trial& trial, const Held& held) {
 }
 
 double InteriorPoint::follow_correction(const Trial& trial, const Held& held) {
-  const double fraction = find_changes(trial, held);
+  constexpr double least = 0.5;
+  const double fraction = std::max(least, find_changes(trial, held));
   for (const int k : held.contact_ids) points_[at(k)].shear += fraction * points_[at(k)].shear_change;
   for_pairs(held, [fraction](Pair& pair) {
-    pair.force += fraction * pair.force_change;
-    pair.motion += fraction * pair.motion_change;
+    const double own = std::min(fraction, pair.positive_fraction(within));
+    pair.force += own * pair.force_change;
+    pair.motion += own * pair.motion_change;
     pair.product_change = 0;
   });
   product_ = 0;

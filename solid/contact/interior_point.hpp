@@ -5,6 +5,8 @@
 // their state, some tens of solutions find all states.
 #pragma once
 
+#include <algorithm>
+
 #include "solid/contact/formulation.hpp"
 
 namespace blockweir::solid {
@@ -25,8 +27,9 @@ class InteriorPoint final : public Formulation {
   /// Once the blocks have moved by a whole correction that aims at products of zero: what the next one, with the same
   /// matrix, is to aim at instead (Mehrotra 1992, SIAM J. Optim. 2).
   void predict(const Trial& trial, const Held& held);
-  /// Once the blocks have moved by a whole correction: the fraction of it that leaves all positive, which forces
-  /// follow.
+  /// Once the blocks have moved by a whole correction: the fraction of it that leaves all positive, at least half,
+  /// which forces follow. The few pairs that half would take beyond zero stop before, and the next correction makes up
+  /// for what they are out by: else a brick that next to nothing holds sideways keeps thousands of contacts waiting.
   double follow_correction(const Trial& trial, const Held& held);
   /// Forces and states, for the augmented Lagrangian to begin with.
   void hand_over(const Held& held) const;
@@ -43,6 +46,12 @@ class InteriorPoint final : public Formulation {
     [[nodiscard]] double stiffness() const { return force / motion; }
     /// What the motion lacks of the product.
     [[nodiscard]] double lacks(double product) const { return (product - product_change) / force - motion; }
+    /// Of its changes: the fraction, at most all, that takes `within` of what would make it negative.
+    [[nodiscard]] double positive_fraction(double within) const {
+      const double of_force = force_change < 0 ? -within * force / force_change : 1;
+      const double of_motion = motion_change < 0 ? -within * motion / motion_change : 1;
+      return std::min({1.0, of_force, of_motion});
+    }
     void follow(double change, double product) {
       force_change = change;
       motion_change = lacks(product) - change / stiffness();

@@ -121,6 +121,7 @@ class Solid {
   };
 
   static constexpr int large_island = 200;  ///< unknowns above which states that run in circles are not waited for
+  static constexpr double lagging_penalty_ratio = 1e-2;  ///< penalties while friction lags, of a step's own
 
   /// The motion (u0, v0, r0) of a block with a mesh, whose inertia in water its triangles share.
   struct MeanMotion {
@@ -150,7 +151,9 @@ class Solid {
   bool find_equilibrium(IslandSystem& island);
   bool sweep(IslandSystem& island);
   bool find_equilibrium_with_lagging_friction(IslandSystem& island);
-  void approach(IslandSystem& island);
+  enum class Approach { nothing, near, states };  ///< what the interior point has come to
+  Approach approach(IslandSystem& island);
+  bool finish(IslandSystem& island);
   bool minimize(IslandSystem& island, int most_solutions);
   double search_along_correction(IslandSystem& island);
   bool correct(IslandSystem& island);

@@ -190,6 +190,17 @@ TEST(Large, SolutionsThatAWallOfDeformableBricksTakesToSettleDoNotGrowWithIt) {
   EXPECT_LT(solutions(300), 1.5 * static_cast<double>(solutions(100)));
 }
 
+/// An interior point that does not wait for single bricks, and steps that are long once friction has lagged.
+TEST(Large, AWallOfAThousandDeformableBricksComesToRestAtOnce) {
+  auto scene = brick_wall(1000);
+  scene.analysis.rigid = scene::Rigid::none;
+  Solid solid(scene);
+  solid.settle({});
+  EXPECT_LT(solid.counts().iterations, 220);  // 260 by steps that grow tenfold
+  EXPECT_LT(worst_against_coulomb(solid, 0.6), 2e-10);
+  EXPECT_LT(std::abs(reaction_error(solid)), 1e-7);
+}
+
 /// Some contacts of large walls go to and fro with next to no force on them, so that no equilibrium is found as closely
 /// as a step wants it: here because it is wanted a thousand times as closely. Sweeps go on from what has been reached.
 TEST(Large, AnInteriorPointThatIsOnlyComeNearToIsNotThrownAway) {
