@@ -27,17 +27,25 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
                           const Held& held) {
   Formulation::begin(trial, matrix, frozen, held);
   points_.assign(contacts_.size(), {});
-  double largest = settings_.force_tolerance_n;
-  for (const int k : held.contact_ids) largest = std::max(largest, held.contacts[at(k)].force.cwiseAbs().maxCoeff());
+  scale_n_ = settings_.force_tolerance_n;
+  for (const int k : held.contact_ids) scale_n_ = std::max(scale_n_, held.contacts[at(k)].force.cwiseAbs().maxCoeff());
+  const bool forces_known = change_n_ < scale_n_;
+  const double change = std::min(change_n_, scale_n_);
   for (const int k : held.contact_ids) {
     const ContactPoint& c = held.contacts[at(k)];
     Point& p = points_[at(k)];
-    const double motion = largest / contacts_[at(k)].stiffness;
-    const double gap = std::max(follow(trial, k, c, edge_frame(trial, c)).separation.x(), motion);
-    p.normal = {largest * motion / gap, gap};
+    const double motion = change / contacts_[at(k)].stiffness;
+    const double product = change * motion;
+    const auto balanced = [product](double force) { return Pair{force, product / force}; };
+    const double gap = follow(trial, k, c, edge_frame(trial, c)).separation.x();
+    p.normal = balanced(gap > motion ? product / gap : std::max(change, c.force.x() + strength(c).tension));
     const double most = bound(c, p);
     p.has_friction = most > 0;
-    if (p.has_friction) p.forward = p.backward = {most, largest * motion / most};
+    if (!p.has_friction) continue;
+    const double least = std::min(most, change);
+    p.shear = forces_known ? std::clamp(c.force.y(), -most, most) : 0;
+    p.forward = balanced(std::max(least, most + p.shear));
+    p.backward = balanced(std::max(least, most - p.shear));
   }
   product_ = 0;
   fraction_ = 1;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "solid/contact/formulation.hpp"
 
@@ -13,7 +14,11 @@ namespace blockweir::solid {
 
 class InteriorPoint final : public Formulation {
  public:
-  InteriorPoint(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
+  /// Where forces that act are known to change by no more than about `change_n` [N per metre], they are what it begins
+  /// with.
+  InteriorPoint(const JointLaws& laws, const FormulationSettings& settings,
+                double change_n = std::numeric_limits<double>::infinity())
+      : Formulation(laws, settings), change_n_(change_n) {}
 
   /// Forces that act now, the largest of them, set the scale.
   void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
@@ -23,6 +28,8 @@ class InteriorPoint final : public Formulation {
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override;
   Interaction support(const Trial& trial, int index, Support& s) override;
   bool sweep(const Held& /*held*/) override { return true; }
+
+  [[nodiscard]] double scale_n() const { return scale_n_; }  ///< [N per metre]
 
   /// Once the blocks have moved by a whole correction that aims at products of zero: what the next one, with the same
   /// matrix, is to aim at instead (Mehrotra 1992, SIAM J. Optim. 2).
@@ -94,6 +101,8 @@ class InteriorPoint final : public Formulation {
   }
 
   std::vector<Point> points_;
+  double change_n_;
+  double scale_n_ = 0;
   double fraction_ = 1;  ///< of the last correction
   double product_ = 0;   ///< that the next correction aims at
 };

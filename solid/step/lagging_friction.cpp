@@ -21,8 +21,10 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
   constexpr int few_solutions = 5;
   formulation_->lag_friction(held);
   // A step after one whose friction lagged begins with its states, or nearly so.
-  if (!whole_law_.after_failure() || !minimize(s, few_solutions)) {
-    const Approach reached = approach(s);
+  const bool goes_on = whole_law_.after_failure();
+  if (!goes_on || !or_undone(s, [&] { return minimize(s, few_solutions); })) {
+    const double left = settling_ && goes_on ? unbalanced(s) : std::numeric_limits<double>::infinity();
+    const Approach reached = approach(s, left);
     if (settling_ && reached == Approach::near && finish(s)) return true;
     // A shorter step costs less than what sweeps would take from here.
     if (settling_ && reached == Approach::nothing && matrices_dt_ > pseudo_step_s()) return false;
@@ -41,23 +43,24 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
 /// Where hundreds of contacts slip or open at once, Newton's method would look for their states by hundreds of
 /// solutions. What this leaves undone, Newton's method or sweeps do; where it does not get near they begin as without
 /// it. Among thousands of deformable bricks some contacts with next to no force on them go to and fro: it stops there.
-Solid::Approach Solid::approach(IslandSystem& s) {
+/// Forces of the step before will change by about `change_n`.
+Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
   constexpr int most_solutions = 200;
   constexpr double near = 1e-5;  // of what was unbalanced
   constexpr int patience = 8;
   const Held held = held_by(s);
-  std::unique_ptr<Formulation> other = std::make_unique<InteriorPoint>(laws_, formulation_->settings());
+  std::unique_ptr<Formulation> other = std::make_unique<InteriorPoint>(laws_, formulation_->settings(), change_n);
   auto& method = static_cast<InteriorPoint&>(*other);
   method.begin(trial(), matrix_, frozen_, held);
+  double first = method.scale_n();
   formulation_.swap(other);
   Eigen::VectorXd way = Eigen::VectorXd::Zero(s.unknowns->total);
-  double first = 0;  // N per metre
   double least = std::numeric_limits<double>::infinity();
   int since = 0;  // solutions that have not halved what is left
   Approach reached = Approach::nothing;
   for (int solutions = 0; solutions < most_solutions; ++solutions) {
     const double left = unbalanced(s);
-    if (solutions == 0) first = left;
+    if (solutions == 0) first = std::max(first, left);
     since = left <= least / 2 ? 0 : since + 1;
     if (since == 0) least = left;
     const double tolerance = method.settings().force_tolerance_n;
@@ -90,20 +93,28 @@ Solid::Approach Solid::approach(IslandSystem& s) {
 /// ever.
 bool Solid::finish(IslandSystem& s) {
   FormulationSettings& settings = formulation_->settings();
+  const auto by_whole_law = [&] {
+    unbalanced(s);  // by bounds that lag: which way contacts slip
+    for (const int k : s.island.contacts) contacts_[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
+    for (const int k : s.island.supports) supports_[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
+    settings.penalty_ratio /= lagging_penalty_ratio;
+    settings.friction_lags = false;
+    const bool found = find_equilibrium(s);
+    settings.friction_lags = true;
+    settings.penalty_ratio *= lagging_penalty_ratio;
+    return found;
+  };
+  return or_undone(s, by_whole_law);
+}
+
+/// What the search finds, or the trial as it was.
+bool Solid::or_undone(IslandSystem& s, const std::function<bool()>& search) {
   const auto contacts = contacts_;
   const auto supports = supports_;
   const auto increment = increment_;
   const auto placement = placement_;
   const auto nodes = node_increment_;
-  unbalanced(s);  // by bounds that lag: which way contacts slip
-  for (const int k : s.island.contacts) contacts_[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
-  for (const int k : s.island.supports) supports_[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
-  settings.penalty_ratio /= lagging_penalty_ratio;
-  settings.friction_lags = false;
-  const bool found = find_equilibrium(s);
-  settings.friction_lags = true;
-  settings.penalty_ratio *= lagging_penalty_ratio;
-  if (found) return true;
+  if (search()) return true;
   contacts_ = contacts;
   supports_ = supports;
   increment_ = increment;

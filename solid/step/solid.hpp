@@ -2,6 +2,7 @@
 // The DDA solid: blocks, contacts and the time step that moves them.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -152,8 +153,9 @@ class Solid {
   bool sweep(IslandSystem& island);
   bool find_equilibrium_with_lagging_friction(IslandSystem& island);
   enum class Approach { nothing, near, states };  ///< what the interior point has come to
-  Approach approach(IslandSystem& island);
+  Approach approach(IslandSystem& island, double change_n);
   bool finish(IslandSystem& island);
+  bool or_undone(IslandSystem& island, const std::function<bool()>& search);
   bool minimize(IslandSystem& island, int most_solutions);
   double search_along_correction(IslandSystem& island);
   bool correct(IslandSystem& island);
