@@ -147,6 +147,8 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   const double moving = 1e-4 * scene_.analysis.gravity_m_per_s2;
   double dt = pseudo_step;
   double longest = 100 * pseudo_step;
+  double failed = longest;  // a step that found no states
+  Pause as_long;            // as it again
   double acceleration = std::numeric_limits<double>::infinity();
   int steady_steps = 0;
   for (int step = 0; step < most_steps && dt > shortest; ++step) {
@@ -158,7 +160,14 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
       return attempt(dt, settling_time_s(), water) || (!goes_too_far_ && attempt_softly(dt, settling_time_s(), water));
     };
     if (!solves()) {
-      dt = dt > pseudo_step ? longest = pseudo_step : dt / 4;
+      if (dt > pseudo_step) {
+        longest = std::max(pseudo_step, longest / 10);
+        dt = pseudo_step;
+      } else {
+        as_long.failed();
+        failed = dt;
+        dt /= 4;
+      }
       continue;
     }
     ++counts_.settling_steps;
@@ -171,7 +180,8 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
     if (moved > 1e-4 * size_) break;
     // Large structures come to rest a tenth at a time: longer steps, where they find states, take them there sooner.
     const bool comes_to_rest = whole_law_.after_failure() && whole_step && moved <= 1e-6 * size_;
-    dt = comes_to_rest ? longest : std::min(pseudo_step, 2 * dt);
+    const double longer = comes_to_rest ? longest : std::min(pseudo_step, 2 * dt);
+    if (longer <= dt || longer < failed || !as_long.skips()) dt = longer;
   }
   if (acceleration < moving) return;
   states_ = states;
