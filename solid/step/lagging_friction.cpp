@@ -26,8 +26,8 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
     const double left = settling_ && goes_on ? unbalanced(s) : std::numeric_limits<double>::infinity();
     const Approach reached = approach(s, left);
     if (settling_ && reached == Approach::near && finish(s)) return true;
-    // A shorter step costs less than what sweeps would take from here.
-    if (settling_ && reached == Approach::nothing && matrices_dt_ > pseudo_step_s()) return false;
+    // Softer contacts or a shorter step cost less than what sweeps would take from here.
+    if (settling_ && reached == Approach::nothing) return false;
   }
   for (int sweep = 0; sweep < scene_.contact.max_iterations; ++sweep) {
     const bool bounds_stand = formulation_->lag_friction(held);
