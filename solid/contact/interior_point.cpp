@@ -13,6 +13,9 @@ namespace {
 // equilibrium leaves open, would else make the matrix singular; no change is left at the end, and no error with it.
 constexpr double compliance_ratio = 1e-5;
 
+// Of its force or its motion, what a pair may lose at once.
+constexpr double within = 0.99;
+
 }  // namespace
 
 double InteriorPoint::bound(const ContactPoint& c, const Point& p) const {
@@ -24,17 +27,25 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
                           const Held& held) {
   Formulation::begin(trial, matrix, frozen, held);
   points_.assign(contacts_.size(), {});
-  double largest = settings_.force_tolerance_n;
-  for (const int k : held.contact_ids) largest = std::max(largest, held.contacts[at(k)].force.cwiseAbs().maxCoeff());
+  scale_n_ = settings_.force_tolerance_n;
+  for (const int k : held.contact_ids) scale_n_ = std::max(scale_n_, held.contacts[at(k)].force.cwiseAbs().maxCoeff());
+  const bool forces_known = change_n_ < scale_n_;
+  const double change = std::min(change_n_, scale_n_);
   for (const int k : held.contact_ids) {
     const ContactPoint& c = held.contacts[at(k)];
     Point& p = points_[at(k)];
-    const double motion = largest / contacts_[at(k)].stiffness;
-    const double gap = std::max(follow(trial, k, c, edge_frame(trial, c)).separation.x(), motion);
-    p.normal = {largest * motion / gap, gap};
+    const double motion = change / contacts_[at(k)].stiffness;
+    const double product = change * motion;
+    const auto balanced = [product](double force) { return Pair{force, product / force}; };
+    const double gap = follow(trial, k, c, edge_frame(trial, c)).separation.x();
+    p.normal = balanced(gap > motion ? product / gap : std::max(change, c.force.x() + strength(c).tension));
     const double most = bound(c, p);
     p.has_friction = most > 0;
-    if (p.has_friction) p.forward = p.backward = {most, largest * motion / most};
+    if (!p.has_friction) continue;
+    const double least = std::min(most, change);
+    p.shear = forces_known ? std::clamp(c.force.y(), -most, most) : 0;
+    p.forward = balanced(std::max(least, most + p.shear));
+    p.backward = balanced(std::max(least, most - p.shear));
   }
   product_ = 0;
   fraction_ = 1;
@@ -73,7 +84,6 @@ Interaction InteriorPoint::support(const Trial& trial, int index, Support& s) {
 }
 
 double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
-  constexpr double within = 0.99;
   double fraction = 1;
   for (const int k : held.contact_ids) {
     const ContactPoint& c = held.contacts[at(k)];
@@ -87,10 +97,7 @@ double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
     p.forward.follow(most + force.y() - p.forward.force, product_);
     p.backward.follow(most - force.y() - p.backward.force, product_);
   }
-  for_pairs(held, [&](const Pair& pair) {
-    if (pair.force_change < 0) fraction = std::min(fraction, -within * pair.force / pair.force_change);
-    if (pair.motion_change < 0) fraction = std::min(fraction, -within * pair.motion / pair.motion_change);
-  });
+  for_pairs(held, [&](const Pair& pair) { fraction = std::min(fraction, pair.positive_fraction(within)); });
   return fraction;
 }
 
@@ -115,11 +122,13 @@ void InteriorPoint::predict(const Trial& trial, const Held& held) {
 }
 
 double InteriorPoint::follow_correction(const Trial& trial, const Held& held) {
-  const double fraction = find_changes(trial, held);
+  constexpr double least = 0.5;
+  const double fraction = std::max(least, find_changes(trial, held));
   for (const int k : held.contact_ids) points_[at(k)].shear += fraction * points_[at(k)].shear_change;
   for_pairs(held, [fraction](Pair& pair) {
-    pair.force += fraction * pair.force_change;
-    pair.motion += fraction * pair.motion_change;
+    const double own = std::min(fraction, pair.positive_fraction(within));
+    pair.force += own * pair.force_change;
+    pair.motion += own * pair.motion_change;
     pair.product_change = 0;
   });
   product_ = 0;

@@ -5,13 +5,20 @@
 // their state, some tens of solutions find all states.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "solid/contact/formulation.hpp"
 
 namespace blockweir::solid {
 
 class InteriorPoint final : public Formulation {
  public:
-  InteriorPoint(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
+  /// Where forces that act are known to change by no more than about `change_n` [N per metre], they are what it begins
+  /// with.
+  InteriorPoint(const JointLaws& laws, const FormulationSettings& settings,
+                double change_n = std::numeric_limits<double>::infinity())
+      : Formulation(laws, settings), change_n_(change_n) {}
 
   /// Forces that act now, the largest of them, set the scale.
   void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
@@ -22,11 +29,14 @@ class InteriorPoint final : public Formulation {
   Interaction support(const Trial& trial, int index, Support& s) override;
   bool sweep(const Held& /*held*/) override { return true; }
 
+  [[nodiscard]] double scale_n() const { return scale_n_; }  ///< [N per metre]
+
   /// Once the blocks have moved by a whole correction that aims at products of zero: what the next one, with the same
   /// matrix, is to aim at instead (Mehrotra 1992, SIAM J. Optim. 2).
   void predict(const Trial& trial, const Held& held);
-  /// Once the blocks have moved by a whole correction: the fraction of it that leaves all positive, which forces
-  /// follow.
+  /// Once the blocks have moved by a whole correction: the fraction of it that leaves all positive, at least half,
+  /// which forces follow. The few pairs that half would take beyond zero stop before, and the next correction makes up
+  /// for what they are out by: else a brick that next to nothing holds sideways keeps thousands of contacts waiting.
   double follow_correction(const Trial& trial, const Held& held);
   /// Forces and states, for the augmented Lagrangian to begin with.
   void hand_over(const Held& held) const;
@@ -43,6 +53,12 @@ class InteriorPoint final : public Formulation {
     [[nodiscard]] double stiffness() const { return force / motion; }
     /// What the motion lacks of the product.
     [[nodiscard]] double lacks(double product) const { return (product - product_change) / force - motion; }
+    /// Of its changes: the fraction, at most all, that takes `within` of what would make it negative.
+    [[nodiscard]] double positive_fraction(double within) const {
+      const double of_force = force_change < 0 ? -within * force / force_change : 1;
+      const double of_motion = motion_change < 0 ? -within * motion / motion_change : 1;
+      return std::min({1.0, of_force, of_motion});
+    }
     void follow(double change, double product) {
       force_change = change;
       motion_change = lacks(product) - change / stiffness();
@@ -85,6 +101,8 @@ class InteriorPoint final : public Formulation {
   }
 
   std::vector<Point> points_;
+  double change_n_;
+  double scale_n_ = 0;
   double fraction_ = 1;  ///< of the last correction
   double product_ = 0;   ///< that the next correction aims at
 };

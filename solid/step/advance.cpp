@@ -85,7 +85,7 @@ bool Solid::attempt_otherwise(double dt, double end_s, const std::vector<Panel>&
 bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water) {
   if (!formulation_->can_lag_friction()) return false;
   FormulationSettings& settings = formulation_->settings();
-  const double usual = std::exchange(settings.penalty_ratio, 1e-2 * settings.penalty_ratio);
+  const double usual = std::exchange(settings.penalty_ratio, lagging_penalty_ratio * settings.penalty_ratio);
   ++counts_.lagged_steps;
   settings.friction_lags = true;
   const bool solved = attempt(dt, end_s, water);

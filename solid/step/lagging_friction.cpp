@@ -21,7 +21,14 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
   constexpr int few_solutions = 5;
   formulation_->lag_friction(held);
   // A step after one whose friction lagged begins with its states, or nearly so.
-  if (!whole_law_.after_failure() || !minimize(s, few_solutions)) approach(s);
+  const bool goes_on = whole_law_.after_failure();
+  if (!goes_on || !or_undone(s, [&] { return minimize(s, few_solutions); })) {
+    const double left = settling_ && goes_on ? unbalanced(s) : std::numeric_limits<double>::infinity();
+    const Approach reached = approach(s, left);
+    if (settling_ && reached == Approach::near && finish(s)) return true;
+    // Softer contacts or a shorter step cost less than what sweeps would take from here.
+    if (settling_ && reached == Approach::nothing) return false;
+  }
   for (int sweep = 0; sweep < scene_.contact.max_iterations; ++sweep) {
     const bool bounds_stand = formulation_->lag_friction(held);
     if (!minimize(s, scene_.contact.max_iterations)) return false;
@@ -34,30 +41,32 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
 }
 
 /// Where hundreds of contacts slip or open at once, Newton's method would look for their states by hundreds of
-/// solutions. What this leaves undone, sweeps do; where it does not get near they begin as without it. Among thousands
-/// of deformable bricks some contacts with next to no force on them go to and fro: it stops there.
-void Solid::approach(IslandSystem& s) {
+/// solutions. What this leaves undone, Newton's method or sweeps do; where it does not get near they begin as without
+/// it. Among thousands of deformable bricks some contacts with next to no force on them go to and fro: it stops there.
+/// Forces of the step before will change by about `change_n`.
+Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
   constexpr int most_solutions = 200;
   constexpr double near = 1e-5;  // of what was unbalanced
   constexpr int patience = 8;
   const Held held = held_by(s);
-  std::unique_ptr<Formulation> other = std::make_unique<InteriorPoint>(laws_, formulation_->settings());
+  std::unique_ptr<Formulation> other = std::make_unique<InteriorPoint>(laws_, formulation_->settings(), change_n);
   auto& method = static_cast<InteriorPoint&>(*other);
   method.begin(trial(), matrix_, frozen_, held);
+  double first = method.scale_n();
   formulation_.swap(other);
   Eigen::VectorXd way = Eigen::VectorXd::Zero(s.unknowns->total);
-  double near_n = 0;  // N per metre
   double least = std::numeric_limits<double>::infinity();
   int since = 0;  // solutions that have not halved what is left
-  bool there = false;
+  Approach reached = Approach::nothing;
   for (int solutions = 0; solutions < most_solutions; ++solutions) {
     const double left = unbalanced(s);
-    if (solutions == 0) near_n = std::max(near * left, method.settings().force_tolerance_n);
+    if (solutions == 0) first = std::max(first, left);
     since = left <= least / 2 ? 0 : since + 1;
     if (since == 0) least = left;
-    there = left <= near_n;
-    const bool done = left <= method.settings().force_tolerance_n || (there && since == patience);
-    if (done || !std::isfinite(left) || !solve_linearized(s)) break;
+    const double tolerance = method.settings().force_tolerance_n;
+    reached = left <= tolerance ? Approach::states : left <= near * first ? Approach::near : Approach::nothing;
+    const bool done = reached == Approach::states || (reached == Approach::near && since == patience);
+    if (done || !(left <= 1e6 * first) || !solve_linearized(s)) break;
     move(s, 1);
     method.predict(trial(), held);
     move(s, -1);
@@ -70,9 +79,49 @@ void Solid::approach(IslandSystem& s) {
     way += fraction * s.correction;
   }
   formulation_.swap(other);
-  if (there) return method.hand_over(held);
-  s.correction = way;
-  move(s, -1);
+  if (reached == Approach::nothing) {
+    s.correction = way;
+    move(s, -1);
+  } else {
+    method.hand_over(held);
+  }
+  return reached;
+}
+
+/// From states that are next to right Newton's method on the whole of Coulomb's law takes a few solutions, by penalties
+/// as large as a step's own. Where bricks that carry little slip at both ends, bounds that lag may go to and fro for
+/// ever.
+bool Solid::finish(IslandSystem& s) {
+  FormulationSettings& settings = formulation_->settings();
+  const auto by_whole_law = [&] {
+    unbalanced(s);  // by bounds that lag: which way contacts slip
+    for (const int k : s.island.contacts) contacts_[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
+    for (const int k : s.island.supports) supports_[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
+    settings.penalty_ratio /= lagging_penalty_ratio;
+    settings.friction_lags = false;
+    const bool found = find_equilibrium(s);
+    settings.friction_lags = true;
+    settings.penalty_ratio *= lagging_penalty_ratio;
+    return found;
+  };
+  return or_undone(s, by_whole_law);
+}
+
+/// What the search finds, or the trial as it was.
+bool Solid::or_undone(IslandSystem& s, const std::function<bool()>& search) {
+  const auto contacts = contacts_;
+  const auto supports = supports_;
+  const auto increment = increment_;
+  const auto placement = placement_;
+  const auto nodes = node_increment_;
+  if (search()) return true;
+  contacts_ = contacts;
+  supports_ = supports;
+  increment_ = increment;
+  placement_ = placement;
+  node_increment_ = nodes;
+  formulation_->lag_friction(held_by(s));
+  return false;
 }
 
 /// Of the energy whose negative gradient is the residual.

@@ -146,16 +146,28 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   const double shortest = 1e-4 * pseudo_step;
   const double moving = 1e-4 * scene_.analysis.gravity_m_per_s2;
   double dt = pseudo_step;
+  double longest = 100 * pseudo_step;
+  double failed = longest;  // a step that found no states
+  Pause as_long;            // as it again
   double acceleration = std::numeric_limits<double>::infinity();
   int steady_steps = 0;
   for (int step = 0; step < most_steps && dt > shortest; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
     const bool whole_step = dt >= pseudo_step;
-    const auto shorter_step = [&] {
+    const auto solves = [&] {
+      if (dt > pseudo_step) return attempt_with_lagging_friction(dt, settling_time_s(), water);
+      if (whole_step) return try_step(dt, settling_time_s(), water);
       return attempt(dt, settling_time_s(), water) || (!goes_too_far_ && attempt_softly(dt, settling_time_s(), water));
     };
-    if (!(whole_step ? try_step(dt, settling_time_s(), water) : shorter_step())) {
-      dt /= 4;
+    if (!solves()) {
+      if (dt > pseudo_step) {
+        longest = std::max(pseudo_step, longest / 10);
+        dt = pseudo_step;
+      } else {
+        as_long.failed();
+        failed = dt;
+        dt /= 4;
+      }
       continue;
     }
     ++counts_.settling_steps;
@@ -166,10 +178,10 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
     steady_steps = std::abs(acceleration / before - 1) <= 1e-3 ? steady_steps + 1 : 0;
     if (steady_steps == 5 && acceleration >= moving) break;
     if (moved > 1e-4 * size_) break;
-    // Large structures come to rest a tenth at a time: longer steps take them there sooner.
-    const bool comes_to_rest =
-        whole_law_.after_failure() && whole_step && std::isfinite(before) && acceleration <= 0.1 * before;
-    dt = comes_to_rest ? std::min(100 * pseudo_step, 10 * dt) : std::min(pseudo_step, 2 * dt);
+    // Large structures come to rest a tenth at a time: longer steps, where they find states, take them there sooner.
+    const bool comes_to_rest = whole_law_.after_failure() && whole_step && moved <= 1e-6 * size_;
+    const double longer = comes_to_rest ? longest : std::min(pseudo_step, 2 * dt);
+    if (longer <= dt || longer < failed || !as_long.skips()) dt = longer;
   }
   if (acceleration < moving) return;
   states_ = states;

@@ -2,6 +2,7 @@
 // The DDA solid: blocks, contacts and the time step that moves them.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,7 @@ class Solid {
   };
 
   static constexpr int large_island = 200;  ///< unknowns above which states that run in circles are not waited for
+  static constexpr double lagging_penalty_ratio = 1e-2;  ///< penalties while friction lags, of a step's own
 
   /// The motion (u0, v0, r0) of a block with a mesh, whose inertia in water its triangles share.
   struct MeanMotion {
@@ -149,7 +151,10 @@ class Solid {
   bool find_equilibrium(IslandSystem& island);
   bool sweep(IslandSystem& island);
   bool find_equilibrium_with_lagging_friction(IslandSystem& island);
-  void approach(IslandSystem& island);
+  enum class Approach { nothing, near, states };  ///< what the interior point has come to
+  Approach approach(IslandSystem& island, double change_n);
+  bool finish(IslandSystem& island);
+  bool or_undone(IslandSystem& island, const std::function<bool()>& search);
   bool minimize(IslandSystem& island, int most_solutions);
   double search_along_correction(IslandSystem& island);
   bool correct(IslandSystem& island);

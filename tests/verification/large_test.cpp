@@ -190,6 +190,36 @@ TEST(Large, SolutionsThatAWallOfDeformableBricksTakesToSettleDoNotGrowWithIt) {
   EXPECT_LT(solutions(300), 1.5 * static_cast<double>(solutions(100)));
 }
 
+/// An interior point that does not wait for single bricks and goes on from the step before; steps that are long once
+/// friction has lagged.
+TEST(Large, AWallOfAThousandDeformableBricksComesToRestAtOnce) {
+  auto scene = brick_wall(1000);
+  scene.analysis.rigid = scene::Rigid::none;
+  Solid solid(scene);
+  solid.settle({});
+  EXPECT_LT(solid.counts().iterations, 160);  // 260 by steps that grow tenfold, 172 where it begins anew in each
+  EXPECT_LT(worst_against_coulomb(solid, 0.6), 2e-10);
+  EXPECT_LT(std::abs(reaction_error(solid)), 1e-7);
+}
+
+/// All joints slip at once, both ends of each in opposite directions, and the interior point comes nowhere near: sweeps
+/// from there would take up to 4,900 solutions.
+TEST(Large, AColumnWhoseJointsAllSlipSettlesWithSofterContacts) {
+  for (const double poissons_ratio : {0.15, 0.2, 0.25}) {
+    for (const int cubes : {50, 60}) {
+      auto scene = large_scene(1);
+      scene.analysis.rigid = scene::Rigid::none;
+      scene.materials.front() = {"concrete", 50e9, poissons_ratio, 2500};
+      add_block(scene, box(-20, -2, 50, 2), true);
+      for (int i = 0; i < cubes; ++i) add_block(scene, box(0, i, 1, 1));
+      Solid solid(scene);
+      solid.settle({});
+      EXPECT_LT(solid.counts().iterations, 1000) << poissons_ratio << " " << cubes;
+      EXPECT_LT(std::abs(reaction_error(solid)), 1e-8) << poissons_ratio << " " << cubes;
+    }
+  }
+}
+
 /// Some contacts of large walls go to and fro with next to no force on them, so that no equilibrium is found as closely
 /// as a step wants it: here because it is wanted a thousand times as closely. Sweeps go on from what has been reached.
 TEST(Large, AnInteriorPointThatIsOnlyComeNearToIsNotThrownAway) {
