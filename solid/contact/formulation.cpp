@@ -8,6 +8,14 @@
 #include "solid/block/parallel.hpp"
 
 namespace blockweir::solid {
+namespace {
+
+// What does not strain resists at a contact by its inertia alone, and a pile of it as weakly: between such blocks a
+// contact counts as so much stiffer, or sweep after sweep would be taken to share a load in the pile. Not while
+// friction lags, where stiff contacts have ranges of slip that Newton's method passes by.
+constexpr double rigid_stiffness_ratio = 1e3;
+
+}  // namespace
 
 std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, const JointLaws& laws,
                                               const FormulationSettings& settings) {
@@ -41,6 +49,8 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     const double turning = axis.dot(perpendicular(placement.vector(X)));
     return quotient(Eigen::Vector3d(axis.x(), axis.y(), turning), k.topLeftCorner<3, 3>());
   };
+  const bool pile_stiffens = !settings_.friction_lags;
+  const auto strainless = [&](int block) { return frozen[at(block)] || trial.blocks[at(block)].rigid; };
   contacts_.resize(held.contacts.size());
   contacts_before_.resize(held.contacts.size());
   for_each(held.contact_ids.size(), [&](std::size_t i) {
@@ -51,6 +61,8 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     const Point n = edge_frame(trial, c).n;
     progress.stiffness =
         1 / (flexibility(c.vertex_part, n, c.vertex_at) + flexibility(c.edge_part, n, edge_point(c, c.anchor)));
+    if (pile_stiffens && strainless(c.vertex_part) && strainless(c.edge_part))
+      progress.stiffness *= rigid_stiffness_ratio;
     progress.slip_force = c.multiplier.y();
     begin_contact(trial, frozen, k, c);
   });
