@@ -72,7 +72,11 @@ void check_endpoint(const std::string& endpoint, bool listens, bool may_come) {
   if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) refuse("there is no such folder");
   if (!listens) return;
   if (somebody_listens(address)) refuse("another process listens there already; choose another --endpoint");
-  std::filesystem::remove(path, ignored);
+  const auto there = std::filesystem::symlink_status(path, ignored);
+  if (std::filesystem::exists(there) && !std::filesystem::is_socket(there)) {
+    refuse("there is a file that is no socket; choose another --endpoint");
+  }
+  std::filesystem::remove(path, ignored);  // a former run's
 }
 
 }  // namespace blockweir::channel

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bridge/launch/gnuplot.hpp"
+#include "bridge/results/csv.hpp"
 
 namespace blockweir::launch {
 namespace {
@@ -21,18 +22,7 @@ std::vector<std::string> columns_of(const fs::path& file) {
   if (!std::getline(stream, line)) {
     throw std::invalid_argument(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
   }
-  std::vector<std::string> names(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      names.emplace_back();
-    } else {
-      names.back() += c;
-    }
-  }
-  return names;
+  return results::csv_cells(line);
 }
 
 /// Whether the run has no value for a column: levels of a scene without water.

@@ -13,10 +13,16 @@ namespace blockweir::launch {
 namespace fs = std::filesystem;
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "blockweir-XXXXXX").string();
+  std::error_code missing;
+  const fs::path place = fs::temp_directory_path(missing);
+  if (missing) {
+    throw std::runtime_error(fmt::format(
+        "found no folder for temporary files ({}); TMPDIR, or else /tmp, has to be one", missing.message()));
+  }
+  std::string name = (place / "blockweir-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) {
     throw std::runtime_error(fmt::format("cannot make a folder in {} ({}); TMPDIR names another place for it",
-                                         fs::temp_directory_path().string(), std::generic_category().message(errno)));
+                                         place.string(), std::generic_category().message(errno)));
   }
   path_ = name;
 }

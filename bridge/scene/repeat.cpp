@@ -21,7 +21,10 @@ toml::table table_of(const FacePressure& load, const std::vector<Block>& blocks)
 std::string repeat_text(const Scene& scene, double duration_s, const std::vector<FacePressure>& in_place_of_water) {
   toml::table file = toml::parse(scene.text);
   file["analysis"].as_table()->insert_or_assign("duration_s", duration_s);
-  for (const char* section : {"water", "fluid", "expect", "variant"}) file.erase(section);
+  for (const char* section :
+       {"water", "fluid", "expect", "expect_water", "variant", "limit", "order", "map", "bench"}) {
+    file.erase(section);
+  }
   if (!in_place_of_water.empty()) {
     if (!file.contains("face_pressure")) file.insert("face_pressure", toml::array{});
     for (const FacePressure& load : in_place_of_water) {

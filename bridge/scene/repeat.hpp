@@ -9,8 +9,8 @@
 
 namespace blockweir::scene {
 
-/// The scene as run, cut to `duration_s`, the water's last load as given pressures on faces. What it expected and its
-/// variants are left out.
+/// The scene as run, cut to `duration_s` (a step at least), the water's last load as given pressures on faces. What it
+/// expected, its variants and its studies are left out.
 std::string repeat_text(const Scene& scene, double duration_s, const std::vector<FacePressure>& in_place_of_water);
 
 }  // namespace blockweir::scene

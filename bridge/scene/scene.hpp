@@ -157,7 +157,7 @@ struct Analysis {
   Start start = Start::equilibrium;
   double duration_s = 1;
   double step_s = 0.01;                  ///< the largest step
-  double max_displacement_ratio = 0.01;  ///< largest displacement in a step over half the model's height
+  double max_displacement_ratio = 0.01;  ///< of a step, over half the larger side of the box around all that can move
   double gravity_m_per_s2 = 9.81;
   double gravity_tilt_deg = 0;       ///< gravity turned about the origin, as if the ground dipped downstream by as much
   double mass_damping_per_s = 0;     ///< drag on all motion, over the mass

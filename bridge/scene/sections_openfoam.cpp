@@ -4,7 +4,11 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
+
+#include "bridge/scene/nearest.hpp"
 #include "bridge/scene/sections.hpp"
+#include "bridge/scene/water_quantities.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -104,6 +108,30 @@ void check(TableReader& table, Reading& reading) {
   check_own_case(table, reading);
 }
 
+/// A figure that cannot be found is said before the run, not after it.
+void check_water_quantity(TableReader& table, const Expectation& e, Reading& reading) {
+  if (e.quantity.empty()) return;
+  const auto known = std::find_if(water_quantities.begin(), water_quantities.end(),
+                                  [&](const WaterQuantity& q) { return q.name == e.quantity; });
+  if (known == water_quantities.end()) {
+    std::vector<std::string> names;
+    for (const WaterQuantity& q : water_quantities) names.emplace_back(q.name);
+    reading.problems.error(table.place("quantity"),
+                           fmt::format("{} names no quantity: \"{}\"", table.name(), e.quantity), one_of(names),
+                           did_you_mean(e.quantity, names));
+    return;
+  }
+  const auto refuse = [&](const char* without, const char* expected, const char* remedy) {
+    reading.problems.error(table.place("quantity"), fmt::format("{} without {}", e.quantity, without), expected,
+                           remedy);
+  };
+  if (known->of_block && e.of.empty()) refuse("of", "of = the block that the water presses on", "name the block");
+  if (known->at_point && !e.at_m) refuse("at_m", "at_m = [x, y], where it arrives", "state the point");
+  if (known->regular_wave && !comes_in(reading.scene.openfoam)) {
+    refuse("regular waves", "wave = { kind = \"regular\", ... } in [fluid]", "use another quantity");
+  }
+}
+
 }  // namespace
 
 void read_openfoam(TableReader& table, Reading& reading) {
@@ -160,6 +188,8 @@ void read_water_expectations(Reading& reading) {
     if (reading.scene.fluid != FluidModel::openfoam && table.present()) {
       reading.problems.error(table.place(), fmt::format("{} without OpenFOAM", table.name()),
                              "[fluid] model = \"openfoam\"", "only OpenFOAM's water moves: use [[expect]] for others");
+    } else {
+      check_water_quantity(table, e, reading);
     }
     reading.scene.water_expectations.push_back(std::move(e));
   });

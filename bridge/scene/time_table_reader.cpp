@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ways in which a scene states a quantity over time: constant, linear table, steps, ramp, sine. A table in a file
-// has become one of the scene's own before (records.hpp).
+// has become one of the scene's own before (time_record.hpp).
 #include <fmt/format.h>
 
 #include <cmath>

@@ -47,9 +47,8 @@ inline const char* name(FluidModel model) {
   return "none";
 }
 
-/// Who sets the level once an OpenFOAM run has begun: the tables of [water] in both pools, or the water itself.
-/// Whether the fractions of a pool follow its table at once, nobody touches the water, or it comes in at the mesh's
-/// end.
+/// Once an OpenFOAM run has begun: whether the fractions of a pool follow its table at once, nobody touches the water,
+/// or it comes in at the mesh's end.
 enum class LevelControl { table, free, inflow };
 
 enum class WaveKind { regular, solitary };
@@ -118,7 +117,7 @@ struct Coupling {
   bool skip_exchanges = true;   ///< nothing is said while no block moves and the water stands
   double timeout_s = 20;        ///< longest silence of a partner
   double open_timeout_s = 20;   ///< longest wait for it to arrive
-  /// The inertia of water that a block pushes is solved for with the block's own: solid/step/added_mass.hpp.
+  /// The inertia of water that a block pushes is solved for with the block's own: solid/step/added_mass_guard.hpp.
   bool added_mass_guard = true;
   std::optional<double> added_mass_limit;  ///< water over block, beyond which a run is refused; default: what is stable
   EnergyGain on_energy_gain = EnergyGain::stop;

@@ -19,6 +19,15 @@ void Exchange::save() {
   checkpoints_.write(number_, checkpoint::pack(windows_, load_, answered_, skipped_, solid_.state()));
 }
 
+void Exchange::save_without_fluid() {
+  try {
+    solid_.record();
+    save();
+  } catch (const std::exception&) {
+    // The fluid's trouble is what the user is to read.
+  }
+}
+
 void Exchange::resume(std::uint64_t number) {
   std::string state;
   checkpoint::unpack(checkpoints_.read(number), windows_, load_, answered_, skipped_, state);
@@ -45,7 +54,12 @@ void Exchange::tell(wire::Motion& motion, double time_s) {
   motion.window = number_;
   motion.time_s = time_s;
   motion.order = stop ? wire::Order::save : checkpoints_.due() ? wire::Order::save_and_compute : wire::Order::compute;
-  if (fluid_ != nullptr) fluid_->tell(motion);
+  try {
+    if (fluid_ != nullptr) fluid_->tell(motion);
+  } catch (const channel::PeerError&) {
+    save_without_fluid();
+    throw;
+  }
   solid_.record();
   if (motion.order != wire::Order::compute) save();
   if (stop) throw channel::Interrupted("asked to stop");
@@ -71,12 +85,8 @@ void Exchange::ask(wire::Motion& motion, double time_s) {
   try {
     hear();
   } catch (const channel::PeerError&) {
-    try {
-      --number_;
-      save();
-    } catch (const std::exception&) {
-      // The partner's trouble is what the user is to read.
-    }
+    --number_;
+    save_without_fluid();
     throw;
   }
 }

@@ -19,11 +19,13 @@ class Exchange {
   void resume(std::uint64_t number);
 
   /// Says the next motion, of `time_s`, and has the solid record what led to it; a checkpoint, too, when one is due or
-  /// the run is to be stopped. Then it throws channel::Interrupted.
+  /// the run is to be stopped. Then it throws channel::Interrupted. A fluid that fails meanwhile leaves a checkpoint:
+  /// one that remembers nothing can go on there.
   void tell(wire::Motion& motion, double time_s);
-  /// Waits for the pressures for what was told. In between the solid may step.
+  /// Waits for the pressures for what was told. In between the solid may step: if the fluid fails then, the solid is
+  /// past what a checkpoint could hold.
   void hear();
-  /// Both, with nothing in between. A fluid that fails leaves a checkpoint: one that remembers nothing can go on there.
+  /// Both, with nothing in between. A fluid that fails in either leaves a checkpoint.
   void ask(wire::Motion& motion, double time_s);
 
   /// Number of the next motion.
@@ -37,6 +39,7 @@ class Exchange {
 
  private:
   void save();
+  void save_without_fluid();
   [[nodiscard]] bool answer_holds(const wire::Motion& motion, double time_s) const;
 
   FluidLine* fluid_;

@@ -15,11 +15,13 @@ int main(int argc, char** argv) {
   channel::Options line{.side = channel::Side::connects, .partner = "solid process"};
   std::string folder;
   std::string report;
+  std::vector<std::string> overrides;
   std::uint64_t resume = 0;
   CLI::App app{"blockweir-column: a pipe of water at the edge of a block"};
   app.add_option("scene", path, "scene file or case folder")->required();
   channel::add_line_options(app, line)->required();
   app.add_option("--out", folder, "folder for checkpoints");
+  app.add_option("--set", overrides, "key=value over the scene's own; the same for both processes");
   app.add_option("--resume", resume, "number of the checkpoint in --out to go on from; the same for both");
   app.add_option("--report", report, "file for this process's times (JSON)");
   try {
@@ -28,7 +30,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   return scene::exit_status("blockweir-column", [&] {
-    const scene::Scene scene = scene::read(path, {}).scene;
+    const scene::Scene scene = scene::read(path, overrides).scene;
     if (scene.fluid != scene::FluidModel::column) throw std::invalid_argument("the scene's fluid is not a column");
     channel::catch_stop_signals();
     line.timeout_s = scene.coupling.timeout_s;

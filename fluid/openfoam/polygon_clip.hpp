@@ -35,13 +35,6 @@ class PolygonClip {
     return from_.empty() ? 0 : area(from_);
   }
 
-  /// Area [m2] of what lies below y = level.
-  double area_below(const Polygon& subject, double level) {
-    from_ = subject;
-    keep_left_of({1, level}, {0, level});
-    return to_.empty() ? 0 : area(to_);
-  }
-
  private:
   void keep_left_of(const Point& a, const Point& b) {
     to_.clear();

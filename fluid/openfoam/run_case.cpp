@@ -140,6 +140,7 @@ int run_case(const scene::Scene& scene, const RunOptions& options) {
     throw std::invalid_argument("the scene's fluid is not OpenFOAM: set model = \"openfoam\" in [fluid]");
   }
   if (!options.case_only || !scene.openfoam.own_case.empty()) find_openfoam();
+  require_water_columns(scene);
   const CaseOptions writing{fs::absolute(options.folder), find_plugin(), options.line.endpoint};
   if (options.resume > 0) {
     go_on(scene, options, writing);

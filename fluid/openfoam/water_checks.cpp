@@ -10,20 +10,23 @@
 #include <map>
 #include <sstream>
 
+#include "bridge/results/csv.hpp"
+#include "fluid/openfoam/site.hpp"
+
 namespace blockweir::openfoam {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 using Column = std::vector<double>;
 
-std::map<std::string, Column> read_columns(const std::filesystem::path& file) {
+using Columns = std::map<std::string, Column>;
+
+Columns read_columns(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  std::vector<std::string> names;
-  std::map<std::string, Column> columns;
+  Columns columns;
   std::string line;
   std::getline(stream, line);
-  std::istringstream heading(line);
-  for (std::string name; std::getline(heading, name, ',');) names.push_back(name);
+  const std::vector<std::string> names = results::csv_cells(line);
   while (std::getline(stream, line)) {
     std::istringstream row(line);
     std::string value;
@@ -100,18 +103,23 @@ double mean_of_second_half(const Column& column) {
   return sum / static_cast<double>(column.size() - column.size() / 2);
 }
 
-double water_quantity(std::map<std::string, Column>& columns, const scene::Scene& scene, const scene::Expectation& e) {
-  const Column& time = columns["time_s"];
-  const auto of_block = [&](const char* what) -> const Column& { return columns[e.of + "." + what]; };
-  if (time.empty()) return nan;
+double water_quantity(const Columns& columns, const scene::Scene& scene, const scene::Expectation& e) {
+  const auto column = [&](const std::string& name) -> const Column& {
+    const auto found = columns.find(name);
+    if (found != columns.end()) return found->second;
+    throw std::runtime_error(fmt::format("[[expect_water]] {}: water.csv has no \"{}\"", e.quantity, name));
+  };
+  const auto of_block = [&](const char* what) -> const Column& { return column(e.of + "." + what); };
+  if (columns.empty()) return nan;  // not a row
+  const Column& time = column("time_s");
   if (e.quantity == "water_area_error") {
-    const Column& area = columns["water_area_m2"];
+    const Column& area = column("water_area_m2");
     double largest = 0;
     for (const double a : area) largest = std::max(largest, std::abs(a / area.front() - 1));
     return largest;
   }
-  if (e.quantity == "front_arrival_s" && e.at_m) return arrival(time, columns["front_m"], e.at_m->x());
-  const Column& level = columns["upstream_level_m"];
+  if (e.quantity == "front_arrival_s" && e.at_m) return arrival(time, column("front_m"), e.at_m->x());
+  const Column& level = column("upstream_level_m");
   if (e.quantity == "level_arrival_s" && e.at_m) return arrival(time, level, e.at_m->y());
   if (e.quantity == "upstream_level_m") return mean_of_second_half(level);
   if (e.quantity == "level_swing_m") return swing(level);
@@ -120,28 +128,36 @@ double water_quantity(std::map<std::string, Column>& columns, const scene::Scene
     if (e.quantity == "level_amplitude_m") return amplitude(time, level, period);
     if (e.quantity == "force_x_amplitude_n_per_m") return amplitude(time, of_block("force_x_n_per_m"), period);
   }
-  if (e.quantity == "fastest_m_per_s") return columns["fastest_m_per_s"].back();
+  if (e.quantity == "fastest_m_per_s") return column("fastest_m_per_s").back();
   if (e.quantity == "added_mass_kg_per_m") {
     return added_mass(of_block("force_x_n_per_m"), rate(time, of_block("velocity_x_m_per_s")));
   }
   if (e.quantity == "ground_added_mass_kg_per_m") {
-    return added_mass(of_block("force_x_n_per_m"), columns["ground_acceleration_x_m_per_s2"]);
+    return added_mass(of_block("force_x_n_per_m"), column("ground_acceleration_x_m_per_s2"));
   }
   for (const char* force : {"force_x_n_per_m", "force_y_n_per_m"}) {
     if (e.quantity == force) return mean_of_second_half(of_block(force));
   }
-  throw std::runtime_error(
-      fmt::format("[[expect_water]] names no quantity: \"{}\"; there are water_area_error, "
-                  "front_arrival_s and level_arrival_s (with at_m), fastest_m_per_s, added_mass_kg_per_m, "
-                  "ground_added_mass_kg_per_m, force_x_n_per_m, force_y_n_per_m, upstream_level_m, level_swing_m, and "
-                  "with regular waves level_amplitude_m, force_x_amplitude_n_per_m",
-                  e.quantity));
+  throw std::runtime_error(fmt::format("[[expect_water]] names no quantity: \"{}\"", e.quantity));
 }
 
 }  // namespace
 
+void require_water_columns(const scene::Scene& scene) {
+  const Site site = find_site(scene);
+  for (const scene::Expectation& e : scene.water_expectations) {
+    for (const int ground : site.ground) {
+      if (scene.blocks[static_cast<std::size_t>(ground)].name != e.of) continue;
+      throw std::invalid_argument(fmt::format(
+          "[[expect_water]] {} of \"{}\": this is ground, which goes on to the mesh's end, and water.csv has "
+          "no force on it; name a block that stands in the water",
+          e.quantity, e.of));
+    }
+  }
+}
+
 nlohmann::json water_checks(const scene::Scene& scene, const std::filesystem::path& water_csv) {
-  auto columns = read_columns(water_csv);
+  const Columns columns = read_columns(water_csv);
   auto list = nlohmann::json::array();
   for (const scene::Expectation& e : scene.water_expectations) {
     const double got = water_quantity(columns, scene, e);

@@ -9,11 +9,15 @@
 
 namespace blockweir::openfoam {
 
-/// A check for each, as summary.json has them, from the plugin's water.csv. Quantities: water_area_error (largest
-/// change of the water's area over its first), front_arrival_s (when the front passes at_m), fastest_m_per_s (at the
-/// end), added_mass_kg_per_m (horizontal force on block `of` over its acceleration, a least-squares fit),
-/// ground_added_mass_kg_per_m (the same over the ground's), force_x_n_per_m and force_y_n_per_m (mean over the run's
-/// second half). Throws std::runtime_error for another.
+/// Before a run: throws std::invalid_argument where a figure is of ground, on which no force is recorded.
+void require_water_columns(const scene::Scene& scene);
+
+/// A check for each, as summary.json has them, from the plugin's water.csv. Quantities are those of
+/// scene::water_quantities: water_area_error (largest change of the water's area over its first), front_arrival_s (when
+/// the front passes at_m), fastest_m_per_s (at the end), added_mass_kg_per_m (horizontal force on block `of` over its
+/// acceleration, a least-squares fit), ground_added_mass_kg_per_m (the same over the ground's), force_x_n_per_m and
+/// force_y_n_per_m (mean over the run's second half). Throws std::runtime_error for another, and where water.csv lacks
+/// a column.
 nlohmann::json water_checks(const scene::Scene& scene, const std::filesystem::path& water_csv);
 
 }  // namespace blockweir::openfoam

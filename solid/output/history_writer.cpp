@@ -6,16 +6,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "bridge/results/csv.hpp"
+
 namespace blockweir::solid::output {
 namespace {
-
-/// A column's name as CSV wants it.
-std::string quoted(const std::string& name) {
-  if (name.find_first_of(",\"\n") == std::string::npos) return name;
-  std::string text = "\"";
-  for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
-  return text + "\"";
-}
 
 std::string header(const scene::Scene& scene) {
   std::string text =
@@ -29,18 +23,18 @@ std::string header(const scene::Scene& scene) {
     for (const char* quantity : {"displacement_x_m", "displacement_y_m", "rotation_rad", "velocity_x_m_per_s",
                                  "velocity_y_m_per_s", "rotation_rate_rad_per_s", "stress_xx_pa", "stress_yy_pa",
                                  "stress_xy_pa", "water_force_x_n_per_m", "water_force_y_n_per_m", "water_moment_n"}) {
-      text += "," + quoted(block.name + "." + quantity);
+      text += "," + results::csv_cell(block.name + "." + quantity);
     }
   }
   for (const auto& joint : scene.joints) {
     for (const char* quantity :
          {"normal_force_n_per_m", "shear_force_n_per_m", "slip_m", "opening_m", "bonded_length_m"}) {
-      text += "," + quoted(joint.name + "." + quantity);
+      text += "," + results::csv_cell(joint.name + "." + quantity);
     }
   }
   for (const auto& bolt : scene.bolts) {
     for (const char* quantity : {"force_n_per_m", "elongation_m", "plastic_elongation_m", "state"}) {
-      text += "," + quoted(bolt.name + "." + quantity);
+      text += "," + results::csv_cell(bolt.name + "." + quantity);
     }
   }
   return text;

@@ -157,6 +157,14 @@ TEST_F(Processes, TwoShellsAcrossTcpGiveTheLaunchersResult) {
   EXPECT_EQ(text("byhand/history.csv"), text("run/history.csv"));
 }
 
+TEST_F(Processes, EveryFluidTakesTheKeysThatTheSolidTakes) {
+  const std::string scene = cases + "water-column --set analysis.duration_s=0.5 --endpoint ipc://line";
+  const pid_t fluid = start(programs + "/blockweir-column " + scene, "fluid");
+  const pid_t solid = start(programs + "/blockweir-solid " + scene + " --out o", "solid");
+  EXPECT_EQ(end_of(solid, 60), 0) << text("solid");
+  EXPECT_EQ(end_of(fluid, 10), 0) << text("fluid");
+}
+
 TEST_F(Processes, PlotDrawsEveryFigure) {
   // A name with what gnuplot might take for markup or for the end of a text.
   const std::string run = "a_run's ^2";

@@ -136,6 +136,20 @@ TEST_F(Studies, AMapOfWhatTheSceneHasNotSaysSo) {
   EXPECT_THAT(text("out"), HasSubstr("point_stress_yy_pa\" needs at_m = [x, y]"));
 }
 
+TEST_F(Studies, AnOrderThatCannotBeSaysWhy) {
+  const auto order = [&](const std::string& keys) {
+    write_scene("[[order]]\nname = 'o'\nkey = 'analysis.step_s'\norder = 1\n" + keys);
+    EXPECT_EQ(study(), 1);
+    return text("out");
+  };
+  const std::string weight = "quantity = 'reaction_n_per_m'\nof = 'plane'\nvalue = 1\n";
+  EXPECT_THAT(order(weight + "values = [0.01, 0.01, 0.01]\n"), HasSubstr("no order: all values are the same"));
+  EXPECT_THAT(order("quantity = 'failure_time_s'\nvalue = 1\nvalues = [0.01, 0.005, 0.002]\n"),
+              HasSubstr("no order: failure_time_s has no number"));
+  EXPECT_THAT(order("quantity = 'displacement_m'\nof = 'plane'\nvalue = 0\nvalues = [0.01, 0.005, 0.002]\n"),
+              HasSubstr("no order: displacement_m is exact at analysis.step_s = 0.01"));
+}
+
 TEST_F(Studies, AMapCountsItsWrongCells) {
   const std::string map =
       "[[map]]\nname = 'modes'\nx_key = 'analysis.gravity_tilt_deg'\nx_values = [20, 40]\n"

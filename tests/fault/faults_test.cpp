@@ -109,6 +109,19 @@ TEST_F(Faults, AFolderOfOtherFilesIsNotTouched) {
   EXPECT_EQ(text("mine/scene.toml"), "mine");
 }
 
+TEST_F(Faults, AReservoirWithoutAFolderForItIsRefused) {
+  EXPECT_EQ(shell(programs + "/blockweir-hydrostatic " + cases +
+                  "hydrostatic-wall --endpoint ipc://line --set output.reservoir=true"),
+            2);
+  EXPECT_THAT(text("out"), HasSubstr("[output] reservoir = true: say with --out where its files shall go"));
+}
+
+TEST_F(Faults, APlaceForTemporaryFilesThatIsNoneIsNamed) {
+  EXPECT_EQ(shell("env TMPDIR=" + folder.string() + "/out " + programs + "/blockweir compare " + cases + "own-weight"),
+            1);
+  EXPECT_THAT(text("out"), HasSubstr("found no folder for temporary files (Not a directory); TMPDIR, or else /tmp"));
+}
+
 TEST_F(Faults, AFileForTheTableThatCannotBeWrittenIsRefusedBeforeAnythingRuns) {
   EXPECT_EQ(shell(programs + "/blockweir validate " + cases + "incline --json no/where.json"), 2);
   EXPECT_THAT(text("out"), HasSubstr("--json no/where.json: "));

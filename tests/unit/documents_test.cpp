@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What "Write your own fluid in a page" lists is there.
+// links: solid_output
+// What "Write your own fluid in a page" lists is there; all figures that [[expect]] knows are listed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <sstream>
+
+#include "solid/output/formulas.hpp"
+#include "solid/output/quantities.hpp"
 
 namespace {
 
@@ -56,6 +61,28 @@ TEST(Documents, AFluidOfOnesOwnFindsAllThatItIsTold) {
     word = word.substr(word.rfind('.') == std::string::npos ? 0 : word.rfind('.') + 1);
     EXPECT_THAT(sources, testing::HasSubstr(word));
   }
+}
+
+/// In the first column of the table that begins with this heading.
+std::multiset<std::string> listed(const std::string& heading) {
+  const std::string all = text_of(root / "bridge/README.md");
+  const auto from = all.find("| " + heading + " | of |");
+  std::istringstream rows(all.substr(from, all.find("\n\n", from) - from));
+  std::multiset<std::string> names;
+  for (std::string row; std::getline(rows, row);) {
+    for (const std::string& name : quoted(row.substr(0, row.find('|', 1)))) names.insert(name);
+  }
+  return names;
+}
+
+TEST(Documents, AllFiguresThatCanBeExpectedAreListedOnce) {
+  namespace output = blockweir::solid::output;
+  auto quantities = output::quantity_names();
+  quantities.insert(quantities.end(), {"mode", "stability"});  // those that are words
+  EXPECT_THAT(listed("quantity"), testing::UnorderedElementsAreArray(quantities));
+  auto formulas = output::formula_names();
+  formulas.insert(formulas.end(), {"slide-or-topple", "schedule-stability"});
+  EXPECT_THAT(listed("formula"), testing::UnorderedElementsAreArray(formulas));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ void expect_consistent(const JointTrace& trace, const Block& a, const Block& b) 
   EXPECT_DOUBLE_EQ(trace.length_m, length);
 }
 
-/// The crack of PHYSICS.md section 1 and the blocks on either side of it.
+/// The crack of case cracked-dam-upper-stepped and the blocks on either side of it.
 const std::vector<Point> stepped{{0, 15},        {2.8, 13.9483}, {3.0, 13.4483},
                                  {5.8, 12.3966}, {6.0, 11.8966}, {10.0829, 10.3631}};
 Block above_steps() {

@@ -27,6 +27,23 @@ TEST(SceneRepeat, IsCutShortAndHasTheWaterAsPressures) {
   EXPECT_TRUE(again.expectations.empty());
 }
 
+TEST(SceneRepeat, OfEveryCaseIsRead) {
+  int cases = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(BLOCKWEIR_SOURCE) + "/cases")) {
+    // The floating block hangs in the air where there is no water.
+    if (entry.path().extension() != ".toml" || entry.path().parent_path().filename() == "floating-block") continue;
+    const Scene scene = read(entry.path()).scene;
+    try {
+      const Scene again = read_text(repeat_text(scene, scene.analysis.step_s, {}), "repeat.toml").scene;
+      EXPECT_EQ(again.blocks.size(), scene.blocks.size());
+    } catch (const SceneError& error) {
+      ADD_FAILURE() << entry.path() << '\n' << error.what();
+    }
+    ++cases;
+  }
+  EXPECT_GT(cases, 40);
+}
+
 TEST(SceneRepeat, WithoutWaterOnlyTheDurationDiffers) {
   const Scene scene = read_text(
                           "[analysis]\nduration_s = 3\n[material.m]\nyoungs_modulus_pa = 1e9\npoissons_ratio = 0.2\n"

@@ -107,6 +107,29 @@ TEST(SceneWater, WaterWithoutALevelIsRefused) {
   expect_error(with(level, ""), 44, {"[water] has no level", "leave [water] out"});
 }
 
+TEST(SceneWater, UnderTiltedGravityIsRefused) {
+  expect_error(with("[analysis]", "[analysis]\ngravity_tilt_deg = 5"), 45,
+               {"[water] in a scene whose gravity is tilted", "turn the blocks instead"});
+}
+
+TEST(SceneWater, AColumnStandsOnAnEdgeAndHasNoPool) {
+  const auto column = [](const std::string& at, const std::string& level_of_sample) {
+    return with("\"hydrostatic\"", "\"column\"\n[fluid.column]\nblock = \"base\"\nlength_m = 2\nat_m = " + at,
+                with(level, level_of_sample));
+  };
+  EXPECT_THAT(errors(column("[0, 1]", "")), IsEmpty());
+  expect_error(column("[0, 1]", level), 48, {"a level in [water], but a column has no pool", "leave the level out"});
+  expect_error(column("[0.5, 1]", ""), 51, {"(0.5, 1) is not on the outline of block \"base\"", "move the point"});
+}
+
+TEST(SceneWater, DrawnWaterIsAListOfOutlines) {
+  const auto drawn = [](const std::string& value) {
+    return with("\"hydrostatic\"", "\"openfoam\"\ninitial_water_m = " + value);
+  };
+  expect_error(drawn("3"), 48, {"initial_water_m in [fluid] is 3", "a list of outlines [[[x, y], ...], ...]"});
+  expect_error(drawn("[[[0, 0], [1, 1]]]"), 48, {"a list of 3 to 10000 points"});
+}
+
 TEST(SceneWater, AFluidWithoutWaterIsRefused) {
   expect_error(with(std::string("[water]\n") + level, ""), 46, {"a fluid, but no [water]"});
 }

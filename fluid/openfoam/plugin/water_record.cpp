@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/results/csv.hpp"
+
 namespace blockweir::openfoam {
 namespace {
 
@@ -53,7 +55,7 @@ WaterRecord::WaterRecord(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks,
   for (std::size_t b = 0; b < blocks.outlines().size(); ++b) {
     if (!blocks.interface().blocks[b].loaded) continue;
     for (const char* what : {"force_x_n_per_m", "force_y_n_per_m", "moment_n", "velocity_x_m_per_s"}) {
-      heading += fmt::format(",{}.{}", blocks.interface().hello.block_names[b], what);
+      heading += "," + results::csv_cell(fmt::format("{}.{}", blocks.interface().hello.block_names[b], what));
     }
   }
   file_->line(heading);

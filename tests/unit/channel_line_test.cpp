@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_channel
+// Endpoints that cannot be used, and what a partner may not say.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "bridge/channel/channel.hpp"
+#include "bridge/channel/endpoint.hpp"
+
+namespace blockweir::channel {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Line : public testing::Test {
+ protected:
+  Line() { fs::create_directory(folder); }
+  ~Line() override { fs::remove_all(folder); }
+  static std::string refusal(const std::string& endpoint, bool listens = true) {
+    try {
+      check_endpoint(endpoint, listens, false);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  }
+  const fs::path folder = fs::temp_directory_path() / ("blockweir-line-" + std::to_string(::getpid()));
+};
+
+TEST_F(Line, EndpointsThatCannotBeAreRefused) {
+  for (const char* endpoint : {"nonsense", "ipc://", "/tmp/line"}) {
+    EXPECT_THAT(refusal(endpoint), HasSubstr("expected ipc://PATH or tcp://HOST:PORT")) << endpoint;
+  }
+  for (const char* endpoint : {"tcp://", "tcp://localhost", "tcp://localhost:", "tcp://localhost:http"}) {
+    EXPECT_THAT(refusal(endpoint), HasSubstr("expected tcp://HOST:PORT")) << endpoint;
+  }
+  EXPECT_THAT(refusal("ipc://" + std::string(200, 'x')),
+              HasSubstr("the path has 200 bytes, at most 107 fit a socket; choose a shorter one"));
+  EXPECT_THAT(refusal("ipc://" + (folder / "no/line").string(), false), HasSubstr("there is no such folder"));
+}
+
+TEST_F(Line, AFileThatIsNoSocketIsNotRemoved) {
+  const fs::path file = folder / "notes";
+  std::ofstream(file) << "mine";
+  EXPECT_THAT(refusal("ipc://" + file.string()), HasSubstr("there is a file that is no socket"));
+  EXPECT_TRUE(fs::exists(file));
+}
+
+TEST_F(Line, AnEndpointInUseIsRefused) {
+  const std::string endpoint = "ipc://" + (folder / "line").string();
+  const Channel first({Side::listens, endpoint, "partner"});
+  EXPECT_THAT(refusal(endpoint), HasSubstr("another process listens there already; choose another --endpoint"));
+  EXPECT_EQ(refusal(endpoint, false), "");
+}
+
+TEST_F(Line, AMessageOfAnotherKindThanIsDueIsNamed) {
+  const std::string endpoint = "ipc://" + (folder / "line").string();
+  std::thread fluid([&] {
+    Channel channel({Side::connects, endpoint, "solid process"});
+    static_cast<void>(channel.handshake({}));
+    channel.send(wire::Motion{});
+    wire::Motion motion;
+    EXPECT_THROW(channel.receive(motion), PeerEnded);
+  });
+  Channel channel({Side::listens, endpoint, "fluid process"});
+  static_cast<void>(channel.handshake({}));
+  wire::Load load;
+  try {
+    channel.receive(load);
+    ADD_FAILURE();
+  } catch (const PeerError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("fluid process sent a message of another kind than was due"));
+  }
+  channel.send(wire::End{"enough"});
+  fluid.join();
+}
+
+}  // namespace
+}  // namespace blockweir::channel
