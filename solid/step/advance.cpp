@@ -228,7 +228,7 @@ bool Solid::accept(double dt, double end_s) {
     start_[b] = placement_[b];
   });
   follow_triangles();
-  if (!settling_) sleep_.look(blocks_, states_, external_, dt);  // what waits for others to settle does not rest
+  sleep_.look(blocks_, states_, external_, dt);
   ++counts_.steps;
   return any_slips;
 }

@@ -126,6 +126,8 @@ void Solid::settle(const std::vector<Panel>& water) {
   islands_.clear();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     states_[b].velocity = released[b].velocity;
+    // What has only waited, or stood still for the others to settle, does not rest.
+    if (waiting[b] || !released[b].velocity.isZero(0)) sleep_.wake(b);
     states_[b].acceleration.setZero();
     states_[b].force.setZero();
   }

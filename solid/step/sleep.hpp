@@ -19,6 +19,9 @@ class Sleep {
   void look(const std::vector<Block>& blocks, const std::vector<BlockState>& states,
             const std::vector<Vector6>& external, double dt);
 
+  /// Block b does not rest, whatever it seems to have done so far.
+  void wake(std::size_t b) { rests_[b] = 0; }
+
   /// Has block b rested long enough, and is its load the same to within `tolerance_n`?
   [[nodiscard]] bool rests(std::size_t b, const std::vector<Block>& blocks, const std::vector<Vector6>& external,
                            double tolerance_n) const;
