@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes of many blocks that tests and benchmarks share: pyramids, brick walls, rock slopes. Blocks are rigid.
+// Scenes of many blocks that tests and benchmarks share: pyramids, brick walls and dams, rock slopes. Blocks are rigid.
 #pragma once
 
 #include <fmt/format.h>
@@ -66,6 +66,36 @@ inline scene::Scene brick_wall(int bricks) {
       const double x = off && i > 0 ? (i - 0.5) * pitch : i * pitch;
       add_block(scene, box(x, row * height, half ? length - pitch / 2 : length, height));
     }
+  }
+  return scene;
+}
+
+/// About so many bricks of 2 m x 1 m without gaps, twice as broad as high; the water on its left face rises from half
+/// its height by 4 m/s for 5 s.
+inline scene::Scene brick_dam(int bricks) {
+  scene::Scene scene = large_scene(0.7);
+  const int rows = std::max(1, static_cast<int>(std::lround(std::sqrt(bricks))));
+  const int columns = std::max(1, bricks / rows);
+  add_block(scene, box(-1, -1, 2.0 * columns + 2, 1), true);
+  for (int row = 0; row < rows; ++row) {
+    const bool off = row % 2 == 1;  // such rows end in half bricks
+    const auto face = static_cast<int>(scene.blocks.size());
+    for (int i = 0; i < columns + (off ? 1 : 0); ++i) {
+      add_block(scene, box(off && i > 0 ? 2 * i - 1 : 2 * i, row, off && (i == 0 || i == columns) ? 1 : 2, 1));
+    }
+    const auto pressure = [&](double height) {
+      scene::TimeTable table{.time_s = {}, .value = {}};
+      for (int i = 0; i <= 100; ++i) {
+        table.time_s.push_back(0.05 * i);
+        table.value.push_back(9810 * std::max(0.0, 0.5 * rows + 4 * 0.05 * i - height));
+      }
+      return table;
+    };
+    scene.face_pressures.push_back({.block = face,
+                                    .from_m = scene::Point(0, row + 1),
+                                    .to_m = scene::Point(0, row),
+                                    .pressure_from_pa = pressure(row + 1),
+                                    .pressure_to_pa = pressure(row)});
   }
   return scene;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_step
-// How time and memory grow with the number of blocks: brick walls that stand, rock slopes that stand or slide; steps on
-// one thread and on two, by turns. Each row is a process of its own, so that its peak of memory is its own. Arguments:
-// numbers of blocks (100 1000 10000 100000) and kinds of scene (all).
+// How time and memory grow with the number of blocks: brick walls that stand, dams of bricks whose water rises, rock
+// slopes that stand or slide; steps on one thread and on two, by turns. Each row is a process of its own, so that its
+// peak of memory is its own. Arguments: numbers of blocks (100 1000 10000 100000) and kinds of scene (all).
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -73,15 +73,16 @@ void row(const Kind& kind, int blocks, int steps) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const auto deformable = [](scene::Scene scene) {
+    scene.analysis.rigid = scene::Rigid::none;
+    return scene;
+  };
   const std::vector<Kind> kinds{
       {"pyramid", [](int n) { return pyramid(static_cast<int>(std::lround(std::sqrt(2.0 * n)))); }},
       {"wall", brick_wall},
-      {"deformable wall",
-       [](int n) {
-         scene::Scene scene = brick_wall(n);
-         scene.analysis.rigid = scene::Rigid::none;
-         return scene;
-       }},
+      {"deformable wall", [&](int n) { return deformable(brick_wall(n)); }},
+      {"dam", brick_dam},
+      {"deformable dam", [&](int n) { return deformable(brick_dam(n)); }},
       {"slope", [](int n) { return rock_slope(n, 0.6); }},
       {"sliding slope", [](int n) { return rock_slope(n, 0.3); }}};
   std::vector<int> sizes;
