@@ -14,7 +14,7 @@ namespace {
 constexpr double compliance_ratio = 1e-5;
 
 // Of its force or its motion, what a pair may lose at once.
-constexpr double within = 0.99;
+constexpr double most_lost = 0.99;
 
 }  // namespace
 
@@ -97,7 +97,7 @@ double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
     p.forward.follow(most + force.y() - p.forward.force, product_);
     p.backward.follow(most - force.y() - p.backward.force, product_);
   }
-  for_pairs(held, [&](const Pair& pair) { fraction = std::min(fraction, pair.positive_fraction(within)); });
+  for_pairs(held, [&](const Pair& pair) { fraction = std::min(fraction, pair.positive_fraction(most_lost)); });
   return fraction;
 }
 
@@ -126,7 +126,7 @@ double InteriorPoint::follow_correction(const Trial& trial, const Held& held) {
   const double fraction = std::max(least, find_changes(trial, held));
   for (const int k : held.contact_ids) points_[at(k)].shear += fraction * points_[at(k)].shear_change;
   for_pairs(held, [fraction](Pair& pair) {
-    const double own = std::min(fraction, pair.positive_fraction(within));
+    const double own = std::min(fraction, pair.positive_fraction(most_lost));
     pair.force += own * pair.force_change;
     pair.motion += own * pair.motion_change;
     pair.product_change = 0;
