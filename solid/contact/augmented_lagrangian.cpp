@@ -73,7 +73,7 @@ class AugmentedLagrangian final : public Formulation {
 
   [[nodiscard]] double unsettled(const Held& held) const override {
     const auto moves_by = [&](const Progress& p, const auto& of) {
-      if (p.violation(of.state) <= settings_.position_round_off_m) return 0.0;
+      if (closed(p.violation(of.state))) return 0.0;
       return (of.force - of.multiplier).cwiseAbs().maxCoeff();
     };
     double most = largest(held.contact_ids.size(), [&](std::size_t i) {
@@ -148,11 +148,16 @@ class AugmentedLagrangian final : public Formulation {
            std::all_of(held.support_ids.begin(), held.support_ids.end(), support_settled);
   }
 
+  /// As far as coordinates know.
+  [[nodiscard]] bool closed(double violation) const {
+    return violation <= settings_.closed_round_offs * settings_.position_round_off_m;
+  }
+
   template <class ContactOrSupport>
   [[nodiscard]] bool settled(const Progress& p, const ContactOrSupport& of) const {
     const double violation = p.violation(of.state);
     if (p.turning || violation > settings_.penetration_tolerance_m) return false;
-    return violation <= settings_.position_round_off_m ||
+    return closed(violation) ||
            (of.force - of.multiplier).cwiseAbs().maxCoeff() <= settings_.force_tolerance_n + p.round_off;
   }
 

@@ -122,21 +122,27 @@ double Formulation::dilation_slope(const ContactPoint& c, const Progress& progre
 }
 
 JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::Vector2d& stuck) {
+  const Strength strength = laws_[c.law].strength(c.bond, c.bond_length);
   JointForce force;
-  if (settings_.joints_held) {
+  const bool states_stand = settings_.states_stand && !laws_[c.law].bonds();
+  if (states_stand) {
+    force =
+        acting(c.state, strength.friction, stuck.x(), c.state == ContactState::slip ? progress.slip_force : stuck.y());
+    progress.turning = false;
+  } else if (settings_.joints_held) {
     if (c.state != ContactState::open) force = {ContactState::stick, stuck.x(), stuck.y(), 0};
   } else if (settings_.friction_lags) {
-    force = admissible(laws_[c.law].strength(c.bond, c.bond_length), progress.bound, stuck.x(), stuck.y());
+    force = admissible(strength, progress.bound, stuck.x(), stuck.y());
     progress.turning = false;
   } else {
-    force = admissible(laws_[c.law].strength(c.bond, c.bond_length), stuck.x(), stuck.y());
+    force = admissible(strength, stuck.x(), stuck.y());
     // Slip may not reverse without passing through stick: Newton's method would jump to and fro across the narrow
     // range of slips in which the penalty keeps the shear force within its bounds.
     progress.turning = c.state == ContactState::slip && force.state == ContactState::slip &&
                        std::signbit(force.shear) != std::signbit(progress.slip_force);
     if (progress.turning) force = {ContactState::stick, stuck.x(), stuck.y(), 0};
   }
-  progress.slip_force = force.shear;
+  if (!states_stand) progress.slip_force = force.shear;
   if (force.state != c.state) state_changes_.fetch_add(1, std::memory_order_relaxed);
   c.state = force.state;
   c.force = {force.normal, force.shear};

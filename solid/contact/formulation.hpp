@@ -20,8 +20,11 @@ namespace blockweir::solid {
 
 struct FormulationSettings {
   double penetration_tolerance_m = 1e-9;
-  double force_tolerance_n = 1e-4;          ///< N per metre
-  double position_round_off_m = 0;          ///< separations below this are zero, as coordinates know no better
+  double force_tolerance_n = 1e-4;  ///< N per metre
+  double position_round_off_m = 0;  ///< separations below this are zero, as coordinates know no better
+  /// That a gap may have without asking for another sweep: one that closes it leaves others a little wider, and among
+  /// hundreds of contacts there is always one beyond a single round-off.
+  double closed_round_offs = 4;
   std::optional<double> initial_penalty;    ///< augmented Lagrangian; N/m per metre
   std::optional<double> contact_stiffness;  ///< penalty method; N/m per metre
   double dashpot_ratio = 0;                 ///< penalty method; of critical damping
@@ -29,6 +32,7 @@ struct FormulationSettings {
   double penalty_ratio = 1e4;               ///< penalty a step starts with, over the blocks' own stiffness
   bool joints_held = false;                 ///< every contact in touch sticks, whatever its law says
   bool friction_lags = false;               ///< shear is bounded by what lag_friction found, whatever acts now
+  bool states_stand = false;                ///< contacts without a bond to lose keep their states, whatever acts now
 };
 
 /// What an island hands over: indices of its contacts and supports, and all of them.

@@ -38,6 +38,15 @@ inline JointForce admissible(const Strength& strength, double normal, double she
   return {ContactState::slip, normal, side * bound, bound > 0 ? side * strength.friction : 0};
 }
 
+/// What acts in a state that is known, whether it is admissible or not: without cohesion and tension, slip on the side
+/// to which `shear` points.
+inline JointForce acting(ContactState state, double friction, double normal, double shear) {
+  if (state == ContactState::open) return {};
+  if (state == ContactState::stick) return {state, normal, shear, 0};
+  const double slope = std::copysign(friction, shear);
+  return {state, normal, slope * normal, slope};
+}
+
 /// The same with a bound of shear that does not depend on the normal force and acts on an open contact, too (Tresca's
 /// friction): the derivative of a convex function of gap and slip where there is no tension.
 inline JointForce admissible(const Strength& strength, double bound, double normal, double shear) {

@@ -27,6 +27,8 @@ struct JointProperties {
   double dilation_limit_m = std::numeric_limits<double>::infinity();  ///< slip beyond which it opens no further
   int joint = -1;                                                     ///< index into Scene::joints, -1 for the default
 
+  /// Has it a bond that can be lost? Whether it is depends on the states on the way to an equilibrium.
+  [[nodiscard]] bool bonds() const { return cohesion_pa > 0 || tension_pa > 0 || friction != residual_friction; }
   /// Of a contact whose bond of that length is left to the part `bond`.
   [[nodiscard]] Strength strength(double bond, double length) const {
     return {.friction = residual_friction + bond * (friction - residual_friction),

@@ -21,6 +21,9 @@ class SparseMatrix {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
+  /// LU without refinement of its own: solve() refines where it has to.
+  SparseMatrix() { lu_.solver.umfpackControl()[UMFPACK_IRSTEP] = 0; }
+
   /// Zeros where the entries say.
   void set_pattern(int size, const std::vector<Eigen::Triplet<double>>& entries) {
     k.resize(size, size);

@@ -101,29 +101,39 @@ bool Solid::find_equilibrium(IslandSystem& s) {
   // Where it has failed, its next turn is a short one.
   const int most = unknowns > large_island && whole_law_.after_failure() ? 20 : scene_.contact.max_iterations;
   const double tolerance = formulation_->settings().force_tolerance_n;
+  constexpr double close = 0.3;  // of what multipliers will still move: they need no closer equilibrium
   const Held held = held_by(s);
-  bool swept = false;  // multipliers have changed since the last solve
-  int in_a_row = 0;    // solves since then
-  double first = 0;    // unbalanced as they began
+  int in_a_row = 0;  // solves since the last sweep
+  double first = 0;  // unbalanced as they began
   for (int iteration = 0; iteration < most; ++iteration) {
     const double left = unbalanced(s);
     if (!std::isfinite(left)) {
       require_numbers(s);
       return false;
     }
-    // Multipliers that will move on need no closer equilibrium: the next solution finds both.
-    if (!swept && (left <= tolerance || left <= 0.01 * formulation_->unsettled(held))) {
+    if (left <= tolerance || left <= close * formulation_->unsettled(held)) {
       if (sweep(s)) return true;
-      swept = true;
-      continue;
+      in_a_row = 0;
+      first = unbalanced_in_these_states(s);
+    } else if (iteration > 0) {
+      ++in_a_row;
+    } else {
+      first = left;
     }
-    if (swept || iteration == 0) first = left;
-    in_a_row = swept ? 0 : in_a_row + 1;
-    swept = false;
     const bool diverges = unknowns > 10 * large_island && in_a_row > 2 && left > 1e3 * first;
     if (diverges || in_a_row > most_in_a_row || !correct(s)) return false;
   }
   return false;
+}
+
+/// Multipliers that took the penalties' part have put all out of balance, and no state in question: a solution in the
+/// states that contacts have spares those in which hundreds of them would change and change back. While a structure
+/// settles all are judged, or contacts that have slipped once would, and bonds beside them break that can hold it.
+double Solid::unbalanced_in_these_states(IslandSystem& s) {
+  formulation_->settings().states_stand = !settling_;
+  const double left = unbalanced(s);
+  formulation_->settings().states_stand = false;
+  return left;
 }
 
 /// What a large island's velocities are is round-off where they would move it by no more: with penalties times

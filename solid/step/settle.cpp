@@ -76,6 +76,7 @@ void Solid::settle(const std::vector<Panel>& water) {
   // step.
   const double tolerance_n =
       std::exchange(formulation_->settings().force_tolerance_n, 0.1 * formulation_->settings().force_tolerance_n);
+  const double closed_round_offs = std::exchange(formulation_->settings().closed_round_offs, 1);
   matrices_dt_ = -1;
   islands_.clear();
 
@@ -118,6 +119,7 @@ void Solid::settle(const std::vector<Panel>& water) {
   whole_law_ = {};  // a step of the run is shorter by far
   formulation_->settings().initial_penalty = initial_penalty;
   formulation_->settings().force_tolerance_n = tolerance_n;
+  formulation_->settings().closed_round_offs = closed_round_offs;
   settling_ = false;
   counts_.steps = 0;
   newmark_ = scheme;

@@ -163,6 +163,7 @@ class Solid {
   void correct_forces(IslandSystem& island);
   void start_where_it_rests(const IslandSystem& island);
   double unbalanced(IslandSystem& island);
+  double unbalanced_in_these_states(IslandSystem& island);
   void balance_own(std::size_t b);
   void let_act(IslandSystem& island);
   void take_up(const IslandSystem& island, std::size_t k);

@@ -42,8 +42,10 @@ double raised(double depth_m, bool joints_held) {
   placement[1] = Placement(parts.blocks[1].centroid, increment[1]);
   const std::vector<Vector6> still(2, Vector6::Zero());
   const Trial trial{parts.blocks, start, increment, placement, still, 0};
-  const auto method = make_augmented_lagrangian(
-      laws, {.force_tolerance_n = 1e-6, .position_round_off_m = round_off_m, .joints_held = joints_held});
+  const auto method = make_augmented_lagrangian(laws, {.force_tolerance_n = 1e-6,
+                                                       .position_round_off_m = round_off_m,
+                                                       .closed_round_offs = 1,
+                                                       .joints_held = joints_held});
   method->begin(trial, {Matrix6::Identity(), 1e9 * Matrix6::Identity()}, {true, false}, held);
   const double before = contacts[0].penalty;
   for (int sweep = 0; sweep < 2; ++sweep) {
