@@ -128,7 +128,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
 
 /// Multipliers that took the penalties' part have put all out of balance, and no state in question: a solution in the
 /// states that contacts have spares those in which hundreds of them would change and change back. While a structure
-/// settles all are judged, or contacts that have slipped once would, and bonds beside them break that can hold it.
+/// settles all are judged, or what has slipped once would go on, and bonds beside it break that can hold it.
 double Solid::unbalanced_in_these_states(IslandSystem& s) {
   formulation_->settings().states_stand = !settling_;
   const double left = unbalanced(s);
