@@ -32,41 +32,58 @@ void ContactSearch::drop_edges_seen_from_within() {
   inherited_.resize(kept);
 }
 
+const Point& ContactSearch::vertex_of(const ContactPoint& c) const {
+  return corners_[static_cast<std::size_t>(c.vertex_block)][static_cast<std::size_t>(c.vertex)];
+}
+
+std::pair<Point, Point> ContactSearch::edge_of(const ContactPoint& c) const {
+  const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
+  const auto e = static_cast<std::size_t>(c.edge);
+  return {E[e], E[next(e, E.size())]};
+}
+
+/// The vertex of the edge's block that the contact's vertex lies at, or -1.
+int ContactSearch::met_vertex(const ContactPoint& c) const {
+  const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
+  const auto convex = [&](std::size_t w) {  // or straight: a node on a face
+    const Point in = (E[w] - E[previous(w, E.size())]).normalized();
+    return cross(in, (E[next(w, E.size())] - E[w]).normalized()) > -parallel_tolerance;
+  };
+  const auto e = static_cast<std::size_t>(c.edge);
+  for (const std::size_t w : {e, next(e, E.size())}) {
+    if ((E[w] - vertex_of(c)).norm() < std::max(2 * coincidence_, 2 * std::abs(c.gap)) && convex(w)) {
+      return static_cast<int>(w);
+    }
+  }
+  return -1;
+}
+
+/// Can two corners pass each other: does the vertex come towards an end of the edge, with nothing of its block beside
+/// what lies between?
+bool ContactSearch::may_pass(const ContactPoint& c) const {
+  const auto& V = corners_[static_cast<std::size_t>(c.vertex_block)];
+  const auto v = static_cast<std::size_t>(c.vertex);
+  const auto [from, to] = edge_of(c);
+  const double from_end = (to - from).norm() * std::min(c.anchor, 1 - c.anchor);
+  if (from_end > std::max(2 * coincidence_, parallel_tolerance * std::abs(c.gap))) return false;
+  const Point inward = (c.anchor < 0.5 ? 1 : -1) * (to - from).normalized();
+  const auto beside = [&](std::size_t w) { return inward.dot((V[w] - V[v]).normalized()) > parallel_tolerance; };
+  return !beside(previous(v, V.size())) && !beside(next(v, V.size()));
+}
+
+/// Do the vertices of two mirrored contacts bound what two faces have in common, or will have once these have turned
+/// onto each other? Then they are two contacts, its ends, however far the faces still are from each other.
+bool ContactSearch::bound_overlap(const ContactPoint& a, const ContactPoint& b) const {
+  const auto along = [this](const ContactPoint& c) { return Point(edge_of(c).second - edge_of(c).first).normalized(); };
+  const auto over_its_edge = [&](const ContactPoint& c) {
+    const auto [from, to] = edge_of(c);
+    return std::min(along(c).dot(vertex_of(c) - from), along(c).dot(to - vertex_of(c))) > 2 * coincidence_;
+  };
+  return over_its_edge(a) && over_its_edge(b) && along(a).dot(along(b)) < -std::cos(parallel_tolerance + closing);
+}
+
 /// Where two convex vertices meet, up to four vertex-edge candidates describe one contact.
 void ContactSearch::keep_one_of_each_meeting() {
-  const auto vertex_of = [this](const ContactPoint& c) -> const Point& {
-    return corners_[static_cast<std::size_t>(c.vertex_block)][static_cast<std::size_t>(c.vertex)];
-  };
-  const auto convex = [this](int block, std::size_t v) {  // or straight: a node on a face
-    const auto& P = corners_[static_cast<std::size_t>(block)];
-    const Point in = (P[v] - P[previous(v, P.size())]).normalized();
-    return cross(in, (P[next(v, P.size())] - P[v]).normalized()) > -parallel_tolerance;
-  };
-  /// The vertex of the edge's block that the contact's vertex lies at, or -1.
-  const auto met_vertex = [&](const ContactPoint& c) {
-    const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
-    const auto e = static_cast<std::size_t>(c.edge);
-    for (const std::size_t w : {e, next(e, E.size())}) {
-      if ((E[w] - vertex_of(c)).norm() < std::max(2 * coincidence_, 2 * std::abs(c.gap)) && convex(c.edge_block, w)) {
-        return static_cast<int>(w);
-      }
-    }
-    return -1;
-  };
-  /// Can two corners pass each other: does the vertex come towards an end of the edge, with nothing of its block beside
-  /// what lies between?
-  const auto may_pass = [&](const ContactPoint& c) {
-    const auto& V = corners_[static_cast<std::size_t>(c.vertex_block)];
-    const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
-    const auto v = static_cast<std::size_t>(c.vertex);
-    const auto e = static_cast<std::size_t>(c.edge);
-    const Point span = E[next(e, E.size())] - E[e];
-    const double from_end = span.norm() * std::min(c.anchor, 1 - c.anchor);
-    if (from_end > std::max(2 * coincidence_, parallel_tolerance * std::abs(c.gap))) return false;
-    const Point inward = (c.anchor < 0.5 ? 1 : -1) * span.normalized();
-    const auto beside = [&](std::size_t w) { return inward.dot((V[w] - V[v]).normalized()) > parallel_tolerance; };
-    return !beside(previous(v, V.size())) && !beside(next(v, V.size()));
-  };
   std::vector<char> drop(found_.size(), 0);
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const int wi = drop[i] != 0 ? -1 : met_vertex(found_[i]);
@@ -78,7 +95,7 @@ void ContactSearch::keep_one_of_each_meeting() {
       const bool same = b.vertex_block == a.vertex_block && b.vertex == a.vertex && b.edge_block == a.edge_block;
       const bool mirrored = b.vertex_block == a.edge_block && b.vertex == wi && b.edge_block == a.vertex_block;
       if (!(same || mirrored) || met_vertex(b) < 0) continue;
-      if (mirrored && met_vertex(b) != a.vertex) continue;
+      if (mirrored && (met_vertex(b) != a.vertex || bound_overlap(a, b))) continue;
       // Faces that lie on each other outrank a mere meeting of corners; then memory; then the entrance edge.
       const auto rank = [&](std::size_t k) {
         const ContactPoint& c = found_[k];
@@ -94,8 +111,9 @@ void ContactSearch::keep_one_of_each_meeting() {
     // Corners that touch in a point and share no length, as those of bricks that slide over others, press only once one
     // has entered.
     if (drop[i] == 0 && found_[i].length <= 2 * coincidence_ && found_[i].gap > -coincidence_ &&
-        found_[i].state == ContactState::open && may_pass(found_[i])) {
+        found_[i].state == ContactState::open && may_pass(found_[i]) && !did_enter(found_[i])) {
       drop[i] = 1;
+      passing_.push_back(found_[i]);
     }
   }
   std::size_t kept = 0;

@@ -32,18 +32,6 @@ double overlap(const Point& vertex, const Point& end, const Point& a, const Poin
   return std::max(0.0, std::min(std::max(s0, s1), length) - std::max(std::min(s0, s1), 0.0));
 }
 
-/// Does the outline enclose the point? Edges that cross its height on its right are counted.
-bool encloses(const std::vector<Point>& outline, const Point& p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point& a = outline[i];
-    const Point& b = outline[next(i, outline.size())];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) > p.x()) inside = !inside;
-  }
-  return inside;
-}
-
 }  // namespace
 
 ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m,
@@ -68,6 +56,7 @@ bool ContactSearch::covers(double moved_m) {
 void ContactSearch::update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts) {
   refresh_pairs(placements);
   found_.clear();
+  passing_.clear();
   for (const auto& [a, b] : pairs_) {
     if (!boxes_[static_cast<std::size_t>(a)].intersects(boxes_[static_cast<std::size_t>(b)])) continue;
     vertices_on_edges(a, b);
@@ -130,10 +119,9 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       const Point n(t.y(), -t.x());
       const double gap = n.dot(V[v] - a);
       const double s = t.dot(V[v] - a);
-      // Two acute corners may meet where neither faces the other's edges.
       const double beyond = std::max(-s, s - edge_length);
-      if (std::abs(gap) > reach_ || beyond > std::max(coincidence_, gap / 2)) continue;
-      if (n.dot(to_before) < -parallel_tolerance || n.dot(to_after) < -parallel_tolerance) continue;
+      if (std::max(std::abs(gap), beyond) > reach_) continue;
+      if (!faces(V, v, n, closing)) continue;
       if (gap < -deep && !encloses(E, V[v])) continue;  // on the block's far side, not in it
       ContactPoint contact;
       contact.vertex_block = vertex_block;
@@ -152,7 +140,9 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       contact.anchor = s / edge_length;
       contact.separation = gap * n;
       contact.length = (overlap(V[v], before, a, t, edge_length) + overlap(V[v], after, a, t, edge_length)) / 2;
-      found_.push_back(contact);
+      // Two acute corners may meet where neither faces the other's edges; farther from these, they may pass.
+      const bool meets = beyond <= std::max(coincidence_, gap / 2) || did_enter(contact);
+      (meets ? found_ : passing_).push_back(contact);
     }
   }
 }
@@ -171,9 +161,8 @@ Point ContactSearch::apart(const std::vector<Placement>& placements, const Conta
 /// nearest new contact between the same two blocks that points the same way.
 void ContactSearch::inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old) {
   const auto normal = [this](const ContactPoint& c) {
-    const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
-    const auto e = static_cast<std::size_t>(c.edge);
-    const Point t = (E[next(e, E.size())] - E[e]).normalized();
+    const auto [from, to] = edge_of(c);
+    const Point t = (to - from).normalized();
     return Point(t.y(), -t.x());
   };
   const auto take = [](ContactMemory& heir, const ContactMemory& from) { heir = from; };
@@ -193,7 +182,7 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
     heir->separation = apart(placements, *heir);
   }
   for (const ContactPoint* was : gone) {
-    const Point place = corners_[static_cast<std::size_t>(was->vertex_block)][static_cast<std::size_t>(was->vertex)];
+    const Point& place = vertex_of(*was);
     ContactPoint* nearest = nullptr;
     double nearest_distance = reach_;
     const auto [first, end] = std::equal_range(found_.begin(), found_.end(), *was, of_lower_pair);
@@ -203,8 +192,7 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
       const bool twin = c.vertex_block == was->edge_block && c.edge_block == was->vertex_block;
       if (inherited_[static_cast<std::size_t>(heir - found_.begin())] != 0 || !(same || twin)) continue;
       if (normal(c).dot(normal(*was)) * (same ? 1 : -1) < 1 - parallel_tolerance) continue;
-      const Point there = corners_[static_cast<std::size_t>(c.vertex_block)][static_cast<std::size_t>(c.vertex)];
-      const double distance = (there - place).norm();
+      const double distance = (vertex_of(c) - place).norm();
       if (distance >= nearest_distance) continue;
       nearest = &c;
       nearest_distance = distance;

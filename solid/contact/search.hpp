@@ -2,6 +2,8 @@
 // Narrow phase: which vertices may touch which edges in the coming step, and what they remember.
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "solid/block/parts.hpp"
@@ -31,20 +33,32 @@ class ContactSearch {
   /// not, the next search looks farther.
   [[nodiscard]] bool covers(double moved_m);
 
+  /// Has a step to these placements taken a corner that was let pass into the block that it met? If so, the next search
+  /// from the same start keeps its contact.
+  [[nodiscard]] bool entered(const std::vector<Placement>& placements);
+
   [[nodiscard]] long broad_searches() const { return broad_searches_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(corners_at_pairs_, pairs_, broad_searches_, reach_);
+    archive(corners_at_pairs_, pairs_, broad_searches_, reach_, passing_);
   }
 
  private:
+  static constexpr double closing = 2 * most_turn;  ///< rad by which a face may turn onto an edge in a step
   /// Pairs stay valid while no block has moved half of it [m].
   [[nodiscard]] double margin() const { return 2 * reach_; }
   void refresh_pairs(const std::vector<Placement>& placements);
   void vertices_on_edges(int vertex_block, int edge_block);
   void drop_edges_seen_from_within();
   void keep_one_of_each_meeting();
+  [[nodiscard]] const Point& vertex_of(const ContactPoint& c) const;
+  [[nodiscard]] std::pair<Point, Point> edge_of(const ContactPoint& c) const;
+  [[nodiscard]] int met_vertex(const ContactPoint& c) const;
+  [[nodiscard]] bool may_pass(const ContactPoint& c) const;
+  [[nodiscard]] bool bound_overlap(const ContactPoint& a, const ContactPoint& b) const;
+  [[nodiscard]] bool within(const std::vector<Point>& vertices, int vertex, const std::vector<Point>& edges) const;
+  [[nodiscard]] bool did_enter(const ContactPoint& c) const;
   [[nodiscard]] Point apart(const std::vector<Placement>& placements, const ContactPoint& c) const;
   void inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old);
 
@@ -59,6 +73,9 @@ class ContactSearch {
   std::vector<std::pair<int, int>> pairs_;
   std::vector<ContactPoint> found_;
   std::vector<char> inherited_;
+  std::vector<ContactPoint> passing_;           ///< corners that may pass each other, left out
+  std::array<std::vector<Point>, 2> outlines_;  ///< of such corners' blocks
+  std::vector<ContactPoint> entered_;           ///< of them, those that did not in the step at hand
   long broad_searches_ = 0;
 };
 

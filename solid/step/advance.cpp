@@ -179,7 +179,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   goes_too_far_ = solved && !(moved <= scene_.analysis.max_displacement_ratio * size_ &&
                               (moved == 0 || largest_turn() <= ContactSearch::most_turn));
   solved = solved && !goes_too_far_;
-  const bool seen = !solved || search_.covers(moved);
+  const bool seen = !solved || (search_.covers(moved) && (moved == 0 || !search_.entered(placement_)));
   if (!solved || !seen) {
     for (const IslandSystem& s : islands_) formulation_->undo(held_by(s));
     contacts_stand_ = seen;

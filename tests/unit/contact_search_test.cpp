@@ -85,5 +85,71 @@ TEST(ContactSearch, LooksFartherOnceBlocksHaveMovedFarther) {
   EXPECT_TRUE(search.covers(0.02));
 }
 
+/// With one of them alone the other end would turn in, unseen.
+TEST(ContactSearch, KeepsBothEndsOfAShortOverlapWhileTheFacesAreFarFromEachOther) {
+  const std::vector<Point> lower = {{-1, -1}, {0, -1}, {0, 0}, {-1, 0}};
+  const auto over_its_corner = [&](double turned) {
+    return contacts_between(lower, {{-0.005, 0.01}, {1, 0.01 + turned}, {0.5, 1}}).size();
+  };
+  EXPECT_EQ(over_its_corner(0), 2U);
+  EXPECT_EQ(over_its_corner(0.1), 2U);
+  EXPECT_EQ(over_its_corner(0.2), 1U);
+}
+
+/// Two blocks may turn by 0.05 rad each.
+TEST(ContactSearch, SeesAVertexWhoseFaceMayTurnOntoAnEdge) {
+  const auto on_a_corner = [](double turned) {
+    return contacts_between({{-1, -1}, {1, -1}, {1, 0}, {-1, 0}}, {{0, 0}, {0.5, 0.5 * turned}, {0.2, 1}}).size();
+  };
+  EXPECT_EQ(on_a_corner(0.09), 2U);
+  EXPECT_EQ(on_a_corner(0.11), 1U);
+}
+
+/// Two corners of which neither faces the other's edges, as their search sees them.
+class PassingCorners : public testing::Test {
+ protected:
+  std::size_t contacts() {
+    search_.update(placements_, contacts_);
+    return contacts_.size();
+  }
+  /// After a step that takes the right one so far.
+  bool entered(double x_m, double y_m) {
+    std::vector<Placement> after = placements_;
+    Vector6 moved = Vector6::Zero();
+    moved.head<2>() << x_m, y_m;
+    after[1] = Placement(parts_.blocks[1].centroid, moved);
+    return search_.entered(after);
+  }
+
+ private:
+  static scene::Scene corners() {
+    scene::Scene scene = two_slabs();
+    scene.blocks[0].vertices = {{-1, -0.5}, {0, 0}, {-1, 0.5}};
+    scene.blocks[1].vertices = {{0.01, 0.004}, {1, -0.5}, {1, 0.5}};
+    return scene;
+  }
+  scene::Scene scene_ = corners();
+  Parts parts_ = make_parts(scene_);
+  JointLaws laws_{scene_};
+  ContactSearch search_{parts_, laws_, 1, 0.1, 0.1};
+  std::vector<Placement> placements_{{parts_.blocks[0].centroid, Vector6::Zero()},
+                                     {parts_.blocks[1].centroid, Vector6::Zero()}};
+  std::vector<ContactPoint> contacts_;
+};
+
+TEST_F(PassingCorners, AreNoContactWhereTheyPass) {
+  EXPECT_EQ(contacts(), 0U);
+  EXPECT_FALSE(entered(-0.02, 0.01));
+  EXPECT_EQ(contacts(), 0U);
+}
+
+TEST_F(PassingCorners, AreOneOnceAStepHasTakenOneIntoTheOther) {
+  EXPECT_EQ(contacts(), 0U);
+  EXPECT_TRUE(entered(-0.02, 0));
+  EXPECT_GE(contacts(), 1U) << "when the step is done again";
+  EXPECT_FALSE(entered(-0.02, 0)) << "it is held now";
+  EXPECT_EQ(contacts(), 0U) << "in the step that follows";
+}
+
 }  // namespace
 }  // namespace blockweir::solid

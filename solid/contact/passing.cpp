@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Corners that the search lets pass each other: has a step taken one into the other's block after all?
+#include <algorithm>
+
+#include "solid/contact/outline.hpp"
+#include "solid/contact/search.hpp"
+
+namespace blockweir::solid {
+
+bool ContactSearch::did_enter(const ContactPoint& c) const {
+  return std::any_of(entered_.begin(), entered_.end(), [&](const ContactPoint& e) { return e.same_key(c); });
+}
+
+/// Has a vertex of one block entered another? Not while it touches an edge that it may press on.
+bool ContactSearch::within(const std::vector<Point>& vertices, int vertex, const std::vector<Point>& edges) const {
+  const auto v = static_cast<std::size_t>(vertex);
+  const Point& p = vertices[v];
+  bool touches = false;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Point span = edges[next(e, edges.size())] - edges[e];
+    const double s = std::clamp(span.dot(p - edges[e]) / span.squaredNorm(), 0.0, 1.0);
+    if ((edges[e] + s * span - p).norm() > coincidence_) continue;
+    if (faces(vertices, v, Point(span.y(), -span.x()).normalized(), closing)) return false;
+    touches = true;
+  }
+  return touches || encloses(edges, p);
+}
+
+bool ContactSearch::entered(const std::vector<Placement>& placements) {
+  const auto outline = [&](int block, std::vector<Point>& corners) -> const std::vector<Point>& {
+    corners.clear();
+    for (const OutlineSide& side : parts_.outlines[static_cast<std::size_t>(block)]) {
+      corners.push_back(placements[static_cast<std::size_t>(side.part)].position(parts_.vertex(side)));
+    }
+    return corners;
+  };
+  const std::size_t before = entered_.size();
+  for (const ContactPoint& c : passing_) {
+    if (c.gap < -coincidence_) continue;  // behind the edge's line all along
+    const auto& vertices = outline(c.vertex_block, outlines_[0]);
+    if (within(vertices, c.vertex, outline(c.edge_block, outlines_[1]))) entered_.push_back(c);
+  }
+  if (entered_.size() > before) return true;
+  entered_.clear();
+  return false;
+}
+
+}  // namespace blockweir::solid
