@@ -120,6 +120,7 @@ json summary(const Outcome& outcome) {
                  {"undone_steps", counts.undone_steps},
                  {"softened_steps", counts.softened_steps},
                  {"lagged_steps", counts.lagged_steps},
+                 {"pivoted_islands", counts.pivoted_islands},
                  {"iterations", counts.iterations},
                  {"factorizations", counts.factorizations},
                  {"reused_factorizations", counts.reused_factorizations},

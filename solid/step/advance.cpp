@@ -61,13 +61,16 @@ bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
 }
 
 /// A step whose states run in circles, in other ways to the same answer: by friction that lags where islands are large,
-/// for a small one that finds no states is better cut short, and costs little. Where contacts are redundant, states of
-/// Lagrange multipliers do: the augmented Lagrangian makes such a step.
+/// where they are small with softer contacts, which costs least, then by pivoting. Where contacts are redundant, states
+/// of Lagrange multipliers run in circles: the augmented Lagrangian makes such a step.
 bool Solid::attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water) {
   const auto large = [](const IslandSystem& s) { return s.unknowns->total > large_island; };
-  const bool may_lag = std::any_of(islands_.begin(), islands_.end(), large);
+  const auto lagging = [&] { return !goes_too_far_ && attempt_with_lagging_friction(dt, end_s, water); };
   if (!substitute_) {
-    if (!may_lag || !attempt_with_lagging_friction(dt, end_s, water)) return attempt_softly(dt, end_s, water);
+    if (std::none_of(islands_.begin(), islands_.end(), large)) {
+      return attempt_softly(dt, end_s, water) || attempt_by_pivoting(dt, end_s, water) || lagging();
+    }
+    if (!lagging()) return attempt_softly(dt, end_s, water);
     whole_law_.failed();
     return true;
   }
@@ -75,7 +78,7 @@ bool Solid::attempt_otherwise(double dt, double end_s, const std::vector<Panel>&
   for (ContactPoint& c : contacts_) c.penalty = 0;
   for (Support& s : supports_) s.penalty = 0;
   formulation_.swap(substitute_);
-  const bool solved = attempt(dt, end_s, water) || (may_lag && attempt_with_lagging_friction(dt, end_s, water));
+  const bool solved = attempt(dt, end_s, water) || lagging();
   formulation_.swap(substitute_);
   return solved;
 }
@@ -89,6 +92,14 @@ bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::ve
   const bool solved = attempt(dt, end_s, water);
   settings.friction_lags = false;
   settings.penalty_ratio = usual;
+  return solved;
+}
+
+bool Solid::attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water) {
+  if (goes_too_far_) return false;
+  pivots_ = true;
+  const bool solved = attempt(dt, end_s, water);
+  pivots_ = false;
   return solved;
 }
 
@@ -143,12 +154,11 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   if (guard_.acts()) guard(dt);
   require_finite_loads(end_s);
   for_each(blocks_.size(), [&](std::size_t b) {
-    increment_[b] = frozen_[b] ? Vector6::Zero() : Vector6(dt * states_[b].velocity);
     const bool own = !blocks_[b].is_part() && b >= guard_.blocks();
     history_[b] =
         own ? newmark_.history(blocks_[b].inertia, states_[b], dt) : newmark_.history(inertia(b), states_[b], dt);
     past_velocity_[b] = rate(b, start_[b], newmark_.past_velocity(states_[b], dt));
-    placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
+    predict(b);
   });
   predict_nodes(dt);
   carry_fixed_blocks(end_s);
@@ -156,14 +166,14 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     const auto b = static_cast<std::size_t>(support.block);
     support.separation = start_[b].displacement(support.material) - support.target(end_s) - base_.displacement(end_s);
   }
-  const Trial at_start{blocks_, start_, still_, start_, past_velocity_, newmark_.velocity_factor(dt)};
 
   bool solved = true;
   for (const IslandSystem& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
     const Held held = held_by(s);
-    formulation_->begin(at_start, matrix_, frozen_, held);
+    formulation_->begin(at_start(), matrix_, frozen_, held);
     // While a structure settles, steps and penalties are others each time.
-    if (s.unknowns->total > large_island && end_s != settling_time_s()) formulation_->keep_slip_forces(at_start, held);
+    if (s.unknowns->total > large_island && end_s != settling_time_s())
+      formulation_->keep_slip_forces(at_start(), held);
   }
   for (IslandSystem& island : islands_) {
     island.asleep = may_sleep(island);
@@ -172,7 +182,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     } else {
       ++counts_.solved_islands;
       start_where_it_rests(island);
-      solved = solved && find_equilibrium(island);
+      solved = solved && (find_equilibrium(island) || (pivots_ && find_equilibrium_by_pivoting(island)));
     }
   }
   const double moved = largest_increment();
@@ -189,6 +199,12 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   contacts_stand_ = moved == 0 && formulation_->state_changes() == state_changes_before && !any_slips;
   require_finite(end_s);
   return true;
+}
+
+/// What a step begins with: the block goes on as it moves.
+void Solid::predict(std::size_t b) {
+  increment_[b] = frozen_[b] ? Vector6::Zero() : Vector6(matrices_dt_ * states_[b].velocity);
+  placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
 }
 
 /// Fixed blocks have no unknowns: the step finds them where a moving base takes them.

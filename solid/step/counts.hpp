@@ -33,10 +33,11 @@ struct Rest {
 struct Counts {
   long steps = 0;
   long undone_steps = 0;
-  long softened_steps = 0;  ///< tries with a smaller penalty
-  long lagged_steps = 0;    ///< tries with friction that lags
-  long iterations = 0;      ///< solved linear systems
-  long factorizations = 0;  ///< of matrices; the other solutions reuse one
+  long softened_steps = 0;   ///< tries with a smaller penalty
+  long lagged_steps = 0;     ///< tries with friction that lags
+  long pivoted_islands = 0;  ///< whose states were looked for by pivoting
+  long iterations = 0;       ///< solved linear systems
+  long factorizations = 0;   ///< of matrices; the other solutions reuse one
   long reused_factorizations = 0;
   long sweeps = 0;         ///< multiplier updates
   long state_changes = 0;  ///< open, stick, slip
@@ -51,9 +52,9 @@ struct Counts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(steps, undone_steps, softened_steps, lagged_steps, iterations, factorizations, reused_factorizations,
-            sweeps, state_changes, broad_searches, searches, skipped_searches, settling_steps, solved_islands,
-            most_islands, slept_islands, condition_number);
+    archive(steps, undone_steps, softened_steps, lagged_steps, pivoted_islands, iterations, factorizations,
+            reused_factorizations, sweeps, state_changes, broad_searches, searches, skipped_searches, settling_steps,
+            solved_islands, most_islands, slept_islands, condition_number);
   }
 };
 

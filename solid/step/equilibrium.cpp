@@ -11,6 +11,28 @@
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
+namespace {
+
+/// Notices that Newton's method runs in circles: what is unbalanced comes again (Brent's way to find a cycle).
+class Circle {
+ public:
+  bool closes(double unbalanced) {
+    if (std::abs(unbalanced - seen_) <= 1e-9 * seen_) return true;
+    if (++since_ == wait_) {
+      seen_ = unbalanced;
+      wait_ *= 2;
+      since_ = 0;
+    }
+    return false;
+  }
+
+ private:
+  double seen_ = -1;
+  int since_ = 0;
+  int wait_ = 1;
+};
+
+}  // namespace
 
 /// Islands, and with them the symbolic factorizations, are kept while the contact graph stands.
 void Solid::prepare_islands() {
@@ -105,6 +127,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
   const Held held = held_by(s);
   int in_a_row = 0;  // solves since the last sweep
   double first = 0;  // unbalanced as they began
+  Circle circle;
   for (int iteration = 0; iteration < most; ++iteration) {
     const double left = unbalanced(s);
     if (!std::isfinite(left)) {
@@ -113,9 +136,11 @@ bool Solid::find_equilibrium(IslandSystem& s) {
     }
     if (left <= tolerance || left <= close * formulation_->unsettled(held)) {
       if (sweep(s)) return true;
+      circle = {};
       in_a_row = 0;
       first = unbalanced_in_these_states(s);
     } else if (iteration > 0) {
+      if (circle.closes(left)) return false;
       ++in_a_row;
     } else {
       first = left;

@@ -12,6 +12,7 @@
 #include "solid/block/water_course.hpp"
 #include "solid/contact/bolt.hpp"
 #include "solid/contact/bonds.hpp"
+#include "solid/contact/coulomb_forces.hpp"
 #include "solid/contact/formulation.hpp"
 #include "solid/contact/search.hpp"
 #include "solid/solve/incidence.hpp"
@@ -120,6 +121,13 @@ class Solid {
     Eigen::VectorXd uncertain;   ///< round-off of the residual at nodes
   };
 
+  /// An island without the forces of its contacts.
+  struct Released {
+    std::vector<int> ids;  ///< of contacts that may close
+    CoulombContacts contacts;
+    Eigen::MatrixXd moves_by;  ///< what unit forces of theirs do to the unknowns
+  };
+
   static constexpr int large_island = 200;  ///< unknowns above which states that run in circles are not waited for
   static constexpr double lagging_penalty_ratio = 1e-2;  ///< penalties while friction lags, of a step's own
 
@@ -143,14 +151,19 @@ class Solid {
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
+  bool attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
   [[nodiscard]] double timed() const;
   bool find_contacts();
+  void predict(std::size_t b);
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
   bool sweep(IslandSystem& island);
   bool find_equilibrium_with_lagging_friction(IslandSystem& island);
+  [[nodiscard]] bool may_pivot(const IslandSystem& island) const;
+  bool release_contacts(IslandSystem& island, Released& released);
+  bool find_equilibrium_by_pivoting(IslandSystem& island);
   enum class Approach { nothing, near, states };  ///< what the interior point has come to
   Approach approach(IslandSystem& island, double change_n);
   bool finish(IslandSystem& island);
@@ -207,6 +220,9 @@ class Solid {
   void put_to_sleep(const IslandSystem& island);
   [[nodiscard]] double largest_increment() const;
   [[nodiscard]] double largest_turn() const;
+  [[nodiscard]] Trial at_start() const {
+    return {blocks_, start_, still_, start_, past_velocity_, newmark_.velocity_factor(matrices_dt_)};
+  }
   [[nodiscard]] Trial trial() const {
     return {blocks_, start_, increment_, placement_, past_velocity_, newmark_.velocity_factor(matrices_dt_)};
   }
@@ -256,6 +272,7 @@ class Solid {
   ContactSearch search_;
   std::vector<bool> frozen_;   ///< fixed, or waiting while others settle
   double end_s_ = 0;           ///< of the step
+  bool pivots_ = false;        ///< where states of small islands run in circles
   bool goes_too_far_ = false;  ///< states were found, but blocks move or turn by more than a step may
   double matrices_dt_ = -1;    ///< step that matrix_ was made for
   /// Relative, of a sum of some tens of terms.
