@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/contact/complementarity.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
