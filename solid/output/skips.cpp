@@ -55,10 +55,9 @@ json skips(const Solid& solid, const Frames& frames) {
         fmt::format("one system of all blocks: up to {} groups in contact were solved apart", counts.most_islands));
   }
   if (counts.slept_islands > 0) {
-    list.push_back(fmt::format(
-        "{} of {} solutions of islands that slept{}", counts.slept_islands,
-        counts.slept_islands + counts.solved_islands,
-        saved(profile.assembly + profile.solve + profile.sweeps, counts.solved_islands, counts.slept_islands)));
+    list.push_back(fmt::format("{} of {} solutions of islands that slept{}", counts.slept_islands,
+                               counts.slept_islands + counts.solved_islands,
+                               saved(profile.equilibria, counts.solved_islands, counts.slept_islands)));
   }
   if (counts.skipped_searches > 0) {
     list.push_back(fmt::format("{} of {} searches for contacts: nothing had moved{}", counts.skipped_searches,

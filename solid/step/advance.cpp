@@ -180,6 +180,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     if (island.asleep) {
       put_to_sleep(island);
     } else {
+      const Stopwatch watch(profile_.equilibria);
       ++counts_.solved_islands;
       start_where_it_rests(island);
       solved = solved && (find_equilibrium(island) || (pivots_ && find_equilibrium_by_pivoting(island)));

@@ -45,7 +45,7 @@ struct Counts {
   long searches = 0;          ///< of contacts
   long skipped_searches = 0;  ///< steps that found contacts as the step before had left them
   long settling_steps = 0;
-  long solved_islands = 0;      ///< summed over steps
+  long solved_islands = 0;      ///< summed over steps, but for those that settle
   long most_islands = 0;        ///< at a time
   long slept_islands = 0;       ///< islands that a step left as they were, summed over steps
   double condition_number = 0;  ///< largest of all systems solved, where the scene asks for it
@@ -69,10 +69,11 @@ struct Profile {
   double refinement = 0;     ///< another part of it, see SolutionTimes
   double sweeps = 0;         ///< multipliers, bonds
   double accept = 0;         ///< states at the end of a step
+  double equilibria = 0;     ///< of the islands that are counted as solved; parts of it are above
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(search, islands, assembly, contact, solve, factorization, refinement, sweeps, accept);
+    archive(search, islands, assembly, contact, solve, factorization, refinement, sweeps, accept, equilibria);
   }
 };
 

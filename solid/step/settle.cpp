@@ -122,6 +122,8 @@ void Solid::settle(const std::vector<Panel>& water) {
   formulation_->settings().closed_round_offs = closed_round_offs;
   settling_ = false;
   counts_.steps = 0;
+  counts_.solved_islands = 0;  // what sleep saves is counted in steps of the run, which cost less
+  profile_.equilibria = 0;
   newmark_ = scheme;
   frozen_ = fixed;
   matrices_dt_ = -1;

@@ -123,6 +123,11 @@ TEST_F(Skips, ADrySceneStartsNoFluid) {
   EXPECT_FALSE(fs::exists(folder / "o/hydrostatic.log"));
 }
 
+TEST_F(Skips, WhatSleepSavesIsReckonedByStepsOfTheRunNotByThoseThatSettle) {
+  ASSERT_EQ(shell(programs + "/blockweir run " + cases + "column --quiet --out o"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("skipped 49 of 50 solutions of islands that slept, saved about "));
+}
+
 TEST_F(Skips, EachHasItsLineInReportAndProfile) {
   ASSERT_EQ(shell(run_of(in_steps) + " --quiet --inproc --out o --set block.top.rigid=true"), 0) << text("out");
   const auto all_there =
