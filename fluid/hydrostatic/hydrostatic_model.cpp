@@ -110,14 +110,16 @@ schedule::FluidReport HydrostaticModel::report() const {
 }
 
 const WetFaces& HydrostaticModel::wet_part(Pool pool, double level_m) {
-  std::optional<Wetted>& kept = wetted_[pool == Pool::upstream ? 0 : 1];
+  const std::size_t which = pool == Pool::upstream ? 0 : 1;
+  std::optional<Wetted>& kept = wetted_[which];
   if (kept && kept->level_m == level_m) {
     ++kept_faces_;
     return kept->faces;
   }
   const Stopwatch watch(mapping_s_);
   ++wettings_;
-  kept = Wetted{level_m, wet_faces(outlines_, pool, level_m, scene_.water.open_crack_width_m)};
+  kept = Wetted{level_m, wet_faces(outlines_, pool, level_m, scene_.water.open_crack_width_m, behind_[which])};
+  behind_[which] = kept->faces.behind;
   return kept->faces;
 }
 

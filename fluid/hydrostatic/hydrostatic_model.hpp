@@ -59,6 +59,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   std::vector<Crack> cracks_;
   std::vector<std::vector<Point>> outlines_;     ///< current
   std::array<std::optional<Wetted>, 2> wetted_;  ///< of the pools, while no block moves
+  std::array<bool, 2> behind_{};                 ///< is water of the pools behind the crest?
   std::vector<PoolSection> pools_;
   wire::Motion last_motion_;
   double last_upstream_m_ = 0;

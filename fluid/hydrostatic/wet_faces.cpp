@@ -202,9 +202,10 @@ void tidy(const std::vector<std::vector<Point>>& outlines, double level_m, doubl
   intervals.swap(joined);
 }
 
-/// Of the pool in this frame; `breached` where it reaches from the frame's left to its right.
+/// Of the pool in this frame; `breached` where it reaches from the frame's left to its right, `behind` where it passes
+/// `middle_m`.
 WetFaces wet_faces_within(const Ring& frame, const std::vector<std::vector<Point>>& outlines, const Ring& wall,
-                          Pool pool, double level_m, double open_crack_width_m, const Grid& grid) {
+                          double middle_m, Pool pool, double level_m, double open_crack_width_m, const Grid& grid) {
   WetFaces result;
   const double growth = open_crack_width_m / 2;
   const cl::Paths water = water_between(outlines, wall, frame, growth, grid);
@@ -223,14 +224,18 @@ WetFaces wet_faces_within(const Ring& frame, const std::vector<std::vector<Point
   };
   for (const cl::Path& component : water) {
     if (!cl::Orientation(component)) continue;  // a hole: the outline of a block under water, see below
-    bool left = false;
-    bool right = false;
+    double leftmost = far_right;
+    double rightmost = far_left;
     for (const cl::IntPoint& corner : component) {
-      left = left || grid.metres(corner).x() < far_left;
-      right = right || grid.metres(corner).x() > far_right;
+      leftmost = std::min(leftmost, grid.metres(corner).x());
+      rightmost = std::max(rightmost, grid.metres(corner).x());
     }
+    const bool left = leftmost < far_left;
+    const bool right = rightmost > far_right;
     if (!(pool == Pool::upstream ? left : right)) continue;
     result.breached = result.breached || (left && right);
+    result.behind =
+        result.behind || (pool == Pool::upstream ? rightmost > middle_m - tiny_m : leftmost < middle_m + tiny_m);
     add_boundary(component);
     for (const cl::Path& hole : water) {
       if (!cl::Orientation(hole) && cl::PointInPolygon(hole.front(), component) != 0) add_boundary(hole);
@@ -243,7 +248,7 @@ WetFaces wet_faces_within(const Ring& frame, const std::vector<std::vector<Point
 }  // namespace
 
 WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, double level_m,
-                   double open_crack_width_m) {
+                   double open_crack_width_m, bool expected_behind) {
   Extent all;
   for (const auto& outline : outlines) all.extend(extent_of(outline));
   if (outlines.empty() || level_m <= all.min().y()) return {};
@@ -256,16 +261,20 @@ WetFaces wet_faces(const std::vector<std::vector<Point>>& outlines, Pool pool, d
       rectangle(wall_left, crest.y() - wall, wall_left + wall, std::max(level_m, all.max().y()) + pad);
   const Extent reach(all.min(), Point(all.max().x(), std::max(level_m, all.max().y())));
   const Grid grid(reach.center(), reach.sizes().maxCoeff() / 2 + 2 * pad);
+  const double middle = wall_left + wall / 2;
   const auto between = [&](double left, double right) {
     const Ring frame = rectangle(left, all.min().y() - growth, right, level_m + growth);
-    return wet_faces_within(frame, outlines, thin_wall, pool, level_m, open_crack_width_m, grid);
+    return wet_faces_within(frame, outlines, thin_wall, middle, pool, level_m, open_crack_width_m, grid);
   };
   // What lies beyond the wall matters only where water gets there: to look at half the model takes less.
   const double left = all.min().x() - pad;
   const double right = all.max().x() + pad;
-  const double middle = wall_left + wall / 2;
+  if (expected_behind) {
+    WetFaces found = between(left, right);
+    if (found.behind) return found;
+  }
   WetFaces found = pool == Pool::upstream ? between(left, middle) : between(middle, right);
-  return found.breached ? between(left, right) : found;
+  return found.behind ? between(left, right) : found;
 }
 
 }  // namespace blockweir::hydrostatic

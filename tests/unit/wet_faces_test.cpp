@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "bridge/scene/at.hpp"
 
@@ -52,6 +53,27 @@ TEST(WetFaces, WaterReachesWhatStandsBehindTheCrestThroughAWideGapOnly) {
     };
     EXPECT_EQ(wet_behind(0.01), 0);
     EXPECT_NEAR(wet_behind(0.2), 10, 1e-6);  // its face
+  }
+}
+
+/// The same, and without the third block: water stays before the crest, gets behind it, finds its way out.
+TEST(WetFaces, AreTheSameToTheBitWhereverWaterWasExpected) {
+  for (const bool way_out : {false, true}) {
+    for (const double gap : {0.01, 0.2}) {
+      std::vector<std::vector<Point>> outlines = {{{0, 0}, {4, 0}, {4.1, 5}, {0, 5}},
+                                                  {{0, 5 + gap}, {4.2, 5 + gap}, {4, 12}, {0.1, 12}}};
+      if (!way_out) outlines.push_back({{6, 0}, {8, 0}, {8, 11}, {6, 11}});
+      const WetFaces a = wet_faces(outlines, Pool::upstream, 10, 0.05, false);
+      const WetFaces b = wet_faces(outlines, Pool::upstream, 10, 0.05, true);
+      EXPECT_EQ(a.behind, gap > 0.1);
+      EXPECT_EQ(a.breached, gap > 0.1 && way_out);
+      EXPECT_EQ(b.behind, a.behind);
+      EXPECT_EQ(b.breached, a.breached);
+      EXPECT_EQ(b.region, a.region);
+      const auto key = [](const WetInterval& w) { return std::make_tuple(w.block, w.edge, w.s_from, w.s_to); };
+      ASSERT_EQ(b.intervals.size(), a.intervals.size());
+      for (std::size_t i = 0; i < a.intervals.size(); ++i) EXPECT_EQ(key(b.intervals[i]), key(a.intervals[i]));
+    }
   }
 }
 
