@@ -24,8 +24,8 @@ class AugmentedLagrangian final : public Formulation {
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
     const EdgeFrame edge = edge_frame(trial, c);
     Progress& progress = follow(trial, index, c, edge);
-    const JointForce force = judge(progress, c, c.multiplier - c.penalty * progress.separation);
-    if (settings_.friction_lags) return with_lagging_friction(c, edge, progress);
+    const JointForce force = judge(index, c, c.multiplier - c.penalty * progress.separation);
+    if (settings_.friction_lags) return with_lagging_friction(c, edge, progress, bounds_[index]);
     if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
     Interaction action = interaction_of(c, edge, progress.separation.y());
     action.force = c.force;
@@ -115,14 +115,14 @@ class AugmentedLagrangian final : public Formulation {
 
   /// Shear bounded by what does not depend on the normal force: a symmetric tangent.
   [[nodiscard]] static Interaction with_lagging_friction(const ContactPoint& c, const EdgeFrame& edge,
-                                                         const Progress& progress) {
+                                                         const Progress& progress, double bound) {
     const bool closed = c.state != ContactState::open;
-    if (!closed && progress.bound == 0) return {.block_i = c.vertex_part, .block_j = c.edge_part};
+    if (!closed && bound == 0) return {.block_i = c.vertex_part, .block_j = c.edge_part};
     Interaction action = interaction_of(c, edge, progress.separation.y());
     action.force = c.force;
     action.round_off = progress.round_off;
     action.stiffness(0, 0) = closed ? c.penalty : 0;
-    action.stiffness(1, 1) = std::abs(c.force.y()) < progress.bound ? c.penalty : 0;
+    action.stiffness(1, 1) = std::abs(c.force.y()) < bound ? c.penalty : 0;
     action.held = {action.stiffness(0, 0), c.state == ContactState::stick ? c.penalty : 0};
     return action;
   }

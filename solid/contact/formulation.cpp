@@ -104,16 +104,19 @@ Formulation::Progress& Formulation::follow(const Trial& trial, int index, const 
   return progress;
 }
 
-bool Formulation::lag_friction(const Held& held) {
-  bool stand = true;
-  for (const int k : held.contact_ids) {
-    const ContactPoint& c = held.contacts[at(k)];
-    const double bound = laws_[c.law].strength(c.bond, c.bond_length).shear_bound(c.force.x());
-    Progress& progress = contacts_[at(k)];
-    stand = stand && std::abs(bound - progress.bound) <= settings_.force_tolerance_n + progress.round_off;
-    progress.bound = bound;
-  }
-  return stand;
+void Formulation::lag_friction(const Held& held) {
+  bounds_.begin(held.contacts.size());
+  for (const int k : held.contact_ids) bounds_.set(k, shear_bound(held.contacts[at(k)]));
+}
+
+bool Formulation::follow_with_friction(const Held& held) {
+  return bounds_.follow(
+      held.contact_ids, [&](int k) { return shear_bound(held.contacts[at(k)]); },
+      [&](int k) { return settings_.force_tolerance_n + contacts_[at(k)].round_off; });
+}
+
+double Formulation::shear_bound(const ContactPoint& c) const {
+  return laws_[c.law].strength(c.bond, c.bond_length).shear_bound(c.force.x());
 }
 
 double Formulation::dilation_slope(const ContactPoint& c, const Progress& progress) const {
@@ -121,7 +124,8 @@ double Formulation::dilation_slope(const ContactPoint& c, const Progress& progre
   return laws_[c.law].dilation_slope(c.slip_m + progress.separation.y(), -progress.slip_force);
 }
 
-JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::Vector2d& stuck) {
+JointForce Formulation::judge(int index, ContactPoint& c, const Eigen::Vector2d& stuck) {
+  Progress& progress = contacts_[at(index)];
   const Strength strength = laws_[c.law].strength(c.bond, c.bond_length);
   JointForce force;
   const bool states_stand = settings_.states_stand && !laws_[c.law].bonds();
@@ -132,7 +136,7 @@ JointForce Formulation::judge(Progress& progress, ContactPoint& c, const Eigen::
   } else if (settings_.joints_held) {
     if (c.state != ContactState::open) force = {ContactState::stick, stuck.x(), stuck.y(), 0};
   } else if (settings_.friction_lags) {
-    force = admissible(strength, progress.bound, stuck.x(), stuck.y());
+    force = admissible(strength, bounds_[index], stuck.x(), stuck.y());
     progress.turning = false;
   } else {
     force = admissible(strength, stuck.x(), stuck.y());

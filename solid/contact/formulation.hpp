@@ -14,6 +14,7 @@
 
 #include "bridge/scene/scene.hpp"
 #include "solid/contact/joint_laws.hpp"
+#include "solid/contact/lagged_bounds.hpp"
 #include "solid/contact/trial.hpp"
 
 namespace blockweir::solid {
@@ -70,8 +71,10 @@ class Formulation {
 
   /// Can shear be bounded by normal forces that lag?
   [[nodiscard]] virtual bool can_lag_friction() const { return false; }
-  /// Bounds of shear by the normal forces of now, until the next call: true when they have stopped moving.
-  bool lag_friction(const Held& held);
+  /// Bounds of shear by the normal forces of now, until the next call of this or the following.
+  void lag_friction(const Held& held);
+  /// Bounds of shear nearer to what the normal forces of now allow: true when they were there.
+  bool follow_with_friction(const Held& held);
 
   /// Where forces are unknowns of the system: what they fulfil, as the last contact() or support() has it.
   [[nodiscard]] virtual std::span<const Constraint> constraints_of_contact(int /*index*/) const { return {}; }
@@ -108,7 +111,6 @@ class Formulation {
     Eigen::Vector2d separation = Eigen::Vector2d::Zero();  ///< that is resisted, at the trial [m]
     double round_off = 0;                                  ///< uncertainty of the force [N per metre]
     double slip_force = 0;  ///< shear force of the evaluation before, whose sign is the direction of slip
-    double bound = 0;       ///< of the shear force while friction lags [N per metre]
     double last_violation = std::numeric_limits<double>::infinity();  ///< at the sweep before
     double stiffness = 0;  ///< of the blocks against the contact [N/m per metre]
     bool turning = false;  ///< slip was about to reverse and is tried as stick; not a state to end in
@@ -129,7 +131,7 @@ class Formulation {
   Progress& follow(const Trial& trial, int index, const Support& s);
 
   /// State and admissible force from those that would act if the contact stuck.
-  JointForce judge(Progress& progress, ContactPoint& c, const Eigen::Vector2d& stuck);
+  JointForce judge(int index, ContactPoint& c, const Eigen::Vector2d& stuck);
 
   /// d(resisted gap)/d(slip) of a slipping contact that dilates; else 0.
   [[nodiscard]] double dilation_slope(const ContactPoint& c, const Progress& progress) const;
@@ -138,8 +140,11 @@ class Formulation {
   FormulationSettings settings_;
   std::vector<Progress> contacts_;
   std::vector<Progress> supports_;
+  LaggedBounds bounds_;  ///< while friction lags
 
  private:
+  [[nodiscard]] double shear_bound(const ContactPoint& c) const;
+
   std::vector<ContactMemory> contacts_before_;  ///< as the step began
   std::vector<Support> supports_before_;
   std::atomic<long> state_changes_ = 0;

@@ -18,7 +18,7 @@ constexpr double most_lost = 0.99;
 
 }  // namespace
 
-double InteriorPoint::bound(const ContactPoint& c, const Point& p) const {
+double InteriorPoint::shear_bound(const ContactPoint& c, const Point& p) const {
   const Strength of = strength(c);
   return of.shear_bound(p.normal.force - of.tension);
 }
@@ -27,6 +27,7 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
                           const Held& held) {
   Formulation::begin(trial, matrix, frozen, held);
   points_.assign(contacts_.size(), {});
+  bounds_.begin(contacts_.size());
   scale_n_ = settings_.force_tolerance_n;
   for (const int k : held.contact_ids) scale_n_ = std::max(scale_n_, held.contacts[at(k)].force.cwiseAbs().maxCoeff());
   const bool forces_known = change_n_ < scale_n_;
@@ -39,7 +40,8 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
     const auto balanced = [product](double force) { return Pair{force, product / force}; };
     const double gap = follow(trial, k, c, edge_frame(trial, c)).separation.x();
     p.normal = balanced(gap > motion ? product / gap : std::max(change, c.force.x() + strength(c).tension));
-    const double most = bound(c, p);
+    const double most = shear_bound(c, p);
+    bounds_.set(k, most);
     p.has_friction = most > 0;
     if (!p.has_friction) continue;
     const double least = std::min(most, change);
@@ -62,7 +64,7 @@ Interaction InteriorPoint::contact(const Trial& trial, int index, ContactPoint& 
   if (p.has_friction) {
     const Pair& f = p.forward;
     const Pair& b = p.backward;
-    const double most = bound(c, p);
+    const double most = bounds_[index];
     const double slip = f.lacks(product_) - (most + p.shear - f.force) / f.stiffness() -
                         (b.lacks(product_) - (most - p.shear - b.force) / b.stiffness());
     p.stiffness.y() = 1 / (1 / f.stiffness() + 1 / b.stiffness() + compliance);
@@ -92,7 +94,7 @@ double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
     const Eigen::Vector2d force = p.force - p.stiffness.cwiseProduct(moved);
     p.normal.follow(force.x() - p.normal.force, product_);
     if (!p.has_friction) continue;
-    const double most = bound(c, p);
+    const double most = bounds_[k];
     p.shear_change = force.y() - p.shear;
     p.forward.follow(most + force.y() - p.forward.force, product_);
     p.backward.follow(most - force.y() - p.backward.force, product_);
@@ -131,6 +133,8 @@ double InteriorPoint::follow_correction(const Trial& trial, const Held& held) {
     pair.motion += own * pair.motion_change;
     pair.product_change = 0;
   });
+  const auto allowed = [&](int k) { return shear_bound(held.contacts[at(k)], points_[at(k)]); };
+  bounds_.follow(held.contact_ids, allowed, [](int /*k*/) { return 0.0; });
   product_ = 0;
   return fraction_ = fraction;
 }
@@ -143,7 +147,7 @@ void InteriorPoint::hand_over(const Held& held) const {
     c.multiplier.setZero();
     c.state = ContactState::open;
     if (p.normal.stiffness() > stiffness) {
-      const double most = p.has_friction ? bound(c, p) : 0;
+      const double most = p.has_friction ? shear_bound(c, p) : 0;
       const bool slips = !p.has_friction || std::min(p.forward.stiffness(), p.backward.stiffness()) < stiffness;
       c.multiplier = {p.normal.force - strength(c).tension, std::clamp(p.shear, -most, most)};
       c.state = slips ? ContactState::slip : ContactState::stick;

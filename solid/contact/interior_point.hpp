@@ -81,8 +81,8 @@ class InteriorPoint final : public Formulation {
   void begin_support(const Trial& /*trial*/, int /*k*/, Support& /*s*/) override {}
 
   [[nodiscard]] Strength strength(const ContactPoint& c) const { return laws_[c.law].strength(c.bond, c.bond_length); }
-  /// Bound of shear by the pressure of now.
-  [[nodiscard]] double bound(const ContactPoint& c, const Point& p) const;
+  /// By the pressure of now.
+  [[nodiscard]] double shear_bound(const ContactPoint& c, const Point& p) const;
 
   /// By a whole correction; returns the fraction of it that leaves all positive.
   double find_changes(const Trial& trial, const Held& held);

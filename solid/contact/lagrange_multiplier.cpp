@@ -37,7 +37,7 @@ class LagrangeMultiplier final : public Formulation {
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
     const EdgeFrame edge = edge_frame(trial, c);
     Progress& progress = follow(trial, index, c, edge);
-    const JointForce stuck = judge(progress, c, c.multiplier - c.penalty * progress.separation);
+    const JointForce stuck = judge(index, c, c.multiplier - c.penalty * progress.separation);
     Constraints& constraints = of_contacts_[at(index)];
     constraints.count = 0;
     if (stuck.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};

@@ -30,7 +30,7 @@ class Penalty final : public Formulation {
     const Eigen::Vector2d& apart = progress.separation;
     const Eigen::Vector2d moved = apart - dashpot.start;  // since the start of the step
     const Eigen::Vector2d rate = trial.velocity_factor * moved + dashpot.past_rate;
-    const JointForce force = judge(progress, c, -spring_ * apart - dashpot.coefficient * rate);
+    const JointForce force = judge(index, c, -spring_ * apart - dashpot.coefficient * rate);
     c.elastic_slip = force.state == ContactState::slip ? -force.shear / spring_ : 0;
     if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
     Interaction action = interaction_of(c, edge, apart.y());

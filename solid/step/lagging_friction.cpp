@@ -30,7 +30,7 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
     if (settling_ && reached == Approach::nothing) return false;
   }
   for (int sweep = 0; sweep < scene_.contact.max_iterations; ++sweep) {
-    const bool bounds_stand = formulation_->lag_friction(held);
+    const bool bounds_stand = formulation_->follow_with_friction(held);
     if (!minimize(s, scene_.contact.max_iterations)) return false;
     const Stopwatch watch(profile_.sweeps);
     ++counts_.sweeps;

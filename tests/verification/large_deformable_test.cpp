@@ -67,6 +67,17 @@ TEST(LargeDeformable, AWallOfAThousandDeformableBricksComesToRestAtOnce) {
   EXPECT_LT(std::abs(reaction_error(solid)), 1e-7);
 }
 
+/// Shear that grows at one end of a brick takes load off the other: bounds that follow all the way run to and fro.
+TEST(LargeDeformable, BoundsOfShearThatRunToAndFroAreHeldBack) {
+  auto scene = brick_wall(500);
+  scene.analysis.rigid = scene::Rigid::none;
+  Solid solid(scene);
+  solid.settle({});
+  EXPECT_LT(solid.counts().iterations, 155);  // 183 to 185 where they go all the way
+  EXPECT_LT(worst_against_coulomb(solid, 0.6), 2e-10);
+  EXPECT_LT(std::abs(reaction_error(solid)), 1e-7);
+}
+
 /// All joints slip at once, both ends of each in opposite directions, and the interior point comes nowhere near: sweeps
 /// from there would take up to 4,900 solutions.
 TEST(LargeDeformable, AColumnWhoseJointsAllSlipSettlesWithSofterContacts) {
