@@ -21,21 +21,45 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// At most twenty reports a second: lines "time_s level_m largest_displacement_m" on a pipe, or text for people.
-auto progress_to(int fd, double duration_s) {
-  return [fd, duration_s, last = Clock::time_point(), silent = false](double time_s, double level_m,
-                                                                      double displacement_m) mutable {
-    if (silent) return;
+/// Progress, at most twenty lines a second on a pipe, one in two seconds for people. While the structure settles,
+/// "settling SOLUTIONS"; then "time_s level_m largest_displacement_m".
+class Reports {
+ public:
+  Reports(int fd, double duration_s) : fd_(fd), duration_s_(duration_s) {}
+
+  /// Throws channel::Interrupted once the process has been asked to stop: there is nothing to keep yet.
+  void settling(long solutions) {
+    if (channel::stop_requested()) throw channel::Interrupted("asked to stop while the structure settled");
+    if (!due()) return;
+    write(fd_ >= 0 ? fmt::format("settling {}\n", solutions)
+                   : fmt::format("settling: {} linear systems solved\n", solutions));
+  }
+  void run(double time_s, double level_m, double displacement_m) {
+    if (!due() && begun_ && time_s < duration_s_) return;
+    begun_ = true;
+    write(fd_ >= 0 ? fmt::format("{:.9g} {:.9g} {:.9g}\n", time_s, level_m, displacement_m)
+                   : fmt::format("{:.4g} of {:.4g} s, level {:.4g} m, largest displacement {:.3g} m\n", time_s,
+                                 duration_s_, level_m, displacement_m));
+  }
+
+ private:
+  bool due() {
     const auto now = Clock::now();
-    if (now - last < std::chrono::milliseconds(fd >= 0 ? 50 : 2000) && time_s < duration_s) return;
-    last = now;
-    const std::string line = fd >= 0
-                                 ? fmt::format("{:.9g} {:.9g} {:.9g}\n", time_s, level_m, displacement_m)
-                                 : fmt::format("{:.4g} of {:.4g} s, level {:.4g} m, largest displacement {:.3g} m\n",
-                                               time_s, duration_s, level_m, displacement_m);
-    silent = ::write(fd >= 0 ? fd : STDERR_FILENO, line.data(), line.size()) < 0;  // nobody listens: go on without
-  };
-}
+    if (silent_ || now - last_ < std::chrono::milliseconds(fd_ >= 0 ? 50 : 2000)) return false;
+    last_ = now;
+    return true;
+  }
+  void write(const std::string& line) {
+    // Where nobody listens the run goes on without.
+    silent_ = silent_ || ::write(fd_ >= 0 ? fd_ : STDERR_FILENO, line.data(), line.size()) < 0;
+  }
+
+  int fd_;
+  double duration_s_;
+  Clock::time_point last_ = Clock::now();
+  bool begun_ = false;
+  bool silent_ = false;
+};
 
 double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -77,9 +101,11 @@ FluidReport run_process(SolidProcess process) {
   const std::uint64_t first = process.resume;
   checkpoint::Checkpoints checkpoints(process.folder, "solid", scene.digest, scene.output.checkpoint_every_s);
   if (first == 0) checkpoint::forget(process.folder);
-  solid::output::Recorder recorder(scene, process.folder,
-                                   first == 0 ? results::Begin::anew : results::Begin::where_it_stopped,
-                                   progress_to(process.progress_fd, scene.analysis.duration_s));
+  Reports reports(process.progress_fd, scene.analysis.duration_s);
+  solid::output::Recorder recorder(
+      scene, process.folder, first == 0 ? results::Begin::anew : results::Begin::where_it_stopped,
+      {.run = [&](double time_s, double level_m, double moved_m) { reports.run(time_s, level_m, moved_m); },
+       .settling = [&](long solutions) { reports.settling(solutions); }});
   std::optional<channel::Channel> channel;
   FluidReport report;
   Exchanges exchanges;

@@ -19,10 +19,15 @@ bool Progress::update() {
     pending_.append(buffer, static_cast<std::size_t>(n));
   const auto end = pending_.rfind('\n');
   if (end == std::string::npos) return begun_;
-  begun_ = true;
   const auto previous = end == 0 ? std::string::npos : pending_.rfind('\n', end - 1);
   const std::string line = pending_.substr(previous == std::string::npos ? 0 : previous + 1, end);
   pending_.erase(0, end + 1);
+  long solutions = 0;
+  if (std::sscanf(line.c_str(), "settling %ld", &solutions) == 1) {
+    if (!quiet_) show_settling(solutions);
+    return begun_;
+  }
+  begun_ = true;
   double time_s = 0;
   double level_m = 0;
   double displacement_m = 0;
@@ -30,6 +35,16 @@ bool Progress::update() {
     show(time_s, level_m, displacement_m);
   }
   return begun_;
+}
+
+void Progress::show_settling(long solutions) {
+  if (terminal_) {
+    fmt::print(stderr, "\rsettling: {} linear systems solved\033[K", solutions);
+  } else if (solutions >= next_solutions_) {
+    while (next_solutions_ <= solutions) next_solutions_ *= 2;
+    fmt::print(stderr, "settling: {} linear systems solved\n", solutions);
+  }
+  std::fflush(stderr);
 }
 
 void Progress::show(double time_s, double level_m, double displacement_m) {

@@ -47,8 +47,9 @@ std::string report(const RunResult& result) {
                         number(check["tolerance"]));
   }
   for (const json& skip : s.value("skips", json::array())) text += fmt::format("skipped {}\n", skip.get<std::string>());
-  text += fmt::format("time    {} s of wall time for {} s simulated\n", number(s["wall_time_s"]),
-                      number(s.value("simulated_s", json())));
+  const json simulated = s.value("simulated_s", json());
+  text += fmt::format("time    {} s of wall time{}\n", number(s["wall_time_s"]),
+                      simulated.is_null() ? "" : fmt::format(" for {} s simulated", number(simulated)));
   text += fmt::format("results {} (blocks.pvd opens in ParaView; \"blockweir plot {}\" draws figures)\n",
                       result.folder.string(), result.folder.string());
   return text;

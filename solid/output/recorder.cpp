@@ -75,7 +75,9 @@ void Recorder::start(const wire::Load& load) {
   map(load);
   added_mass_.look(load, solid_);
   solve(load, solid_.scene().coupling.window_s, [&] {
-    if (solid_.scene().analysis.start == scene::Start::equilibrium) solid_.settle(water_.at(load.time_s));
+    if (solid_.scene().analysis.start == scene::Start::equilibrium) {
+      solid_.settle(water_.at(load.time_s), [&] { progress_.settling(solid_.counts().iterations); });
+    }
   });
   observe(load, 0);
   last_load_ = load;
@@ -170,7 +172,7 @@ void Recorder::record() {
     vtk_.write(frame_);
     while (next_frame_s_ <= time_s + soon) next_frame_s_ += every.frame_every_s;
   }
-  progress_(time_s, last_load_.upstream_level_m, frame_.largest_displacement_m);
+  progress_.run(time_s, last_load_.upstream_level_m, frame_.largest_displacement_m);
 }
 
 bool Recorder::finished() const {

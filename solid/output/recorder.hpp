@@ -15,8 +15,11 @@ namespace blockweir::solid::output {
 
 class Recorder final : public schedule::SolidSide {
  public:
-  /// `progress` is called now and then with time [s], level [m] and largest displacement [m].
-  using Progress = std::function<void(double, double, double)>;
+  /// Called on the way; what `settling` throws ends the run.
+  struct Progress {
+    std::function<void(double time_s, double level_m, double displacement_m)> run;
+    std::function<void(long solutions)> settling;  ///< of linear systems, so far
+  };
   Recorder(const scene::Scene& scene, const std::filesystem::path& folder, results::Begin begin, Progress progress);
 
   void place(wire::Motion& motion) override;

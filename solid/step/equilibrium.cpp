@@ -204,6 +204,7 @@ bool Solid::solve_linearized(IslandSystem& s) {
     correct_forces(s);
   }
   ++counts_.iterations;
+  if (meanwhile_) meanwhile_();
   if (scene_.contact.measure_condition) {
     counts_.condition_number = std::max(
         counts_.condition_number, condition_number(s.unknown_forces.empty() ? s.system->dense() : s.saddle.dense()));

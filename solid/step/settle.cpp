@@ -56,7 +56,7 @@ double Solid::settling_time_s() const {
   return scene_.analysis.kind == scene::AnalysisKind::at_rest ? scene_.analysis.duration_s : 0;
 }
 
-void Solid::settle(const std::vector<Panel>& water) {
+void Solid::settle(const std::vector<Panel>& water, std::function<void()> meanwhile) {
   constexpr int most_steps = 200;
   const double pseudo_step = pseudo_step_s();
   const double at_rest_m = 1e-13 * size_;
@@ -67,6 +67,7 @@ void Solid::settle(const std::vector<Panel>& water) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) frozen_[b] = fixed[b] || waiting[b];
   const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
   settling_ = true;
+  meanwhile_ = std::move(meanwhile);
   formulation_->settings().joints_held = true;
   // Held joints have no states to find, so that large penalties cost nothing; small ones let a high stack sink by a
   // share of its rows squared.
@@ -121,6 +122,7 @@ void Solid::settle(const std::vector<Panel>& water) {
   formulation_->settings().force_tolerance_n = tolerance_n;
   formulation_->settings().closed_round_offs = closed_round_offs;
   settling_ = false;
+  meanwhile_ = {};
   counts_.steps = 0;
   counts_.solved_islands = 0;  // what sleep saves is counted in steps of the run, which cost less
   profile_.equilibria = 0;

@@ -31,8 +31,9 @@ class Solid {
   explicit Solid(const scene::Scene& scene);
 
   /// Lets weight and first loads settle with all joints held, then releases them: the state at time 0.
-  /// Throws SolveError when no equilibrium is found.
-  void settle(const std::vector<Panel>& water);
+  /// Throws SolveError when no equilibrium is found. `meanwhile` is called after each solution of a linear system; what
+  /// it throws ends the search, and the solid is of no more use.
+  void settle(const std::vector<Panel>& water, std::function<void()> meanwhile = {});
 
   /// What the water that acts in a window answers: the inertia in its forces, for the added-mass guard of dynamic
   /// analyses where the scene has it on, with velocities (u0, v0, r0) of the scene's blocks and the time that it was
@@ -259,7 +260,8 @@ class Solid {
   double time_s_ = 0;  ///< of states_
   Rest rest_;
   bool settling_ = false;
-  Pause whole_law_;  ///< of Coulomb: fails where friction has to lag
+  std::function<void()> meanwhile_;  ///< while it settles
+  Pause whole_law_;                  ///< of Coulomb: fails where friction has to lag
   Sleep sleep_;
 
   // The step at hand.

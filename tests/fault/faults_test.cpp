@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: nlohmann_json::nlohmann_json
+// links: fmt::fmt nlohmann_json::nlohmann_json
 // What goes wrong around the real programs: killed partners, taken and wrong endpoints, folders and disks that take
 // nothing, scenes that do not fit. One clear line, a non-zero status, results so far readable, no orphan.
+#include <fmt/format.h>
+
+#include <fstream>
+
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -39,6 +43,35 @@ TEST_F(Faults, CtrlCEndsBothAndLeavesNoOrphan) {
   EXPECT_EQ(end_of(run, 10), 130) << text("log");
   EXPECT_THAT(text("log"), HasSubstr("STOPPED"));
   EXPECT_FALSE(orphan()) << text("out");
+}
+
+/// A wall of 2,000 deformable bricks without gaps, which takes seconds: progress before it stands, and no waiting.
+TEST_F(Faults, CtrlCWhileTheStructureSettlesEndsItAtOnce) {
+  std::string scene =
+      "title = \"wall\"\n[analysis]\nduration_s = 1\nstep_s = 0.01\nrigid = "
+      "\"none\"\n[material.rock]\nyoungs_modulus_pa = 20e9\n"
+      "poissons_ratio = 0.2\ndensity_kg_per_m3 = 2400\n[joint]\nfriction_angle_deg = 31\n"
+      "[[block]]\nname = \"ground\"\nmaterial = \"rock\"\nfixed = true\n"
+      "vertices_m = [[-5, -1], [65, -1], [65, 0], [-5, 0]]\n";
+  for (int row = 0; row < 36; ++row) {
+    for (int i = 0; i < 56; ++i) {
+      const double x = row % 2 == 0 ? i : i + 0.5;
+      const double y = 0.5 * row;
+      scene += fmt::format(
+          "[[block]]\nname = \"{}, {}\"\nmaterial = \"rock\"\nvertices_m = [[{}, {}], [{}, {}], [{}, {}], [{}, {}]]\n",
+          row, i, x, y, x + 1, y, x + 1, y + 0.5, x, y + 0.5);
+    }
+  }
+  std::ofstream(folder / "wall.toml") << scene;
+  const pid_t run = start(programs + "/blockweir run wall.toml --out o", "log");
+  const auto settles = [&] { return text("log").find("settling: ") != std::string::npos; };
+  for (int wait = 0; wait < 600 && !settles(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  ASSERT_TRUE(settles()) << text("log");
+  kill(run, SIGINT);
+  EXPECT_EQ(end_of(run, 5), 130) << text("log");
+  EXPECT_THAT(text("o/solid.log"), HasSubstr("asked to stop while the structure settled"));
+  EXPECT_THAT(nlohmann::json::parse(text("o/summary.json"))["stopped"].get<std::string>(),
+              HasSubstr("stopped on request"));
 }
 
 /// From before its processes start until after they have ended.

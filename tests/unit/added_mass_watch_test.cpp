@@ -138,7 +138,7 @@ class Recorded : public testing::Test {
 
 TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
   const auto scene = two_blocks();
-  Recorder recorder(scene, folder_, results::Begin::anew, [](double, double, double) {});
+  Recorder recorder(scene, folder_, results::Begin::anew, {[](double, double, double) {}, [](long) {}});
   wire::Motion motion;
   recorder.start(load_of({}, {}));
   recorder.place(motion);
@@ -152,7 +152,7 @@ TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
 TEST_F(Recorded, ARunIsRefusedAtItsFirstLoad) {
   auto scene = two_blocks();
   scene.coupling.added_mass_guard = false;
-  Recorder recorder(scene, folder_, results::Begin::anew, [](double, double, double) {});
+  Recorder recorder(scene, folder_, results::Begin::anew, {[](double, double, double) {}, [](long) {}});
   EXPECT_THROW(recorder.start(load_of({3 * mass, 0, 0, 0, 0, 0}, {})), std::runtime_error);
 }
 
