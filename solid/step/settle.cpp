@@ -56,6 +56,19 @@ double Solid::settling_time_s() const {
   return scene_.analysis.kind == scene::AnalysisKind::at_rest ? scene_.analysis.duration_s : 0;
 }
 
+Solid::Standing Solid::standing() const {
+  return {states_, start_, contacts_, supports_, bolts_};
+}
+
+void Solid::stand_as(const Standing& before) {
+  states_ = before.states;
+  start_ = before.start;
+  contacts_ = before.contacts;
+  supports_ = before.supports;
+  bolts_ = before.bolts;
+  contacts_stand_ = false;
+}
+
 void Solid::settle(const std::vector<Panel>& water, std::function<void()> meanwhile) {
   constexpr int most_steps = 200;
   const double pseudo_step = pseudo_step_s();
@@ -145,11 +158,7 @@ void Solid::settle(const std::vector<Panel>& water, std::function<void()> meanwh
 /// structure that does not is on the move already: it starts from the held state.
 void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   constexpr int most_steps = 200;
-  const auto states = states_;
-  const auto start = start_;
-  const auto contacts = contacts_;
-  const auto supports = supports_;
-  const auto bolts = bolts_;
+  const Standing held = standing();
   const double at_rest_m = 1e-12 * size_;
   const double shortest = 1e-4 * pseudo_step;
   const double moving = 1e-4 * scene_.analysis.gravity_m_per_s2;
@@ -192,21 +201,12 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
     if (longer <= dt || longer < failed || !as_long.skips()) dt = longer;
   }
   if (acceleration < moving) return;
-  states_ = states;
-  contacts_stand_ = false;
-  start_ = start;
-  contacts_ = contacts;
-  supports_ = supports;
-  bolts_ = bolts;
+  stand_as(held);
 }
 
 /// Second-order schemes need the acceleration that the run starts with: a step of Shi's scheme, undone, gives it.
 void Solid::start_acceleration(const std::vector<Panel>& water, double from_s) {
-  const auto states = states_;
-  const auto start = start_;
-  const auto contacts = contacts_;
-  const auto supports = supports_;
-  const auto bolts = bolts_;
+  const Standing before = standing();
   const Newmark scheme = std::exchange(newmark_, Newmark{});
   const double dt = 1e-2 * scene_.analysis.step_s;
   matrices_dt_ = -1;
@@ -214,12 +214,7 @@ void Solid::start_acceleration(const std::vector<Panel>& water, double from_s) {
   auto first = states_;
   newmark_ = scheme;
   matrices_dt_ = -1;
-  states_ = states;
-  contacts_stand_ = false;
-  start_ = start;
-  contacts_ = contacts;
-  supports_ = supports;
-  bolts_ = bolts;
+  stand_as(before);
   if (!solved) return;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     states_[b].acceleration = first[b].acceleration;

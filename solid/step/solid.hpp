@@ -141,6 +141,17 @@ class Solid {
     [[nodiscard]] bool in(const Parts& parts, const Island& island) const;
   };
 
+  /// What steps that are to be undone change.
+  struct Standing {
+    std::vector<BlockState> states;
+    std::vector<Placement> start;
+    std::vector<ContactPoint> contacts;
+    std::vector<Support> supports;
+    std::vector<Bolt> bolts;
+  };
+  [[nodiscard]] Standing standing() const;
+  void stand_as(const Standing& before);
+
   void follow_states(std::vector<KeptFactors> kept);
   [[nodiscard]] std::vector<KeptFactors> kept_factors() const;
   void bond_touching_contacts();
