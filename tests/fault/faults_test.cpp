@@ -47,12 +47,24 @@ TEST_F(Faults, CtrlCEndsBothAndLeavesNoOrphan) {
 
 /// A wall of 2,000 deformable bricks without gaps, which takes seconds: progress before it stands, and no waiting.
 TEST_F(Faults, CtrlCWhileTheStructureSettlesEndsItAtOnce) {
-  std::string scene =
-      "title = \"wall\"\n[analysis]\nduration_s = 1\nstep_s = 0.01\nrigid = "
-      "\"none\"\n[material.rock]\nyoungs_modulus_pa = 20e9\n"
-      "poissons_ratio = 0.2\ndensity_kg_per_m3 = 2400\n[joint]\nfriction_angle_deg = 31\n"
-      "[[block]]\nname = \"ground\"\nmaterial = \"rock\"\nfixed = true\n"
-      "vertices_m = [[-5, -1], [65, -1], [65, 0], [-5, 0]]\n";
+  std::string scene = R"(
+title = "wall"
+[analysis]
+duration_s = 1
+step_s = 0.01
+rigid = "none"
+[material.rock]
+youngs_modulus_pa = 20e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2400
+[joint]
+friction_angle_deg = 31
+[[block]]
+name = "ground"
+material = "rock"
+fixed = true
+vertices_m = [[-5, -1], [65, -1], [65, 0], [-5, 0]]
+)";
   for (int row = 0; row < 36; ++row) {
     for (int i = 0; i < 56; ++i) {
       const double x = row % 2 == 0 ? i : i + 0.5;
