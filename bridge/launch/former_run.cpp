@@ -13,6 +13,11 @@ bool is_run(const fs::path& folder) {
   return fs::exists(scene_of(folder), unreadable) && fs::exists(folder / "solid.log", unreadable);
 }
 
+bool has_frames(const fs::path& folder) {
+  std::error_code unreadable;
+  return fs::exists(folder / "blocks.pvd", unreadable);
+}
+
 bool is_anothers(const fs::path& folder) {
   std::error_code unreadable;
   const fs::directory_iterator contents(folder, unreadable);

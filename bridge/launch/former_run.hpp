@@ -11,6 +11,9 @@ namespace blockweir::launch {
 /// Whether a run has written there.
 [[nodiscard]] bool is_run(const std::filesystem::path& folder);
 
+/// Whether a run has come so far there that there is something to look at.
+[[nodiscard]] bool has_frames(const std::filesystem::path& folder);
+
 /// Does the folder hold what no run has written? What is no folder at all is make_folder's to refuse.
 [[nodiscard]] bool is_anothers(const std::filesystem::path& folder);
 

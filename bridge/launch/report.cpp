@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bridge/launch/figure.hpp"
+#include "bridge/launch/former_run.hpp"
 #include "bridge/launch/run.hpp"
 
 namespace blockweir::launch {
@@ -50,8 +51,11 @@ std::string report(const RunResult& result) {
   const json simulated = s.value("simulated_s", json());
   text += fmt::format("time    {} s of wall time{}\n", number(s["wall_time_s"]),
                       simulated.is_null() ? "" : fmt::format(" for {} s simulated", number(simulated)));
-  text += fmt::format("results {} (blocks.pvd opens in ParaView; \"blockweir plot {}\" draws figures)\n",
-                      result.folder.string(), result.folder.string());
+  const std::string folder = result.folder.string();
+  text += fmt::format("results {} {}\n", folder,
+                      has_frames(result.folder)
+                          ? fmt::format("(blocks.pvd opens in ParaView; \"blockweir plot {}\" draws figures)", folder)
+                          : "(without a frame; solid.log has the solid's own words)");
   return text;
 }
 

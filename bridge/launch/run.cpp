@@ -60,7 +60,10 @@ bool is_full(const fs::path& folder) {
 /// The first failure in time is the cause; what the others say of it is its echo. A process that was killed says
 /// nothing itself.
 std::string first_trouble(const Supervised& supervised, const fs::path& folder) {
-  if (supervised.interrupted) return "stopped on request; the results so far stand";
+  if (supervised.interrupted) {
+    return has_frames(folder) ? "stopped on request; the results so far stand"
+                              : "stopped on request before its first frame";
+  }
   if (supervised.overdue) return "still running when its time was over";
   for (const ChildEnd& end : supervised.ends) {
     if (end.exit_code > 128) return fmt::format("the {} process was ended by signal {}", end.name, end.exit_code - 128);

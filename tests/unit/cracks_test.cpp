@@ -118,11 +118,16 @@ TEST(Cracks, AreTheSameFarFromTheOrigin) {
   for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(there[i].length_m, here[i].length_m, 1e-6) << i;
 }
 
-/// All pairs of 900 blocks take 26 s.
+/// Those of 3,000 blocks take less than those of a tenth as many take by all pairs.
 TEST(Cracks, OfThousandsOfJointsAreFoundAtOnce) {
-  const auto start = std::chrono::steady_clock::now();
-  EXPECT_GT(find_cracks(rubble(60, 50, 1)).size(), 100U);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  const auto seconds = [](const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_FALSE(work().empty());
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const scene::Scene many = rubble(60, 50, 1);
+  const scene::Scene few = rubble(20, 15, 1);
+  EXPECT_LT(seconds([&] { return find_cracks(many); }), seconds([&] { return cracks_by_all_pairs(few, 1e-6); }));
 }
 
 }  // namespace

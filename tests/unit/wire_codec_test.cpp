@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_channel
 // Messages survive the wire; what is no message, or says what cannot be, is refused by name.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -44,11 +46,12 @@ Load sample() {
           .added_mass = {{}, {4e4, -1, 2e5, 3e3, 0.5, 1e6}}};
 }
 
-std::string refusal(const Load& load) {
-  const Sent sent(load);
-  Load into;
+template <class Message>
+std::string refusal(const Message& message) {
+  const Sent sent(message);
+  Message into;
   try {
-    EXPECT_EQ(verify(sent.frame()), Kind::load);
+    verify(sent.frame());
     decode(sent.frame(), into);
   } catch (const BadMessage& bad) {
     const Keeper here(&sent, [](const void*) {});
@@ -132,6 +135,19 @@ TEST(Codec, MotionArrivesAsItWasSent) {
   decode(Sent(sent).frame(), got);
   EXPECT_EQ(got.displacement, sent.displacement);
   EXPECT_EQ(got.velocity, sent.velocity);
+}
+
+TEST(Codec, AMotionOfAnotherOrderIsRefused) {
+  EXPECT_EQ(refusal(Motion{.window = 3, .order = static_cast<Order>(9)}), "order 9 in window 3");
+}
+
+TEST(Codec, AMotionAtNoTimeIsRefused) {
+  EXPECT_EQ(refusal(Motion{.window = 3, .time_s = std::nan("")}), "time is nan in window 3");
+}
+
+TEST(Codec, DisplacementsAndVelocitiesOfUnequalNumberAreRefused) {
+  EXPECT_EQ(refusal(Motion{.window = 3, .displacement = {{}, {}}, .velocity = {{}}}),
+            "2 displacements and 1 velocities");
 }
 
 TEST(Codec, APressureThatIsNotANumberIsNamed) {
@@ -308,6 +324,35 @@ void read(const std::vector<std::uint8_t>& bytes) {
   const Part frame{bytes.data(), bytes.size()};
   Load into;
   if (verify(frame) == Kind::load) decode(frame, into);
+}
+
+/// What a reader says of bytes that stand before a sound checksum.
+std::string refusal_of_table(const std::uint8_t* table, std::size_t size) {
+  const std::array<std::uint64_t, 2> trailer{0, checksum(table, size)};
+  std::vector<std::uint8_t> bytes(table, table + size);
+  const auto* end = reinterpret_cast<const std::uint8_t*>(trailer.data());
+  bytes.insert(bytes.end(), end, end + sizeof trailer);
+  try {
+    read(bytes);
+  } catch (const BadMessage& bad) {
+    return bad.what();
+  }
+  return "";
+}
+
+TEST(Codec, WhatHoldsNoTableIsRefused) {
+  const std::vector<std::uint8_t> noise(24, 0xa5);
+  EXPECT_EQ(refusal_of_table(noise.data(), noise.size()),
+            fmt::format("40 bytes that are not a message of protocol {}", protocol_version));
+  const std::vector<std::uint8_t> frame = sound_frame();
+  EXPECT_THAT(refusal_of_table(frame.data(), 0), testing::StartsWith("16 bytes that are damaged, or not of protocol"));
+}
+
+TEST(Codec, ATableWithoutAMessageIsRefused) {
+  flatbuffers::FlatBufferBuilder builder;
+  buffer::FinishEnvelopeBuffer(builder, buffer::CreateEnvelope(builder));
+  EXPECT_EQ(refusal_of_table(builder.GetBufferPointer(), builder.GetSize()),
+            fmt::format("a message of {} bytes without a known body", builder.GetSize() + 16));
 }
 
 TEST(Codec, EveryFlippedBitIsSeen) {
