@@ -86,15 +86,17 @@ class AugmentedLagrangian final : public Formulation {
     return most;
   }
 
-  /// Gaps of round-off size are left out of multipliers: the penalty times these is what friction would be out by.
-  void keep_slip_forces(const Trial& trial, const Held& held) override {
+  /// What a sweep has left in multipliers for gaps of round-off size to take, bounds that have moved since, and
+  /// penalties that were higher then would make other forces of the same gaps.
+  void keep_forces(const Trial& trial, const Held& held) override {
     for_each(held.contact_ids.size(), [&](std::size_t i) {
       const int k = held.contact_ids[i];
       ContactPoint& c = held.contacts[at(k)];
-      if (c.state != ContactState::slip) return;
       Progress& progress = follow(trial, k, c, edge_frame(trial, c));
-      c.multiplier = {c.force.x() + c.penalty * progress.separation.x(), c.force.y()};
       progress.slip_force = c.force.y();
+      c.multiplier = c.force;
+      if (c.state != ContactState::open) c.multiplier.x() += c.penalty * progress.separation.x();
+      if (c.state == ContactState::stick) c.multiplier.y() += c.penalty * progress.separation.y();
     });
   }
 

@@ -53,8 +53,8 @@ class Formulation {
   virtual void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
                      const Held& held);
 
-  /// What slips begins with the force that it ended the step before with, to the last digit.
-  virtual void keep_slip_forces(const Trial& /*trial*/, const Held& /*held*/) {}
+  /// Contacts begin with the forces that they ended the step before with, to the last digit.
+  virtual void keep_forces(const Trial& /*trial*/, const Held& /*held*/) {}
 
   /// Admissible force of contact `index` at the trial positions, with its linearization; sets the contact's state. May
   /// be asked for several contacts at a time.

@@ -171,9 +171,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   for (const IslandSystem& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
     const Held held = held_by(s);
     formulation_->begin(at_start(), matrix_, frozen_, held);
-    // While a structure settles, steps and penalties are others each time.
-    if (s.unknowns->total > large_island && end_s != settling_time_s())
-      formulation_->keep_slip_forces(at_start(), held);
+    if (s.unknowns->total > large_island) formulation_->keep_forces(at_start(), held);
   }
   for (IslandSystem& island : islands_) {
     island.asleep = may_sleep(island);

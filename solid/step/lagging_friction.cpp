@@ -18,7 +18,7 @@ namespace blockweir::solid {
 /// its neighbours, and brings the states back with which Newton's method began.
 bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
   const Held held = held_by(s);
-  constexpr int few_solutions = 5;
+  constexpr int few_solutions = 3;
   formulation_->lag_friction(held);
   // A step after one whose friction lagged begins with its states, or nearly so.
   const bool goes_on = whole_law_.after_failure();
@@ -42,7 +42,8 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
 
 /// Where hundreds of contacts slip or open at once, Newton's method would look for their states by hundreds of
 /// solutions. What this leaves undone, Newton's method or sweeps do; where it does not get near they begin as without
-/// it. Among thousands of deformable bricks some contacts with next to no force on them go to and fro: it stops there.
+/// it. Among thousands of deformable bricks some contacts with next to no force on them go to and fro: it goes back to
+/// where it was nearest.
 /// Forces of the step before will change by about `change_n`.
 Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
   constexpr int most_solutions = 200;
@@ -55,17 +56,26 @@ Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
   double first = method.scale_n();
   formulation_.swap(other);
   Eigen::VectorXd way = Eigen::VectorXd::Zero(s.unknowns->total);
+  Eigen::VectorXd best = way;  // where least was left
   double least = std::numeric_limits<double>::infinity();
-  int since = 0;  // solutions that have not halved what is left
+  double halved = least;
+  int since = 0;  // solutions that have not halved that again
   Approach reached = Approach::nothing;
   for (int solutions = 0; solutions < most_solutions; ++solutions) {
     const double left = unbalanced(s);
     if (solutions == 0) first = std::max(first, left);
-    since = left <= least / 2 ? 0 : since + 1;
-    if (since == 0) least = left;
-    const double tolerance = method.settings().force_tolerance_n;
-    reached = left <= tolerance ? Approach::states : left <= near * first ? Approach::near : Approach::nothing;
-    const bool done = reached == Approach::states || (reached == Approach::near && since == patience);
+    since = left <= halved / 2 ? 0 : since + 1;
+    if (since == 0) halved = left;
+    if (left < least) {
+      least = left;
+      const double tolerance = method.settings().force_tolerance_n;
+      reached = left <= tolerance ? Approach::states : left <= near * first ? Approach::near : Approach::nothing;
+      if (reached != Approach::nothing) {
+        best = way;
+        method.hand_over(held);
+      }
+    }
+    const bool done = reached == Approach::states || (reached == Approach::near && since >= patience);
     if (done || !(left <= 1e6 * first) || !solve_linearized(s)) break;
     move(s, 1);
     method.predict(trial(), held);
@@ -79,12 +89,8 @@ Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
     way += fraction * s.correction;
   }
   formulation_.swap(other);
-  if (reached == Approach::nothing) {
-    s.correction = way;
-    move(s, -1);
-  } else {
-    method.hand_over(held);
-  }
+  s.correction = best - way;
+  move(s, 1);
   return reached;
 }
 

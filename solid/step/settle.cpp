@@ -129,11 +129,11 @@ void Solid::settle(const std::vector<Panel>& water, std::function<void()> meanwh
 
   formulation_->settings().joints_held = false;
   formulation_->settings().penalty_ratio = penalty_ratio;
+  formulation_->settings().closed_round_offs = closed_round_offs;
   relax(pseudo_step, water);
   whole_law_ = {};  // a step of the run is shorter by far
   formulation_->settings().initial_penalty = initial_penalty;
   formulation_->settings().force_tolerance_n = tolerance_n;
-  formulation_->settings().closed_round_offs = closed_round_offs;
   settling_ = false;
   meanwhile_ = {};
   counts_.steps = 0;
