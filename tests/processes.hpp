@@ -18,20 +18,16 @@
 #include <string>
 #include <thread>
 
+#include "tests/own_folder.hpp"
+
 namespace blockweir::test {
 
 namespace fs = std::filesystem;
 inline const std::string programs = BLOCKWEIR_PROGRAMS;
 inline const std::string cases = std::string(BLOCKWEIR_SOURCE) + "/cases/";
 
-class Processes : public testing::Test {
+class Processes : public OwnFolder {
  protected:
-  Processes() {
-    std::string name = (fs::temp_directory_path() / "blockweir-test-XXXXXX").string();
-    folder = mkdtemp(name.data());
-  }
-  ~Processes() override { fs::remove_all(folder); }
-
   [[nodiscard]] std::string text(const std::string& file) const {
     std::ostringstream all;
     all << std::ifstream(folder / file).rdbuf();
@@ -87,8 +83,6 @@ class Processes : public testing::Test {
     }
     return false;
   }
-
-  fs::path folder;
 };
 
 }  // namespace blockweir::test

@@ -5,12 +5,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "solid/output/recorder.hpp"
+#include "tests/own_folder.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -124,21 +124,19 @@ TEST(AddedMassWatch, WhatIsNoInertiaIsRefused) {
   EXPECT_EQ(refusal(two_blocks(), load), "the fluid process says added masses of 2 blocks, the scene has 3");
 }
 
-/// A run's results, gone with it.
-class Recorded : public testing::Test {
+/// A run's results.
+class Recorded : public test::OwnFolder {
  protected:
-  Recorded() { std::filesystem::create_directories(folder_ / "frames"); }
-  ~Recorded() override { std::filesystem::remove_all(folder_); }
+  Recorded() { std::filesystem::create_directories(folder / "frames"); }
   [[nodiscard]] nlohmann::json summary() const {
-    std::ifstream stream(folder_ / "summary.json");
+    std::ifstream stream(folder / "summary.json");
     return nlohmann::json::parse(stream);
   }
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("added-mass-" + std::to_string(::getpid()));
 };
 
 TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
   const auto scene = two_blocks();
-  Recorder recorder(scene, folder_, results::Begin::anew, {[](double, double, double) {}, [](long) {}});
+  Recorder recorder(scene, folder, results::Begin::anew, {[](double, double, double) {}, [](long) {}});
   wire::Motion motion;
   recorder.start(load_of({}, {}));
   recorder.place(motion);
@@ -152,7 +150,7 @@ TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
 TEST_F(Recorded, ARunIsRefusedAtItsFirstLoad) {
   auto scene = two_blocks();
   scene.coupling.added_mass_guard = false;
-  Recorder recorder(scene, folder_, results::Begin::anew, {[](double, double, double) {}, [](long) {}});
+  Recorder recorder(scene, folder, results::Begin::anew, {[](double, double, double) {}, [](long) {}});
   EXPECT_THROW(recorder.start(load_of({3 * mass, 0, 0, 0, 0, 0}, {})), std::runtime_error);
 }
 

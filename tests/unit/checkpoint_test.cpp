@@ -11,6 +11,7 @@
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/schedule/windows.hpp"
+#include "tests/own_folder.hpp"
 
 namespace blockweir {
 namespace {
@@ -31,13 +32,8 @@ TEST(Archive, GivesBackWhatItTook) {
   EXPECT_THROW(checkpoint::unpack(bytes.substr(0, bytes.size() - 1), vectors_back, names_back), cereal::Exception);
 }
 
-class Files : public testing::Test {
+class Files : public test::OwnFolder {
  protected:
-  Files() {
-    std::string name = (fs::temp_directory_path() / "blockweir-test-XXXXXX").string();
-    folder = mkdtemp(name.data());
-  }
-  ~Files() override { fs::remove_all(folder); }
   static std::string refusal(const Checkpoints& checkpoints, std::uint64_t window) {
     try {
       static_cast<void>(checkpoints.read(window));
@@ -46,7 +42,6 @@ class Files : public testing::Test {
     }
     return "";
   }
-  fs::path folder;
 };
 
 TEST_F(Files, TheLastTwoAreKept) {

@@ -12,21 +12,14 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "tests/own_folder.hpp"
+
 namespace blockweir::results {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Folder : public testing::Test {
- protected:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "blockweir-test-XXXXXX").string();
-    folder = mkdtemp(name.data());
-  }
-  ~Folder() override { fs::remove_all(folder); }
-
-  fs::path folder;
-};
+using Folder = test::OwnFolder;
 
 std::string refusal(const std::function<void()>& work) {
   try {

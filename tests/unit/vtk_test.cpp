@@ -19,6 +19,7 @@
 
 #include "solid/output/history_writer.hpp"
 #include "solid/output/vtk_writer.hpp"
+#include "tests/own_folder.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -48,15 +49,7 @@ vtkUnstructuredGrid* read(vtkXMLUnstructuredGridReader* reader, const fs::path& 
   return reader->GetOutput();
 }
 
-class VtkFiles : public testing::Test {
- protected:
-  VtkFiles() {
-    std::string name = (fs::temp_directory_path() / "blockweir-vtk-XXXXXX").string();
-    folder = mkdtemp(name.data());
-  }
-  ~VtkFiles() override { fs::remove_all(folder); }
-  fs::path folder;
-};
+using VtkFiles = test::OwnFolder;
 
 TEST_F(VtkFiles, AreReadBackToTheBit) {
   VtkWriter writer(folder);

@@ -51,7 +51,7 @@ std::string refusal(const Message& message) {
   const Sent sent(message);
   Message into;
   try {
-    verify(sent.frame());
+    EXPECT_EQ(verify(sent.frame()), (std::is_same_v<Message, Load> ? Kind::load : Kind::motion));
     decode(sent.frame(), into);
   } catch (const BadMessage& bad) {
     const Keeper here(&sent, [](const void*) {});
