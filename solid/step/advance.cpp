@@ -241,7 +241,7 @@ bool Solid::accept(double dt, double end_s) {
     start_[b] = placement_[b];
   });
   follow_triangles();
-  sleep_.look(blocks_, states_, external_, dt);
+  sleep_.look(blocks_, increment_, external_, dt);
   ++counts_.steps;
   return any_slips;
 }

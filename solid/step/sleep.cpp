@@ -7,17 +7,14 @@
 
 namespace blockweir::solid {
 
-void Sleep::look(const std::vector<Block>& blocks, const std::vector<BlockState>& states,
+void Sleep::look(const std::vector<Block>& blocks, const std::vector<Vector6>& increments,
                  const std::vector<Vector6>& external, double dt) {
-  constexpr double still = 1e-12;
-  constexpr double inertia_m_per_s2 = 1e-7 * 9.81;
+  const double still_m = 1e-12 * size_;
+  const double held_m = std::min(still_m, 1e-7 * 9.81 * dt * dt / 2);
   for_each(blocks.size(), [&](std::size_t b) {
-    const auto fastest = [&](const Vector6& rate) {
-      if (blocks[b].is_part()) return rate.cwiseAbs().maxCoeff();  // of its corners
-      return std::max(rate.head<2>().cwiseAbs().maxCoeff(), blocks[b].radius * rate.tail<4>().cwiseAbs().maxCoeff());
-    };
-    const bool rests = dt * fastest(states[b].velocity) <= still * size_ &&
-                       (blocks[b].fixed || fastest(states[b].acceleration) <= inertia_m_per_s2);
+    const double moved_m = std::max(increments[b].head<2>().cwiseAbs().maxCoeff(),
+                                    blocks[b].radius * increments[b].tail<4>().cwiseAbs().maxCoeff());
+    const bool rests = moved_m <= (blocks[b].fixed ? still_m : held_m);
     if (!rests) {
       rests_[b] = 0;
     } else if (++rests_[b] == long_enough) {

@@ -8,15 +8,17 @@
 
 namespace blockweir::solid {
 
-/// A block rests while a step moves no vertex by more than 1e-12 of the model and its inertia is below 1e-7 of its
-/// weight at 1 g; after three such steps it may sleep, until its load differs from that under which it fell asleep. The
-/// second bound keeps a block awake that has just been released: at very short steps it hardly moves either.
+/// A block rests while a step moves no vertex by more than 1e-12 of the model, and by no more than 1e-7 of what it
+/// would fall; after three such steps it may sleep, until its load differs from that under which it fell asleep. The
+/// second bound keeps a block awake that has just been released: at very short steps it hardly moves either. Velocities
+/// do not tell: with long steps those of Shi's scheme change sign for hundreds of steps while nothing moves.
 class Sleep {
  public:
   Sleep(std::size_t blocks, double size_m) : rests_(blocks, 0), load_(blocks, Vector6::Zero()), size_(size_m) {}
 
-  /// After an accepted step of length dt under `external`.
-  void look(const std::vector<Block>& blocks, const std::vector<BlockState>& states,
+  /// After an accepted step of length dt that moved the blocks by `increments` (of the centroid [m], rotation, strains)
+  /// under `external`.
+  void look(const std::vector<Block>& blocks, const std::vector<Vector6>& increments,
             const std::vector<Vector6>& external, double dt);
 
   /// Block b does not rest, whatever it seems to have done so far.

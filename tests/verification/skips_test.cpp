@@ -64,6 +64,15 @@ TEST(Skips, SleepingIslandsLeaveTheAnswerAsItIs) {
   EXPECT_LT(largest_difference(with, without), 1e-9);
 }
 
+/// With long steps Shi's scheme lets velocities change sign for hundreds of steps after a load has changed, while the
+/// blocks stand.
+TEST(Skips, ALongStepDoesNotKeepBlocksAwakeThatStand) {
+  auto scene = two_stacks();
+  scene.analysis.step_s = 0.05;
+  scene.point_loads[0].force_x_n_per_m = {.time_s = {0, 0.5, 0.51}, .value = {0, 0, 20}};
+  EXPECT_GT(result_of(scene, 5).counts.slept_islands, 150);  // of two in 100 steps
+}
+
 /// While the stack settles one block waits in the air and one lies on the ground, both with a speed to begin with.
 TEST(Skips, WhatMovesFromTheStartIsNotAsleepWhenTheRestHasSettled) {
   auto scene = empty_scene();
