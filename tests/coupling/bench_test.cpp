@@ -48,6 +48,16 @@ TEST_F(Bench, HasThePointsOfItsCurvesAndTheirPicture) {
   EXPECT_THAT(text("out"), HasSubstr("s as it stands: error"));
 }
 
+TEST_F(Bench, WhatSeemsBetterIsRunBesideTheSceneAsItStands) {
+  write_scene(
+      "[[bench]]\nname = 'trapezoidal'\nset = ['analysis.integrator=trapezoidal']\nkey = 'analysis.step_s'\n"
+      "values = [0.001]\n");
+  ASSERT_EQ(bench(" --set analysis.step_s=1e-5"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("NOT on the front:\n    trapezoidal, analysis.step_s=0.001: error "));
+  ASSERT_EQ(row()["bettered_by"].size(), 1U);
+  EXPECT_LT(row()["bettered_by"][0]["wall_time_beside"], 0.9);
+}
+
 TEST_F(Bench, InShortACurveHasItsEnds) {
   write_scene("[[bench]]\nname = 'step'\nkey = 'analysis.step_s'\nvalues = [0.0025, 0.005, 0.02]\n");
   ASSERT_EQ(bench(" --short"), 0) << text("out");
