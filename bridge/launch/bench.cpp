@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 #include "bridge/launch/bench_figure.hpp"
@@ -19,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using Clock = std::chrono::steady_clock;
 
 /// A point before it has been measured.
 struct Setting {
@@ -127,18 +129,20 @@ class Runs {
   TemporaryFolder scratch_;
 };
 
-/// The runs of a case, all of them once and then again, so that what else the machine does falls on all alike. Long
-/// runs lie between those of a turn: what seems better than the scene as it stands is run again, by turns with it
-/// alone.
+/// The runs of a case, all of them by turns, so that what else the machine does falls on all alike: three turns, and
+/// of short runs up to nine. Long runs lie between those of a turn: what seems better than the scene as it stands is
+/// run again, by turns with it alone.
 class Measured {
  public:
-  Measured(const Case& bench, int repeats) {
+  Measured(const Case& bench, bool brief) {
     const Runs runs(bench);
     for (const Setting& setting : bench.settings)
       points.push_back({setting.curve, setting.key_and_value, std::numeric_limits<double>::infinity(), 0});
     std::vector<std::string> troubles(points.size());
-    if (repeats > 1) (void)runs.of(0);  // the first run after others finds programs and files cold
-    for (int repeat = 0; repeat < repeats; ++repeat) {
+    if (!brief) (void)runs.of(0);  // the first run after others finds programs and files cold
+    const auto begin = Clock::now();
+    const auto is_short = [&] { return Clock::now() - begin < std::chrono::seconds(30); };
+    for (int turn = 0; turn < (brief ? 1 : 3) || (!brief && turn < 9 && is_short()); ++turn) {
       for (std::size_t i = 0; i < points.size(); ++i) {
         if (!troubles[i].empty()) continue;
         const RunResult result = runs.of(i);
@@ -147,7 +151,7 @@ class Measured {
     }
     for (std::size_t i = 1; i < points.size() && troubles.front().empty(); ++i) {
       if (!troubles[i].empty() || (points[i].setting != one_process && !betters(points[i], points.front()))) continue;
-      points[i].beside = runs.beside_the_scene(i, repeats > 1 ? 7 : 1);
+      points[i].beside = runs.beside_the_scene(i, brief ? 1 : 7);
     }
     for (std::size_t i = points.size(); i-- > 0;) {
       if (troubles[i].empty()) continue;
@@ -172,8 +176,7 @@ class Measured {
     figure = check["name"].get<std::string>();
     if (!check["relative_error"].is_number()) return fmt::format("the run has no {}", figure);
     point.error = check["relative_error"].get<double>();
-    point.times_s.push_back(summary["wall_time_s"].get<double>());
-    point.time_s = std::min(point.time_s, point.times_s.back());
+    point.time_s = std::min(point.time_s, summary["wall_time_s"].get<double>());
     return "";
   }
 };
@@ -252,7 +255,7 @@ int bench(const BenchOptions& options) {
   results::make_folder(options.out);
   json rows = json::array();
   try {
-    for (const Case& one : cases) rows.push_back(told(one, Measured(one, options.brief ? 1 : 3), options.out));
+    for (const Case& one : cases) rows.push_back(told(one, Measured(one, options.brief), options.out));
   } catch (const Interrupted&) {
     fmt::print(stderr, "stopped on request\n");
     return 130;

@@ -17,16 +17,9 @@ double seen(double error) {
 }  // namespace
 
 bool betters(const Point& a, const Point& b) {
-  const auto better_in = [&](double a_s, double b_s) {
-    const bool faster = a_s * clearly < b_s && seen(a.error) <= seen(b.error);
-    const bool more_accurate = a_s <= b_s && seen(a.error) * clearly < seen(b.error);
-    return faster || more_accurate;
-  };
-  if (!better_in(a.time_s, b.time_s)) return false;
-  for (std::size_t i = 0; i < std::min(a.times_s.size(), b.times_s.size()); ++i) {
-    if (!better_in(a.times_s[i], b.times_s[i])) return false;
-  }
-  return true;
+  const bool faster = a.time_s * clearly < b.time_s && seen(a.error) <= seen(b.error);
+  const bool more_accurate = a.time_s <= b.time_s && seen(a.error) * clearly < seen(b.error);
+  return faster || more_accurate;
 }
 
 std::vector<std::size_t> front(const std::vector<Point>& points) {

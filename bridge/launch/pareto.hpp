@@ -9,20 +9,18 @@ namespace blockweir::launch {
 
 /// A run of a bench.
 struct Point {
-  std::string curve;              ///< the setting that it belongs to
-  std::string setting;            ///< "key=value"; empty: the scene as it stands
-  double time_s = 0;              ///< least wall time of its repeats
-  double error = 0;               ///< relative, of the scene's first figure
-  std::vector<double> times_s{};  ///< of the repeats, in their order
-  double beside = 0;  ///< its wall time over the scene's as it stands, run by turns with it alone; 0: was not
+  std::string curve;    ///< the setting that it belongs to
+  std::string setting;  ///< "key=value"; empty: the scene as it stands
+  double time_s = 0;    ///< least wall time of its repeats
+  double error = 0;     ///< relative, of the scene's first figure
+  double beside = 0;    ///< its wall time over the scene's as it stands, run by turns with it alone; 0: was not
 };
 
 /// Errors below it are round-off, and equal: what the last digit of a coordinate does, through the penalty, to the
 /// force of a contact. Those of a block on an incline lie between 4e-12 and 3e-10, whatever the step.
 constexpr double round_off = 1e-10;
 
-/// Is `a` faster than `b` at no larger error, or more accurate at no longer time, by more than a tenth: by the least
-/// times and, where repeats were made by turns, in each of them?
+/// Is `a` faster than `b` at no larger error, or more accurate at no longer time, by more than a tenth?
 bool betters(const Point& a, const Point& b);
 
 /// Indices of those that no other is both faster and more accurate than, by time: the Pareto front.

@@ -28,14 +28,4 @@ TEST(Pareto, WhatIsBetteredIsSoClearly) {
   EXPECT_TRUE(betters(at(1, 1e-15), at(1, 1e-9)));
 }
 
-TEST(Pareto, OneSlowRepeatOfTwoEqualRunsMakesNeitherTheBetter) {
-  Point a = at(1, 1e-3);
-  Point b = at(1.2, 1e-3);
-  a.times_s = {1, 1.3, 1.1};
-  b.times_s = {1.2, 1.2, 1.3};
-  EXPECT_FALSE(betters(a, b));
-  b.times_s = {1.2, 1.5, 1.3};
-  EXPECT_TRUE(betters(a, b));
-}
-
 }  // namespace
