@@ -27,12 +27,14 @@ std::string text(const fs::path& file) {
   return all.str();
 }
 
-/// Pressure at a height under water that rises from 21.7 m by 0.1 m/s, for 6 s.
+constexpr double first_level_m = 21.702;
+constexpr double last_level_m = 22.302;  // after 6 s
+
 std::string pressure(double height_m) {
-  const double last_pa = 9810 * (22.3 - height_m);
-  const double wet_from_s = (height_m - 21.7) / 0.1;
+  const double last_pa = 9810 * (last_level_m - height_m);
+  const double wet_from_s = 6 * (height_m - first_level_m) / (last_level_m - first_level_m);
   if (wet_from_s > 0) return fmt::format("{{ table = [[0, 0], [{}, 0], [6, {}]] }}", wet_from_s, last_pa);
-  return fmt::format("{{ table = [[0, {}], [6, {}]] }}", 9810 * (21.7 - height_m), last_pa);
+  return fmt::format("{{ table = [[0, {}], [6, {}]] }}", 9810 * (first_level_m - height_m), last_pa);
 }
 
 std::string face(const char* block, double from_x, double from_y, double to_x, double to_y) {
@@ -44,8 +46,8 @@ std::string face(const char* block, double from_x, double from_y, double to_x, d
 
 /// Example 1 without its water, with what the water of the rising level does to the faces that it wets.
 std::string by_table(const std::string& scene) {
-  return scene.substr(0, scene.find("[water]")) + face("base", 0, 0, 0, 15) + face("top", 0, 15, 0, 21.7) +
-         face("top", 0, 21.7, 0, 22) + face("top", 0, 22, 4, 22);
+  return scene.substr(0, scene.find("[water]")) + face("base", 0, 0, 0, 15) + face("top", 0, 15, 0, first_level_m) +
+         face("top", 0, first_level_m, 0, 22) + face("top", 0, 22, 4, 22);
 }
 
 struct Way {

@@ -85,7 +85,7 @@ TEST_F(Processes, AFastFillingReadsTheLevelToAWindowsRise) {
     const std::string filling =
         " --set 'water.upstream_level_m={from=21.8,rate_per_s=" + std::to_string(rate) + ",to=22.4}'";
     EXPECT_EQ(shell(programs + "/blockweir run " + cases +
-                    "cracked-dam-upper --quiet --out o --set analysis.duration_s=4 "
+                    "cracked-dam-upper --quiet --out o --set analysis.step_s=0.01 --set analysis.duration_s=4 "
                     "--set analysis.stop_at_failure=true" +
                     filling),
               0);

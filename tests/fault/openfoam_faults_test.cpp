@@ -65,7 +65,7 @@ class OpenFoamFaults : public OpenFoam {
   [[nodiscard]] bool coupled(const std::string& log) const {
     for (int wait = 0; wait < 2000; ++wait) {
       const std::string said = text(log);
-      if (said.find("Time = 0.05") != std::string::npos) return true;
+      if (said.find("Time = 0.06") != std::string::npos) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return false;
