@@ -25,7 +25,7 @@ std::vector<const toml::table*> Reading::entries(const char* name) {
   const toml::node* node = file.get(name);
   if (node == nullptr) return {};
   const toml::array* list = node->as_array();
-  if (list == nullptr || !list->is_array_of_tables()) {
+  if (list == nullptr || (!list->empty() && !list->is_array_of_tables())) {
     problems.error(problems.at(node->source()), fmt::format("{} is not a list of sections", name),
                    fmt::format("[[{}]]", name), fmt::format("write each one under a line [[{}]]", name));
     return {};

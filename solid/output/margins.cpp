@@ -16,6 +16,7 @@ struct JointSum {
   double strength = 0;
   double shear = 0;
   double normal = 0;
+  double pressed_or_pulled = 0;  ///< sum of the normal forces' sizes
   Point moment = Point::Zero();  ///< sum of normal force times place
   Point low =
       Point::Constant(std::numeric_limits<double>::infinity());  ///< ends of the joint, as far as contacts reach
@@ -31,6 +32,7 @@ struct JointSum {
     // Shear is counted along the edge of one block: seen from the other it keeps its sign.
     shear += c.force.y();
     normal += c.force.x();
+    pressed_or_pulled += std::abs(c.force.x());
     moment += c.force.x() * place;
   }
   /// Of the resultant from the nearer end, over the joint's length; negative outside.
@@ -57,7 +59,7 @@ void Margins::look(const Solid& solid, double time_s, double level_m) {
     if (std::abs(sum.shear) > negligible * (std::abs(sum.strength) + std::abs(sum.normal))) {
       keep_lowest(sliding_, sum.strength / std::abs(sum.shear));
     }
-    if (sum.normal > 0 && (sum.high - sum.low).norm() > negligible * solid.size_m()) {
+    if (sum.normal > negligible * sum.pressed_or_pulled && (sum.high - sum.low).norm() > negligible * solid.size_m()) {
       keep_lowest(overturning_, sum.end_distance());
     }
   }

@@ -46,6 +46,17 @@ TEST_F(Processes, AStructureThatStandsSaysHowFarItIsFromSlidingAndOverturning) {
   EXPECT_NEAR(margin["overturning"]["end_distance"].get<double>() / 0.0261417, 1, 0.01);
 }
 
+/// What is left of pressure and tension at a wall that holds a beam is round-off, of either sign.
+TEST_F(Processes, ABeamIsNotSaidToOverturnByRoundOff) {
+  for (const std::string size : {"0.5", "0.45", "0.4", "0.35", "0.3", "0.25", "0.2"}) {
+    EXPECT_EQ(shell(programs + "/blockweir run " + cases +
+                    "cantilever --quiet --out o --set block.beam.mesh_size_m=" + size + " --set expect=[]"),
+              0)
+        << text("out");
+    EXPECT_FALSE(nlohmann::json::parse(text("o/summary.json"))["margin"].contains("overturning")) << size;
+  }
+}
+
 TEST_F(Processes, AnExpectedModeIsToldAsAWord) {
   EXPECT_EQ(shell(programs + "/blockweir run " + cases +
                   "incline --quiet --out o --set \"expect=[{quantity='mode',word='overturning'}]\""),
