@@ -14,6 +14,7 @@
 
 #include "bridge/results/stopwatch.hpp"
 #include "solid/solve/linear_system.hpp"
+#include "solid/solve/one_thread.hpp"
 
 namespace blockweir::solid {
 
@@ -110,6 +111,7 @@ class SparseMatrix {
   template <class Solver>
   void factorize(Solver& solver, bool& analysed) {
     const Stopwatch watch(times_.factorization);
+    const OneThread one;
     if (!analysed) solver.analyzePattern(k);
     analysed = true;
     solver.factorize(k);

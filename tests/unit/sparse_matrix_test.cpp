@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <iterator>
+#include <vector>
+
 namespace blockweir::solid {
 namespace {
 
@@ -86,6 +90,33 @@ TEST_P(Kept, FactorsOfAMatrixWithAnotherPatternAreRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Symmetric, Kept, testing::Bool());
+
+std::ptrdiff_t threads_of_this_process() {
+  const std::filesystem::directory_iterator tasks("/proc/self/task");
+  return std::distance(begin(tasks), end(tasks));
+}
+
+/// A plate of springs, of which CHOLMOD makes supernodes: those ask for threads of OpenMP's, who then stay.
+TEST(SparseMatrix, FactorizationsWakeNoThreads) {
+  constexpr int side = 100;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < side * side; ++i) {
+    entries.emplace_back(i, i, 4.1);
+    for (const int j : {i + 1, i + side}) {
+      if (j >= side * side || (j == i + 1 && j % side == 0)) continue;
+      entries.emplace_back(i, j, -1.0);
+      entries.emplace_back(j, i, -1.0);
+    }
+  }
+  SparseMatrix matrix;
+  matrix.set_pattern(side * side, entries);
+  const Eigen::VectorXd f = Eigen::VectorXd::Ones(side * side);
+  Eigen::VectorXd d;
+  const std::ptrdiff_t before = threads_of_this_process();
+  ASSERT_TRUE(matrix.solve(true, f, d));
+  EXPECT_LT((f - matrix.k * d).norm(), 1e-10 * f.norm());
+  EXPECT_EQ(threads_of_this_process(), before);
+}
 
 }  // namespace
 }  // namespace blockweir::solid
