@@ -4,13 +4,15 @@
 #include <cmath>
 #include <tuple>
 
+#include "bridge/scene/at.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/contact/search.hpp"
 
 namespace blockweir::solid {
 
 /// A vertex that touches one edge of a block near a corner lies far behind the next one, which it has never met: only
-/// closed contacts, and of the others the least penetrated, may press from within.
+/// closed contacts, and of the others the least penetrated, may press from within, where it is within. One that lies
+/// beside a block's acute corner is behind the line of an edge there, and in nothing.
 void ContactSearch::drop_edges_seen_from_within() {
   const auto same_vertex = [](const ContactPoint& a, const ContactPoint& b) {
     return a.vertex_block == b.vertex_block && a.vertex == b.vertex && a.edge_block == b.edge_block;
@@ -23,7 +25,8 @@ void ContactSearch::drop_edges_seen_from_within() {
     }
     for (std::size_t i = first; i < end; ++i) {
       const ContactPoint& c = found_[i];
-      if (c.state == ContactState::open && c.gap < -coincidence_ && c.gap < best) continue;
+      const bool new_and_behind = c.state == ContactState::open && c.gap < -coincidence_;
+      if (new_and_behind && (c.gap < best || !encloses(corners_[at(c.edge_block)], vertex_of(c)))) continue;
       inherited_[kept] = inherited_[i];
       found_[kept++] = found_[i];
     }

@@ -17,13 +17,13 @@ scene::Scene two_slabs() {
   return scene;
 }
 
-std::vector<ContactPoint> contacts_within(double reach_m, const scene::Scene& scene = two_slabs()) {
+std::vector<ContactPoint> contacts_within(double reach_m, const scene::Scene& scene = two_slabs(), double size_m = 1) {
   const Parts parts = make_parts(scene);
   const JointLaws laws(scene);
   std::vector<Placement> placements;
   for (const Block& block : parts.blocks) placements.emplace_back(block.centroid, Vector6::Zero());
   std::vector<ContactPoint> contacts;
-  ContactSearch(parts, laws, 1, reach_m, reach_m).update(placements, contacts);
+  ContactSearch(parts, laws, size_m, reach_m, reach_m).update(placements, contacts);
   return contacts;
 }
 
@@ -40,11 +40,12 @@ TEST(ContactSearch, FindsTheSameContactsWhereTheReachIsLongerThanBlocksAreThick)
 }
 
 /// Contacts of two outlines that do not touch.
-std::vector<ContactPoint> contacts_between(const std::vector<Point>& one, const std::vector<Point>& other) {
+std::vector<ContactPoint> contacts_between(const std::vector<Point>& one, const std::vector<Point>& other,
+                                           double size_m = 1) {
   scene::Scene scene = two_slabs();
   scene.blocks[0].vertices = one;
   scene.blocks[1].vertices = other;
-  return contacts_within(0.1, scene);
+  return contacts_within(0.1, scene, size_m);
 }
 
 /// It would be through before it has "entered" by the end of a step.
@@ -58,6 +59,17 @@ TEST(ContactSearch, SeesACornerThatComesToAnEdgeNearItsEnd) {
 TEST(ContactSearch, SeesAcuteCornersOfWhichNeitherFacesAnEdge) {
   const auto contacts = contacts_between({{0.5, 0.02}, {1, 0}, {0.7, 0.6}}, {{1.006, 0}, {1.7, 0.1}, {1.02, 0.5}});
   EXPECT_EQ(contacts.size(), 1U);
+}
+
+/// Two tips on a floor, one 4 um up the other's face: that one lies below it, behind the line of its upper edge, and
+/// would have been pushed out of what it is not in.
+TEST(ContactSearch, ATipBelowAnAcuteCornerIsInNothing) {
+  const std::vector<Point> up{{3.476667424606, 0}, {4.283967922881, 3.964282e-6}, {4.042322402431, 0.459351771125}};
+  const std::vector<Point> below{{5, 0}, {4.820495692035, 0.298590631398}, {4.283960799498, 0}};
+  const auto contacts = contacts_between(up, below, 5);
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(contacts[0].vertex_block, 0);
+  EXPECT_NEAR(contacts[0].gap, 0, 1e-9);
 }
 
 TEST(ContactSearch, LetsCornersPassThatSlideOverEachOther) {
