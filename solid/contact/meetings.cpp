@@ -25,14 +25,20 @@ void ContactSearch::drop_edges_seen_from_within() {
     }
     for (std::size_t i = first; i < end; ++i) {
       const ContactPoint& c = found_[i];
-      const bool new_and_behind = c.state == ContactState::open && c.gap < -coincidence_;
-      if (new_and_behind && (c.gap < best || !encloses(corners_[at(c.edge_block)], vertex_of(c)))) continue;
+      if (c.state == ContactState::open && c.gap < -coincidence_ && (c.gap < best || !overlaps_at(c))) continue;
       inherited_[kept] = inherited_[i];
       found_[kept++] = found_[i];
     }
   }
   found_.resize(kept);
   inherited_.resize(kept);
+}
+
+/// Is the vertex in the edge's block, or through the edge and out of that again?
+bool ContactSearch::overlaps_at(const ContactPoint& c) const {
+  const auto& vertices = corners_[at(c.vertex_block)];
+  const auto& edges = corners_[at(c.edge_block)];
+  return encloses(edges, vertex_of(c)) || pierces(vertices, at(c.vertex), edges, at(c.edge), coincidence_);
 }
 
 const Point& ContactSearch::vertex_of(const ContactPoint& c) const {

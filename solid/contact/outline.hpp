@@ -41,4 +41,24 @@ inline bool encloses(const std::vector<Point>& outline, const Point& p) {
   return inside;
 }
 
+/// Does the body at this corner of an outline reach through an edge of another from its outside, by more than `least`?
+/// Where the other ends in an acute corner it may come out again on its far side.
+inline bool pierces(const std::vector<Point>& outline, std::size_t v, const std::vector<Point>& other, std::size_t edge,
+                    double least) {
+  const Point& from = other[edge];
+  const Point span = other[next(edge, other.size())] - from;
+  const double length = span.norm();
+  const Point t = span / length;
+  const auto outside = [&](const Point& p) { return cross(p - from, t); };
+  const double depth = -outside(outline[v]);
+  if (depth <= least) return false;
+  const auto crosses = [&](std::size_t w) {
+    const double rest = outside(outline[w]);
+    if (rest <= least) return false;
+    const double s = t.dot(outline[v] + depth / (depth + rest) * (outline[w] - outline[v]) - from);
+    return s > least && s < length - least;
+  };
+  return crosses(previous(v, outline.size())) || crosses(next(v, outline.size()));
+}
+
 }  // namespace blockweir::solid

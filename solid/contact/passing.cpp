@@ -2,6 +2,7 @@
 // Corners that the search lets pass each other: has a step taken one into the other's block after all?
 #include <algorithm>
 
+#include "bridge/scene/at.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/contact/search.hpp"
 
@@ -11,9 +12,9 @@ bool ContactSearch::did_enter(const ContactPoint& c) const {
   return std::any_of(entered_.begin(), entered_.end(), [&](const ContactPoint& e) { return e.same_key(c); });
 }
 
-/// Has a vertex of one block entered another? Not while it touches an edge that it may press on.
-bool ContactSearch::within(const std::vector<Point>& vertices, int vertex, const std::vector<Point>& edges) const {
-  const auto v = static_cast<std::size_t>(vertex);
+/// Has a vertex of one block entered another, by this edge? Not while it touches an edge that it may press on.
+bool ContactSearch::within(const std::vector<Point>& vertices, std::size_t v, const std::vector<Point>& edges,
+                           std::size_t edge) const {
   const Point& p = vertices[v];
   bool touches = false;
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -23,7 +24,7 @@ bool ContactSearch::within(const std::vector<Point>& vertices, int vertex, const
     if (faces(vertices, v, Point(span.y(), -span.x()).normalized(), closing)) return false;
     touches = true;
   }
-  return touches || encloses(edges, p);
+  return touches || encloses(edges, p) || pierces(vertices, v, edges, edge, coincidence_);
 }
 
 bool ContactSearch::entered(const std::vector<Placement>& placements) {
@@ -38,7 +39,8 @@ bool ContactSearch::entered(const std::vector<Placement>& placements) {
   for (const ContactPoint& c : passing_) {
     if (c.gap < -coincidence_) continue;  // behind the edge's line all along
     const auto& vertices = outline(c.vertex_block, outlines_[0]);
-    if (within(vertices, c.vertex, outline(c.edge_block, outlines_[1]))) entered_.push_back(c);
+    const auto& edges = outline(c.edge_block, outlines_[1]);
+    if (within(vertices, at(c.vertex), edges, at(c.edge))) entered_.push_back(c);
   }
   if (entered_.size() > before) return true;
   entered_.clear();

@@ -51,13 +51,15 @@ class ContactSearch {
   void refresh_pairs(const std::vector<Placement>& placements);
   void vertices_on_edges(int vertex_block, int edge_block);
   void drop_edges_seen_from_within();
+  [[nodiscard]] bool overlaps_at(const ContactPoint& c) const;
   void keep_one_of_each_meeting();
   [[nodiscard]] const Point& vertex_of(const ContactPoint& c) const;
   [[nodiscard]] std::pair<Point, Point> edge_of(const ContactPoint& c) const;
   [[nodiscard]] int met_vertex(const ContactPoint& c) const;
   [[nodiscard]] bool may_pass(const ContactPoint& c) const;
   [[nodiscard]] bool bound_overlap(const ContactPoint& a, const ContactPoint& b) const;
-  [[nodiscard]] bool within(const std::vector<Point>& vertices, int vertex, const std::vector<Point>& edges) const;
+  [[nodiscard]] bool within(const std::vector<Point>& vertices, std::size_t v, const std::vector<Point>& edges,
+                            std::size_t edge) const;
   [[nodiscard]] bool did_enter(const ContactPoint& c) const;
   [[nodiscard]] Point apart(const std::vector<Placement>& placements, const ContactPoint& c) const;
   void inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old);

@@ -120,6 +120,9 @@ TEST(ContactSearch, SeesAVertexWhoseFaceMayTurnOntoAnEdge) {
 /// Two corners of which neither faces the other's edges, as their search sees them.
 class PassingCorners : public testing::Test {
  protected:
+  explicit PassingCorners(const std::vector<Point>& left = {{-1, -0.5}, {0, 0}, {-1, 0.5}},
+                          const std::vector<Point>& right = {{0.01, 0.004}, {1, -0.5}, {1, 0.5}})
+      : scene_(corners(left, right)) {}
   std::size_t contacts() {
     search_.update(placements_, contacts_);
     return contacts_.size();
@@ -134,13 +137,13 @@ class PassingCorners : public testing::Test {
   }
 
  private:
-  static scene::Scene corners() {
+  static scene::Scene corners(const std::vector<Point>& left, const std::vector<Point>& right) {
     scene::Scene scene = two_slabs();
-    scene.blocks[0].vertices = {{-1, -0.5}, {0, 0}, {-1, 0.5}};
-    scene.blocks[1].vertices = {{0.01, 0.004}, {1, -0.5}, {1, 0.5}};
+    scene.blocks[0].vertices = left;
+    scene.blocks[1].vertices = right;
     return scene;
   }
-  scene::Scene scene_ = corners();
+  scene::Scene scene_;
   Parts parts_ = make_parts(scene_);
   JointLaws laws_{scene_};
   ContactSearch search_{parts_, laws_, 1, 0.1, 0.1};
@@ -161,6 +164,19 @@ TEST_F(PassingCorners, AreOneOnceAStepHasTakenOneIntoTheOther) {
   EXPECT_GE(contacts(), 1U) << "when the step is done again";
   EXPECT_FALSE(entered(-0.02, 0)) << "it is held now";
   EXPECT_EQ(contacts(), 0U) << "in the step that follows";
+}
+
+/// Acute corners that a step takes through each other: neither is in the other's block at its end.
+class CrossingTips : public PassingCorners {
+ protected:
+  CrossingTips()
+      : PassingCorners({{-1, -0.38}, {0, 0}, {-1, 0.2}}, {{0.0058, 0.0048}, {0.7558, 0.6648}, {-0.0492, 1.0048}}) {}
+};
+
+TEST_F(CrossingTips, AreOneOnceAStepHasTakenOneThroughTheOther) {
+  EXPECT_EQ(contacts(), 0U);
+  EXPECT_TRUE(entered(-0.01, -0.0082));
+  EXPECT_GE(contacts(), 1U) << "when the step is done again";
 }
 
 }  // namespace
