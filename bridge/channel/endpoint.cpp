@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 
 #include "bridge/channel/channel.hpp"
 
@@ -48,6 +49,8 @@ void check_endpoint(const std::string& endpoint, bool listens, bool may_come) {
     if (colon < tcp.size() || port.empty() || port.find_first_not_of("0123456789") != std::string::npos) {
       refuse("expected tcp://HOST:PORT");
     }
+    // ZeroMQ would take it modulo 65536.
+    if (port.size() > 5 || std::stoi(port) < 1 || std::stoi(port) > 65535) refuse("expected a port from 1 to 65535");
     if (!may_come && !stays_here(endpoint.substr(tcp.size(), colon - tcp.size()))) {
       throw std::invalid_argument(
           fmt::format("endpoint {}: on a network, whoever reaches it could read along and join; give both sides the "

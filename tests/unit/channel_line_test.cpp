@@ -40,6 +40,9 @@ TEST_F(Line, EndpointsThatCannotBeAreRefused) {
   for (const char* endpoint : {"tcp://", "tcp://localhost", "tcp://localhost:", "tcp://localhost:http"}) {
     EXPECT_THAT(refusal(endpoint), HasSubstr("expected tcp://HOST:PORT")) << endpoint;
   }
+  for (const char* endpoint : {"tcp://localhost:0", "tcp://localhost:65536", "tcp://localhost:99999999999999999999"}) {
+    EXPECT_THAT(refusal(endpoint), HasSubstr("expected a port from 1 to 65535")) << endpoint;
+  }
   EXPECT_THAT(refusal("ipc://" + std::string(200, 'x')),
               HasSubstr("the path has 200 bytes, at most 107 fit a socket; choose a shorter one"));
   EXPECT_THAT(refusal("ipc://" + (folder / "no/line").string(), false), HasSubstr("there is no such folder"));
