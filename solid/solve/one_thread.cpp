@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/solve/one_thread.hpp"
 
-// Of the OpenMP that CHOLMOD was built with (OpenMP 5.1, 3.15 and 3.16); <omp.h> would be the compiler's own.
+// Of the OpenMP that CHOLMOD was built with; <omp.h> would be the compiler's own.
 extern "C" {
 void omp_set_max_active_levels(int levels);
 int omp_get_max_active_levels(void);
