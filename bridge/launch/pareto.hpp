@@ -16,9 +16,8 @@ struct Point {
   double beside = 0;    ///< its wall time over the scene's as it stands, run by turns with it alone; 0: was not
 };
 
-/// Errors below it are round-off, and equal: what the last digit of a coordinate does, through the penalty, to the
-/// force of a contact. Those of a block on an incline lie between 4e-12 and 3e-10, whatever the step.
-constexpr double round_off = 1e-10;
+/// Errors below it are round-off, and equal.
+constexpr double round_off = 1e-12;
 
 /// Is `a` faster than `b` at no larger error, or more accurate at no longer time, by more than a tenth?
 bool betters(const Point& a, const Point& b);

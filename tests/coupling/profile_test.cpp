@@ -10,7 +10,7 @@ using testing::HasSubstr;
 using Profile = Processes;
 
 TEST_F(Profile, IsATreeAndAPictureOfEveryFluidsRun) {
-  for (const std::string scene : {"cracked-dam-upper", "u-tube", "incline"}) {
+  for (const std::string scene : {"cracked-dam-upper", "u-tube", "column"}) {
     SCOPED_TRACE(scene);
     ASSERT_EQ(shell(programs + "/blockweir run " + cases + scene + " --quiet --out o"), 0) << text("out");
     const auto summary = nlohmann::json::parse(text("o/summary.json"));
@@ -31,7 +31,7 @@ TEST_F(Profile, IsATreeAndAPictureOfEveryFluidsRun) {
     EXPECT_GT(summary["peak_memory_mb"]["solid"], 1);
     ASSERT_EQ(shell(programs + "/blockweir profile o"), 0) << text("out");
     EXPECT_THAT(text("out"), testing::AllOf(HasSubstr("contact search"), HasSubstr("MB at most")));
-    if (scene != "incline") {
+    if (scene != "column") {
       EXPECT_GT(summary["profile_s"]["fluid_wait"], 0);
       EXPECT_GT(summary["peak_memory_mb"]["fluid"], 1);
       EXPECT_THAT(text("out"), HasSubstr("waiting for blocks"));

@@ -24,8 +24,8 @@ TEST(Pareto, WhatIsBetteredIsSoClearly) {
   EXPECT_FALSE(betters(at(1, 1e-3), at(1.05, 1e-3)));
   EXPECT_TRUE(betters(at(1, 1e-4), at(1, 1e-3)));
   EXPECT_FALSE(betters(at(1, 1e-4), at(0.9, 1e-3)));
-  EXPECT_FALSE(betters(at(1, 1e-15), at(1, 1e-11))) << "both are round-off";
-  EXPECT_TRUE(betters(at(1, 1e-15), at(1, 1e-9)));
+  EXPECT_FALSE(betters(at(1, 1e-15), at(1, 1e-13))) << "both are round-off";
+  EXPECT_TRUE(betters(at(1, 1e-15), at(1, 1e-11)));
 }
 
 }  // namespace
