@@ -42,14 +42,15 @@ std::string doubt(const Solid& solid, const Failure& f) {
   }
   constexpr double exact = 1e-3;  // of the head
   if (!(f.level_uncertainty_m > exact * f.head_m)) return {};
-  if (f.inertia_m > f.level_uncertainty_m / 2) {
+  if (f.window_rise_m > f.level_uncertainty_m / 2) {
     return fmt::format(
-        "this level depends on the speed of filling: inertia shifts it by up to {:.2g} m; the static level is found by "
-        "filling more slowly, or with kind = \"static\" at single levels",
-        f.inertia_m);
+        "this level is read to {:.2g} m, what it rises by in a window: fill more slowly or shorten window_s",
+        f.level_uncertainty_m);
   }
   return fmt::format(
-      "this level is read to {:.2g} m, what it rises by in a window: fill more slowly or shorten window_s",
+      "this level depends on the speed of filling: while the structure is shaken it is good to {:.2g} m; the static "
+      "level "
+      "is found by filling more slowly, or with kind = \"static\" at single levels",
       f.level_uncertainty_m);
 }
 
