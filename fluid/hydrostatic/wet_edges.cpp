@@ -23,7 +23,7 @@ double exact_end(double s, double surface, double tolerance) {
 }  // namespace
 
 WetEdges::WetEdges(const std::vector<std::vector<Point>>& outlines, double level_m, double growth_m, const Grid& grid)
-    : growth_m_(growth_m), unit_m_(grid.unit_m), tiny_m_(grid.tiny_m) {
+    : level_m_(level_m), growth_m_(growth_m), unit_m_(grid.unit_m), tiny_m_(grid.tiny_m) {
   edges_.reserve(4 * outlines.size());
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     const auto& outline = outlines[k];
@@ -45,7 +45,8 @@ WetEdges::WetEdges(const std::vector<std::vector<Point>>& outlines, double level
 
 void WetEdges::add(const Piece& boundary) {
   const double length = (boundary.to - boundary.from).norm();
-  if (length < tiny_m_) return;
+  const bool surface = std::min(boundary.from.y(), boundary.to.y()) > level_m_ - tiny_m_;
+  if (surface || length < tiny_m_) return;
   std::vector<std::pair<double, double>> found;
   add_near(boundary, 4 * tiny_m_ + 8 * unit_m_ * growth_m_ / length, found);
   // Where blocks have slipped a little past each other, what has been filled lies before the face of one of them.

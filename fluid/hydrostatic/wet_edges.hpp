@@ -51,6 +51,7 @@ class WetEdges {
 
   std::vector<Sunken> edges_;
   std::vector<Part> parts_;
+  double level_m_;
   double growth_m_;
   double unit_m_;
   double tiny_m_;

@@ -117,7 +117,7 @@ class Search {
 
   /// What the grown obstacles leave of the frame: its outer rings and holes.
   [[nodiscard]] cl::Paths water_in(const Ring& frame) const {
-    const Point most = Point::Constant(2 * growth_);  // how far a corner grows, and more
+    const Point most = Point::Constant(3 * growth_);  // how far a corner grows, and more
     const Extent seen(frame[0] - most, frame[2] + most);
     cl::Clipper clipper;
     clipper.AddPath(grid_.units(frame), cl::ptSubject, true);

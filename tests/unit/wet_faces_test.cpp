@@ -80,7 +80,8 @@ TEST(WetFaces, AreTheSameToTheBitWhereverWaterWasExpected) {
 /// A block on its tip, over a plate, on which the structure's crest stands beside it.
 TEST(WetFaces, AGapBetweenACornerAndAFaceIsAsNarrow) {
   const auto breached = [](double gap) {
-    return wet_faces({{{{-4, 0}, {4, 0}, {4, 1}, {-4, 1}}, {{0, 1 + gap}, {3, 4}, {0, 12}, {-3, 4}}}}, Pool::upstream, 6)
+    return wet_faces({{{{-4, 0}, {4, 0}, {4, 1}, {-4, 1}}, {{0, 1 + gap}, {3, 4}, {0, 12}, {-3, 4}}}}, Pool::upstream,
+                     6)
         .breached;
   };
   for (const double gap : {0.0, 0.001, 0.02, 0.049}) EXPECT_FALSE(breached(gap)) << gap;
@@ -106,6 +107,28 @@ TEST(WetFaces, TheStepOfASlipIsWetUpToTheUpperBlock) {
       }
       EXPECT_NEAR(front, 10, 1e-6) << slip << ' ' << turn;
       EXPECT_NEAR(step, slip, 1e-9 + 0.1 * turn) << slip << ' ' << turn;
+    }
+  }
+}
+
+/// A block that slides down a crack that dips: its face is wet to its foot, and the crack as far as it has left it.
+TEST(WetFaces, TheMouthOfADippingCrackIsWetAsFarAsItsBlockHasSlid) {
+  for (const double dip : {5, 20, 45}) {
+    const Point down(std::cos(dip * M_PI / 180), -std::sin(dip * M_PI / 180));
+    for (const double slip : {0.0, 1e-6, 1e-4, 1e-3, 0.02, 0.3}) {
+      const Point foot = Point(0, 15) + slip * down;
+      const std::vector<std::vector<Point>> outlines = {{{0, 0}, {20, 0}, Point(0, 15) + 12 * down, {0, 15}},
+                                                        {foot, foot + 12 * down, {4 + foot.x(), 22}, {foot.x(), 22}}};
+      double face = 0;
+      double crack = 0;
+      for (const WetInterval& w : wet_faces({outlines}, Pool::upstream, 21).intervals) {
+        const auto& o = outlines[at(w.block)];
+        const double length = (w.s_to - w.s_from) * (o[(at(w.edge) + 1) % 4] - o[at(w.edge)]).norm();
+        if (w.block == 1 && w.edge == 3) face += length;
+        if (w.block == 0 && w.edge == 2) crack += length;
+      }
+      EXPECT_NEAR(face, 21 - foot.y(), 1e-9) << dip << ' ' << slip;
+      EXPECT_NEAR(crack, slip, 1e-9) << dip << ' ' << slip;
     }
   }
 }
