@@ -114,6 +114,7 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
       for (const json& check : fluid["checks"]) summary["checks"].push_back(check);
     }
     for (const json& skip : fluid.value("skips", json::array())) summary["skips"].push_back(skip);
+    for (const json& warning : fluid.value("warnings", json::array())) summary["warnings"].push_back(warning);
     if (fluid.contains("peak_memory_mb")) summary["peak_memory_mb"]["fluid"] = fluid["peak_memory_mb"];
     fs::remove(report_of(folder));
   }
