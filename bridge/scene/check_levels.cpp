@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Levels that no reservoir has: faster than a wave, or higher on the downstream side.
+// Levels that no reservoir has, faster than a wave or higher on the downstream side, and those that a run does not come
+// to.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,6 +44,28 @@ void check_rate(const char* key, const TimeTable& level, const toml::table& file
   }
 }
 
+/// A level that a table or ramp would come to after the run's end.
+void check_end(const char* key, const TimeTable& level, const toml::table& file, const Scene& scene,
+               Problems& problems) {
+  const double duration_s = scene.analysis.duration_s;
+  const auto [lowest, highest] = std::minmax_element(level.value.begin(), level.value.end());
+  double low = std::min(level.rows_at(0), level.rows_at(duration_s));
+  double high = std::max(level.rows_at(0), level.rows_at(duration_s));
+  for (const double t : corners(level, duration_s)) {
+    low = std::min(low, level.rows_at(t));
+    high = std::max(high, level.rows_at(t));
+  }
+  if (*lowest >= low && *highest <= high) return;
+  const auto missed = *highest > high ? highest : lowest;
+  const double time_s = level.time_s[static_cast<std::size_t>(missed - level.value.begin())];
+  problems.warning(
+      problems.at(file["water"][key].node()->source()),
+      fmt::format("{} never comes to its {:.6g} m at {:.6g} s: the run {}", key, *missed, time_s,
+                  time_s > 0 ? fmt::format("ends after {} s, at {:.6g} m", duration_s, level.rows_at(duration_s))
+                             : "begins at 0 s"),
+      "levels within the run", "lengthen duration_s, or raise the level faster");
+}
+
 }  // namespace
 
 void check_levels(const toml::table& file, const Scene& scene, Problems& problems) {
@@ -51,8 +74,11 @@ void check_levels(const toml::table& file, const Scene& scene, Problems& problem
   for (const Block& block : scene.blocks) bottom_m = std::min(bottom_m, bounds_of(block.vertices).low.y());
   const auto& up = scene.water.upstream_level_m;
   const auto& down = scene.water.downstream_level_m;
-  if (up) check_rate("upstream_level_m", *up, file, scene, bottom_m, problems);
-  if (down) check_rate("downstream_level_m", *down, file, scene, bottom_m, problems);
+  for (const auto& [key, level] : {std::pair{"upstream_level_m", &up}, {"downstream_level_m", &down}}) {
+    if (!*level) continue;
+    check_rate(key, **level, file, scene, bottom_m, problems);
+    check_end(key, **level, file, scene, problems);
+  }
   if (!up || !down) return;
   std::vector<double> times = corners(*up, scene.analysis.duration_s);
   for (const double t : corners(*down, scene.analysis.duration_s)) times.push_back(t);

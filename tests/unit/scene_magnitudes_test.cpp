@@ -130,6 +130,16 @@ TEST(SceneMagnitudes, ALevelFasterThanAWave) {
   EXPECT_THAT(warnings(with("table = [[0, 1], [2, 3]]", "steps = [[0, 1], [0.1, 3]]")), IsEmpty());
 }
 
+TEST(SceneMagnitudes, ALevelThatTheRunDoesNotComeTo) {
+  expect_warning(with("[[0, 1], [2, 3]]", "[[0, 1], [4, 3]]"), 45,
+                 {"upstream_level_m never comes to its 3 m at 4 s: the run ends after 2 s, at 2 m",
+                  "lengthen duration_s, or raise the level faster"});
+  expect_warning(with("table = [[0, 1], [2, 3]]", "from = 1, rate_per_s = 0.5, to = 3"), 45,
+                 {"never comes to its 3 m at 4 s"});
+  expect_warning(with("[[0, 1], [2, 3]]", "[[-2, 0.5], [0, 1], [2, 3]]"), 45,
+                 {"never comes to its 0.5 m at -2 s: the run begins at 0 s"});
+}
+
 TEST(SceneMagnitudes, TailwaterAboveHeadwater) {
   expect_warning(with("[fluid]", "downstream_level_m = 2\n[fluid]"), 46,
                  {"downstream_level_m is 2 m at 0 s and upstream_level_m 1 m", "are the two exchanged?"});
