@@ -81,7 +81,7 @@ void report(Reading& reading, const Effect& effect) {
 
 void check_cuts(Reading& reading, const Cuts& cuts, const section::Cut& cut, std::size_t first_block) {
   const bool any = std::any_of(cuts.sources.begin(), cuts.sources.end(), [](const auto& s) { return !s.name.empty(); });
-  if (!any || cut.pieces.empty()) return;
+  if (!any || cut.pieces.empty() || !cut.enclosed.empty()) return;  // what encloses has been reported
   double size_m = 0;
   for (const section::Piece& piece : cut.pieces) size_m = std::max(size_m, bounds_of(piece.vertices).size());
   const double tolerance_m = 1e-6 * size_m;
