@@ -91,6 +91,17 @@ TEST(SceneLengths, TheSizeIsOfWhatCanMoveOrOfAllWhereNothingCan) {
   EXPECT_EQ(structure_size_m({}), 1);
 }
 
+TEST(SceneLengths, AWallOfBricksIsMeasuredByItsBricks) {
+  const std::string wall =
+      "[analysis]\nduration_s = 1\n[material.m]\nyoungs_modulus_pa = 30e9\npoissons_ratio = 0.2\n"
+      "density_kg_per_m3 = 2400\n[[wall]]\nname = \"w\"\nmaterial = \"m\"\nbrick_length_m = 0.4\nbrick_height_m = 0.2\n"
+      "rows = 200\ncolumns = 20\nfixed_base = true\n[water]\nupstream_level_m = 9\n";
+  const Scene s = scene_of(wall);
+  EXPECT_NEAR(typical_width_m(s.blocks), 0.2, 1e-12);
+  EXPECT_NEAR(s.analysis.failure_displacement_m, 0.02, 1e-12);  // not 1e-3 of 39.8 m
+  EXPECT_NEAR(s.water.open_crack_width_m, 0.05, 1e-12);
+}
+
 TEST(SceneLengths, ACrackWidthThatTheWaterCannotTellFromNoneIsAnError) {
   for (const double h : {0.003, 20.0, 3000.0}) {
     sample::expect_error(
