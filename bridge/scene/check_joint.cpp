@@ -25,11 +25,13 @@ std::string touching_pairs(const Reading& reading, const std::array<int, 2>& bet
   std::string text;
   for (const std::size_t side : {0U, 1U}) {
     const Block& block = blocks[at(between[side])];
+    const Bounds own = bounds_of(block.vertices);
     const Bounds other = bounds_of(blocks[at(between[1 - side])].vertices);
     const Block* nearest = nullptr;
     double least = 0;
     for (const Block& candidate : blocks) {
       if (&candidate == &block || candidate.vertices.empty()) continue;
+      if (distance(bounds_of(candidate.vertices), own) > touching_m) continue;
       if (trace_joint(block, candidate, touching_m).pieces.empty()) continue;
       const double away = distance(bounds_of(candidate.vertices), other);
       if (nearest != nullptr && away >= least) continue;
@@ -47,7 +49,7 @@ std::string touching_pairs(const Reading& reading, const std::array<int, 2>& bet
 void check_joint(TableReader& table, Reading& reading, const Joint& joint, double touching_m) {
   const Block* a = reading.sound_block(joint.between[0]);
   const Block* b = reading.sound_block(joint.between[1]);
-  if (a == nullptr || b == nullptr || a == b) return;
+  if (a == nullptr || b == nullptr || a == b || reading.problems.full()) return;
   if (a->fixed && b->fixed) {
     return reading.problems.error(
         table.place("between"),
