@@ -170,7 +170,11 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
 RunResult run(const RunOptions& options) {
   const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
   require_fit(read.scene, options.inproc);
+  if (options.strict) scene::refuse_warnings(read.warnings);
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
+  if (!options.quiet) {
+    for (const auto& warning : read.warnings) fmt::print(stderr, "{}\n", warning.text());
+  }
   const fs::path folder = results_folder(options);
   results::make_folder(folder);
   forget_former_run(folder, read.scene);
