@@ -164,7 +164,9 @@ std::vector<Crack> find_cracks(const scene::Scene& scene) {
 
 void add_crack_elements(const Crack& crack, double mouth_pressure_pa, double end_pressure_pa, int elements_per_face,
                         const std::vector<WetInterval>& open_water, wire::Load& load) {
-  const double fall = crack.law == scene::Uplift::full ? 0 : mouth_pressure_pa - end_pressure_pa;
+  if (crack.law == scene::Uplift::full)
+    mouth_pressure_pa = end_pressure_pa = std::max(mouth_pressure_pa, end_pressure_pa);
+  const double fall = mouth_pressure_pa - end_pressure_pa;
   double travelled = 0;
   for (const CrackPart& part : crack.parts) {
     for (const TracePiece& piece : part.trace.pieces) {

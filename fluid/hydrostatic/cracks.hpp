@@ -28,7 +28,8 @@ struct Crack {
 /// direction, is the same crack; of several such the straightest.
 std::vector<Crack> find_cracks(const scene::Scene& scene);
 
-/// Adds both faces of the crack: uniform pressure (full uplift), or falling linearly from mouth to end (triangular).
+/// Adds both faces of the crack: the higher of both ends' pressures along all of it (full uplift), or falling linearly
+/// from mouth to end (triangular).
 /// Each piece has n elements, the same on both faces. What `open_water` reaches, by block, edge and place, is pressed
 /// by that alone.
 void add_crack_elements(const Crack& crack, double mouth_pressure_pa, double end_pressure_pa, int elements_per_face,

@@ -130,5 +130,23 @@ TEST(Cracks, OfThousandsOfJointsAreFoundAtOnce) {
   EXPECT_LT(seconds([&] { return find_cracks(many); }), seconds([&] { return cracks_by_all_pairs(few, 1e-6); }));
 }
 
+TEST(Cracks, FullUpliftHasTheHigherPressureOfBothEnds) {
+  scene::Scene scene;
+  scene.blocks.emplace_back().vertices = {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}};
+  scene.blocks.emplace_back().vertices = {{0, 0}, {4, 0}, {4, 5}, {0, 5}};
+  scene.default_joint.uplift = scene::Uplift::full;
+  const std::vector<Crack> cracks = find_cracks(scene);
+  ASSERT_EQ(cracks.size(), 1U);
+  for (const auto& [mouth_pa, end_pa] : {std::pair{3e4, 1e4}, std::pair{1e4, 3e4}, std::pair{0.0, 3e4}}) {
+    wire::Load load;
+    add_crack_elements(cracks.front(), mouth_pa, end_pa, 1, {}, load);
+    ASSERT_EQ(load.block.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(load.pressure_from_pa[i], 3e4);
+      EXPECT_EQ(load.pressure_to_pa[i], 3e4);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::hydrostatic

@@ -200,7 +200,8 @@ void EdgePressures::add_cracks(const std::vector<CrackPressure>& pressures, wire
   const auto& cracks = blocks_.interface().cracks;
   for (std::size_t c = 0; c < cracks.size(); ++c) {
     const auto pressure = [&](double t) {
-      return cracks[c].full ? pressures[c].mouth : pressures[c].mouth + t * (pressures[c].end - pressures[c].mouth);
+      return cracks[c].full ? std::max(pressures[c].mouth, pressures[c].end)
+                            : pressures[c].mouth + t * (pressures[c].end - pressures[c].mouth);
     };
     for (const CrackPanel& panel : cracks[c].panels) {
       const double length = panel.s_to - panel.s_from;

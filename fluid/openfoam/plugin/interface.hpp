@@ -40,7 +40,7 @@ struct CrackOpening {
 };
 
 struct Crack {
-  bool full = false;  ///< uniform pressure; otherwise linear from mouth to end
+  bool full = false;  ///< the higher of both ends' pressures; otherwise linear from mouth to end
   CrackOpening mouth;
   CrackOpening end;
   std::vector<CrackPanel> panels;
