@@ -15,7 +15,8 @@ namespace blockweir::solid {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int a_spell = 10;  ///< looks in a row after which a block has come to stand for good
+constexpr int a_spell =
+    10;  ///< looks in a row after which a block that only strains has come to stand: sliding ones stick at times
 
 /// Half the diagonal of the box around the blocks [m].
 double radius(const Solid& solid, const std::vector<int>& blocks) {
@@ -147,8 +148,9 @@ void FailureWatch::judge() {
     any_moves = any_moves || (moves[b] && !watched_[b].failed && !guided_[b]);
     calm = calm && fastest <= straining * rest;
   }
-  stands_ = moves;
-  stands_.flip();
+  slow_ = moves;
+  slow_.flip();
+  stands_ = slow_;
   calm_ = calm;
   if (!any_moves) {
     calm_ = calm && std::find(moves.begin(), moves.end(), true) == moves.end();
@@ -171,18 +173,17 @@ void FailureWatch::look(double time_s, double upstream_level_m) {
     const Vector6& displacement = solid_.states()[b].displacement;
     Point velocity = Point::Zero();
     if (passed_s > 0) velocity = (displacement - block.seen).head<2>() / passed_s;
-    if (stands_[b] || !begun_) {
+    block.stood = !stands_[b] ? 0 : begun_ ? std::min(block.stood + 1, a_spell) : a_spell;
+    if (!begun_ || slow_[b] || block.stood == a_spell) {
       block.time_s = time_s;
-      block.level_m = upstream_level_m;
+      block.level_m = block.last_level_m = upstream_level_m;
       block.next_level_m = nan;
       block.displacement = displacement;
       block.acceleration.setZero();
       if (passed_s > 0) block.acceleration = (velocity - block.velocity) / passed_s;
-      if (!begun_ || ++block.stood == a_spell) block.first_level_m = nan;
     } else {
-      block.stood = 0;
       if (std::isnan(block.next_level_m)) block.next_level_m = upstream_level_m;
-      if (std::isnan(block.first_level_m)) block.first_level_m = upstream_level_m;
+      if (stands_[b]) block.last_level_m = upstream_level_m;
     }
     block.seen = displacement;
     block.velocity = velocity;
@@ -209,7 +210,8 @@ void FailureWatch::look(double time_s, double upstream_level_m) {
 std::optional<Moving> FailureWatch::moving() const {
   std::optional<Moving> fastest;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
-    if (stands_[b] || solid_.blocks()[b].fixed || guided_[b] || watched_[b].failed) continue;
+    const Watched& block = watched_[b];
+    if (solid_.blocks()[b].fixed || guided_[b] || block.failed || slow_[b] || block.stood == a_spell) continue;
     const double fast = speed(b);
     if (!fastest || fast > fastest->speed_m_per_s) fastest = {static_cast<int>(b), fast, travel(b)};
   }
@@ -249,9 +251,9 @@ Failure FailureWatch::describe(std::size_t b) const {
   const double per_m =
       solid_.scene().water.density_kg_per_m3 * solid_.scene().analysis.gravity_m_per_s2 * failure.head_m;
   const double held_back_m = per_m > 0 ? inertia.norm() / per_m : 0;
-  const double since_m = std::isnan(last.first_level_m) ? 0 : std::abs(last.level_m - last.first_level_m);
   failure.window_rise_m = std::isnan(last.next_level_m) ? 0 : std::abs(last.next_level_m - last.level_m);
-  failure.level_uncertainty_m = failure.window_rise_m + std::max(since_m, held_back_m);
+  failure.level_uncertainty_m =
+      failure.window_rise_m + std::max(std::abs(last.last_level_m - last.level_m), held_back_m);
   return failure;
 }
 

@@ -2,9 +2,9 @@
 // When has a structure failed, at which level, and how? Found from the motion, not from a threshold on the load.
 //
 // A block stands while no vertex is faster than rest_speed_m_per_s, or while the contacts leave it no rigid motion of
-// its own (mobility.hpp): then it strains under a load that comes fast, or rings, at any speed. A motion that carries a
-// vertex farther than failure_displacement_m without standing in between is a failure: a slip that finds a new
-// equilibrium stands before. The failure began, and the level is read, when the block last stood.
+// its own (mobility.hpp) for some looks in a row: then it strains under a load that comes fast, or rings, at any speed.
+// A motion that carries a vertex farther than failure_displacement_m without standing in between is a failure: a slip
+// that finds a new equilibrium stands before. The failure began, and the level is read, when the block last stood.
 #pragma once
 
 #include "bridge/scene/joint_trace.hpp"
@@ -18,8 +18,8 @@ struct Failure {
   double time_s = 0;        ///< when it last stood
   double level_m = 0;       ///< upstream level that acted then; NaN without a pool
   double head_m = 0;        ///< of it above the upstream end of the joint that failed; NaN without a pool
-  /// The level's rise in a window, and what it rose by since the body first moved, or what inertia stands for: a fast
-  /// filling, a structure that rings. NaN likewise.
+  /// The level's rise in a window, and what it rose by while the body stuck from time to time, or what inertia stands
+  /// for: a fast filling, a structure that rings. NaN likewise.
   double level_uncertainty_m = 0;
   double window_rise_m = 0;  ///< the first part of it
   double travel_m = 0;       ///< when the failure was certain
@@ -52,21 +52,21 @@ class FailureWatch {
   /// Failures so far, the earliest first.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
 
-  /// The fastest block that at the last look neither stood nor had failed; none where all do.
+  /// The fastest block that neither stands nor has failed; none where there is none.
   [[nodiscard]] std::optional<Moving> moving() const;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(watched_, stands_, calm_, begun_, seen_s_, failures_);
+    archive(watched_, slow_, stands_, calm_, begun_, seen_s_, failures_);
   }
 
  private:
   struct Watched {
     double time_s = 0;  ///< when the block last stood
     double level_m = 0;
-    double next_level_m = 0;   ///< at the look after that
-    double first_level_m = 0;  ///< when it first moved since it stood for good; NaN before
-    int stood = 0;             ///< looks in a row
+    double next_level_m = 0;  ///< at the look after that
+    double last_level_m = 0;  ///< when contacts last left it no motion since then
+    int stood = 0;            ///< looks in a row
     Vector6 displacement = Vector6::Zero();
     Point acceleration = Point::Zero();  ///< of its centroid, then
     Vector6 seen = Vector6::Zero();      ///< displacement at the last look
@@ -75,7 +75,7 @@ class FailureWatch {
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(time_s, level_m, next_level_m, first_level_m, stood, displacement, acceleration, seen, velocity, failed);
+      archive(time_s, level_m, next_level_m, last_level_m, stood, displacement, acceleration, seen, velocity, failed);
     }
   };
   void judge();
@@ -85,7 +85,8 @@ class FailureWatch {
 
   const Solid& solid_;
   std::vector<Watched> watched_;
-  std::vector<bool> stands_;  ///< at the last look
+  std::vector<bool> slow_;    ///< at the last look
+  std::vector<bool> stands_;  ///< slow, or without a rigid motion of its own
   bool calm_ = true;
   bool begun_ = false;
   bool rings_ = false;        ///< velocities along held directions may flip from step to step
