@@ -139,13 +139,15 @@ std::string pool(int& number, const json& frame, const View& view, const char* k
                        ++number, from, std::max(bottom, view.bottom), to, level);
   };
   if (wet.none()) return upstream ? water(view.left, crest_x, view.bottom) : water(crest_x, view.right, view.bottom);
-  // One pool alone ends where its last wet panel does.
   if (!upstream) {
-    const double end = std::max(crest_x, std::min(wet.all.right, view.right));
+    const bool one_bed = wet.foot_right == wet.all.bottom;
+    const double end = one_bed ? view.right : std::max(crest_x, std::min(wet.all.right, view.right));
     return water(crest_x, end, wet.all.bottom) + water(end, view.right, wet.foot_right);
   }
+  // One pool alone ends where its last wet panel does.
   const double inner = frame["downstream_level_m"].is_number() ? crest_x : wet.all.right;
-  const double end = std::min(inner, std::max(wet.all.left, view.left));
+  const bool one_bed = wet.foot_left == wet.all.bottom;
+  const double end = one_bed ? view.left : std::min(inner, std::max(wet.all.left, view.left));
   return water(view.left, end, wet.foot_left) + water(end, inner, wet.all.bottom);
 }
 

@@ -61,11 +61,10 @@ void check_width(const scene::Scene& scene) {
 
 /// An end of the model at which the bed's corner `end` keeps the water off.
 std::string dry_end(const scene::Scene& scene, const char* side, const GroundEnd& end) {
-  const scene::Block& block = scene.blocks[at(end.block)];
+  const double bed_m = scene.blocks[at(end.block)].vertices[at(end.vertex)].y();
   return fmt::format(
-      "water beside the model's {} end below {} m: its face is a cut in ground that goes on (top: block \"{}\"); "
-      "[water] wets_ends = true presses it",
-      side, block.vertices[at(end.vertex)].y(), block.name);
+      "water on the model's {} end below {} m: a cut in ground that goes on ([water] wets_ends = true wets it)", side,
+      bed_m);
 }
 
 }  // namespace

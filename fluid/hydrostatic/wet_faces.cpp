@@ -52,7 +52,7 @@ class Search {
         level_(level_m),
         reach_(all_.min(), Point(all_.max().x(), std::max(level_m, all_.max().y()))),
         grid_(reach_),
-        pad_(reach_.sizes().maxCoeff() / 32 + growth_) {  // any strip of open water beside the model will do
+        pad_(reach_.sizes().maxCoeff() / 32 + 4 * growth_) {  // any strip of open water beside grown corners will do
     if (structure.ground.left) {
       const Point& bed = corner(*structure.ground.left);
       beside_.push_back(rectangle(all_.min().x() - 2 * pad_, all_.min().y() - pad_, bed.x(), bed.y()));

@@ -84,9 +84,8 @@ TEST(GroundEnds, TheSceneDecidesOtherwise) {
 TEST(GroundEnds, TheReportSaysWhichAreDry) {
   scene::Scene scene = scene_of({ground}, {dam}, 15);
   const auto said = [&] { return HydrostaticModel(scene).report().skips; };
-  const auto left = testing::HasSubstr(
-      "water beside the model's left end below 0 m: its face is a cut in ground that goes on (top: block \"b1\"); "
-      "[water] wets_ends = true presses it");
+  const char* left =
+      "water on the model's left end below 0 m: a cut in ground that goes on ([water] wets_ends = true wets it)";
   EXPECT_THAT(said(), testing::Contains(left));
   scene.water.wets_ends = true;
   EXPECT_THAT(said(), testing::Not(testing::Contains(testing::HasSubstr("wets_ends"))));

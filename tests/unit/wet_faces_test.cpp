@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "bridge/scene/at.hpp"
@@ -114,7 +115,7 @@ TEST(WetFaces, TheStepOfASlipIsWetUpToTheUpperBlock) {
 /// A block that slides down a crack that dips: its face is wet to its foot, and the crack as far as it has left it.
 TEST(WetFaces, TheMouthOfADippingCrackIsWetAsFarAsItsBlockHasSlid) {
   for (const double dip : {5, 20, 45}) {
-    const Point down(std::cos(dip * M_PI / 180), -std::sin(dip * M_PI / 180));
+    const Point down(std::cos(dip * std::numbers::pi / 180), -std::sin(dip * std::numbers::pi / 180));
     for (const double slip : {0.0, 1e-6, 1e-4, 1e-3, 0.02, 0.3}) {
       const Point foot = Point(0, 15) + slip * down;
       const std::vector<std::vector<Point>> outlines = {{{0, 0}, {20, 0}, Point(0, 15) + 12 * down, {0, 15}},
