@@ -131,7 +131,8 @@ bool Solid::find_equilibrium(IslandSystem& s) {
   for (int iteration = 0; iteration < most; ++iteration) {
     const double left = unbalanced(s);
     if (!std::isfinite(left)) {
-      require_numbers(s);
+      // Of redundant multipliers the forces may overflow: the substitute has none.
+      if (!formulation_->solves_for_forces()) require_numbers(s);
       return false;
     }
     if (left <= tolerance || left <= close * formulation_->unsettled(held)) {
@@ -180,7 +181,8 @@ bool Solid::sweep(IslandSystem& s) {
   const Stopwatch watch(profile_.sweeps);
   ++counts_.sweeps;
   return formulation_->sweep(held_by(s)) &&
-         (formulation_->settings().joints_held || !break_bonds(laws_, s.island.contacts, contacts_));
+         (formulation_->settings().joints_held ||
+          !break_bonds(laws_, formulation_->settings().force_tolerance_n, s.island.contacts, contacts_));
 }
 
 /// One solution of the linearized equations, added to the trial.
