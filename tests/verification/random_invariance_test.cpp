@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: blockweir_independent solid_process fluid_hydrostatic nlohmann_json::nlohmann_json
+// Structures drawn at random and told in another way: another order, a mirror image, another origin, another size.
+#include "tests/verification/random_trials.hpp"
+
+namespace blockweir::test {
+namespace {
+
+class RandomInvariance : public RandomTrials {};
+
+/// Of the same trial, told in two ways; `factor` is that of lengths.
+std::string differ(const Trial& trial, const Verdict& one, const Verdict& other, double factor = 1) {
+  const double window_s = trial.filling.step_s;
+  const bool same = one.outcome == "fails" && other.outcome == "fails" && one.mode == other.mode &&
+                    one.joint == other.joint &&
+                    std::abs(one.time_s - other.time_s / std::sqrt(factor)) <= 1.01 * window_s;
+  return same ? ""
+              : fmt::format("{} after {:.6g} s; then {} after {:.6g} s", text(one), one.time_s, text(other),
+                            other.time_s / std::sqrt(factor));
+}
+
+TEST_F(RandomInvariance, TheOrderOfBlocksAndJointsDoesNotMatter) {
+  each({lifts, bricks}, 2, [&](const RandomStructure& one) {
+    const Trial trial = slowly(one);
+    return differ(trial, run(trial), run(reordered(one.structure, one.seed), trial.filling));
+  });
+}
+
+TEST_F(RandomInvariance, TheMirrorImageFailsAlike) {
+  each({monolith, lifts}, 2, [&](const RandomStructure& one) {
+    const Trial trial = slowly(one);
+    return differ(trial, run(trial), run(mirrored(one.structure), trial.filling));
+  });
+}
+
+TEST_F(RandomInvariance, TheOriginDoesNotMatter) {
+  each({monolith, lifts}, 2, [&](const RandomStructure& one) {
+    const Trial trial = slowly(one);
+    const Vec by(30 * one.height_m, -20 * one.height_m);
+    Filling filling = trial.filling;
+    for (auto& [time, level] : filling.levels) level += by.y();
+    return differ(trial, run(trial), run(shifted(one.structure, by), filling));
+  });
+}
+
+TEST_F(RandomInvariance, ALaboratorysModelAndAMountainFailAlike) {
+  each({monolith, lifts, bricks}, 1, [&](const RandomStructure& one) {
+    const Trial trial = slowly(one);
+    const Verdict as_drawn = run(trial);
+    for (const double height : {3e-3, 3e3}) {
+      const double factor = height / one.height_m;
+      Filling filling = trial.filling;
+      filling.step_s *= std::sqrt(factor);
+      filling.duration_s *= std::sqrt(factor);
+      filling.youngs_modulus_pa *= factor;
+      for (auto& [time, level] : filling.levels) time *= std::sqrt(factor), level *= factor;
+      const std::string trouble = differ(trial, as_drawn, run(scaled(one.structure, factor), filling), factor);
+      if (!trouble.empty()) return fmt::format("{} m high instead: {}", height, trouble);
+    }
+    return std::string();
+  });
+}
+
+}  // namespace
+}  // namespace blockweir::test
