@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The text of a scene, run with its still water by a process of its own that is ended when its time is over.
+// The text of a scene, run with its still water by a process of its own that is ended once it has taken too much of the
+// processor.
 #pragma once
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -51,8 +53,8 @@ inline Verdict verdict_of(const std::filesystem::path& folder) {
   return verdict;
 }
 
-/// In `folder`, which must exist. A child process runs it, so that nothing it does ends the test.
-inline Verdict run_scene(const std::string& scene, const std::filesystem::path& folder, unsigned longest_s) {
+/// In `folder`, which must exist, in `longest_s` seconds of the processor. Nothing that the child does ends the test.
+inline Verdict run_scene(const std::string& scene, const std::filesystem::path& folder, rlim_t longest_s) {
   std::filesystem::remove(folder / "summary.json");
   std::ofstream(folder / "scene.toml") << scene;
   const pid_t child = fork();
@@ -60,7 +62,8 @@ inline Verdict run_scene(const std::string& scene, const std::filesystem::path& 
     const int log = ::open((folder / "log").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     ::dup2(log, STDERR_FILENO);
     ::dup2(log, STDOUT_FILENO);
-    ::alarm(longest_s);
+    const rlimit processor{longest_s, longest_s + 1};
+    ::setrlimit(RLIMIT_CPU, &processor);
     int status = 0;
     try {
       schedule::run_process({.scene = (folder / "scene.toml").string(),
@@ -80,7 +83,7 @@ inline Verdict run_scene(const std::string& scene, const std::filesystem::path& 
   std::ostringstream log;
   log << std::ifstream(folder / "log").rdbuf();
   if (verdict.trouble.empty()) verdict.trouble = log.str().substr(0, 600);
-  if (!ended) verdict.outcome = WTERMSIG(status) == SIGALRM ? "took too long" : "crashed";
+  if (!ended) verdict.outcome = WTERMSIG(status) == SIGXCPU ? "took too long" : "crashed";
   if (ended && verdict.outcome.empty()) verdict.outcome = "refused";
   return verdict;
 }

@@ -60,7 +60,7 @@ Law random_law(Random& random, double weight_stress_pa) {
 /// Tries until the structure fails at a level worth the trial.
 template <class Draw>
 RandomStructure drawn(std::uint64_t seed, const char* kind, Draw draw) {
-  Random random(seed);
+  Random random(seed, kind);
   for (;;) {
     RandomStructure one{.seed = seed, .kind = kind};
     draw(random, one);
@@ -218,6 +218,10 @@ void shuffle(std::vector<T>& all, Random& random) {
 
 }  // namespace
 
+Random::Random(std::uint64_t seed, const std::string& purpose) : state_(seed) {
+  for (const char letter : purpose) state_ = next() + static_cast<std::uint64_t>(letter);
+}
+
 std::uint64_t Random::next() {
   std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -266,7 +270,7 @@ RandomStructure voronoi(std::uint64_t seed) {
 }
 
 Structure reordered(Structure structure, std::uint64_t seed) {
-  Random random(seed);
+  Random random(seed, "order");
   shuffle(structure.bodies, random);
   shuffle(structure.joints, random);
   for (Joint& joint : structure.joints) {

@@ -10,10 +10,10 @@
 
 namespace blockweir::independent {
 
-/// Numbers that are the same everywhere for the same seed (splitmix64).
+/// Numbers that are the same everywhere for the same seed and purpose (splitmix64).
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  Random(std::uint64_t seed, const std::string& purpose);
   std::uint64_t next();
   double between(double low, double high);
   double between_orders(double low, double high);  ///< uniform in the logarithm
