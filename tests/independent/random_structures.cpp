@@ -57,6 +57,18 @@ Law random_law(Random& random, double weight_stress_pa) {
   return law;
 }
 
+/// Where the dam on its rock would fail later, and the mechanism does not turn the rock, both slide on the bedding.
+void find_by_hand_on_rock(RandomStructure& one, const Limit& limit) {
+  const Structure& s = one.structure;
+  const auto& dam = s.bodies[2].outline_m;
+  const Stack stack = stack_of("contact", dam[0], dam[1], dam[3], dam[2], s.joints[0].law, s.density_kg_per_m3, none_m);
+  const double alone_m = first_failure({stack}, 2 * one.height_m).level_m;
+  if (limit.velocities.empty()) return;
+  const Eigen::Vector3d& rock = limit.velocities[1];
+  const bool slides = rock.head<2>().norm() > 1e-3 && std::abs(rock[2]) < 1e-6 * rock.head<2>().norm();
+  if (slides) one.by_hand = Failing{limit.level_m, "sliding", "bedding", limit.level_m, alone_m};
+}
+
 /// Tries until the structure fails at a level worth the trial.
 template <class Draw>
 RandomStructure drawn(std::uint64_t seed, const char* kind, Draw draw) {
@@ -69,6 +81,7 @@ RandomStructure drawn(std::uint64_t seed, const char* kind, Draw draw) {
       const auto limit = limit_level(one.structure, 0.3 * one.height_m, high_m);
       if (!limit) continue;
       one.level_m = limit->level_m;
+      if (one.kind == "on_rock") find_by_hand_on_rock(one, *limit);
       return one;
     }
     one.by_hand = first_failure(one.stacks, high_m);
@@ -164,8 +177,8 @@ void draw_on_rock(Random& random, RandomStructure& one) {
       {"ground", {Vec(-2 * h, floor), Vec(end.x(), floor), end, on_bedding(0), Vec(0, 0), Vec(-2 * h, 0)}, true},
       {"rock", {on_bedding(0), on_bedding(length), Vec(length, 0), Vec(0, 0)}},
       {"dam", section.outline()}};
-  s.joints = {{"contact", "rock", "dam", {.friction_deg = random.between(45, 60)}}};
-  s.others.friction_deg = random.between(15, 35);
+  s.joints = {{"contact", "rock", "dam", {.friction_deg = random.between(45, 60)}},
+              {"bedding", "ground", "rock", {.friction_deg = random.between(15, 35)}}};
 }
 
 void draw_bricks(Random& random, RandomStructure& one) {
@@ -194,9 +207,8 @@ void draw_bricks(Random& random, RandomStructure& one) {
 
 void draw_voronoi(Random& random, RandomStructure& one) {
   Structure& s = one.structure;
-  const Section section{.height = random.between_orders(0.3, 300), .base = 1, .face_lean = 0, .crest = 1};
-  Section of = section;
-  of.base = section.height * random.between(0.5, 0.9);
+  Section of{.height = random.between_orders(0.3, 300)};
+  of.base = of.height * random.between(0.5, 0.9);
   of.crest = of.base * random.between(0.2, 0.6);
   one.height_m = of.height;
   s.density_kg_per_m3 = random.between(2000, 2700);

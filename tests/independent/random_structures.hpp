@@ -35,7 +35,7 @@ struct RandomStructure {
   double height_m = 0;
   double level_m = 0;              ///< at which it fails
   std::vector<Stack> stacks{};     ///< of those that move as one
-  std::optional<Failing> by_hand;  ///< of the same
+  std::optional<Failing> by_hand;  ///< of the same, and of what slides with its rock
 };
 
 /// A trapezoid on a level or dipping base, 3 mm to 3 km high: friction, cohesion, tension strength, uplift, tailwater.
