@@ -19,7 +19,8 @@ struct Word {
   char letter;
   const char* colour;
 };
-constexpr std::array<Word, 10> outcomes{{{"stands", '.', "#73a946"},
+constexpr std::array<Word, 11> outcomes{{{"stands", '.', "#73a946"},
+                                         {"moving", 'm', "#ad7fa8"},
                                          {"sliding", 's', "#3465a4"},
                                          {"overturning", 'o', "#e08e0b"},
                                          {"sliding and overturning", 'b', "#a0408a"},

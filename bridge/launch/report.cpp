@@ -26,6 +26,10 @@ std::string report(const RunResult& result) {
     } else {
       text += fmt::format("        after {} s\n", number(f["time_s"]));
     }
+    if (f.contains("doubt")) text += fmt::format("        {}\n", f["doubt"].get<std::string>());
+  } else if (outcome == "moving") {
+    text += fmt::format("MOVING  {}\n        {}\n", s["moving"]["text"].get<std::string>(),
+                        s["margin"]["text"].get<std::string>());
   } else if (outcome == "stands") {
     text += fmt::format("STANDS  {}\n", s["margin"]["text"].get<std::string>());
   } else {

@@ -51,6 +51,7 @@ struct Joint {
   std::string name;
   std::array<int, 2> between;  ///< indices into Scene::blocks
   JointLaw law;
+  std::string set{};  ///< the joint set, cut or region edge that it is a piece of; empty: none
   bool operator==(const Joint&) const = default;
 };
 

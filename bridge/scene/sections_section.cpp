@@ -175,6 +175,7 @@ void add_joints(Reading& reading, const section::Cut& cut, const Cuts& cuts, std
   for (const section::Neighbours& pair : cut.neighbours) {
     Joint joint = cut_of(pair);
     joint.between = {static_cast<int>(first_block) + pair.a, static_cast<int>(first_block) + pair.b};
+    joint.set = joint.name;
     if (uses[joint.name] > 1) {
       const auto name = [&](int b) { return reading.scene.blocks[static_cast<std::size_t>(b)].name; };
       joint.name += fmt::format(", {} and {}", name(joint.between[0]), name(joint.between[1]));

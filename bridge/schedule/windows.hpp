@@ -11,12 +11,12 @@ namespace blockweir::schedule {
 
 /// Coupling windows: each ends at a whole multiple of [coupling] window_s, the last one at the run's duration. They are
 /// one multiple long, or grow, doubling while nothing moves, up to longest_window_s. In a static analysis, which has no
-/// time, all of them end at the run's end.
+/// time, all of them are at the run's end, whose loads and levels it has.
 class Windows {
  public:
   explicit Windows(const scene::Scene& scene);
 
-  [[nodiscard]] double from_s() const { return at(tick_); }
+  [[nodiscard]] double from_s() const { return at_rest_ ? duration_s_ : at(tick_); }
   [[nodiscard]] double to_s() const { return at_rest_ ? duration_s_ : at(tick_ + length_); }
   /// The run ends with this window.
   [[nodiscard]] bool last() const { return at_rest_ ? tick_ + 1 >= most_sweeps : tick_ + length_ >= ticks_; }

@@ -44,6 +44,7 @@ struct ContactPoint : ContactMemory {
   double gap = 0;                                        ///< normal part of it [m], negative: penetration
   double length = 0;                                     ///< m of joint that the contact stands for
   double elastic_slip = 0;                               ///< m of the step's slip that a contact spring gives back
+  bool slid = false;                                     ///< in a step of the window at hand
 
   /// The two blocks, low index first.
   [[nodiscard]] std::pair<int, int> pair() const { return std::minmax({vertex_block, edge_block}); }
@@ -57,7 +58,7 @@ struct ContactPoint : ContactMemory {
   void serialize(Archive& archive) {
     archive(vertex_block, vertex, edge_block, edge, vertex_part, edge_part, vertex_at, edge_from, edge_to, law, anchor,
             separation, gap, length, multiplier, force, penalty, bond_length, bond, state, slip_m, slip_path_m,
-            elastic_slip);
+            elastic_slip, slid);
   }
 };
 

@@ -160,6 +160,7 @@ bool Formulation::accept(const Trial& trial, const Held& held) const {
     ContactPoint& c = held.contacts[k];
     if (c.state != ContactState::slip) return;
     any_slips.store(true, std::memory_order_relaxed);
+    c.slid = true;
     const double slip = contacts_[k].separation.y() - c.elastic_slip;
     c.slip_m += slip;
     c.slip_path_m += std::abs(slip);

@@ -5,11 +5,12 @@
 #include "solid/output/acceleration_fit.hpp"
 #include "solid/output/added_mass_watch.hpp"
 #include "solid/output/energy.hpp"
-#include "solid/output/failure_watch.hpp"
+#include "solid/output/frame.hpp"
 #include "solid/output/interface_energy.hpp"
-#include "solid/output/margins.hpp"
 #include "solid/output/skips.hpp"
 #include "solid/output/time_series.hpp"
+#include "solid/watch/failure_watch.hpp"
+#include "solid/watch/margins.hpp"
 
 namespace blockweir::solid::output {
 

@@ -5,11 +5,11 @@
 #include <functional>
 
 #include "bridge/schedule/sides.hpp"
-#include "solid/output/failure_watch.hpp"
 #include "solid/output/frame_log.hpp"
 #include "solid/output/history_writer.hpp"
 #include "solid/output/summary.hpp"
 #include "solid/output/vtk_writer.hpp"
+#include "solid/watch/failure_watch.hpp"
 
 namespace blockweir::solid::output {
 

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "bridge/scene/at.hpp"
 #include "solid/output/formulas.hpp"
 #include "solid/output/words.hpp"
 
@@ -13,26 +15,73 @@ namespace {
 
 using nlohmann::json;
 
+/// "block "a"", "blocks "a" and "b"", and so on; of many the first few.
+std::string named(const Solid& solid, const std::vector<int>& blocks) {
+  constexpr std::size_t most = 4;
+  const auto name = [&](std::size_t i) { return fmt::format("\"{}\"", solid.blocks()[at(blocks[i])].name); };
+  if (blocks.size() == 1) return "block " + name(0);
+  std::string text = "blocks " + name(0);
+  const std::size_t shown = std::min(most, blocks.size());
+  for (std::size_t i = 1; i < shown; ++i) text += (i + 1 == blocks.size() ? " and " : ", ") + name(i);
+  return shown == blocks.size() ? text : fmt::format("{} and {} more", text, blocks.size() - shown);
+}
+
 std::string failure_text(const Solid& solid, const Failure& f) {
-  std::string text =
-      fmt::format("block \"{}\" fails by {}", solid.blocks()[static_cast<std::size_t>(f.block)].name, f.mode);
+  const bool one = f.blocks.size() == 1;
+  std::string text = fmt::format("{} {} by {}", named(solid, f.blocks), one ? "fails" : "fail together", f.mode);
   if (!f.joint.empty()) text += fmt::format(" on joint \"{}\"", f.joint);
   return text;
+}
+
+/// What the level is good for; empty where it is that of slow filling to a thousandth of the head.
+std::string doubt(const Solid& solid, const Failure& f) {
+  const scene::Analysis& analysis = solid.scene().analysis;
+  if (std::isnan(f.level_m)) return {};
+  if (f.time_s == 0 && analysis.kind != scene::AnalysisKind::at_rest) {
+    return "it moves from the start: the level of failure is at most this; begin with a lower one";
+  }
+  constexpr double exact = 1e-3;  // of the head
+  if (!(f.level_uncertainty_m > exact * f.head_m)) return {};
+  if (f.inertia_m > f.level_uncertainty_m / 2) {
+    return fmt::format(
+        "this level depends on the speed of filling: inertia shifts it by up to {:.2g} m; the static level is found by "
+        "filling more slowly, or with kind = \"static\" at single levels",
+        f.inertia_m);
+  }
+  return fmt::format(
+      "this level is read to {:.2g} m, what it rises by in a window: fill more slowly or shorten window_s",
+      f.level_uncertainty_m);
 }
 
 json failure(const Outcome& o) {
   const Failure& first = o.failure.failures().front();
   json names = json::array();
-  for (const Failure& f : o.failure.failures())
-    names.push_back(o.solid.blocks()[static_cast<std::size_t>(f.block)].name);
+  for (const Failure& f : o.failure.failures()) {
+    for (const int block : f.blocks) names.push_back(o.solid.blocks()[at(block)].name);
+  }
   // NaN (no pool) becomes null.
-  return {{"level_m", first.level_m},
-          {"head_m", first.head_m},
-          {"time_s", first.time_s},
-          {"mode", first.mode},
-          {"joint", first.joint},
-          {"blocks", names},
-          {"text", failure_text(o.solid, first)}};
+  json found = {{"level_m", first.level_m},
+                {"head_m", first.head_m},
+                {"level_uncertainty_m", first.level_uncertainty_m},
+                {"time_s", first.time_s},
+                {"mode", first.mode},
+                {"joint", first.joint},
+                {"blocks", names},
+                {"text", failure_text(o.solid, first)}};
+  if (const std::string text = doubt(o.solid, first); !text.empty()) found["doubt"] = text;
+  return found;
+}
+
+/// A run that ends while something moves has not shown that the structure stands.
+json moving(const Solid& solid, const Moving& m) {
+  const std::string& name = solid.blocks()[at(m.block)].name;
+  return {
+      {"block", name},
+      {"speed_m_per_s", m.speed_m_per_s},
+      {"travel_m", m.travel_m},
+      {"text", fmt::format("block \"{}\" moved at {:.3g} m/s when the run ended, {:.3g} m from where it last stood: "
+                           "whether it stands is not decided; lengthen duration_s",
+                           name, m.speed_m_per_s, m.travel_m)}};
 }
 
 json margin(const Outcome& o) {
@@ -41,7 +90,8 @@ json margin(const Outcome& o) {
            (std::isnan(m.level_m) ? "" : fmt::format(", level {:.5g} m", m.level_m));
   };
   json found;
-  std::string text = "no joint carries shear";
+  std::string text = o.margins.any_surface() ? "no surface that runs through carries shear"
+                                             : "no joint, and no joints in one line, run through: no margin is told";
   if (const auto& m = o.margins.sliding()) {
     found = {{"sliding_factor", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
     text = fmt::format("lowest sliding factor {:.4g} on", m->value) + place(*m);
@@ -155,12 +205,14 @@ json summary(const Outcome& outcome) {
       text["interface_energy"]["text"] = exchanged.trouble(outcome.added_mass.ratio());
     }
   }
-  if (outcome.failure.failures().empty()) {
-    text["outcome"] = "stands";
-    text["margin"] = margin(outcome);
-  } else {
+  if (!outcome.failure.failures().empty()) {
     text["outcome"] = "fails";
     text["failure"] = failure(outcome);
+  } else {
+    const auto still = outcome.failure.moving();
+    text["outcome"] = still ? "moving" : "stands";
+    if (still) text["moving"] = moving(outcome.solid, *still);
+    text["margin"] = margin(outcome);
   }
   if (scene.analysis.kind == scene::AnalysisKind::at_rest) {
     const Rest& rest = outcome.solid.rest();

@@ -18,9 +18,10 @@ namespace {
 std::string mode(const Outcome& o, const std::string& of) {
   const auto& failures = o.failure.failures();
   const auto found = std::find_if(failures.begin(), failures.end(), [&](const Failure& f) {
-    return of.empty() || static_cast<std::size_t>(f.block) == block_index(o.solid, of);
+    return of.empty() || std::count(f.blocks.begin(), f.blocks.end(), static_cast<int>(block_index(o.solid, of))) > 0;
   });
-  return found == failures.end() ? "stands" : found->mode;
+  if (found != failures.end()) return found->mode;
+  return o.failure.moving() ? "moving" : "stands";
 }
 
 /// A rectangular block of breadth over height r on a plane of dip a, from rest. A bond in shear alone holds it where

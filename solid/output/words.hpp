@@ -13,7 +13,7 @@ namespace blockweir::solid::output {
 bool is_word(const std::string& quantity);
 
 /// "stability": "grows" where the exchange makes energy, else "stable"; "mode": how the block (of a joint: the upper
-/// one) fails, or the first that does where none is named; "stands".
+/// one) fails, or the first that does where none is named; "moving" where the run ended on the move; "stands".
 std::string word(const Outcome& outcome, const scene::Expectation& expectation);
 
 std::vector<std::string> word_quantity_names();

@@ -19,10 +19,11 @@ void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water,
 }
 
 void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answered& answered) {
-  if (scene_.analysis.kind == scene::AnalysisKind::at_rest) return come_to_rest(water.at(to_s));
+  if (scene_.analysis.kind == scene::AnalysisKind::at_rest) return come_to_rest(water.at(to_s), to_s);
   const double largest_step = scene_.analysis.step_s;
   const double smallest_step = 1e-6 * largest_step;
   double time = from_s;
+  for (ContactPoint& c : contacts_) c.slid = false;
   loads_.start_base();
   begin_window(answered);
   if (!std::exchange(started_, true) && scene_.analysis.integrator != scene::Integrator::shi) {
@@ -49,6 +50,8 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
     next_dt_ = dt / 4;
     if (next_dt_ < smallest_step) refuse_step(time, dt);
   }
+  // Steps without velocities take what slips a short way each: whether it finds a state of rest is seen at the end.
+  if (scene_.analysis.kind == scene::AnalysisKind::quasi_static) come_to_rest(water.at(to_s), to_s);
 }
 
 /// A step that goes too far does so whatever finds its states: it is cut. Where friction has had to lag it will have to

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Static analysis: quasi-static steps until what is unbalanced is small, or the structure is on the move.
+// Static analysis, and the end of each window of a quasi-static one: steps until what is unbalanced is small, or the
+// structure is on the move.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,10 +20,9 @@ double Solid::unbalanced_ratio() const {
   return largest / force_scale_;
 }
 
-void Solid::come_to_rest(const std::vector<Panel>& water) {
+void Solid::come_to_rest(const std::vector<Panel>& water, double at_s) {
   constexpr int most_steps = 1000;
   constexpr double shortest = 1e-6;  // of the pseudo-step that the search begins with
-  const double at_s = scene_.analysis.duration_s;
   const double longest = pseudo_step_s();
   const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
   const double before_m = largest_displacement_m();

@@ -242,7 +242,7 @@ class Solid {
   [[nodiscard]] std::vector<bool> unanchored() const;
   [[nodiscard]] double pseudo_step_s() const;
   [[nodiscard]] double settling_time_s() const;
-  void come_to_rest(const std::vector<Panel>& water);
+  void come_to_rest(const std::vector<Panel>& water, double at_s);
   [[nodiscard]] double unbalanced_ratio() const;
   void require_finite_loads(double time_s) const;
   void require_numbers(const IslandSystem& island) const;

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a structure that stands is from sliding and from overturning, by the forces in its joints.
+// How far a structure that stands is from sliding and from overturning, by the forces on the surfaces that run through.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "solid/step/solid.hpp"
+#include "solid/watch/surfaces.hpp"
 
-namespace blockweir::solid::output {
+namespace blockweir::solid {
 
-/// The worst that a joint came to.
+/// The worst that a surface came to.
 struct Margin {
   double value = 0;
   double time_s = 0;
   double level_m = 0;  ///< NaN without a pool
-  std::string joint;
+  std::string joint;   ///< or joints in one line
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -27,20 +28,23 @@ class Margins {
   /// Looks at the state at `time_s`, reached under `upstream_level_m`.
   void look(const Solid& solid, double time_s, double upstream_level_m);
 
-  /// Lowest ratio of shear strength to shear force. None where no joint carries shear.
+  /// Lowest ratio of shear strength to shear force. None where no surface carries shear.
   [[nodiscard]] const std::optional<Margin>& sliding() const { return sliding_; }
-  /// Shortest way of the normal forces' resultant to an end of its joint, over the joint's length: 1/2 in the middle,
-  /// 0 where the block overturns. None without joints.
+  /// Shortest way of the normal forces' resultant to an end of its surface, over the surface's length: 1/2 in the
+  /// middle, 0 where the block overturns. None without surfaces.
   [[nodiscard]] const std::optional<Margin>& overturning() const { return overturning_; }
+  /// Some surface runs through.
+  [[nodiscard]] bool any_surface() const { return surfaces_ && !surfaces_->names().empty(); }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(sliding_, overturning_);
+    archive(surfaces_, sliding_, overturning_);
   }
 
  private:
+  std::optional<Surfaces> surfaces_;  ///< of the first look
   std::optional<Margin> sliding_;
   std::optional<Margin> overturning_;
 };
 
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/output/margins.hpp"
+#include "solid/watch/margins.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
-#include "solid/output/joint_name.hpp"
+#include "bridge/scene/at.hpp"
 
-namespace blockweir::solid::output {
+namespace blockweir::solid {
 namespace {
 
-/// What the contacts of one joint bear together.
-struct JointSum {
+/// What the contacts of one surface bear together.
+struct SurfaceSum {
   double strength = 0;
   double shear = 0;
   double normal = 0;
   double pressed_or_pulled = 0;  ///< sum of the normal forces' sizes
   Point moment = Point::Zero();  ///< sum of normal force times place
   Point low =
-      Point::Constant(std::numeric_limits<double>::infinity());  ///< ends of the joint, as far as contacts reach
+      Point::Constant(std::numeric_limits<double>::infinity());  ///< ends of the surface, as far as contacts reach
   Point high = -low;
 
   void add(const ContactPoint& c, const JointProperties& law, const Point& place) {
@@ -35,7 +34,7 @@ struct JointSum {
     pressed_or_pulled += std::abs(c.force.x());
     moment += c.force.x() * place;
   }
-  /// Of the resultant from the nearer end, over the joint's length; negative outside.
+  /// Of the resultant from the nearer end, over the surface's length; negative outside.
   [[nodiscard]] double end_distance() const {
     const Point along = high - low;
     const double s = along.dot(moment / normal - low) / along.squaredNorm();
@@ -47,14 +46,16 @@ struct JointSum {
 
 void Margins::look(const Solid& solid, double time_s, double level_m) {
   constexpr double negligible = 1e-6;
-  std::map<std::pair<int, int>, JointSum> joints;
+  if (!surfaces_) surfaces_.emplace(solid);
+  std::vector<SurfaceSum> sums(surfaces_->names().size());
   for (const ContactPoint& c : solid.contacts()) {
-    joints[c.pair()].add(c, solid.laws()[c.law], solid.place(c));
+    for (const int surface : surfaces_->of(c.pair())) sums[at(surface)].add(c, solid.laws()[c.law], solid.place(c));
   }
-  for (const auto& [pair, sum] : joints) {
-    const auto keep_lowest = [&, &of = pair](std::optional<Margin>& lowest, double value) {
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const SurfaceSum& sum = sums[i];
+    const auto keep_lowest = [&](std::optional<Margin>& lowest, double value) {
       if (lowest && lowest->value <= value) return;
-      lowest = Margin{value, time_s, level_m, joint_name(solid, of.first, of.second)};
+      lowest = Margin{value, time_s, level_m, surfaces_->names()[i]};
     };
     if (std::abs(sum.shear) > negligible * (std::abs(sum.strength) + std::abs(sum.normal))) {
       keep_lowest(sliding_, sum.strength / std::abs(sum.shear));
@@ -65,4 +66,4 @@ void Margins::look(const Solid& solid, double time_s, double level_m) {
   }
 }
 
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid

@@ -6,7 +6,7 @@
 
 #include "solid/step/solid.hpp"
 
-namespace blockweir::solid::output {
+namespace blockweir::solid {
 
 /// Its own name, or "a on b" where the scene gives it none.
 inline std::string joint_name(const Solid& solid, int a, int b) {
@@ -16,4 +16,12 @@ inline std::string joint_name(const Solid& solid, int a, int b) {
   return joint >= 0 ? scene.joints[static_cast<std::size_t>(joint)].name : block(a) + " on " + block(b);
 }
 
-}  // namespace blockweir::solid::output
+/// What its pieces have in common: the joint set or cut that it comes from, else its own name; empty where it has none.
+inline std::string joint_set(const Solid& solid, int a, int b) {
+  const int joint = solid.laws()[solid.laws().between(a, b)].joint;
+  if (joint < 0) return {};
+  const scene::Joint& described = solid.scene().joints[static_cast<std::size_t>(joint)];
+  return described.set.empty() ? described.name : described.set;
+}
+
+}  // namespace blockweir::solid

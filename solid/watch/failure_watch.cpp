@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/watch/failure_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "bridge/scene/at.hpp"
+#include "solid/watch/joint_name.hpp"
+#include "solid/watch/mobility.hpp"
+#include "solid/watch/moving_body.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Half the diagonal of the box around the blocks [m].
+double radius(const Solid& solid, const std::vector<int>& blocks) {
+  Eigen::AlignedBox2d box;
+  for (const int b : blocks) {
+    for (const Point& X : solid.blocks()[at(b)].vertices) box.extend(solid.placements()[at(b)].position(X));
+  }
+  return box.diagonal().norm() / 2;
+}
+
+/// The part of a body's surface that bears most of what it still presses with, and where that begins.
+struct FailedJoint {
+  std::string name;
+  std::optional<Point> mouth;  ///< m, upstream end in the scene's outline; none where the blocks did not touch there
+};
+
+FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs) {
+  struct Candidate {
+    double normal = 0;
+    double mouth_x = std::numeric_limits<double>::infinity();
+    FailedJoint joint;
+  };
+  std::map<std::string, Candidate> candidates;
+  const auto& blocks = solid.scene().blocks;
+  for (const auto& [inside, outside] : body.left) {
+    const PairMotion& motion = pairs.at(std::minmax(inside, outside));
+    const auto trace = scene::trace_joint(blocks[at(inside)], blocks[at(outside)], 1e-6 * solid.size_m());
+    if (trace.pieces.empty() && motion.normal == 0) continue;
+    Candidate& one = candidates[joint_set(solid, inside, outside)];
+    one.normal += motion.normal;
+    const double x = trace.pieces.empty() ? std::numeric_limits<double>::max() : trace.mouth().x();
+    if (x >= one.mouth_x) continue;
+    one.mouth_x = x;
+    const std::string set = joint_set(solid, inside, outside);
+    one.joint = {set.empty() ? joint_name(solid, inside, outside) : set, std::nullopt};
+    if (!trace.pieces.empty()) one.joint.mouth = trace.mouth();
+  }
+  const auto worst = std::max_element(candidates.begin(), candidates.end(),
+                                      [](const auto& a, const auto& b) { return a.second.normal < b.second.normal; });
+  return worst == candidates.end() ? FailedJoint{} : worst->second.joint;
+}
+
+std::string mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions& pairs) {
+  // Shares of the way: a body that turns about its toe has about 1/2 of it from the turning, one that slides none.
+  constexpr double turns = 0.02;
+  constexpr double slides = 0.002;
+  double travel = 0;
+  double mass = 0;
+  double turned = 0;
+  for (const int b : body.blocks) {
+    const double m = moved.solid().blocks()[at(b)].mass_per_m();
+    travel = std::max(travel, moved.farthest(b));
+    mass += m;
+    turned += m * moved.turned(b);
+  }
+  double slip = 0;
+  for (const auto& [inside, outside] : body.left) slip = std::max(slip, pairs.at(std::minmax(inside, outside)).slip);
+  const bool turning = std::abs(turned / mass) * radius(moved.solid(), body.blocks) > turns * travel;
+  const bool sliding = slip > slides * travel;
+  return !turning ? "sliding" : sliding ? "sliding and overturning" : "overturning";
+}
+
+}  // namespace
+
+FailureWatch::FailureWatch(const Solid& solid)
+    : solid_(solid), watched_(solid.described()), stands_(watched_.size(), true), guided_(watched_.size()) {
+  std::map<std::size_t, int> supports;
+  for (const scene::Support& support : solid.scene().supports) {
+    if (++supports[at(support.block)] == 2) guided_[at(support.block)] = true;
+  }
+}
+
+double FailureWatch::speed(std::size_t b) const {
+  double fastest = 0;
+  const Point base = solid_.base().velocity(solid_.time_s());
+  for (const Point& X : solid_.blocks()[b].vertices) {
+    fastest = std::max(fastest, (solid_.placements()[b].shape(X) * solid_.states()[b].velocity - base).norm());
+  }
+  return fastest;
+}
+
+/// Farthest that a vertex has come since the block last stood [m].
+double FailureWatch::travel(std::size_t b) const {
+  const Placement then(solid_.blocks()[b].centroid, watched_[b].displacement);
+  const Point base = solid_.base().displacement(solid_.time_s()) - solid_.base().displacement(watched_[b].time_s);
+  double farthest = 0;
+  for (const Point& X : solid_.blocks()[b].vertices) {
+    farthest = std::max(farthest, (solid_.placements()[b].displacement(X) - then.displacement(X) - base).norm());
+  }
+  return farthest;
+}
+
+/// Which blocks stand.
+void FailureWatch::judge() {
+  constexpr double straining = 100;  // times the speed of rest: what still counts as calm
+  const double rest = solid_.scene().analysis.rest_speed_m_per_s;
+  std::vector<bool> moves(watched_.size());
+  bool any_moves = false;
+  bool calm = true;
+  for (std::size_t b = 0; b < watched_.size(); ++b) {
+    const double fastest = solid_.blocks()[b].fixed ? 0 : speed(b);
+    moves[b] = fastest > rest;
+    any_moves = any_moves || (moves[b] && !watched_[b].failed && !guided_[b]);
+    calm = calm && fastest <= straining * rest;
+  }
+  stands_ = moves;
+  stands_.flip();
+  calm_ = calm;
+  if (!any_moves) {
+    calm_ = calm && std::find(moves.begin(), moves.end(), true) == moves.end();
+    return;
+  }
+  const std::vector<bool> held = only_strain(solid_, moves);
+  for (std::size_t b = 0; b < moves.size(); ++b) {
+    stands_[b] = stands_[b] || held[b];
+    calm_ = calm_ && stands_[b];
+  }
+}
+
+void FailureWatch::look(double time_s, double upstream_level_m) {
+  judge();
+  const double far = solid_.scene().analysis.failure_displacement_m;
+  for (std::size_t b = 0; b < watched_.size(); ++b) {
+    Watched& block = watched_[b];
+    if (solid_.blocks()[b].fixed || guided_[b] || block.failed) continue;
+    if (stands_[b] || time_s == 0) {
+      const BlockState& now = solid_.states()[b];
+      block = {time_s, upstream_level_m, nan, now.displacement, now.acceleration.head<2>(), false};
+    } else if (std::isnan(block.next_level_m)) {
+      block.next_level_m = upstream_level_m;
+    }
+  }
+  std::vector<std::pair<double, std::size_t>> far_gone;  // by what they have come
+  for (std::size_t b = 0; b < watched_.size(); ++b) {
+    if (stands_[b] || solid_.blocks()[b].fixed || guided_[b] || watched_[b].failed) continue;
+    if (const double way = travel(b); way > far) far_gone.emplace_back(-way, b);
+  }
+  std::sort(far_gone.begin(), far_gone.end());
+  for (const auto& [way, b] : far_gone) {
+    if (watched_[b].failed) continue;  // with a body that went farther
+    Failure failure = describe(b);
+    std::erase_if(failure.blocks, [&](int other) { return watched_[at(other)].failed; });
+    for (const int other : failure.blocks) watched_[at(other)].failed = true;
+    failures_.push_back(std::move(failure));
+  }
+  std::stable_sort(failures_.begin(), failures_.end(),
+                   [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
+}
+
+std::optional<Moving> FailureWatch::moving() const {
+  std::optional<Moving> fastest;
+  for (std::size_t b = 0; b < watched_.size(); ++b) {
+    if (stands_[b] || solid_.blocks()[b].fixed || guided_[b] || watched_[b].failed) continue;
+    const double fast = speed(b);
+    if (!fastest || fast > fastest->speed_m_per_s) fastest = {static_cast<int>(b), fast, travel(b)};
+  }
+  return fastest;
+}
+
+Failure FailureWatch::describe(std::size_t b) const {
+  std::vector<Vector6> displacement;
+  std::vector<double> times;
+  for (const Watched& block : watched_) {
+    displacement.push_back(block.displacement);
+    times.push_back(block.time_s);
+  }
+  const MovedSince moved(solid_, displacement, times);
+  const PairMotions pairs = pair_motions(moved);
+  const MovingBody body = moving_body(moved, pairs, stands_, static_cast<int>(b));
+  const Watched& last = watched_[b];
+  const bool in_time = solid_.scene().analysis.kind != scene::AnalysisKind::at_rest;
+  Failure failure{.blocks = body.blocks,
+                  .time_s = in_time ? last.time_s : solid_.scene().analysis.duration_s,
+                  .level_m = last.level_m,
+                  .head_m = nan,
+                  .level_uncertainty_m = nan,
+                  .inertia_m = nan,
+                  .travel_m = travel(b),
+                  .mode = "falling"};
+  const FailedJoint joint = failed_joint(solid_, body, pairs);
+  if (joint.name.empty()) return failure;
+  failure.joint = joint.name;
+  failure.mode = mode_of(moved, body, pairs);
+  if (!joint.mouth) return failure;
+  failure.head_m = failure.level_m - joint.mouth->y();
+  // What inertia holds back or adds when the body last stood, as a rise of the level: rho g head dh.
+  Point inertia = Point::Zero();
+  for (const int k : body.blocks) inertia += solid_.blocks()[at(k)].mass_per_m() * watched_[at(k)].acceleration;
+  const double per_m =
+      solid_.scene().water.density_kg_per_m3 * solid_.scene().analysis.gravity_m_per_s2 * failure.head_m;
+  if (per_m > 0) failure.inertia_m = inertia.norm() / per_m;
+  failure.level_uncertainty_m = std::abs(last.next_level_m - last.level_m) + failure.inertia_m;
+  return failure;
+}
+
+}  // namespace blockweir::solid

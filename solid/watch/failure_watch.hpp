@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// When has a structure failed, at which level, and how? Found from the motion, not from a threshold on the load.
+//
+// A block stands while no vertex is faster than rest_speed_m_per_s, or while the contacts leave it no rigid motion of
+// its own (mobility.hpp): then it strains under a load that comes fast, or rings, at any speed. A motion that carries a
+// vertex farther than failure_displacement_m without standing in between is a failure: a slip that finds a new
+// equilibrium stands before. The failure began, and the level is read, when the block last stood.
+#pragma once
+
+#include "bridge/scene/joint_trace.hpp"
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid {
+
+/// Of blocks that move as one body.
+struct Failure {
+  std::vector<int> blocks;         ///< in the scene's order
+  double time_s = 0;               ///< when it last stood
+  double level_m = 0;              ///< upstream level that acted then; NaN without a pool
+  double head_m = 0;               ///< of it above the upstream end of the joint that failed; NaN without a pool
+  double level_uncertainty_m = 0;  ///< by the level's rise in a window and the inertia of a fast filling; NaN likewise
+  double inertia_m = 0;            ///< the second part of it
+  double travel_m = 0;             ///< when the failure was certain
+  std::string mode;                ///< "sliding", "overturning", "sliding and overturning" or "falling"
+  std::string joint;               ///< what the body moves against; empty when it falls free
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(blocks, time_s, level_m, head_m, level_uncertainty_m, inertia_m, travel_m, mode, joint);
+  }
+};
+
+/// A block that moves and has not failed yet.
+struct Moving {
+  int block = 0;
+  double speed_m_per_s = 0;
+  double travel_m = 0;  ///< since it last stood
+};
+
+class FailureWatch {
+ public:
+  explicit FailureWatch(const Solid& solid);
+
+  /// Looks at the state at `time_s`, reached under `upstream_level_m`.
+  void look(double time_s, double upstream_level_m);
+
+  /// At the last look every block was at rest, or strained slowly.
+  [[nodiscard]] bool calm() const { return calm_; }
+
+  /// Failures so far, the earliest first.
+  [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
+
+  /// The fastest block that at the last look neither stood nor had failed; none where all do.
+  [[nodiscard]] std::optional<Moving> moving() const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(watched_, stands_, calm_, failures_);
+  }
+
+ private:
+  struct Watched {
+    double time_s = 0;  ///< when the block last stood
+    double level_m = 0;
+    double next_level_m = 0;  ///< at the look after that
+    Vector6 displacement = Vector6::Zero();
+    Point acceleration = Point::Zero();  ///< of its centroid, then
+    bool failed = false;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(time_s, level_m, next_level_m, displacement, acceleration, failed);
+    }
+  };
+  void judge();
+  [[nodiscard]] double speed(std::size_t block) const;
+  [[nodiscard]] double travel(std::size_t block) const;
+  [[nodiscard]] Failure describe(std::size_t block) const;
+
+  const Solid& solid_;
+  std::vector<Watched> watched_;
+  std::vector<bool> stands_;  ///< at the last look
+  bool calm_ = true;
+  std::vector<bool> guided_;  ///< by supports at two of its points: how it moves is the scene's will, no failure
+  std::vector<Failure> failures_;
+};
+
+}  // namespace blockweir::solid

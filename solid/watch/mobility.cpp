@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/watch/mobility.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "bridge/scene/at.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+constexpr int most_bodies = 12;       ///< that are looked at together
+constexpr double free_motion = 1e-6;  ///< square of the largest violation of a motion that counts as free, rows being 1
+
+/// One direction in which two bodies cannot move against each other, or only to one side.
+struct Hold {
+  int of = 0;  ///< body
+  int on = 0;
+  Point at;          ///< m
+  Point direction;   ///< of unit length
+  bool both = true;  ///< holds to both sides; else velocities of `of` against `on` along `direction` are free
+};
+
+/// Bodies: blocks joined so far. Whatever stands is one of them.
+class Bodies {
+ public:
+  explicit Bodies(std::size_t blocks) : parent_(blocks + 1) { std::iota(parent_.begin(), parent_.end(), 0); }
+  [[nodiscard]] int standing() const { return static_cast<int>(parent_.size()) - 1; }
+  [[nodiscard]] int of(int block) {
+    int body = block;
+    while (parent_[at(body)] != body) body = parent_[at(body)] = parent_[at(parent_[at(body)])];
+    return body;
+  }
+  void join(int a, int b) { parent_[at(of(a))] = of(b); }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// Rates (u, v, turn times size) of a body about `origin`, as they move the hold's point along its direction.
+Eigen::RowVector3d row(const Hold& hold, const Point& origin, double size) {
+  const Point arm = (hold.at - origin) / size;
+  return {hold.direction.x(), hold.direction.y(), arm.x() * hold.direction.y() - arm.y() * hold.direction.x()};
+}
+
+/// Motions of `bodies` that no hold to both sides stops: columns, of unit length.
+Eigen::MatrixXd free_motions(const Eigen::MatrixXd& stopped) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(stopped.transpose() * stopped);
+  Eigen::Index free = 0;
+  while (free < modes.eigenvalues().size() && modes.eigenvalues()[free] < free_motion) ++free;
+  return modes.eigenvectors().leftCols(free);
+}
+
+/// A single motion that slips one way here and the other way there is stopped by one-sided holds.
+bool stopped_both_ways(const Eigen::VectorXd& rates) {
+  const double tolerance = std::sqrt(free_motion);
+  return rates.size() > 0 && rates.maxCoeff() > tolerance && rates.minCoeff() < -tolerance;
+}
+
+/// What the bodies that these holds name can do, the standing one excepted: true for each that no free motion moves.
+/// Points nearer to each other than `near_m` hold no turn.
+std::map<int, bool> held_bodies(const std::vector<Hold>& holds, int standing, double near_m) {
+  std::map<int, Eigen::Index> column;
+  Point origin = Point::Zero();
+  for (const Hold& hold : holds) {
+    origin += hold.at / static_cast<double>(holds.size());
+    for (const int body : {hold.of, hold.on}) {
+      if (body != standing) column.try_emplace(body, 3 * static_cast<Eigen::Index>(column.size()));
+    }
+  }
+  double size = near_m;
+  for (const Hold& hold : holds) size = std::max(size, (hold.at - origin).norm());
+  const auto both = std::count_if(holds.begin(), holds.end(), [](const Hold& h) { return h.both; });
+  const auto unknowns = 3 * static_cast<Eigen::Index>(column.size());
+  Eigen::MatrixXd stopped = Eigen::MatrixXd::Zero(both, unknowns);
+  Eigen::MatrixXd one_way = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(holds.size()) - both, unknowns);
+  Eigen::Index i = 0;
+  Eigen::Index j = 0;
+  for (const Hold& hold : holds) {
+    auto line = hold.both ? stopped.row(i++) : one_way.row(j++);
+    if (hold.of != standing) line.segment<3>(column[hold.of]) += row(hold, origin, size);
+    if (hold.on != standing) line.segment<3>(column[hold.on]) -= row(hold, origin, size);
+  }
+  Eigen::MatrixXd motions = free_motions(stopped);
+  if (motions.cols() == 1 && stopped_both_ways(one_way * motions)) motions.resize(unknowns, 0);
+  std::map<int, bool> held;
+  for (const auto& [body, first] : column) {
+    held[body] = motions.cols() == 0 || motions.middleRows<3>(first).cwiseAbs().maxCoeff() < 1e-6;
+  }
+  return held;
+}
+
+void hold(const Solid& solid, const ContactPoint& c, std::vector<Hold>& holds) {
+  const Placement& edge = solid.placements()[at(c.edge_part)];
+  const Point t = edge.vector(c.edge_to) - edge.vector(c.edge_from);
+  const Point along = t / t.norm();
+  const Point place = solid.place(c);
+  holds.push_back({c.vertex_block, c.edge_block, place, perpendicular(along), true});
+  if (c.state == ContactState::stick && !c.slid) {
+    holds.push_back({c.vertex_block, c.edge_block, place, along, true});
+  } else if (c.state == ContactState::slip && c.force.y() != 0) {
+    holds.push_back({c.vertex_block, c.edge_block, place, c.force.y() < 0 ? along : Point(-along), false});
+  }
+}
+
+/// Holds of contacts and supports at which what moves is involved, by blocks; -1 for the ground.
+std::vector<Hold> holds_of(const Solid& solid, const std::vector<bool>& moves) {
+  std::vector<Hold> holds;
+  for (const ContactPoint& c : solid.contacts()) {
+    if (c.state != ContactState::open && (moves[at(c.vertex_block)] || moves[at(c.edge_block)])) hold(solid, c, holds);
+  }
+  for (const scene::Support& s : solid.scene().supports) {
+    if (!moves[at(s.block)]) continue;
+    const Block& block = solid.blocks()[at(s.block)];
+    const Point place = solid.placements()[at(s.block)].position(s.point_m - block.centroid);
+    if (s.displacement_x_m) holds.push_back({s.block, -1, place, Point::UnitX(), true});
+    if (s.displacement_y_m) holds.push_back({s.block, -1, place, Point::UnitY(), true});
+  }
+  return holds;
+}
+
+/// Bodies that their holds connect, the standing one connecting nothing; each group's holds.
+std::vector<std::vector<Hold>> groups_of(const std::vector<Hold>& holds, std::size_t blocks, int standing) {
+  Bodies connected(blocks);
+  for (const Hold& h : holds) {
+    if (h.of != standing && h.on != standing) connected.join(h.of, h.on);
+  }
+  std::map<int, std::vector<Hold>> groups;
+  for (const Hold& h : holds) groups[connected.of(h.of != standing ? h.of : h.on)].push_back(h);
+  std::vector<std::vector<Hold>> list;
+  for (auto& [body, group] : groups) list.push_back(std::move(group));
+  return list;
+}
+
+/// Joins each two bodies that have no rigid motion against each other; true while there are any.
+bool join_pairs(std::vector<Hold>& holds, Bodies& bodies, double near_m) {
+  const auto pair = [](const Hold& h) { return std::minmax(h.of, h.on); };
+  std::sort(holds.begin(), holds.end(), [&](const Hold& a, const Hold& b) { return pair(a) < pair(b); });
+  bool joined = false;
+  for (auto first = holds.begin(), end = first; first != holds.end(); first = end) {
+    end = std::find_if(first, holds.end(), [&](const Hold& h) { return pair(h) != pair(*first); });
+    if (std::distance(first, end) < 3) continue;
+    const auto [low, high] = std::pair(std::min(first->of, first->on), std::max(first->of, first->on));
+    if (bodies.of(low) == bodies.of(high)) continue;
+    if (!held_bodies({first, end}, high, near_m).at(low)) continue;
+    bodies.join(low, high);
+    joined = true;
+  }
+  return joined;
+}
+
+/// Names bodies instead of blocks, and leaves out what two parts of one body hold.
+void rename(std::vector<Hold>& holds, Bodies& bodies) {
+  for (Hold& h : holds) h = {bodies.of(h.of), bodies.of(h.on), h.at, h.direction, h.both};
+  std::erase_if(holds, [](const Hold& h) { return h.of == h.on; });
+}
+
+}  // namespace
+
+std::vector<bool> only_strain(const Solid& solid, const std::vector<bool>& moves) {
+  std::vector<bool> held(moves.size(), false);
+  if (std::find(moves.begin(), moves.end(), true) == moves.end()) return held;
+  Bodies bodies(moves.size());
+  const int standing = bodies.standing();
+  std::vector<Hold> holds = holds_of(solid, moves);
+  for (Hold& h : holds) {
+    if (!moves[at(h.of)]) h.of = standing;
+    if (h.on < 0 || !moves[at(h.on)]) h.on = standing;
+  }
+  const double near_m = 1e-3 * solid.size_m();
+  while (join_pairs(holds, bodies, near_m)) rename(holds, bodies);
+  for (const std::vector<Hold>& group : groups_of(holds, moves.size(), bodies.of(standing))) {
+    std::set<int> together;
+    for (const Hold& h : group) together.insert({h.of, h.on});
+    if (together.size() > most_bodies + 1) continue;
+    for (const auto& [body, is_held] : held_bodies(group, bodies.of(standing), near_m)) {
+      if (is_held) bodies.join(body, standing);
+    }
+  }
+  for (std::size_t b = 0; b < moves.size(); ++b) {
+    held[b] = moves[b] && bodies.of(static_cast<int>(b)) == bodies.of(standing);
+  }
+  return held;
+}
+
+}  // namespace blockweir::solid

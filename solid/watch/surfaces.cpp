@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/watch/surfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "bridge/scene/at.hpp"
+#include "solid/watch/joint_name.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+using Pair = std::pair<int, int>;
+
+/// Where a straight joint lies in the scene's outline.
+struct Line {
+  double angle = 0;   ///< rad, from just above -pi/2 to just above pi/2
+  double offset = 0;  ///< m, of the line from `about`
+};
+
+/// None where the points are not on one line, or are one point.
+std::optional<Line> line_through(const std::vector<Point>& points, const Point& about, double tolerance_m) {
+  const Point& first = points.front();
+  const Point& last = *std::max_element(points.begin(), points.end(), [&](const Point& a, const Point& b) {
+    return (a - first).squaredNorm() < (b - first).squaredNorm();
+  });
+  Point along = last - first;
+  if (along.norm() <= tolerance_m) return std::nullopt;
+  along.normalize();
+  if (along.x() < 1e-6 && (along.x() < -1e-6 || along.y() < 0)) along = -along;
+  const Point normal = perpendicular(along);
+  for (const Point& p : points) {
+    if (std::abs(normal.dot(p - first)) > tolerance_m) return std::nullopt;
+  }
+  return Line{std::atan2(along.y(), along.x()), normal.dot(first - about)};
+}
+
+/// The graph of blocks that touch, the ground being one node.
+class Connections {
+ public:
+  Connections(const Solid& solid, const std::vector<Pair>& pairs) : solid_(solid), edges_(solid.described() + 1) {
+    for (const Pair& pair : pairs) {
+      const int a = node(pair.first);
+      const int b = node(pair.second);
+      if (a == b) continue;
+      edges_[at(a)].emplace_back(b, pair);
+      edges_[at(b)].emplace_back(a, pair);
+    }
+    grounded_ = reached({});
+  }
+
+  /// Without these joints some block that the ground holds has no connection to it.
+  [[nodiscard]] bool parted_by(const std::set<Pair>& joints) const { return reached(joints) < grounded_; }
+
+ private:
+  [[nodiscard]] int node(int block) const {
+    const auto& supports = solid_.scene().supports;
+    const auto holds = [&](const scene::Support& s) { return s.block == block; };
+    const bool ground = solid_.blocks()[at(block)].fixed || std::any_of(supports.begin(), supports.end(), holds);
+    return ground ? static_cast<int>(edges_.size()) - 1 : block;
+  }
+  /// Number of blocks that the ground is connected to.
+  [[nodiscard]] std::size_t reached(const std::set<Pair>& without) const {
+    std::vector<bool> seen(edges_.size(), false);
+    std::vector<std::size_t> open = {edges_.size() - 1};
+    seen.back() = true;
+    std::size_t count = 0;
+    while (!open.empty()) {
+      const std::size_t from = open.back();
+      open.pop_back();
+      for (const auto& [to, pair] : edges_[from]) {
+        if (seen[at(to)] || without.contains(pair)) continue;
+        seen[at(to)] = true;
+        open.push_back(at(to));
+        ++count;
+      }
+    }
+    return count;
+  }
+
+  const Solid& solid_;
+  std::vector<std::vector<std::pair<int, Pair>>> edges_;
+  std::size_t grounded_ = 0;
+};
+
+/// Outline points of each joint's closed contacts.
+std::map<Pair, std::vector<Point>> joint_points(const Solid& solid) {
+  std::map<Pair, std::vector<Point>> points;
+  for (const ContactPoint& c : solid.contacts()) {
+    if (c.state == ContactState::open) continue;
+    points[c.pair()].push_back(solid.blocks()[at(c.vertex_part)].centroid + c.vertex_at);
+  }
+  return points;
+}
+
+/// Joints that lie in one line, two or more.
+std::vector<std::set<Pair>> in_one_line(const Solid& solid, const std::map<Pair, std::vector<Point>>& points) {
+  const double tolerance_m = 1e-5 * solid.size_m();
+  constexpr double parallel = 1e-4;  // rad
+  std::vector<std::pair<Line, Pair>> lines;
+  const Point about = points.empty() ? Point::Zero() : points.begin()->second.front();
+  for (const auto& [pair, at_points] : points) {
+    if (const auto line = line_through(at_points, about, tolerance_m)) lines.emplace_back(*line, pair);
+  }
+  const auto by_angle = [](const auto& a, const auto& b) { return a.first.angle < b.first.angle; };
+  const auto by_offset = [](const auto& a, const auto& b) { return a.first.offset < b.first.offset; };
+  std::sort(lines.begin(), lines.end(), by_angle);
+  std::vector<std::set<Pair>> groups;
+  for (auto first = lines.begin(), end = first; first != lines.end(); first = end) {
+    end = std::adjacent_find(first, lines.end(),
+                             [&](const auto& a, const auto& b) { return b.first.angle - a.first.angle > parallel; });
+    if (end != lines.end()) ++end;
+    std::sort(first, end, by_offset);
+    for (auto one = first, next = one; one != end; one = next) {
+      std::set<Pair> group;
+      for (next = one; next != end && (next == one || next->first.offset - (next - 1)->first.offset <= tolerance_m);
+           ++next)
+        group.insert(next->second);
+      if (group.size() > 1) groups.push_back(std::move(group));
+    }
+  }
+  return groups;
+}
+
+std::string name_of(const Solid& solid, const std::set<Pair>& joints) {
+  const Pair& first = *joints.begin();
+  const std::string own = joint_name(solid, first.first, first.second);
+  if (joints.size() == 1) return own;
+  const std::string set = joint_set(solid, first.first, first.second);
+  const auto in_set = [&](const Pair& p) { return joint_set(solid, p.first, p.second) == set; };
+  if (!set.empty() && std::all_of(joints.begin(), joints.end(), in_set)) return set;
+  return fmt::format("{} and {} more in one line", own, joints.size() - 1);
+}
+
+}  // namespace
+
+Surfaces::Surfaces(const Solid& solid) {
+  const std::map<Pair, std::vector<Point>> points = joint_points(solid);
+  std::vector<Pair> pairs;
+  for (const auto& [pair, at_points] : points) pairs.push_back(pair);
+  const Connections connections(solid, pairs);
+  std::vector<std::set<Pair>> candidates = in_one_line(solid, points);
+  for (const Pair& pair : pairs) candidates.push_back({pair});
+  for (const std::set<Pair>& joints : candidates) {
+    if (!connections.parted_by(joints)) continue;
+    for (const Pair& pair : joints) of_pair_[pair].push_back(static_cast<int>(names_.size()));
+    names_.push_back(name_of(solid, joints));
+  }
+}
+
+const std::vector<int>& Surfaces::of(const std::pair<int, int>& pair) const {
+  static const std::vector<int> none;
+  const auto found = of_pair_.find(pair);
+  return found == of_pair_.end() ? none : found->second;
+}
+
+}  // namespace blockweir::solid

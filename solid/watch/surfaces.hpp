@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces along which a part of the structure could leave the rest: joints, or joints in one line, that run through.
+//
+// A joint of a mesh of joints, or of a bond of bricks, cannot slide by itself: what its forces have in reserve says
+// nothing. One that runs through parts the structure: without its contacts some block has no connection to the ground.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid {
+
+class Surfaces {
+ public:
+  /// Of the contacts that are closed now. Fixed blocks, and blocks that a support holds, are the ground.
+  explicit Surfaces(const Solid& solid);
+  Surfaces() = default;
+
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// Indices of the surfaces that the joint of two blocks (the lower index first) is a part of; may be empty.
+  [[nodiscard]] const std::vector<int>& of(const std::pair<int, int>& pair) const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(names_, of_pair_);
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::pair<int, int>, std::vector<int>> of_pair_;
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// What a run says of a structure: that it stands, fails, or moves when the run ends; how, where and at which level.
+// Levels are those of limit equilibrium, worked out beside each scene.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double weight_of_water = 9810;  // N/m3
+
+class Verdicts : public Processes {
+ protected:
+  /// Runs the scene in one process; its summary.
+  [[nodiscard]] nlohmann::json run(const std::string& scene, const std::string& options = "") const {
+    std::ofstream(folder / "scene.toml") << scene;
+    EXPECT_EQ(shell(programs + "/blockweir run scene.toml --inproc --out r " + options), 0) << text("out");
+    return nlohmann::json::parse(text("r/summary.json"), nullptr, false);
+  }
+};
+
+/// A dam (0,0) (0.6,0) (0.15,1) (0,1) times its height on a level base, triangular uplift, density 2400.
+struct Monolith {
+  double height_m = 20;
+  double youngs_modulus_pa = 30e9;
+  double friction_angle_deg = 33;
+  std::string analysis = "duration_s = 24\nstep_s = 0.01\nstop_at_failure = true";
+  std::string level;
+
+  /// Slides where H = (W - U) tan(phi): h^2/2 + tan(phi) B h/2 = W tan(phi)/(rho g).
+  [[nodiscard]] double sliding_level() const {
+    const double tangent = std::tan(friction_angle_deg * std::numbers::pi / 180);
+    const double weight = 2400 * 9.81 * 0.375 * height_m * height_m;
+    const double b = tangent * 0.6 * height_m / 2;
+    return -b + std::sqrt(b * b + 2 * weight * tangent / weight_of_water);
+  }
+  [[nodiscard]] std::string scene() const {
+    const double h = height_m;
+    return fmt::format(R"([analysis]
+{}
+[material.c]
+youngs_modulus_pa = {}
+poissons_ratio = 0.2
+density_kg_per_m3 = 2400
+[[block]]
+name = "ground"
+material = "c"
+fixed = true
+vertices_m = [[{}, {}], [{}, {}], [{}, 0], [{}, 0]]
+[[block]]
+name = "dam"
+material = "c"
+vertices_m = [[0, 0], [{}, 0], [{}, {}], [0, {}]]
+[joint]
+friction_angle_deg = {}
+uplift = "triangular"
+[[joints]]
+name = "base"
+between = ["ground", "dam"]
+[water]
+upstream_level_m = {}
+may_overtop = true
+[output]
+frame_every_s = 100
+history_every_s = 1
+)",
+                       analysis, youngs_modulus_pa, -2 * h, -0.3 * h, 2.6 * h, -0.3 * h, 2.6 * h, -2 * h, 0.6 * h,
+                       0.15 * h, h, h, friction_angle_deg, level);
+  }
+};
+
+TEST_F(Verdicts, AStaticAnalysisHasTheLevelOfItsEnd) {
+  Monolith dam{.analysis = "kind = \"static\"\nduration_s = 24"};
+  for (const auto& [share, outcome] :
+       {std::pair{0.999, "stands"}, std::pair{1.001, "fails"}, std::pair{1.2, "fails"}}) {
+    dam.level =
+        fmt::format("{{ table = [[0, {}], [24, {}]] }}", 0.5 * dam.sliding_level(), share * dam.sliding_level());
+    const auto summary = run(dam.scene());
+    EXPECT_EQ(summary["outcome"], outcome) << share << text("out");
+    if (summary["outcome"] != "fails") continue;
+    EXPECT_NEAR(summary["failure"]["level_m"].get<double>(), share * dam.sliding_level(), 1e-9);
+    EXPECT_EQ(summary["failure"]["mode"], "sliding");
+  }
+}
+
+TEST_F(Verdicts, AQuasiStaticDamSlidesAtTheLevelOfADynamicOne) {
+  Monolith dam{.analysis = "kind = \"quasi-static\"\nduration_s = 24\nstep_s = 0.02\nstop_at_failure = true"};
+  const double level = dam.sliding_level();
+  dam.level = fmt::format("{{ table = [[0, {}], [4, {}], [24, {}]] }}", 0.5 * level, 0.98 * level, 1.05 * level);
+  const auto summary = run(dam.scene());
+  ASSERT_EQ(summary["outcome"], "fails") << text("out");
+  EXPECT_NEAR(summary["failure"]["level_m"].get<double>() / level, 1, 1e-4);
+  EXPECT_EQ(summary["failure"]["mode"], "sliding");
+}
+
+TEST_F(Verdicts, StrainUnderAFastFillingIsNoFailure) {
+  Monolith high{.height_m = 300, .youngs_modulus_pa = 20e9};
+  const double level = high.sliding_level();
+  high.analysis = "duration_s = 40\nstep_s = 0.01\nstop_at_failure = true";
+  high.level = fmt::format("{{ table = [[0, {}], [20, {}], [40, {}]] }}", 0.5 * level, 0.984 * level, 1.015 * level);
+  const auto of_high = run(high.scene());
+  ASSERT_EQ(of_high["outcome"], "fails") << text("out");
+  const double uncertain = of_high["failure"]["level_uncertainty_m"].get<double>();
+  EXPECT_NEAR(of_high["failure"]["level_m"].get<double>(), level, 1e-4 * level + uncertain);
+  EXPECT_LT(uncertain, 0.01 * level);
+
+  Monolith soft{.height_m = 10, .youngs_modulus_pa = 30e6, .friction_angle_deg = 35};
+  const double soft_level = soft.sliding_level();
+  soft.level = fmt::format("{{ table = [[0, {}], [4, {}], [24, {}]] }}", 0.5 * soft_level, 0.985 * soft_level,
+                           1.015 * soft_level);
+  const auto of_soft = run(soft.scene());
+  ASSERT_EQ(of_soft["outcome"], "fails") << text("out");
+  // It strains by a hundredth.
+  EXPECT_NEAR(of_soft["failure"]["level_m"].get<double>() / soft_level, 1, 0.01);
+}
+
+TEST_F(Verdicts, AQuickFillingSaysThatItsLevelDependsOnTheSpeed) {
+  Monolith dam{.analysis = "duration_s = 2\nstep_s = 0.01\nstop_at_failure = true"};
+  const double level = dam.sliding_level();
+  dam.level = fmt::format("{{ table = [[0, {}], [2, {}]] }}", 0.3 * level, 1.3 * level);
+  const auto summary = run(dam.scene());
+  ASSERT_EQ(summary["outcome"], "fails") << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("level"));
+  ASSERT_TRUE(summary["failure"].contains("doubt")) << summary["failure"];
+  EXPECT_NEAR(summary["failure"]["level_m"].get<double>(), level,
+              summary["failure"]["level_uncertainty_m"].get<double>() + 1e-3 * level);
+}
+
+TEST_F(Verdicts, WhatMovesAtTheEndHasNotBeenShownToStand) {
+  Monolith dam{.friction_angle_deg = 33, .analysis = "duration_s = 0.4\nstep_s = 0.01"};
+  dam.level =
+      fmt::format("{{ table = [[0, {}], [0.1, {}]] }}", 0.999 * dam.sliding_level(), 1.003 * dam.sliding_level());
+  const auto summary = run(dam.scene());
+  EXPECT_EQ(summary["outcome"], "moving") << text("out");
+  EXPECT_EQ(summary["moving"]["block"], "dam");
+  EXPECT_GT(summary["moving"]["speed_m_per_s"].get<double>(), 1e-4);
+  EXPECT_THAT(text("out"), HasSubstr("MOVING"));
+  EXPECT_THAT(text("out"), HasSubstr("lengthen duration_s"));
+}
+
+TEST_F(Verdicts, WhatMovesFromTheStartFailsBelowItsFirstLevel) {
+  Monolith dam;
+  dam.level = fmt::format("{}", 1.05 * dam.sliding_level());
+  const auto summary = run(dam.scene());
+  ASSERT_EQ(summary["outcome"], "fails") << text("out");
+  EXPECT_THAT(summary["failure"]["doubt"].get<std::string>(), HasSubstr("moves from the start"));
+}
+
+/// Four lifts of 3 x 2 m, bonded to each other but not to the ground.
+std::string lifts(const std::vector<int>& order, double friction_angle_deg, double from_m, double to_m) {
+  std::string text = R"([analysis]
+duration_s = 20
+step_s = 0.01
+stop_at_failure = true
+[material.c]
+youngs_modulus_pa = 30e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2400
+[joint]
+friction_angle_deg = 60
+cohesion_pa = 3e6
+tension_strength_pa = 1e6
+[[block]]
+name = "ground"
+material = "c"
+fixed = true
+vertices_m = [[-20, -2], [30, -2], [30, 0], [-20, 0]]
+)";
+  for (const int lift : order) {
+    text +=
+        fmt::format("[[block]]\nname = \"l{}\"\nmaterial = \"c\"\nvertices_m = [[0, {}], [3, {}], [3, {}], [0, {}]]\n",
+                    lift, 2 * lift - 2, 2 * lift - 2, 2 * lift, 2 * lift);
+  }
+  return text + fmt::format(R"([[joints]]
+name = "base"
+between = ["ground", "l1"]
+friction_angle_deg = {}
+cohesion_pa = 0
+tension_strength_pa = 0
+[water]
+upstream_level_m = {{ table = [[0, {}], [20, {}]] }}
+may_overtop = true
+)",
+                            friction_angle_deg, from_m, to_m);
+}
+
+TEST_F(Verdicts, LiftsThatMoveTogetherFailOnTheJointBelowThemInAnyOrder) {
+  const double weight = 3 * 8 * 2400 * 9.81;
+  const double slides = std::sqrt(2 * weight * std::tan(20 * std::numbers::pi / 180) / weight_of_water);
+  // Water above the crest presses on the face alone: rho g (h - 8/3 ...): H = rho g (h - 4) 8, arm 8 (3h - 8)/(6h -
+  // 24)...
+  const auto turning = [](double h) {  // moment of the water about the toe
+    return h <= 8 ? weight_of_water * h * h * h / 6 : weight_of_water * (8 * (h - 8) * 4 + 8.0 * 8 * 8 / 6);
+  };
+  double turns = 8;
+  while (turning(turns) < weight * 1.5) turns += 1e-4;
+  for (const std::vector<int>& order : {std::vector{1, 2, 3, 4}, {4, 3, 2, 1}, {3, 1, 4, 2}}) {
+    const auto slid = run(lifts(order, 20, slides - 2, slides + 1));
+    ASSERT_EQ(slid["outcome"], "fails") << text("out");
+    EXPECT_EQ(slid["failure"]["mode"], "sliding");
+    EXPECT_EQ(slid["failure"]["joint"], "base");
+    EXPECT_NEAR(slid["failure"]["head_m"].get<double>() / slides, 1, 1e-3);
+    EXPECT_EQ(slid["failure"]["blocks"].size(), 4U);
+    const auto turned = run(lifts(order, 55, turns - 0.5, turns + 0.5));
+    ASSERT_EQ(turned["outcome"], "fails") << text("out");
+    EXPECT_EQ(turned["failure"]["mode"], "overturning");
+    EXPECT_EQ(turned["failure"]["joint"], "base");
+    EXPECT_NEAR(turned["failure"]["head_m"].get<double>() / turns, 1, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace blockweir::test

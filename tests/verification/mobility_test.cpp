@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_watch
+// Which blocks contacts leave a rigid motion, and on which surfaces a structure could part.
+#include "solid/watch/mobility.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "solid/watch/surfaces.hpp"
+#include "tests/verification/scenes.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+void add_box(scene::Scene& scene, double x, double y, double width, double height, bool fixed = false) {
+  add(scene, {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, fixed);
+}
+
+/// Ground, a base of 4 m and two columns of two boxes on it.
+scene::Scene frame(double friction_angle_deg) {
+  auto scene = empty_scene();
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = friction_angle_deg;
+  add_box(scene, -5, -1, 10, 1, true);
+  add_box(scene, -2, 0, 4, 1);
+  for (const double x : {-2.0, 1.0}) {
+    add_box(scene, x, 1, 1, 1);
+    add_box(scene, x, 2, 1, 1);
+  }
+  return scene;
+}
+
+TEST(Mobility, WhatSticksOnlyStrainsHoweverManyBlocksAreOnEachOther) {
+  const auto scene = frame(30);
+  Solid solid(scene);
+  solid.settle({});
+  const std::vector<bool> moves = {false, true, true, true, true, true};
+  EXPECT_EQ(only_strain(solid, moves), moves);
+}
+
+TEST(Mobility, WhatSlidesOrTurnsHasAMotionOfItsOwnAndSoHasWhatItCarries) {
+  auto scene = frame(30);
+  for (const double push : {0.7, 1.4}) {  // times the weight of the upper box: it slides at 0.58, and turns at 1
+    scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = push > 1 ? 60 : 30;
+    scene.point_loads.clear();
+    scene::PointLoad load{.block = 3, .point_m = Point(-2, 2.5)};
+    load.force_x_n_per_m = scene::TimeTable::constant(push * 2500 * 9.81);
+    load.force_y_n_per_m = scene::TimeTable::constant(0);
+    scene.point_loads.push_back(load);
+    Solid solid(scene);
+    solid.settle({});
+    run(solid, 0.05);
+    const std::vector<bool> held = only_strain(solid, {false, true, true, true, true, true});
+    EXPECT_TRUE(held[1]) << push;
+    EXPECT_TRUE(held[2]) << push;
+    EXPECT_FALSE(held[3]) << push;
+    EXPECT_TRUE(held[4] && held[5]) << push;
+  }
+}
+
+TEST(Mobility, BlocksThatHoldEachOtherAcrossAGapAreHeldTogether) {
+  // A three-hinged frame: two leaning boxes touch in points at the feet and at the top.
+  auto scene = empty_scene();
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 45;
+  add_box(scene, -9, -1, 18, 1, true);
+  add(scene, {{-2, 0}, {-1.6, 0.1}, {0, 3.8}, {0, 4}});
+  add(scene, {{2, 0}, {0, 4}, {0, 3.8}, {1.6, 0.1}});
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 0.05);
+  const std::vector<bool> held = only_strain(solid, {false, true, true});
+  EXPECT_TRUE(held[1]);
+  EXPECT_TRUE(held[2]);
+}
+
+TEST(Surfaces, OfAWallAreItsBedJointsAndNoneOfItsHeadJoints) {
+  auto scene = empty_scene();
+  add_box(scene, -1, -1, 6, 1, true);
+  for (int row = 0; row < 3; ++row) {
+    for (int i = 0; i < 3; ++i) add_box(scene, i + (row % 2) * 0.5, row * 0.5, 1, 0.5);
+  }
+  Solid solid(scene);
+  const Surfaces surfaces(solid);
+  std::vector<std::string> long_names;
+  for (const std::string& name : surfaces.names()) {
+    if (name.find("in one line") != std::string::npos) long_names.push_back(name);
+  }
+  EXPECT_EQ(long_names.size(), 3U);
+  EXPECT_TRUE(surfaces.of({1, 2}).empty());  // upright, between two bricks of a row
+}
+
+TEST(Surfaces, OfATowerAreAllItsJoints) {
+  const auto scene = frame(30);
+  Solid solid(scene);
+  const Surfaces surfaces(solid);
+  for (const auto& pair : {std::pair{0, 1}, {1, 2}, {2, 3}, {1, 4}, {4, 5}}) EXPECT_FALSE(surfaces.of(pair).empty());
+}
+
+}  // namespace
+}  // namespace blockweir::solid
