@@ -111,11 +111,6 @@ inline double strain(const Trial& trial) {
   return trial.filling.rigid == "all" ? 0 : stress / trial.filling.youngs_modulus_pa;
 }
 
-/// What a run says that its level may be off, as a share of it.
-inline double stated(const Trial& trial, const Verdict& verdict) {
-  return std::isfinite(verdict.uncertainty_m) ? verdict.uncertainty_m / trial.one.level_m : 0;
-}
-
 inline std::string text(const Filling& f) {
   return fmt::format("{}, {}, rigid {}, E {:.3g} Pa: ", f.integrator, f.formulation, f.rigid, f.youngs_modulus_pa);
 }
@@ -125,16 +120,32 @@ inline std::string text(const Verdict& v) {
                      v.uncertainty_m, v.head_m, v.mode, v.joint, v.trouble);
 }
 
-/// What is wrong with a failure; empty where nothing is. `off` is what the level may be off, of itself.
-inline std::string wrong(const Trial& trial, const Verdict& v, double off) {
+/// How far a failure may be off.
+struct Allowed {
+  double level =
+      1e-3;          ///< of the level, beside the rise in a window, what the structure strains, and what the run states
+  double early = 0;  ///< more than that where it fails before its time
+  double stated = 0.05;      ///< of the level, the most that a run may state
+  double modes_apart = 1.1;  ///< next level over the first from which there is no doubt about mode and joint
+};
+
+/// What is wrong with a failure; empty where nothing is.
+inline std::string wrong(const Trial& trial, const Verdict& v, const Allowed& allowed = {}) {
   const RandomStructure& one = trial.one;
   if (v.outcome != "fails") return text(trial.filling) + text(v) + fmt::format(", fails at {:.6g} m", one.level_m);
-  const double off_m = off * one.level_m + trial.rise_m;
+  const double stated_m = std::isfinite(v.uncertainty_m) ? v.uncertainty_m : 0;
+  const double off_m = (allowed.level + strain(trial)) * one.level_m + trial.rise_m + stated_m;
   std::string all;
-  if (!(std::abs(v.level_m - one.level_m) <= off_m)) all += fmt::format("level, {:.6g} m is right; ", one.level_m);
-  if (one.by_hand && one.by_hand->next_level_m > 1.02 * one.level_m) {
-    if (!(std::abs(v.head_m - one.by_hand->head_m) <= off_m))
+  if (stated_m > allowed.stated * one.level_m) all += "uncertainty, so large that it says nothing; ";
+  const double late_m = v.level_m - one.level_m;
+  if (!(late_m <= off_m && -late_m <= off_m + allowed.early * one.level_m)) {
+    all += fmt::format("level, {:.6g} m is right; ", one.level_m);
+  }
+  if (one.by_hand && one.by_hand->next_level_m > allowed.modes_apart * one.level_m) {
+    const double level_over_joint_m = one.by_hand->level_m - one.by_hand->head_m;
+    if (!(std::abs(v.level_m - v.head_m - level_over_joint_m) <= (1e-6 + strain(trial)) * one.height_m)) {
       all += fmt::format("head, {:.6g} m; ", one.by_hand->head_m);
+    }
     if (v.mode != one.by_hand->mode) all += "mode, " + one.by_hand->mode + "; ";
     if (v.joint != one.by_hand->joint) all += "joint, " + one.by_hand->joint + "; ";
   }
