@@ -50,8 +50,11 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
     next_dt_ = dt / 4;
     if (next_dt_ < smallest_step) refuse_step(time, dt);
   }
-  // Steps without velocities take what slips a short way each: whether it finds a state of rest is seen at the end.
-  if (scene_.analysis.kind == scene::AnalysisKind::quasi_static) come_to_rest(water.at(to_s), to_s);
+  // Steps without velocities take what slips a short way each: whether it comes to rest is seen at the window's end.
+  constexpr double balanced = 5e-5;  // of the weight
+  if (scene_.analysis.kind == scene::AnalysisKind::quasi_static && unbalanced_ratio() > balanced) {
+    come_to_rest(water.at(to_s), to_s);
+  }
 }
 
 /// A step that goes too far does so whatever finds its states: it is cut. Where friction has had to lag it will have to

@@ -25,39 +25,49 @@ double radius(const Solid& solid, const std::vector<int>& blocks) {
   return box.diagonal().norm() / 2;
 }
 
-/// The part of a body's surface that bears most of what it still presses with, and where that begins.
+/// The joint on which a body leaves the others.
 struct FailedJoint {
   std::string name;
   std::optional<Point> mouth;  ///< m, upstream end in the scene's outline; none where the blocks did not touch there
 };
 
-FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs) {
-  struct Candidate {
-    double normal = 0;
-    double mouth_x = std::numeric_limits<double>::infinity();
-    FailedJoint joint;
-  };
-  std::map<std::string, Candidate> candidates;
+/// Of the joints that the body leaves, the one that begins farthest upstream. Where it slides those that bear next to
+/// nothing have only opened behind it; where it turns, what has opened belongs to the joint. Blocks that had no joint
+/// count when they press on each other now.
+FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs, bool turns) {
+  constexpr double bears = 1e-2;  // of all that the body presses with
   const auto& blocks = solid.scene().blocks;
+  const auto normal = [&](const std::pair<int, int>& face) {
+    return pairs.at(std::minmax(face.first, face.second)).normal;
+  };
+  double whole = 0;
+  for (const auto& face : body.left) whole += std::max(0.0, normal(face));
+  FailedJoint joint;
+  double farthest_x = std::numeric_limits<double>::infinity();
   for (const auto& [inside, outside] : body.left) {
-    const PairMotion& motion = pairs.at(std::minmax(inside, outside));
     const auto trace = scene::trace_joint(blocks[at(inside)], blocks[at(outside)], 1e-6 * solid.size_m());
-    if (trace.pieces.empty() && motion.normal == 0) continue;
-    Candidate& one = candidates[joint_set(solid, inside, outside)];
-    one.normal += motion.normal;
+    const bool pressed = normal({inside, outside}) > bears * whole;
+    if (!pressed && (trace.pieces.empty() || (!turns && whole > 0))) continue;
     const double x = trace.pieces.empty() ? std::numeric_limits<double>::max() : trace.mouth().x();
-    if (x >= one.mouth_x) continue;
-    one.mouth_x = x;
+    if (x >= farthest_x) continue;
+    farthest_x = x;
     const std::string set = joint_set(solid, inside, outside);
-    one.joint = {set.empty() ? joint_name(solid, inside, outside) : set, std::nullopt};
-    if (!trace.pieces.empty()) one.joint.mouth = trace.mouth();
+    joint = {set.empty() ? joint_name(solid, inside, outside) : set, std::nullopt};
+    if (!trace.pieces.empty()) joint.mouth = trace.mouth();
   }
-  const auto worst = std::max_element(candidates.begin(), candidates.end(),
-                                      [](const auto& a, const auto& b) { return a.second.normal < b.second.normal; });
-  return worst == candidates.end() ? FailedJoint{} : worst->second.joint;
+  return joint;
 }
 
-std::string mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions& pairs) {
+struct Mode {
+  bool turns = false;
+  bool slides = false;
+
+  [[nodiscard]] std::string word() const {
+    return !turns ? "sliding" : slides ? "sliding and overturning" : "overturning";
+  }
+};
+
+Mode mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions& pairs) {
   // Shares of the way: a body that turns about its toe has about 1/2 of it from the turning, one that slides none.
   constexpr double turns = 0.02;
   constexpr double slides = 0.002;
@@ -72,9 +82,7 @@ std::string mode_of(const MovedSince& moved, const MovingBody& body, const PairM
   }
   double slip = 0;
   for (const auto& [inside, outside] : body.left) slip = std::max(slip, pairs.at(std::minmax(inside, outside)).slip);
-  const bool turning = std::abs(turned / mass) * radius(moved.solid(), body.blocks) > turns * travel;
-  const bool sliding = slip > slides * travel;
-  return !turning ? "sliding" : sliding ? "sliding and overturning" : "overturning";
+  return {std::abs(turned / mass) * radius(moved.solid(), body.blocks) > turns * travel, slip > slides * travel};
 }
 
 }  // namespace
@@ -194,10 +202,11 @@ Failure FailureWatch::describe(std::size_t b) const {
                   .inertia_m = nan,
                   .travel_m = travel(b),
                   .mode = "falling"};
-  const FailedJoint joint = failed_joint(solid_, body, pairs);
+  const Mode mode = mode_of(moved, body, pairs);
+  const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns);
   if (joint.name.empty()) return failure;
   failure.joint = joint.name;
-  failure.mode = mode_of(moved, body, pairs);
+  failure.mode = mode.word();
   if (!joint.mouth) return failure;
   failure.head_m = failure.level_m - joint.mouth->y();
   // What inertia holds back or adds when the body last stood, as a rise of the level: rho g head dh.
