@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -38,8 +39,8 @@ class Reports {
     if (!due() && begun_ && time_s < duration_s_) return;
     begun_ = true;
     write(fd_ >= 0 ? fmt::format("{:.9g} {:.9g} {:.9g}\n", time_s, level_m, displacement_m)
-                   : fmt::format("{:.4g} of {:.4g} s, level {:.4g} m, largest displacement {:.3g} m\n", time_s,
-                                 duration_s_, level_m, displacement_m));
+                   : fmt::format("{:.4g} of {:.4g} s{}, largest displacement {:.3g} m\n", time_s, duration_s_,
+                                 std::isnan(level_m) ? "" : fmt::format(", level {:.4g} m", level_m), displacement_m));
   }
 
  private:
@@ -95,6 +96,12 @@ FluidReport run_process(SolidProcess process) {
   const bool alone = scene.fluid == scene::FluidModel::none;
   if (!alone && !process.make_fluid && process.line.endpoint.empty()) {
     throw std::invalid_argument("the scene has water: say with --endpoint where to listen for the fluid process");
+  }
+  if (alone && !process.line.endpoint.empty()) {
+    throw std::invalid_argument(
+        fmt::format("--endpoint {}: the scene has no water to exchange; add [water] with a level "
+                    "to it, or leave --endpoint out",
+                    process.line.endpoint));
   }
   channel::catch_stop_signals();
   results::make_folder(process.folder);

@@ -49,7 +49,9 @@ std::vector<Command> commands_of(const scene::Scene& scene, const Processes& pro
     add("solid", "blockweir-inproc", {"--out", processes.folder, "--report", report});
     return commands;
   }
-  add("solid", "blockweir-solid", {"--out", processes.folder, "--endpoint", processes.endpoint});
+  add("solid", "blockweir-solid", {"--out", processes.folder});
+  if (scene.fluid == FluidModel::none) return commands;
+  commands.back().words.insert(commands.back().words.end(), {"--endpoint", processes.endpoint});
   switch (scene.fluid) {
     case FluidModel::hydrostatic:
       add_fluid("hydrostatic", "blockweir-hydrostatic", processes.folder);

@@ -19,20 +19,47 @@
 #include "bridge/scene/exit_status.hpp"
 #include "bridge/scene/nearest.hpp"
 #include "bridge/scene/read.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace {
 
 using namespace blockweir;
 
-int check_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+/// What a scene and its variants are warned of, each text once.
+std::vector<scene::Diagnostic> all_warnings(const scene::ReadScene& read, const std::filesystem::path& path,
+                                            const std::vector<std::string>& overrides) {
+  std::vector<scene::Diagnostic> all = read.warnings;
+  for (const auto& variant : read.scene.variants) {
+    for (scene::Diagnostic warning : scene::read_variant(path, variant.name, overrides).warnings) {
+      const auto same = [&](const scene::Diagnostic& other) { return other.message() == warning.message(); };
+      if (std::any_of(read.warnings.begin(), read.warnings.end(), same)) continue;
+      warning.found = fmt::format("variant \"{}\": {}", variant.name, warning.found);
+      all.push_back(std::move(warning));
+    }
+  }
+  return all;
+}
+
+int check_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides, bool strict) {
   const scene::ReadScene read = scene::read(path, overrides);
-  for (const auto& variant : read.scene.variants) scene::read_variant(path, variant.name, overrides);
+  const std::vector<scene::Diagnostic> warnings = all_warnings(read, path, overrides);
+  if (strict) scene::refuse_warnings(warnings);
   const std::size_t studies = launch::study_tasks(path, overrides).size();
   launch::bench_settings(path, overrides);
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
-  fmt::print("{}: sound; {} blocks, {} joints, {} variants, {} studies, {} s in steps of {} s\n",
-             read.scene.file.string(), read.scene.blocks.size(), read.scene.joints.size(), read.scene.variants.size(),
-             studies, read.scene.analysis.duration_s, read.scene.analysis.step_s);
+  for (const auto& warning : warnings) fmt::print(stderr, "{}\n", warning.text());
+  const scene::Scene& s = read.scene;
+  fmt::print("{}: sound; {} blocks, {} joints, {} variants, {} studies, {} s in steps of {} s{}\n", s.file.string(),
+             s.blocks.size(), s.joints.size(), s.variants.size(), studies, s.analysis.duration_s, s.analysis.step_s,
+             warnings.empty() ? "" : fmt::format("; {} warnings", warnings.size()));
+  fmt::print(
+      "structure of {:.4g} m: failure_displacement_m = {:.3g}, rest_speed_m_per_s = {:.3g}, penetration_tolerance_m = "
+      "{:.3g}{}\n",
+      scene::structure_size_m(s.blocks), s.analysis.failure_displacement_m, s.analysis.rest_speed_m_per_s,
+      s.contact.penetration_tolerance_m,
+      s.fluid == scene::FluidModel::hydrostatic
+          ? fmt::format(", open_crack_width_m = {:.3g}", s.water.open_crack_width_m)
+          : "");
   return 0;
 }
 
@@ -70,6 +97,7 @@ int run_command(int argc, char** argv) {
   run_cmd->add_option("--variant", run.variant, "name of one of the scene's variants");
   run_cmd->add_option("--set", run.overrides, "key=value over the scene's own, e.g. analysis.step_s=0.001");
   run_cmd->add_flag("--inproc", run.inproc, "still water within the solid's process: the same results, sooner");
+  run_cmd->add_flag("--strict", run.strict, "warnings are errors: such a scene is not run");
   run_cmd->add_flag("--quiet", run.quiet, "no progress");
   auto* resume_cmd = app.add_subcommand("resume", "go on with a run that was stopped, from its last checkpoint");
   resume_cmd->add_option("run", resume.folder, "folder of the run")->required();
@@ -78,6 +106,7 @@ int run_command(int argc, char** argv) {
   auto* check_cmd = app.add_subcommand("check", "say all that is wrong with a scene, without running it");
   check_cmd->add_option("scene", checked, "scene file or case folder")->required();
   check_cmd->add_option("--set", run.overrides, "key=value over the scene's own");
+  check_cmd->add_flag("--strict", run.strict, "warnings are errors");
   auto* cut_cmd = app.add_subcommand("cut", "draw the blocks of a scene, without running it");
   cut_cmd->add_option("scene", cut.scene, "scene file or case folder")->required();
   cut_cmd->add_option("--out", cut.out, "picture, .png or .svg (default: cut.png)");
@@ -133,7 +162,7 @@ int run_command(int argc, char** argv) {
     fmt::print("{}", launch::report(result));
     return result.exit_code;
   }
-  if (check_cmd->parsed()) return check_scene(checked, run.overrides);
+  if (check_cmd->parsed()) return check_scene(checked, run.overrides, run.strict);
   if (keys_cmd->parsed()) {
     channel::make_keys(keys);
     fmt::print("{0}/solid is for the solid's machine, {0}/fluid for the fluid's: --keys FOLDER for each program\n",

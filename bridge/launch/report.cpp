@@ -41,15 +41,19 @@ std::string report(const RunResult& result) {
         fmt::format("BREACH  after {} s: {}\n", number(s["breach"]["time_s"]), s["breach"]["text"].get<std::string>());
   }
   if (s.contains("added_mass")) text += fmt::format("{}\n", s["added_mass"]["text"].get<std::string>());
+  for (const json& warning : s.value("warnings", json::array())) {
+    text += fmt::format("WARNING {}\n", warning.get<std::string>());
+  }
   for (const json& check : s.value("checks", json::array())) {
     if (check.contains("trouble")) {
       text += fmt::format("OUT     {}: {}\n", check["name"].get<std::string>(), check["trouble"].get<std::string>());
       continue;
     }
-    text += fmt::format("{}  {}: expected {}, got {}, off by {} (tolerance {})\n",
+    text += fmt::format("{}  {}: expected {}, got {}, off by {} (tolerance {}){}\n",
                         check["passed"].get<bool>() ? "ok    " : "OUT   ", check["name"].get<std::string>(),
                         figure(check["expected"]), figure(check["got"]), number(check["relative_error"]),
-                        number(check["tolerance"]));
+                        number(check["tolerance"]),
+                        check.contains("why_none") ? ": " + check["why_none"].get<std::string>() : "");
   }
   for (const json& skip : s.value("skips", json::array())) text += fmt::format("skipped {}\n", skip.get<std::string>());
   const json simulated = s.value("simulated_s", json());

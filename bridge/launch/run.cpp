@@ -114,6 +114,7 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
       for (const json& check : fluid["checks"]) summary["checks"].push_back(check);
     }
     for (const json& skip : fluid.value("skips", json::array())) summary["skips"].push_back(skip);
+    for (const json& warning : fluid.value("warnings", json::array())) summary["warnings"].push_back(warning);
     if (fluid.contains("peak_memory_mb")) summary["peak_memory_mb"]["fluid"] = fluid["peak_memory_mb"];
     fs::remove(report_of(folder));
   }
@@ -169,7 +170,11 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
 RunResult run(const RunOptions& options) {
   const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
   require_fit(read.scene, options.inproc);
+  if (options.strict) scene::refuse_warnings(read.warnings);
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
+  if (!options.quiet) {
+    for (const auto& warning : read.warnings) fmt::print(stderr, "{}\n", warning.text());
+  }
   const fs::path folder = results_folder(options);
   results::make_folder(folder);
   forget_former_run(folder, read.scene);

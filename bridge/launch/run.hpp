@@ -15,6 +15,7 @@ struct RunOptions {
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
   bool inproc = false;  ///< the reference fluid within the solid's process
+  bool strict = false;  ///< what the reader warns of is refused
   bool quiet = false;
   double longest_s = 0;  ///< of wall time, after which it counts as hanging and is ended; 0: as long as it takes
 };
@@ -33,7 +34,7 @@ struct RunResult {
   bool refused = false;  ///< when it failed: all processes ended by themselves, and said why
 };
 
-/// Runs a scene's processes. Throws scene::SceneError, and std::invalid_argument for a folder that is in use; nothing
+/// Runs a scene's processes. Throws scene::SceneError, with `strict` for warnings too, and std::invalid_argument for a folder that is in use; nothing
 /// has been written then.
 RunResult run(const RunOptions& options);
 

@@ -1,91 +1,121 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/scene/answers.hpp"
 
-namespace blockweir::scene {
+#include <algorithm>
 
-const std::vector<std::string>& quantity_names() {
-  static const std::vector<std::string> names = {
-      "failure_level_m",
-      "failure_head_m",
-      "failure_time_s",
-      "displacement_m",
-      "acceleration_m_per_s2",
-      "reaction_n_per_m",
-      "joint_force_n_per_m",
-      "stress_xx_pa",
-      "stress_yy_pa",
-      "stress_xy_pa",
-      "shortening_m",
-      "water_force_x_n_per_m",
-      "water_moment_n",
-      "water_pressure_pa",
-      "largest_penetration_m",
-      "kinetic_energy_j_per_m",
-      "energy_gain",
-      "area_error",
-      "bolt_force_n_per_m",
-      "bolt_elongation_m",
-      "hinges",
-      "decay_per_step",
-      "oscillation_period_s",
-      "oscillation_damping_ratio",
-      "rebound_ratio",
-      "rocking_period_s",
-      "impact_ratio",
-      "late_speed_m_per_s",
-      "wave_speed_m_per_s",
-      "slip_over_balance",
-      "angular_momentum_error",
-      "point_displacement_x_m",
-      "point_displacement_y_m",
-      "point_stress_xx_pa",
-      "point_stress_yy_pa",
-      "point_stress_xy_pa",
-      "mode",
-      "stability",
-  };
+namespace blockweir::scene {
+namespace {
+
+constexpr bool at_point = true;
+constexpr bool word = true;
+
+constexpr Answer all_quantities[] = {
+    // Of the first failure; `of` says which block or joint is expected to be it.
+    {"failure_level_m", Subject::block_if_any},
+    {"failure_head_m", Subject::block_if_any},
+    {"failure_time_s", Subject::block_if_any},
+    {"displacement_m", Subject::block},
+    {"acceleration_m_per_s2", Subject::block},
+    {"reaction_n_per_m", Subject::block},
+    {"joint_force_n_per_m", Subject::joint},
+    {"stress_xx_pa", Subject::block},
+    {"stress_yy_pa", Subject::block},
+    {"stress_xy_pa", Subject::block},
+    {"shortening_m", Subject::block},
+    {"water_force_x_n_per_m", Subject::block, Need::water},
+    {"water_moment_n", Subject::block, Need::water},
+    {"water_pressure_pa", Subject::block, Need::water},
+    {"largest_penetration_m"},
+    {"kinetic_energy_j_per_m"},
+    {"energy_gain"},
+    {"area_error", Subject::block},
+    {"bolt_force_n_per_m", Subject::bolt},
+    {"bolt_elongation_m", Subject::bolt},
+    {"hinges", Subject::arch},
+    {"decay_per_step", Subject::block},
+    {"oscillation_period_s", Subject::block},
+    {"oscillation_damping_ratio", Subject::block},
+    {"rebound_ratio", Subject::block},
+    {"rocking_period_s", Subject::block},
+    {"impact_ratio", Subject::block},
+    {"late_speed_m_per_s", Subject::block},
+    {"wave_speed_m_per_s", Subject::block, Need::face_pressure},
+    {"slip_over_balance", Subject::joint, Need::water},
+    {"angular_momentum_error", Subject::block},
+    {"point_displacement_x_m", Subject::block, Need::nothing, at_point},
+    {"point_displacement_y_m", Subject::block, Need::nothing, at_point},
+    {"point_stress_xx_pa", Subject::block, Need::nothing, at_point},
+    {"point_stress_yy_pa", Subject::block, Need::nothing, at_point},
+    {"point_stress_xy_pa", Subject::block, Need::nothing, at_point},
+    {"mode", Subject::block_if_any, Need::nothing, !at_point, word},
+    {"stability", Subject::block_if_any, Need::water, !at_point, word},
+};
+
+constexpr Answer all_formulas[] = {
+    {"weight-of-all"},
+    {"weight-above", Subject::joint},
+    {"own-weight-stress", Subject::block_only},
+    {"own-weight-shortening", Subject::block_only},
+    {"plane-crack-sliding", Subject::joint},
+    {"plane-crack-acceleration", Subject::joint, Need::upstream_level},
+    {"monolith-sliding", Subject::joint},
+    {"monolith-overturning", Subject::joint},
+    {"hydrostatic-force", Subject::block_only, Need::upstream_level},
+    {"hydrostatic-moment", Subject::block_only, Need::upstream_level},
+    {"mouth-pressure", Subject::joint, Need::upstream_level},
+    {"contact-decay-per-step", Subject::block_only},
+    {"contact-period", Subject::block_only},
+    {"contact-damping-ratio", Subject::block_only},
+    {"contact-rebound-ratio", Subject::block_only},
+    {"rocking-period", Subject::block_only},
+    {"rocking-impact-ratio", Subject::block_only},
+    {"bar-wave-speed", Subject::block_only},
+    {"bar-particle-speed", Subject::block_only, Need::face_pressure},
+    {"bar-free-end-speed", Subject::block_only, Need::face_pressure},
+    {"column-displacement", Subject::block_only, Need::column},
+    {"column-period", Subject::block_only, Need::column},
+    {"turned-stress-xx", Subject::block_only},
+    {"turned-stress-yy", Subject::block_only},
+    {"turned-stress-xy", Subject::block_only},
+    {"arch-thickness", Subject::arch},
+    {"incline-displacement", Subject::joint},
+    {"pushed-displacement"},
+    {"shaken-incline-displacement", Subject::joint},
+    {"toppling-slope-friction"},
+    {"cantilever-deflection", Subject::block_only, Need::nothing, at_point},
+    {"cantilever-stress", Subject::block_only, Need::nothing, at_point},
+    {"gravity-method-stress", Subject::block_only, Need::nothing, at_point},
+    {"slide-or-topple", Subject::joint, Need::nothing, !at_point, word},
+    {"schedule-stability", Subject::block_only, Need::column, !at_point, word},
+};
+
+std::vector<std::string> names_of(std::span<const Answer> answers) {
+  std::vector<std::string> names;
+  for (const Answer& answer : answers) names.emplace_back(answer.name);
   return names;
 }
 
-const std::vector<std::string>& formula_names() {
-  static const std::vector<std::string> names = {
-      "weight-of-all",
-      "weight-above",
-      "own-weight-stress",
-      "own-weight-shortening",
-      "plane-crack-sliding",
-      "plane-crack-acceleration",
-      "monolith-sliding",
-      "monolith-overturning",
-      "hydrostatic-force",
-      "hydrostatic-moment",
-      "mouth-pressure",
-      "contact-decay-per-step",
-      "contact-period",
-      "contact-damping-ratio",
-      "contact-rebound-ratio",
-      "rocking-period",
-      "rocking-impact-ratio",
-      "bar-wave-speed",
-      "bar-particle-speed",
-      "bar-free-end-speed",
-      "column-displacement",
-      "column-period",
-      "turned-stress-xx",
-      "turned-stress-yy",
-      "turned-stress-xy",
-      "arch-thickness",
-      "incline-displacement",
-      "pushed-displacement",
-      "shaken-incline-displacement",
-      "toppling-slope-friction",
-      "cantilever-deflection",
-      "cantilever-stress",
-      "gravity-method-stress",
-      "slide-or-topple",
-      "schedule-stability",
-  };
-  return names;
+}  // namespace
+
+std::span<const Answer> quantities() {
+  return all_quantities;
+}
+
+std::span<const Answer> formulas() {
+  return all_formulas;
+}
+
+const Answer* find_answer(std::span<const Answer> answers, const std::string& name) {
+  const auto found = std::find_if(answers.begin(), answers.end(), [&](const Answer& a) { return name == a.name; });
+  return found == answers.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> quantity_names() {
+  return names_of(all_quantities);
+}
+
+std::vector<std::string> formula_names() {
+  return names_of(all_formulas);
 }
 
 }  // namespace blockweir::scene

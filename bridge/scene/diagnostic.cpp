@@ -6,6 +6,18 @@
 namespace blockweir::scene {
 namespace {
 
+const char* name(Diagnostic::Severity severity) {
+  switch (severity) {
+    case Diagnostic::Severity::error:
+      return "error";
+    case Diagnostic::Severity::warning:
+      return "warning";
+    case Diagnostic::Severity::note:
+      break;
+  }
+  return "note";
+}
+
 std::string all(const std::vector<Diagnostic>& diagnostics) {
   std::string text;
   for (const Diagnostic& d : diagnostics) text += (text.empty() ? "" : "\n") + d.text();
@@ -16,8 +28,11 @@ std::string all(const std::vector<Diagnostic>& diagnostics) {
 
 std::string Diagnostic::text() const {
   std::string line_text = line > 0 ? fmt::format(":{}", line) : "";
-  std::string text =
-      fmt::format("{}{}: {}: {}", file, line_text, severity == Severity::error ? "error" : "note", found);
+  return fmt::format("{}{}: {}: {}", file, line_text, name(severity), message());
+}
+
+std::string Diagnostic::message() const {
+  std::string text = found;
   if (!expected.empty()) text += "; expected " + expected;
   if (!remedy.empty()) text += "; " + remedy;
   return text;

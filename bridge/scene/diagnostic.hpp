@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One thing wrong (or mended) in a scene: where, what was found, what is expected, what to do.
+// One thing wrong (or doubtful, or mended) in a scene: where, what was found, what is expected, what to do.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,8 @@
 namespace blockweir::scene {
 
 struct Diagnostic {
-  enum class Severity { error, note };  ///< a note says what was mended, e.g. a clockwise polygon
+  /// A warning says what may be meant and is likely not; a note what was mended, e.g. a clockwise polygon.
+  enum class Severity { error, warning, note };
   Severity severity = Severity::error;
   std::string file;
   int line = 0;  ///< 1-based; 0 where no line can be named
@@ -19,6 +20,8 @@ struct Diagnostic {
 
   /// "file:line: error: found; expected ...; remedy"
   [[nodiscard]] std::string text() const;
+  /// "found; expected ...; remedy", for a report of a run: its file is another, or a copy.
+  [[nodiscard]] std::string message() const;
 };
 
 /// All that is wrong with a scene; what() holds one line a diagnostic.

@@ -54,6 +54,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 
 std::string one_of(const std::vector<std::string>& candidates) {
   constexpr std::size_t most = 20;
+  if (candidates.empty()) return "one that the scene has: it has none";
   const auto shown = candidates.begin() + static_cast<std::ptrdiff_t>(std::min(most, candidates.size()));
   return fmt::format("one of {}{}", fmt::join(candidates.begin(), shown, ", "),
                      candidates.size() > most ? fmt::format(" and {} more", candidates.size() - most) : "");

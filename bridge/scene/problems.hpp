@@ -26,12 +26,15 @@ class Problems {
 
   /// What comes after `largest_count` errors is not kept: it would not be read either.
   void error(const Place& place, std::string found, std::string expected, std::string remedy);
+  /// What may be meant, and is likely a slip or has no effect.
+  void warning(const Place& place, std::string found, std::string expected, std::string remedy);
   void note(const Place& place, std::string found, std::string remedy);
 
   [[nodiscard]] std::size_t count() const { return errors_.size(); }
   [[nodiscard]] bool full() const { return errors_.size() >= largest_count; }
-  /// By line; what has none comes first.
+  /// By line; what has none comes first. So are the warnings.
   [[nodiscard]] std::vector<Diagnostic> errors() const;
+  [[nodiscard]] std::vector<Diagnostic> warnings() const;
   [[nodiscard]] const std::vector<Diagnostic>& notes() const { return notes_; }
 
   static constexpr std::size_t largest_count = 200;
@@ -39,6 +42,7 @@ class Problems {
  private:
   std::string file_;
   std::vector<Diagnostic> errors_;
+  std::vector<Diagnostic> warnings_;
   std::vector<Diagnostic> notes_;
 };
 

@@ -11,6 +11,7 @@
 #include "bridge/scene/check.hpp"
 #include "bridge/scene/digest.hpp"
 #include "bridge/scene/key_depth.hpp"
+#include "bridge/scene/magnitudes.hpp"
 #include "bridge/scene/nearest.hpp"
 #include "bridge/scene/overrides.hpp"
 #include "bridge/scene/section_drawing.hpp"
@@ -70,12 +71,23 @@ void read_sections(Reading& reading) {
     read(reading);
   }
   reject_unknown_sections(reading);
+  resolve_lengths(reading);
   check_overlaps(reading.scene, reading.problems);
   // A wrong block or support would be followed by an error for each block that it holds.
   if (structure_sound) check_held(reading.scene, reading.problems);
+  if (reading.problems.count() > 0) return;
+  check_effects(reading);
+  check_magnitudes(reading.file, reading.scene, reading.problems);
 }
 
 }  // namespace
+
+void refuse_warnings(const std::vector<Diagnostic>& warnings) {
+  if (warnings.empty()) return;
+  std::vector<Diagnostic> errors = warnings;
+  for (Diagnostic& d : errors) d.severity = Diagnostic::Severity::error;
+  throw SceneError(std::move(errors));
+}
 
 ReadScene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
   toml::table file = parse(text, name);
@@ -100,6 +112,8 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   read_sections(reading);
   if (problems.count() > 0) throw SceneError(problems.errors());
   result.notes = problems.notes();
+  result.warnings = problems.warnings();
+  for (const Diagnostic& warning : result.warnings) scene.warnings.push_back(warning.message());
   return result;
 }
 

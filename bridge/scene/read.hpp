@@ -13,8 +13,12 @@ namespace blockweir::scene {
 
 struct ReadScene {
   Scene scene;
-  std::vector<Diagnostic> notes;  ///< what was mended on the way
+  std::vector<Diagnostic> notes;     ///< what was mended on the way
+  std::vector<Diagnostic> warnings;  ///< what has no effect, or an unusual magnitude; their messages are the scene's
 };
+
+/// Throws SceneError with the warnings as errors, if there are any: --strict.
+void refuse_warnings(const std::vector<Diagnostic>& warnings);
 
 /// Reads and checks a scene. `path` is a file or a case's folder (which then holds scene.toml).
 /// `overrides` are "dotted.key=value" in TOML syntax, as `--set` gives them.

@@ -16,18 +16,32 @@ toml::table table_of(const FacePressure& load, const std::vector<Block>& blocks)
                      {"pressure_to_pa", load.pressure_to_pa.at(0)}};
 }
 
+/// Uplift is water, too.
+void dry(toml::table& file) {
+  if (toml::table* law = file["joint"].as_table()) law->erase("uplift");
+  for (const char* list : {"joints", "cut", "joint_set"}) {
+    toml::array* laws = file[list].as_array();
+    if (laws == nullptr) continue;
+    for (toml::node& law : *laws) {
+      if (law.is_table()) law.as_table()->erase("uplift");
+    }
+  }
+}
+
 }  // namespace
 
 std::string repeat_text(const Scene& scene, double duration_s, const std::vector<FacePressure>& in_place_of_water) {
   toml::table file = toml::parse(scene.text);
   file["analysis"].as_table()->insert_or_assign("duration_s", duration_s);
   for (const char* section :
-       {"water", "fluid", "expect", "expect_water", "variant", "limit", "order", "map", "bench"}) {
+       {"water", "fluid", "coupling", "expect", "expect_water", "variant", "limit", "order", "map", "bench"}) {
     file.erase(section);
   }
+  dry(file);
   if (!in_place_of_water.empty()) {
     if (!file.contains("face_pressure")) file.insert("face_pressure", toml::array{});
     for (const FacePressure& load : in_place_of_water) {
+      if (scene.blocks[static_cast<std::size_t>(load.block)].fixed) continue;
       file["face_pressure"].as_array()->push_back(table_of(load, scene.blocks));
     }
   }

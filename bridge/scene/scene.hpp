@@ -162,8 +162,8 @@ struct Analysis {
   double gravity_m_per_s2 = 9.81;
   double gravity_tilt_deg = 0;       ///< gravity turned about the origin, as if the ground dipped downstream by as much
   double mass_damping_per_s = 0;     ///< drag on all motion, over the mass
-  double rest_speed_m_per_s = 1e-5;  ///< below it a block counts as at rest (failure report)
-  double failure_displacement_m = 0.02;  ///< an unbroken motion longer than this is a failure
+  double rest_speed_m_per_s = 1e-5;  ///< below it a block counts as at rest; read: 7e-7 of sqrt(g L)
+  double failure_displacement_m = 0.02;  ///< an unbroken motion longer than this is a failure; read: 1e-3 L
   bool stop_at_failure = false;          ///< end the run once the failure is certain
   bool islands = true;                   ///< solve groups of blocks in contact apart
   bool sleep = true;                     ///< leave islands at rest under unchanging loads as they are
@@ -188,8 +188,8 @@ struct Contact {
   std::optional<double> stiffness_n_per_m2;        ///< penalty method: of a contact's spring, per metre of thickness
   double dashpot_ratio = 0;                        ///< penalty method: of the spring's critical damping
   bool measure_condition = false;                  ///< report the largest condition number of the systems solved
-  double penetration_tolerance_m = 1e-9;
-  double force_tolerance = 1e-10;  ///< of the weight of all that can move
+  double penetration_tolerance_m = 1e-9;           ///< read: 5e-11 L, L the structure's size (structure_size.hpp)
+  double force_tolerance = 1e-10;                  ///< of the weight of all that can move
   int max_iterations = 200;
   bool operator==(const Contact&) const = default;
 };
@@ -319,8 +319,9 @@ struct Scene {
   std::vector<Expectation> water_expectations;  ///< of OpenFOAM's water; a value each
   std::vector<Variant> variants;
   Studies studies;
-  std::string text;    ///< the file as read, overrides applied: what the digest covers
-  std::string digest;  ///< 16 hexadecimal digits
+  std::vector<std::string> warnings;  ///< of the reader: what has no effect, or an unusual magnitude
+  std::string text;                   ///< the file as read, overrides applied: what the digest covers
+  std::string digest;                 ///< 16 hexadecimal digits
   bool operator==(const Scene&) const = default;
 };
 

@@ -49,6 +49,13 @@ struct Reading {
 /// angle.
 void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residual_given);
 
+/// Reports keys of a law that have no effect; `of_all`: the law of [joint], which others may complete.
+void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool of_all);
+/// Reports uplift without water.
+void check_uplift(TableReader& table, Reading& reading);
+/// Reports a joint of [[joints]] whose law acts nowhere; blocks nearer than `touching_m` touch.
+void check_joint(TableReader& table, Reading& reading, const Joint& joint, double touching_m);
+
 void read_heading(Reading& reading);
 void read_analysis(Reading& reading);
 void read_materials(Reading& reading);
@@ -64,6 +71,9 @@ void add_made_block(Reading& reading, TableReader& table, Block block);
 bool few_enough(Reading& reading, TableReader& table, double blocks, double most = 100'000);
 /// Reports what has not exactly one of value, word and formula.
 void require_one_answer(TableReader& table, Reading& reading);
+
+/// Reports a quantity or formula that the scene does not have what it speaks of, or that does not fit its answer.
+void check_answer(TableReader& table, const Reading& reading, const Expectation& e);
 
 /// [section] with its regions, cuts and joint sets: adds the blocks and the joints that they make.
 void read_section(Reading& reading);
@@ -93,6 +103,10 @@ void read_expectations(Reading& reading);
 void read_variants(Reading& reading);
 /// [[limit]], [[order]], [[map]] and [[bench]].
 void read_studies(Reading& reading);
+/// What [analysis], [contact] and [water] do not state of lengths and speeds, from the structure's size.
+void resolve_lengths(Reading& reading);
+/// Warns of what a sound scene states to no effect.
+void check_effects(const Reading& reading);
 /// After all others.
 void reject_unknown_sections(Reading& reading);
 

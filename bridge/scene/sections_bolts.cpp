@@ -17,6 +17,17 @@ void check_end(TableReader& table, Reading& reading, const char* key, int index,
       "a point in the block or on its outline", "move the point or name the block that it is on");
 }
 
+/// Reports a bolt neither of whose ends can move.
+void require_movable_end(TableReader& table, Reading& reading, const Bolt& bolt) {
+  const Block* from = reading.sound_block(bolt.blocks[0]);
+  const Block* to = reading.sound_block(bolt.blocks[1]);
+  const bool to_holds = table.has("to_block") ? to != nullptr && to->fixed : true;
+  if (from == nullptr || !from->fixed || !to_holds) return;
+  reading.problems.error(table.place("from_block"),
+                         fmt::format("{} has no effect: neither of its ends can move", table.name()),
+                         "a block that can move at one end", "leave it out, or name the block that it is to hold");
+}
+
 /// Given, or E A/L.
 void read_stiffness(TableReader& table, Reading& reading, Bolt& bolt) {
   double modulus = 0;
@@ -50,6 +61,7 @@ void read_bolts(Reading& reading) {
       reading.problems.error(table.place("to_block"), fmt::format("{} joins a block to itself", table.name()),
                              "two different blocks", "name another, or leave to_block out for the ground");
     }
+    require_movable_end(table, reading, bolt);
     if (ends) check_end(table, reading, "from_m", bolt.blocks[0], bolt.from_m);
     if (ends) check_end(table, reading, "to_m", bolt.blocks[1], bolt.to_m);
     read_stiffness(table, reading, bolt);

@@ -9,6 +9,7 @@
 
 #include "bridge/scene/nearest.hpp"
 #include "bridge/scene/sections.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -66,6 +67,7 @@ void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residua
 void read_default_joint(Reading& reading) {
   TableReader table(reading.problems, reading.section("joint"), "[joint]");
   read_law(table, reading.scene.default_joint, reading, reading.residual_given);
+  check_law(table, reading.scene.default_joint, reading, /*of_all=*/true);
 }
 
 void read_joints(Reading& reading) {
@@ -76,12 +78,15 @@ void read_joints(Reading& reading) {
     const auto [low, high] = std::minmax(cut.between[0], cut.between[1]);
     pairs.insert({low, high});
   }
+  const double touching_m = 0.5e-6 * structure_size_m(reading.scene.blocks);  // as the solid has it
   reading.each("joints", [&](TableReader& table) {
     Joint joint{.law = reading.scene.default_joint};
     table.text("name", joint.name, true);
     joint.between = read_between(table, reading);
     bool own_residual = reading.residual_given;
     read_law(table, joint.law, reading, own_residual);
+    check_law(table, joint.law, reading, /*of_all=*/false);
+    check_joint(table, reading, joint, touching_m);
     const auto [low, high] = std::minmax(joint.between[0], joint.between[1]);
     if (!names.insert(joint.name).second && !joint.name.empty()) {
       reading.problems.error(table.place("name"), fmt::format("a second joint is called \"{}\"", joint.name),

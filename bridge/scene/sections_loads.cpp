@@ -13,9 +13,18 @@ double tolerance_m(const Block& block) {
   return 1e-6 * bounds_of(block.vertices).size();
 }
 
+/// Reports what would hold or push a fixed block.
+void require_movable(TableReader& table, Reading& reading, const Place& place, int index) {
+  const Block* block = reading.sound_block(index);
+  if (block == nullptr || !block->fixed) return;
+  reading.problems.error(place, fmt::format("{} has no effect: block \"{}\" is fixed", table.name(), block->name),
+                         "a block that can move", "leave it out, or name the block that it is to act on");
+}
+
 /// Reads block and point_m; the point must be on the block.
 void read_point_on_block(TableReader& table, Reading& reading, int& index, Point& point) {
   index = table.reference("block", reading.blocks);
+  require_movable(table, reading, table.place("block"), index);
   if (!table.point("point_m", point, true)) return;
   const Block* block = reading.sound_block(index);
   if (block == nullptr || holds_point(block->vertices, point, tolerance_m(*block))) return;
@@ -51,6 +60,7 @@ void read_force(TableReader& table, Reading& reading, PointLoad& load) {
 template <class Load>
 void read_face(TableReader& table, Reading& reading, Load& load) {
   load.block = table.reference("block", reading.blocks);
+  require_movable(table, reading, table.place("block"), load.block);
   const bool from = table.point("from_m", load.from_m, true);
   const bool to = table.point("to_m", load.to_m, true);
   const Block* block = reading.sound_block(load.block);
@@ -89,10 +99,15 @@ std::vector<int> read_loaded_blocks(TableReader& table, Reading& reading) {
     for (std::size_t b = 0; b < reading.scene.blocks.size(); ++b) {
       if (!reading.scene.blocks[b].fixed) blocks.push_back(static_cast<int>(b));
     }
+    if (blocks.empty() && !reading.scene.blocks.empty()) {
+      reject(table, reading.problems, "has no effect: no block can move", "a block that is not fixed",
+             "leave it out, or free the block that it is to act on");
+    }
     return blocks;
   }
   for (std::size_t i = 0; i < words.size(); ++i) {
     blocks.push_back(reading.blocks.find(words[i]));
+    require_movable(table, reading, table.place("blocks", i), blocks.back());
     if (blocks.back() >= 0) continue;
     reading.problems.error(table.place("blocks", i),
                            fmt::format("blocks in {} names no block: \"{}\"", table.name(), words[i]),

@@ -127,6 +127,12 @@ void check_water_quantity(TableReader& table, const Expectation& e, Reading& rea
   };
   if (known->of_block && e.of.empty()) refuse("of", "of = the block that the water presses on", "name the block");
   if (known->at_point && !e.at_m) refuse("at_m", "at_m = [x, y], where it arrives", "state the point");
+  const auto refuse_idle = [&](const char* key) {
+    reading.problems.error(table.place(key), fmt::format("{} has no effect on {}", key, e.quantity),
+                           "keys that the quantity has", fmt::format("leave {} out, or use another quantity", key));
+  };
+  if (!known->of_block && !e.of.empty()) refuse_idle("of");
+  if (!known->at_point && e.at_m) refuse_idle("at_m");
   if (known->regular_wave && !comes_in(reading.scene.openfoam)) {
     refuse("regular waves", "wave = { kind = \"regular\", ... } in [fluid]", "use another quantity");
   }

@@ -175,8 +175,9 @@ void read_expectations(Reading& reading) {
     read_point(table, reading, e);
     table.number("tolerance", e.tolerance, positive());
     table.text("source", e.source);
-    if (table.has("of") && !e.of.empty()) static_cast<void>(table.reference("of", named));
+    const bool known = e.of.empty() || table.reference("of", named) >= 0;
     require_one_answer(table, reading);
+    if (known) check_answer(table, reading, e);
     reading.scene.expectations.push_back(std::move(e));
   });
 }

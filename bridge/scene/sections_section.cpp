@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "bridge/scene/cuts.hpp"
 #include "bridge/scene/mesh_size.hpp"
 #include "bridge/scene/outline.hpp"
 #include "bridge/scene/polygon.hpp"
@@ -26,18 +27,17 @@ struct Region {
   bool fixed = false;
   double mesh_size_m = 0;
   std::vector<Point> outline;
+  Place place{};
+  bool used = false;  ///< some block lies in it
 };
 
-/// What cuts the section, with the law and name of the joints along it; edges of regions follow [joint].
-struct Cuts {
-  std::vector<section::Line> lines;
-  std::vector<Joint> joints;  ///< by a line's id; without blocks yet
-
-  int add(const std::string& name, const JointLaw& law) {
-    joints.push_back({.name = name, .between = {-1, -1}, .law = law});
-    return static_cast<int>(joints.size()) - 1;
-  }
-};
+Cuts::Source source_of(const TableReader& table, bool by_chance = false) {
+  return {.name = table.name(),
+          .place = table.place(),
+          .bonded_length = table.place("bonded_length_m"),
+          .states_bond_length = table.has("bonded_length_m"),
+          .by_chance = by_chance};
+}
 
 bool sound(TableReader& table, Reading& reading, const char* key, const std::string& what,
            const std::vector<Point>& outline) {
@@ -51,7 +51,7 @@ bool sound(TableReader& table, Reading& reading, const char* key, const std::str
 std::vector<Region> read_regions(Reading& reading, double mesh_size_m, Cuts& cuts) {
   std::vector<Region> regions;
   reading.each("region", [&](TableReader& table) {
-    Region region{.mesh_size_m = mesh_size_m};
+    Region region{.mesh_size_m = mesh_size_m, .outline = {}, .place = table.place()};
     region.material = table.reference("material", reading.materials);
     table.flag("fixed", region.fixed);
     table.points("outline_m", region.outline);
@@ -59,7 +59,7 @@ std::vector<Region> read_regions(Reading& reading, double mesh_size_m, Cuts& cut
     if (!sound(table, reading, "outline_m", "the outline of a region", region.outline)) return;
     std::vector<Point> ring = region.outline;
     ring.push_back(ring.front());
-    cuts.lines.push_back({ring, cuts.add("region", reading.scene.default_joint)});
+    cuts.lines.push_back({ring, cuts.add("region", reading.scene.default_joint, {})});
     regions.push_back(std::move(region));
   });
   return regions;
@@ -74,7 +74,8 @@ void read_cuts(Reading& reading, Cuts& cuts) {
     table.points("points_m", points, 2);
     bool own_residual = reading.residual_given;
     read_law(table, law, reading, own_residual);
-    cuts.lines.push_back({points, cuts.add(name, law)});
+    check_law(table, law, reading, /*of_all=*/false);
+    cuts.lines.push_back({points, cuts.add(name, law, source_of(table))});
   });
 }
 
@@ -97,7 +98,8 @@ void read_joint_sets(Reading& reading, const Bounds& bounds, Cuts& cuts) {
     if (table.integer("seed", seed, 0)) set.seed = static_cast<std::uint64_t>(seed);
     bool own_residual = reading.residual_given;
     read_law(table, law, reading, own_residual);
-    const int id = cuts.add(name, law);
+    check_law(table, law, reading, /*of_all=*/false);
+    const int id = cuts.add(name, law, source_of(table, set.persistence < 1));
     const double length = 2 * bounds.size();
     const double shortest = set.persistence < 1 ? std::max(set.trace_length_m, 1e-9 * length) : length;
     // There is at least one line, and one to either side that may reach into the section when it lies off.
@@ -158,7 +160,7 @@ Point inner_point(const std::vector<Point>& outline) {
 }
 
 /// All of a block lies in one region or in none, since the regions' edges cut; of several the first counts.
-const Region& region_of(const Block& block, const std::vector<Region>& regions, const Region& otherwise) {
+Region& region_of(const Block& block, std::vector<Region>& regions, Region& otherwise) {
   const Point inside = inner_point(block.vertices);
   const auto holds = [&](const Region& region) { return holds_point(region.outline, inside, 0); };
   const auto found = std::find_if(regions.begin(), regions.end(), holds);
@@ -228,7 +230,7 @@ void read_section(Reading& reading) {
     ready = ready && sound(table, reading, "holes_m", "a hole of the section", hole);
   const Bounds bounds = ready ? bounds_of(section.outline) : Bounds{Point::Zero(), Point::Ones()};
   const std::size_t errors = reading.problems.count();
-  const std::vector<Region> regions = read_regions(reading, whole.mesh_size_m, cuts);
+  std::vector<Region> regions = read_regions(reading, whole.mesh_size_m, cuts);
   read_cuts(reading, cuts);
   read_joint_sets(reading, bounds, cuts);
   if (!table.present() && !cuts.joints.empty()) {
@@ -249,7 +251,8 @@ void read_section(Reading& reading) {
   for (const section::Piece& piece : cut.pieces) {
     Block block{.name = fmt::format("{}{}", prefix, reading.scene.blocks.size() - first + 1)};
     block.vertices = piece.vertices;
-    const Region& region = region_of(block, regions, whole);
+    Region& region = region_of(block, regions, whole);
+    region.used = true;
     block.material = region.material;
     block.fixed = region.fixed;
     block.mesh_size_m = region.fixed ? 0 : region.mesh_size_m;
@@ -257,6 +260,13 @@ void read_section(Reading& reading) {
     reading.blocks.add(block.name);
     reading.scene.blocks.push_back(std::move(block));
   }
+  for (const Region& region : regions) {
+    if (region.used) continue;
+    reading.problems.error(region.place, "[[region]] has no effect: no block of the section lies in it",
+                           "an outline that holds some of the section, and that no region before it holds",
+                           "move it onto the section, or leave it out");
+  }
+  check_cuts(reading, cuts, cut, first);
   add_joints(reading, cut, cuts, first);
   hold(reading, table, held, first, 1e-9 * bounds.size());
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "bridge/scene/mesh_size.hpp"
 #include "bridge/scene/outline.hpp"
@@ -19,6 +20,30 @@ Range poissons_ratio(Plane plane) {
   return {[](double nu) { return nu >= 0 && nu <= 0.5; }, "a number from 0 to 0.5 (plane stress)"};
 }
 
+/// Keys of a block whose motion is settled otherwise.
+void check_motion_keys(TableReader& table, Reading& reading, const Block& block) {
+  const auto warn = [&](const char* key, const char* why) {
+    if (!table.has(key)) return;
+    reading.problems.warning(table.place(key),
+                             fmt::format("{} of block \"{}\" has no effect: {}", key, block.name, why), "",
+                             fmt::format("leave {} out", key));
+  };
+  if (block.fixed) {
+    for (const char* key : {"initial_velocity_m_per_s", "initial_spin_deg_per_s"}) {
+      if (!table.has(key)) continue;
+      reading.problems.error(table.place(key), fmt::format("block \"{}\" is fixed and has an {}", block.name, key),
+                             "a block that can move", "leave out one of the two");
+    }
+    if (block.rigid) warn("rigid", "the block is fixed");
+    warn("initial_stress_pa", "the block is fixed");
+  } else if (reading.scene.analysis.kind != AnalysisKind::dynamic) {
+    for (const char* key : {"initial_velocity_m_per_s", "initial_spin_deg_per_s"})
+      warn(key, "velocities count in a dynamic analysis only");
+  } else if (block.rigid) {
+    warn("initial_stress_pa", "the block is rigid");
+  }
+}
+
 void read_block(TableReader& table, Reading& reading) {
   Block block;
   block.line = table.place().line;
@@ -33,6 +58,7 @@ void read_block(TableReader& table, Reading& reading) {
   table.point("initial_velocity_m_per_s", block.initial_velocity_m_per_s);
   table.number("initial_spin_deg_per_s", block.initial_spin_deg_per_s);
   table.stress("initial_stress_pa", block.initial_stress_pa);
+  check_motion_keys(table, reading, block);
   read_mesh_size(table, reading,
                  block.fixed   ? "fixed"
                  : block.rigid ? "rigid"
@@ -116,9 +142,10 @@ void read_materials(Reading& reading) {
 void read_blocks(Reading& reading) {
   reading.each("block", [&](TableReader& table) { read_block(table, reading); });
   if (!reading.scene.blocks.empty()) return;
-  for (const char* source : {"block", "section", "arch", "wall", "heap"}) {
-    if (reading.file.contains(source)) return;
-  }
+  // A generator that is wrong has said so.
+  const auto generates = [&](const char* source) { return reading.file.contains(source); };
+  constexpr std::array sources = {"block", "section", "arch", "wall", "heap"};
+  if (reading.problems.count() > 0 && std::any_of(sources.begin(), sources.end(), generates)) return;
   reading.problems.error(reading.problems.at(0), "the scene has no block",
                          "[[block]] with name, material and vertices_m, or a [section] to be cut",
                          "add the blocks of the structure");

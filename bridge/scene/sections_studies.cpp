@@ -22,25 +22,26 @@ void require_own_name(TableReader& table, Reading& reading, Known& known, const 
                          "rename one of them");
 }
 
-/// What all kinds have in common; the quantity is that of the kind.
-void read_study(TableReader& table, Reading& reading, Known& known, Study& study) {
+/// What all kinds have in common; the quantity is that of the kind. False when `of` names nothing.
+bool read_study(TableReader& table, Reading& reading, Known& known, Study& study) {
   Expectation& e = study.expected;
   table.text("name", study.name, true);
   table.texts_if_any("set", study.set);
   table.word("formula", e.formula, formula_names());
   table.text("of", e.of);
   table.text("source", e.source);
-  if (table.has("of") && !e.of.empty()) static_cast<void>(table.reference("of", known.parts));
   require_own_name(table, reading, known, study.name);
+  return e.of.empty() || table.reference("of", known.parts) >= 0;
 }
 
 void read_limit(TableReader& table, Reading& reading, Known& known) {
   LimitStudy study;
-  read_study(table, reading, known, study);
+  const bool named = read_study(table, reading, known, study);
   table.text("key", study.key, true);
   table.text("outcome", study.outcome);
   table.number("value", study.expected.value);
   require_one_answer(table, reading);
+  if (named) check_answer(table, reading, study.expected);
   table.number("tolerance", study.expected.tolerance, positive());
   study.width = study.expected.tolerance / 4;
   table.number("width", study.width, positive());
@@ -56,12 +57,13 @@ void read_limit(TableReader& table, Reading& reading, Known& known) {
 
 void read_order(TableReader& table, Reading& reading, Known& known) {
   OrderStudy study;
-  read_study(table, reading, known, study);
+  const bool named = read_study(table, reading, known, study);
   table.text("key", study.key, true);
   table.numbers("values", study.values, positive(), 3);
   table.word("quantity", study.expected.quantity, quantity_names(), true);
   table.number("value", study.expected.value);
   require_one_answer(table, reading);
+  if (named) check_answer(table, reading, study.expected);
   table.number("order", study.order, any_number(), true);
   table.number("tolerance", study.order_tolerance, positive());
   reading.scene.studies.orders.push_back(std::move(study));
@@ -69,7 +71,7 @@ void read_order(TableReader& table, Reading& reading, Known& known) {
 
 void read_map(TableReader& table, Reading& reading, Known& known) {
   MapStudy study;
-  read_study(table, reading, known, study);
+  const bool named = read_study(table, reading, known, study);
   study.expected.quantity = "mode";
   table.word("quantity", study.expected.quantity, quantity_names());
   table.text("x_key", study.axes[0].key, true);
@@ -79,6 +81,7 @@ void read_map(TableReader& table, Reading& reading, Known& known) {
   table.number("value", study.expected.value);
   table.text("word", study.expected.word);
   require_one_answer(table, reading);
+  if (named) check_answer(table, reading, study.expected);
   table.number("tolerance", study.expected.tolerance, positive());
   table.integer("may_refuse", study.may_refuse, 0);
   table.number("longest_s", study.longest_s, positive());

@@ -11,6 +11,9 @@ double cross(const Point& a, const Point& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
+constexpr double sharpest_mitre =
+    -0.766;  // cosine of a turn of 140 degrees: the corner grows by 2.92 times the distance
+
 Point right_of(const Point& direction) {
   return {direction.y(), -direction.x()};
 }
@@ -65,7 +68,7 @@ Ring grown(const Ring& outline, double distance_m) {
     const bool roomy = 2 * distance_m * -turn < (1 + ahead) * std::min(length_before, length);
     if (turn < 0 && !roomy) {
       line.insert(line.end(), {p + distance_m * in_right, p, p + distance_m * out_right});
-    } else if (turn < 0 || ahead >= 0) {
+    } else if (turn < 0 || ahead >= sharpest_mitre) {
       line.emplace_back(p + distance_m / (1 + ahead) * (in_right + out_right));
     } else {
       line.insert(line.end(), {p + distance_m * (in_right + in), p + distance_m * (out_right - out)});

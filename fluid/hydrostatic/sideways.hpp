@@ -13,10 +13,10 @@ using scene::Point;
 /// A closed line; the outer ones run counter-clockwise, holes clockwise.
 using Ring = std::vector<Point>;
 
-/// `outline`, counter-clockwise, with every edge moved out by `distance_m`. Corners that turn by up to 90 degrees are
-/// mitred, sharper ones cut square, reflex ones mitred, too. Where a reflex corner's edges are too short for that, the
-/// line visits the corner itself: it makes a loop there that runs clockwise, so what lies inside has a positive winding
-/// number.
+/// `outline`, counter-clockwise, with every edge moved out by `distance_m`. Corners that turn by up to 140 degrees are
+/// mitred, so that they come back to where they were also where other blocks lie beside them; sharper ones are cut
+/// square, reflex ones mitred, too. Where a reflex corner's edges are too short for that, the line visits the corner
+/// itself: it makes a loop there that runs clockwise, so what lies inside has a positive winding number.
 Ring grown(const Ring& outline, double distance_m);
 
 struct Piece {

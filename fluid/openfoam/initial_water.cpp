@@ -5,75 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <stdexcept>
 
 #include "fluid/openfoam/polygon_clip.hpp"
+#include "fluid/openfoam/pool_cells.hpp"
 #include "fluid/openfoam/solitary_wave.hpp"
 
 namespace blockweir::openfoam {
 namespace {
 
-enum class Holds : char { unknown, air, upstream, downstream };
-
 Polygon cell_polygon(const Grid& g, std::size_t i, std::size_t j) {
   return {{g.x[i], g.y[j]}, {g.x[i + 1], g.y[j]}, {g.x[i + 1], g.y[j + 1]}, {g.x[i], g.y[j + 1]}};
-}
-
-/// Cells of which blocks fill more than half.
-std::vector<bool> solid_cells(const Grid& g, const std::vector<Polygon>& outlines) {
-  std::vector<double> filled(g.cells(), 0);
-  PolygonClip clip;
-  const auto first = [](const std::vector<double>& lines, double v) {
-    const auto after = std::upper_bound(lines.begin(), lines.end(), v);
-    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - lines.begin() - 1));
-  };
-  for (const Polygon& outline : outlines) {
-    const scene::Bounds box = scene::bounds_of(outline);
-    for (std::size_t j = first(g.y, box.low.y()); j < g.rows() && g.y[j] < box.high.y(); ++j) {
-      for (std::size_t i = first(g.x, box.low.x()); i < g.columns() && g.x[i] < box.high.x(); ++i) {
-        const Polygon cell = cell_polygon(g, i, j);
-        filled[j * g.columns() + i] += clip.common_area(outline, cell) / area(cell);
-      }
-    }
-  }
-  std::vector<bool> solid(g.cells());
-  std::transform(filled.begin(), filled.end(), solid.begin(), [](double f) { return f > 0.5; });
-  return solid;
-}
-
-/// Spreads what the cells of `front` hold to their unknown neighbours that `may_enter`.
-template <class MayEnter>
-void spread(const Grid& g, std::deque<std::size_t> front, std::vector<Holds>& holds, MayEnter may_enter) {
-  while (!front.empty()) {
-    const std::size_t cell = front.front();
-    front.pop_front();
-    const std::size_t i = cell % g.columns();
-    const std::size_t j = cell / g.columns();
-    const auto visit = [&](bool inside, std::size_t next) {
-      if (!inside || holds[next] != Holds::unknown || !may_enter(next, holds[cell])) return;
-      holds[next] = holds[cell];
-      front.push_back(next);
-    };
-    visit(i > 0, cell - 1);
-    visit(i + 1 < g.columns(), cell + 1);
-    visit(j > 0, cell - g.columns());
-    visit(j + 1 < g.rows(), cell + g.columns());
-  }
-}
-
-/// The highest vertex of the structure nearest to the pool: where water above the crest ends at time 0.
-scene::Point crest(const Grid& g, const scene::Scene& scene, bool upstream) {
-  scene::Point crest(0, -std::numeric_limits<double>::infinity());
-  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
-    if (g.site.is_ground(b)) continue;
-    for (const scene::Point& p : scene.blocks[b].vertices) {
-      const bool nearer = upstream ? p.x() < crest.x() : p.x() > crest.x();
-      if (p.y() > crest.y() || (p.y() == crest.y() && nearer)) crest = p;
-    }
-  }
-  return crest;
 }
 
 /// Water that the scene draws. Its pressure is interFoam's to find: it is not at rest.
@@ -108,41 +51,11 @@ std::optional<SolitaryWave> solitary_wave(const Grid& g, const scene::Scene& sce
 }  // namespace
 
 InitialWater initial_water(const Grid& g, const scene::Scene& scene) {
-  const auto start = [](const std::optional<scene::TimeTable>& level) {
-    return level ? level->at(0) : -std::numeric_limits<double>::infinity();
-  };
-  const double upstream = start(scene.water.upstream_level_m);
-  const double downstream = start(scene.water.downstream_level_m);
-  const std::vector<bool> solid = solid_cells(g, outlines_in(g, scene));
-  const scene::Point up_to = crest(g, scene, true);
-  const scene::Point from = crest(g, scene, false);
-
-  std::vector<Holds> holds(g.cells(), Holds::unknown);
-  const auto is_water = [&](std::size_t cell, Holds pool) {
-    const std::size_t i = cell % g.columns();
-    const double bottom = g.y[cell / g.columns()];
-    const double x = (g.x[i] + g.x[i + 1]) / 2;
-    if (solid[cell]) return false;
-    if (pool == Holds::upstream) return bottom < upstream && (bottom < up_to.y() || x < up_to.x());
-    return bottom < downstream && (bottom < from.y() || x > from.x());
-  };
-  std::deque<std::size_t> front;
-  for (std::size_t j = 0; j < g.rows(); ++j) {
-    for (const auto& [cell, pool] :
-         {std::pair(j * g.columns(), Holds::upstream), std::pair((j + 1) * g.columns() - 1, Holds::downstream)}) {
-      if (!is_water(cell, pool)) continue;
-      holds[cell] = pool;
-      front.push_back(cell);
-    }
-  }
-  spread(g, std::move(front), holds, is_water);
-  front.clear();
-  for (std::size_t cell = 0; cell < g.cells(); ++cell) {
-    if (solid[cell]) continue;
-    if (holds[cell] == Holds::unknown) holds[cell] = Holds::air;
-    front.push_back(cell);
-  }
-  spread(g, std::move(front), holds, [](std::size_t, Holds) { return true; });
+  const PoolLevels levels = levels_at_start(scene);
+  const double upstream = levels.upstream_m;
+  const double downstream = levels.downstream_m;
+  const auto outlines = outlines_in(g, scene);
+  const auto holds = pool_cells(g, scene, filled_cells(g, outlines), exact_pools(scene, g, outlines));
 
   InitialWater water;
   water.reference_level_m = std::max(upstream, downstream);

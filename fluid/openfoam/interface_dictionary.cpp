@@ -117,12 +117,14 @@ std::string interface_dictionary(const scene::Scene& scene, const Surroundings& 
       "endpoint {};  // of the solid process; BLOCKWEIR_ENDPOINT in the environment comes first\n"
       "timeout {};\nopenTimeout {};\n\n"
       "sceneDigest {};\nschedule {};\nunits {};\nwindow {};\nduration {};\nfirstWindow {};\nstepsPerWindow "
-      "{};\nmaxCourant {};\nwaterDensity {};\ngravity {};\ndepth {};\nmoveTolerance {};\nrestTolerance {};\n\n",
+      "{};\nmaxCourant {};\nwaterDensity {};\ngravity {};\ndepth {};\nopenCrackWidth {};\nmoveTolerance "
+      "{};\nrestTolerance {};\n\n",
       quoted(endpoint), exact(scene.coupling.timeout_s), exact(scene.coupling.open_timeout_s),
       quoted(hello.scene_digest), quoted(hello.schedule), quoted(hello.units), exact(hello.window_s),
       exact(hello.duration_s), hello.first_window, scene.openfoam.steps_per_window, exact(scene.openfoam.max_courant),
       exact(scene.water.density_kg_per_m3), exact(scene.analysis.gravity_m_per_s2), exact(around.depth_m),
-      exact(scene.openfoam.move_tolerance), exact(scene.openfoam.rest_tolerance));
+      exact(scene.water.open_crack_width_m), exact(scene.openfoam.move_tolerance),
+      exact(scene.openfoam.rest_tolerance));
   text += around.cell_m ? fmt::format("cell {};\n\n", exact(*around.cell_m))
                         : "ownCase yes;  // not written from the scene\n\n";
   return text + pools(scene, around) + ground(scene) + blocks(scene, around) + cracks(scene);

@@ -16,6 +16,7 @@
 #include "fluid/openfoam/case_writer.hpp"
 #include "fluid/openfoam/own_case.hpp"
 #include "fluid/openfoam/programs.hpp"
+#include "fluid/openfoam/resolution.hpp"
 #include "fluid/openfoam/water_checks.hpp"
 
 namespace blockweir::openfoam {
@@ -32,12 +33,14 @@ void refuse_anothers(const fs::path& folder) {
       "--out {}: not empty and not a case that blockweir has written; choose another folder", folder.string()));
 }
 
-/// A case as interFoam needs it, and what ParaView opens it by; a line on it.
-std::string make_case(const scene::Scene& scene, const RunOptions& options, const CaseOptions& writing) {
+/// A case as interFoam needs it, and what ParaView opens it by; a line on it. Adds what its mesh is too coarse for.
+std::string make_case(const scene::Scene& scene, const RunOptions& options, const CaseOptions& writing,
+                      std::vector<std::string>& warnings) {
   const fs::path& folder = writing.folder;
   refuse_anothers(folder);
   if (scene.openfoam.own_case.empty()) {
     const Grid grid = make_grid(scene);
+    warnings = check_resolution(scene, grid);
     write_case(scene, grid, writing);
     results::replace_file(folder / "water.foam", "");
     if (!options.case_only) run_program("blockMesh", {"blockMesh", "-case", folder}, folder);
@@ -117,7 +120,8 @@ nlohmann::json skips(const std::map<std::string, double>& seconds, const std::ma
   return list;
 }
 
-int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptions& options) {
+int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptions& options,
+               const std::vector<std::string>& warnings) {
   tell_plugin(options.line);
   double solved_s = 0;
   run_interfoam(scene, folder, solved_s);
@@ -127,6 +131,7 @@ int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptio
   const nlohmann::json report = {{"seconds", seconds},
                                  {"counts", counts},
                                  {"skips", skips(seconds, counts)},
+                                 {"warnings", warnings},
                                  {"peak_memory_mb", results::peak_memory_mb()},
                                  {"checks", water_checks(scene, folder / "water.csv")}};
   if (!options.report.empty()) results::replace_file(options.report, report.dump(2) + "\n");
@@ -144,16 +149,18 @@ int run_case(const scene::Scene& scene, const RunOptions& options) {
   const CaseOptions writing{fs::absolute(options.folder), find_plugin(), options.line.endpoint};
   if (options.resume > 0) {
     go_on(scene, options, writing);
-    return run_solver(scene, writing.folder, options);
+    return run_solver(scene, writing.folder, options, {});
   }
-  const std::string made = make_case(scene, options, writing);
+  std::vector<std::string> warnings;
+  const std::string made = make_case(scene, options, writing, warnings);
   if (options.case_only) {
     fmt::print("{}", made);
+    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
     return 0;
   }
   const fs::path& folder = writing.folder;
   if (scene.openfoam.processes > 1) run_program("decomposePar", {"decomposePar", "-force", "-case", folder}, folder);
-  return run_solver(scene, folder, options);
+  return run_solver(scene, folder, options, warnings);
 }
 
 }  // namespace blockweir::openfoam

@@ -40,6 +40,7 @@ double slip_over_balance(const Outcome& o, const std::string& of) {
     const double normal = std::max(0.0, mass * scene.analysis.gravity_m_per_s2 - water.y());
     slider.advance(water.x(), friction * normal, mass, course[i].time_s - course[i - 1].time_s);
   }
+  if (slider.x == 0) throw NoFigure("no slip: by the balance of forces the block stays where it is");
   return (course.back().displacement[0] - course.front().displacement[0]) / slider.x;
 }
 

@@ -11,6 +11,7 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/polygon.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::solid::output {
 
@@ -53,9 +54,10 @@ PlaneJoint plane_joint(const Scene& s, const std::string& name) {
   plane.weight = weight(s, *plane.upper);
   plane.friction = std::tan(named.law.friction_angle_deg * std::numbers::pi / 180);
   plane.uplift = named.law.uplift == scene::Uplift::none ? 0 : named.law.uplift == scene::Uplift::full ? 1 : 0.5;
+  const double touching_m = 1e-6 * scene::structure_size_m(s.blocks);
   for (const scene::Joint& joint : s.joints) {
     if (higher_of(joint) != upper) continue;
-    const auto trace = scene::trace_joint(s.blocks[at(joint.between[0])], s.blocks[at(joint.between[1])], 1e-6);
+    const auto trace = scene::trace_joint(s.blocks[at(joint.between[0])], s.blocks[at(joint.between[1])], touching_m);
     if (&joint == &named && trace.pieces.empty())
       throw std::runtime_error(fmt::format("the blocks of joint \"{}\" do not touch", name));
     if (&joint == &named) plane.mouth = trace.mouth();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bridge/scene/outline.hpp"
 #include "bridge/scene/polygon.hpp"
 
 namespace blockweir::solid::output {
@@ -103,7 +104,7 @@ double gravity_method_stress(const Scene& s, const scene::Block& block, const Po
   double left = std::numeric_limits<double>::infinity();
   double right = -left;
   for (const Point& p : upper) {
-    if (p.y() > y + 1e-9) continue;
+    if (p.y() > y + 1e-9 * scene::bounds_of(block.vertices).size()) continue;
     left = std::min(left, p.x());
     right = std::max(right, p.x());
   }

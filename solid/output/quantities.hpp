@@ -2,6 +2,8 @@
 // Figures of a finished run that [[expect]] can name.
 #pragma once
 
+#include <stdexcept>
+
 #include "solid/output/acceleration_fit.hpp"
 #include "solid/output/added_mass_watch.hpp"
 #include "solid/output/energy.hpp"
@@ -33,7 +35,12 @@ struct Outcome {
 
 std::vector<std::string> quantity_names();
 
-/// NaN when the run has no such figure (a failure level of a dam that stands).
+/// The run does not hold what a figure asks for; what() says why, as "no impact: the run ends before it".
+struct NoFigure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// NaN (a failure level of a dam that stands) or NoFigure when the run has no such figure.
 double quantity(const Outcome& outcome, const scene::Expectation& expectation);
 
 }  // namespace blockweir::solid::output

@@ -64,9 +64,12 @@ struct Recurrence {
 /// order two, or three where the scheme remembers accelerations.
 std::complex<double> dominant_root(const Outcome& o, const std::string& of) {
   constexpr double followed = 1e-9;
+  constexpr double still = 1e-13;  // of the model: round-off
   const std::span<const Sample> course = equally_spaced(course_of(o, of));
-  if (course.size() < 8) return nan;
+  if (course.size() < 8) throw NoFigure("no oscillation: the run has fewer than 8 steps");
   Eigen::VectorXd u = signal_of(course);
+  if (u.maxCoeff() - u.minCoeff() <= still * o.solid.size_m())
+    throw NoFigure("no oscillation: the block does not move");
   u.array() -= u.mean();
   u /= u.cwiseAbs().maxCoeff();
   const Recurrence two(u, 2);
@@ -78,25 +81,41 @@ double step_of(const Outcome& o, const std::string& of) {
   return (course.back().time_s - course.front().time_s) / static_cast<double>(course.size() - 1);
 }
 
+/// The same, of a run that holds a whole period of it.
+std::complex<double> oscillation_root(const Outcome& o, const std::string& of) {
+  const std::complex<double> root = dominant_root(o, of);
+  const double angle = std::abs(std::arg(root));
+  if (angle == 0) throw NoFigure("no oscillation: the motion dies out or grows without one");
+  const double steps = static_cast<double>(equally_spaced(course_of(o, of)).size() - 1);
+  if (steps * angle < 2 * std::numbers::pi) throw NoFigure("no whole period: the run ends before it");
+  return root;
+}
+
 double decay_per_step(const Outcome& o, const std::string& of) {
   return std::abs(dominant_root(o, of));
 }
 
 double oscillation_period(const Outcome& o, const std::string& of) {
-  const double angle = std::abs(std::arg(dominant_root(o, of)));
-  return angle == 0 ? std::numeric_limits<double>::infinity() : 2 * std::numbers::pi / angle * step_of(o, of);
+  return 2 * std::numbers::pi / std::abs(std::arg(oscillation_root(o, of))) * step_of(o, of);
 }
 
 double oscillation_damping(const Outcome& o, const std::string& of) {
-  const std::complex<double> s = std::log(dominant_root(o, of));
+  const std::complex<double> s = std::log(oscillation_root(o, of));
   return -s.real() / std::abs(s);
 }
 
-/// Stretches of the course over which `rate` keeps its sign; the largest |rate| of each.
+/// A stretch of the course over which a rate keeps its sign.
 struct Swing {
-  double fastest = 0;
-  double time_s = 0;  ///< of it
+  double fastest = 0;  ///< the largest |rate|
+  double time_s = 0;   ///< of it
+  double last = 0;     ///< |rate| at its end, or the run's
+
+  /// Whether the rate has gone back by that share of its largest: what was to be the fastest is then past.
+  [[nodiscard]] bool past(double share) const { return last <= (1 - share) * fastest; }
 };
+
+/// At an impact spin falls by 1.5 sin^2(slenderness), and after it on; noise of contacts is smaller.
+constexpr double slower_after_impact = 0.01;
 
 std::vector<Swing> swings(const Course& course, Eigen::Index unknown) {
   std::vector<Swing> all;
@@ -106,27 +125,47 @@ std::vector<Swing> swings(const Course& course, Eigen::Index unknown) {
     if (rate == 0) continue;
     if (rate * sign <= 0) all.emplace_back();
     sign = rate;
-    if (std::abs(rate) > all.back().fastest) all.back() = {std::abs(rate), s.time_s};
+    Swing& swing = all.back();
+    swing.last = std::abs(rate);
+    if (swing.last > swing.fastest) swing = {swing.last, s.time_s, swing.last};
   }
   return all;
 }
 
-/// Largest speed after the first return of the vertical velocity over the largest before.
+/// Largest speed after the first return of the vertical velocity over the largest before; 0 for a block that comes to
+/// rest without one.
 double rebound_ratio(const Outcome& o, const std::string& of) {
-  const auto all = swings(course_of(o, of), 1);
-  return all.empty() ? nan : all.size() < 2 ? 0 : all[1].fastest / all[0].fastest;
+  constexpr double all_but_rest = 0.999;
+  constexpr double settled = 1e-6;  // of the speed, by which the last step changes it
+  const Course& course = course_of(o, of);
+  const auto all = swings(course, 1);
+  if (all.empty() || (all.size() < 2 && !all[0].past(all_but_rest)))
+    throw NoFigure("no rebound: the run ends before it");
+  if (all.size() < 2) return 0;
+  // Two samples say whether the contact still pushes the block away.
+  const double rise = std::abs(course.back().velocity[1]) - std::abs(course[course.size() - 2].velocity[1]);
+  const bool leaves = all.size() == 2 && rise > settled * all[1].fastest && all[1].last == all[1].fastest;
+  if (leaves) throw NoFigure("no rebound: the run ends while the contact still pushes");
+  return all[1].fastest / all[0].fastest;
 }
 
 /// Four times the time from release to the fastest spin, which is at the impact.
 double rocking_period(const Outcome& o, const std::string& of) {
   const auto all = swings(course_of(o, of), 2);
-  return all.empty() ? nan : 4 * all[0].time_s;
+  if (all.empty() || (all.size() < 2 && !all[0].past(slower_after_impact))) {
+    throw NoFigure("no impact: the run ends before it");
+  }
+  return 4 * all[0].time_s;
 }
 
-/// Spin after over spin before the first impact: a swing back is as fast at its end as the impact left it.
+/// Spin after over spin before the first impact: a swing back is as fast at its end, the second impact, as the first
+/// left it.
 double impact_ratio(const Outcome& o, const std::string& of) {
   const auto all = swings(course_of(o, of), 2);
-  return all.size() < 2 ? nan : all[1].fastest / all[0].fastest;
+  if (all.size() < 2 || (all.size() < 3 && !all[1].past(slower_after_impact))) {
+    throw NoFigure("no second impact: the run ends before the block has swung back");
+  }
+  return all[1].fastest / all[0].fastest;
 }
 
 /// Mean speed of the centroid over the last tenth of the run.
@@ -146,11 +185,12 @@ double late_speed(const Outcome& o, const std::string& of) {
 /// line of its late displacements meets zero, which ripples behind the front do not shift.
 double wave_speed(const Outcome& o, const std::string& of) {
   const auto& loads = o.solid.scene().face_pressures;
-  if (loads.empty()) return nan;
+  if (loads.empty()) throw NoFigure("no wave: the scene has no [[face_pressure]]");
   const Point from = (loads.front().from_m + loads.front().to_m) / 2;
   const double distance = (o.solid.blocks()[block_index(o.solid, of)].centroid - from).norm();
   const Course& course = course_of(o, of);
   const auto late = static_cast<Eigen::Index>(course.size() / 4);
+  if (late < 3) throw NoFigure("no front: the run has too few steps");
   Eigen::Matrix<double, Eigen::Dynamic, 2> times(late, 2);
   Eigen::VectorXd moved(late);
   for (Eigen::Index i = 0; i < late; ++i) {
@@ -159,7 +199,10 @@ double wave_speed(const Outcome& o, const std::string& of) {
     moved[i] = s.displacement.head<2>().norm();
   }
   const Eigen::Vector2d line = times.colPivHouseholderQr().solve(moved);
-  return distance / (-line[0] / line[1]);
+  const double passed_s = -line[0] / line[1];
+  if (!(passed_s > 0 && passed_s < times(0, 1)))
+    throw NoFigure("no front: the run ends before it has passed the block");
+  return distance / passed_s;
 }
 
 /// Largest change of the moment of momentum about the centroid, over its first value.
@@ -168,6 +211,7 @@ double angular_momentum_error(const Outcome& o, const std::string& of) {
   const auto momentum = [&](const Sample& s) { return (inertia * s.velocity)[2]; };
   const Course& course = course_of(o, of);
   const double first = momentum(course.front());
+  if (first == 0) throw NoFigure("no angular momentum to keep: the block does not spin at first");
   double largest = 0;
   for (const Sample& s : course) largest = std::max(largest, std::abs(momentum(s) / first - 1));
   return largest;

@@ -24,6 +24,8 @@ double displacement(const Outcome& o, const std::string& of) {
 }
 
 double acceleration(const Outcome& o, const std::string& of) {
+  constexpr double still = 1e-9;  // of the model
+  if (displacement(o, of) <= still * o.solid.size_m()) throw NoFigure("no motion: the block stays where it is");
   return o.acceleration.of(block_index(o.solid, of));
 }
 
@@ -134,6 +136,7 @@ bool is_hinge(const Outcome& o, const std::string& a, const std::string& b, doub
 
 /// Joints of an arch, springings included, that bear at one end only.
 double hinges(const Outcome& o, const std::string& of) {
+  if (o.failure.failures().empty()) throw NoFigure("no mechanism: the arch stands");
   const scene::Scene& s = o.solid.scene();
   const auto arch = std::find_if(s.arches.begin(), s.arches.end(), [&](const auto& a) { return a.name == of; });
   if (arch == s.arches.end()) throw std::runtime_error("[[expect]] of = \"" + of + "\" names no arch");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bridge/scene/at.hpp"
 #include "solid/output/formulas.hpp"
@@ -42,14 +43,15 @@ std::string doubt(const Solid& solid, const Failure& f) {
   }
   constexpr double exact = 1e-3;  // of the head
   if (!(f.level_uncertainty_m > exact * f.head_m)) return {};
-  if (f.inertia_m > f.level_uncertainty_m / 2) {
+  if (f.window_rise_m > f.level_uncertainty_m / 2) {
     return fmt::format(
-        "this level depends on the speed of filling: inertia shifts it by up to {:.2g} m; the static level is found by "
-        "filling more slowly, or with kind = \"static\" at single levels",
-        f.inertia_m);
+        "this level is read to {:.2g} m, what it rises by in a window: fill more slowly or shorten window_s",
+        f.level_uncertainty_m);
   }
   return fmt::format(
-      "this level is read to {:.2g} m, what it rises by in a window: fill more slowly or shorten window_s",
+      "this level depends on the speed of filling: while the structure is shaken it is good to {:.2g} m; the static "
+      "level "
+      "is found by filling more slowly, or with kind = \"static\" at single levels",
       f.level_uncertainty_m);
 }
 
@@ -106,15 +108,23 @@ json margin(const Outcome& o) {
 }
 
 json number_check(const Outcome& outcome, const scene::Expectation& e) {
-  const double got = quantity(outcome, e);
+  double got = std::numeric_limits<double>::quiet_NaN();
+  std::string why_none;
+  try {
+    got = quantity(outcome, e);
+  } catch (const NoFigure& none) {
+    why_none = none.what();
+  }
   if (!e.word.empty()) throw std::runtime_error(fmt::format("{} is a number, and the answer a word", e.quantity));
   const double expected = e.value ? *e.value : formula(outcome.solid.scene(), e);
   const double error = expected == 0 ? std::abs(got) : std::abs(got / expected - 1);
-  return {{"expected", expected},
-          {"got", got},
-          {"relative_error", error},
-          {"tolerance", e.tolerance},
-          {"passed", error <= e.tolerance}};
+  json check = {{"expected", expected},
+                {"got", got},
+                {"relative_error", error},
+                {"tolerance", e.tolerance},
+                {"passed", error <= e.tolerance}};
+  if (!why_none.empty()) check["why_none"] = why_none;
+  return check;
 }
 
 /// Right or wrong: a word has no error between.
@@ -163,6 +173,7 @@ json summary(const Outcome& outcome) {
                {"simulated_s", outcome.last.time_s},
                {"largest_displacement_m", outcome.last.largest_displacement_m},
                {"largest_penetration_m", outcome.largest_penetration_m},
+               {"warnings", scene.warnings},
                {"checks", checks(outcome)},
                {"skips", skips(outcome.solid, outcome.frames)},
                {"counts",

@@ -15,6 +15,7 @@ namespace blockweir::solid {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr int a_spell = 10;  ///< looks in a row after which a block has come to stand for good
 
 /// Half the diagonal of the box around the blocks [m].
 double radius(const Solid& solid, const std::vector<int>& blocks) {
@@ -81,8 +82,14 @@ Mode mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions&
     turned += m * moved.turned(b);
   }
   double slip = 0;
-  for (const auto& [inside, outside] : body.left) slip = std::max(slip, pairs.at(std::minmax(inside, outside)).slip);
-  return {std::abs(turned / mass) * radius(moved.solid(), body.blocks) > turns * travel, slip > slides * travel};
+  double opening = 0;  // what strains or rings may turn, too, but opens no joint
+  for (const auto& [inside, outside] : body.left) {
+    const PairMotion& pair = pairs.at(std::minmax(inside, outside));
+    slip = std::max(slip, pair.slip);
+    opening = std::max(opening, pair.opening);
+  }
+  const bool turning = std::abs(turned / mass) * radius(moved.solid(), body.blocks) > turns * travel;
+  return {turning && opening > turns * travel, slip > slides * travel};
 }
 
 }  // namespace
@@ -93,13 +100,25 @@ FailureWatch::FailureWatch(const Solid& solid)
   for (const scene::Support& support : solid.scene().supports) {
     if (++supports[at(support.block)] == 2) guided_[at(support.block)] = true;
   }
+  rings_ = solid.scene().analysis.integrator != scene::Integrator::shi ||
+           solid.scene().contact.formulation == scene::ContactFormulation::penalty;
 }
 
+/// Of the block's fastest vertex [m/s]. Where directions that contacts hold may ring in the velocity without a motion,
+/// no more than the mean since the last look.
 double FailureWatch::speed(std::size_t b) const {
-  double fastest = 0;
+  const Placement& now = solid_.placements()[b];
+  const Placement before(solid_.blocks()[b].centroid, watched_[b].seen);
+  const double passed_s = solid_.time_s() - seen_s_;
   const Point base = solid_.base().velocity(solid_.time_s());
+  const Point base_moved = solid_.base().displacement(solid_.time_s()) - solid_.base().displacement(seen_s_);
+  double fastest = 0;
   for (const Point& X : solid_.blocks()[b].vertices) {
-    fastest = std::max(fastest, (solid_.placements()[b].shape(X) * solid_.states()[b].velocity - base).norm());
+    double v = (now.shape(X) * solid_.states()[b].velocity - base).norm();
+    if (rings_ && passed_s > 0) {
+      v = std::min(v, (now.displacement(X) - before.displacement(X) - base_moved).norm() / passed_s);
+    }
+    fastest = std::max(fastest, v);
   }
   return fastest;
 }
@@ -145,16 +164,31 @@ void FailureWatch::judge() {
 void FailureWatch::look(double time_s, double upstream_level_m) {
   judge();
   const double far = solid_.scene().analysis.failure_displacement_m;
+  const double passed_s = solid_.time_s() - seen_s_;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     Watched& block = watched_[b];
     if (solid_.blocks()[b].fixed || guided_[b] || block.failed) continue;
-    if (stands_[b] || time_s == 0) {
-      const BlockState& now = solid_.states()[b];
-      block = {time_s, upstream_level_m, nan, now.displacement, now.acceleration.head<2>(), false};
-    } else if (std::isnan(block.next_level_m)) {
-      block.next_level_m = upstream_level_m;
+    const Vector6& displacement = solid_.states()[b].displacement;
+    Point velocity = Point::Zero();
+    if (passed_s > 0) velocity = (displacement - block.seen).head<2>() / passed_s;
+    if (stands_[b] || !begun_) {
+      block.time_s = time_s;
+      block.level_m = upstream_level_m;
+      block.next_level_m = nan;
+      block.displacement = displacement;
+      block.acceleration.setZero();
+      if (passed_s > 0) block.acceleration = (velocity - block.velocity) / passed_s;
+      if (!begun_ || ++block.stood == a_spell) block.first_level_m = nan;
+    } else {
+      block.stood = 0;
+      if (std::isnan(block.next_level_m)) block.next_level_m = upstream_level_m;
+      if (std::isnan(block.first_level_m)) block.first_level_m = upstream_level_m;
     }
+    block.seen = displacement;
+    block.velocity = velocity;
   }
+  begun_ = true;
+  seen_s_ = solid_.time_s();
   std::vector<std::pair<double, std::size_t>> far_gone;  // by what they have come
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     if (stands_[b] || solid_.blocks()[b].fixed || guided_[b] || watched_[b].failed) continue;
@@ -199,7 +233,7 @@ Failure FailureWatch::describe(std::size_t b) const {
                   .level_m = last.level_m,
                   .head_m = nan,
                   .level_uncertainty_m = nan,
-                  .inertia_m = nan,
+                  .window_rise_m = nan,
                   .travel_m = travel(b),
                   .mode = "falling"};
   const Mode mode = mode_of(moved, body, pairs);
@@ -214,8 +248,10 @@ Failure FailureWatch::describe(std::size_t b) const {
   for (const int k : body.blocks) inertia += solid_.blocks()[at(k)].mass_per_m() * watched_[at(k)].acceleration;
   const double per_m =
       solid_.scene().water.density_kg_per_m3 * solid_.scene().analysis.gravity_m_per_s2 * failure.head_m;
-  if (per_m > 0) failure.inertia_m = inertia.norm() / per_m;
-  failure.level_uncertainty_m = std::abs(last.next_level_m - last.level_m) + failure.inertia_m;
+  const double held_back_m = per_m > 0 ? inertia.norm() / per_m : 0;
+  const double since_m = std::isnan(last.first_level_m) ? 0 : std::abs(last.level_m - last.first_level_m);
+  failure.window_rise_m = std::isnan(last.next_level_m) ? 0 : std::abs(last.next_level_m - last.level_m);
+  failure.level_uncertainty_m = failure.window_rise_m + std::max(since_m, held_back_m);
   return failure;
 }
 

@@ -14,19 +14,21 @@ namespace blockweir::solid {
 
 /// Of blocks that move as one body.
 struct Failure {
-  std::vector<int> blocks;         ///< in the scene's order
-  double time_s = 0;               ///< when it last stood
-  double level_m = 0;              ///< upstream level that acted then; NaN without a pool
-  double head_m = 0;               ///< of it above the upstream end of the joint that failed; NaN without a pool
-  double level_uncertainty_m = 0;  ///< by the level's rise in a window and the inertia of a fast filling; NaN likewise
-  double inertia_m = 0;            ///< the second part of it
-  double travel_m = 0;             ///< when the failure was certain
-  std::string mode;                ///< "sliding", "overturning", "sliding and overturning" or "falling"
-  std::string joint;               ///< what the body moves against; empty when it falls free
+  std::vector<int> blocks;  ///< in the scene's order
+  double time_s = 0;        ///< when it last stood
+  double level_m = 0;       ///< upstream level that acted then; NaN without a pool
+  double head_m = 0;        ///< of it above the upstream end of the joint that failed; NaN without a pool
+  /// The level's rise in a window, and what it rose by since the body first moved, or what inertia stands for: a fast
+  /// filling, a structure that rings. NaN likewise.
+  double level_uncertainty_m = 0;
+  double window_rise_m = 0;  ///< the first part of it
+  double travel_m = 0;       ///< when the failure was certain
+  std::string mode;          ///< "sliding", "overturning", "sliding and overturning" or "falling"
+  std::string joint;         ///< what the body moves against; empty when it falls free
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(blocks, time_s, level_m, head_m, level_uncertainty_m, inertia_m, travel_m, mode, joint);
+    archive(blocks, time_s, level_m, head_m, level_uncertainty_m, window_rise_m, travel_m, mode, joint);
   }
 };
 
@@ -55,21 +57,25 @@ class FailureWatch {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(watched_, stands_, calm_, failures_);
+    archive(watched_, stands_, calm_, begun_, seen_s_, failures_);
   }
 
  private:
   struct Watched {
     double time_s = 0;  ///< when the block last stood
     double level_m = 0;
-    double next_level_m = 0;  ///< at the look after that
+    double next_level_m = 0;   ///< at the look after that
+    double first_level_m = 0;  ///< when it first moved since it stood for good; NaN before
+    int stood = 0;             ///< looks in a row
     Vector6 displacement = Vector6::Zero();
     Point acceleration = Point::Zero();  ///< of its centroid, then
+    Vector6 seen = Vector6::Zero();      ///< displacement at the last look
+    Point velocity = Point::Zero();      ///< mean of the centroid's between the last two looks
     bool failed = false;
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(time_s, level_m, next_level_m, displacement, acceleration, failed);
+      archive(time_s, level_m, next_level_m, first_level_m, stood, displacement, acceleration, seen, velocity, failed);
     }
   };
   void judge();
@@ -81,6 +87,9 @@ class FailureWatch {
   std::vector<Watched> watched_;
   std::vector<bool> stands_;  ///< at the last look
   bool calm_ = true;
+  bool begun_ = false;
+  bool rings_ = false;        ///< velocities along held directions may flip from step to step
+  double seen_s_ = 0;         ///< time of the last look
   std::vector<bool> guided_;  ///< by supports at two of its points: how it moves is the scene's will, no failure
   std::vector<Failure> failures_;
 };

@@ -70,6 +70,7 @@ PairMotions pair_motions(const MovedSince& moved) {
     const double relative = (vertex - foot).norm();
     pair.moved = std::max({pair.moved, vertex.norm(), foot.norm()});
     pair.relative = std::max(pair.relative, relative);
+    pair.opening = std::max(pair.opening, c.gap);
     if (c.state == ContactState::open) continue;
     pair.slip = std::max(pair.slip, relative);
     pair.normal += c.force.x();

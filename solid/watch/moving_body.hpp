@@ -36,6 +36,7 @@ struct PairMotion {
   double moved = 0;     ///< largest of a contact's two points
   double relative = 0;  ///< largest between them
   double slip = 0;      ///< the same of closed contacts
+  double opening = 0;   ///< widest gap
   double normal = 0;    ///< sum of normal forces [N per metre]
 };
 using PairMotions = std::map<std::pair<int, int>, PairMotion>;

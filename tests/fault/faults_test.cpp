@@ -238,9 +238,9 @@ TEST_F(Faults, AWrongPortIsSaidWithinTheTimeOut) {
 }
 
 TEST_F(Faults, AnExpectationThatTheSceneCannotAnswerCostsNoResult) {
-  const std::string wrong = "expect=[{quantity='joint_force_n_per_m',value=1,of='block'}]";
+  const std::string wrong = "expect=[{quantity='displacement_m',formula='contact-period',of='block'}]";
   EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --set \"" + wrong + "\" --out o"), 0) << text("out");
-  EXPECT_THAT(text("out"), HasSubstr("OUT     joint_force_n_per_m of block: [[expect]] of = \"block\" names no joint"));
+  EXPECT_THAT(text("out"), HasSubstr("OUT     displacement_m of block: [contact] states no stiffness_n_per_m2"));
   const auto summary = nlohmann::json::parse(text("o/summary.json"));
   EXPECT_NE(summary["outcome"], "stopped");
   EXPECT_FALSE(summary["checks"][0]["passed"]);

@@ -50,7 +50,8 @@ TEST(SceneBolt, FaultsAreNamed) {
 TEST(SceneBolt, HoldsWhatHangsOnIt) {
   const std::string high = with("[[0, 2], [3, 2], [3, 4], [0, 4]]", "[[20, 2], [23, 2], [23, 4], [20, 4]]",
                                 with("point_m = [0, 4]", "point_m = [20, 4]",
-                                     with("from_m = [3, 2]\nto_m = [3, 4]", "from_m = [23, 2]\nto_m = [23, 4]")));
+                                     with("from_m = [3, 2]\nto_m = [3, 4]", "from_m = [23, 2]\nto_m = [23, 4]",
+                                          with("cohesion_pa = 1e5", "friction_angle_deg = 20"))));
   expect_error(high, 23, {"block \"top\" is outside any support"});
   const std::string bolt = "[[bolt]]\nname = \"b\"\nfrom_block = \"top\"\nfrom_m = [21, 3]\nstiffness_n_per_m2 = 1\n";
   EXPECT_THAT(errors(high + bolt + "to_m = [21, 9]\n"), testing::IsEmpty());

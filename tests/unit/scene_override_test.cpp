@@ -39,9 +39,9 @@ TEST(SceneOverride, ReachesSectionsAndMakesThoseThatAreAbsent) {
 
 TEST(SceneOverride, ReachesListsByNameAndByIndex) {
   const Scene scene =
-      scene_with({"block.base.fixed=true", "block.1.initial_spin_deg_per_s=4", "joints.crack.cohesion_pa=0",
+      scene_with({"block.base.rigid=true", "block.1.initial_spin_deg_per_s=4", "joints.crack.cohesion_pa=0",
                   "water.upstream_level_m={ from = 1, rate_per_s = 1 }", "support.0.point_m=[1, 1]"});
-  EXPECT_TRUE(scene.blocks[1].fixed);
+  EXPECT_TRUE(scene.blocks[1].rigid);
   EXPECT_EQ(scene.blocks[1].initial_spin_deg_per_s, 4);
   EXPECT_EQ(scene.joints[0].law.cohesion_pa, 0);
   EXPECT_EQ(scene.water.upstream_level_m->at(2), 3);

@@ -27,6 +27,19 @@ TEST(SceneRepeat, IsCutShortAndHasTheWaterAsPressures) {
   EXPECT_TRUE(again.expectations.empty());
 }
 
+TEST(SceneRepeat, HasNeitherUpliftNorLoadsOfFixedBlocks) {
+  const Scene scene = read_text(sample::with("cohesion_pa = 1e5", "uplift = \"full\"",
+                                             sample::with("[joint]", "[joint]\nuplift = \"full\"")),
+                                "s.toml")
+                          .scene;
+  FacePressure water{.block = 0, .from_m = Point(8, 0), .to_m = Point(3, 0)};
+  water.pressure_from_pa = water.pressure_to_pa = TimeTable::constant(1);
+  const Scene again = read_text(repeat_text(scene, 0.05, {water}), "repeat.toml").scene;
+  EXPECT_EQ(again.default_joint.uplift, Uplift::none);
+  EXPECT_EQ(again.joints[0].law.uplift, Uplift::none);
+  EXPECT_EQ(again.face_pressures.size(), 1u);
+}
+
 TEST(SceneRepeat, OfEveryCaseIsRead) {
   int cases = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(BLOCKWEIR_SOURCE) + "/cases")) {

@@ -94,6 +94,22 @@ inline std::vector<std::string> errors(const std::string& scene, const std::vect
   return texts;
 }
 
+/// All that the reader warns of, a line each.
+inline std::vector<std::string> warnings(const std::string& scene, const std::vector<std::string>& overrides = {}) {
+  std::vector<std::string> texts;
+  for (const Diagnostic& d : read_text(scene, "s.toml", overrides).warnings) texts.push_back(d.text());
+  return texts;
+}
+
+/// One warning and no other: at this line, with these words in it.
+inline void expect_warning(const std::string& scene, int line, const std::vector<std::string>& words) {
+  const auto found = warnings(scene);
+  ASSERT_THAT(found, ::testing::SizeIs(1));
+  const std::string place = line > 0 ? "s.toml:" + std::to_string(line) : "s.toml";
+  EXPECT_THAT(found[0], ::testing::StartsWith(place + ": warning: "));
+  for (const std::string& word : words) EXPECT_THAT(found[0], ::testing::HasSubstr(word));
+}
+
 /// One error and no other: at this line ("s.toml:12: error: "), with these words in it.
 inline void expect_error(const std::string& scene, int line, const std::vector<std::string>& words) {
   const auto found = errors(scene);

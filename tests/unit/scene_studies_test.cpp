@@ -25,7 +25,8 @@ TEST(SceneStudies, AllKindsAreRead) {
   const auto scene =
       blockweir::scene::read_text(
           with_study("[[limit]]\nname = 'l'\nkey = 'a.b'\nfrom = 1\nto = 2\nvalue = 1.5\ntolerance = 0.01\n"
-                     "[[order]]\nname = 'o'\nkey = 'a.b'\nvalues = [1, 2, 4]\nquantity = 'displacement_m'\nvalue = "
+                     "[[order]]\nname = 'o'\nkey = 'a.b'\nvalues = [1, 2, 4]\nof = 'top'\nquantity = "
+                     "'displacement_m'\nvalue = "
                      "0\norder = 2\n"
                      "[[map]]\nname = 'm'\nx_key = 'a'\nx_values = [1e13]\ny_key = 'b'\ny_values = [1, 'x', "
                      "true]\nword = 'stands'\n"
@@ -69,10 +70,9 @@ TEST(SceneStudies, ALimitNeedsTwoEnds) {
 }
 
 TEST(SceneStudies, AnOrderNeedsThreeValues) {
-  expect_some_error(
-      with_study(
-          "[[order]]\nname = 'o'\nkey = 'a'\nvalues = [1, 2]\nquantity = 'displacement_m'\nvalue = 0\norder = 1\n"),
-      {"expected a list of at least 3"});
+  expect_some_error(with_study("[[order]]\nname = 'o'\nkey = 'a'\nvalues = [1, 2]\nof = 'top'\nquantity = "
+                               "'displacement_m'\nvalue = 0\norder = 1\n"),
+                    {"expected a list of at least 3"});
 }
 
 TEST(SceneStudies, ValuesOfAKeyAreNumbersFlagsOrTexts) {

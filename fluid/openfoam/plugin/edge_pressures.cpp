@@ -14,28 +14,9 @@
 namespace blockweir::openfoam {
 namespace {
 
-constexpr double sealed_cells = 2;  // a narrower gap carries no water in the mesh
-constexpr double open_cells = 3;    // a wider one carries all of it
-constexpr int looks = 8;            // half cells outwards, for a cell that no block reaches
-constexpr int retries = 2;          // half cells further, where that cell is dry
-constexpr int columns = 7;          // of a PressureLine as numbers
-
-double cross(const Point& a, const Point& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-/// From nothing to all of it between two and three cells, without a kink.
-double openness_of(double gap_cells) {
-  const double x = std::clamp((gap_cells - sealed_cells) / (open_cells - sealed_cells), 0.0, 1.0);
-  return x * x * (3 - 2 * x);
-}
-
-/// Along the axis nearer to the normal: the cell beside a sloping face is then as deep as the face, and next to a steep
-/// one it is under water if that is.
-Point outwards(const Point& normal) {
-  return std::abs(normal.x()) >= std::abs(normal.y()) ? Point(std::copysign(1, normal.x()), 0)
-                                                      : Point(0, std::copysign(1, normal.y()));
-}
+constexpr int retries = 2;  // half cells further, where the first open cell is dry
+constexpr int columns = 7;  // of a PressureLine as numbers
+constexpr std::size_t row_length = Looks::most * columns;
 
 void store(const PressureLine& line, double* row) {
   if (!line.found) return;
@@ -61,130 +42,158 @@ PressureLine load_line(const double* row) {
   return line;
 }
 
+/// Adds up what the ranks found, each where its cells are; all of them know all of it then.
+template <class Operation>
+void combine(std::vector<double>& values, Operation operation) {
+  if (!Foam::Pstream::parRun()) return;
+  Foam::UList<Foam::scalar> own(values.data(), static_cast<Foam::label>(values.size()));
+  Foam::List<Foam::scalar> all(own);
+  Foam::Pstream::listCombineGather(all, operation);
+  Foam::Pstream::listCombineScatter(all);
+  std::copy(all.cbegin(), all.cend(), values.begin());
+}
+
+/// The part under the surface: pressures are positive there.
+void add_pressed(const EdgeElement& e, double share, double p_from, double p_to, wire::Load& load) {
+  if (p_from <= 0 && p_to <= 0) return;
+  double s_from = e.s_from;
+  double s_to = e.s_to;
+  if (p_from * p_to < 0) {
+    const double surface = s_from + (s_to - s_from) * p_from / (p_from - p_to);
+    (p_from < 0 ? s_from : s_to) = surface;
+    (p_from < 0 ? p_from : p_to) = 0;
+  }
+  if (s_from < s_to) wire::add_panel(load, e.block, e.edge, s_from, s_to, share * p_from, share * p_to);
+}
+
 }  // namespace
 
-void EdgePressures::find_elements() {
-  elements_.clear();
-  const auto& outlines = blocks_.outlines();
-  for (std::size_t b = 0; b < outlines.size(); ++b) {
-    if (!blocks_.interface().blocks[b].loaded) continue;
-    for (std::size_t e = 0; e < outlines[b].size(); ++e) {
-      split(static_cast<int>(b), static_cast<int>(e), outlines[b][e], outlines[b][(e + 1) % outlines[b].size()]);
-    }
+EdgePressures::EdgePressures(const ImmersedBlocks& blocks, const WaterState& water) : blocks_(blocks), water_(water) {
+  const Interface& scene = blocks.interface();
+  rules_.cell_m = blocks.cell_m();
+  rules_.open_crack_width_m = scene.open_crack_width_m;
+  std::vector<Polygon> start;
+  for (const InterfaceBlock& block : scene.blocks) {
+    rules_.loaded.push_back(block.loaded);
+    start.push_back(block.outline);
   }
-  const double h = blocks_.cell_m();
-  for (Element& element : elements_) element.openness = openness_of(gap_beyond(element) / h);
+  for (const Crack& crack : scene.cracks) {
+    for (const CrackPanel& p : crack.panels) rules_.cuts.push_back({p.block, p.edge, p.s_from, p.s_to});
+  }
+  rules_.closed = closed_intervals(start, rules_);
 }
 
-/// Elements end where a cell's length does, where a neighbour's corner lies beside the edge, and where a crack ends.
-void EdgePressures::split(int block, int edge, const Point& from, const Point& to) {
-  const double h = blocks_.cell_m();
-  const double reach = open_cells * h;
-  const Point span = to - from;
-  const double length = span.norm();
-  const Point t = span / length;
-  const Point normal(t.y(), -t.x());
-  cuts_.clear();
-  const int n = std::max(1, static_cast<int>(std::ceil(length / h - 1e-9)));
-  for (int i = 0; i <= n; ++i) cuts_.push_back(static_cast<double>(i) / n);
-  const auto& outlines = blocks_.outlines();
-  for (std::size_t other = 0; other < outlines.size(); ++other) {
-    if (static_cast<int>(other) == block) continue;
-    for (const Point& p : outlines[other]) {
-      const double s = t.dot(p - from) / length;
-      if (s > 0 && s < 1 && std::abs(normal.dot(p - from)) < reach) cuts_.push_back(s);
-    }
-  }
+void EdgePressures::find_targets() {
+  openings_.clear();
+  std::vector<Seeker> seekers;
   for (const Crack& crack : blocks_.interface().cracks) {
-    for (const CrackPanel& panel : crack.panels) {
-      if (panel.block != block || panel.edge != edge) continue;
-      cuts_.push_back(panel.s_from);
-      cuts_.push_back(panel.s_to);
+    for (const CrackOpening* o : {&crack.mouth, &crack.end}) {
+      const auto b = static_cast<std::size_t>(o->block);
+      const Point& centroid = blocks_.interface().blocks[b].centroid;
+      const Point at = wire::place(centroid, blocks_.poses()[b], o->point);
+      const Point beyond = wire::place(centroid, blocks_.poses()[b], o->point + o->direction);
+      openings_.push_back(at);
+      seekers.push_back(seeker_at(at, (beyond - at).normalized()));
     }
   }
-  std::sort(cuts_.begin(), cuts_.end());
-  constexpr double shortest = 1e-9;
-  double s = 0;
-  for (const double next : cuts_) {
-    if (next - s < shortest) continue;
-    elements_.push_back({block, edge, s, next, from + s * span, from + next * span, normal, 1});
-    s = next;
-  }
+  targets_ = openfoam::find_targets(Faces(blocks_.outlines()), rules_, seekers,
+                                    [&](const std::vector<Point>& points) { return fills_at(points); });
 }
 
-/// To the face of another block along the normal from the element's middle [m]; infinite where there is none near.
-double EdgePressures::gap_beyond(const Element& element) const {
-  const double h = blocks_.cell_m();
-  const double reach = open_cells * h;
-  const double overlap = 0.02 * h;  // blocks in contact may penetrate a little
-  const Point middle = (element.from + element.to) / 2;
-  double gap = std::numeric_limits<double>::infinity();
-  const auto& outlines = blocks_.outlines();
-  for (std::size_t other = 0; other < outlines.size(); ++other) {
-    if (static_cast<int>(other) == element.block) continue;
-    const Polygon& outline = outlines[other];
-    for (std::size_t e = 0; e < outline.size(); ++e) {
-      const Point& a = outline[e];
-      const Point span = outline[(e + 1) % outline.size()] - a;
-      // A face that looks our way: middle + gap n = a + s span
-      const double turn = cross(element.normal, span);
-      if (turn >= 0) continue;
-      const double s = cross(a - middle, element.normal) / turn;
-      const double distance = cross(a - middle, span) / turn;
-      if (s < 0 || s > 1 || distance < -overlap || distance > reach) continue;
-      gap = std::min(gap, std::max(0.0, distance));
+std::vector<double> EdgePressures::fills_at(const std::vector<Point>& points) const {
+  std::vector<double> fills(points.size(), 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int cell = blocks_.locator().find(points[i]);
+    if (cell >= 0) fills[i] = blocks_.filled()[cell];
+  }
+  combine(fills, Foam::minEqOp<Foam::scalar>());
+  return fills;
+}
+
+/// Pressure lines at all looks.
+std::vector<double> EdgePressures::look() const {
+  std::vector<double> lines(targets_.looks.size() * row_length, 0.0);
+  double* row = lines.data();
+  for (const Looks& looks : targets_.looks) {
+    for (int k = 0; k < looks.count; ++k) {
+      store(water_.line_at(looks.at[static_cast<std::size_t>(k)], looks.cut), row + k * columns);
     }
+    row += row_length;
   }
-  return gap;
+  combine(lines, Foam::plusEqOp<Foam::scalar>());
+  return lines;
 }
 
-/// The cells of this rank along a ray, as rows of numbers that ranks can add up.
-void EdgePressures::look_along(const Point& from, const Point& direction, std::vector<double>& lines) const {
-  const double h = blocks_.cell_m();
-  for (int k = 1; k <= looks; ++k) {
-    lines.insert(lines.end(), columns, 0.0);
-    store(water_.line_at(from + 0.5 * k * h * direction), &lines[lines.size() - columns]);
-  }
+PressureLine EdgePressures::first_line(std::size_t looks, const std::vector<double>& lines) const {
+  const double* row = &lines[looks * row_length];
+  int first = 0;
+  while (first < targets_.looks[looks].count && row[first * columns] == 0) ++first;
+  return first < targets_.looks[looks].count ? load_line(row + first * columns) : PressureLine{};
 }
 
 /// Pressure at the edge from the first open cell outwards. Where water fills that and the next one, the part that is
 /// not weight goes on linearly to the edge: water that a wall pushes has its largest pressure there.
-void EdgePressures::add_open(const Element& element, const double* lines, wire::Load& load) {
+void EdgePressures::add_open(const EdgeElement& element, std::size_t looks, const std::vector<double>& lines,
+                             wire::Load& load) {
   const double h = blocks_.cell_m();
+  const double* rows = &lines[looks * row_length];
+  const int count = targets_.looks[looks].count;
   int first = 0;
-  while (first < looks && lines[first * columns] == 0) ++first;
+  while (first < count && rows[first * columns] == 0) ++first;
   PressureLine near;
-  for (int last = std::min(first + retries, looks - 1); first <= last; ++first) {
-    near = load_line(lines + first * columns);
+  for (int last = std::min(first + retries, count - 1); first <= last; ++first) {
+    near = load_line(rows + first * columns);
     if (near.wet) break;
   }
   if (!near.wet || near.slope <= 0) return;
-  const Point middle = (element.from + element.to) / 2;
   const double length = (element.to - element.from).norm();
-  wetted_.push_back({element.block, middle, element.openness * length * element.normal,
-                     middle + 0.5 * (first + 1) * h * outwards(element.normal)});
+  wetted_.push_back({element.block, element.middle(), element.openness * length * element.normal,
+                     targets_.looks[looks].at[static_cast<std::size_t>(first)]});
   double at_zero = near.at_zero;
-  if (near.whole && first + 2 < looks) {
-    const PressureLine next = load_line(lines + (first + 2) * columns);
+  if (near.whole && first + 2 < count) {
+    const PressureLine next = load_line(rows + (first + 2) * columns);
     const double d_near = element.normal.dot(near.centre - element.from);
     const double d_next = element.normal.dot(next.centre - element.from);
     if (next.whole && d_next - d_near > 0.5 * h) at_zero += (near.at_zero - next.at_zero) * d_near / (d_next - d_near);
   }
-  double p_from = at_zero - near.slope * element.from.y();
-  double p_to = at_zero - near.slope * element.to.y();
+  const double p_from = at_zero - near.slope * element.from.y();
+  const double p_to = at_zero - near.slope * element.to.y();
   const double suction = -1.5 * h * near.slope;  // more than what a line drawn above the surface can give
-  double s_from = element.s_from;
-  double s_to = element.s_to;
-  if (!near.whole || std::min(p_from, p_to) > suction) {
-    if (p_from <= 0 && p_to <= 0) return;
-    if (p_from * p_to < 0) {
-      const double surface = s_from + (s_to - s_from) * p_from / (p_from - p_to);
-      (p_from < 0 ? s_from : s_to) = surface;
-      (p_from < 0 ? p_from : p_to) = 0;
-    }
+  if (near.whole && std::min(p_from, p_to) <= suction) {
+    wire::add_panel(load, element.block, element.edge, element.s_from, element.s_to, element.openness * p_from,
+                    element.openness * p_to);
+  } else {
+    add_pressed(element, element.openness, p_from, p_to, load);
   }
-  if (s_from >= s_to) return;
-  wire::add_panel(load, element.block, element.edge, s_from, s_to, element.openness * p_from, element.openness * p_to);
+}
+
+/// Water enters by a mouth that it covers. Between two mouths its line goes over from one to the other; towards a dry
+/// one that lies lower than it stands, it runs out.
+void EdgePressures::add_slot(const EdgeElement& element, const std::vector<Mouth>& mouths,
+                             const std::vector<double>& lines, wire::Load& load) const {
+  const auto pressure = [](const PressureLine& line, const Point& at) { return line.at_zero - line.slope * at.y(); };
+  std::vector<PressureLine> entering;
+  for (const Mouth& m : mouths) {
+    PressureLine& line = entering.emplace_back(first_line(m.looks, lines));
+    line.wet = line.wet && pressure(line, m.place.lip) > 0;
+  }
+  double at_zero = 0;
+  double slope = 0;
+  for (std::size_t m = 0; m < mouths.size(); ++m) {
+    if (!entering[m].wet) continue;
+    double share = 1;
+    if (mouths.size() == 2) {
+      const SlotMouth& other = mouths[1 - m].place;
+      const bool runs_out = pressure(entering[m], other.lip) > 0;
+      if (entering[1 - m].wet || runs_out) share = other.distance_m / (other.distance_m + mouths[m].place.distance_m);
+    }
+    at_zero += share * entering[m].at_zero;
+    slope += share * entering[m].slope;
+  }
+  if (slope > 0) {
+    add_pressed(element, 1 - element.openness, at_zero - slope * element.from.y(), at_zero - slope * element.to.y(),
+                load);
+  }
 }
 
 void EdgePressures::add_cracks(const std::vector<CrackPressure>& pressures, wire::Load& load) const {
@@ -195,7 +204,7 @@ void EdgePressures::add_cracks(const std::vector<CrackPressure>& pressures, wire
     };
     for (const CrackPanel& panel : cracks[c].panels) {
       const double length = panel.s_to - panel.s_from;
-      for (const Element& e : elements_) {
+      for (const EdgeElement& e : targets_.elements) {
         const double middle = (e.s_from + e.s_to) / 2;
         if (e.block != panel.block || e.edge != panel.edge || middle < panel.s_from || middle > panel.s_to) continue;
         const auto along = [&](double s) {
@@ -212,49 +221,22 @@ void EdgePressures::add_cracks(const std::vector<CrackPressure>& pressures, wire
 
 void EdgePressures::sample(wire::Load& load) {
   if (blocks_.poses() != last_poses_) {
-    find_elements();
+    find_targets();
     last_poses_ = blocks_.poses();
   }
-  // Every rank looks where its cells are; added up, all of them know all of it.
-  std::vector<double> lines;
-  std::vector<Point> openings;
-  for (const Element& e : elements_) {
-    if (e.openness > 0) look_along((e.from + e.to) / 2, outwards(e.normal), lines);
-  }
-  for (const Crack& crack : blocks_.interface().cracks) {
-    for (const CrackOpening* o : {&crack.mouth, &crack.end}) {
-      const auto b = static_cast<std::size_t>(o->block);
-      const Point& centroid = blocks_.interface().blocks[b].centroid;
-      const Point at = wire::place(centroid, blocks_.poses()[b], o->point);
-      const Point beyond = wire::place(centroid, blocks_.poses()[b], o->point + o->direction);
-      openings.push_back(at);
-      look_along(at, (beyond - at).normalized(), lines);
-    }
-  }
-  if (Foam::Pstream::parRun()) {
-    Foam::UList<Foam::scalar> all(lines.data(), static_cast<Foam::label>(lines.size()));
-    Foam::List<Foam::scalar> sum(all);
-    Foam::Pstream::listCombineGather(sum, Foam::plusEqOp<Foam::scalar>());
-    Foam::Pstream::listCombineScatter(sum);
-    std::copy(sum.cbegin(), sum.cend(), lines.begin());
-  }
-
+  const std::vector<double> lines = look();
   wire::clear_panels(load);
   wetted_.clear();
-  const double* row = lines.data();
-  for (const Element& e : elements_) {
-    if (e.openness == 0) continue;
-    add_open(e, row, load);
-    row += looks * columns;
+  for (std::size_t i = 0; i < targets_.elements.size(); ++i) {
+    const EdgeElement& e = targets_.elements[i];
+    if (e.openness > 0) add_open(e, targets_.looks_of[i], lines, load);
+    if (e.slot) add_slot(e, targets_.mouths[i], lines, load);
   }
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
   std::vector<CrackPressure> pressures(blocks_.interface().cracks.size());
-  for (std::size_t o = 0; o < openings.size(); ++o, row += looks * columns) {
-    int first = 0;
-    while (first < looks && row[first * columns] == 0) ++first;
-    if (first == looks) continue;
-    const PressureLine line = load_line(row + first * columns);
-    const double p = line.wet ? std::max(0.0, line.at_zero - line.slope * openings[o].y()) : 0;
+  for (std::size_t o = 0; o < openings_.size(); ++o) {
+    const PressureLine line = first_line(targets_.openings_from + o, lines);
+    const double p = line.wet ? std::max(0.0, line.at_zero - line.slope * openings_[o].y()) : 0;
     (o % 2 == 0 ? pressures[o / 2].mouth : pressures[o / 2].end) = p;
   }
   add_cracks(pressures, load);

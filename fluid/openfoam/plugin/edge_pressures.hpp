@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pressure on the blocks' edges: sampled in the water outside where an edge is open, by the scene's law in cracks.
+// Pressure on the blocks' edges: sampled in the water outside where an edge is open, by the scene's law in cracks, and
+// as still water that enters by its mouths in slots too narrow for the mesh.
 #pragma once
 
+#include "fluid/openfoam/looks.hpp"
 #include "fluid/openfoam/plugin/water_state.hpp"
 
 namespace blockweir::openfoam {
 
 class EdgePressures {
  public:
-  EdgePressures(const ImmersedBlocks& blocks, const WaterState& water) : blocks_(blocks), water_(water) {}
+  EdgePressures(const ImmersedBlocks& blocks, const WaterState& water);
 
   /// Panels of all loaded blocks where they are now; the same on all ranks.
   void sample(wire::Load& load);
@@ -23,36 +25,27 @@ class EdgePressures {
   [[nodiscard]] const std::vector<Wetted>& wetted() const { return wetted_; }
 
  private:
-  /// A piece of an edge that one cell's water presses on.
-  struct Element {
-    int block = 0;
-    int edge = 0;
-    double s_from = 0;
-    double s_to = 1;
-    Point from;
-    Point to;
-    Point normal;         ///< outwards
-    double openness = 1;  ///< 0: a joint or a crack that carries no water in the mesh; 1: open
-  };
   /// Pressures of a crack's two ends [Pa].
   struct CrackPressure {
     double mouth = 0;
     double end = 0;
   };
-
-  void find_elements();
-  void split(int block, int edge, const Point& from, const Point& to);
-  [[nodiscard]] double gap_beyond(const Element& element) const;
-  void look_along(const Point& from, const Point& direction, std::vector<double>& lines) const;
-  void add_open(const Element& element, const double* lines, wire::Load& load);
+  void find_targets();
+  [[nodiscard]] std::vector<double> fills_at(const std::vector<Point>& points) const;
+  [[nodiscard]] std::vector<double> look() const;
+  [[nodiscard]] PressureLine first_line(std::size_t looks, const std::vector<double>& lines) const;
+  void add_open(const EdgeElement& element, std::size_t looks, const std::vector<double>& lines, wire::Load& load);
+  void add_slot(const EdgeElement& element, const std::vector<Mouth>& mouths, const std::vector<double>& lines,
+                wire::Load& load) const;
   void add_cracks(const std::vector<CrackPressure>& pressures, wire::Load& load) const;
 
   const ImmersedBlocks& blocks_;
   const WaterState& water_;
-  std::vector<Element> elements_;
+  ElementRules rules_;
+  Targets targets_;
+  std::vector<Point> openings_;  ///< of cracks, mouth and end by turns
   std::vector<Wetted> wetted_;
   std::vector<Pose> last_poses_;
-  std::vector<double> cuts_;
 };
 
 }  // namespace blockweir::openfoam

@@ -92,6 +92,7 @@ Interface read_interface(const dictionary& dict) {
   i.water_density = dict.get<Foam::scalar>("waterDensity");
   i.gravity = dict.get<Foam::scalar>("gravity");
   i.depth_m = dict.get<Foam::scalar>("depth");
+  i.open_crack_width_m = dict.get<Foam::scalar>("openCrackWidth");
   i.move_tolerance = dict.get<Foam::scalar>("moveTolerance");
   i.rest_tolerance = dict.get<Foam::scalar>("restTolerance");
   read_blocks(dict.subDict("blocks"), i);

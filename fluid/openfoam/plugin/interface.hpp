@@ -58,8 +58,9 @@ struct Interface {
   std::optional<double> cell_m;  ///< side of a cell beside blocks; none: it is measured
   bool own_case = false;         ///< a user's, not written from the scene
   double water_density = 0;
-  double gravity = 0;         ///< m/s2, downwards
-  double depth_m = 0;         ///< largest, of the water
+  double gravity = 0;  ///< m/s2, downwards
+  double depth_m = 0;  ///< largest, of the water
+  double open_crack_width_m = 0;
   double move_tolerance = 0;  ///< of the depth
   double rest_tolerance = 0;  ///< of the pressure at that depth; 0: the water never counts as at rest
   std::vector<InterfaceBlock> blocks;

@@ -3,11 +3,14 @@
 
 #include <IOdictionary.H>
 
+#include "fluid/openfoam/looks.hpp"
+
 namespace blockweir::openfoam {
 namespace {
 
-constexpr double untouched = 1e-6;  // share of a cell that a block may fill where the cell still counts as open
 constexpr double all_water = 0.99;
+constexpr double least_film = 0.01;  // of a cell: what is thinner is as good as dry
+constexpr double deep_cut = 0.95;    // a cell that blocks fill farther than this follows the water beside it too late
 
 double density_of(const Foam::fvMesh& mesh, const char* phase) {
   const auto& transport = mesh.lookupObject<Foam::IOdictionary>("transportProperties");
@@ -24,7 +27,7 @@ WaterState::WaterState(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks)
       rho_(mesh.lookupObject<Foam::volScalarField>("rho")),
       water_density_(density_of(mesh, "water")),
       air_density_(density_of(mesh, "air")),
-      below_(static_cast<std::size_t>(mesh.nCells()), -1) {
+      column_(static_cast<std::size_t>(mesh.nCells())) {
   const auto& g = mesh.time().lookupObject<Foam::uniformDimensionedVectorField>("g");
   gravity_ = -g.value().y();
   reference_level_ = mesh.lookupObject<Foam::uniformDimensionedScalarField>("hRef").value();
@@ -35,28 +38,53 @@ WaterState::WaterState(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks)
     double lowest = centre.y() + height;
     for (const Foam::label p : mesh.cellPoints()[c]) lowest = std::min(lowest, mesh.points()[p].y());
     const double half = centre.y() - lowest;
-    below_[static_cast<std::size_t>(c)] = blocks.locator().find({centre.x(), centre.y() - 2 * half});
+    const int below = blocks.locator().find({centre.x(), centre.y() - 2 * half});
+    column_[static_cast<std::size_t>(c)] = {below, lowest, 2 * half};
   }
 }
 
-PressureLine WaterState::line_at(const Point& x) const {
+PressureLine WaterState::line_at(const Point& x, bool cut) const {
   PressureLine line;
   const int cell = blocks_.locator().find(x);
-  if (cell < 0 || blocks_.filled()[cell] > untouched) return line;
-  line.found = true;
+  const auto& filled = blocks_.filled();
+  if (cell < 0 || filled[cell] > (cut ? sealed : untouched)) return line;
   // Near the surface the water is below: in this cell, or in the next one down.
   int source = cell;
+  bool on_block = false;
   for (int down = 0; down < 2 && alpha_[source] < all_water; ++down) {
-    const int below = below_[static_cast<std::size_t>(source)];
-    if (below < 0 || blocks_.filled()[below] > untouched || alpha_[below] <= alpha_[source]) break;
+    const int below = column_[static_cast<std::size_t>(source)].below;
+    if (below < 0) break;
+    on_block = filled[below] > std::max(untouched, filled[source]);
+    if ((on_block && filled[below] > deep_cut) || alpha_[below] <= alpha_[source]) break;
     source = below;
+    if (on_block) break;
   }
-  line.wet = alpha_[source] >= 0.5;
-  line.whole = source == cell && alpha_[cell] >= all_water;
+  if (on_block && alpha_[source] < all_water) {
+    line = film_in(source);
+  } else {
+    line.wet = alpha_[source] >= 0.5;
+    const double scale = water_density_ / (water_density_ - air_density_);
+    line.slope = (rho_[source] - air_density_) * gravity_ * scale;
+    line.at_zero = p_rgh_[source] * scale + line.slope * reference_level_;
+  }
+  line.found = true;
+  line.whole = source == cell && alpha_[cell] >= all_water && filled[cell] <= untouched;
   line.centre = {mesh_.C()[source].x(), mesh_.C()[source].y()};
-  const double scale = water_density_ / (water_density_ - air_density_);
-  line.slope = (rho_[source] - air_density_) * gravity_ * scale;
-  line.at_zero = p_rgh_[source] * scale + line.slope * reference_level_;
+  return line;
+}
+
+/// Still water up to the cell's share of it, and what its pressure exceeds that of such water by: interFoam's balance
+/// across the faces of a cell that the surface cuts is the one of initial_water.cpp.
+PressureLine WaterState::film_in(int cell) const {
+  const Column& c = column_[static_cast<std::size_t>(cell)];
+  const double share = alpha_[cell];
+  const double level = c.bottom + share * c.height;
+  const double weight = water_density_ * gravity_;
+  const double at_rest = share * weight * (level - reference_level_ + (1 - share) * c.height);
+  PressureLine line;
+  line.wet = share >= least_film;
+  line.slope = weight;
+  line.at_zero = weight * level + p_rgh_[cell] * water_density_ / (water_density_ - air_density_) - at_rest;
   return line;
 }
 

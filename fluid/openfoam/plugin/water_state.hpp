@@ -11,9 +11,9 @@ namespace blockweir::openfoam {
 
 /// p(y) = at_zero - slope * y [Pa], in the water of a cell or of the one below it.
 struct PressureLine {
-  bool found = false;  ///< this rank has a cell there that no block reaches
+  bool found = false;  ///< this rank has a cell there that may be looked at
   bool wet = false;
-  bool whole = false;  ///< the cell itself is all water
+  bool whole = false;  ///< the cell itself is all water, and no block reaches it
   double at_zero = 0;
   double slope = 0;
   Point centre = Point::Zero();
@@ -25,8 +25,9 @@ class WaterState {
  public:
   WaterState(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks);
 
-  /// In the cell that holds x. One that is not all water takes the line of the water in the two cells below it.
-  [[nodiscard]] PressureLine line_at(const Point& x) const;
+  /// In the cell that holds x, which blocks may reach only if that is asked for. One that is not all water takes the
+  /// line of the water in the two cells below it; where a block is just below, that of the film that covers the block.
+  [[nodiscard]] PressureLine line_at(const Point& x, bool cut = false) const;
 
   [[nodiscard]] double water_density() const { return water_density_; }
   [[nodiscard]] double air_density() const { return air_density_; }
@@ -41,7 +42,13 @@ class WaterState {
   double air_density_ = 0;
   double gravity_ = 0;  ///< m/s2, downwards
   double reference_level_ = 0;
-  std::vector<int> below_;  ///< cell below each; -1: none on this rank
+  struct Column {
+    int below = -1;     ///< the cell below; -1: none on this rank
+    double bottom = 0;  ///< of the cell itself
+    double height = 0;
+  };
+  [[nodiscard]] PressureLine film_in(int cell) const;
+  std::vector<Column> column_;  ///< by cell
 };
 
 }  // namespace blockweir::openfoam

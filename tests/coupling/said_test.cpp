@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// What a run is warned of and what it does not hold, as the programs say it.
+#include <cmath>
+
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class Said : public Processes {
+ protected:
+  [[nodiscard]] nlohmann::json summary() const { return nlohmann::json::parse(text("o/summary.json")); }
+  void scene(const std::string& content) const { std::ofstream(folder / "s.toml") << content; }
+};
+
+const std::string block = R"([analysis]
+duration_s = 0.1
+[material.m]
+youngs_modulus_pa = 50e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2.4
+[[block]]
+name = "ground"
+material = "m"
+fixed = true
+vertices_m = [[-2, -1], [6, -1], [6, 0], [-2, 0]]
+[[block]]
+name = "block"
+material = "m"
+vertices_m = [[0, 0], [1, 0], [1, 0.5], [0, 0.5]]
+)";
+
+TEST_F(Said, AWarningStandsBeforeTheRunInItsReportAndInItsSummary) {
+  scene(block);
+  ASSERT_EQ(shell(programs + "/blockweir run s.toml --out o"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("s.toml:6: warning: density_kg_per_m3 in [material.m] is 2.4 kg/m3"));
+  EXPECT_THAT(text("out"), HasSubstr("WARNING density_kg_per_m3 in [material.m] is 2.4 kg/m3, which is unusual"));
+  EXPECT_THAT(summary()["warnings"].at(0).get<std::string>(), HasSubstr("2.4 is t/m3: write 2400"));
+}
+
+TEST_F(Said, StrictMakesAnErrorOfAWarning) {
+  scene(block);
+  EXPECT_EQ(shell(programs + "/blockweir check s.toml"), 0);
+  EXPECT_THAT(text("out"), AllOf(HasSubstr("s.toml:6: warning: density"), HasSubstr("; 1 warnings")));
+  EXPECT_EQ(shell(programs + "/blockweir check s.toml --strict"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("s.toml:6: error: density"));
+  EXPECT_EQ(shell(programs + "/blockweir run s.toml --strict --out o"), 2);
+  EXPECT_FALSE(fs::exists(folder / "o"));
+  EXPECT_EQ(shell(programs + "/blockweir run s.toml --strict --out o --set material.m.density_kg_per_m3=2400"), 0);
+}
+
+TEST_F(Said, CheckWarnsOfVariantsToo) {
+  scene(block + "[[variant]]\nname = \"slippery\"\nset = [\"joint.friction_angle_deg=0.6\"]\n");
+  EXPECT_EQ(shell(programs + "/blockweir check s.toml --strict --set material.m.density_kg_per_m3=2400"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("variant \"slippery\": friction_angle_deg in [joint] is 0.6 deg"));
+}
+
+TEST_F(Said, CheckNamesTheLengthsThatFollowTheStructure) {
+  scene(block);
+  ASSERT_EQ(shell(programs + "/blockweir check s.toml"), 0);
+  EXPECT_THAT(text("out"), HasSubstr("structure of 1 m: failure_displacement_m = 0.001, rest_speed_m_per_s = "));
+}
+
+TEST_F(Said, AFigureOfNothingIsFoundBeforeTheRun) {
+  scene(block + "[[expect]]\nquantity = \"displacement_m\"\nvalue = 0\nof = \"\"\n");
+  for (const std::string command : {"check s.toml", "run s.toml --out o"}) {
+    EXPECT_EQ(shell(programs + "/blockweir " + command), 2);
+    EXPECT_THAT(text("out"), HasSubstr("s.toml:19: error: quantity displacement_m in [[expect]] has no of"));
+  }
+  EXPECT_FALSE(fs::exists(folder / "o"));
+}
+
+TEST_F(Said, AnEndpointWithoutWaterIsRefused) {
+  scene(block);
+  EXPECT_EQ(shell(programs + "/blockweir-solid s.toml --out o --endpoint ipc://" + (folder / "line").string()), 2);
+  EXPECT_THAT(text("out"), HasSubstr("the scene has no water to exchange; add [water] with a level to it, or leave"));
+  EXPECT_FALSE(fs::exists(folder / "o"));
+}
+
+TEST_F(Said, ADryRunSaysNothingOfALevel) {
+  scene(block);
+  ASSERT_EQ(shell(programs + "/blockweir-solid s.toml --out o"), 0) << text("out");
+  EXPECT_THAT(text("out"), AllOf(HasSubstr("largest displacement"), Not(HasSubstr("nan")), Not(HasSubstr("level"))));
+}
+
+TEST_F(Said, ARockingBlockThatHasNotSwungBackHasNoImpactRatio) {
+  for (const auto& [duration, period, ratio] :
+       {std::tuple{"0.6", false, false}, {"1.33", true, false}, {"2.2", true, true}}) {
+    ASSERT_EQ(
+        shell(programs + "/blockweir run " + cases + "rocking --quiet --out o --set analysis.duration_s=" + duration),
+        0);
+    const auto checks = summary()["checks"];
+    EXPECT_EQ(checks[0]["got"].is_number(), period) << duration;
+    EXPECT_EQ(checks[1]["got"].is_number(), ratio) << duration;
+    if (!period) EXPECT_EQ(checks[0]["why_none"], "no impact: the run ends before it");
+    if (ratio) continue;
+    EXPECT_FALSE(checks[1]["passed"]);
+    EXPECT_THAT(text("out"),
+                HasSubstr("got none, off by none (tolerance 0.1): no second impact: the run ends before the "
+                          "block has swung back"));
+  }
+}
+
+TEST_F(Said, FiguresThatARunDoesNotHoldSayWhy) {
+  const auto why = [&](const std::string& run, const std::string& expect) {
+    EXPECT_EQ(shell(programs + "/blockweir run " + run + " --quiet --out o --set \"expect=[" + expect + "]\""), 0)
+        << text("out");
+    return summary()["checks"][0].value("why_none", "a figure");
+  };
+  const std::string scene_of = cases;
+  EXPECT_EQ(why(scene_of + "bounce --set analysis.duration_s=0.02", "{quantity='rebound_ratio',value=1,of='mass'}"),
+            "no rebound: the run ends while the contact still pushes");
+  EXPECT_EQ(why(scene_of + "bounce --set analysis.duration_s=0.01", "{quantity='rebound_ratio',value=1,of='mass'}"),
+            "no rebound: the run ends before it");
+  EXPECT_EQ(why(scene_of + "contact-spectrum --set analysis.duration_s=0.03 --set analysis.step_s=0.001",
+                "{quantity='oscillation_period_s',value=1,of='mass'}"),
+            "no whole period: the run ends before it");
+  EXPECT_EQ(why(scene_of + "arch --set arch.0.thickness_m=1.5", "{quantity='hinges',value=5,of='arch'}"),
+            "no mechanism: the arch stands");
+  EXPECT_EQ(
+      why(scene_of + "bar-wave --set analysis.duration_s=1e-3", "{quantity='wave_speed_m_per_s',value=1,of='s40'}"),
+      "no front: the run ends before it has passed the block");
+  scene(block);
+  EXPECT_EQ(why("s.toml", "{quantity='acceleration_m_per_s2',value=1,of='block'}"),
+            "no motion: the block stays where it is");
+  EXPECT_EQ(why("s.toml", "{quantity='angular_momentum_error',value=1,of='block'}"),
+            "no angular momentum to keep: the block does not spin at first");
+  EXPECT_EQ(why("s.toml", "{quantity='oscillation_period_s',value=1,of='block'}"),
+            "no oscillation: the block does not move");
+}
+
+}  // namespace
+}  // namespace blockweir::test

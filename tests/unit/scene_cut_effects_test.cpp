@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_scene
+// Cuts, sets of joints and regions that leave nothing in the section are said.
+#include "tests/unit/scene_sample.hpp"
+
+using namespace blockweir::scene;
+using sample::expect_error;
+using sample::expect_warning;
+using sample::warnings;
+using testing::IsEmpty;
+
+namespace {
+
+/// A square of 4 m on the ground, cut at mid-height; what follows begins in line 22.
+const std::string section = R"([analysis]
+duration_s = 1
+[material.m]
+youngs_modulus_pa = 50e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2500
+[joint]
+friction_angle_deg = 30
+[[block]]
+name = "ground"
+material = "m"
+fixed = true
+vertices_m = [[-1, -1], [5, -1], [5, 0], [-1, 0]]
+[section]
+material = "m"
+outline_m = [[0, 0], [4, 0], [4, 4], [0, 4]]
+[[cut]]
+name = "lift"
+points_m = [[-1, 2], [5, 2]]
+cohesion_pa = 1e5
+bonded_length_m = 3
+)";
+
+TEST(CutEffects, ACutThatPartsBlocksIsSound) {
+  EXPECT_THAT(warnings(section), IsEmpty());
+}
+
+TEST(CutEffects, ACutThatPartsNothingIsAnError) {
+  for (const char* points : {"[[5, 1], [6, 1]]", "[[-1, 1], [3, 1]]", "[[0, 0], [0, 4]]"}) {
+    expect_error(section + "[[cut]]\nname = \"crack\"\npoints_m = " + points + "\n", 22,
+                 {"[[cut]] \"crack\" has no effect: it parts no block of the section"});
+  }
+}
+
+TEST(CutEffects, ACutOnAnotherHasALawThatNoJointHas) {
+  expect_warning(section + "[[cut]]\nname = \"crack\"\npoints_m = [[0, 2], [4, 2]]\n", 22,
+                 {"the law of [[cut]] \"crack\" has no effect: other cuts lie on it"});
+}
+
+TEST(CutEffects, SomeLinesOfANamePartNothing) {
+  const std::string first = "[[cut]]\nname = \"crack\"\npoints_m = [[0, 1], [4, 1]]\n";
+  expect_warning(section + first + "[[cut]]\nname = \"crack\"\npoints_m = [[0, 3], [3, 3]]\n", 25,
+                 {"1 of 2 lines of [[cut]] \"crack\" have no effect"});
+}
+
+TEST(CutEffects, ABondLongerThanTheJointOfItsCutIsAnError) {
+  expect_error(sample::with("bonded_length_m = 3", "bonded_length_m = 4.5", section), 21,
+               {"bonded_length_m 4.5 in [[cut]] \"lift\" is longer than its joints, 4 m at most"});
+}
+
+TEST(CutEffects, ASetOfJointsBesideTheSectionIsAnError) {
+  const std::string set = "[[joint_set]]\nname = \"far\"\ndip_deg = 0\noffset_m = 2.5\nspacing_m = 50\n";
+  EXPECT_THAT(warnings(section + set), IsEmpty());
+  expect_error(sample::with("offset_m = 2.5", "offset_m = 20", section + set), 22,
+               {"[[joint_set]] \"far\" has no effect: it parts no block"});
+  expect_warning(sample::with("offset_m = 2.5", "offset_m = 20\npersistence = 0.5\ntrace_length_m = 1", section + set),
+                 22, {"[[joint_set]] \"far\" has no effect"});
+}
+
+TEST(CutEffects, ARegionWithoutABlockIsAnError) {
+  const std::string region = "[[region]]\nmaterial = \"m\"\noutline_m = ";
+  EXPECT_THAT(warnings(section + region + "[[0, 0], [4, 0], [4, 1], [0, 1]]\n"), IsEmpty());
+  expect_error(section + region + "[[6, 0], [7, 0], [7, 1], [6, 1]]\n", 22,
+               {"[[region]] has no effect: no block of the section lies in it"});
+}
+
+}  // namespace
