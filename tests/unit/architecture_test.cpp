@@ -21,9 +21,9 @@ struct Source {
   std::set<std::string> includes;  ///< folders of this project
 };
 
-std::vector<Source> sources() {
+std::vector<Source> sources(const std::vector<std::string>& tops = {"bridge", "solid", "fluid"}) {
   std::vector<Source> all;
-  for (const char* top : {"bridge", "solid", "fluid"}) {
+  for (const std::string& top : tops) {
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       const auto ending = entry.path().extension();
       if (ending != ".cpp" && ending != ".hpp") continue;
@@ -88,6 +88,13 @@ TEST(Architecture, NoFoldersIncludeEachOther) {
   for (const auto& [from, reached] : arrows) EXPECT_EQ(reached.count(from), 0U) << from << " reaches itself";
 }
 
+/// Else an error that both share would not be seen.
+TEST(Architecture, TheTestsOwnAnswersUseNothingOfTheProgram) {
+  const std::vector<Source> all = sources({"tests/independent"});
+  EXPECT_FALSE(all.empty());
+  for (const Source& source : all) EXPECT_TRUE(source.includes.empty()) << source.path;
+}
+
 /// Two machines' clocks differ, and one may be set while a run goes on: what is measured is time that has passed.
 TEST(Architecture, NobodyAsksWhatTimeItIs) {
   for (const Source& source : sources()) {
@@ -101,7 +108,7 @@ TEST(Architecture, NobodyAsksWhatTimeItIs) {
 }
 
 TEST(Architecture, EverySourceHasItsLicenceAndAReadableLength) {
-  for (const Source& source : sources()) {
+  for (const Source& source : sources({"bridge", "solid", "fluid", "tests/independent"})) {
     ASSERT_FALSE(source.lines.empty()) << source.path;
     EXPECT_EQ(source.lines.front(), "// SPDX-License-Identifier: GPL-3.0-or-later") << source.path;
     EXPECT_LE(source.lines.size(), 400U) << source.path;

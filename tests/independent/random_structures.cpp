@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/independent/random_structures.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "tests/independent/limit_analysis.hpp"
+#include "tests/independent/voronoi_cells.hpp"
+
+namespace blockweir::independent {
+namespace {
+
+/// A dam's section: heel at the origin, toe on the base, level crest.
+struct Section {
+  double height;
+  double base;
+  double face_lean;  ///< m of the upstream face towards the dam, a metre of height
+  double crest;
+  double dip;  ///< of the base, radians, down towards the toe
+
+  [[nodiscard]] Vec toe() const { return {base, -base * std::tan(dip)}; }
+  [[nodiscard]] Vec face_top() const { return {face_lean * height, height}; }
+  [[nodiscard]] Vec back_top() const { return {face_lean * height + crest, height}; }
+  [[nodiscard]] Vec on_face(double share) const { return share * face_top(); }
+  [[nodiscard]] Vec on_back(double share) const { return toe() + share * (back_top() - toe()); }
+  [[nodiscard]] std::vector<Vec> outline() const { return {Vec(0, 0), toe(), back_top(), face_top()}; }
+};
+
+Section random_section(Random& random, double height) {
+  Section section{.height = height};
+  section.base = height * random.between(0.45, 1.0);
+  section.face_lean = random.chance(0.5) ? 0 : random.between(0, 0.12);
+  section.crest = section.base * random.between(0.15, 0.6) * (1 - section.face_lean);
+  section.dip = random.chance(0.5) ? 0 : random.between(-8, 12) * std::numbers::pi / 180;
+  return section;
+}
+
+/// Level before the heel; beyond the toe it does not rise into the dam's way.
+Body ground_under(const Section& s) {
+  const double reach = 2 * s.height;
+  const Vec end = s.toe() + Vec(reach, s.dip > 0 ? -reach * std::tan(s.dip) : 0);
+  const double floor = std::min(0.0, end.y()) - s.height / 2;
+  Body ground{"ground", {Vec(-reach, floor), Vec(end.x(), floor), end, s.toe(), Vec(0, 0), Vec(-reach, 0)}, true};
+  if (s.dip >= 0) ground.outline_m.erase(ground.outline_m.begin() + 3);
+  return ground;
+}
+
+/// Strengths are a share of the weight's mean stress on the base.
+Law random_law(Random& random, double weight_stress_pa) {
+  Law law{.friction_deg = random.between(25, 60)};
+  if (random.chance(0.3)) law.cohesion_pa = random.between(0, 0.4) * weight_stress_pa;
+  // More than the cone bears in tension is a contradiction.
+  const double apex = law.cohesion_pa / std::tan(law.friction_deg * std::numbers::pi / 180);
+  if (random.chance(0.5)) law.tension_pa = random.between(0, 0.9) * apex;
+  law.uplift = random.of(std::vector{Uplift::none, Uplift::triangular, Uplift::full});
+  return law;
+}
+
+/// Where the dam on its rock would fail later, and the mechanism does not turn the rock, both slide on the bedding.
+void find_by_hand_on_rock(RandomStructure& one, const Limit& limit) {
+  const Structure& s = one.structure;
+  const auto& dam = s.bodies[2].outline_m;
+  const Stack stack = stack_of("contact", dam[0], dam[1], dam[3], dam[2], s.joints[0].law, s.density_kg_per_m3, none_m);
+  const double alone_m = first_failure({stack}, 2 * one.height_m).level_m;
+  if (limit.velocities.empty()) return;
+  const Eigen::Vector3d& rock = limit.velocities[1];
+  const bool slides = rock.head<2>().norm() > 1e-3 && std::abs(rock[2]) < 1e-6 * rock.head<2>().norm();
+  if (slides) one.by_hand = Failing{limit.level_m, "sliding", "bedding", limit.level_m, alone_m};
+}
+
+/// Tries until the structure fails at a level worth the trial.
+template <class Draw>
+RandomStructure drawn(std::uint64_t seed, const char* kind, Draw draw) {
+  Random random(seed, kind);
+  for (;;) {
+    RandomStructure one{.seed = seed, .kind = kind};
+    draw(random, one);
+    const double high_m = 1.15 * one.height_m;
+    if (one.stacks.empty()) {
+      const auto limit = limit_level(one.structure, 0.3 * one.height_m, high_m);
+      if (!limit) continue;
+      one.level_m = limit->level_m;
+      if (one.kind == "on_rock") find_by_hand_on_rock(one, *limit);
+      return one;
+    }
+    one.by_hand = first_failure(one.stacks, high_m);
+    one.level_m = one.by_hand->level_m;
+    const bool stands_before = one.level_m > 0.3 * one.height_m && one.by_hand->head_m > 0.2 * one.height_m &&
+                               first_failure(one.stacks, 2 * high_m).level_m == one.level_m;
+    if (stands_before && one.level_m < high_m) return one;
+  }
+}
+
+double random_height(Random& random) {
+  return random.between_orders(3e-3, 3e3);
+}
+
+void draw_monolith(Random& random, RandomStructure& one) {
+  const Section section = random_section(random, random_height(random));
+  Structure& s = one.structure;
+  one.height_m = section.height;
+  s.density_kg_per_m3 = random.between(2000, 2700);
+  s.bodies = {ground_under(section), {"dam", section.outline()}};
+  const Law law = random_law(random, s.density_kg_per_m3 * gravity * section.height / 2);
+  if (random.chance(0.3)) s.tail_level_m = section.height * random.between(0.05, 0.3);
+  s.joints = {{"base", "ground", "dam", law}};
+  one.stacks = {stack_of("base", Vec(0, 0), section.toe(), section.face_top(), section.back_top(), law,
+                         s.density_kg_per_m3, s.tail_level_m)};
+}
+
+void draw_lifts(Random& random, RandomStructure& one) {
+  const Section section = random_section(random, random_height(random));
+  Structure& s = one.structure;
+  one.height_m = section.height;
+  s.density_kg_per_m3 = random.between(2000, 2700);
+  const double stress = s.density_kg_per_m3 * gravity * section.height / 2;
+  const std::size_t count = 2 + random.below(7);
+  const std::size_t weak = random.chance(0.5) ? 0 : random.below(count);
+  s.others = {.friction_deg = 60, .cohesion_pa = 20 * stress, .tension_pa = 10 * stress};
+  if (random.chance(0.3)) s.tail_level_m = section.height * random.between(0.05, 0.2);
+  s.bodies = {ground_under(section)};
+  double from = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k + 1) / static_cast<double>(count);
+    const double to = k + 1 == count ? 1 : share + random.between(-0.2, 0.2) / static_cast<double>(count);
+    const std::string name = "lift" + std::to_string(k);
+    const std::string below = s.bodies.back().name;
+    const std::string joint = k == 0 ? "base" : "joint" + std::to_string(k);
+    s.bodies.push_back(
+        {name, {section.on_face(from), section.on_back(from), section.on_back(to), section.on_face(to)}});
+    Law law = s.others;
+    if (k == weak) {
+      law = random_law(random, 0);
+      s.joints.push_back({joint, below, name, law});
+    } else if (k == 0) {
+      s.joints.push_back({joint, below, name, law});
+    }
+    one.stacks.push_back(stack_of(joint, section.on_face(from), section.on_back(from), section.face_top(),
+                                  section.back_top(), law, s.density_kg_per_m3, s.tail_level_m));
+    from = to;
+  }
+}
+
+/// From the middle of the crest into the ground between heel and toe, with a pull that does not change.
+void draw_anchored(Random& random, RandomStructure& one) {
+  random.chance(0.5) ? draw_monolith(random, one) : draw_lifts(random, one);
+  Structure& s = one.structure;
+  const Stack& whole = one.stacks.front();
+  const Vec head = (whole.face_top_m + whole.back_top_m) / 2;
+  const Vec foot(whole.toe_m.x() * random.between(0.05, 0.4), -0.3 * one.height_m);
+  const double yield = whole.weight_n_per_m * random.between(0.05, 0.3);
+  s.bolts = {{.name = "anchor",
+              .body = s.bodies.back().name,
+              .from_m = head,
+              .to_m = foot,
+              .stiffness_n_per_m2 = 30 * whole.weight_n_per_m / one.height_m,
+              .prestress_n_per_m = yield,
+              .yield_n_per_m = yield}};
+  for (Stack& stack : one.stacks) stack.bolts = s.bolts;
+}
+
+/// Bed of rock from a joint below the heel to where its bedding comes to the surface.
+void draw_on_rock(Random& random, RandomStructure& one) {
+  Section section = random_section(random, random.between_orders(0.3, 300));
+  section.dip = 0;
+  Structure& s = one.structure;
+  const double h = section.height;
+  one.height_m = h;
+  const double depth = h * random.between(0.1, 0.3);
+  const double fall = std::tan(random.between(0, 8) * std::numbers::pi / 180);
+  const double length = section.base + h * random.between(0.05, 0.3);
+  const auto on_bedding = [&](double x) { return Vec(x, -depth - fall * x); };
+  const Vec end = on_bedding(length + 2 * h);
+  const double floor = end.y() - h / 2;
+  s.bodies = {
+      {"ground", {Vec(-2 * h, floor), Vec(end.x(), floor), end, on_bedding(0), Vec(0, 0), Vec(-2 * h, 0)}, true},
+      {"rock", {on_bedding(0), on_bedding(length), Vec(length, 0), Vec(0, 0)}},
+      {"dam", section.outline()}};
+  s.joints = {{"contact", "rock", "dam", {.friction_deg = random.between(45, 60)}},
+              {"bedding", "ground", "rock", {.friction_deg = random.between(15, 35)}}};
+}
+
+void draw_bricks(Random& random, RandomStructure& one) {
+  Structure& s = one.structure;
+  const double h = random.between_orders(0.3, 300);
+  one.height_m = h;
+  s.density_kg_per_m3 = random.between(2000, 2700);
+  const std::size_t rows = 3 + random.below(5);
+  const std::size_t columns = 2 + random.below(3);
+  const double width = h * random.between(0.5, 0.9);
+  const double length = width / static_cast<double>(columns);
+  s.others.friction_deg = random.between(25, 45);
+  s.bodies = {ground_under({.height = h, .base = width})};
+  for (std::size_t row = 0; row < rows; ++row) {
+    std::vector<double> ends = {0};
+    for (double x = row % 2 == 0 ? length : length / 2; x < width - length / 4; x += length) ends.push_back(x);
+    ends.push_back(width);
+    const double low = h * static_cast<double>(row) / static_cast<double>(rows);
+    const double high = h * static_cast<double>(row + 1) / static_cast<double>(rows);
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      s.bodies.push_back({"b" + std::to_string(row) + "-" + std::to_string(k),
+                          {Vec(ends[k], low), Vec(ends[k + 1], low), Vec(ends[k + 1], high), Vec(ends[k], high)}});
+    }
+  }
+}
+
+void draw_voronoi(Random& random, RandomStructure& one) {
+  Structure& s = one.structure;
+  Section of{.height = random.between_orders(0.3, 300)};
+  of.base = of.height * random.between(0.5, 0.9);
+  of.crest = of.base * random.between(0.2, 0.6);
+  one.height_m = of.height;
+  s.density_kg_per_m3 = random.between(2000, 2700);
+  s.others.friction_deg = random.between(25, 45);
+  std::vector<std::vector<Vec>> cells;
+  while (cells.empty()) {
+    std::vector<Vec> seeds(5 + random.below(36));
+    for (Vec& seed : seeds) seed = {random.between(0, of.base), random.between(0, of.height)};
+    cells = voronoi_cells(of.outline(), seeds, 1e-2 * of.height);
+  }
+  s.bodies = {ground_under(of)};
+  for (std::size_t k = 0; k < cells.size(); ++k) s.bodies.push_back({"v" + std::to_string(k), cells[k]});
+}
+
+template <class T>
+void shuffle(std::vector<T>& all, Random& random) {
+  for (std::size_t k = all.size(); k > 1; --k) std::swap(all[k - 1], all[random.below(k)]);
+}
+
+}  // namespace
+
+Random::Random(std::uint64_t seed, const std::string& purpose) : state_(seed) {
+  for (const char letter : purpose) state_ = next() + static_cast<std::uint64_t>(letter);
+}
+
+std::uint64_t Random::next() {
+  std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31);
+}
+
+double Random::between(double low, double high) {
+  return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
+}
+
+double Random::between_orders(double low, double high) {
+  return low * std::pow(high / low, between(0, 1));
+}
+
+std::size_t Random::below(std::size_t count) {
+  return static_cast<std::size_t>(next() % count);
+}
+
+bool Random::chance(double probability) {
+  return between(0, 1) < probability;
+}
+
+RandomStructure monolith(std::uint64_t seed) {
+  return drawn(seed, "monolith", draw_monolith);
+}
+
+RandomStructure lifts(std::uint64_t seed) {
+  return drawn(seed, "lifts", draw_lifts);
+}
+
+RandomStructure anchored(std::uint64_t seed) {
+  return drawn(seed, "anchored", draw_anchored);
+}
+
+RandomStructure on_rock(std::uint64_t seed) {
+  return drawn(seed, "on_rock", draw_on_rock);
+}
+
+RandomStructure bricks(std::uint64_t seed) {
+  return drawn(seed, "bricks", draw_bricks);
+}
+
+RandomStructure voronoi(std::uint64_t seed) {
+  return drawn(seed, "voronoi", draw_voronoi);
+}
+
+Structure reordered(Structure structure, std::uint64_t seed) {
+  Random random(seed, "order");
+  shuffle(structure.bodies, random);
+  shuffle(structure.joints, random);
+  for (Joint& joint : structure.joints) {
+    if (random.chance(0.5)) std::swap(joint.below, joint.above);
+  }
+  return structure;
+}
+
+}  // namespace blockweir::independent

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Structures drawn at random, the same for the same seed, with the level at which each fails: by hand where all that
+// stands on a joint moves as one, else by limit analysis.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "tests/independent/limit_equilibrium.hpp"
+
+namespace blockweir::independent {
+
+/// Numbers that are the same everywhere for the same seed and purpose (splitmix64).
+class Random {
+ public:
+  Random(std::uint64_t seed, const std::string& purpose);
+  std::uint64_t next();
+  double between(double low, double high);
+  double between_orders(double low, double high);  ///< uniform in the logarithm
+  std::size_t below(std::size_t count);
+  bool chance(double probability);
+  template <class T>
+  const T& of(const std::vector<T>& all) {
+    return all[below(all.size())];
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+struct RandomStructure {
+  std::uint64_t seed = 0;
+  std::string kind;
+  Structure structure;
+  double height_m = 0;
+  double level_m = 0;              ///< at which it fails
+  std::vector<Stack> stacks{};     ///< of those that move as one
+  std::optional<Failing> by_hand;  ///< of the same, and of what slides with its rock
+};
+
+/// A trapezoid on a level or dipping base, 3 mm to 3 km high: friction, cohesion, tension strength, uplift, tailwater.
+RandomStructure monolith(std::uint64_t seed);
+/// Two to eight lifts that are bonded but for one joint.
+RandomStructure lifts(std::uint64_t seed);
+/// One of these, held down by a bolt that yields.
+RandomStructure anchored(std::uint64_t seed);
+/// A dam on a bed of rock that can slide with it.
+RandomStructure on_rock(std::uint64_t seed);
+/// Rows of bricks, without cohesion.
+RandomStructure bricks(std::uint64_t seed);
+/// A section in Voronoi cells, without cohesion.
+RandomStructure voronoi(std::uint64_t seed);
+
+/// Bodies and joints in another order.
+Structure reordered(Structure structure, std::uint64_t seed);
+
+}  // namespace blockweir::independent
