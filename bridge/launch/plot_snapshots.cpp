@@ -90,7 +90,34 @@ std::string polygon(int& number, const json& outline, const View& view, const ch
   return text;
 }
 
-/// The pool up to its level, from the view's edge to the crest; the blocks are drawn over it.
+/// Where the water of a frame presses, cracks apart.
+struct WetPoints {
+  View all;
+  double foot_left =
+      1e300;  ///< the lowest point at the left end of all, and at the right: beyond them the bed is level
+  double foot_right = 1e300;
+
+  explicit WetPoints(const json& frame) {
+    const auto visit = [&](const auto& look) {
+      for (const json& panel : frame["panels"]) {
+        const bool in_crack = panel.at(6) != 0;
+        if (in_crack) continue;
+        look(panel[0].get<double>(), panel[1].get<double>());
+        look(panel[2].get<double>(), panel[3].get<double>());
+      }
+    };
+    visit([&](double x, double y) { all.include(x, y); });
+    const double near = 1e-6 * (all.right - all.left);
+    visit([&](double x, double y) {
+      if (x <= all.left + near) foot_left = std::min(foot_left, y);
+      if (x >= all.right - near) foot_right = std::min(foot_right, y);
+    });
+  }
+  [[nodiscard]] bool none() const { return all.right < all.left; }
+};
+
+/// The pool up to its level, from the view's edge to the crest and down to the lowest wet point; the blocks are drawn
+/// over it. Beyond the last wet point it stands on a level bed.
 std::string pool(int& number, const json& frame, const View& view, const char* key) {
   if (!frame[key].is_number()) return "";
   double crest_x = 0;
@@ -102,20 +129,24 @@ std::string pool(int& number, const json& frame, const View& view, const char* k
       crest_y = p[1];
     }
   }
-  // The pool ends where its last wet panel does, cracks apart; without panels, at the crest.
-  double reach = -1e300;
-  for (const json& panel : frame["panels"]) {
-    const bool in_crack = panel.at(6) != 0;
-    if (!in_crack) reach = std::max({reach, panel[0].get<double>(), panel[2].get<double>()});
-  }
-  if (reach == -1e300 || frame["downstream_level_m"].is_number()) reach = crest_x;
   if (crest_y == -1e300) return "";
+  const WetPoints wet(frame);
   const bool upstream = std::string(key) == "upstream_level_m";
-  const double edge = upstream ? view.left : view.right;
   const double level = frame[key];
-  const double inner = upstream ? reach : crest_x;
-  return fmt::format("set object {} rectangle from {},{} to {},{} fc rgb '#9fc5e8' fillstyle solid noborder behind\n",
-                     ++number, std::min(edge, inner), view.bottom, std::max(edge, inner), level);
+  const auto water = [&](double from, double to, double bottom) {
+    if (from >= to || bottom >= level) return std::string();
+    return fmt::format("set object {} rectangle from {},{} to {},{} fc rgb '#9fc5e8' fillstyle solid noborder behind\n",
+                       ++number, from, std::max(bottom, view.bottom), to, level);
+  };
+  if (wet.none()) return upstream ? water(view.left, crest_x, view.bottom) : water(crest_x, view.right, view.bottom);
+  // One pool alone ends where its last wet panel does.
+  if (!upstream) {
+    const double end = std::max(crest_x, std::min(wet.all.right, view.right));
+    return water(crest_x, end, wet.all.bottom) + water(end, view.right, wet.foot_right);
+  }
+  const double inner = frame["downstream_level_m"].is_number() ? crest_x : wet.all.right;
+  const double end = std::min(inner, std::max(wet.all.left, view.left));
+  return water(view.left, end, wet.foot_left) + water(end, inner, wet.all.bottom);
 }
 
 /// The larger principal stress of meshed blocks: red where tension, blue where compression, by `largest`.

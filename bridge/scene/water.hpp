@@ -25,8 +25,10 @@ struct Water {
   NodalRule nodal_rule = NodalRule::consistent;
   int elements_per_face = 20;        ///< interface elements on an edge that is wet all along
   double open_crack_width_m = 0.05;  ///< narrower gaps between blocks carry no open water
-  bool may_overtop = false;          ///< levels above the crest are meant
-  bool skip_unchanged = true;        ///< still water keeps its pressures while neither a level nor a block has moved
+  std::optional<bool>
+      wets_ends;               ///< do faces on the model's ends below the bed stand in water? Default: by their shape
+  bool may_overtop = false;    ///< levels above the crest are meant
+  bool skip_unchanged = true;  ///< still water keeps its pressures while neither a level nor a block has moved
   bool operator==(const Water&) const = default;
 };
 

@@ -123,6 +123,36 @@ void join(std::vector<Crack>& cracks, double touching_m) {
   std::erase_if(cracks, [](const Crack& crack) { return crack.parts.empty(); });
 }
 
+/// Of an element: place along the edge, and pressure.
+struct Node {
+  double s;
+  double pressure_pa;
+};
+
+/// The element from a to b, a.s <= b.s, without what open water reaches.
+void add_closed_part(int block, int edge, Node a, Node b, const std::vector<WetInterval>& open_water,
+                     wire::Load& load) {
+  const auto add = [&](const Node& from, const Node& to) {
+    wire::add_panel(load, block, edge, from.s, to.s, from.pressure_pa, to.pressure_pa);
+  };
+  const auto between = [whole_a = a, whole_b = b](double s) {
+    const double share = (s - whole_a.s) / (whole_b.s - whole_a.s);
+    return Node{s, whole_a.pressure_pa + share * (whole_b.pressure_pa - whole_a.pressure_pa)};
+  };
+  const auto before = [](const WetInterval& w, const std::pair<int, int>& face) {
+    return std::pair(w.block, w.edge) < face;
+  };
+  const std::pair face(block, edge);
+  for (auto open = std::lower_bound(open_water.begin(), open_water.end(), face, before);
+       open != open_water.end() && std::pair(open->block, open->edge) == face; ++open) {
+    if (open->s_to <= a.s || open->s_from >= b.s) continue;
+    if (open->s_from > a.s) add(a, between(open->s_from));
+    if (open->s_to >= b.s) return;
+    a = between(open->s_to);
+  }
+  add(a, b);
+}
+
 }  // namespace
 
 std::vector<Crack> find_cracks(const scene::Scene& scene) {
@@ -132,23 +162,28 @@ std::vector<Crack> find_cracks(const scene::Scene& scene) {
   return cracks;
 }
 
-void add_crack_elements(const Crack& crack, double mouth_pressure_pa, double end_pressure_pa, wire::Load& load) {
+void add_crack_elements(const Crack& crack, double mouth_pressure_pa, double end_pressure_pa, int elements_per_face,
+                        const std::vector<WetInterval>& open_water, wire::Load& load) {
   const double fall = crack.law == scene::Uplift::full ? 0 : mouth_pressure_pa - end_pressure_pa;
   double travelled = 0;
   for (const CrackPart& part : crack.parts) {
     for (const TracePiece& piece : part.trace.pieces) {
-      const double p_from = mouth_pressure_pa - fall * travelled / crack.length_m;
-      travelled += (piece.to_m - piece.from_m).norm();
-      const double p_to = mouth_pressure_pa - fall * travelled / crack.length_m;
+      const double length = (piece.to_m - piece.from_m).norm();
       const auto face = [&](int block, int edge, double s_from, double s_to) {
-        if (s_from <= s_to) {
-          wire::add_panel(load, block, edge, s_from, s_to, p_from, p_to);
-        } else {
-          wire::add_panel(load, block, edge, s_to, s_from, p_to, p_from);
+        const auto element_end = [&](int k) {
+          const double share = static_cast<double>(k) / elements_per_face;
+          return Node{s_from + (s_to - s_from) * share,
+                      mouth_pressure_pa - fall * (travelled + length * share) / crack.length_m};
+        };
+        for (int k = 0; k < elements_per_face; ++k) {
+          const Node a = element_end(k);
+          const Node b = element_end(k + 1);
+          add_closed_part(block, edge, a.s <= b.s ? a : b, a.s <= b.s ? b : a, open_water, load);
         }
       };
       face(part.block_a, piece.edge_a, piece.s_from_a, piece.s_to_a);
       face(part.block_b, piece.edge_b, piece.s_from_b, piece.s_to_b);
+      travelled += length;
     }
   }
 }

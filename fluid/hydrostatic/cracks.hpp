@@ -6,6 +6,7 @@
 
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/wire/message.hpp"
+#include "fluid/hydrostatic/wet_edges.hpp"
 
 namespace blockweir::hydrostatic {
 
@@ -28,6 +29,9 @@ struct Crack {
 std::vector<Crack> find_cracks(const scene::Scene& scene);
 
 /// Adds both faces of the crack: uniform pressure (full uplift), or falling linearly from mouth to end (triangular).
-void add_crack_elements(const Crack& crack, double mouth_pressure_pa, double end_pressure_pa, wire::Load& load);
+/// Each piece has n elements, the same on both faces. What `open_water` reaches, by block, edge and place, is pressed
+/// by that alone.
+void add_crack_elements(const Crack& crack, double mouth_pressure_pa, double end_pressure_pa, int elements_per_face,
+                        const std::vector<WetInterval>& open_water, wire::Load& load);
 
 }  // namespace blockweir::hydrostatic

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <tuple>
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/results/saving.hpp"
@@ -33,12 +35,49 @@ bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
+/// Of all bodies, by block, edge and place.
+std::vector<WetInterval> wet_intervals(const std::vector<WaterBody>& bodies) {
+  std::vector<WetInterval> all;
+  for (const WaterBody& body : bodies) all.insert(all.end(), body.wet->intervals.begin(), body.wet->intervals.end());
+  std::sort(all.begin(), all.end(), [](const WetInterval& a, const WetInterval& b) {
+    return std::tie(a.block, a.edge, a.s_from) < std::tie(b.block, b.edge, b.s_from);
+  });
+  return all;
+}
+
+/// Blocks grow by half of the width on a grid of some 1e-15 of the model.
+void check_width(const scene::Scene& scene) {
+  constexpr double least_ratio = 1e-10;
+  Extent model;
+  for (const scene::Block& block : scene.blocks) {
+    for (const Point& p : block.vertices) model.extend(p);
+  }
+  if (model.isEmpty() || scene.water.open_crack_width_m >= least_ratio * model.sizes().maxCoeff()) return;
+  throw std::invalid_argument(fmt::format(
+      "open_crack_width_m of [water] is {} m in a model of {} m; expected at least {:.1g} m, 1e-10 of the model; widen "
+      "it, or leave it out",
+      scene.water.open_crack_width_m, model.sizes().maxCoeff(), least_ratio * model.sizes().maxCoeff()));
+}
+
+/// An end of the model at which the bed's corner `end` keeps the water off.
+std::string dry_end(const scene::Scene& scene, const char* side, const GroundEnd& end) {
+  const scene::Block& block = scene.blocks[at(end.block)];
+  return fmt::format(
+      "water beside the model's {} end below {} m: its face is a cut in ground that goes on (top: block \"{}\"); "
+      "[water] wets_ends = true presses it",
+      side, block.vertices[at(end.vertex)].y(), block.name);
+}
+
 }  // namespace
 
 HydrostaticModel::HydrostaticModel(const scene::Scene& scene) : scene_(scene), cracks_(find_cracks(scene)) {
+  structure_.open_crack_width_m = scene.water.open_crack_width_m;
+  check_width(scene);
+  structure_.ground = find_ground_ends(scene);
+  structure_.floats = lowest_floats(scene);
   for (const scene::Block& block : scene.blocks) {
     centroids_.push_back(scene::centroid(block.vertices));
-    outlines_.push_back(block.vertices);
+    structure_.outlines.push_back(block.vertices);
   }
 }
 
@@ -56,7 +95,7 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
     return;
   }
   const Stopwatch watch(update_s_);
-  if (moved) wetted_ = {};
+  if (moved) pools_.blocks_moved();
   fresh_ = false;
   ++updates_;
   last_motion_.displacement = motion.displacement;
@@ -69,12 +108,13 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
 void HydrostaticModel::press(wire::Load& load) {
   place(last_motion_);
   wire::clear_panels(load);
-  pools_.clear();
+  sections_.clear();
   load.upstream_level_m = last_upstream_m_;
   load.downstream_level_m = last_downstream_m_;
-  if (!std::isnan(last_upstream_m_)) add_pool(Pool::upstream, last_upstream_m_, load);
-  if (!std::isnan(last_downstream_m_)) add_pool(Pool::downstream, last_downstream_m_, load);
-  add_cracks(last_upstream_m_, last_downstream_m_, load);
+  const Pools::State water = pools_.find(structure_, last_upstream_m_, last_downstream_m_);
+  load.breached = water.breached;
+  for (const WaterBody& body : water.bodies) add_body(body, load);
+  add_cracks(water.bodies, load);
 }
 
 std::string HydrostaticModel::state() const {
@@ -90,72 +130,62 @@ void HydrostaticModel::restore(const std::string& state) {
 }
 
 schedule::FluidReport HydrostaticModel::report() const {
-  schedule::FluidReport report{{{"mapping", mapping_s_}}, {{"updates", updates_}, {"unchanged", unchanged_}}};
+  schedule::FluidReport report{{{"mapping", placing_s_ + pools_.search_s()}},
+                               {{"updates", updates_}, {"unchanged", unchanged_}}};
   if (unchanged_ > 0) {
     report.skips.push_back(fmt::format("pressures of {} of {} windows: neither a level nor a block had moved{}",
                                        unchanged_, unchanged_ + updates_,
                                        results::saved(update_s_, updates_, unchanged_)));
   }
-  if (kept_faces_ > 0) {
+  if (const long kept = pools_.repeats(); kept > 0) {
     report.skips.push_back(fmt::format("wet faces of a pool, {} of {} times: neither its level nor a block had moved{}",
-                                       kept_faces_, kept_faces_ + wettings_,
-                                       results::saved(mapping_s_, wettings_, kept_faces_)));
+                                       kept, kept + pools_.searches(),
+                                       results::saved(pools_.search_s(), pools_.searches(), kept)));
   }
   if (scene_.water.elements_per_face == 1 && scene_.water.nodal_rule == scene::NodalRule::consistent) {
     report.skips.emplace_back(
         "all but one pressure element of a face: consistent forces of a linear pressure need no more");
   }
+  const GroundEnds& ground = structure_.ground;
+  if (ground.left && scene_.water.upstream_level_m) report.skips.push_back(dry_end(scene_, "left", *ground.left));
+  if (ground.right && scene_.water.downstream_level_m) report.skips.push_back(dry_end(scene_, "right", *ground.right));
   if (!scene_.output.reservoir) report.skips.emplace_back("the reservoir's mesh: its pictures are not asked for");
   return report;
 }
 
-const WetFaces& HydrostaticModel::wet_part(Pool pool, double level_m) {
-  const std::size_t which = pool == Pool::upstream ? 0 : 1;
-  std::optional<Wetted>& kept = wetted_[which];
-  if (kept && kept->level_m == level_m) {
-    ++kept_faces_;
-    return kept->faces;
-  }
-  const Stopwatch watch(mapping_s_);
-  ++wettings_;
-  kept = Wetted{level_m, wet_faces(outlines_, pool, level_m, scene_.water.open_crack_width_m, behind_[which])};
-  behind_[which] = kept->faces.behind;
-  return kept->faces;
-}
-
 void HydrostaticModel::place(const wire::Motion& motion) {
-  const Stopwatch watch(mapping_s_);
-  for (std::size_t b = 0; b < outlines_.size(); ++b) {
+  const Stopwatch watch(placing_s_);
+  for (std::size_t b = 0; b < structure_.outlines.size(); ++b) {
     const auto& vertices = scene_.blocks[b].vertices;
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-      outlines_[b][v] = wire::place(centroids_[b], motion.displacement[b], vertices[v]);
+      structure_.outlines[b][v] = wire::place(centroids_[b], motion.displacement[b], vertices[v]);
     }
   }
 }
 
-void HydrostaticModel::add_pool(Pool pool, double level_m, wire::Load& load) {
+void HydrostaticModel::add_body(const WaterBody& body, wire::Load& load) {
   const scene::Water& w = scene_.water;
-  const WetFaces& wet = wet_part(pool, level_m);
   const Hydrostatics water{
       .weight_n_per_m3 = w.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2,
       .atmosphere_pa = w.atmosphere == scene::Atmosphere::wet_faces ? w.atmospheric_pressure_pa : 0,
-      .level_m = level_m};
-  add_wet_elements(outlines_, wet.intervals, water, w.elements_per_face, load);
-  load.breached = load.breached || wet.breached;
+      .level_m = body.level_m};
+  add_wet_elements(structure_.outlines, body.wet->intervals, water, w.elements_per_face, load);
   if (!scene_.output.reservoir) return;
-  PoolSection& section = pools_.emplace_back(PoolSection{water, wet.region, {}});
+  PoolSection& section = sections_.emplace_back(PoolSection{water, body.wet->region, {}});
   wire::Load drawn;
-  add_wet_elements(outlines_, wet.intervals, water, elements_drawn(w), drawn);
+  add_wet_elements(structure_.outlines, body.wet->intervals, water, elements_drawn(w), drawn);
   for (std::size_t i = 0; i < drawn.block.size(); ++i) {
-    const auto& outline = outlines_[drawn.block[i]];
+    const auto& outline = structure_.outlines[drawn.block[i]];
     const Point& a = outline[drawn.edge[i]];
     const Point span = outline[(drawn.edge[i] + 1) % outline.size()] - a;
     section.interface.push_back({a + drawn.s_from[i] * span, a + drawn.s_to[i] * span});
   }
 }
 
-void HydrostaticModel::add_cracks(double upstream_m, double downstream_m, wire::Load& load) {
+void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, wire::Load& load) {
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
+  if (cracks_.empty()) return;
+  const std::vector<WetInterval> open_water = wet_intervals(open);
   const double weight = scene_.water.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2;
   for (const Crack& crack : cracks_) {
     const auto pressure = [&](const CrackPart& part, const Point& outline_point, double level_m) {
@@ -165,8 +195,9 @@ void HydrostaticModel::add_cracks(double upstream_m, double downstream_m, wire::
     };
     const CrackPart& first = crack.parts.front();
     const CrackPart& last = crack.parts.back();
-    add_crack_elements(crack, pressure(first, first.trace.mouth(), upstream_m),
-                       pressure(last, last.trace.end(), downstream_m), load);
+    add_crack_elements(crack, pressure(first, first.trace.mouth(), last_upstream_m_),
+                       pressure(last, last.trace.end(), last_downstream_m_), scene_.water.elements_per_face, open_water,
+                       load);
   }
 }
 

@@ -3,14 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <optional>
 
 #include "bridge/schedule/sides.hpp"
 #include "fluid/hydrostatic/cracks.hpp"
 #include "fluid/hydrostatic/interface_mesh.hpp"
+#include "fluid/hydrostatic/pools.hpp"
 #include "fluid/hydrostatic/reservoir_mesh.hpp"
-#include "fluid/hydrostatic/wet_faces.hpp"
 
 namespace blockweir::hydrostatic {
 
@@ -19,7 +17,7 @@ inline int elements_drawn(const scene::Water& water) {
   return std::max(water.elements_per_face, 20);
 }
 
-/// A pool's section, with elements on the blocks.
+/// The section of a body of water, with elements on the blocks.
 struct PoolSection {
   Hydrostatics water;
   std::vector<Ring> region;
@@ -37,39 +35,30 @@ class HydrostaticModel final : public schedule::FluidSide {
   [[nodiscard]] std::string state() const override;
   void restore(const std::string& state) override;
 
-  /// The pools as they were at the last advance().
-  [[nodiscard]] const std::vector<PoolSection>& pools() const { return pools_; }
+  /// The bodies of water as they were at the last advance().
+  [[nodiscard]] const std::vector<PoolSection>& sections() const { return sections_; }
   [[nodiscard]] long updates() const { return updates_; }  ///< windows whose pressures were computed
   [[nodiscard]] schedule::FluidReport report() const override;
 
  private:
-  /// What water at this level wets of the blocks where they are.
-  struct Wetted {
-    double level_m = 0;
-    WetFaces faces;
-  };
   void press(wire::Load& load);
   void place(const wire::Motion& motion);
-  [[nodiscard]] const WetFaces& wet_part(Pool pool, double level_m);
-  void add_pool(Pool pool, double level_m, wire::Load& load);
-  void add_cracks(double upstream_m, double downstream_m, wire::Load& load);
+  void add_body(const WaterBody& body, wire::Load& load);
+  void add_cracks(const std::vector<WaterBody>& open, wire::Load& load);
 
   const scene::Scene& scene_;
   std::vector<Point> centroids_;
   std::vector<Crack> cracks_;
-  std::vector<std::vector<Point>> outlines_;     ///< current
-  std::array<std::optional<Wetted>, 2> wetted_;  ///< of the pools, while no block moves
-  std::array<bool, 2> behind_{};                 ///< is water of the pools behind the crest?
-  std::vector<PoolSection> pools_;
+  Structure structure_;  ///< current
+  Pools pools_;
+  std::vector<PoolSection> sections_;
   wire::Motion last_motion_;
   double last_upstream_m_ = 0;
   double last_downstream_m_ = 0;
   bool fresh_ = true;
   long updates_ = 0;
   long unchanged_ = 0;  ///< windows in which neither level nor block moved
-  long wettings_ = 0;   ///< searches for wet faces
-  long kept_faces_ = 0;
-  double mapping_s_ = 0;
+  double placing_s_ = 0;
   double update_s_ = 0;
 };
 

@@ -30,6 +30,8 @@ using Corner = bg::model::d2::point_xy<double>;
 using Box = bg::model::box<Corner>;
 using NodeTree = bg::index::rtree<std::pair<Corner, std::size_t>, bg::index::quadratic<16>>;
 
+constexpr double same_point = 1e-3;  // of the distance at which interface and boundary are one
+
 Kernel::Point_2 to_cgal(const Point& p) {
   return {p.x(), p.y()};
 }
@@ -64,7 +66,7 @@ class BoundaryChains {
     if (on.empty() || on.front().first > near_) points.push_back(a);
     bool last_on_interface = false;
     for (const auto& [s, node] : on) {
-      if (!points.empty() && (node - points.back()).norm() < 1e-9) continue;
+      if (!points.empty() && (node - points.back()).norm() < same_point * near_) continue;
       if (!points.empty() && !last_on_interface) add_pieces(points, node);
       points.push_back(node);
       last_on_interface = true;
@@ -101,9 +103,8 @@ class BoundaryChains {
 };
 
 /// Clipping leaves corners twice and on straight lines; none of them may split an interface element.
-Ring without_straight_corners(Ring ring) {
-  constexpr double straight_m = 1e-9;
-  const auto same = [](const Point& p, const Point& q) { return (p - q).norm() < straight_m; };
+Ring without_straight_corners(Ring ring, double straight_m) {
+  const auto same = [&](const Point& p, const Point& q) { return (p - q).norm() < straight_m; };
   ring.erase(std::unique(ring.begin(), ring.end(), same), ring.end());
   while (ring.size() > 1 && same(ring.front(), ring.back())) ring.pop_back();
   Ring corners;
@@ -207,7 +208,7 @@ ReservoirMesh mesh_reservoir(const std::vector<Ring>& region, const std::vector<
   std::vector<std::pair<Corner, std::size_t>> boundary_nodes;
   const BoundaryChains chains(interface, size, near_m);
   for (const Ring& given : region) {
-    const Ring ring = without_straight_corners(given);
+    const Ring ring = without_straight_corners(given, same_point * near_m);
     std::vector<Point> nodes;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       for (const Point& p : chains.chain(ring[i], ring[(i + 1) % ring.size()])) {

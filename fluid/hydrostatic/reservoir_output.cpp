@@ -39,8 +39,7 @@ RecordedModel::RecordedModel(const scene::Scene& scene, const std::filesystem::p
     : model_(scene),
       files_(folder, "reservoir.pvd"),
       frame_every_s_(scene.output.frame_every_s),
-      elements_per_depth_(elements_drawn(scene.water)),
-      near_m_(scene.water.open_crack_width_m / 5) {}
+      elements_per_depth_(elements_drawn(scene.water)) {}
 
 void RecordedModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
   model_.advance(motion, to_s, load);
@@ -82,8 +81,9 @@ void RecordedModel::write(double time_s) {
     const Stopwatch watch(meshing_s_);
     vtk::Grid grid;
     auto* pressure = grid.point_data("pressure_pa", 1);
-    for (const PoolSection& pool : model_.pools()) {
-      add(mesh_reservoir(pool.region, pool.interface, depth(pool) / elements_per_depth_, near_m_), pool.water, grid,
+    for (const PoolSection& pool : model_.sections()) {
+      const double near_m = 1e-6 * depth(pool);
+      add(mesh_reservoir(pool.region, pool.interface, depth(pool) / elements_per_depth_, near_m), pool.water, grid,
           pressure);
     }
     last_file_ = fmt::format("reservoir_{:06d}.vtu", meshes_++);

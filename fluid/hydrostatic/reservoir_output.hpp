@@ -28,7 +28,6 @@ class RecordedModel final : public schedule::FluidSide {
   double frame_every_s_;
   double next_s_ = 0;
   int elements_per_depth_;
-  double near_m_;
   std::string last_file_;
   long written_update_ = -1;
   long meshes_ = 0;

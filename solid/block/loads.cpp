@@ -57,12 +57,12 @@ void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::
                      std::vector<Vector6>& forces) const {
   forces = constant_;
   std::vector<Panel> pieces;
-  const auto add_panel = [&](const Panel& whole) {
+  const auto add_panel = [&](const Panel& whole, scene::NodalRule rule) {
     pieces.clear();
     parts_.split(whole, pieces);
     for (const Panel& panel : pieces) {
       const Placement& placement = placements[at(panel.block)];
-      const PanelForce acting = panel_force(parts_.blocks[at(panel.block)], placement, panel, scene_.water.nodal_rule);
+      const PanelForce acting = panel_force(parts_.blocks[at(panel.block)], placement, panel, rule);
       forces[at(panel.block)] += generalized_force(placement, acting);
     }
   };
@@ -79,9 +79,9 @@ void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::
       std::swap(panel.s_from, panel.s_to);
       std::swap(panel.pressure_from_pa, panel.pressure_to_pa);
     }
-    add_panel(panel);
+    add_panel(panel, scene::NodalRule::consistent);
   }
-  for (const Panel& panel : water) add_panel(panel);
+  for (const Panel& panel : water) add_panel(panel, scene_.water.nodal_rule);
   add_lines(time_s, placements, forces);
   add_bodies(time_s, forces);
 }

@@ -36,7 +36,7 @@ PoolSection pool_at(double level_m, const std::vector<std::vector<Point>>& outli
   wire::Motion motion;
   motion.displacement.own().resize(outlines.size());
   model.advance(motion, 0, load);
-  return model.pools().at(0);
+  return model.sections().at(0);
 }
 
 double area_of(const ReservoirMesh& mesh, const std::array<std::size_t, 3>& t) {

@@ -84,6 +84,16 @@ TEST(SceneTimeTable, FaultsNameTheirLine) {
   fault("nan", 45, {"upstream_level_m in [water] is nan"});
 }
 
+TEST(SceneWater, WhetherTheEndsStandInWaterIsLeftOpenOrStated) {
+  const auto read = [](const std::string& key) {
+    return read_text(with("[water]", "[water]\n" + key), "s.toml").scene.water.wets_ends;
+  };
+  EXPECT_EQ(read(""), std::nullopt);
+  EXPECT_EQ(read("wets_ends = true"), true);
+  EXPECT_EQ(read("wets_ends = false"), false);
+  expect_error(with("[water]", "[water]\nwets_ends = 1"), 45, {"wets_ends", "true or false"});
+}
+
 TEST(SceneWater, ALevelAboveTheStructureIsRefusedUnlessMeant) {
   const std::string high = with("[2, 3]", "[2, 4.5]");
   expect_error(high, 45,

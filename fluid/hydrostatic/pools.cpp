@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/hydrostatic/pools.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bridge/results/stopwatch.hpp"
+
+namespace blockweir::hydrostatic {
+namespace {
+
+/// But for round-off; no level equals none.
+bool as_high(double a_m, double b_m) {
+  return std::abs(a_m - b_m) <= 1e-12 * std::max(std::abs(a_m), std::abs(b_m));
+}
+
+}  // namespace
+
+Pools::State Pools::find(const Structure& structure, double upstream_m, double downstream_m) {
+  if (as_high(upstream_m, downstream_m)) return {{{upstream_m, &wet(structure, both, upstream_m)}}, false};
+  State state;
+  const auto add = [&](Kind kind, double level_m) {
+    if (std::isnan(level_m)) return;
+    const WetFaces& faces = wet(structure, kind, level_m);
+    state.breached = state.breached || faces.breached;
+    state.bodies.push_back({level_m, &faces});
+  };
+  add(upstream, upstream_m);
+  add(downstream, downstream_m);
+  if (state.breached && state.bodies.size() == 2) {
+    state.bodies = {{upstream_m, &wet(structure, upstream_part, upstream_m)},
+                    {downstream_m, &wet(structure, downstream_part, downstream_m)}};
+  }
+  return state;
+}
+
+const WetFaces& Pools::wet(const Structure& structure, Kind kind, double level_m) {
+  std::optional<Kept>& kept = kept_[kind];
+  if (kept && kept->level_m == level_m) {
+    ++repeats_;
+    return kept->faces;
+  }
+  const Stopwatch watch(search_s_);
+  ++searches_;
+  kept = Kept{level_m, search(structure, kind, level_m)};
+  if (kind <= downstream) behind_[kind] = kept->faces.behind;
+  return kept->faces;
+}
+
+WetFaces Pools::search(const Structure& structure, Kind kind, double level_m) const {
+  switch (kind) {
+    case upstream:
+      return wet_faces(structure, Pool::upstream, level_m, behind_[upstream]);
+    case downstream:
+      return wet_faces(structure, Pool::downstream, level_m, behind_[downstream]);
+    case upstream_part:
+      return wet_faces_up_to_the_crest(structure, Pool::upstream, level_m);
+    case downstream_part:
+      return wet_faces_up_to_the_crest(structure, Pool::downstream, level_m);
+    default:
+      return wet_faces_of_both(structure, level_m);
+  }
+}
+
+}  // namespace blockweir::hydrostatic
