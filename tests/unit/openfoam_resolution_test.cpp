@@ -67,4 +67,11 @@ TEST(OpenFoamResolution, ACrestThinnerThanTwoCellsAboveTheWaterIsFine) {
   EXPECT_THAT(told({{"dam", {{0, 0}, {8, 0}, {8, 2}, {0.3, 12}, {0, 12}}}}), IsEmpty());
 }
 
+TEST(OpenFoamResolution, AThinParapetThatHoldsLittleWaterIsToldAndRuns) {
+  const auto lines = told({{"dam", {{0, 0}, {8, 0}, {8, 9}, {0.7, 9}, {0.7, 11}, {0, 11}}}});
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_THAT(lines[0], HasSubstr("do not resolve block \"dam\" at (0, 9."));
+  EXPECT_THAT(lines[0], HasSubstr(" % of the force of still water on it would be wrong"));
+}
+
 }  // namespace
