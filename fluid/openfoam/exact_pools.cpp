@@ -35,7 +35,7 @@ std::vector<ExactPool> exact_pools(const scene::Scene& scene, const Grid& grid,
   for (const auto& [level, pool] : {std::pair(levels.upstream_m, hydrostatic::Pool::upstream),
                                     std::pair(levels.downstream_m, hydrostatic::Pool::downstream)}) {
     if (!std::isfinite(level)) continue;
-    pools.push_back({pool, level, hydrostatic::wet_faces(outlines, pool, level, scene.water.open_crack_width_m)});
+    pools.push_back({pool, level, hydrostatic::wet_faces({outlines, scene.water.open_crack_width_m}, pool, level)});
   }
   return pools;
 }

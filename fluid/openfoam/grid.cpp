@@ -63,14 +63,8 @@ Grid make_grid(const scene::Scene& scene) {
   const double left = grid.site.structure_left_m;
   const double right = grid.site.structure_right_m;
   const double floor = o.floor_m.value_or(find_floor(scene, model, !grid.site.ground.empty()));
-  double ground_top = floor;
-  grid.downstream_ground_m = floor;
-  for (const int b : grid.site.ground) {
-    for (const scene::Point& p : scene.blocks[static_cast<std::size_t>(b)].vertices) {
-      if (p.x() == model.low.x()) ground_top = std::max(ground_top, p.y());
-      if (p.x() == model.high.x()) grid.downstream_ground_m = std::max(grid.downstream_ground_m, p.y());
-    }
-  }
+  const double ground_top = std::max(floor, grid.site.bed_left_m);
+  grid.downstream_ground_m = std::max(floor, grid.site.bed_right_m);
   const double depth = level - ground_top;
   if (depth <= 0) {
     throw std::invalid_argument(
@@ -90,8 +84,11 @@ Grid make_grid(const scene::Scene& scene) {
   const double near = uniform_depths * depth;
   const int near_left = whole_cells(near);
   const int middle = near_left + whole_cells(right - left + near);
-  const double far_left = std::max(h, o.upstream_depths * depth - near_left * h);
-  const double far_right = std::max(h, o.downstream_depths * depth - near);
+  const double left_end = left - near_left * h;
+  const double right_end = left + (middle - near_left) * h;
+  const double far_left =
+      std::max({h, o.upstream_depths * depth - near_left * h, left_end - grid.site.loose_left_m + h});
+  const double far_right = std::max({h, o.downstream_depths * depth - near, grid.site.loose_right_m - right_end + h});
   Stretch narrowing = widen(far_left, h);
   narrowing.expansion = 1 / narrowing.expansion;
   if (o.wave) narrowing = {far_left, whole_cells(far_left), 1};  // wide cells would swallow it

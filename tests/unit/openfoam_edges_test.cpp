@@ -92,6 +92,24 @@ TEST(OpenFoamEdges, NoWaterIsLookedForBehindAThinPlate) {
   for (int k = 0; k < looks.count; ++k) EXPECT_GT(looks.at[static_cast<std::size_t>(k)].x(), -0.9);
 }
 
+TEST(OpenFoamEdges, LooseRockAtTheModelsEndsGoesOnAsHighAsItsBed) {
+  scene::Scene scene = shapes::scene_of(
+      {{"left", box(-20, 0, 3, 4)}, {"right", box(3, 0, 40, 4)}, {"dam", box(0, 4, 8, 15)}}, 14, 0, 20);
+  for (const std::size_t b : {1, 2, 3}) scene.blocks[b].fixed = false;
+  const Grid grid = make_grid(scene);
+  EXPECT_DOUBLE_EQ(grid.ground_m, 4);
+  EXPECT_DOUBLE_EQ(grid.site.structure_left_m, 0);
+  EXPECT_DOUBLE_EQ(grid.site.structure_right_m, 8);
+  const auto forces = shapes::meshed_forces(scene, grid);
+  EXPECT_LT(grid.x.front(), -20);
+  EXPECT_GT(grid.x.back(), 40);
+  EXPECT_NEAR(forces[1].sum.x(), 0, 1e-6);
+  EXPECT_NEAR(forces[1].sum.y() / (-9810 * 10 * 20), 1, 1e-9);
+  EXPECT_NEAR(forces[2].gross, 0, 1e-6);
+  EXPECT_NEAR(forces[3].sum.x() / (9810 * 100 / 2), 1, 1e-9);
+  EXPECT_THAT(misfits(scene, grid), IsEmpty());
+}
+
 /// Ledges before and behind, a berm, a leaning face, a toe block with a slot: pressed right, or told.
 TEST(OpenFoamEdges, StructuresDrawnAtRandomArePressedRightOrToldToBeTooFine) {
   const char* asked = std::getenv("BLOCKWEIR_CAMPAIGN");
