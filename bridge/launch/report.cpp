@@ -37,6 +37,9 @@ std::string report(const RunResult& result) {
         fmt::format("BREACH  after {} s: {}\n", number(s["breach"]["time_s"]), s["breach"]["text"].get<std::string>());
   }
   if (s.contains("added_mass")) text += fmt::format("{}\n", s["added_mass"]["text"].get<std::string>());
+  for (const json& warning : s.value("warnings", json::array())) {
+    text += fmt::format("WARNING {}\n", warning.get<std::string>());
+  }
   for (const json& check : s.value("checks", json::array())) {
     if (check.contains("trouble")) {
       text += fmt::format("OUT     {}: {}\n", check["name"].get<std::string>(), check["trouble"].get<std::string>());
