@@ -22,7 +22,7 @@ struct Material {
   double youngs_modulus_pa = 0;
   double poissons_ratio = 0;
   double density_kg_per_m3 = 0;
-  double damping_ratio = 0;                                     ///< of a block's lowest natural frequency of strain
+  std::optional<double> damping_ratio{};  ///< of a block's lowest natural frequency of strain; default: while it slides
   Eigen::Vector3d initial_stress_pa = Eigen::Vector3d::Zero();  ///< (xx, yy, xy) where there is no strain
   bool operator==(const Material&) const = default;
 };

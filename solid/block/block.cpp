@@ -34,13 +34,18 @@ Inertia inertia_of(const PolygonMoments& m, double density) {
   return {density * m.area, density * M};
 }
 
+constexpr double sliding_damping_ratio = 0.5;
+
 }  // namespace
 
-double retardation_time(const Block& block, double damping_ratio) {
-  if (damping_ratio == 0) return 0;
+Retardation retardation_of(const Block& block, const scene::Material& material) {
+  const double sliding = material.damping_ratio.value_or(sliding_damping_ratio);
+  const double at_rest = material.damping_ratio.value_or(0);
+  if (sliding == 0) return {};
   const Eigen::Matrix3d M = block.inertia.matrix().bottomRightCorner<3, 3>();
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> modes(block.stiffness, M, Eigen::EigenvaluesOnly);
-  return 2 * damping_ratio / std::sqrt(modes.eigenvalues().minCoeff());
+  const double longest = 2 / std::sqrt(modes.eigenvalues().minCoeff());
+  return {longest * at_rest, longest * sliding};
 }
 
 Block make_block(const scene::Block& described, const scene::Material& material, scene::Plane plane) {
@@ -58,7 +63,7 @@ Block make_block(const scene::Block& described, const scene::Material& material,
   block.elasticity = elastic_matrix(material, plane);
   block.stiffness = moments.area * block.elasticity;
   block.initial_stress = described.initial_stress_pa.value_or(material.initial_stress_pa);
-  block.retardation_s = retardation_time(block, material.damping_ratio);
+  block.retardation = retardation_of(block, material);
   return block;
 }
 

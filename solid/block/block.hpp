@@ -43,6 +43,13 @@ class Inertia {
   Eigen::Matrix4d rest_ = Eigen::Matrix4d::Zero();
 };
 
+/// Kelvin-Voigt: what resists a strain rate, over the stiffness [s].
+struct Retardation {
+  double at_rest_s = 0;
+  double sliding_s = 0;
+  [[nodiscard]] double of(bool slides) const { return slides ? sliding_s : at_rest_s; }
+};
+
 /// The six unknowns of a block are (u0, v0, r0, ex, ey, gxy): centroid displacement [m], rotation [rad] and the
 /// strains in the block's own, turned frame. Strains live in that frame so that stress and strain rate turn with
 /// the block, and inertia and stiffness are constant for the life of the block.
@@ -58,7 +65,7 @@ struct Block {
   Eigen::Matrix3d elasticity;            ///< Hooke's law from (ex, ey, gxy) to (sxx, syy, sxy) [Pa]
   Inertia inertia;
   Eigen::Matrix3d stiffness;  ///< of the strains: area * elasticity [N per metre]
-  double retardation_s = 0;   ///< Kelvin-Voigt: what resists a strain rate, over the stiffness
+  Retardation retardation;
   Eigen::Vector3d initial_stress = Eigen::Vector3d::Zero();  ///< (xx, yy, xy) where there is no strain [Pa]
   std::string name;
 
@@ -69,8 +76,10 @@ struct Block {
 
 Block make_block(const scene::Block& block, const scene::Material& material, scene::Plane plane);
 
-/// 2 zeta / omega, omega the lowest natural frequency at which the free block strains [s]: damping over stiffness.
-double retardation_time(const Block& block, double damping_ratio);
+/// 2 zeta / omega, omega the lowest natural frequency at which the free block strains; zeta is the material's. Where the
+/// material states none, a block that slides has one of 0.5: friction is not conservative, and strains that it couples
+/// would flutter (solid/README.md).
+Retardation retardation_of(const Block& block, const scene::Material& material);
 
 /// Stress (xx, yy, xy) [Pa] in the block's own frame from its strains.
 Eigen::Vector3d stress_in_block(const Block& block, const Vector6& displacement);

@@ -17,6 +17,8 @@ class Loads {
   /// The base moves from now on: before, weight and first loads settle on a base at rest.
   void start_base() { base_started_ = true; }
 
+  /// Weight and initial stress of a part.
+  [[nodiscard]] const Vector6& constant(std::size_t part) const { return constant_[part]; }
   /// External generalized forces [N per metre, N] on every part at `time_s`, with the water's panels on the scene's
   /// blocks; directions follow the placements given.
   void evaluate(double time_s, const std::vector<Panel>& water, const std::vector<Placement>& placements,

@@ -21,30 +21,30 @@ std::vector<OutlineSide> whole(int block, std::size_t edges) {
 
 /// Energy of the domain of a side: 1/2 (A1 + A2)/3 e . D e with e = (A1 e1 + A2 e2)/(A1 + A2). Terms in one triangle's
 /// strain alone go to its own stiffness.
-void couple(Parts& parts, int i, int j, double retardation_s) {
+void couple(Parts& parts, int i, int j) {
   Block& a = parts.blocks[at(i)];
   Block& b = parts.blocks[at(j)];
   const double share = 1 / (3 * (a.area + b.area));
   a.stiffness += share * a.area * a.area * a.elasticity;
   b.stiffness += share * b.area * b.area * b.elasticity;
-  parts.couplings.push_back({i, j, share * a.area * b.area * a.elasticity, retardation_s});
+  parts.couplings.push_back({i, j, share * a.area * b.area * a.elasticity});
 }
 
-void smooth(Parts& parts, const section::Mesh& mesh, int first, double retardation_s) {
+void smooth(Parts& parts, const section::Mesh& mesh, int first, const Retardation& retardation) {
   std::map<std::pair<int, int>, int> side_of;  // (low node, high node): the triangle that was met first
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     parts.blocks[at(first + t)].stiffness.setZero();
     for (std::size_t s = 0; s < 3; ++s) {
       const std::pair<int, int> nodes = std::minmax(mesh.triangles[at(t)][s], mesh.triangles[at(t)][(s + 1) % 3]);
       const auto [other, is_first] = side_of.emplace(nodes, t);
-      if (!is_first) couple(parts, first + other->second, first + t, retardation_s);
+      if (!is_first) couple(parts, first + other->second, first + t);
     }
   }
   for (const section::BoundarySide& side : mesh.boundary) {
     Block& triangle = parts.blocks[at(first + side.triangle)];
     triangle.stiffness += triangle.area / 3 * triangle.elasticity;
   }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) parts.blocks[at(first) + t].retardation_s = retardation_s;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) parts.blocks[at(first) + t].retardation = retardation;
 }
 
 void add_mesh(Parts& parts, const scene::Block& described, const scene::Material& material, scene::Plane plane,
@@ -59,7 +59,7 @@ void add_mesh(Parts& parts, const scene::Block& described, const scene::Material
     for (std::size_t i = 0; i < 3; ++i) part.nodes[i] = parts.nodes + corners[i];
     parts.triangles[at(block)].push_back(static_cast<int>(parts.blocks.size()) - 1);
   }
-  smooth(parts, mesh, first, retardation_time(parts.blocks[at(block)], material.damping_ratio));
+  smooth(parts, mesh, first, parts.blocks[at(block)].retardation);
   for (const section::BoundarySide& side : mesh.boundary) {
     parts.outlines[at(block)].push_back({first + side.triangle, side.side, side.edge, side.s_from, side.s_to});
   }

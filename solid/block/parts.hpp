@@ -22,7 +22,6 @@ struct StrainCoupling {
   int i = 0;
   int j = 0;
   Eigen::Matrix3d stiffness;  ///< N per metre
-  double retardation_s = 0;   ///< damping over stiffness
 };
 
 /// A material point of a part.

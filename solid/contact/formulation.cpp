@@ -95,6 +95,14 @@ void Formulation::undo(const Held& held) const {
   for (const int k : held.support_ids) held.supports[at(k)] = supports_before_[at(k)];
 }
 
+bool Formulation::changed(const Held& held) const {
+  return std::any_of(held.contact_ids.begin(), held.contact_ids.end(), [&](int k) {
+    const ContactMemory& before = contacts_before_[at(k)];
+    const ContactMemory& now = held.contacts[at(k)];
+    return now.state != before.state || (now.state == ContactState::slip && now.force.y() * before.force.y() < 0);
+  });
+}
+
 Formulation::Progress& Formulation::follow(const Trial& trial, int index, const ContactPoint& c,
                                            const EdgeFrame& edge) {
   Progress& progress = contacts_[at(index)];

@@ -92,6 +92,23 @@ class Formulation {
   /// Slip, dilation and anchors of an accepted step; does any contact slip?
   bool accept(const Trial& trial, const Held& held) const;
 
+  /// Has any contact closed, opened, begun or ceased to slip, or turned its slip round in the step?
+  [[nodiscard]] bool changed(const Held& held) const;
+  /// d(gap)/d(slip) of a contact of the step: what dilates opens as it slips.
+  [[nodiscard]] double opening_slope(int index, const ContactPoint& c) const {
+    return -dilation_slope(c, contacts_[static_cast<std::size_t>(index)]);
+  }
+  /// By how much the energy of what is a spring has risen in the step [J per metre].
+  [[nodiscard]] virtual double stored(int /*index*/, const ContactPoint& /*c*/) const { return 0; }
+  [[nodiscard]] virtual double stored(int /*index*/, const Support& /*s*/) const { return 0; }
+  /// As the step began.
+  [[nodiscard]] const ContactMemory& before(int index) const {
+    return contacts_before_[static_cast<std::size_t>(index)];
+  }
+  [[nodiscard]] const Support& support_before(int index) const {
+    return supports_before_[static_cast<std::size_t>(index)];
+  }
+
   FormulationSettings& settings() { return settings_; }
   /// Counted up by one for each contact whose state differs from the evaluation before.
   [[nodiscard]] long state_changes() const { return state_changes_; }

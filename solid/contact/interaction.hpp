@@ -27,10 +27,10 @@ struct Interaction {
   Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  ///< -d force / d separation [N/m per metre]
   Point held = Point::Zero();                           ///< weight of axes along which nothing may move; 0 for others
 
-  /// Of the axis: where slip opens the joint (dilation) nothing may move along axis + slope * perpendicular.
-  [[nodiscard]] double held_slope() const { return stiffness(0, 1) == 0 ? 0 : stiffness(0, 1) / stiffness(0, 0); }
-  [[nodiscard]] Eigen::Matrix2d held_stiffness() const {
-    const Point along(1, held_slope());
+  /// Of the held axes, where slip opens the joint by `opening` of its way (dilation): nothing may then move along
+  /// axis - opening * perpendicular.
+  [[nodiscard]] Eigen::Matrix2d held_stiffness(double opening) const {
+    const Point along(1, -opening);
     Eigen::Matrix2d k = held.x() * along * along.transpose();
     k(1, 1) += held.y();
     return k;

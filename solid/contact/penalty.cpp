@@ -66,6 +66,20 @@ class Penalty final : public Formulation {
 
   [[nodiscard]] bool holds_exactly() const override { return false; }
 
+  [[nodiscard]] double stored(int k, const ContactPoint& c) const override {
+    const Eigen::Vector2d& apart = contacts_[at(k)].separation;
+    const double slip = c.state == ContactState::slip ? c.elastic_slip : apart.y();
+    const ContactMemory& began = before(k);
+    const double gap = c.separation.x() - laws_[c.law].dilation_m(began.slip_m);
+    const double ends = c.state == ContactState::open ? 0 : apart.x() * apart.x() + slip * slip;
+    const double begins = began.state == ContactState::open ? 0 : gap * gap + c.separation.y() * c.separation.y();
+    return spring_ * (ends - begins) / 2;
+  }
+  [[nodiscard]] double stored(int k, const Support& s) const override {
+    const double begins = s.held().cwiseProduct(s.separation).squaredNorm();
+    return spring_ * (supports_[at(k)].separation.squaredNorm() - begins) / 2;
+  }
+
  private:
   struct Dashpot {
     double coefficient = 0;                               ///< N s/m per metre

@@ -24,13 +24,18 @@ struct Support {
     const auto& [bx, by] = std::pair(described->displacement_x_m, described->displacement_y_m);
     return {bx ? bx->at(time_s) : 0.0, by ? by->at(time_s) : 0.0};
   }
+  /// Of the target as the time comes [m/s].
+  [[nodiscard]] Point target_rate(double time_s, double dt) const {
+    const double shortly = 1e-3 * dt;
+    return (target(time_s) - target(time_s - shortly)) / shortly;
+  }
   [[nodiscard]] Point held() const {
     return {described->displacement_x_m ? 1.0 : 0.0, described->displacement_y_m ? 1.0 : 0.0};
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(separation, multiplier, penalty);
+    archive(separation, multiplier, force, penalty);
   }
 };
 

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/output/energy.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace blockweir::solid::output {
+namespace {
+
+constexpr double most_gain = 1e-3;   // of the energy that the run had, before it is warned of
+constexpr double least_lift = 1e-9;  // of the model's size: what lifts it by less is round-off
+
+}  // namespace
 
 Energy energy_of(const Solid& solid) {
   Energy sum;
@@ -27,10 +35,24 @@ Energy energy_of(const Solid& solid) {
 
 void EnergyWatch::look(const Solid& solid) {
   now_ = energy_of(solid);
-  lowest_ = begun_ ? std::min(lowest_, now_.total()) : now_.total();
+  const EnergyBalance& balance = solid.energy_balance();
+  const double own = now_.total() + balance.stored_j_per_m() - balance.given_j_per_m();
+  lowest_ = begun_ ? std::min(lowest_, own) : own;
+  made_ = std::max(made_, own - lowest_);
+  const double had =
+      now_.kinetic + std::abs(now_.strain) + std::abs(now_.potential) + std::abs(balance.given_j_per_m());
+  if (!begun_) scale_ = least_lift * solid.weight_n_per_m() * solid.size_m();
+  scale_ = std::max(scale_, had);
   begun_ = true;
-  rise_ = std::max(rise_, now_.total() - lowest_);
-  scale_ = std::max(scale_, now_.kinetic + std::abs(now_.strain) + std::abs(now_.potential));
+}
+
+std::string EnergyWatch::warning(const Solid& solid) const {
+  if (!(gain() > most_gain)) return {};
+  return fmt::format(
+      "the steps have made {:.3g} of the energy that the run had ({:.3g} J per metre) of nothing: what moves is not to "
+      "be trusted; expected at most {:.3g}; shorten [analysis] step_s (now {:.3g}){}",
+      gain(), made_, most_gain, solid.scene().analysis.step_s,
+      solid.scene().analysis.integrator == scene::Integrator::shi ? "" : ", or take integrator = \"shi\"");
 }
 
 }  // namespace blockweir::solid::output

@@ -181,6 +181,7 @@ json summary(const Outcome& outcome) {
                  {"undone_steps", counts.undone_steps},
                  {"softened_steps", counts.softened_steps},
                  {"lagged_steps", counts.lagged_steps},
+                 {"impact_steps", counts.impact_steps},
                  {"pivoted_islands", counts.pivoted_islands},
                  {"iterations", counts.iterations},
                  {"factorizations", counts.factorizations},
@@ -204,6 +205,10 @@ json summary(const Outcome& outcome) {
                           {"guarded", guarded},
                           {"text", fmt::format("added mass {:.3g} of block \"{}\"'s own ({})", added.ratio(),
                                                added.block(), guarded ? "guarded" : "no guard")}};
+  }
+  text["energy_gain"] = outcome.energy.gain();
+  if (const std::string warning = outcome.energy.warning(outcome.solid); !warning.empty()) {
+    text["warnings"].push_back(warning);
   }
   const InterfaceEnergy& exchanged = outcome.interface_energy;
   if (exchanged.looked()) {

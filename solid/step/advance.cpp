@@ -40,8 +40,8 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
       water_work_.begin_step(water_forces(panels, blocks_, start_, described(), scene_.water.nodal_rule), guard_,
                              states_);
     }
-    if (try_step(dt, time + dt, panels)) {
-      if (!panels.empty()) water_work_.end_step(guard_, states_, dt);
+    if (make_step(dt, time + dt, panels)) {
+      if (!panels.empty()) water_work_.end_step(guard_, states_, dt, made_by_shi_);
       time += dt;
       next_dt_ = std::min(largest_step, next_dt_ < dt ? next_dt_ * 2 : std::max(next_dt_, dt * 2));
       continue;
@@ -60,8 +60,11 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
 /// A step that goes too far does so whatever finds its states: it is cut. Where friction has had to lag it will have to
 /// again: the whole of Coulomb's law, which finds that out by running in circles, is left out for a while.
 bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
-  if (whole_law_.skips() && attempt_with_lagging_friction(dt, end_s, water)) return true;
-  if (!attempt(dt, end_s, water)) return !goes_too_far_ && attempt_otherwise(dt, end_s, water);
+  if (whole_law_.skips()) {
+    if (attempt_with_lagging_friction(dt, end_s, water)) return true;
+    if (jumps_) return false;
+  }
+  if (!attempt(dt, end_s, water)) return !unfit() && attempt_otherwise(dt, end_s, water);
   whole_law_.succeeded();
   return true;
 }
@@ -71,7 +74,7 @@ bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
 /// of Lagrange multipliers run in circles: the augmented Lagrangian makes such a step.
 bool Solid::attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water) {
   const auto large = [](const IslandSystem& s) { return s.unknowns->total > large_island; };
-  const auto lagging = [&] { return !goes_too_far_ && attempt_with_lagging_friction(dt, end_s, water); };
+  const auto lagging = [&] { return !unfit() && attempt_with_lagging_friction(dt, end_s, water); };
   if (!substitute_) {
     if (std::none_of(islands_.begin(), islands_.end(), large)) {
       return attempt_softly(dt, end_s, water) || attempt_by_pivoting(dt, end_s, water) || lagging();
@@ -96,7 +99,7 @@ bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::ve
 }
 
 bool Solid::attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water) {
-  if (goes_too_far_) return false;
+  if (unfit()) return false;
   pivots_ = true;
   const bool solved = attempt(dt, end_s, water);
   pivots_ = false;
@@ -109,7 +112,7 @@ bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& wa
   if (!formulation_->can_lag_friction()) return false;  // has no penalties of its own
   const double usual = formulation_->settings().penalty_ratio;
   bool solved = false;
-  for (double ratio = usual / 100; !solved && !goes_too_far_ && ratio >= usual / 1e6; ratio /= 100) {
+  for (double ratio = usual / 100; !solved && !unfit() && ratio >= usual / 1e6; ratio /= 100) {
     ++counts_.softened_steps;
     formulation_->settings().penalty_ratio = ratio;
     solved = attempt(dt, end_s, water);
@@ -146,9 +149,13 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
   }
   end_s_ = end_s;
+  const long touching = smooth_only_ ? touching_contacts() : 0;
   const bool searched = find_contacts();
+  jumps_ = smooth_only_ && touching_contacts() != touching;  // the search has dropped one
+  if (jumps_) return goes_too_far_ = false;
   const long state_changes_before = formulation_->state_changes();
   if (searched || islands_.empty()) prepare_islands();
+  find_sliding_blocks();
   prepare_matrices(dt);
   loads_.evaluate(end_s, water, start_, external_);
   if (guard_.acts()) guard(dt);
@@ -187,7 +194,8 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   const double moved = largest_increment();
   goes_too_far_ = solved && !(moved <= scene_.analysis.max_displacement_ratio * size_ &&
                               (moved == 0 || largest_turn() <= ContactSearch::most_turn));
-  solved = solved && !goes_too_far_;
+  jumps_ = solved && smooth_only_ && contacts_change();
+  solved = solved && !unfit();
   const bool seen = !solved || (search_.covers(moved) && (moved == 0 || !search_.entered(placement_)));
   if (!solved || !seen) {
     for (const IslandSystem& s : islands_) formulation_->undo(held_by(s));
@@ -223,17 +231,26 @@ bool Solid::accept(double dt, double end_s) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].fixed) states_[b].velocity.head<2>() = base_.velocity(end_s);
   }
+  if (base_.moves_supports() && !settling_) {
+    const Point moved = base_.displacement(end_s) - base_.displacement(end_s - dt);
+    energy_balance_.lead(push_of_base(), moved, !newmark_.second_order());
+  }
   bool any_slips = false;
   for (IslandSystem& island : islands_) {
     if (island.asleep) continue;
     for_each(island.island.blocks.size(), [&](std::size_t k) {
       const auto b = static_cast<std::size_t>(island.island.blocks[k]);
+      began_with_[b] = states_[b].velocity;
       newmark_.finish(states_[b], blocks_[b].is_part() ? corner_increment(b) : increment_[b], dt);
       states_[b].force = at_corners(b, balance_[b]);
     });
-    if (newmark_.flips_held_velocities() && formulation_->holds_exactly()) quiet_held_directions(island, dt);
+    if (!settling_) balance_energy(island, dt);
+    if (formulation_->holds_exactly()) settle_held_velocities(island, dt);
+    take_back_energy(island);
+    if (guard_.acts()) energy_balance_.give(-taken_by_water(island));
     any_slips = formulation_->accept(trial(), held_by(island)) || any_slips;
   }
+  if (scene_.analysis.integrator != scene::Integrator::shi) energy_balance_.end_step(external_);
   for (Bolt& bolt : bolts_) solid::accept(trial(), base_.displacement(end_s), bolt);
   for_each(blocks_.size(), [&](std::size_t b) {
     if (frozen_[b] && !base_.moves_supports()) return;

@@ -27,7 +27,7 @@ void Solid::prepare_matrices(double dt) {
     const double velocity_factor = newmark_.velocity_factor(dt);
     const double drag = velocity_factor * scene_.analysis.mass_damping_per_s;
     matrix_[b] = (newmark_.mass_factor(dt) + drag) * blocks_[b].inertia.matrix();
-    matrix_[b].bottomRightCorner<3, 3>() += (1 + velocity_factor * blocks_[b].retardation_s) * blocks_[b].stiffness;
+    matrix_[b].bottomRightCorner<3, 3>() += (1 + velocity_factor * retardation_s(b)) * blocks_[b].stiffness;
     if (b < guard_.blocks()) matrix_[b].topLeftCorner<3, 3>() += newmark_.mass_factor(dt) * guard_.mass(b);
   });
 }
@@ -39,7 +39,8 @@ void Solid::add_own(System& system, const IslandSystem& s) const {
   for (const int k : s.couplings) {
     const StrainCoupling& c = parts_.couplings[at(k)];
     Matrix6 shared = Matrix6::Zero();
-    shared.bottomRightCorner<3, 3>() = (1 + newmark_.velocity_factor(matrices_dt_) * c.retardation_s) * c.stiffness;
+    shared.bottomRightCorner<3, 3>() =
+        (1 + newmark_.velocity_factor(matrices_dt_) * retardation_s(at(c.i))) * c.stiffness;
     system.add(local_[at(c.i)], local_[at(c.j)], shared);
     system.add(local_[at(c.j)], local_[at(c.i)], shared);
   }
@@ -127,7 +128,7 @@ void Solid::balance_own(std::size_t b) {
   const Block& block = blocks_[b];
   const Vector6 velocity = newmark_.velocity_factor(matrices_dt_) * increment_[b] + past_velocity_[b];
   Vector6 drag = scene_.analysis.mass_damping_per_s * (block.inertia * velocity);
-  drag.tail<3>() += block.retardation_s * (block.stiffness * velocity.tail<3>());
+  drag.tail<3>() += retardation_s(b) * (block.stiffness * velocity.tail<3>());
   balance_[b] = external_[b] - drag;
   balance_[b].tail<3>() -= block.stiffness * (states_[b].displacement + increment_[b]).tail<3>();
   round_off_[b] = sum_round_off * (magnitude(external_[b], block) + magnitude(drag, block));

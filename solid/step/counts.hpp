@@ -35,6 +35,7 @@ struct Counts {
   long undone_steps = 0;
   long softened_steps = 0;   ///< tries with a smaller penalty
   long lagged_steps = 0;     ///< tries with friction that lags
+  long impact_steps = 0;     ///< made by Shi's scheme in place of a rule of second order, as contacts changed
   long pivoted_islands = 0;  ///< whose states were looked for by pivoting
   long iterations = 0;       ///< solved linear systems
   long factorizations = 0;   ///< of matrices; the other solutions reuse one
@@ -52,9 +53,9 @@ struct Counts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(steps, undone_steps, softened_steps, lagged_steps, pivoted_islands, iterations, factorizations,
-            reused_factorizations, sweeps, state_changes, broad_searches, searches, skipped_searches, settling_steps,
-            solved_islands, most_islands, slept_islands, condition_number);
+    archive(steps, undone_steps, softened_steps, lagged_steps, impact_steps, pivoted_islands, iterations,
+            factorizations, reused_factorizations, sweeps, state_changes, broad_searches, searches, skipped_searches,
+            settling_steps, solved_islands, most_islands, slept_islands, condition_number);
   }
 };
 

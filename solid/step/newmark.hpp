@@ -41,9 +41,9 @@ struct Newmark {
     return (alpha_f * s.force + mass * (a - alpha_m * s.acceleration)) / (1 - alpha_f);
   }
 
-  /// Shi's scheme turns v into -v, undamped, where a contact or support allows no increment (its second root goes to
-  /// -1 as the stiffness grows); it remembers no acceleration, so that such velocities can be put right afterwards.
-  [[nodiscard]] bool flips_held_velocities() const { return beta == 0.5 && gamma == 1; }
+  /// Does the step weigh what acted as it began? Shi's scheme does not: what the end's forces F1 do to the momentum is
+  /// all, so that the kinetic energy grows by F1 d, and an inelastic contact, whose F1 d is not above zero, makes none.
+  [[nodiscard]] bool second_order() const { return gamma != 1 || beta != 0.5; }
 
   /// Velocity and acceleration at the end of a step with increment d.
   void finish(BlockState& s, const Vector6& d, double dt) const {

@@ -77,14 +77,14 @@ void Solid::set_corner_maps(IslandSystem& s) {
 }
 
 void Solid::balance_couplings(IslandSystem& s) {
-  const auto retarded = [this](std::size_t t, double retardation_s) -> Eigen::Vector3d {
+  const auto retarded = [this](std::size_t t) -> Eigen::Vector3d {
     const Vector6 velocity = newmark_.velocity_factor(matrices_dt_) * increment_[t] + past_velocity_[t];
-    return (states_[t].displacement + increment_[t] + retardation_s * velocity).tail<3>();
+    return (states_[t].displacement + increment_[t] + retardation_s(t) * velocity).tail<3>();
   };
   for (const int k : s.couplings) {
     const StrainCoupling& c = parts_.couplings[at(k)];
-    balance_[at(c.i)].tail<3>() -= c.stiffness * retarded(at(c.j), c.retardation_s);
-    balance_[at(c.j)].tail<3>() -= c.stiffness * retarded(at(c.i), c.retardation_s);
+    balance_[at(c.i)].tail<3>() -= c.stiffness * retarded(at(c.j));
+    balance_[at(c.j)].tail<3>() -= c.stiffness * retarded(at(c.i));
   }
 }
 

@@ -94,7 +94,6 @@ Solid::Solid(const scene::Scene& scene)
       next_dt_(scene.analysis.step_s),
       sleep_(blocks_.size(), size_),
       newmark_(Newmark::of(scene.analysis.integrator, scene.analysis.spectral_radius)),
-      water_work_(scene.analysis.integrator == scene::Integrator::shi),
       formulation_(make_formulation(
           scene.contact.formulation, laws_,
           {.penetration_tolerance_m = scene.contact.penetration_tolerance_m,
@@ -133,6 +132,8 @@ Solid::Solid(const scene::Scene& scene)
   external_.resize(n);
   history_.resize(n);
   past_velocity_.assign(n, Vector6::Zero());
+  began_with_.assign(n, Vector6::Zero());
+  for_motion_.assign(n, 0);
   increment_.assign(n, Vector6::Zero());
   still_ = increment_;
   placement_ = start_;

@@ -20,6 +20,7 @@
 #include "solid/solve/saddle_point.hpp"
 #include "solid/step/added_mass_guard.hpp"
 #include "solid/step/counts.hpp"
+#include "solid/step/energy_balance.hpp"
 #include "solid/step/newmark.hpp"
 #include "solid/step/sleep.hpp"
 #include "solid/step/water_work.hpp"
@@ -69,8 +70,10 @@ class Solid {
   /// Of a static analysis, as the last advance left it.
   [[nodiscard]] const Rest& rest() const { return rest_; }
   [[nodiscard]] const WaterWork& water_work() const { return water_work_; }
+  [[nodiscard]] const EnergyBalance& energy_balance() const { return energy_balance_; }
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] const Profile& profile() const { return profile_; }
+  [[nodiscard]] double weight_n_per_m() const { return force_scale_; }  ///< of all that can move
   [[nodiscard]] double size_m() const { return size_; }  ///< half the height of what can move, at least half its width
 
   /// Largest displacement of any vertex since the scene's outline, against the base [m].
@@ -81,7 +84,7 @@ class Solid {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(states_, contacts_, contacts_stand_, next_dt_, started_, time_s_, rest_, sleep_, guard_, water_work_,
-            search_, counts_, profile_, *formulation_);
+            energy_balance_, smooth_steps_, search_, counts_, profile_, *formulation_);
     for (Support& support : supports_) archive(support);
     for (Bolt& bolt : bolts_) archive(bolt);
     if (substitute_) archive(*substitute_);
@@ -129,6 +132,9 @@ class Solid {
     Eigen::MatrixXd moves_by;  ///< what unit forces of theirs do to the unknowns
   };
 
+  /// Of Shi's scheme, after a step in which contacts have changed: its acceleration is that of the forces that act,
+  /// which a rule of second order goes on from.
+  static constexpr int smooth_steps_before_restart = 1;
   static constexpr int large_island = 200;  ///< unknowns above which states that run in circles are not waited for
   static constexpr double lagging_penalty_ratio = 1e-2;  ///< penalties while friction lags, of a step's own
 
@@ -160,6 +166,10 @@ class Solid {
   void guard(double dt);
   void relax(double pseudo_step, const std::vector<Panel>& water);
   void start_acceleration(const std::vector<Panel>& water, double from_s);
+  bool make_step(double dt, double end_s, const std::vector<Panel>& water);
+  [[nodiscard]] bool contacts_change();
+  [[nodiscard]] long touching_contacts() const;
+  [[nodiscard]] bool unfit() const { return goes_too_far_ || jumps_; }  ///< though its states were found
   bool try_step(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water);
@@ -170,6 +180,8 @@ class Solid {
   [[nodiscard]] double timed() const;
   bool find_contacts();
   void predict(std::size_t b);
+  void find_sliding_blocks();
+  [[nodiscard]] double retardation_s(std::size_t b) const { return blocks_[b].retardation.of(slides_[b]); }
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
@@ -209,7 +221,16 @@ class Solid {
   void give_bolts_to_islands();
   void find_incidences();
   void add_constraints(IslandSystem& island, const Interaction& action, bool support, int index) const;
-  void quiet_held_directions(IslandSystem& island, double dt);
+  void settle_held_velocities(IslandSystem& island, double dt);
+  [[nodiscard]] Eigen::Vector2d led_rate(const IslandSystem& island, std::size_t action, double dt) const;
+  [[nodiscard]] double opening_slope(const IslandSystem& island, std::size_t action) const;
+  void project_held_velocities(IslandSystem& island, const std::vector<Eigen::Vector2d>& missing);
+  void balance_energy(IslandSystem& island, double dt);
+  void take_back_energy(IslandSystem& island);
+  [[nodiscard]] double taken_by_water(const IslandSystem& island) const;
+  [[nodiscard]] Point push_of_base() const;
+  [[nodiscard]] std::vector<int> groups_of(const IslandSystem& island) const;
+  [[nodiscard]] bool touches(int contact) const;
   [[nodiscard]] Vector6 rate(std::size_t b, const Placement& placement, const Vector6& of_state) const;
   [[nodiscard]] Vector6 at_corners(std::size_t b, const Vector6& force) const;
   [[nodiscard]] Matrix6 inertia(std::size_t b) const;
@@ -278,6 +299,8 @@ class Solid {
   std::function<void()> meanwhile_;  ///< while it settles
   Pause whole_law_;                  ///< of Coulomb: fails where friction has to lag
   Sleep sleep_;
+  EnergyBalance energy_balance_;
+  int smooth_steps_ = 0;  ///< since the last in which contacts changed, where the integrator is of second order
 
   // The step at hand.
   Newmark newmark_;
@@ -291,7 +314,11 @@ class Solid {
   double end_s_ = 0;           ///< of the step
   bool pivots_ = false;        ///< where states of small islands run in circles
   bool goes_too_far_ = false;  ///< states were found, but blocks move or turn by more than a step may
+  bool smooth_only_ = false;   ///< the step is not to be where contacts change
+  bool jumps_ = false;         ///< they do
+  bool made_by_shi_ = true;    ///< the last step, by Shi's scheme
   double matrices_dt_ = -1;    ///< step that matrix_ was made for
+  std::vector<bool> slides_;   ///< has a contact that slips as the step begins
   /// Relative, of a sum of some tens of terms.
   static constexpr double sum_round_off = 1e-13;
 
@@ -299,6 +326,8 @@ class Solid {
   std::vector<Vector6> external_;       ///< loads at the end of the step
   std::vector<Vector6> history_;        ///< what inertia remembers; of triangles, at their corners
   std::vector<Vector6> past_velocity_;  ///< what velocity would be at the end of the step without an increment
+  std::vector<Vector6> began_with_;     ///< velocities, as states have them
+  std::vector<double> for_motion_;  ///< what loads give each block less what strain and springs take up [J per metre]
   std::vector<Vector6> increment_;
   std::vector<Vector6> still_;  ///< no increment
   std::vector<Placement> placement_;

@@ -61,6 +61,29 @@ void Solid::guard_mesh(std::size_t b, double dt) {
   mean.history = newmark_.history(added, rates, dt).head<3>();
 }
 
+/// By how much the kinetic energy of the water that blocks push along has risen in the step [J per metre].
+double Solid::taken_by_water(const IslandSystem& s) const {
+  double rise = 0;
+  const auto add = [&](std::size_t b, const Eigen::Vector3d& began, const Eigen::Vector3d& ends) {
+    rise += (ends - began).dot(guard_.mass(b) * (ends + began)) / 2;
+  };
+  for (const int b : s.island.blocks) {
+    if (at(b) < guard_.blocks()) add(at(b), began_with_[at(b)].head<3>(), states_[at(b)].velocity.head<3>());
+  }
+  for (const MeanMotion& mean : mean_motions_) {
+    if (!mean.in(parts_, s.island)) continue;
+    Eigen::Vector3d began = Eigen::Vector3d::Zero();
+    Eigen::Vector3d ends = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < mean.of_corners.size(); ++k) {
+      const auto t = at(parts_.triangles[mean.block][k]);
+      began += mean.of_corners[k] * began_with_[t];
+      ends += mean.of_corners[k] * states_[t].velocity;
+    }
+    add(mean.block, began, ends);
+  }
+  return rise;
+}
+
 bool Solid::MeanMotion::in(const Parts& parts, const Island& island) const {
   return std::binary_search(island.blocks.begin(), island.blocks.end(), parts.triangles[block].front());
 }

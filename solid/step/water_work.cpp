@@ -26,8 +26,8 @@ void WaterWork::begin_step(std::vector<Eigen::Vector3d> forces, const AddedMassG
   }
 }
 
-void WaterWork::end_step(const AddedMassGuard& guard, const std::vector<BlockState>& states, double dt) {
-  const bool mean = !of_the_end_ && before_.size() == forces_.size();
+void WaterWork::end_step(const AddedMassGuard& guard, const std::vector<BlockState>& states, double dt, bool by_shi) {
+  const bool mean = !by_shi && before_.size() == forces_.size();
   for (std::size_t b = 0; b < forces_.size(); ++b) {
     const Eigen::Vector3d way = states[b].displacement.head<3>() - displacement_[b];
     Eigen::Vector3d force = mean ? Eigen::Vector3d((before_[b] + forces_[b]) / 2) : forces_[b];

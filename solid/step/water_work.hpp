@@ -18,13 +18,11 @@ std::vector<Eigen::Vector3d> water_forces(const std::vector<Panel>& panels, cons
 /// pressures' and, with the guard, M_a (a' - a), so that what the guard takes from the one it gives to the other.
 class WaterWork {
  public:
-  explicit WaterWork(bool of_the_end) : of_the_end_(of_the_end) {}
-
   /// A step begins under these forces of pressures.
   void begin_step(std::vector<Eigen::Vector3d> forces, const AddedMassGuard& guard,
                   const std::vector<BlockState>& states);
-  /// The step has been made.
-  void end_step(const AddedMassGuard& guard, const std::vector<BlockState>& states, double dt);
+  /// The step has been made, by Shi's scheme or another.
+  void end_step(const AddedMassGuard& guard, const std::vector<BlockState>& states, double dt, bool by_shi);
 
   [[nodiscard]] double sum_j_per_m() const { return sum_; }
 
@@ -34,7 +32,6 @@ class WaterWork {
   }
 
  private:
-  bool of_the_end_;
   double sum_ = 0;
   std::vector<Eigen::Vector3d> before_;  ///< forces of the last step's end
   std::vector<Eigen::Vector3d> forces_;  ///< of the step at hand

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An impact is not a smooth motion. A rule of second order weighs the forces of the step's beginning, which an impact
+// does not continue, and makes energy of it: steps in which contacts change are made by Shi's scheme, which takes.
+#include <algorithm>
+#include <utility>
+
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid {
+
+/// A step by the scene's integrator; by Shi's scheme where contacts close, open, begin or cease to slip in it, and for
+/// one more, whose acceleration is that of the forces that act.
+bool Solid::make_step(double dt, double end_s, const std::vector<Panel>& water) {
+  made_by_shi_ = true;
+  if (!newmark_.second_order() || !newmark_.damps) return try_step(dt, end_s, water);
+  if (smooth_steps_ >= smooth_steps_before_restart) {
+    smooth_only_ = true;
+    const bool made = try_step(dt, end_s, water);
+    smooth_only_ = false;
+    made_by_shi_ = !made;
+    if (made || !std::exchange(jumps_, false)) return made;
+    smooth_steps_ = 0;
+  }
+  const Newmark own = std::exchange(newmark_, Newmark{});
+  matrices_dt_ = -1;
+  const bool made = try_step(dt, end_s, water);
+  newmark_ = own;
+  matrices_dt_ = -1;
+  if (!made) return false;
+  ++counts_.impact_steps;
+  smooth_steps_ = contacts_change() ? 0 : smooth_steps_ + 1;
+  return true;
+}
+
+bool Solid::contacts_change() {
+  return std::any_of(islands_.begin(), islands_.end(),
+                     [this](const IslandSystem& s) { return formulation_->changed(held_by(s)); });
+}
+
+long Solid::touching_contacts() const {
+  return std::count_if(contacts_.begin(), contacts_.end(),
+                       [](const ContactPoint& c) { return c.state != ContactState::open; });
+}
+
+}  // namespace blockweir::solid
