@@ -19,9 +19,13 @@ struct ContactMemory {
   double bond = 0;                                       ///< what is left of cohesion and tension: 1 all, 0 none
   double slip_m = 0;                                     ///< signed sum of slip along the edge
   double slip_path_m = 0;                                ///< sum of its magnitude
+  double gap_at_start = 0;  ///< m between blocks that touch but for rounded coordinates: counts as none
   ContactState state = ContactState::open;
+  bool let_go = false;  ///< the bond does not hold it in the step at hand: open as it began, or pulled off
 
   [[nodiscard]] bool bonded() const { return bond > 0; }
+  /// Has it ever? The slip of its joint counts from then on.
+  [[nodiscard]] bool has_touched() const { return bond_length > 0 || slip_path_m > 0; }
 };
 
 struct ContactPoint : ContactMemory {
@@ -57,7 +61,7 @@ struct ContactPoint : ContactMemory {
   void serialize(Archive& archive) {
     archive(vertex_block, vertex, edge_block, edge, vertex_part, edge_part, vertex_at, edge_from, edge_to, law, anchor,
             separation, gap, length, multiplier, force, penalty, bond_length, bond, state, slip_m, slip_path_m,
-            elastic_slip);
+            gap_at_start, elastic_slip);
   }
 };
 

@@ -15,6 +15,14 @@ namespace {
 // friction lags, where stiff contacts have ranges of slip that Newton's method passes by.
 constexpr double rigid_stiffness_ratio = 1e3;
 
+/// By how much more slip opens a joint.
+double opens_by(const JointProperties& law, double slip_m, double further_m) {
+  const double after_m = slip_m + further_m;
+  const bool one_way = slip_m * after_m > 0 && std::max(std::abs(slip_m), std::abs(after_m)) <= law.dilation_limit_m;
+  if (one_way) return law.dilation * std::copysign(1.0, slip_m) * further_m;
+  return law.dilation_m(after_m) - law.dilation_m(slip_m);
+}
+
 }  // namespace
 
 std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, const JointLaws& laws,
@@ -57,6 +65,7 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     const int k = held.contact_ids[i];
     ContactPoint& c = held.contacts[at(k)];
     contacts_before_[at(k)] = c;
+    c.let_go = c.state == ContactState::open;
     Progress& progress = contacts_[at(k)] = {};
     const Point n = edge_frame(trial, c).n;
     progress.stiffness =
@@ -89,10 +98,26 @@ void Formulation::undo(const Held& held) const {
 Formulation::Progress& Formulation::follow(const Trial& trial, int index, const ContactPoint& c,
                                            const EdgeFrame& edge) {
   Progress& progress = contacts_[at(index)];
+  const JointProperties& law = laws_[c.law];
+  if (law.dilation > 0) return follow_dilation(trial, c, edge, progress);
   const Separation found = separation_of(trial, c, edge);
   progress.separation = found.value;
-  progress.separation.x() -= laws_[c.law].dilation_m(c.slip_m + found.value.y());
   progress.round_off = separation_round_off * c.penalty * found.moved;
+  return progress;
+}
+
+/// What the joint has opened before the step is taken off the gap first: in increments both are free of cancellation.
+Formulation::Progress& Formulation::follow_dilation(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge,
+                                                    Progress& progress) const {
+  const JointProperties& law = laws_[c.law];
+  const double opened_m = law.dilation_m(c.slip_m);
+  ContactPoint resisted = c;
+  resisted.separation -= opened_m * edge.n;
+  const Separation found = separation_of(trial, resisted, edge);
+  progress.separation = found.value;
+  progress.separation.x() -= opens_by(law, c.slip_m, found.value.y());
+  const bool edge_turns = trial.increment[at(c.edge_part)][2] != 0;
+  progress.round_off = separation_round_off * c.penalty * (found.moved + (edge_turns ? opened_m : 0));
   return progress;
 }
 
@@ -124,9 +149,15 @@ double Formulation::dilation_slope(const ContactPoint& c, const Progress& progre
   return laws_[c.law].dilation_slope(c.slip_m + progress.separation.y(), -progress.slip_force);
 }
 
+Strength Formulation::iterated_strength(const ContactPoint& c) const {
+  Strength strength = laws_[c.law].strength(c.bond, c.bond_length);
+  if (!c.let_go && strength.holds_together()) strength.tension = std::numeric_limits<double>::infinity();
+  return strength;
+}
+
 JointForce Formulation::judge(int index, ContactPoint& c, const Eigen::Vector2d& stuck) {
   Progress& progress = contacts_[at(index)];
-  const Strength strength = laws_[c.law].strength(c.bond, c.bond_length);
+  const Strength strength = iterated_strength(c);
   JointForce force;
   const bool states_stand = settings_.states_stand && !laws_[c.law].bonds();
   if (states_stand) {

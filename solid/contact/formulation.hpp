@@ -129,9 +129,13 @@ class Formulation {
   /// Separation that the contact resists: the gap less what dilation has opened, and the slip.
   Progress& follow(const Trial& trial, int index, const ContactPoint& c, const EdgeFrame& edge);
   Progress& follow(const Trial& trial, int index, const Support& s);
+  Progress& follow_dilation(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge, Progress& progress) const;
 
   /// State and admissible force from those that would act if the contact stuck.
   JointForce judge(int index, ContactPoint& c, const Eigen::Vector2d& stuck);
+
+  /// By which iterates judge: only forces that have converged open a bond (pull_off).
+  [[nodiscard]] Strength iterated_strength(const ContactPoint& c) const;
 
   /// d(resisted gap)/d(slip) of a slipping contact that dilates; else 0.
   [[nodiscard]] double dilation_slope(const ContactPoint& c, const Progress& progress) const;

@@ -16,6 +16,8 @@ struct Strength {
   double tension = 0;   ///< T times bonded length
 
   [[nodiscard]] double shear_bound(double normal) const { return std::max(0.0, cohesion + normal * friction); }
+  /// Does a bond carry what would be lost at once if it opened?
+  [[nodiscard]] bool holds_together() const { return cohesion > 0 || tension > 0; }
   /// A contact that has no tension lets go at zero.
   [[nodiscard]] bool opens(double normal) const { return normal < -tension || (normal <= 0 && tension == 0); }
 };

@@ -180,7 +180,8 @@ bool Solid::sweep(IslandSystem& s) {
   const Stopwatch watch(profile_.sweeps);
   ++counts_.sweeps;
   return formulation_->sweep(held_by(s)) &&
-         (formulation_->settings().joints_held || !break_bonds(laws_, s.island.contacts, contacts_));
+         (formulation_->settings().joints_held ||
+          !break_bonds(laws_, formulation_->settings().force_tolerance_n, s.island.contacts, contacts_));
 }
 
 /// One solution of the linearized equations, added to the trial.
