@@ -42,13 +42,31 @@ void note_tension_beyond_apex(TableReader& table, const JointLaw& law, Problems&
                 "a bond under such a tension breaks with the first shear; give it cohesion_pa");
 }
 
+/// Slip works N tan(friction) and lifts N by tan(dilation): more of that would make energy.
+void refuse_dilation_beyond_friction(TableReader& table, const char* key, const JointLaw& law, Problems& problems) {
+  const bool by_residual = law.residual_friction_angle_deg < law.friction_angle_deg;
+  const double friction_deg = by_residual ? law.residual_friction_angle_deg : law.friction_angle_deg;
+  if (law.dilation_angle_deg <= friction_deg) return;
+  problems.error(table.place(key),
+                 fmt::format("dilation_angle_deg in {} is {:.6g}, above {} = {:.6g}: slip would make energy",
+                             table.name(), law.dilation_angle_deg,
+                             by_residual ? "residual_friction_angle_deg" : "friction_angle_deg", friction_deg),
+                 "a dilation angle of at most the friction angle, peak and residual (associated flow has equal ones)",
+                 fmt::format("set dilation_angle_deg to at most {:.6g}, or the friction angle to at least {:.6g}",
+                             friction_deg, law.dilation_angle_deg));
+}
+
 }  // namespace
 
 void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residual_given) {
   const Range angle{[](double degrees) { return degrees >= 0 && degrees < 90; },
                     "an angle of at least 0 and below 90 degrees"};
-  table.number("friction_angle_deg", law.friction_angle_deg, angle);
-  if (table.number("residual_friction_angle_deg", law.residual_friction_angle_deg, angle)) residual_given = true;
+  const char* stated = nullptr;  // the last key of friction and dilation
+  if (table.number("friction_angle_deg", law.friction_angle_deg, angle)) stated = "friction_angle_deg";
+  if (table.number("residual_friction_angle_deg", law.residual_friction_angle_deg, angle)) {
+    stated = "residual_friction_angle_deg";
+    residual_given = true;
+  }
   if (!residual_given) law.residual_friction_angle_deg = law.friction_angle_deg;
   table.number("cohesion_pa", law.cohesion_pa, not_negative());
   if (table.number("tension_strength_pa", law.tension_strength_pa, not_negative())) {
@@ -57,7 +75,8 @@ void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residua
   table.number("bonded_length_m", law.bonded_length_m, not_negative());
   table.flag("keeps_cohesion", law.keeps_cohesion);
   table.number("softening_slip_m", law.softening_slip_m, not_negative());
-  table.number("dilation_angle_deg", law.dilation_angle_deg, angle);
+  if (table.number("dilation_angle_deg", law.dilation_angle_deg, angle)) stated = "dilation_angle_deg";
+  if (stated != nullptr) refuse_dilation_beyond_friction(table, stated, law, reading.problems);
   table.number("dilation_limit_m", law.dilation_limit_m, not_negative());
   table.choice<Uplift>("uplift", law.uplift,
                        {{"none", Uplift::none}, {"triangular", Uplift::triangular}, {"full", Uplift::full}});

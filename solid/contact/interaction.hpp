@@ -27,6 +27,15 @@ struct Interaction {
   Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  ///< -d force / d separation [N/m per metre]
   Point held = Point::Zero();                           ///< weight of axes along which nothing may move; 0 for others
 
+  /// Of the axis: where slip opens the joint (dilation) nothing may move along axis + slope * perpendicular.
+  [[nodiscard]] double held_slope() const { return stiffness(0, 1) == 0 ? 0 : stiffness(0, 1) / stiffness(0, 0); }
+  [[nodiscard]] Eigen::Matrix2d held_stiffness() const {
+    const Point along(1, held_slope());
+    Eigen::Matrix2d k = held.x() * along * along.transpose();
+    k(1, 1) += held.y();
+    return k;
+  }
+
   /// Of one of both ends.
   [[nodiscard]] int block(bool second) const { return second ? block_j : block_i; }
   [[nodiscard]] const Point& at(bool second) const { return second ? at_j : at_i; }

@@ -60,6 +60,9 @@ class JointLaws {
     const auto found = by_pair_.find(key(block_a, block_b));
     return found == by_pair_.end() ? 0 : found->second;
   }
+  [[nodiscard]] bool dilate() const {
+    return std::any_of(laws_.begin(), laws_.end(), [](const JointProperties& law) { return law.dilation > 0; });
+  }
   [[nodiscard]] const JointProperties& operator[](int law) const { return laws_[static_cast<std::size_t>(law)]; }
 
  private:

@@ -57,6 +57,7 @@ class LagrangeMultiplier final : public Formulation {
     constraints.count = stuck.state == ContactState::stick ? 2 : 1;
     action.force = c.force = {c.multiplier.x(), shear};
     action.held = {c.penalty, stuck.state == ContactState::stick ? c.penalty : 0};
+    action.stiffness.row(0) << c.penalty, slope * c.penalty;  // which way it holds
     return action;
   }
 

@@ -59,8 +59,14 @@ int ContactSearch::met_vertex(const ContactPoint& c) const {
     return cross(in, (E[next(w, E.size())] - E[w]).normalized()) > -parallel_tolerance;
   };
   const auto e = static_cast<std::size_t>(c.edge);
+  const double opened = opening(c);
+  Point vertex = vertex_of(c);
+  if (opened > 0) {
+    const Point t = (E[next(e, E.size())] - E[e]).normalized();
+    vertex -= opened * Point(t.y(), -t.x());
+  }
   for (const std::size_t w : {e, next(e, E.size())}) {
-    if ((E[w] - vertex_of(c)).norm() < std::max(2 * coincidence_, 2 * std::abs(c.gap)) && convex(w)) {
+    if ((E[w] - vertex).norm() < std::max(2 * coincidence_, 2 * std::abs(c.gap - opened)) && convex(w)) {
       return static_cast<int>(w);
     }
   }
@@ -74,7 +80,7 @@ bool ContactSearch::may_pass(const ContactPoint& c) const {
   const auto v = static_cast<std::size_t>(c.vertex);
   const auto [from, to] = edge_of(c);
   const double from_end = (to - from).norm() * std::min(c.anchor, 1 - c.anchor);
-  if (from_end > std::max(2 * coincidence_, parallel_tolerance * std::abs(c.gap))) return false;
+  if (from_end > std::max(2 * coincidence_, parallel_tolerance * std::abs(c.gap - opening(c)))) return false;
   const Point inward = (c.anchor < 0.5 ? 1 : -1) * (to - from).normalized();
   const auto beside = [&](std::size_t w) { return inward.dot((V[w] - V[v]).normalized()) > parallel_tolerance; };
   return !beside(previous(v, V.size())) && !beside(next(v, V.size()));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/contact/trial.hpp"
@@ -38,12 +39,21 @@ ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double s
                              double farthest_reach_m)
     : parts_(parts),
       laws_(laws),
+      dilates_(laws.dilate()),
       reach_(std::min(reach_m, farthest_reach_m)),
       farthest_reach_(farthest_reach_m),
       coincidence_(1e-7 * size_m) {
   corners_.resize(parts.outlines.size());
   boxes_.resize(parts.outlines.size());
   for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
+  opened_.assign(corners_.size(), 0);
+  opened_at_pairs_ = opened_;
+}
+
+bool ContactSearch::rounds_to(double rounding_m) {
+  if (2 * rounding_m <= coincidence_) return false;
+  coincidence_ = 2 * rounding_m;
+  return true;
 }
 
 bool ContactSearch::covers(double moved_m) {
@@ -54,6 +64,7 @@ bool ContactSearch::covers(double moved_m) {
 }
 
 void ContactSearch::update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts) {
+  if (dilates_) note_openings(contacts);
   refresh_pairs(placements);
   found_.clear();
   passing_.clear();
@@ -73,19 +84,21 @@ void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
   for_each(corners_.size(), [&](std::size_t b) {
     boxes_[b].setEmpty();
     bool left = false;
+    const double room = margin() / 2 - (opened_[b] - opened_at_pairs_[b]);
     for (std::size_t v = 0; v < corners_[b].size(); ++v) {
       corners_[b][v] = placements[static_cast<std::size_t>(parts_.outlines[b][v].part)].position(
           parts_.vertex(parts_.outlines[b][v]));
       boxes_[b].extend(corners_[b][v]);
-      left = left || (!corners_at_pairs_.empty() &&
-                      (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > margin() / 2);
+      left = left ||
+             (!corners_at_pairs_.empty() && (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > room);
     }
-    boxes_[b].min().array() -= reach_ / 2;
-    boxes_[b].max().array() += reach_ / 2;
+    boxes_[b].min().array() -= reach_ / 2 + opened_[b];
+    boxes_[b].max().array() += reach_ / 2 + opened_[b];
     if (left) stale.store(true, std::memory_order_relaxed);
   });
   if (!stale) return;
   corners_at_pairs_ = corners_;
+  opened_at_pairs_ = opened_;
   std::vector<Box> wide = boxes_;
   std::vector<bool> movable(corners_.size());
   for (std::size_t b = 0; b < corners_.size(); ++b) {
@@ -100,9 +113,10 @@ void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
 void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
   const auto& V = corners_[static_cast<std::size_t>(vertex_block)];
   const auto& E = corners_[static_cast<std::size_t>(edge_block)];
-  const Box& zone = boxes_[static_cast<std::size_t>(edge_block)];
+  const Box& zone = boxes_[at(edge_block)];
+  const double opened = opening(vertex_block, edge_block);
   // Less deep, a vertex that slipped past an acute corner keeps its contact.
-  const double deep = std::max(coincidence_, 1e-3 * (zone.sizes().minCoeff() - reach_));
+  const double deep = std::max(coincidence_, 1e-3 * (zone.sizes().minCoeff() - reach_ - 2 * opened_[at(edge_block)]));
   for (std::size_t v = 0; v < V.size(); ++v) {
     if (!zone.contains(V[v])) continue;
     const Point& before = V[previous(v, V.size())];
@@ -120,7 +134,7 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       const double gap = n.dot(V[v] - a);
       const double s = t.dot(V[v] - a);
       const double beyond = std::max(-s, s - edge_length);
-      if (std::max(std::abs(gap), beyond) > reach_) continue;
+      if (std::max({gap - opened, -gap, beyond}) > reach_) continue;
       if (!faces(V, v, n, closing)) continue;
       if (gap < -deep && !encloses(E, V[v])) continue;  // on the block's far side, not in it
       ContactPoint contact;
@@ -141,7 +155,7 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       contact.separation = gap * n;
       contact.length = (overlap(V[v], before, a, t, edge_length) + overlap(V[v], after, a, t, edge_length)) / 2;
       // Two acute corners may meet where neither faces the other's edges; farther from these, they may pass.
-      const bool meets = beyond <= std::max(coincidence_, gap / 2) || did_enter(contact);
+      const bool meets = beyond <= std::max(coincidence_, (gap - opened) / 2) || did_enter(contact);
       (meets ? found_ : passing_).push_back(contact);
     }
   }
@@ -160,22 +174,20 @@ Point ContactSearch::apart(const std::vector<Placement>& placements, const Conta
 /// The same contact keeps its memory and its slip anchor. Of those that are gone, each hands its force to the
 /// nearest new contact between the same two blocks that points the same way.
 void ContactSearch::inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old) {
-  const auto normal = [this](const ContactPoint& c) {
-    const auto [from, to] = edge_of(c);
-    const Point t = (to - from).normalized();
-    return Point(t.y(), -t.x());
-  };
   const auto take = [](ContactMemory& heir, const ContactMemory& from) { heir = from; };
   inherited_.assign(found_.size(), 0);
   std::vector<const ContactPoint*> gone;
+  std::vector<ContactPoint> parting;
   for (const ContactPoint& was : old) {
     const auto heir = std::lower_bound(found_.begin(), found_.end(), was, precedes);
     if (heir == found_.end() || !heir->same_key(was)) {
       if (was.state != ContactState::open) gone.push_back(&was);
+      if (slips_on(was)) parting.push_back(was);
       continue;
     }
     take(*heir, was);
     inherited_[static_cast<std::size_t>(heir - found_.begin())] = 1;
+    if (was.state == ContactState::open && slips_on(was)) heir->slip_m = slip_since(was);
     if (was.state == ContactState::open) continue;
     // In touch: slip goes on from the old anchor, so that what a tolerance lets through does not add up.
     heir->anchor = was.anchor;
@@ -184,14 +196,11 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
   for (const ContactPoint* was : gone) {
     const Point& place = vertex_of(*was);
     ContactPoint* nearest = nullptr;
-    double nearest_distance = reach_;
+    double nearest_distance = reach_ + opening(*was);
     const auto [first, end] = std::equal_range(found_.begin(), found_.end(), *was, of_lower_pair);
     for (auto heir = first; heir != end; ++heir) {
       ContactPoint& c = *heir;
-      const bool same = c.vertex_block == was->vertex_block && c.edge_block == was->edge_block;
-      const bool twin = c.vertex_block == was->edge_block && c.edge_block == was->vertex_block;
-      if (inherited_[static_cast<std::size_t>(heir - found_.begin())] != 0 || !(same || twin)) continue;
-      if (normal(c).dot(normal(*was)) * (same ? 1 : -1) < 1 - parallel_tolerance) continue;
+      if (inherited_[static_cast<std::size_t>(heir - found_.begin())] != 0 || !of_one_joint(c, *was)) continue;
       const double distance = (vertex_of(c) - place).norm();
       if (distance >= nearest_distance) continue;
       nearest = &c;
@@ -202,6 +211,26 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
     take(*nearest, *was);
     inherited_[static_cast<std::size_t>(nearest - found_.data())] = 1;
   }
+  if (dilates_) remember_slips(parting);
+  for (ContactPoint& c : found_) {
+    if (c.gap_at_start == 0) continue;
+    const auto [from, to] = edge_of(c);
+    const Point t = (to - from).normalized();
+    c.gap -= c.gap_at_start;
+    c.separation -= c.gap_at_start * Point(t.y(), -t.x());
+  }
+}
+
+/// Two contacts of one pair of blocks whose normals point the same way, or that are each other's twins across the
+/// joint.
+bool ContactSearch::of_one_joint(const ContactPoint& a, const ContactPoint& b) const {
+  const auto normal = [this](const ContactPoint& c) {
+    const auto [from, to] = edge_of(c);
+    const Point t = (to - from).normalized();
+    return Point(t.y(), -t.x());
+  };
+  if (a.pair() != b.pair()) return false;
+  return normal(a).dot(normal(b)) * (a.vertex_block == b.vertex_block ? 1 : -1) >= 1 - parallel_tolerance;
 }
 
 }  // namespace blockweir::solid

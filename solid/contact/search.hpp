@@ -29,6 +29,10 @@ class ContactSearch {
   /// that takes over its place (the vertex passed to the next edge, or its twin across the joint) inherits it.
   void update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts);
 
+  /// Outlines in the scene are known to this only [m]: points so near are one. True where they were not before, and the
+  /// search begins anew.
+  [[nodiscard]] bool rounds_to(double rounding_m);
+
   /// Did a step that moved a vertex so far stay within what was looked at? Two blocks may move towards each other. If
   /// not, the next search looks farther.
   [[nodiscard]] bool covers(double moved_m);
@@ -41,7 +45,7 @@ class ContactSearch {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(corners_at_pairs_, pairs_, broad_searches_, reach_, passing_);
+    archive(corners_at_pairs_, pairs_, broad_searches_, reach_, passing_, coincidence_, opened_at_pairs_, parted_);
   }
 
  private:
@@ -49,6 +53,12 @@ class ContactSearch {
   /// Pairs stay valid while no block has moved half of it [m].
   [[nodiscard]] double margin() const { return 2 * reach_; }
   void refresh_pairs(const std::vector<Placement>& placements);
+  void note_openings(const std::vector<ContactPoint>& contacts);
+  [[nodiscard]] double opening(int block_a, int block_b) const;
+  [[nodiscard]] double opening(const ContactPoint& c) const { return laws_[c.law].dilation_m(c.slip_m); }
+  [[nodiscard]] bool slips_on(const ContactPoint& c) const { return laws_[c.law].dilation > 0 && c.has_touched(); }
+  [[nodiscard]] double slip_since(const ContactPoint& was) const;
+  void remember_slips(const std::vector<ContactPoint>& parting);
   void vertices_on_edges(int vertex_block, int edge_block);
   void drop_edges_seen_from_within();
   [[nodiscard]] bool overlaps_at(const ContactPoint& c) const;
@@ -63,9 +73,11 @@ class ContactSearch {
   [[nodiscard]] bool did_enter(const ContactPoint& c) const;
   [[nodiscard]] Point apart(const std::vector<Placement>& placements, const ContactPoint& c) const;
   void inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old);
+  [[nodiscard]] bool of_one_joint(const ContactPoint& a, const ContactPoint& b) const;
 
   const Parts& parts_;
   const JointLaws& laws_;
+  bool dilates_;                             ///< does any joint?
   double reach_;                             ///< m
   double farthest_reach_;                    ///< m
   double coincidence_;                       ///< m, closer points are one
@@ -78,6 +90,11 @@ class ContactSearch {
   std::vector<ContactPoint> passing_;           ///< corners that may pass each other, left out
   std::array<std::vector<Point>, 2> outlines_;  ///< of such corners' blocks
   std::vector<ContactPoint> entered_;           ///< of them, those that did not in the step at hand
+  // Of joints that dilate; empty where none does.
+  std::vector<std::pair<std::pair<int, int>, double>> openings_;  ///< of pairs, at which their faces still touch [m]
+  std::vector<double> opened_;                                    ///< the largest of each block
+  std::vector<double> opened_at_pairs_;
+  std::vector<ContactPoint> parted_;  ///< contacts out of reach: what their joints remember
   long broad_searches_ = 0;
 };
 

@@ -27,9 +27,10 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
     const Interaction& a = actions[k];
     if (a.held.isZero(0)) continue;
     const Eigen::Vector2d m = mismatch(a, false) - mismatch(a, true);
+    pull[k] = a.held_stiffness() * m;
+    const Eigen::Vector2d along(m.x() + a.held_slope() * m.y(), m.y());
     for (int axis = 0; axis < 2; ++axis) {
-      pull[k][axis] = a.held[axis] * m[axis];
-      if (a.held[axis] > 0) loudest = std::max(loudest, std::abs(m[axis]));
+      if (a.held[axis] > 0) loudest = std::max(loudest, std::abs(along[axis]));
     }
   }
   if (loudest <= unheard_m_per_s) return;
@@ -38,7 +39,7 @@ void Solid::quiet_held_directions(IslandSystem& s, double dt) {
   s.residual.setZero();
   for (std::size_t k = 0; k < actions.size(); ++k) {
     Interaction& a = actions[k];
-    a.stiffness = a.held.asDiagonal().toDenseMatrix();
+    a.stiffness = a.held_stiffness();
     add_stiffness(*s.system, a);
     a.force = pull[k];
     for (const bool second : {false, true}) {

@@ -114,6 +114,18 @@ TEST(SceneKeys, NumbersOutOfRangeAreRefused) {
   expect_error(with("step_s = 0.01", "spectral_radius = 1.1"), 5, {"a number from 0 to 1"});
 }
 
+TEST(SceneKeys, DilationBeyondFrictionWouldMakeEnergyAndIsRefused) {
+  const std::string dilates = "friction_angle_deg = 30\ndilation_angle_deg = ";
+  expect_error(with("friction_angle_deg = 30", dilates + "31"), 14,
+               {"dilation_angle_deg in [joint] is 31, above friction_angle_deg = 30", "make energy",
+                "set dilation_angle_deg to at most 30"});
+  EXPECT_THAT(errors(with("friction_angle_deg = 30", dilates + "30")), IsEmpty());
+  expect_error(with("cohesion_pa = 1e5", "dilation_angle_deg = 20\nresidual_friction_angle_deg = 15"), 30,
+               {"[[joints]] \"crack\" is 20, above residual_friction_angle_deg = 15"});
+  expect_error(with("cohesion_pa = 1e5", "friction_angle_deg = 10", with("friction_angle_deg = 30", dilates + "20")),
+               31, {"[[joints]] \"crack\" is 20, above friction_angle_deg = 10"});
+}
+
 TEST(SceneKeys, PlaneStressAllowsAPoissonsRatioOfAHalf) {
   const std::string stress = with("step_s = 0.01", "step_s = 0.01\nplane = \"stress\"");
   EXPECT_THAT(errors(with("poissons_ratio = 0.2", "poissons_ratio = 0.5", stress)), IsEmpty());
