@@ -7,6 +7,9 @@
 
 namespace blockweir::scene {
 
+/// Of a block's size: coordinates in files are rounded, and what is nearer touches.
+constexpr double rounding_ratio = 1e-6;
+
 /// Reports blocks that overlap deeper than 1e-6 of the smaller one's size. Blocks without vertices are passed over.
 void check_overlaps(const Scene& scene, Problems& problems);
 

@@ -15,8 +15,6 @@ namespace {
 
 namespace cl = ClipperLib;
 
-constexpr double depth_ratio = 1e-6;  ///< what is shallower counts as touching: coordinates in files are rounded
-
 /// Metres about an origin to Clipper's integers and back, as fine as they can be.
 struct Grid {
   Point origin;
@@ -76,7 +74,7 @@ bool parted_by_longest_edge(const Block& a, const Block& b) {
 void check_pair(const Block& a, const Block& b, Problems& problems) {
   const Bounds box_a = bounds_of(a.vertices);
   const Bounds box_b = bounds_of(b.vertices);
-  const double tolerance = depth_ratio * std::min(box_a.size(), box_b.size());
+  const double tolerance = rounding_ratio * std::min(box_a.size(), box_b.size());
   const Point depth = box_a.high.cwiseMin(box_b.high) - box_a.low.cwiseMax(box_b.low);
   if (depth.minCoeff() <= tolerance || parted_by_longest_edge(a, b) || parted_by_longest_edge(b, a)) return;
   const double reach = std::max(box_a.size(), box_b.size()) + (box_b.low - box_a.low).cwiseAbs().maxCoeff();

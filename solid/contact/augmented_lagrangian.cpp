@@ -158,8 +158,9 @@ class AugmentedLagrangian final : public Formulation {
   template <class ContactOrSupport>
   [[nodiscard]] bool settled(const Progress& p, const ContactOrSupport& of) const {
     const double violation = p.violation(of.state);
-    if (p.turning || violation > settings_.penetration_tolerance_m) return false;
-    return closed(violation) ||
+    if (p.turning) return false;
+    if (closed(violation)) return true;
+    return violation <= settings_.penetration_tolerance_m &&
            (of.force - of.multiplier).cwiseAbs().maxCoeff() <= settings_.force_tolerance_n + p.round_off;
   }
 

@@ -74,13 +74,7 @@ bool Solid::attempt_otherwise(double dt, double end_s, const std::vector<Panel>&
     whole_law_.failed();
     return true;
   }
-  ++counts_.softened_steps;
-  for (ContactPoint& c : contacts_) c.penalty = 0;
-  for (Support& s : supports_) s.penalty = 0;
-  formulation_.swap(substitute_);
-  const bool solved = attempt(dt, end_s, water) || lagging();
-  formulation_.swap(substitute_);
-  return solved;
+  return attempt_by_substitute(dt, end_s, water);
 }
 
 bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The state at time 0: weight and first loads carried, all joints that touch held, everything at rest.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -73,6 +71,7 @@ void Solid::settle(const std::vector<Panel>& water, std::function<void()> meanwh
   constexpr int most_steps = 200;
   const double pseudo_step = pseudo_step_s();
   const double at_rest_m = 1e-13 * size_;
+  const double shortest = 1e-6 * pseudo_step;
 
   const std::vector<bool> fixed = frozen_;
   const std::vector<BlockState> released = states_;
@@ -81,59 +80,76 @@ void Solid::settle(const std::vector<Panel>& water, std::function<void()> meanwh
   const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
   settling_ = true;
   meanwhile_ = std::move(meanwhile);
-  formulation_->settings().joints_held = true;
-  // Held joints have no states to find, so that large penalties cost nothing; small ones let a high stack sink by a
-  // share of its rows squared.
-  const double penalty_ratio =
-      std::exchange(formulation_->settings().penalty_ratio, 100 * formulation_->settings().penalty_ratio);
+  const FormulationSettings usual = formulation_->settings();
+  const auto set = [this](const FormulationSettings& settings) {
+    formulation_->settings() = settings;
+    if (substitute_) substitute_->settings() = settings;
+  };
   // What the start leaves unbalanced or apart stays as long as nothing moves: it is found ten times as closely as a
   // step.
-  const double tolerance_n =
-      std::exchange(formulation_->settings().force_tolerance_n, 0.1 * formulation_->settings().force_tolerance_n);
-  const double closed_round_offs = std::exchange(formulation_->settings().closed_round_offs, 1);
+  FormulationSettings closely = usual;
+  closely.force_tolerance_n *= 0.1;
+  // Held joints have no states to find, so that large penalties cost nothing; small ones let a high stack sink by a
+  // share of its rows squared.
+  FormulationSettings held = closely;
+  held.joints_held = true;
+  held.penalty_ratio *= 100;
+  held.closed_round_offs = 1;
+  // Blocks with one strain that stick to each other all along fit only as well as their corners do: where these are
+  // rounded, strains of some per cent at most leave this share of it apart.
+  constexpr double misfit_ratio = 0.05;
+  for (const ContactPoint& c : contacts_) {
+    held.position_round_off_m = std::max(held.position_round_off_m, misfit_ratio * std::abs(c.gap_at_start));
+  }
+  set(held);
   matrices_dt_ = -1;
   islands_.clear();
 
-  const auto initial_penalty = formulation_->settings().initial_penalty;
   // Slender structures are soft against the inertia of such steps and come to rest a tenth at a time: longer steps take
   // them there sooner.
   double dt = pseudo_step;
   double longest = 100 * pseudo_step;
   double moved_before = std::numeric_limits<double>::infinity();
-  const auto settles = [&] {
+  const auto solves = [&] {
     if (attempt(dt, settling_time_s(), water)) return true;
-    if (dt > pseudo_step) return longest = dt = pseudo_step, attempt(dt, settling_time_s(), water);
-    if (!formulation_->settings().initial_penalty) return false;
+    return substitute_ && !goes_too_far_ && attempt_by_substitute(dt, settling_time_s(), water);
+  };
+  const auto settles = [&] {
+    if (solves()) return true;
+    if (dt > pseudo_step) {
+      longest = dt = pseudo_step;
+      if (solves()) return true;
+    }
+    // What is soft goes on by as much as a step may, held back by its inertia.
+    while (goes_too_far_ && dt > shortest) {
+      dt /= 4;
+      if (solves()) return true;
+    }
+    if (!held.initial_penalty) return false;
     // What the scene starts with may be far too small for a high stack: the blocks' own stiffness knows better.
-    formulation_->settings().initial_penalty.reset();
-    return attempt(dt, settling_time_s(), water);
+    held.initial_penalty = closely.initial_penalty = std::nullopt;
+    set(held);
+    return solves();
   };
   for (int step = 0;; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (step == most_steps || !settles()) {
-      throw SolveError(
-          fmt::format("no equilibrium under the first loads was found with all joints held ({} steps); "
-                      "set [analysis] start = \"unstressed\" if the structure moves from the start",
-                      step));
-    }
+    if (step == most_steps || !settles()) refuse_start(step);
     ++counts_.settling_steps;
+    require_small_strains();
     const double moved = largest_increment();
-    if (moved <= at_rest_m) break;
+    if (moved <= at_rest_m && dt >= pseudo_step) break;
     if (dt > pseudo_step && moved > moved_before) {
       longest = dt = pseudo_step;  // what is loose wants its inertia
-    } else if (moved > 1e-2 * moved_before) {
-      dt = std::min(10 * dt, longest);
+    } else if (dt < pseudo_step || moved > 1e-2 * moved_before) {
+      dt = std::min(10 * dt, dt < pseudo_step ? pseudo_step : longest);
     }
     moved_before = moved;
   }
 
-  formulation_->settings().joints_held = false;
-  formulation_->settings().penalty_ratio = penalty_ratio;
-  formulation_->settings().closed_round_offs = closed_round_offs;
+  set(closely);
   relax(pseudo_step, water);
   whole_law_ = {};  // a step of the run is shorter by far
-  formulation_->settings().initial_penalty = initial_penalty;
-  formulation_->settings().force_tolerance_n = tolerance_n;
+  set(usual);
   settling_ = false;
   meanwhile_ = {};
   counts_.steps = 0;
@@ -159,6 +175,8 @@ void Solid::settle(const std::vector<Panel>& water, std::function<void()> meanwh
 void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
   constexpr int most_steps = 200;
   const Standing held = standing();
+  // What moves by more at once than the blocks' own strains have moved it is on its way.
+  const double far_m = std::max(1e-4 * size_, largest_displacement_m());
   const double at_rest_m = 1e-12 * size_;
   const double shortest = 1e-4 * pseudo_step;
   const double moving = 1e-4 * scene_.analysis.gravity_m_per_s2;
@@ -194,7 +212,7 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
     // What changes by less than a thousandth a step does not come to rest in those that are left.
     steady_steps = std::abs(acceleration / before - 1) <= 1e-3 ? steady_steps + 1 : 0;
     if (steady_steps == 5 && acceleration >= moving) break;
-    if (moved > 1e-4 * size_) break;
+    if (moved > far_m) break;
     // Large structures come to rest a tenth at a time: longer steps, where they find states, take them there sooner.
     const bool comes_to_rest = whole_law_.after_failure() && whole_step && moved <= 1e-6 * size_;
     const double longer = comes_to_rest ? longest : std::min(pseudo_step, 2 * dt);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
+#include "bridge/scene/check.hpp"
 #include "solid/step/determinacy.hpp"
 
 namespace blockweir::solid {
@@ -21,6 +23,11 @@ double model_size(const scene::Scene& scene) {
   }
   return box.isEmpty() ? 1.0 : box.sizes().maxCoeff() / 2;
 }
+
+// Of half the structure's larger side: check_overlaps lets pieces pass whose area over their length is that share of a
+// block's, wedges of twice that depth among them.
+constexpr double widest_rounding = 2 * scene::rounding_ratio;
+constexpr double deepest_rounding = 2 * widest_rounding;
 
 /// Of all coordinates, those of a wide ground among them: what positions are known to is a round-off of it [m].
 double farthest_coordinate(const scene::Scene& scene) {
@@ -134,6 +141,11 @@ Solid::Solid(const scene::Scene& scene)
   local_.resize(n);
   for (const scene::Bolt& bolt : scene.bolts) bolts_.push_back(make_bolt(bolt, parts_));
   search_.update(start_, contacts_);
+  if (search_.rounds_to(take_out_rounding())) {
+    contacts_.clear();
+    search_.update(start_, contacts_);
+    take_out_rounding();
+  }
   if (scene.contact.formulation == scene::ContactFormulation::lagrange_multiplier) {
     substitute_ = make_augmented_lagrangian(laws_, formulation_->settings());
   }
@@ -159,13 +171,25 @@ std::vector<KeptFactors> Solid::kept_factors() const {
   return kept;
 }
 
+/// Overlaps that the scene's check lets pass, and gaps as narrow, are rounded coordinates: the contact's gap counts
+/// from there, or what has only been written down would be under pressure. Returns the largest.
+double Solid::take_out_rounding() {
+  double largest_m = 0;
+  for (ContactPoint& c : contacts_) {
+    if (c.gap < -deepest_rounding * size_ || c.gap > widest_rounding * size_) continue;
+    largest_m = std::max(largest_m, std::abs(c.gap));
+    c.gap_at_start = std::exchange(c.gap, 0);
+    c.separation.setZero();
+    c.state = ContactState::stick;
+  }
+  return largest_m;
+}
+
 /// Blocks that touch in the scene's outline are joined by a bond, with its strength and its peak friction.
 void Solid::bond_touching_contacts() {
-  const double touching = 1e-6 * size_;
   for (ContactPoint& c : contacts_) {
-    if (std::abs(c.gap) > touching) continue;
+    if (c.state == ContactState::open) continue;
     c.bond = 1;
-    c.state = ContactState::stick;
   }
   for (auto first = contacts_.begin(), end = first; first != contacts_.end(); first = end) {  // contacts of a joint
     double whole = 0;

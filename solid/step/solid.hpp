@@ -154,6 +154,7 @@ class Solid {
 
   void follow_states(std::vector<KeptFactors> kept);
   [[nodiscard]] std::vector<KeptFactors> kept_factors() const;
+  double take_out_rounding();
   void bond_touching_contacts();
   void begin_window(const Answered& answered);
   void guard(double dt);
@@ -164,6 +165,7 @@ class Solid {
   bool attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water);
+  bool attempt_by_substitute(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
   [[nodiscard]] double timed() const;
   bool find_contacts();
@@ -247,6 +249,8 @@ class Solid {
   void require_finite_loads(double time_s) const;
   void require_numbers(const IslandSystem& island) const;
   [[noreturn]] void refuse_step(double time_s, double dt) const;
+  [[noreturn]] void refuse_start(int steps) const;
+  void require_small_strains() const;
   [[noreturn]] void refuse(std::size_t b, const char* what, double time_s) const;
 
   // Constant.
