@@ -66,18 +66,18 @@ void Solid::refuse_start(int steps) const {
   double overlap = 0;
   for (const ContactPoint& c : contacts_) {
     if (c.state == ContactState::open) continue;
-    overlap = std::max(overlap, -c.gap);
+    overlap = std::max(overlap, -(c.gap + c.gap_at_start));
     const double now = separation_of(trial(), c, edge_frame(trial(), c)).value.norm();
     if (worst != nullptr && now <= apart) continue;
     worst = &c;
     apart = now;
   }
   if (worst != nullptr) {
-    const Point at_point = place(*worst);
+    const Point where = place(*worst);
     text += fmt::format(
         "; blocks \"{}\" and \"{}\" fit least, at ({:.6g}, {:.6g}) they are {:.3g} m from where they were joined; the "
-        "largest overlap is {:.3g} m",
-        blocks_[at(worst->vertex_block)].name, blocks_[at(worst->edge_block)].name, at_point.x(), at_point.y(), apart,
+        "largest overlap in the scene is {:.3g} m",
+        blocks_[at(worst->vertex_block)].name, blocks_[at(worst->edge_block)].name, where.x(), where.y(), apart,
         overlap);
   }
   throw SolveError(text + "; set [analysis] start = \"unstressed\" if the structure moves from the start");

@@ -91,7 +91,10 @@ INSTANTIATE_TEST_SUITE_P(Ways, Bonds,
                                                           scene::Integrator::generalized_alpha)),
                          name_of);
 
-constexpr double tolerance = 1e-4;
+/// The trapezoidal rule damps nothing: what the start leaves of gaps within their tolerance rings on.
+double tolerance() {
+  return std::get<1>(Bonds::GetParam()) == scene::Integrator::trapezoidal ? 5e-4 : 1e-4;
+}
 
 TEST_P(Bonds, ABrittleBondAtTheHeelBreaksAtItsStrength) {
   for (int seed = 1; seed <= test::campaign(8); ++seed) {
@@ -106,7 +109,7 @@ TEST_P(Bonds, ABrittleBondAtTheHeelBreaksAtItsStrength) {
     law.tension_strength_pa = share * weight / (width / 2);
     law.cohesion_pa = 4 * weight / width;
     const double found = load_at_failure(pushed_block(width, height, law, load));
-    EXPECT_NEAR(found / load, 1, tolerance) << "seed " << seed << ": " << width << " m by " << height << " m";
+    EXPECT_NEAR(found / load, 1, tolerance()) << "seed " << seed << ": " << width << " m by " << height << " m";
   }
 }
 
@@ -122,7 +125,7 @@ TEST_P(Bonds, AJointWithCohesionAndPeakFrictionHoldsUpToBoth) {
     const double width = height * load * random.between(1.1, 3);
     law.cohesion_pa = cohesive * height * 2500 * g;
     const double found = load_at_failure(pushed_block(width, height, law, load));
-    EXPECT_NEAR(found / load, 1, tolerance) << "seed " << seed << ": " << width << " m by " << height << " m";
+    EXPECT_NEAR(found / load, 1, tolerance()) << "seed " << seed << ": " << width << " m by " << height << " m";
   }
 }
 
@@ -135,7 +138,7 @@ TEST_P(Bonds, AJointWithoutTensionStrengthOpensWhereTheHeelIsFree) {
     scene::JointLaw law{.friction_angle_deg = 40, .residual_friction_angle_deg = random.between(20, 40)};
     law.cohesion_pa = height * 2500 * g;
     const double found = load_at_failure(pushed_block(width, height, law, load));
-    EXPECT_NEAR(found / load, 1, tolerance) << "seed " << seed << ": " << width << " m by " << height << " m";
+    EXPECT_NEAR(found / load, 1, tolerance()) << "seed " << seed << ": " << width << " m by " << height << " m";
   }
 }
 
