@@ -50,9 +50,15 @@ class Bonds {
   }
 
   [[nodiscard]] bool lose(std::span<const int> joint) const {
-    const bool held = std::any_of(joint.begin(), joint.end(), [&](int k) {
-      return contacts_[at(k)].state == ContactState::stick && breakable(contacts_[at(k)]);
-    });
+    const auto any = [&](auto&& what) {
+      return std::any_of(joint.begin(), joint.end(), [&](int k) { return what(contacts_[at(k)]); });
+    };
+    const auto slips = [](double side) {
+      return [side](const ContactPoint& c) { return c.state == ContactState::slip && side * c.force.y() > 0; };
+    };
+    // What slips to both sides only spreads under its load.
+    const bool held = any([&](const ContactPoint& c) { return c.state == ContactState::stick && breakable(c); }) ||
+                      (any(slips(1)) && any(slips(-1)));
     const auto survives = [&](const ContactPoint& c) {
       if (c.state == ContactState::stick) return true;
       return c.state == ContactState::slip && (laws_[c.law].softening_slip_m > 0 || held);
