@@ -51,7 +51,7 @@ int check_scene(const std::filesystem::path& path, const std::vector<std::string
   const scene::Scene& s = read.scene;
   fmt::print("{}: sound; {} blocks, {} joints, {} variants, {} studies, {} s in steps of {} s{}\n", s.file.string(),
              s.blocks.size(), s.joints.size(), s.variants.size(), studies, s.analysis.duration_s, s.analysis.step_s,
-             warnings.empty() ? "" : fmt::format("; {} warnings", warnings.size()));
+             warnings.empty() ? "" : fmt::format("; {} warning{}", warnings.size(), warnings.size() == 1 ? "" : "s"));
   fmt::print(
       "structure of {:.4g} m: failure_displacement_m = {:.3g}, rest_speed_m_per_s = {:.3g}, penetration_tolerance_m = "
       "{:.3g}{}\n",

@@ -21,8 +21,11 @@ std::string report(const RunResult& result) {
     const json& f = s["failure"];
     text += fmt::format("FAILS   {}\n", f["text"].get<std::string>());
     if (f["level_m"].is_number()) {
-      text += fmt::format("        at a level of {} m, {} m above the joint that failed, after {} s\n",
-                          number(f["level_m"]), number(f["head_m"]), number(f["time_s"]));
+      const std::string pool = f.value("pool", "upstream") == "downstream" ? " (downstream pool)" : "";
+      const std::string head =
+          f["head_m"].is_number() ? fmt::format(", {} m above the joint that failed", number(f["head_m"])) : "";
+      text += fmt::format("        at a level of {} m{}{}, after {} s\n", number(f["level_m"]), pool, head,
+                          number(f["time_s"]));
     } else {
       text += fmt::format("        after {} s\n", number(f["time_s"]));
     }

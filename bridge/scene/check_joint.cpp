@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "bridge/scene/at.hpp"
@@ -44,6 +45,21 @@ std::string touching_pairs(const Reading& reading, const std::array<int, 2>& bet
   return text.empty() ? "move them together, or leave the joint out" : text;
 }
 
+/// Least distance of two outlines [m].
+double distance_between(const std::vector<Point>& a, const std::vector<Point>& b) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](const std::vector<Point>& points, const std::vector<Point>& outline) {
+    for (const Point& p : points) {
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        least = std::min(least, distance_to_segment(p, outline[i], outline[(i + 1) % outline.size()]));
+      }
+    }
+  };
+  look(a, b);
+  look(b, a);
+  return least;
+}
+
 }  // namespace
 
 void check_joint(TableReader& table, Reading& reading, const Joint& joint, double touching_m) {
@@ -60,8 +76,8 @@ void check_joint(TableReader& table, Reading& reading, const Joint& joint, doubl
   const JointLaw& law = joint.law;
   if (trace.pieces.empty()) {
     const bool asks = law.uplift != Uplift::none || law.cohesion_pa > 0 || law.tension_strength_pa > 0;
-    const std::string found =
-        fmt::format("blocks \"{}\" and \"{}\" of {} share no boundary", a->name, b->name, table.name());
+    const std::string found = fmt::format("blocks \"{}\" and \"{}\" of {} share no boundary ({:.3g} m apart)", a->name,
+                                          b->name, table.name(), distance_between(a->vertices, b->vertices));
     const std::string nearest = touching_pairs(reading, joint.between, touching_m);
     if (asks) {
       return reading.problems.error(table.place("between"), found + ": its bond or uplift acts nowhere",

@@ -17,11 +17,11 @@ constexpr bool grows_with_size = true;
 constexpr const char* laws[] = {"joint", "joints[]", "cut[]", "joint_set[]"};
 
 constexpr Magnitude all[] = {
-    {"material.*", "density_kg_per_m3", "kg/m3", 100, 20'000, "2.4 is t/m3: write 2400"},
+    {"material.*", "density_kg_per_m3", "kg/m3", 100, 20'000, "2.4 is t/m3 and 23.5 is kN/m3, both are 2400 kg/m3"},
     {"material.*", "youngs_modulus_pa", "Pa", 1e6, 1e13, "25 is likely GPa: write 25e9", grows_with_size},
     {"material.*", "poissons_ratio", "1", 0.01, 0.45, "rock and concrete have 0.1 to 0.3"},
     {"material.*", "damping_ratio", "1", 1e-4, 0.3, "5 % is 0.05"},
-    {"analysis", "gravity_m_per_s2", "m/s2", 9, 2000, "981 is cm/s2: write 9.81; above 10 only in a centrifuge"},
+    {"analysis", "gravity_m_per_s2", "m/s2", 9, 10, "981 is cm/s2: write 9.81; more is meant in a centrifuge only"},
     {"analysis", "gravity_tilt_deg", "deg", 0.5, 90, "is it in radians? write degrees"},
     {"analysis", "duration_s", "s", 1e-6, 1e7, "a year is 3e7 s: a run makes each of its steps"},
     {"analysis", "step_s", "s", 1e-9, 100, "dynamic motions of dams take milliseconds to seconds"},

@@ -200,7 +200,8 @@ double wave_speed(const Outcome& o, const std::string& of) {
   }
   const Eigen::Vector2d line = times.colPivHouseholderQr().solve(moved);
   const double passed_s = -line[0] / line[1];
-  if (!(passed_s > 0 && passed_s < times(0, 1)))
+  constexpr double still = 1e-6;  // of what has moved farthest: round-off, ahead of the front
+  if (!(passed_s > 0 && passed_s < times(0, 1)) || moved[late - 1] < still * o.last.largest_displacement_m)
     throw NoFigure("no front: the run ends before it has passed the block");
   return distance / passed_s;
 }

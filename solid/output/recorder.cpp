@@ -139,8 +139,9 @@ void Recorder::watch_interface(const wire::Load& load, const wire::Motion& told,
 
 void Recorder::observe(const wire::Load& load, double time_s) {
   const Stopwatch watch(watch_s_);
-  failure_.look(time_s, load.upstream_level_m);
-  if (failure_.failures().empty()) margins_.look(solid_, time_s, load.upstream_level_m);
+  const Levels levels{load.upstream_level_m, load.downstream_level_m};
+  failure_.look(time_s, levels);
+  if (failure_.failures().empty()) margins_.look(solid_, time_s, levels.higher_m());
   acceleration_.add(time_s, solid_.states(), solid_.base().displacement(time_s));
   series_.look(solid_, water_.at(time_s), time_s);
   energy_.look(solid_);

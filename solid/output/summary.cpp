@@ -36,17 +36,20 @@ std::string failure_text(const Solid& solid, const Failure& f) {
 
 /// What the level is good for; empty where it is that of slow filling to a thousandth of the head.
 std::string doubt(const Solid& solid, const Failure& f) {
-  const scene::Analysis& analysis = solid.scene().analysis;
   if (std::isnan(f.level_m)) return {};
-  if (f.time_s == 0 && analysis.kind != scene::AnalysisKind::at_rest) {
-    return "it moves from the start: the level of failure is at most this; begin with a lower one";
+  if (f.bound && solid.scene().analysis.kind == scene::AnalysisKind::at_rest) {
+    return "the level of failure is at most this; try lower ones, or let the level rise in a dynamic analysis";
   }
+  if (f.bound) return "it moves from the start: the level of failure is at most this; begin with a lower one";
   constexpr double exact = 1e-3;  // of the head
   if (!(f.level_uncertainty_m > exact * f.head_m)) return {};
   if (f.window_rise_m > f.level_uncertainty_m / 2) {
     return fmt::format(
         "this level is read to {:.2g} m, what it rises by in a window: fill more slowly or shorten window_s",
         f.level_uncertainty_m);
+  }
+  if (solid.scene().base_motion) {
+    return fmt::format("the ground shakes: this level is good to {:.2g} m", f.level_uncertainty_m);
   }
   return fmt::format(
       "this level depends on the speed of filling: while the structure is shaken it is good to {:.2g} m; the static "
@@ -63,6 +66,7 @@ json failure(const Outcome& o) {
   }
   // NaN (no pool) becomes null.
   json found = {{"level_m", first.level_m},
+                {"pool", first.downstream ? "downstream" : "upstream"},
                 {"head_m", first.head_m},
                 {"level_uncertainty_m", first.level_uncertainty_m},
                 {"time_s", first.time_s},

@@ -36,13 +36,13 @@ void Solid::come_to_rest(const std::vector<Panel>& water, double at_s) {
       continue;
     }
     ++rest_.steps;
-    dt = std::min(longest, 2 * dt);
     const double before = std::exchange(rest_.unbalanced, unbalanced_ratio());
     rest_.found = rest_.unbalanced <= scene_.analysis.residual_tolerance;
     // What only strains or settles halves what is unbalanced, however far it goes; what slides or turns does not.
     const bool settles = rest_.steps == 1 || rest_.unbalanced < before / 2;
     const bool far = largest_displacement_m() - before_m > scene_.analysis.failure_displacement_m;
     if (rest_.found || (far && !settles)) break;
+    dt = settles ? std::min(std::max(longest, dt), 2 * dt) : 2 * dt;
   }
   newmark_ = scheme;
   matrices_dt_ = -1;

@@ -30,13 +30,15 @@ double radius(const Solid& solid, const std::vector<int>& blocks) {
 /// The joint on which a body leaves the others.
 struct FailedJoint {
   std::string name;
-  std::optional<Point> mouth;  ///< m, upstream end in the scene's outline; none where the blocks did not touch there
+  std::optional<Point>
+      mouth;  ///< m, end on the higher pool's side in the scene's outline; none where they did not touch
 };
 
-/// Of the joints that the body leaves, the one that begins farthest upstream. Where it slides those that bear next to
-/// nothing have only opened behind it; where it turns, what has opened belongs to the joint. Blocks that had no joint
-/// count when they press on each other now.
-FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs, bool turns) {
+/// Of the joints that the body leaves, the one that begins nearest to the higher pool. Where it slides those that bear
+/// next to nothing have only opened behind it; where it turns, what has opened belongs to the joint. Blocks that had no
+/// joint count when they press on each other now.
+FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs, bool turns,
+                         bool from_downstream) {
   constexpr double bears = 1e-2;  // of all that the body presses with
   const auto& blocks = solid.scene().blocks;
   const auto normal = [&](const std::pair<int, int>& face) {
@@ -45,17 +47,18 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
   double whole = 0;
   for (const auto& face : body.left) whole += std::max(0.0, normal(face));
   FailedJoint joint;
-  double farthest_x = std::numeric_limits<double>::infinity();
+  double farthest = std::numeric_limits<double>::infinity();  // downstream of the pool, m
   for (const auto& [inside, outside] : body.left) {
     const auto trace = scene::trace_joint(blocks[at(inside)], blocks[at(outside)], 1e-6 * solid.size_m());
     const bool pressed = normal({inside, outside}) > bears * whole;
     if (!pressed && (trace.pieces.empty() || (!turns && whole > 0))) continue;
-    const double x = trace.pieces.empty() ? std::numeric_limits<double>::max() : trace.mouth().x();
-    if (x >= farthest_x) continue;
-    farthest_x = x;
+    double x = std::numeric_limits<double>::max();
+    if (!trace.pieces.empty()) x = from_downstream ? -trace.end().x() : trace.mouth().x();
+    if (x >= farthest) continue;
+    farthest = x;
     const std::string set = joint_set(solid, inside, outside);
     joint = {set.empty() ? joint_name(solid, inside, outside) : set, std::nullopt};
-    if (!trace.pieces.empty()) joint.mouth = trace.mouth();
+    if (!trace.pieces.empty()) joint.mouth = from_downstream ? trace.end() : trace.mouth();
   }
   return joint;
 }
@@ -163,7 +166,7 @@ void FailureWatch::judge() {
   }
 }
 
-void FailureWatch::look(double time_s, double upstream_level_m) {
+void FailureWatch::look(double time_s, const Levels& levels) {
   judge();
   const double far = solid_.scene().analysis.failure_displacement_m;
   const double passed_s = solid_.time_s() - seen_s_;
@@ -176,14 +179,14 @@ void FailureWatch::look(double time_s, double upstream_level_m) {
     block.stood = !stands_[b] ? 0 : begun_ ? std::min(block.stood + 1, a_spell) : a_spell;
     if (!begun_ || slow_[b] || block.stood == a_spell) {
       block.time_s = time_s;
-      block.level_m = block.last_level_m = upstream_level_m;
-      block.next_level_m = nan;
+      block.levels = block.last = levels;
+      block.next_s = -1;
       block.displacement = displacement;
       block.acceleration.setZero();
       if (passed_s > 0) block.acceleration = (velocity - block.velocity) / passed_s;
     } else {
-      if (std::isnan(block.next_level_m)) block.next_level_m = upstream_level_m;
-      if (stands_[b]) block.last_level_m = upstream_level_m;
+      if (block.next_s < 0) block.next = levels, block.next_s = time_s;
+      if (stands_[b]) block.last = levels;
     }
     block.seen = displacement;
     block.velocity = velocity;
@@ -230,31 +233,48 @@ Failure FailureWatch::describe(std::size_t b) const {
   const MovingBody body = moving_body(moved, pairs, stands_, static_cast<int>(b));
   const Watched& last = watched_[b];
   const bool in_time = solid_.scene().analysis.kind != scene::AnalysisKind::at_rest;
+  const bool downstream = last.levels.reversed();
   Failure failure{.blocks = body.blocks,
                   .time_s = in_time ? last.time_s : solid_.scene().analysis.duration_s,
-                  .level_m = last.level_m,
+                  .level_m = last.levels.of(downstream),
+                  .downstream = downstream,
                   .head_m = nan,
+                  .bound = !in_time || last.time_s == 0,
                   .level_uncertainty_m = nan,
                   .window_rise_m = nan,
                   .travel_m = travel(b),
                   .mode = "falling"};
   const Mode mode = mode_of(moved, body, pairs);
-  const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns);
+  const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns, downstream);
   if (joint.name.empty()) return failure;
   failure.joint = joint.name;
   failure.mode = mode.word();
   if (!joint.mouth) return failure;
   failure.head_m = failure.level_m - joint.mouth->y();
+  if (!failure.bound) add_uncertainty(last, failure);
+  return failure;
+}
+
+void FailureWatch::add_uncertainty(const Watched& last, Failure& failure) const {
+  const scene::Scene& scene = solid_.scene();
+  // On the improved schedule the level that acts is that of the window's middle.
+  const double windows = scene.coupling.schedule == scene::Schedule::improved ? 1.5 : 1;
+  if (last.next_s > 0) {
+    failure.window_rise_m = windows * std::abs(last.next.of(failure.downstream) - last.levels.of(failure.downstream));
+  }
+  // A force that grows with the time moves a body by a t^3/6 and makes it as fast as what counts as rest after
+  // sqrt(2 v/a); what turns begins more slowly than that.
+  const double passed_s = solid_.time_s() - last.time_s;
+  const double growth = 6 * failure.travel_m / std::pow(passed_s, 3);
+  const double unseen_s = std::min(passed_s, 2 * std::sqrt(2 * scene.analysis.rest_speed_m_per_s / growth));
+  const double rate = last.next_s > last.time_s ? failure.window_rise_m / (last.next_s - last.time_s) : 0;
   // What inertia holds back or adds when the body last stood, as a rise of the level: rho g head dh.
   Point inertia = Point::Zero();
-  for (const int k : body.blocks) inertia += solid_.blocks()[at(k)].mass_per_m() * watched_[at(k)].acceleration;
-  const double per_m =
-      solid_.scene().water.density_kg_per_m3 * solid_.scene().analysis.gravity_m_per_s2 * failure.head_m;
+  for (const int k : failure.blocks) inertia += solid_.blocks()[at(k)].mass_per_m() * watched_[at(k)].acceleration;
+  const double per_m = scene.water.density_kg_per_m3 * scene.analysis.gravity_m_per_s2 * failure.head_m;
   const double held_back_m = per_m > 0 ? inertia.norm() / per_m : 0;
-  failure.window_rise_m = std::isnan(last.next_level_m) ? 0 : std::abs(last.next_level_m - last.level_m);
-  failure.level_uncertainty_m =
-      failure.window_rise_m + std::max(std::abs(last.last_level_m - last.level_m), held_back_m);
-  return failure;
+  const double stuck_m = std::abs(last.last.of(failure.downstream) - last.levels.of(failure.downstream));
+  failure.level_uncertainty_m = failure.window_rise_m + rate * unseen_s + std::max(stuck_m, held_back_m);
 }
 
 }  // namespace blockweir::solid

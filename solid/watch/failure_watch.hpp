@@ -12,14 +12,32 @@
 
 namespace blockweir::solid {
 
+/// Of the pools, where there are any [m]; NaN where not.
+struct Levels {
+  double upstream_m = std::numeric_limits<double>::quiet_NaN();
+  double downstream_m = std::numeric_limits<double>::quiet_NaN();
+
+  /// The downstream pool stands higher: the structure is pushed upstream.
+  [[nodiscard]] bool reversed() const { return !std::isnan(downstream_m) && !(upstream_m >= downstream_m); }
+  [[nodiscard]] double of(bool downstream) const { return downstream ? downstream_m : upstream_m; }
+  [[nodiscard]] double higher_m() const { return of(reversed()); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(upstream_m, downstream_m);
+  }
+};
+
 /// Of blocks that move as one body.
 struct Failure {
   std::vector<int> blocks;  ///< in the scene's order
   double time_s = 0;        ///< when it last stood
-  double level_m = 0;       ///< upstream level that acted then; NaN without a pool
-  double head_m = 0;        ///< of it above the upstream end of the joint that failed; NaN without a pool
-  /// The level's rise in a window, and what it rose by while the body stuck from time to time, or what inertia stands
-  /// for: a fast filling, a structure that rings. NaN likewise.
+  double level_m = 0;       ///< of the higher pool then; NaN without a pool
+  bool downstream = false;  ///< that is the downstream one
+  double head_m = 0;        ///< of it above the end of the joint that failed on its side; NaN without a pool
+  bool bound = false;       ///< it has not stood at any lower level: that of failure is at most this
+  /// The level's rise in a window and while the body was too slow to be seen, and what it rose by while it stuck from
+  /// time to time, or what inertia stands for: a fast filling, a structure that rings. NaN likewise, and for a bound.
   double level_uncertainty_m = 0;
   double window_rise_m = 0;  ///< the first part of it
   double travel_m = 0;       ///< when the failure was certain
@@ -28,7 +46,8 @@ struct Failure {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(blocks, time_s, level_m, head_m, level_uncertainty_m, window_rise_m, travel_m, mode, joint);
+    archive(blocks, time_s, level_m, downstream, head_m, bound, level_uncertainty_m, window_rise_m, travel_m, mode,
+            joint);
   }
 };
 
@@ -43,8 +62,8 @@ class FailureWatch {
  public:
   explicit FailureWatch(const Solid& solid);
 
-  /// Looks at the state at `time_s`, reached under `upstream_level_m`.
-  void look(double time_s, double upstream_level_m);
+  /// Looks at the state at `time_s`, reached under these levels.
+  void look(double time_s, const Levels& levels);
 
   /// At the last look every block was at rest, or strained slowly.
   [[nodiscard]] bool calm() const { return calm_; }
@@ -63,10 +82,11 @@ class FailureWatch {
  private:
   struct Watched {
     double time_s = 0;  ///< when the block last stood
-    double level_m = 0;
-    double next_level_m = 0;  ///< at the look after that
-    double last_level_m = 0;  ///< when contacts last left it no motion since then
-    int stood = 0;            ///< looks in a row
+    Levels levels;
+    Levels next;         ///< at the look after that
+    double next_s = -1;  ///< its time; negative before
+    Levels last;         ///< when contacts last left it no motion since then
+    int stood = 0;       ///< looks in a row
     Vector6 displacement = Vector6::Zero();
     Point acceleration = Point::Zero();  ///< of its centroid, then
     Vector6 seen = Vector6::Zero();      ///< displacement at the last look
@@ -75,13 +95,14 @@ class FailureWatch {
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(time_s, level_m, next_level_m, last_level_m, stood, displacement, acceleration, seen, velocity, failed);
+      archive(time_s, levels, next, next_s, last, stood, displacement, acceleration, seen, velocity, failed);
     }
   };
   void judge();
   [[nodiscard]] double speed(std::size_t block) const;
   [[nodiscard]] double travel(std::size_t block) const;
   [[nodiscard]] Failure describe(std::size_t block) const;
+  void add_uncertainty(const Watched& last, Failure& failure) const;
 
   const Solid& solid_;
   std::vector<Watched> watched_;

@@ -25,8 +25,8 @@ struct Margin {
 
 class Margins {
  public:
-  /// Looks at the state at `time_s`, reached under `upstream_level_m`.
-  void look(const Solid& solid, double time_s, double upstream_level_m);
+  /// Looks at the state at `time_s`, reached under this level of the higher pool.
+  void look(const Solid& solid, double time_s, double level_m);
 
   /// Lowest ratio of shear strength to shear force. None where no surface carries shear.
   [[nodiscard]] const std::optional<Margin>& sliding() const { return sliding_; }

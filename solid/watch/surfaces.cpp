@@ -8,6 +8,7 @@
 #include <set>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/check.hpp"
 #include "solid/watch/joint_name.hpp"
 
 namespace blockweir::solid {
@@ -86,12 +87,17 @@ class Connections {
   std::size_t grounded_ = 0;
 };
 
-/// Outline points of each joint's closed contacts.
+/// Outline points of each joint: vertices that lie on an edge of the other block there, whether they press on it now or
+/// not.
 std::map<Pair, std::vector<Point>> joint_points(const Solid& solid) {
+  const double touching_m = scene::rounding_ratio * solid.size_m();
   std::map<Pair, std::vector<Point>> points;
   for (const ContactPoint& c : solid.contacts()) {
-    if (c.state == ContactState::open) continue;
-    points[c.pair()].push_back(solid.blocks()[at(c.vertex_part)].centroid + c.vertex_at);
+    const Point vertex = solid.blocks()[at(c.vertex_part)].centroid + c.vertex_at;
+    const Point from = solid.blocks()[at(c.edge_part)].centroid + c.edge_from;
+    const Point along = c.edge_to - c.edge_from;
+    const double share = std::clamp(along.dot(vertex - from) / along.squaredNorm(), 0.0, 1.0);
+    if ((from + share * along - vertex).norm() <= touching_m) points[c.pair()].push_back(vertex);
   }
   return points;
 }

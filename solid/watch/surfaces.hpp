@@ -16,7 +16,7 @@ namespace blockweir::solid {
 
 class Surfaces {
  public:
-  /// Of the contacts that are closed now. Fixed blocks, and blocks that a support holds, are the ground.
+  /// Of the joints that touch in the scene's outline. Fixed blocks, and blocks that a support holds, are the ground.
   explicit Surfaces(const Solid& solid);
   Surfaces() = default;
 

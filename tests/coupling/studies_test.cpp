@@ -132,8 +132,8 @@ TEST_F(Studies, AMapOfWhatTheSceneHasNotSaysSo) {
   };
   EXPECT_EQ(map_of("displacment_m"), 2);
   EXPECT_THAT(text("out"), HasSubstr("did you mean \"displacement_m\"?"));
-  EXPECT_EQ(map_of("point_stress_yy_pa"), 1);
-  EXPECT_THAT(text("out"), HasSubstr("point_stress_yy_pa\" needs at_m = [x, y]"));
+  EXPECT_EQ(map_of("point_stress_yy_pa"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("point_stress_yy_pa in [[map]] \"m\" needs at_m"));
 }
 
 TEST_F(Studies, AnOrderThatCannotBeSaysWhy) {

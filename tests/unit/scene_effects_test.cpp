@@ -34,16 +34,16 @@ TEST(SceneEffects, TheSampleHasNoWarning) {
 
 TEST(SceneEffects, AJointWithUpliftOrBondWhoseBlocksDoNotTouchIsAnErrorThatNamesThoseThatDo) {
   for (const char* law : {"uplift = \"full\"\n", "cohesion_pa = 1e5\n", "tension_strength_pa = 1e5\n"}) {
-    expect_error(
-        before_supports(beside_the_crack + law), 33,
-        {"blocks \"ground\" and \"top\" of [[joints]] \"foot\" share no boundary: its bond or uplift acts nowhere",
-         "expected two blocks that touch along a line", "\"ground\" touches \"base\", \"top\" touches \"base\""});
+    expect_error(before_supports(beside_the_crack + law), 33,
+                 {"blocks \"ground\" and \"top\" of [[joints]] \"foot\" share no boundary (",
+                  "m apart): its bond or uplift acts nowhere", "expected two blocks that touch along a line",
+                  "\"ground\" touches \"base\", \"top\" touches \"base\""});
   }
 }
 
 TEST(SceneEffects, AJointOfBlocksThatMayMeetLaterIsAWarning) {
   expect_warning(before_supports(beside_the_crack + "friction_angle_deg = 20\n"), 33,
-                 {"share no boundary: its law acts once they meet", "\"ground\" touches \"base\""});
+                 {"m apart): its law acts once they meet", "\"ground\" touches \"base\""});
 }
 
 TEST(SceneEffects, AJointOfFixedBlocksIsAnError) {
