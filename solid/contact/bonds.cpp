@@ -50,15 +50,16 @@ class Bonds {
   }
 
   [[nodiscard]] bool lose(std::span<const int> joint) const {
-    const auto any = [&](auto&& what) {
-      return std::any_of(joint.begin(), joint.end(), [&](int k) { return what(contacts_[at(k)]); });
-    };
-    const auto slips = [](double side) {
-      return [side](const ContactPoint& c) { return c.state == ContactState::slip && side * c.force.y() > 0; };
-    };
-    // What slips to both sides only spreads under its load.
-    const bool held = any([&](const ContactPoint& c) { return c.state == ContactState::stick && breakable(c); }) ||
-                      (any(slips(1)) && any(slips(-1)));
+    double shear_n = 0;
+    double strength_n = 0;
+    for (const int k : joint) {
+      const ContactPoint& c = contacts_[at(k)];
+      if (c.state == ContactState::open) continue;
+      shear_n += c.force.y();
+      strength_n += laws_[c.law].strength(c.bond, c.bond_length).shear_bound(c.force.x());
+    }
+    constexpr double round_off = 1e-9;
+    const bool held = std::abs(shear_n) < (1 - round_off) * strength_n;
     const auto survives = [&](const ContactPoint& c) {
       if (c.state == ContactState::stick) return true;
       return c.state == ContactState::slip && (laws_[c.law].softening_slip_m > 0 || held);

@@ -13,10 +13,10 @@ namespace blockweir::solid {
 /// Breaks the bonds that the converged forces exceed; true if there were any: equilibrium is to be found again. Bonds
 /// hold until then, whatever iterates asked of them. Of a joint in tension the contacts break that exceed its strength
 /// most; what the others bear without them is told by the next equilibrium. One without tension strength is let go: its
-/// bond is lost if it is open in equilibrium. In shear the brittle joint of two blocks breaks as a whole, once all
-/// contacts of it slip to one side: before, one that slips hands its share to the others, wherever along the joint the
-/// bond is. A softening one loses its bond with the slip. Contacts of a joint follow each other, as the search finds
-/// them.
+/// bond is lost if it is open in equilibrium. In shear the brittle joint of two blocks breaks as a whole, once its
+/// shear reaches the strength of all its contacts: before, one that slips hands its share to the others, wherever along
+/// the joint the bond is, and one that slips to the other side only spreads. A softening one loses its bond with the
+/// slip. Contacts of a joint follow each other, as the search finds them.
 bool break_bonds(const JointLaws& laws, double tolerance_n, std::span<const int> contact_ids,
                  std::vector<ContactPoint>& contacts);
 

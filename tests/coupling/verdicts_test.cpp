@@ -151,6 +151,39 @@ TEST_F(Verdicts, WhatMovesFromTheStartFailsBelowItsFirstLevel) {
   const auto summary = run(dam.scene());
   ASSERT_EQ(summary["outcome"], "fails") << text("out");
   EXPECT_THAT(summary["failure"]["doubt"].get<std::string>(), HasSubstr("moves from the start"));
+  EXPECT_TRUE(summary["failure"]["level_uncertainty_m"].is_null());
+}
+
+TEST_F(Verdicts, TheLevelIsThatOfTheHigherPool) {
+  Monolith dam;
+  const double level = dam.sliding_level();
+  dam.level = fmt::format("2\ndownstream_level_m = {{ table = [[0, {}], [20, {}]] }}", 0.98 * level, 1.1 * level);
+  std::string mirrored = dam.scene();
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    const auto found = mirrored.find(from);
+    ASSERT_NE(found, std::string::npos) << from;
+    mirrored.replace(found, from.size(), to);
+  };
+  replace("[[0, 0], [12, 0], [3, 20], [0, 20]]", "[[0, 0], [12, 0], [12, 20], [9, 20]]");
+  const auto summary = run(mirrored);
+  ASSERT_EQ(summary["outcome"], "fails") << text("out");
+  EXPECT_EQ(summary["failure"]["pool"], "downstream");
+  // With 2 m on the other side: rho g (h^2 - 2^2)/2 = (W - rho g B (h + 2)/2) tan(phi).
+  const double tangent = std::tan(33 * std::numbers::pi / 180);
+  const double b = tangent * 12 / 2;
+  const double constant = 4 + 2 * tangent * (2400 * 9.81 * 150 / weight_of_water - 12);
+  EXPECT_NEAR(summary["failure"]["level_m"].get<double>() / (-b + std::sqrt(b * b + constant)), 1, 2e-3);
+  EXPECT_EQ(summary["failure"]["head_m"], summary["failure"]["level_m"]);
+  EXPECT_THAT(text("out"), HasSubstr("(downstream pool)"));
+}
+
+TEST_F(Verdicts, AStaticAnalysisThatFailsSaysThatItsLevelIsABound) {
+  Monolith dam{.analysis = "kind = \"static\"\nduration_s = 1"};
+  dam.level = fmt::format("{}", 1.1 * dam.sliding_level());
+  const auto summary = run(dam.scene());
+  ASSERT_EQ(summary["outcome"], "fails") << text("out");
+  EXPECT_THAT(summary["failure"]["doubt"].get<std::string>(), HasSubstr("at most this"));
+  EXPECT_TRUE(summary["failure"]["level_uncertainty_m"].is_null());
 }
 
 /// Four lifts of 3 x 2 m, bonded to each other but not to the ground.

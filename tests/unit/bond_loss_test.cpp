@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "solid/contact/bonds.hpp"
 
 namespace blockweir::solid {
 namespace {
+
+const double strength = 1 + 10 * std::tan(std::acos(-1.0) / 6);  ///< of a contact, N per metre
 
 /// Two contacts of one joint, each with a normal force of 10 N/m, in these states with these shear forces.
 struct Joint {
@@ -32,18 +35,18 @@ struct Joint {
 };
 
 TEST(BondLoss, AJointBreaksOnceAllOfItSlipsToOneSide) {
-  Joint joint({ContactState::slip, ContactState::slip}, {6, 7});
+  Joint joint({ContactState::slip, ContactState::slip}, {strength, strength});
   EXPECT_TRUE(joint.breaks());
   EXPECT_EQ(joint.contacts[0].bond, 0);
   EXPECT_EQ(joint.contacts[1].bond, 0);
 }
 
 TEST(BondLoss, WhatSticksHoldsTheOthers) {
-  EXPECT_FALSE(Joint({ContactState::slip, ContactState::stick}, {6, 2}).breaks());
+  EXPECT_FALSE(Joint({ContactState::slip, ContactState::stick}, {strength, 2}).breaks());
 }
 
 TEST(BondLoss, AJointThatOnlySpreadsUnderItsLoadKeepsItsBond) {
-  EXPECT_FALSE(Joint({ContactState::slip, ContactState::slip}, {6, -6}).breaks());
+  EXPECT_FALSE(Joint({ContactState::slip, ContactState::slip}, {strength, -strength}).breaks());
 }
 
 }  // namespace

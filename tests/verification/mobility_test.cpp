@@ -88,6 +88,27 @@ TEST(Surfaces, OfAWallAreItsBedJointsAndNoneOfItsHeadJoints) {
   EXPECT_TRUE(surfaces.of({1, 2}).empty());  // upright, between two bricks of a row
 }
 
+TEST(Surfaces, AreThoseOfTheOutlineWhereAJointHasOpened) {
+  auto scene = empty_scene();
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 80;
+  add_box(scene, -5, -1, 10, 1, true);
+  for (const double x : {0.0, 1.0}) add_box(scene, x, 0, 1, 4);
+  scene::PointLoad load{.block = 1, .point_m = Point(0, 4)};  // more than one box bears, less than both
+  load.force_x_n_per_m = scene::TimeTable::constant(0.18 * 4 * 2500 * 9.81);
+  load.force_y_n_per_m = scene::TimeTable::constant(0);
+  scene.point_loads.push_back(load);
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 0.1);
+  const auto opened = [](const ContactPoint& c) {
+    return c.pair() == std::pair{0, 1} && c.state == ContactState::open && c.gap > 1e-9;
+  };
+  ASSERT_TRUE(std::any_of(solid.contacts().begin(), solid.contacts().end(), opened));
+  const Surfaces surfaces(solid);
+  EXPECT_FALSE(surfaces.of({0, 1}).empty());
+  EXPECT_EQ(surfaces.of({0, 1}), surfaces.of({0, 2}));
+}
+
 TEST(Surfaces, OfATowerAreAllItsJoints) {
   const auto scene = frame(30);
   Solid solid(scene);

@@ -124,5 +124,27 @@ TEST(Start, AStartThatFailsNamesWhatMovesAndWhatDoesNotFit) {
   EXPECT_NE(text.find("blocks \"b1\" and \"b0\" fit least, at ("), std::string::npos) << text;
 }
 
+/// A soft block that a push of 1.2 times its friction moves from the start.
+TEST(Start, WhatMovesFromTheStartBeginsWhereTheSceneHasIt) {
+  for (const bool rigid : {true, false}) {
+    auto scene = empty_scene();
+    scene.materials[0].youngs_modulus_pa = 1e8;
+    scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 20;
+    add(scene, {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, true);
+    add(scene, {{0, 0}, {3, 0}, {3, 2}, {0, 2}});
+    scene.blocks[1].rigid = rigid;
+    scene::BodyLoad push;
+    push.blocks = {1};
+    push.value = {scene::TimeTable::constant(1.2 * 9.81 * std::tan(std::acos(-1.0) / 9)),
+                  scene::TimeTable::constant(0)};
+    scene.body_loads.push_back(push);
+    Solid solid(scene);
+    solid.settle({});
+    const double strained = 2500 * 9.81 * 2 / 1e8 * 3;  // m, of its own weight over its length
+    EXPECT_LT(solid.largest_displacement_m(), rigid ? 1e-12 : strained) << rigid;
+    EXPECT_TRUE(solid.states()[1].velocity.isZero(0));
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::solid
