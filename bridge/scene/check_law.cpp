@@ -60,6 +60,13 @@ void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool o
   if (law.dilation_angle_deg == 0 && law.dilation_limit_m) {
     without("dilation_limit_m", "dilation_angle_deg", {"dilation_angle_deg"});
   }
+  if (table.has("residual_friction_angle_deg") && law.residual_friction_angle_deg > law.friction_angle_deg) {
+    reading.problems.warning(
+        table.place("residual_friction_angle_deg"),
+        fmt::format("residual_friction_angle_deg {} in {} is above the peak {}: the joint grows stronger as it slips",
+                    law.residual_friction_angle_deg, table.name(), law.friction_angle_deg),
+        "a residual angle up to the peak one", "exchange the two, if that is not meant");
+  }
   if (law.softening_slip_m > 0) beside_keeping("softening_slip_m");
   if (law.residual_friction_angle_deg != law.friction_angle_deg) beside_keeping("residual_friction_angle_deg");
   if (bond && law.bonded_length_m == 0.0 && table.has("bonded_length_m")) {

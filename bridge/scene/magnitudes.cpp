@@ -85,7 +85,16 @@ void check_steps(const toml::table& file, const Scene& scene, Problems& problems
   constexpr double most = 1e8;
   const double steps = scene.analysis.duration_s / scene.analysis.step_s;
   if (steps <= most) return;
-  problems.warning(problems.at(file["analysis"]["duration_s"].node()->source()),
+  const toml::node* stated = file["analysis"]["duration_s"].node();
+  if (stated == nullptr) stated = file["analysis"]["step_s"].node();
+  constexpr double countable = 1e15;
+  if (steps > countable) {
+    return problems.error(problems.at(stated->source()),
+                          fmt::format("duration_s {:.3g} in steps of {:.3g} s takes {:.2g} steps",
+                                      scene.analysis.duration_s, scene.analysis.step_s, steps),
+                          fmt::format("at most {:.0e} steps", countable), "shorten duration_s, or lengthen step_s");
+  }
+  problems.warning(problems.at(stated->source()),
                    fmt::format("duration_s {:.3g} in steps of {:.3g} s takes {:.2g} steps, which is unusual",
                                scene.analysis.duration_s, scene.analysis.step_s, steps),
                    fmt::format("at most {:.0e} steps", most), "shorten duration_s, or lengthen step_s");

@@ -10,6 +10,7 @@
 #include "bridge/scene/at.hpp"
 #include "solid/output/formulas.hpp"
 #include "solid/output/words.hpp"
+#include "solid/watch/joint_name.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -107,8 +108,37 @@ json margin(const Outcome& o) {
         {"end_distance", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
     text += fmt::format("; resultant nearest to an end (0: overturns): {:.4g} of the length of", m->value) + place(*m);
   }
+  const ContactRow* slipped = nullptr;
+  for (const ContactRow& c : o.last.contacts) {
+    if (slipped == nullptr || std::abs(c.slip_m) > std::abs(slipped->slip_m)) slipped = &c;
+  }
+  constexpr double seen = 0.1;  // of a failure: what strains slips by less
+  if (slipped != nullptr && std::abs(slipped->slip_m) > seen * o.solid.scene().analysis.failure_displacement_m) {
+    const std::string joint = joint_name(o.solid, slipped->vertex_block, slipped->edge_block);
+    found["slip_m"] = std::abs(slipped->slip_m);
+    found["slip_joint"] = joint;
+    text += fmt::format("; it has slipped by {:.3g} m on joint \"{}\"", std::abs(slipped->slip_m), joint);
+  }
   found["text"] = text;
   return found;
+}
+
+/// A pool whose level at the end has not acted: a window holds the level that it begins with.
+void add_levels_not_reached(const Outcome& o, json& warnings) {
+  const scene::Scene& scene = o.solid.scene();
+  if (scene.fluid != scene::FluidModel::hydrostatic || o.last.time_s < scene.analysis.duration_s) return;
+  const auto look = [&](const char* pool, const std::optional<scene::TimeTable>& table, double acted_m) {
+    constexpr double far = 1e-3;  // of the structure
+    if (!table || std::isnan(acted_m)) return;
+    const double end_m = table->at(scene.analysis.duration_s);
+    if (std::abs(end_m - acted_m) <= far * 2 * o.solid.size_m()) return;
+    warnings.push_back(
+        fmt::format("the {} level at the end, {:.6g} m, has not acted: the last window held {:.6g} m; "
+                    "shorten window_s, or hold the level for a while",
+                    pool, end_m, acted_m));
+  };
+  look("upstream", scene.water.upstream_level_m, o.last.upstream_level_m);
+  look("downstream", scene.water.downstream_level_m, o.last.downstream_level_m);
 }
 
 json number_check(const Outcome& outcome, const scene::Expectation& e) {
@@ -233,6 +263,7 @@ json summary(const Outcome& outcome) {
     text["outcome"] = still ? "moving" : "stands";
     if (still) text["moving"] = moving(outcome.solid, *still);
     text["margin"] = margin(outcome);
+    add_levels_not_reached(outcome, text["warnings"]);
   }
   if (scene.analysis.kind == scene::AnalysisKind::at_rest) {
     const Rest& rest = outcome.solid.rest();

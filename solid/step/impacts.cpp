@@ -12,6 +12,13 @@ namespace blockweir::solid {
 /// one more, whose acceleration is that of the forces that act.
 bool Solid::make_step(double dt, double end_s, const std::vector<Panel>& water) {
   made_by_shi_ = true;
+  // Without velocities a step as short as the scene's would hold back by inertia what is led, and let it spring back at
+  // rest: one long against elastic periods follows what is led through states of rest.
+  constexpr double longer = 10;
+  if (scene_.analysis.kind == scene::AnalysisKind::quasi_static) {
+    const double long_s = longer * pseudo_step_s();
+    if (long_s > dt && try_step(long_s, end_s, water)) return true;
+  }
   if (!newmark_.second_order() || !newmark_.damps) return try_step(dt, end_s, water);
   if (smooth_steps_ >= smooth_steps_before_restart) {
     smooth_only_ = true;

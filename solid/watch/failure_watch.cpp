@@ -211,10 +211,16 @@ void FailureWatch::look(double time_s, const Levels& levels) {
 }
 
 std::optional<Moving> FailureWatch::moving() const {
+  std::vector<bool> free(watched_.size());
+  for (std::size_t b = 0; b < free.size(); ++b) free[b] = !solid_.blocks()[b].fixed && !guided_[b];
+  const std::vector<bool> held = only_strain(solid_, free);
+  const double begins = 1e-4 * solid_.scene().analysis.gravity_m_per_s2;
   std::optional<Moving> fastest;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const Watched& block = watched_[b];
-    if (solid_.blocks()[b].fixed || guided_[b] || block.failed || slow_[b] || block.stood == a_spell) continue;
+    if (!free[b] || block.failed || (!slow_[b] && block.stood == a_spell)) continue;
+    // A slow one may have begun to move.
+    if (slow_[b] && (held[b] || solid_.states()[b].acceleration.head<2>().norm() < begins)) continue;
     const double fast = speed(b);
     if (!fastest || fast > fastest->speed_m_per_s) fastest = {static_cast<int>(b), fast, travel(b)};
   }

@@ -40,7 +40,8 @@ TEST_F(Said, AWarningStandsBeforeTheRunInItsReportAndInItsSummary) {
   ASSERT_EQ(shell(programs + "/blockweir run s.toml --out o"), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("s.toml:6: warning: density_kg_per_m3 in [material.m] is 2.4 kg/m3"));
   EXPECT_THAT(text("out"), HasSubstr("WARNING density_kg_per_m3 in [material.m] is 2.4 kg/m3, which is unusual"));
-  EXPECT_THAT(summary()["warnings"].at(0).get<std::string>(), HasSubstr("2.4 is t/m3 and 23.5 is kN/m3, both are 2400 kg/m3"));
+  EXPECT_THAT(summary()["warnings"].at(0).get<std::string>(),
+              HasSubstr("2.4 is t/m3 and 23.5 is kN/m3, both are 2400 kg/m3"));
 }
 
 TEST_F(Said, StrictMakesAnErrorOfAWarning) {

@@ -122,6 +122,15 @@ TEST_F(Studies, AMapOfANumberJudgesByTheTolerance) {
   EXPECT_EQ(study(), 2);
 }
 
+TEST_F(Studies, ARunThatEndsOnTheMoveIsMadeLonger) {
+  write_scene(
+      "[[limit]]\nname = 'slope'\nkey = 'analysis.gravity_tilt_deg'\nset = ['analysis.duration_s=0.05']\nfrom = 20\nto "
+      "= 40\nvalue = 30\ntolerance = 0.02\n");
+  EXPECT_EQ(study(), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("moving"));
+  EXPECT_NEAR(result("slope")["check"]["got"].get<double>(), 30, 0.6);
+}
+
 TEST_F(Studies, AMapOfWhatTheSceneHasNotSaysSo) {
   const auto map_of = [&](const std::string& quantity) {
     write_scene(

@@ -186,6 +186,32 @@ TEST_F(Verdicts, AStaticAnalysisThatFailsSaysThatItsLevelIsABound) {
   EXPECT_TRUE(summary["failure"]["level_uncertainty_m"].is_null());
 }
 
+TEST_F(Verdicts, ALevelThatHasNotActedIsSaid) {
+  Monolith dam{.analysis = "duration_s = 24\nstep_s = 8"};
+  const double level = dam.sliding_level();
+  dam.level = fmt::format("{{ table = [[0, {}], [24, {}]] }}", 0.5 * level, 1.2 * level);
+  const auto summary = run(dam.scene());
+  EXPECT_EQ(summary["outcome"], "stands") << text("out");
+  EXPECT_THAT(summary["warnings"].dump(), HasSubstr("has not acted"));
+}
+
+TEST_F(Verdicts, WhatHasSlippedAndStandsSaysHowFar) {
+  Monolith dam{.analysis = "duration_s = 2\nstep_s = 0.01"};
+  const double level = dam.sliding_level();
+  dam.level = fmt::format("{{ table = [[0, {}], [0.2, {}], [0.4, {}]] }}", 0.98 * level, 1.06 * level, 0.9 * level);
+  const auto summary = run(dam.scene());
+  ASSERT_EQ(summary["outcome"], "stands") << text("out");
+  EXPECT_GT(summary["margin"]["slip_m"].get<double>(), 1e-3);
+  EXPECT_EQ(summary["margin"]["slip_joint"], "base");
+  EXPECT_THAT(text("out"), HasSubstr("it has slipped by"));
+}
+
+TEST_F(Verdicts, ARunTooShortToSeeAMotionDoesNotSayThatTheDamStands) {
+  Monolith dam{.analysis = "duration_s = 1e-6\nstep_s = 1e-7"};
+  dam.level = fmt::format("{}", 1.05 * dam.sliding_level());
+  EXPECT_EQ(run(dam.scene())["outcome"], "moving") << text("out");
+}
+
 /// Four lifts of 3 x 2 m, bonded to each other but not to the ground.
 std::string lifts(const std::vector<int>& order, double friction_angle_deg, double from_m, double to_m) {
   std::string text = R"([analysis]

@@ -87,6 +87,11 @@ TEST(SceneEffects, ABondOfNoLengthIsAWarning) {
                  {"its cohesion and tension strength act nowhere"});
 }
 
+TEST(SceneEffects, AResidualAngleAboveThePeakIsAWarning) {
+  expect_warning(with("cohesion_pa = 1e5", "cohesion_pa = 1e5\nresidual_friction_angle_deg = 60"), 31,
+                 {"is above the peak", "exchange the two"});
+}
+
 TEST(SceneEffects, WhatFollowsTheFailureOfABondThatIsKeptIsAWarning) {
   expect_warning(with("cohesion_pa = 1e5", "cohesion_pa = 1e5\nkeeps_cohesion = true\nsoftening_slip_m = 0.1"), 32,
                  {"softening_slip_m", "with keeps_cohesion the bond never fails"});

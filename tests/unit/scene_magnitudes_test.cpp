@@ -89,6 +89,10 @@ TEST(SceneMagnitudes, AModelHasLessStressThanADam) {
   EXPECT_THAT(warnings(with("cohesion_pa = 1e5", "cohesion_pa = 300")), testing::SizeIs(1));
 }
 
+TEST(SceneMagnitudes, MoreStepsThanCanBeCountedAreAnError) {
+  sample::expect_error(with("step_s = 0.01", "step_s = 1e-300"), 4, {"takes 2e+300 steps", "lengthen step_s"});
+}
+
 TEST(SceneMagnitudes, MoreStepsThanARunCanMake) {
   expect_warning(
       with("duration_s = 2.0", "duration_s = 2e6", with("table = [[0, 1], [2, 3]]", "table = [[0, 1], [1e6, 3]]")), 4,

@@ -69,6 +69,21 @@ TEST_P(Joints, ADilatingJointOpensByTheTangentOfItsAngleUpToItsLimit) {
   }
 }
 
+/// At steps so short that inertia would hold it back, and at rest it would spring back.
+TEST_P(Joints, ALedBlockBearsItsFrictionAtShortQuasiStaticSteps) {
+  auto scene = led_block();
+  scene.analysis.step_s = 0.01;
+  scene.supports[0].displacement_x_m = scene::TimeTable{.time_s = {0, 1}, .value = {0, 0.01}};
+  // Multipliers share what is redundant by a compliance of theirs.
+  const double tolerance = GetParam() == scene::ContactFormulation::lagrange_multiplier ? 5e-3 : 1e-3;
+  Solid solid(scene);
+  solid.settle({});
+  for (int n = 0; n < 60; ++n) {
+    solid.advance(n * 0.01, (n + 1) * 0.01, {});
+    if (n % 20 == 19) EXPECT_NEAR(shear(solid) / (weight * std::tan(30 * pi / 180)), 1, tolerance) << n;
+  }
+}
+
 TEST_P(Joints, ASofteningJointLosesCohesionAndPeakFrictionLinearlyWithItsSlip) {
   auto scene = led_block();
   scene.default_joint.residual_friction_angle_deg = 20;

@@ -94,7 +94,7 @@ TEST(Surfaces, AreThoseOfTheOutlineWhereAJointHasOpened) {
   add_box(scene, -5, -1, 10, 1, true);
   for (const double x : {0.0, 1.0}) add_box(scene, x, 0, 1, 4);
   scene::PointLoad load{.block = 1, .point_m = Point(0, 4)};  // more than one box bears, less than both
-  load.force_x_n_per_m = scene::TimeTable::constant(0.18 * 4 * 2500 * 9.81);
+  load.force_x_n_per_m = scene::TimeTable::constant(0.35 * 4 * 2500 * 9.81);
   load.force_y_n_per_m = scene::TimeTable::constant(0);
   scene.point_loads.push_back(load);
   Solid solid(scene);
