@@ -30,9 +30,10 @@ inline const std::vector<Short>& short_versions() {
       {"cracked-dam-lower-openfoam",
        "",
        {"fluid.cells_in_depth=10", "analysis.duration_s=2", "water.upstream_level_m={table=[[0,20.4],[2,21.2]]}"}},
-      {"cracked-dam-upper-openfoam",
+      {"cracked-dam-upper-openfoam",  // within 1 s its top slides by less than 0.001 of the dam's size
        "",
-       {"fluid.cells_in_depth=10", "analysis.duration_s=1", "water.upstream_level_m={table=[[0,21.9],[1,22.4]]}"}},
+       {"fluid.cells_in_depth=10", "analysis.duration_s=1", "water.upstream_level_m={table=[[0,21.9],[1,22.4]]}",
+        "analysis.failure_displacement_m=0.01"}},
       {"dam-break", "", {"fluid.cells_in_depth=20"}},
       {"floating-block", "", {"fluid.cells_in_depth=16"}},
       {"floating-block", "light slab", {"fluid.cells_in_depth=16"}},

@@ -157,7 +157,8 @@ std::vector<Misfit> misfits(const scene::Scene& scene, const Grid& grid) {
     if (dry > 0) f.note(dry * pressure * length, e.middle());
     const std::optional<Wall> wall = thin_wall(e, grid, filled, outlines);
     if (!wall) continue;
-    double behind = 0;
+    // Air beyond holds back water that would have to rise to it.
+    double behind = weight * std::max(0.0, wall->beyond.y() - e.middle().y());
     for (const ExactPool& pool : pools) {
       if (pool.holds(wall->beyond)) behind = std::max(behind, weight * pool.depth(e.middle()));
     }

@@ -55,8 +55,10 @@ TEST_F(OwnCase, IsNotOverwritten) {
   EXPECT_EQ(shell(programs + "/blockweir case scene --out c"), 0) << text("out");
 }
 
+/// By a slip of 1 cm, for which 1 s is long enough.
 TEST_F(OwnCase, FailsAtTheHeadOfTheCaseThatTheSceneWrites) {
   const std::string scene = cases + "cracked-dam-upper-openfoam" + set("analysis.duration_s=1") +
+                            set("analysis.failure_displacement_m=0.01") +
                             set("water.upstream_level_m={table=[[0,21.9],[1,22.4]]}");
   EXPECT_EQ(shell(programs + "/blockweir run " + scene + set("fluid.cells_in_depth=10") + " --quiet --out written"), 0)
       << text("out");

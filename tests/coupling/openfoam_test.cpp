@@ -121,9 +121,11 @@ TEST_F(Square, HalfUnderWaterIsLiftedByHalfOfIt) {
 
 class TwoProcesses : public OpenFoam {};
 
+/// By a slip of 1 cm, for which 1 s is long enough.
 TEST_F(TwoProcesses, FailAtTheHeadAtWhichOneDoes) {
   const std::string more = cells(10) + set("water.upstream_level_m={table=[[0,21.9],[1,22.4]]}") +
-                           set("analysis.duration_s=1") + set("analysis.stop_at_failure=true");
+                           set("analysis.duration_s=1") + set("analysis.failure_displacement_m=0.01") +
+                           set("analysis.stop_at_failure=true");
   EXPECT_EQ(run(cases + "cracked-dam-upper", "one", more), 0) << text("out");
   EXPECT_EQ(run(cases + "cracked-dam-upper", "two", more + set("fluid.processes=2")), 0) << text("out");
   EXPECT_THAT(text("two/openfoam/log.interFoam"), testing::HasSubstr("nProcs : 2"));

@@ -63,6 +63,13 @@ TEST(OpenFoamResolution, AThinPlateWithTheSameWaterOnBothSidesIsFine) {
   EXPECT_THAT(told({{"dam", box(0, 0, 6, 11)}, {"plate", box(-5, 3, -4.8, 6)}}), IsEmpty());
 }
 
+TEST(OpenFoamResolution, AThinSlabThatFloatsHalfUnderWaterIsFine) {
+  for (const double bottom : {9.3, 9.6, 9.8}) {
+    const Blocks blocks{{"dam", box(0, 0, 6, 11)}, {"slab", box(-5, bottom, -2, bottom + 0.8)}};
+    EXPECT_THAT(told(blocks), IsEmpty()) << bottom;
+  }
+}
+
 TEST(OpenFoamResolution, ACrestThinnerThanTwoCellsAboveTheWaterIsFine) {
   EXPECT_THAT(told({{"dam", {{0, 0}, {8, 0}, {8, 2}, {0.3, 12}, {0, 12}}}}), IsEmpty());
 }

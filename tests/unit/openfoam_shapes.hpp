@@ -30,7 +30,9 @@ inline scene::Scene scene_of(const Blocks& blocks, double upstream_m, double dow
     for (const Point& p : outline) text += "[" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + "], ";
     text += "]\n";
   }
-  text += "[water]\nmay_overtop = true\nupstream_level_m = " + std::to_string(upstream_m) + "\n";
+  // Of a size of its own, as the structure's is the whole model's where nothing can move.
+  text +=
+      "[water]\nmay_overtop = true\nopen_crack_width_m = 0.05\nupstream_level_m = " + std::to_string(upstream_m) + "\n";
   if (downstream_m > 0) text += "downstream_level_m = " + std::to_string(downstream_m) + "\n";
   text += "[fluid]\nmodel = \"openfoam\"\nupstream_depths = 0.5\ndownstream_depths = 0.5\ncells_in_depth = " +
           std::to_string(cells_in_depth) + "\n";
