@@ -43,7 +43,7 @@ void read_force(TableReader& table, Reading& reading, PointLoad& load) {
   Point force = Point::Zero();
   std::optional<TimeTable> x;
   std::optional<TimeTable> y;
-  table.point("force_n_per_m", force);
+  table.vector("force_n_per_m", force);
   table.time_table("force_x_n_per_m", x, duration);
   table.time_table("force_y_n_per_m", y, duration);
   const bool both = table.has("force_n_per_m");

@@ -235,6 +235,19 @@ bool TableReader::point(const char* key, Point& into, bool required) {
   return true;
 }
 
+bool TableReader::vector(const char* key, Eigen::Vector2d& into) {
+  constexpr const char* words = "two finite numbers [x, y]";
+  const toml::node* node = ask(key, false, words);
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != 2) return wrong(key, *node, words);
+  const auto x = finite_number((*list)[0]);
+  const auto y = finite_number((*list)[1]);
+  if (!x || !y) return wrong(key, *node, words);
+  into = {*x, *y};
+  return true;
+}
+
 bool TableReader::points(const char* key, std::vector<Point>& into, std::size_t least) {
   const toml::node* node = ask(key, true, "a list of points [[x, y], ...]");
   return node != nullptr && points_of(key, *node, into, least);

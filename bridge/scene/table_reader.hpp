@@ -59,6 +59,8 @@ class TableReader {
   bool texts_if_any(const char* key, std::vector<std::string>& into);
   /// Components xx, yy and xy.
   bool stress(const char* key, std::optional<Eigen::Vector3d>& into);
+  /// Components along x and y, of any size.
+  bool vector(const char* key, Eigen::Vector2d& into);
   bool point(const char* key, Point& into, bool required = false);
   /// `least` (an outline: 3) to 10,000 points; empty when one is wrong.
   bool points(const char* key, std::vector<Point>& into, std::size_t least = 3);

@@ -58,7 +58,7 @@ class Bonds {
       shear_n += c.force.y();
       strength_n += laws_[c.law].strength(c.bond, c.bond_length).shear_bound(c.force.x());
     }
-    constexpr double round_off = 1e-9;
+    constexpr double round_off = 1e-6;
     const bool held = std::abs(shear_n) < (1 - round_off) * strength_n;
     const auto survives = [&](const ContactPoint& c) {
       if (c.state == ContactState::stick) return true;

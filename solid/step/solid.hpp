@@ -165,7 +165,7 @@ class Solid {
   void begin_window(const Answered& answered);
   void guard(double dt);
   void relax(double pseudo_step, const std::vector<Panel>& water);
-  void start_moving(double pseudo_step, const Standing& held, const std::vector<Panel>& water);
+  void start_moving(double pseudo_step, double acceleration, const Standing& held, const std::vector<Panel>& water);
   void start_acceleration(const std::vector<Panel>& water, double from_s);
   bool make_step(double dt, double end_s, const std::vector<Panel>& water);
   [[nodiscard]] bool contacts_change();

@@ -232,6 +232,11 @@ TEST(SceneLoads, AFacePressureOffOneEdgeIsRefused) {
   EXPECT_THAT(errors(with("to_m = [3, 4]", "to_m = [3, 3.1]")), IsEmpty());
 }
 
+TEST(SceneLoads, AForceMayBeAsLargeAsADamsWeight) {
+  EXPECT_THAT(errors(with("force_n_per_m = [100, -200]", "force_n_per_m = [0, -2e7]")), IsEmpty());
+  expect_error(with("force_n_per_m = [100, -200]", "force_n_per_m = [0, nan]"), 38, {"two finite numbers [x, y]"});
+}
+
 TEST(SceneLoads, LoadsAreStatedOnceAndWhole) {
   expect_error(with("force_n_per_m = [100, -200]\n", ""), 35, {"[[point_load]] has no force"});
   expect_error(with("force_n_per_m = [100, -200]", "force_n_per_m = [1, 2]\nforce_x_n_per_m = 3"), 35, {"twice"});
