@@ -5,14 +5,16 @@
 
 #include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
+#include "solid/contact/common_slip.hpp"
 
 namespace blockweir::solid {
 namespace {
 
 class Bonds {
  public:
-  Bonds(const JointLaws& laws, double tolerance_n, std::vector<ContactPoint>& contacts)
-      : laws_(laws), tolerance_n_(tolerance_n), contacts_(contacts) {}
+  Bonds(const JointLaws& laws, double tolerance_n, const std::vector<Block>& blocks,
+        std::vector<ContactPoint>& contacts)
+      : laws_(laws), tolerance_n_(tolerance_n), blocks_(blocks), contacts_(contacts) {}
 
   [[nodiscard]] bool stays(int k) const {
     const ContactPoint& c = contacts_[at(k)];
@@ -59,7 +61,8 @@ class Bonds {
       strength_n += laws_[c.law].strength(c.bond, c.bond_length).shear_bound(c.force.x());
     }
     constexpr double round_off = 1e-6;
-    const bool held = std::abs(shear_n) < (1 - round_off) * strength_n;
+    // What slips in directions that no motion has in common only strains under its load.
+    const bool held = std::abs(shear_n) < (1 - round_off) * strength_n || !slips_as_one(blocks_, contacts_, joint);
     const auto survives = [&](const ContactPoint& c) {
       if (c.state == ContactState::stick) return true;
       return c.state == ContactState::slip && (laws_[c.law].softening_slip_m > 0 || held);
@@ -76,14 +79,15 @@ class Bonds {
 
   const JointLaws& laws_;
   double tolerance_n_;
+  const std::vector<Block>& blocks_;
   std::vector<ContactPoint>& contacts_;
 };
 
 }  // namespace
 
-bool break_bonds(const JointLaws& laws, double tolerance_n, std::span<const int> contact_ids,
-                 std::vector<ContactPoint>& contacts) {
-  const Bonds bonds(laws, tolerance_n, contacts);
+bool break_bonds(const JointLaws& laws, double tolerance_n, const std::vector<Block>& blocks,
+                 std::span<const int> contact_ids, std::vector<ContactPoint>& contacts) {
+  const Bonds bonds(laws, tolerance_n, blocks, contacts);
   if (all_of(contact_ids.size(), [&](std::size_t i) { return bonds.stays(contact_ids[i]); })) return false;
   bool broken = false;
   for (auto first = contact_ids.begin(), end = first; first != contact_ids.end(); first = end) {

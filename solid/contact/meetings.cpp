@@ -97,9 +97,17 @@ bool ContactSearch::bound_overlap(const ContactPoint& a, const ContactPoint& b) 
   return over_its_edge(a) && over_its_edge(b) && along(a).dot(along(b)) < -std::cos(parallel_tolerance + closing);
 }
 
-/// Where two convex vertices meet, up to four vertex-edge candidates describe one contact.
+/// Where two convex vertices meet, up to four vertex-edge candidates describe one contact. What the meeting has come to
+/// know stays with the one that is kept.
 void ContactSearch::keep_one_of_each_meeting() {
   std::vector<char> drop(found_.size(), 0);
+  const auto drop_for = [&](std::size_t dropped, std::size_t kept) {
+    drop[dropped] = 1;
+    if (inherited_[dropped] == 0 || inherited_[kept] != 0 || found_[dropped].state == ContactState::open) return;
+    static_cast<ContactMemory&>(found_[kept]) = found_[dropped];
+    inherited_[kept] = 1;
+    count_from_start(found_[kept]);
+  };
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const int wi = drop[i] != 0 ? -1 : met_vertex(found_[i]);
     if (wi < 0) continue;
@@ -118,10 +126,10 @@ void ContactSearch::keep_one_of_each_meeting() {
       };
       if (same) a.length = b.length = a.length + b.length;  // two edges of one face, which go on from each other
       if (rank(j) > rank(i)) {
-        drop[i] = 1;
+        drop_for(i, j);
         break;
       }
-      drop[j] = 1;
+      drop_for(j, i);
     }
     // Corners that touch in a point and share no length, as those of bricks that slide over others, press only once one
     // has entered.

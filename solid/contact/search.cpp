@@ -212,13 +212,16 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
     inherited_[static_cast<std::size_t>(nearest - found_.data())] = 1;
   }
   if (dilates_) remember_slips(parting);
-  for (ContactPoint& c : found_) {
-    if (c.gap_at_start == 0) continue;
-    const auto [from, to] = edge_of(c);
-    const Point t = (to - from).normalized();
-    c.gap -= c.gap_at_start;
-    c.separation -= c.gap_at_start * Point(t.y(), -t.x());
-  }
+  for (ContactPoint& c : found_) count_from_start(c);
+}
+
+/// Gaps that rounded coordinates left at the start are none.
+void ContactSearch::count_from_start(ContactPoint& c) const {
+  if (c.gap_at_start == 0) return;
+  const auto [from, to] = edge_of(c);
+  const Point t = (to - from).normalized();
+  c.gap -= c.gap_at_start;
+  c.separation -= c.gap_at_start * Point(t.y(), -t.x());
 }
 
 /// Two contacts of one pair of blocks whose normals point the same way, or that are each other's twins across the

@@ -73,6 +73,7 @@ class ContactSearch {
   [[nodiscard]] bool did_enter(const ContactPoint& c) const;
   [[nodiscard]] Point apart(const std::vector<Placement>& placements, const ContactPoint& c) const;
   void inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old);
+  void count_from_start(ContactPoint& c) const;
   [[nodiscard]] bool of_one_joint(const ContactPoint& a, const ContactPoint& b) const;
 
   const Parts& parts_;

@@ -182,7 +182,7 @@ bool Solid::sweep(IslandSystem& s) {
   ++counts_.sweeps;
   return formulation_->sweep(held_by(s)) &&
          (formulation_->settings().joints_held ||
-          !break_bonds(laws_, formulation_->settings().force_tolerance_n, s.island.contacts, contacts_));
+          !break_bonds(laws_, formulation_->settings().force_tolerance_n, blocks_, s.island.contacts, contacts_));
 }
 
 /// One solution of the linearized equations, added to the trial.

@@ -35,7 +35,8 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
     const Stopwatch watch(profile_.sweeps);
     ++counts_.sweeps;
     const bool settled = formulation_->sweep(held) && bounds_stand;
-    if (settled && !break_bonds(laws_, formulation_->settings().force_tolerance_n, s.island.contacts, contacts_))
+    if (settled &&
+        !break_bonds(laws_, formulation_->settings().force_tolerance_n, blocks_, s.island.contacts, contacts_))
       return true;
   }
   return false;

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace blockweir::solid {
 namespace {
 
@@ -115,6 +117,33 @@ TEST(ContactSearch, SeesAVertexWhoseFaceMayTurnOntoAnEdge) {
   };
   EXPECT_EQ(on_a_corner(0.09), 2U);
   EXPECT_EQ(on_a_corner(0.11), 1U);
+}
+
+/// A dam on a base that rises to its toe, with level ground beyond: so far pushed that its toe has left the base, it
+/// stands on the ground's corner, not on the level ground that the toe has come to.
+TEST(ContactSearch, AToeThatIsPushedPastTheEndOfItsBaseStaysBonded) {
+  scene::Scene scene = two_slabs();
+  scene.blocks[0].vertices = {{-1, -1}, {2, -1}, {2, 0.04}, {1, 0.04}, {0, 0}, {-1, 0}};
+  scene.blocks[1].vertices = {{0, 0}, {1, 0.04}, {0.5, 1}, {0, 1}};
+  const Parts parts = make_parts(scene);
+  const JointLaws laws(scene);
+  std::vector<Placement> placements;
+  for (const Block& block : parts.blocks) placements.emplace_back(block.centroid, Vector6::Zero());
+  std::vector<ContactPoint> contacts;
+  ContactSearch search(parts, laws, 1, 0.1, 0.1);
+  search.update(placements, contacts);
+  for (ContactPoint& c : contacts) {
+    c.state = ContactState::stick;
+    c.bond = c.bond_length = 0.5;
+  }
+  Vector6 pushed = Vector6::Zero();
+  pushed.head<2>() = 1e-5 * Point(1, 0.03);
+  placements[1] = Placement(parts.blocks[1].centroid, pushed);
+  search.update(placements, contacts);
+  const auto bonded = [](const ContactPoint& c) {
+    return c.bonded() && c.state == ContactState::stick && c.length > 0;
+  };
+  EXPECT_EQ(std::count_if(contacts.begin(), contacts.end(), bonded), 2);
 }
 
 /// Two corners of which neither faces the other's edges, as their search sees them.
