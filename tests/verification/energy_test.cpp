@@ -74,7 +74,7 @@ TEST(Energy, WhatIsMadeOfNothingIsWarnedOf) {
   }
   EXPECT_THAT(
       watch.warning(Solid(scene)),
-      testing::AllOf(testing::HasSubstr("have made 0.002 of the energy that the run had (501 J per metre) of nothing"),
+      testing::AllOf(testing::HasSubstr("have made 0.002 of the energy that the run had (500 J per metre) of nothing"),
                      testing::HasSubstr("expected at most 0.001; shorten [analysis] step_s (now "),
                      testing::HasSubstr("), or take integrator = \"shi\"")));
 }
