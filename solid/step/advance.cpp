@@ -242,6 +242,7 @@ bool Solid::accept(double dt, double end_s) {
       const auto b = static_cast<std::size_t>(island.island.blocks[k]);
       began_with_[b] = states_[b].velocity;
       newmark_.finish(states_[b], blocks_[b].is_part() ? corner_increment(b) : increment_[b], dt);
+      if (!newmark_.second_order() && !blocks_[b].is_part()) act_by_end_rates(b, dt);
       states_[b].force = at_corners(b, balance_[b]);
     });
     if (!settling_) balance_energy(island, dt);

@@ -85,11 +85,30 @@ bool Solid::touches(int contact) const {
          formulation_->before(contact).state != ContactState::open;
 }
 
-/// Where nothing anchors a group its momenta stay.
+/// Where nothing anchors a group its momenta stay. Most steps make nothing: then nothing is grouped.
 void Solid::take_back_energy(IslandSystem& s) {
   if (settling_ || !newmark_.damps || base_.moves_supports() || !mean_motions_.empty()) return;
   constexpr double round_off = 1e-12;
   const double force_n = formulation_->settings().force_tolerance_n;
+  struct Made {
+    double energy = 0;  ///< what a block's motion has gained beyond what there was for it [J per metre]
+    double round_off = 0;
+    double kinetic = 0;
+  };
+  const auto made_by = [&](std::size_t b) -> Made {
+    const Matrix6 M = inertia(b);
+    const Vector6& v = states_[b].velocity;
+    const Vector6& began = began_with_[b];
+    const double ends = v.dot(M * v);
+    const double moved_m = increment_[b].head<2>().norm() + blocks_[b].radius * increment_[b].tail<4>().norm();
+    return {(v - began).dot(M * (v + began)) / 2 - for_motion_[b] + energy_balance_.owed(b),
+            round_off * (ends + began.dot(M * began) + std::abs(for_motion_[b])) + force_n * moved_m, ends / 2};
+  };
+  const auto has_made = [&](int b) {
+    const Made made = made_by(at(b));
+    return energy_balance_.owed(at(b)) > 0 || made.energy > made.round_off;
+  };
+  if (std::none_of(s.island.blocks.begin(), s.island.blocks.end(), has_made)) return;
   const std::vector<int> group_of = groups_of(s);
   std::vector<Group> groups(group_of.size());
   const auto group_with = [&](int block) -> Group& { return groups[at(group_of[at(local_[at(block)])])]; };
@@ -124,17 +143,14 @@ void Solid::take_back_energy(IslandSystem& s) {
     Group& group = groups[at(group_of[k])];
     if (!group.watched()) continue;
     const auto b = at(s.island.blocks[k]);
-    const Matrix6 M = inertia(b);
-    const Vector6& v = states_[b].velocity;
-    const Vector6 momentum = M * v;
-    const Vector6& began = began_with_[b];
-    group.made += (v - began).dot(M * (v + began)) / 2 - for_motion_[b] + energy_balance_.owed(b);
-    group.kinetic += v.dot(momentum) / 2;
-    group.round_off += round_off * (v.dot(momentum) + began.dot(M * began) + std::abs(for_motion_[b])) +
-                       force_n * (increment_[b].head<2>().norm() + blocks_[b].radius * increment_[b].tail<4>().norm());
+    const Made made = made_by(b);
+    group.made += made.energy;
+    group.kinetic += made.kinetic;
+    group.round_off += made.round_off;
     if (group.anchored) continue;
     const Eigen::Matrix<double, 6, 3> rigid = rigid_of(k);
-    group.momentum += rigid.transpose() * momentum;
+    const Matrix6 M = inertia(b);
+    group.momentum += rigid.transpose() * (M * states_[b].velocity);
     group.mass += rigid.transpose() * M * rigid;
   }
   for (Group& group : groups) group.settle();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An impact is not a smooth motion. A rule of second order weighs the forces of the step's beginning, which an impact
 // does not continue, and makes energy of it: steps in which contacts change are made by Shi's scheme, which takes.
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <utility>
 
@@ -37,6 +38,23 @@ bool Solid::make_step(double dt, double end_s, const std::vector<Panel>& water) 
   ++counts_.impact_steps;
   smooth_steps_ = contacts_change() ? 0 : smooth_steps_ + 1;
   return true;
+}
+
+/// Viscous forces of a step by Shi's scheme go by its mean rates. The trapezoidal rule goes on from those of its end:
+/// their mean over a step is that of the step's mean rate, and takes. Generalized-alpha weighs them otherwise and would
+/// make energy of them.
+void Solid::act_by_end_rates(std::size_t b, double dt) {
+  if (scene_.analysis.integrator != scene::Integrator::trapezoidal || !newmark_.damps) return;
+  BlockState& state = states_[b];
+  const Vector6 beyond = state.velocity - increment_[b] / dt;
+  const double drag = scene_.analysis.mass_damping_per_s;
+  state.acceleration -= drag * beyond;
+  balance_[b] -= drag * (blocks_[b].inertia * beyond);
+  if (blocks_[b].rigid || retardation_s(b) == 0) return;
+  const Eigen::Vector3d strain = retardation_s(b) * (blocks_[b].stiffness * beyond.tail<3>());
+  balance_[b].tail<3>() -= strain;
+  const Eigen::Matrix4d inertia = blocks_[b].inertia.matrix().bottomRightCorner<4, 4>();
+  state.acceleration.tail<4>() -= inertia.ldlt().solve(Eigen::Vector4d(0, strain[0], strain[1], strain[2]));
 }
 
 bool Solid::contacts_change() {

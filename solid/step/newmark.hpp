@@ -27,10 +27,14 @@ struct Newmark {
   /// Factor of the mass in the step's matrix, the balance divided by (1 - alpha_f).
   [[nodiscard]] double mass_factor(double dt) const { return (1 - alpha_m) / (1 - alpha_f) / (beta * dt * dt); }
 
-  /// v1 = velocity_factor d + past_velocity, for viscous forces.
-  [[nodiscard]] double velocity_factor(double dt) const { return damps ? gamma / (beta * dt) : 0; }
+  /// velocity_factor d + past_velocity is what viscous forces go by: v1, and with Shi's scheme the step's mean, as v1
+  /// may be opposite to d, so that a damper would give energy.
+  [[nodiscard]] double velocity_factor(double dt) const {
+    if (!damps) return 0;
+    return second_order() ? gamma / (beta * dt) : 1 / dt;
+  }
   [[nodiscard]] Vector6 past_velocity(const BlockState& s, double dt) const {
-    if (!damps) return Vector6::Zero();
+    if (!damps || !second_order()) return Vector6::Zero();
     return (1 - gamma / beta) * s.velocity + dt * (1 - 0.5 * gamma / beta) * s.acceleration;
   }
 

@@ -168,6 +168,7 @@ class Solid {
   void start_moving(double pseudo_step, double acceleration, const Standing& held, const std::vector<Panel>& water);
   void start_acceleration(const std::vector<Panel>& water, double from_s);
   bool make_step(double dt, double end_s, const std::vector<Panel>& water);
+  void act_by_end_rates(std::size_t b, double dt);
   [[nodiscard]] bool contacts_change();
   [[nodiscard]] long touching_contacts() const;
   [[nodiscard]] bool unfit() const { return goes_too_far_ || jumps_; }  ///< though its states were found

@@ -76,6 +76,7 @@ Mode mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions&
   // Shares of the way: a body that turns about its toe has about 1/2 of it from the turning, one that slides none.
   constexpr double turns = 0.02;
   constexpr double slides = 0.002;
+  constexpr double opened = 0.2;  // of the turn times the joint's length, however slender the body
   double travel = 0;
   double mass = 0;
   double turned = 0;
@@ -85,15 +86,16 @@ Mode mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions&
     mass += m;
     turned += m * moved.turned(b);
   }
+  const double turn = std::abs(turned / mass);
   double slip = 0;
-  double opening = 0;  // what strains or rings may turn, too, but opens no joint
+  bool opens = false;  // what strains or rings may turn, too, but opens no joint
   for (const auto& [inside, outside] : body.left) {
     const PairMotion& pair = pairs.at(std::minmax(inside, outside));
     slip = std::max(slip, pair.slip);
-    opening = std::max(opening, pair.opening);
+    opens = opens || pair.opening >= opened * turn * pair.length();
   }
-  const bool turning = std::abs(turned / mass) * radius(moved.solid(), body.blocks) > turns * travel;
-  return {turning && opening > turns * travel, slip > slides * travel};
+  const bool turning = turn * radius(moved.solid(), body.blocks) > turns * travel;
+  return {turning && opens, slip > slides * travel};
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ PairMotions pair_motions(const MovedSince& moved) {
     const Point vertex = point(c.vertex_block, c.vertex_part, c.vertex_at);
     const Point foot = point(c.edge_block, c.edge_part, c.edge_from + c.anchor * (c.edge_to - c.edge_from));
     PairMotion& pair = pairs[c.pair()];
+    pair.points.extend(moved.solid().placements()[at(c.vertex_part)].position(c.vertex_at));
     const double relative = (vertex - foot).norm();
     pair.moved = std::max({pair.moved, vertex.norm(), foot.norm()});
     pair.relative = std::max(pair.relative, relative);

@@ -2,6 +2,7 @@
 // Blocks that move together as one body, and the surface on which they leave the others behind.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <map>
 #include <utility>
 #include <vector>
@@ -33,11 +34,15 @@ class MovedSince {
 
 /// How two blocks in contact have moved [m].
 struct PairMotion {
-  double moved = 0;     ///< largest of a contact's two points
-  double relative = 0;  ///< largest between them
-  double slip = 0;      ///< the same of closed contacts
-  double opening = 0;   ///< widest gap
-  double normal = 0;    ///< sum of normal forces [N per metre]
+  double moved = 0;            ///< largest of a contact's two points
+  double relative = 0;         ///< largest between them
+  double slip = 0;             ///< the same of closed contacts
+  double opening = 0;          ///< widest gap
+  double normal = 0;           ///< sum of normal forces [N per metre]
+  Eigen::AlignedBox2d points;  ///< of contacts
+
+  /// Of the joint [m].
+  [[nodiscard]] double length() const { return points.isEmpty() ? 0 : points.diagonal().norm(); }
 };
 using PairMotions = std::map<std::pair<int, int>, PairMotion>;
 PairMotions pair_motions(const MovedSince& moved);

@@ -3,6 +3,7 @@
 // Energies of motions whose energy is known.
 #include "solid/output/energy.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,6 +57,26 @@ TEST(Energy, StrainHoldsTheWorkOfALoad) {
   EXPECT_NEAR(energy_of(solid).strain, 1e6 * 1e6 * 2 / (2 * 50e9), 1e-6);  // F^2 L/(2 E A)
   EXPECT_NEAR(solid.energy_balance().given_j_per_m(), 1e6 * 1e6 * 2 / 50e9, 1e-6);
   EXPECT_EQ(watch.gain(), 0);
+}
+
+/// Two runs stand for one that makes energy, as no scene does.
+TEST(Energy, WhatIsMadeOfNothingIsWarnedOf) {
+  auto scene = one_block();
+  scene.analysis.gravity_m_per_s2 = 0;
+  scene.analysis.integrator = scene::Integrator::trapezoidal;
+  EnergyWatch watch;
+  for (const double speed : {10.0, 10.004, 10.01}) {  // 8e-4 and 2e-3 more than at first
+    scene.blocks[0].initial_velocity_m_per_s = Point(speed, 0);
+    const Solid solid(scene);
+    watch.look(solid);
+    EXPECT_NEAR(watch.gain(), 1 - 100 / (speed * speed), 1e-12);
+    EXPECT_EQ(watch.warning(solid).empty(), speed < 10.01);
+  }
+  EXPECT_THAT(
+      watch.warning(Solid(scene)),
+      testing::AllOf(testing::HasSubstr("have made 0.002 of the energy that the run had (500 J per metre) of nothing"),
+                     testing::HasSubstr("expected at most 0.001; shorten [analysis] step_s (now "),
+                     testing::HasSubstr("), or take integrator = \"shi\"")));
 }
 
 }  // namespace
