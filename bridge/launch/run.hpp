@@ -34,8 +34,8 @@ struct RunResult {
   bool refused = false;  ///< when it failed: all processes ended by themselves, and said why
 };
 
-/// Runs a scene's processes. Throws scene::SceneError, with `strict` for warnings too, and std::invalid_argument for a folder that is in use; nothing
-/// has been written then.
+/// Runs a scene's processes. Throws scene::SceneError, with `strict` for warnings too, and std::invalid_argument for a
+/// folder that is in use; nothing has been written then.
 RunResult run(const RunOptions& options);
 
 /// Goes on with a run from its last checkpoint. Throws std::invalid_argument where there is none.

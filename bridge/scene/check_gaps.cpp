@@ -13,9 +13,9 @@
 namespace blockweir::scene {
 namespace {
 
-constexpr double narrow_ratio = 0.02;      // of the smaller block: wider ones are seen in a drawing
-constexpr double touching_ratio = 0.5e-6;  // of the structure, as the solid has it
-constexpr double beside_ratio = 0.5;       // of the smaller block: so long are faces that seem meant to touch
+constexpr double narrow_ratio = 0.02;    // of the smaller block: wider ones are seen in a drawing
+constexpr double closed_ratio = 0.5e-6;  // of the structure, as the solid has it
+constexpr double beside_ratio = 0.5;     // of the smaller block: so long are faces that seem meant to touch
 
 /// Least distance of the faces of a trace, whose pieces lie along block a, from those of block b.
 double narrowest(const JointTrace& beside, const Block& b) {
@@ -34,7 +34,7 @@ double narrowest(const JointTrace& beside, const Block& b) {
 void check_gaps(const Scene& scene, Problems& problems) {
   // Without gravity nothing closes a gap; what begins without stress is likely thrown or dropped.
   if (scene.analysis.gravity_m_per_s2 == 0 || scene.analysis.start == Start::unstressed) return;
-  const double touching_m = touching_ratio * structure_size_m(scene.blocks);
+  const double touching_m = closed_ratio * structure_size_m(scene.blocks);
   const BlockIndex index(scene.blocks);
   for (std::size_t i = 0; i < scene.blocks.size(); ++i) {
     const Block& a = scene.blocks[i];

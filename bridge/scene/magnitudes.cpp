@@ -14,7 +14,7 @@ namespace blockweir::scene {
 namespace {
 
 constexpr bool grows_with_size = true;
-constexpr const char* laws[] = {"joint", "joints[]", "cut[]", "joint_set[]"};
+constexpr const char* law_sections[] = {"joint", "joints[]", "cut[]", "joint_set[]"};
 
 constexpr Magnitude all[] = {
     {"material.*", "density_kg_per_m3", "kg/m3", 100, 20'000, "2.4 is t/m3 and 23.5 is kN/m3, both are 2400 kg/m3"},
@@ -39,7 +39,7 @@ constexpr Magnitude all[] = {
 
 /// Whether a row of [joint] goes for the other laws, too.
 std::vector<const char*> sections_of(const Magnitude& row) {
-  if (row.section == std::string("joint")) return {std::begin(laws), std::end(laws)};
+  if (row.section == std::string("joint")) return {std::begin(law_sections), std::end(law_sections)};
   return {row.section};
 }
 

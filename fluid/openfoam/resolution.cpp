@@ -97,11 +97,11 @@ struct Forces {
 
 /// Cells that it takes, by trial; none: no mesh of a reasonable size does.
 std::optional<int> cells_needed(scene::Scene scene) {
-  constexpr std::size_t most_cells = 500'000;
+  constexpr std::size_t tried_cells = 500'000;
   for (;;) {
     scene.openfoam.cells_in_depth += std::max(1, scene.openfoam.cells_in_depth / 4);
     const Grid grid = make_grid(scene);
-    if (grid.cells() > most_cells) return std::nullopt;
+    if (grid.cells() > tried_cells) return std::nullopt;
     const auto left = misfits(scene, grid);
     if (std::none_of(left.begin(), left.end(), [](const Misfit& m) { return m.share > refused; })) {
       return scene.openfoam.cells_in_depth;
