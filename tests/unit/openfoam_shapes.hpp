@@ -80,10 +80,11 @@ class MeshedPools {
     filled_ = filled_cells(grid, outlines);
     holds_ = pool_cells(grid, scene, filled_, exact_pools(scene, grid, outlines));
   }
-  [[nodiscard]] double fill(const Point& p) const { return filled_[cell(p)]; }
+  /// Beyond the mesh nothing is seen, as in a full cell.
+  [[nodiscard]] double fill(const Point& p) const { return holds_point(p) ? filled_[cell(p)] : 1; }
   [[nodiscard]] double level_m(Point p) const {
     for (int down = 0; down < 3; ++down, p.y() -= grid_.cell_m) {
-      if (p.y() < grid_.y.front()) break;
+      if (!holds_point(p)) break;
       constexpr double deep_cut = 0.95;  // as in water_state.cpp
       if (down > 0 && filled_[cell(p)] > deep_cut) break;
       const Holds holds = holds_[cell(p)];
@@ -94,6 +95,9 @@ class MeshedPools {
   }
 
  private:
+  [[nodiscard]] bool holds_point(const Point& p) const {
+    return p.x() >= grid_.x.front() && p.x() < grid_.x.back() && p.y() >= grid_.y.front() && p.y() < grid_.y.back();
+  }
   [[nodiscard]] std::size_t cell(const Point& p) const {
     const auto line = [](const std::vector<double>& lines, double v) {
       return static_cast<std::size_t>(std::upper_bound(lines.begin(), lines.end(), v) - lines.begin() - 1);
