@@ -16,7 +16,7 @@ namespace {
 constexpr bool grows_with_size = true;
 constexpr const char* law_sections[] = {"joint", "joints[]", "cut[]", "joint_set[]"};
 
-constexpr Magnitude all[] = {
+constexpr Magnitude table_of_magnitudes[] = {
     {"material.*", "density_kg_per_m3", "kg/m3", 100, 20'000, "2.4 is t/m3 and 23.5 is kN/m3, both are 2400 kg/m3"},
     {"material.*", "youngs_modulus_pa", "Pa", 1e6, 1e13, "25 is likely GPa: write 25e9", grows_with_size},
     {"material.*", "poissons_ratio", "1", 0.01, 0.45, "rock and concrete have 0.1 to 0.3"},
@@ -140,12 +140,12 @@ void check_shaking(const toml::table& file, const Scene& scene, Problems& proble
 }  // namespace
 
 std::span<const Magnitude> magnitudes() {
-  return all;
+  return table_of_magnitudes;
 }
 
 void check_magnitudes(const toml::table& file, const Scene& scene, Problems& problems) {
   const double size_m = structure_size_m(scene.blocks);
-  for (const Magnitude& row : all) {
+  for (const Magnitude& row : table_of_magnitudes) {
     const double shrunk = row.grows_with_size ? std::min(1.0, size_m / 10) : 1;
     check_row(row, shrunk * row.least, file, problems);
   }
