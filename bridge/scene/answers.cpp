@@ -6,8 +6,8 @@
 namespace blockweir::scene {
 namespace {
 
-constexpr bool at_point = true;
-constexpr bool word = true;
+constexpr bool takes_a_point = true;
+constexpr bool says_a_word = true;
 
 constexpr Answer all_quantities[] = {
     // Of the first failure; `of` says which block or joint is expected to be it.
@@ -42,13 +42,13 @@ constexpr Answer all_quantities[] = {
     {"wave_speed_m_per_s", Subject::block, Need::face_pressure},
     {"slip_over_balance", Subject::joint, Need::water},
     {"angular_momentum_error", Subject::block},
-    {"point_displacement_x_m", Subject::block, Need::nothing, at_point},
-    {"point_displacement_y_m", Subject::block, Need::nothing, at_point},
-    {"point_stress_xx_pa", Subject::block, Need::nothing, at_point},
-    {"point_stress_yy_pa", Subject::block, Need::nothing, at_point},
-    {"point_stress_xy_pa", Subject::block, Need::nothing, at_point},
-    {"mode", Subject::block_if_any, Need::nothing, !at_point, word},
-    {"stability", Subject::block_if_any, Need::water, !at_point, word},
+    {"point_displacement_x_m", Subject::block, Need::nothing, takes_a_point},
+    {"point_displacement_y_m", Subject::block, Need::nothing, takes_a_point},
+    {"point_stress_xx_pa", Subject::block, Need::nothing, takes_a_point},
+    {"point_stress_yy_pa", Subject::block, Need::nothing, takes_a_point},
+    {"point_stress_xy_pa", Subject::block, Need::nothing, takes_a_point},
+    {"mode", Subject::block_if_any, Need::nothing, !takes_a_point, says_a_word},
+    {"stability", Subject::block_if_any, Need::water, !takes_a_point, says_a_word},
 };
 
 constexpr Answer all_formulas[] = {
@@ -82,11 +82,11 @@ constexpr Answer all_formulas[] = {
     {"pushed-displacement"},
     {"shaken-incline-displacement", Subject::joint},
     {"toppling-slope-friction"},
-    {"cantilever-deflection", Subject::block_only, Need::nothing, at_point},
-    {"cantilever-stress", Subject::block_only, Need::nothing, at_point},
-    {"gravity-method-stress", Subject::block_only, Need::nothing, at_point},
-    {"slide-or-topple", Subject::joint, Need::nothing, !at_point, word},
-    {"schedule-stability", Subject::block_only, Need::column, !at_point, word},
+    {"cantilever-deflection", Subject::block_only, Need::nothing, takes_a_point},
+    {"cantilever-stress", Subject::block_only, Need::nothing, takes_a_point},
+    {"gravity-method-stress", Subject::block_only, Need::nothing, takes_a_point},
+    {"slide-or-topple", Subject::joint, Need::nothing, !takes_a_point, says_a_word},
+    {"schedule-stability", Subject::block_only, Need::column, !takes_a_point, says_a_word},
 };
 
 std::vector<std::string> names_of(std::span<const Answer> answers) {
