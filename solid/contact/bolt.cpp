@@ -55,6 +55,16 @@ Interaction interaction_of(const Trial& trial, const Bolt& bolt, const Point& gr
   return action;
 }
 
+Ruled ruled_bolt(const Trial& trial, const Bolt& bolt, const Point& ground_displacement) {
+  const scene::Bolt& d = *bolt.described;
+  const double length =
+      (end_of(trial, bolt, 0, ground_displacement) - end_of(trial, bolt, 1, ground_displacement)).norm();
+  const double most = d.yield_n_per_m.value_or(ForceRule::unbounded);
+  ForceRule rule{.least_normal = -most, .most_normal = d.takes_compression ? most : 0, .opens = false};
+  rule.compliance.x() = 1 / d.stiffness_n_per_m2;
+  return {{d.prestress_n_per_m / d.stiffness_n_per_m2 + length - bolt.drawn_length_m - bolt.plastic_m, 0}, rule};
+}
+
 void accept(const Trial& trial, const Point& ground_displacement, Bolt& bolt) {
   const scene::Bolt& d = *bolt.described;
   bolt.elongation_m =

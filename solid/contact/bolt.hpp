@@ -4,6 +4,7 @@
 #pragma once
 
 #include "solid/block/parts.hpp"
+#include "solid/contact/force_rule.hpp"
 #include "solid/contact/trial.hpp"
 
 namespace blockweir::solid {
@@ -47,6 +48,9 @@ BoltForce bolt_force(const Bolt& bolt, double elongation_m);
 
 /// The bolt's pull along the line between its ends at the trial; the second axis turns with the line.
 Interaction interaction_of(const Trial& trial, const Bolt& bolt, const Point& ground_displacement);
+
+/// For a solver of forces: a spring between its bounds, in compression.
+Ruled ruled_bolt(const Trial& trial, const Bolt& bolt, const Point& ground_displacement);
 
 /// Elongation, plastic elongation and force of an accepted step.
 void accept(const Trial& trial, const Point& ground_displacement, Bolt& bolt);

@@ -19,7 +19,9 @@ struct ContactMemory {
   double bond = 0;                                       ///< what is left of cohesion and tension: 1 all, 0 none
   double slip_m = 0;                                     ///< signed sum of slip along the edge
   double slip_path_m = 0;                                ///< sum of its magnitude
-  double gap_at_start = 0;  ///< m between blocks that touch but for rounded coordinates: counts as none
+  double gap_at_start = 0;    ///< m between blocks that touch but for rounded coordinates: counts as none
+  double overlap_m = 0;       ///< not above zero: by so much more than its spring gives way blocks are in each other
+  double stored_j_per_m = 0;  ///< in its spring
   ContactState state = ContactState::open;
   bool let_go = false;  ///< the bond does not hold it in the step at hand: open as it began, or pulled off
 
@@ -62,7 +64,7 @@ struct ContactPoint : ContactMemory {
   void serialize(Archive& archive) {
     archive(vertex_block, vertex, edge_block, edge, vertex_part, edge_part, vertex_at, edge_from, edge_to, law, anchor,
             separation, gap, length, multiplier, force, penalty, bond_length, bond, state, slip_m, slip_path_m,
-            gap_at_start, elastic_slip, slid);
+            gap_at_start, overlap_m, stored_j_per_m, elastic_slip, slid);
   }
 };
 

@@ -67,7 +67,12 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     contacts_before_[at(k)] = c;
     c.let_go = c.state == ContactState::open;
     Progress& progress = contacts_[at(k)] = {};
-    const Point n = edge_frame(trial, c).n;
+    const EdgeFrame edge = edge_frame(trial, c);
+    if (settings_.lasting_overlap_m > 0) {
+      const double gap = holds_exactly() ? follow(trial, k, c, edge).separation.x() : c.overlap_m;
+      if (gap < -settings_.lasting_overlap_m) progress.overlap = gap;
+    }
+    const Point n = edge.n;
     progress.stiffness =
         1 / (flexibility(c.vertex_part, n, c.vertex_at) + flexibility(c.edge_part, n, edge_point(c, c.anchor)));
     if (pile_stiffens && strainless(c.vertex_part) && strainless(c.edge_part))
@@ -110,6 +115,7 @@ Formulation::Progress& Formulation::follow(const Trial& trial, int index, const 
   if (law.dilation > 0) return follow_dilation(trial, c, edge, progress);
   const Separation found = separation_of(trial, c, edge);
   progress.separation = found.value;
+  progress.separation.x() -= progress.overlap;
   progress.round_off = separation_round_off * c.penalty * found.moved;
   return progress;
 }
@@ -123,7 +129,7 @@ Formulation::Progress& Formulation::follow_dilation(const Trial& trial, const Co
   resisted.separation -= opened_m * edge.n;
   const Separation found = separation_of(trial, resisted, edge);
   progress.separation = found.value;
-  progress.separation.x() -= opens_by(law, c.slip_m, found.value.y());
+  progress.separation.x() -= opens_by(law, c.slip_m, found.value.y()) + progress.overlap;
   const bool edge_turns = trial.increment[at(c.edge_part)][2] != 0;
   progress.round_off = separation_round_off * c.penalty * (found.moved + (edge_turns ? opened_m : 0));
   return progress;
@@ -135,6 +141,57 @@ Formulation::Progress& Formulation::follow(const Trial& trial, int index, const 
   progress.separation = found.value;
   progress.round_off = separation_round_off * s.penalty * found.moved;
   return progress;
+}
+
+Ruled Formulation::ruled_contact(const Trial& trial, int index, const ContactPoint& c) {
+  const Progress& progress = follow(trial, index, c, edge_frame(trial, c));
+  const JointProperties& law = laws_[c.law];
+  const Strength strength = iterated_strength(c);
+  ForceRule rule{.friction = strength.friction, .cohesion = strength.cohesion};
+  if (strength.tension > 0) {
+    rule.least_normal = -strength.tension;
+    rule.opens = false;
+  }
+  Eigen::Vector2d apart = progress.separation;
+  if (law.dilation > 0) {  // the slip that the solver finds opens the joint; it goes against the shear
+    apart.x() += opens_by(law, c.slip_m, apart.y());
+    for (const int side : {0, 1}) rule.opening[at(side)] = -law.dilation_slope(c.slip_m, side == 0 ? 1 : -1);
+  }
+  return {apart, rule};
+}
+
+Ruled Formulation::ruled_support(const Trial& trial, int index, const Support& s) {
+  const Point held = s.held();
+  ForceRule rule{.opens = false};
+  rule.most_normal = held.x() > 0 ? ForceRule::unbounded : 0;
+  rule.least_normal = -rule.most_normal;
+  rule.cohesion = held.y() > 0 ? ForceRule::unbounded : 0;
+  return {follow(trial, index, s).separation, rule};
+}
+
+Interaction Formulation::take_contact(const Trial& trial, int index, ContactPoint& c, const RuledForce& found) {
+  const EdgeFrame edge = edge_frame(trial, c);
+  Progress& progress = follow(trial, index, c, edge);
+  const bool open = found.force.isZero(0);
+  const ContactState state = open ? ContactState::open : found.slips ? ContactState::slip : ContactState::stick;
+  if (state != c.state) state_changes_.fetch_add(1, std::memory_order_relaxed);
+  c.state = state;
+  c.force = c.multiplier = found.force;
+  progress.slip_force = found.force.y();
+  progress.turning = false;
+  progress.swept = true;
+  if (open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
+  Interaction action = interaction_of(c, edge, progress.separation.y());
+  action.force = c.force;
+  return action;
+}
+
+Interaction Formulation::take_support(const Trial& trial, int index, Support& s, const Eigen::Vector2d& force) {
+  follow(trial, index, s);
+  s.force = s.multiplier = force;
+  Interaction action = interaction_of(s);
+  action.force = force;
+  return action;
 }
 
 void Formulation::lag_friction(const Held& held) {
@@ -197,10 +254,12 @@ bool Formulation::accept(const Trial& trial, const Held& held) const {
   for_each(held.contact_ids.size(), [&](std::size_t i) {
     const auto k = at(held.contact_ids[i]);
     ContactPoint& c = held.contacts[k];
+    const double slip = contacts_[k].separation.y() - c.elastic_slip;
+    // Closed in the step to come, what is left would become a velocity.
+    if (c.state == ContactState::stick && contacts_[k].swept) c.anchor += slip / edge_frame(trial, c).length;
     if (c.state != ContactState::slip) return;
     any_slips.store(true, std::memory_order_relaxed);
     c.slid = true;
-    const double slip = contacts_[k].separation.y() - c.elastic_slip;
     c.slip_m += slip;
     c.slip_path_m += std::abs(slip);
     c.anchor += slip / edge_frame(trial, c).length;

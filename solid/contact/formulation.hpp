@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bridge/scene/scene.hpp"
+#include "solid/contact/force_rule.hpp"
 #include "solid/contact/joint_laws.hpp"
 #include "solid/contact/lagged_bounds.hpp"
 #include "solid/contact/trial.hpp"
@@ -34,6 +35,7 @@ struct FormulationSettings {
   bool joints_held = false;                 ///< every contact in touch sticks, whatever its law says
   bool friction_lags = false;               ///< shear is bounded by what lag_friction found, whatever acts now
   bool states_stand = false;                ///< contacts without a bond to lose keep their states, whatever acts now
+  double lasting_overlap_m = 0;             ///< what overlaps by more as a step begins is not closed in it; 0: all is
 };
 
 /// What an island hands over: indices of its contacts and supports, and all of them.
@@ -84,6 +86,16 @@ class Formulation {
   virtual void correct_contact(int /*index*/, ContactPoint& /*point*/, const Eigen::Vector2d& /*force*/) {}
   virtual void correct_support(int /*index*/, Support& /*point*/, const Eigen::Vector2d& /*force*/) {}
 
+  /// For a solver of forces: what a contact or support resists at the trial, and what bounds its forces.
+  virtual Ruled ruled_contact(const Trial& trial, int index, const ContactPoint& c);
+  virtual Ruled ruled_support(const Trial& trial, int index, const Support& s);
+  /// What that solver has found acts, with the state that goes with it.
+  virtual Interaction take_contact(const Trial& trial, int index, ContactPoint& c, const RuledForce& found);
+  Interaction take_support(const Trial& trial, int index, Support& s, const Eigen::Vector2d& force);
+
+  /// Gap of a contact under the force that it has: a spring gives way [m].
+  [[nodiscard]] virtual double gap_under_force_m(const ContactPoint& /*c*/) const { return 0; }
+
   /// Is a velocity along a closed contact an error of the time integration? Not where contacts are springs.
   [[nodiscard]] virtual bool holds_exactly() const { return true; }
 
@@ -130,6 +142,8 @@ class Formulation {
     double slip_force = 0;  ///< shear force of the evaluation before, whose sign is the direction of slip
     double last_violation = std::numeric_limits<double>::infinity();  ///< at the sweep before
     double stiffness = 0;  ///< of the blocks against the contact [N/m per metre]
+    double overlap = 0;    ///< as the step began, not above zero: where its gap aims [m]
+    bool swept = false;    ///< its forces are a sweep's: of what sticks some slip may be left
     bool turning = false;  ///< slip was about to reverse and is tried as stick; not a state to end in
 
     /// The largest part of the separation that should be zero in this state; a support sticks.

@@ -32,6 +32,8 @@ class Penalty final : public Formulation {
     const Eigen::Vector2d rate = trial.velocity_factor * moved + dashpot.past_rate;
     const JointForce force = judge(index, c, -spring_ * apart - dashpot.coefficient * rate);
     c.elastic_slip = force.state == ContactState::slip ? -force.shear / spring_ : 0;
+    const double slip = force.state == ContactState::slip ? c.elastic_slip : apart.y();
+    c.stored_j_per_m = force.state == ContactState::open ? 0 : spring_ * (apart.x() * apart.x() + slip * slip) / 2;
     if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
     Interaction action = interaction_of(c, edge, apart.y());
     action.force = c.force;
@@ -56,6 +58,28 @@ class Penalty final : public Formulation {
     return action;
   }
 
+  /// A spring and a dashpot give way: apart + force / stiffness = 0, apart less what the dashpot had begun with.
+  Ruled ruled_contact(const Trial& trial, int index, const ContactPoint& c) override {
+    Ruled ruled = Formulation::ruled_contact(trial, index, c);
+    const Dashpot& dashpot = dashpots_[at(index)];
+    const double stiffness = spring_ + dashpot.coefficient * trial.velocity_factor;
+    ruled.rule.compliance.setConstant(1 / stiffness);
+    ruled.apart += dashpot.coefficient / stiffness * (dashpot.past_rate - trial.velocity_factor * dashpot.start);
+    return ruled;
+  }
+  Ruled ruled_support(const Trial& trial, int index, const Support& s) override {
+    Ruled ruled = Formulation::ruled_support(trial, index, s);
+    ruled.rule.compliance.setConstant(1 / spring_);
+    return ruled;
+  }
+  Interaction take_contact(const Trial& trial, int index, ContactPoint& c, const RuledForce& found) override {
+    const Interaction action = Formulation::take_contact(trial, index, c, found);
+    c.elastic_slip = -found.force.y() / spring_;
+    c.stored_j_per_m = found.force.squaredNorm() / (2 * spring_);
+    return action;
+  }
+  [[nodiscard]] double gap_under_force_m(const ContactPoint& c) const override { return -c.force.x() / spring_; }
+
   bool sweep(const Held& held) override {
     for (const int k : held.contact_ids) {
       if (contacts_[at(k)].turning) return false;
@@ -67,13 +91,7 @@ class Penalty final : public Formulation {
   [[nodiscard]] bool holds_exactly() const override { return false; }
 
   [[nodiscard]] double stored(int k, const ContactPoint& c) const override {
-    const Eigen::Vector2d& apart = contacts_[at(k)].separation;
-    const double slip = c.state == ContactState::slip ? c.elastic_slip : apart.y();
-    const ContactMemory& began = before(k);
-    const double gap = c.separation.x() - laws_[c.law].dilation_m(began.slip_m);
-    const double ends = c.state == ContactState::open ? 0 : apart.x() * apart.x() + slip * slip;
-    const double begins = began.state == ContactState::open ? 0 : gap * gap + c.separation.y() * c.separation.y();
-    return spring_ * (ends - begins) / 2;
+    return c.stored_j_per_m - before(k).stored_j_per_m;
   }
   [[nodiscard]] double stored(int k, const Support& s) const override {
     const double begins = s.held().cwiseProduct(s.separation).squaredNorm();

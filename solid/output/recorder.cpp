@@ -98,7 +98,8 @@ void Recorder::advance(const wire::Load& load, const wire::Motion& told, double 
   observe(load, to_s);
   watch_interface(load, told, masses, from_s, to_s);
   for (const ContactPoint& c : solid_.contacts()) {
-    if (c.state != ContactState::open) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
+    const bool over_edge = c.anchor >= 0 && c.anchor <= 1;  // beside it there is nothing to enter
+    if (c.state != ContactState::open && over_edge) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
   }
   if (load.breached && !breached_s_) breached_s_ = from_s;
   last_load_ = load;

@@ -60,6 +60,7 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
 /// A step that goes too far does so whatever finds its states: it is cut. Where friction has had to lag it will have to
 /// again: the whole of Coulomb's law, which finds that out by running in circles, is left out for a while.
 bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
+  if (may_sweep()) return attempt(dt, end_s, water);
   if (whole_law_.skips()) {
     if (attempt_with_lagging_friction(dt, end_s, water)) return true;
     if (jumps_) return false;
@@ -175,22 +176,35 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   }
 
   bool solved = true;
+  // m; closed in the step it gives a velocity of that share of what a fall through the step gives
+  constexpr double lasting_overlap = 5e-5;
+  formulation_->settings().lasting_overlap_m =
+      settling_ || !newmark_.damps ? 0
+                                   : std::max(scene_.contact.penetration_tolerance_m,
+                                              lasting_overlap * scene_.analysis.gravity_m_per_s2 * dt * dt);
   for (const IslandSystem& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
     const Held held = held_by(s);
     formulation_->begin(at_start(), matrix_, frozen_, held);
     if (s.unknowns->total > large_island) formulation_->keep_forces(at_start(), held);
   }
+  const bool sweeps = may_sweep();
+  const bool newton = !sweeps || !whole_law_.skips();
+  bool found_all = true;  // by Newton's method
   for (IslandSystem& island : islands_) {
     island.asleep = may_sleep(island);
+    island.swept = false;
     if (island.asleep) {
       put_to_sleep(island);
     } else {
       const Stopwatch watch(profile_.equilibria);
       ++counts_.solved_islands;
       start_where_it_rests(island);
-      solved = solved && (find_equilibrium(island) || (pivots_ && find_equilibrium_by_pivoting(island)));
+      const bool found = solved && newton && find_equilibrium(island);
+      found_all = found_all && found;
+      solved = solved && (found || (sweeps && find_equilibrium_by_sweeps(island)));
     }
   }
+  if (sweeps && newton) found_all ? whole_law_.succeeded() : whole_law_.failed();
   const double moved = largest_increment();
   goes_too_far_ = solved && !(moved <= scene_.analysis.max_displacement_ratio * size_ &&
                               (moved == 0 || largest_turn() <= ContactSearch::most_turn));
@@ -202,8 +216,8 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     contacts_stand_ = seen;
     return !seen && attempt(dt, end_s, water);
   }
-  const bool any_slips = accept(dt, end_s);
-  contacts_stand_ = moved == 0 && formulation_->state_changes() == state_changes_before && !any_slips;
+  const bool otherwise = accept(dt, end_s);
+  contacts_stand_ = moved == 0 && formulation_->state_changes() == state_changes_before && !otherwise;
   require_finite(end_s);
   return true;
 }
@@ -224,7 +238,7 @@ void Solid::carry_fixed_blocks(double end_s) {
   }
 }
 
-/// Does any contact slip?
+/// Does any contact slip, or any block lie otherwise than the step had it?
 bool Solid::accept(double dt, double end_s) {
   const Stopwatch watch(profile_.accept);
   time_s_ = end_s;
@@ -246,7 +260,9 @@ bool Solid::accept(double dt, double end_s) {
       states_[b].force = at_corners(b, balance_[b]);
     });
     if (!settling_) balance_energy(island, dt);
-    if (formulation_->holds_exactly()) settle_held_velocities(island, dt);
+    if (formulation_->holds_exactly()) {
+      island.swept ? settle_swept_velocities(island, dt) : settle_held_velocities(island, dt);
+    }
     take_back_energy(island);
     if (guard_.acts()) energy_balance_.give(-taken_by_water(island));
     any_slips = formulation_->accept(trial(), held_by(island)) || any_slips;
@@ -259,9 +275,15 @@ bool Solid::accept(double dt, double end_s) {
     start_[b] = placement_[b];
   });
   follow_triangles();
+  bool pushed = false;
+  if (!settling_) {
+    for (IslandSystem& island : islands_) {
+      if (!island.asleep) pushed = push_apart(island) || pushed;
+    }
+  }
   sleep_.look(blocks_, increment_, external_, dt);
   ++counts_.steps;
-  return any_slips;
+  return any_slips || pushed;
 }
 
 bool Solid::may_sleep(const IslandSystem& s) const {

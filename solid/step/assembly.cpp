@@ -105,14 +105,24 @@ void Solid::assemble(IslandSystem& s) {
 /// and bolts do is kept for the matrix, which only a residual that is too large asks for.
 double Solid::unbalanced(IslandSystem& s) {
   const Stopwatch watch(profile_.assembly);
+  balance_alone(s);
+  let_act(s);
+  return find_residual(s, [&](std::size_t k) { take_up(s, k); });
+}
+
+/// What acts on an island's blocks without contacts, supports and bolts.
+void Solid::balance_alone(IslandSystem& s) {
   if (s.unknowns->shared()) set_corner_maps(s);
   for_each(s.island.blocks.size(), [&](std::size_t k) { balance_own(at(s.island.blocks[k])); });
   balance_couplings(s);
-  let_act(s);
+}
+
+/// Of what `also_acts` adds to the balance of each block, by its place in the island.
+double Solid::find_residual(IslandSystem& s, const std::function<void(std::size_t)>& also_acts) {
   s.residual.setZero();
   s.uncertain.setZero(s.unknowns->shared() ? s.residual.size() : 0);
   const double unbalanced = largest(s.island.blocks.size(), [&](std::size_t k) {
-    take_up(s, k);
+    if (also_acts) also_acts(k);
     return blocks_[at(s.island.blocks[k])].is_part() ? 0.0 : add_residual(s, k);
   });
   if (!std::isfinite(unbalanced) || !s.unknowns->shared()) return unbalanced;

@@ -37,6 +37,7 @@ struct Counts {
   long lagged_steps = 0;     ///< tries with friction that lags
   long impact_steps = 0;     ///< made by Shi's scheme in place of a rule of second order, as contacts changed
   long pivoted_islands = 0;  ///< whose states were looked for by pivoting
+  long swept_islands = 0;    ///< whose contacts were swept, summed over steps
   long iterations = 0;       ///< solved linear systems
   long factorizations = 0;   ///< of matrices; the other solutions reuse one
   long reused_factorizations = 0;
@@ -50,12 +51,14 @@ struct Counts {
   long most_islands = 0;        ///< at a time
   long slept_islands = 0;       ///< islands that a step left as they were, summed over steps
   double condition_number = 0;  ///< largest of all systems solved, where the scene asks for it
+  double residual_m = 0;        ///< by which gaps and slips of a swept step were off their laws, the largest
+  double overlap_m = 0;         ///< of blocks as a step ended, the largest
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(steps, undone_steps, softened_steps, lagged_steps, impact_steps, pivoted_islands, iterations,
+    archive(steps, undone_steps, softened_steps, lagged_steps, impact_steps, pivoted_islands, swept_islands, iterations,
             factorizations, reused_factorizations, sweeps, state_changes, broad_searches, searches, skipped_searches,
-            settling_steps, solved_islands, most_islands, slept_islands, condition_number);
+            settling_steps, solved_islands, most_islands, slept_islands, condition_number, residual_m, overlap_m);
   }
 };
 

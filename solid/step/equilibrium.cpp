@@ -13,6 +13,8 @@
 namespace blockweir::solid {
 namespace {
 
+constexpr int few_unknowns = 60;  // of an island for which Newton's method may go on as long as it likes
+
 /// Notices that Newton's method runs in circles: what is unbalanced comes again (Brent's way to find a cycle).
 class Circle {
  public:
@@ -121,7 +123,9 @@ bool Solid::find_equilibrium(IslandSystem& s) {
                             : unknowns > large_island    ? 50
                                                          : scene_.contact.max_iterations;
   // Where it has failed, its next turn is a short one.
-  const int most = unknowns > large_island && whole_law_.after_failure() ? 20 : scene_.contact.max_iterations;
+  constexpr int few = 15;
+  const bool short_turn = unknowns > few_unknowns && whole_law_.after_failure();
+  const int most = short_turn ? few : scene_.contact.max_iterations;
   const double tolerance = formulation_->settings().force_tolerance_n;
   constexpr double close = 0.3;  // of what multipliers will still move: they need no closer equilibrium
   const Held held = held_by(s);

@@ -15,6 +15,7 @@
 #include "solid/contact/coulomb_forces.hpp"
 #include "solid/contact/formulation.hpp"
 #include "solid/contact/search.hpp"
+#include "solid/solve/force_sweeps.hpp"
 #include "solid/solve/incidence.hpp"
 #include "solid/solve/islands.hpp"
 #include "solid/solve/saddle_point.hpp"
@@ -120,6 +121,8 @@ class Solid {
     Eigen::VectorXd residual;
     Eigen::VectorXd correction;
     Eigen::VectorXd forces;
+    ForceSweeps sweeps;          ///< where Newton's method does not find the states
+    bool swept = false;          ///< in the step at hand
     bool asleep = false;         ///< in the step at hand
     std::vector<int> couplings;  ///< indices into Parts::couplings
     Eigen::VectorXd uncertain;   ///< round-off of the residual at nodes
@@ -187,6 +190,21 @@ class Solid {
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
+  /// Static analyses ask for round-off, which sweeps do not reach; steps that are to be smooth for states that stay.
+  [[nodiscard]] bool may_sweep() const { return newmark_.damps && !settling_ && !smooth_only_; }
+  bool find_equilibrium_by_sweeps(IslandSystem& island);
+  void start_again(const IslandSystem& island);
+  bool linearize(IslandSystem& island);
+  void add_row(IslandSystem& island, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force);
+  void add_end_of_mesh(IslandSystem& island, bool second, int block, const Matrix26& shape);
+  void take_forces(IslandSystem& island);
+  bool push_apart(const IslandSystem& island);
+  void push_once(const IslandSystem& island);
+  [[nodiscard]] EdgeFrame frame_now(const ContactPoint& c) const;
+  [[nodiscard]] double gap_now(const ContactPoint& c) const;
+  void displace(std::size_t block, const Eigen::Vector3d& by);
+  void settle_swept_velocities(IslandSystem& island, double dt);
+  [[nodiscard]] Eigen::Vector2d rate_of_fixed(const Interaction& action, bool to_mean, double dt) const;
   bool sweep(IslandSystem& island);
   bool find_equilibrium_with_lagging_friction(IslandSystem& island);
   [[nodiscard]] bool may_pivot(const IslandSystem& island) const;
@@ -206,6 +224,8 @@ class Solid {
   double unbalanced(IslandSystem& island);
   double unbalanced_in_these_states(IslandSystem& island);
   void balance_own(std::size_t b);
+  void balance_alone(IslandSystem& island);
+  double find_residual(IslandSystem& island, const std::function<void(std::size_t)>& also_acts);
   void let_act(IslandSystem& island);
   void take_up(const IslandSystem& island, std::size_t k);
   double add_residual(IslandSystem& island, std::size_t k);
@@ -247,6 +267,8 @@ class Solid {
   void add_mean_inertia(IslandSystem& island);
   void add_mean_inertia_to_saddle(IslandSystem& island) const;
   bool solve(IslandSystem& island, bool symmetric) const;
+  [[nodiscard]] Eigen::VectorXd solve_again(IslandSystem& island, const Eigen::VectorXd& force) const;
+  void with_mean_inertia(const IslandSystem& island, Eigen::VectorXd& solution) const;
   [[nodiscard]] static double unbalanced_at_nodes(const IslandSystem& island);
   void follow_corners(std::size_t triangle);
   [[nodiscard]] Vector6 corner_increment(std::size_t triangle) const;

@@ -130,19 +130,30 @@ Eigen::MatrixXd Solid::mean_motions(const IslandSystem& s, Eigen::MatrixXd& iner
   return columns;
 }
 
-/// (K + U S U^T) d = r from solutions with K: d = x - X (I + S U^T X)^-1 S U^T x, x = K^-1 r, X = K^-1 U.
 bool Solid::solve(IslandSystem& s, bool symmetric) const {
   if (!scene_.analysis.reuse_factors) s.system->forget_factors();
   if (!s.system->solve(symmetric, s.residual, s.correction)) return false;
-  if (mean_motions_.empty()) return true;
+  with_mean_inertia(s, s.correction);
+  return s.correction.allFinite();
+}
+
+/// For another force, with the matrix of the last solution.
+Eigen::VectorXd Solid::solve_again(IslandSystem& s, const Eigen::VectorXd& force) const {
+  Eigen::VectorXd d = s.system->solve_again(force);
+  with_mean_inertia(s, d);
+  return d;
+}
+
+/// (K + U S U^T) d = r from solutions with K: d = x - X (I + S U^T X)^-1 S U^T x, x = K^-1 r, X = K^-1 U.
+void Solid::with_mean_inertia(const IslandSystem& s, Eigen::VectorXd& x) const {
+  if (mean_motions_.empty()) return;
   Eigen::MatrixXd S;
   const Eigen::MatrixXd U = mean_motions(s, S);
-  if (U.cols() == 0) return true;
+  if (U.cols() == 0) return;
   Eigen::MatrixXd X(U.rows(), U.cols());
   for (Eigen::Index i = 0; i < U.cols(); ++i) X.col(i) = s.system->solve_again(U.col(i));
   const Eigen::MatrixXd core = Eigen::MatrixXd::Identity(U.cols(), U.cols()) + S * (U.transpose() * X);
-  s.correction -= X * core.partialPivLu().solve(S * (U.transpose() * s.correction));
-  return s.correction.allFinite();
+  x -= X * core.partialPivLu().solve(S * (U.transpose() * x));
 }
 
 /// Beside unknown forces the inertia is a few more of them: f = lambda e.P d, a force a mode e of M_a that has inertia.
