@@ -51,9 +51,9 @@ class LagrangeMultiplier final : public Formulation {
       shear = std::copysign(bound, stuck.shear);
       slope = dilation_slope(c, progress);
     } else {
-      constraints.all[1] = {{0, 1}, {0, 1}, progress.separation.y(), compliance};
+      constraints.all[1] = {{0, 1}, {0, 1}, violation(progress.separation.y()), compliance};
     }
-    constraints.all[0] = {{1, slope}, {1, stuck.shear_per_normal}, progress.separation.x(), compliance};
+    constraints.all[0] = {{1, slope}, {1, stuck.shear_per_normal}, violation(progress.separation.x()), compliance};
     constraints.count = stuck.state == ContactState::stick ? 2 : 1;
     action.force = c.force = {c.multiplier.x(), shear};
     action.held = {c.penalty, stuck.state == ContactState::stick ? c.penalty : 0};
@@ -71,7 +71,8 @@ class LagrangeMultiplier final : public Formulation {
     for (int axis = 0; axis < 2; ++axis) {
       if (s.held()[axis] == 0) continue;
       const Eigen::Vector2d unit = Eigen::Vector2d::Unit(axis);
-      constraints.all[constraints.count++] = {unit, unit, progress.separation[axis], regularization / s.penalty};
+      constraints.all[constraints.count++] = {unit, unit, violation(progress.separation[axis]),
+                                              regularization / s.penalty};
     }
     return action;
   }
@@ -108,6 +109,12 @@ class LagrangeMultiplier final : public Formulation {
     c.penalty = contacts_[at(k)].stiffness;
   }
   void begin_support(const Trial& /*trial*/, int k, Support& s) override { s.penalty = supports_[at(k)].stiffness; }
+
+  /// A tenth of what the tolerance lets be is none: redundant constraints would make forces of it, over their
+  /// compliance. Ten times as much would show in the accelerations of short steps.
+  [[nodiscard]] double violation(double separation_m) const {
+    return std::abs(separation_m) <= 0.1 * settings_.penetration_tolerance_m ? 0 : separation_m;
+  }
 
   std::vector<Constraints> of_contacts_;
   std::vector<Constraints> of_supports_;

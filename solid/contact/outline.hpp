@@ -22,6 +22,13 @@ inline std::size_t previous(std::size_t i, std::size_t count) {
   return i == 0 ? count - 1 : i - 1;
 }
 
+/// Does the body take up more than half of the plane at this corner of its outline?
+inline bool reflex(const std::vector<Point>& outline, std::size_t v) {
+  const Point before = outline[previous(v, outline.size())] - outline[v];
+  const Point after = outline[next(v, outline.size())] - outline[v];
+  return cross(after.normalized(), before.normalized()) < -parallel_tolerance;
+}
+
 /// Is the body at this corner of an outline on the normal's side of it, but for an angle of `closing` [rad]? A vertex
 /// presses on no other edges.
 inline bool faces(const std::vector<Point>& outline, std::size_t v, const Point& normal, double closing) {

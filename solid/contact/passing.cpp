@@ -27,7 +27,13 @@ bool ContactSearch::within(const std::vector<Point>& vertices, std::size_t v, co
   return touches || encloses(edges, p) || pierces(vertices, v, edges, edge, coincidence_);
 }
 
-bool ContactSearch::entered(const std::vector<Placement>& placements) {
+bool ContactSearch::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts) {
+  const auto presses_already = [&](const ContactPoint& passing) {
+    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
+      return c.state != ContactState::open && c.vertex_block == passing.vertex_block && c.vertex == passing.vertex &&
+             c.edge_block == passing.edge_block;
+    });
+  };
   const auto outline = [&](int block, std::vector<Point>& corners) -> const std::vector<Point>& {
     corners.clear();
     for (const OutlineSide& side : parts_.outlines[static_cast<std::size_t>(block)]) {
@@ -40,7 +46,7 @@ bool ContactSearch::entered(const std::vector<Placement>& placements) {
     if (c.gap < -coincidence_) continue;  // behind the edge's line all along
     const auto& vertices = outline(c.vertex_block, outlines_[0]);
     const auto& edges = outline(c.edge_block, outlines_[1]);
-    if (within(vertices, at(c.vertex), edges, at(c.edge))) entered_.push_back(c);
+    if (within(vertices, at(c.vertex), edges, at(c.edge)) && !presses_already(c)) entered_.push_back(c);
   }
   if (entered_.size() > before) return true;
   entered_.clear();

@@ -154,8 +154,10 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       contact.anchor = s / edge_length;
       contact.separation = gap * n;
       contact.length = (overlap(V[v], before, a, t, edge_length) + overlap(V[v], after, a, t, edge_length)) / 2;
-      // Two acute corners may meet where neither faces the other's edges; farther from these, they may pass.
-      const bool meets = beyond <= std::max(coincidence_, (gap - opened) / 2) || did_enter(contact);
+      // Two acute corners may meet where neither faces the other's edges; farther from these, they may pass. In a
+      // notch nothing passes: what has gone a little into its wall still stands on its floor.
+      const bool in_notch = beyond > 0 && reflex(E, s < 0 ? e : next(e, E.size())) && encloses(E, V[v]);
+      const bool meets = beyond <= std::max(coincidence_, (gap - opened) / 2) || in_notch || did_enter(contact);
       (meets ? found_ : passing_).push_back(contact);
     }
   }

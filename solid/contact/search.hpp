@@ -38,8 +38,9 @@ class ContactSearch {
   [[nodiscard]] bool covers(double moved_m);
 
   /// Has a step to these placements taken a corner that was let pass into the block that it met? If so, the next search
-  /// from the same start keeps its contact.
-  [[nodiscard]] bool entered(const std::vector<Placement>& placements);
+  /// from the same start keeps its contact. What one of `contacts`, as the step has them, holds on another edge of that
+  /// block has not, however far its spring lets it in.
+  [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts);
 
   [[nodiscard]] long broad_searches() const { return broad_searches_; }
 

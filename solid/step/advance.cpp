@@ -210,7 +210,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
                               (moved == 0 || largest_turn() <= ContactSearch::most_turn));
   jumps_ = solved && smooth_only_ && contacts_change();
   solved = solved && !unfit();
-  const bool seen = !solved || (search_.covers(moved) && (moved == 0 || !search_.entered(placement_)));
+  const bool seen = !solved || (search_.covers(moved) && (moved == 0 || !search_.entered(placement_, contacts_)));
   if (!solved || !seen) {
     for (const IslandSystem& s : islands_) formulation_->undo(held_by(s));
     contacts_stand_ = seen;

@@ -219,6 +219,7 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
     if (longer <= dt || longer < failed || !as_long.skips()) dt = longer;
   }
   if (acceleration < moving) return;
+  starts_at_rest_ = false;
   stand_as(held);
   start_moving(pseudo_step, acceleration, held, water);
   for (std::size_t b = 0; b < blocks_.size(); ++b) sleep_.wake(b);

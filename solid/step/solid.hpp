@@ -80,6 +80,8 @@ class Solid {
   /// Largest displacement of any vertex since the scene's outline, against the base [m].
   [[nodiscard]] double largest_displacement_m() const;
   [[nodiscard]] double time_s() const { return time_s_; }
+  /// Has settling found a state of rest? Known as the run begins.
+  [[nodiscard]] bool starts_at_rest() const { return starts_at_rest_; }
 
   /// What a step changes.
   template <class Archive>
@@ -334,8 +336,9 @@ class Solid {
   std::unique_ptr<Formulation> formulation_;
   std::unique_ptr<Formulation> substitute_;  ///< for steps that Lagrange multipliers cannot settle
   ContactSearch search_;
-  std::vector<bool> frozen_;   ///< fixed, or waiting while others settle
-  double end_s_ = 0;           ///< of the step
+  std::vector<bool> frozen_;  ///< fixed, or waiting while others settle
+  double end_s_ = 0;          ///< of the step
+  bool starts_at_rest_ = true;
   bool pivots_ = false;        ///< where states of small islands run in circles
   bool goes_too_far_ = false;  ///< states were found, but blocks move or turn by more than a step may
   bool smooth_only_ = false;   ///< the step is not to be where contacts change

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "bridge/scene/at.hpp"
+#include "solid/watch/failure_mode.hpp"
 #include "solid/watch/joint_name.hpp"
 #include "solid/watch/mobility.hpp"
 #include "solid/watch/moving_body.hpp"
@@ -17,15 +18,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int a_spell =
     10;  ///< looks in a row after which a block that only strains has come to stand: sliding ones stick at times
-
-/// Half the diagonal of the box around the blocks [m].
-double radius(const Solid& solid, const std::vector<int>& blocks) {
-  Eigen::AlignedBox2d box;
-  for (const int b : blocks) {
-    for (const Point& X : solid.blocks()[at(b)].vertices) box.extend(solid.placements()[at(b)].position(X));
-  }
-  return box.diagonal().norm() / 2;
-}
 
 /// The joint on which a body leaves the others.
 struct FailedJoint {
@@ -61,41 +53,6 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
     if (!trace.pieces.empty()) joint.mouth = from_downstream ? trace.end() : trace.mouth();
   }
   return joint;
-}
-
-struct Mode {
-  bool turns = false;
-  bool slides = false;
-
-  [[nodiscard]] std::string word() const {
-    return !turns ? "sliding" : slides ? "sliding and overturning" : "overturning";
-  }
-};
-
-Mode mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions& pairs) {
-  // Shares of the way: a body that turns about its toe has about 1/2 of it from the turning, one that slides none.
-  constexpr double turns = 0.02;
-  constexpr double slides = 0.002;
-  constexpr double opened = 0.2;  // of the turn times the joint's length, however slender the body
-  double travel = 0;
-  double mass = 0;
-  double turned = 0;
-  for (const int b : body.blocks) {
-    const double m = moved.solid().blocks()[at(b)].mass_per_m();
-    travel = std::max(travel, moved.farthest(b));
-    mass += m;
-    turned += m * moved.turned(b);
-  }
-  const double turn = std::abs(turned / mass);
-  double slip = 0;
-  bool opens = false;  // what strains or rings may turn, too, but opens no joint
-  for (const auto& [inside, outside] : body.left) {
-    const PairMotion& pair = pairs.at(std::minmax(inside, outside));
-    slip = std::max(slip, pair.slip);
-    opens = opens || pair.opening >= opened * turn * pair.length();
-  }
-  const bool turning = turn * radius(moved.solid(), body.blocks) > turns * travel;
-  return {turning && opens, slip > slides * travel};
 }
 
 }  // namespace
@@ -172,13 +129,14 @@ void FailureWatch::look(double time_s, const Levels& levels) {
   judge();
   const double far = solid_.scene().analysis.failure_displacement_m;
   const double passed_s = solid_.time_s() - seen_s_;
+  const int stood_at_start = solid_.starts_at_rest() ? a_spell : -a_spell;  // what sets out rings at first
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     Watched& block = watched_[b];
     if (solid_.blocks()[b].fixed || guided_[b] || block.failed) continue;
     const Vector6& displacement = solid_.states()[b].displacement;
     Point velocity = Point::Zero();
     if (passed_s > 0) velocity = (displacement - block.seen).head<2>() / passed_s;
-    block.stood = !stands_[b] ? 0 : begun_ ? std::min(block.stood + 1, a_spell) : a_spell;
+    block.stood = !begun_ ? stood_at_start : !stands_[b] ? 0 : std::min(block.stood + 1, a_spell);
     if (!begun_ || slow_[b] || block.stood == a_spell) {
       block.time_s = time_s;
       block.levels = block.last = levels;

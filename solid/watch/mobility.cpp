@@ -20,9 +20,10 @@ constexpr double free_motion = 1e-6;  ///< square of the largest violation of a 
 struct Hold {
   int of = 0;  ///< body
   int on = 0;
-  Point at;          ///< m
-  Point direction;   ///< of unit length
-  bool both = true;  ///< holds to both sides; else velocities of `of` against `on` along `direction` are free
+  Point at;             ///< m
+  Point direction;      ///< of unit length
+  bool both = true;     ///< holds to both sides; else velocities of `of` against `on` along `direction` are free
+  double radius_m = 0;  ///< of the smaller of the two blocks
 };
 
 /// Bodies: blocks joined so far. Whatever stands is one of them.
@@ -62,8 +63,9 @@ bool stopped_both_ways(const Eigen::VectorXd& rates) {
 }
 
 /// What the bodies that these holds name can do, the standing one excepted: true for each that no free motion moves.
-/// Points nearer to each other than `near_m` hold no turn.
-std::map<int, bool> held_bodies(const std::vector<Hold>& holds, int standing, double near_m) {
+/// Points nearer to each other than some thousandth of a block's radius hold no turn: a toe that presses on a corner
+/// has two contacts as far apart as these are pressed in.
+std::map<int, bool> held_bodies(const std::vector<Hold>& holds, int standing) {
   std::map<int, Eigen::Index> column;
   Point origin = Point::Zero();
   for (const Hold& hold : holds) {
@@ -72,8 +74,8 @@ std::map<int, bool> held_bodies(const std::vector<Hold>& holds, int standing, do
       if (body != standing) column.try_emplace(body, 3 * static_cast<Eigen::Index>(column.size()));
     }
   }
-  double size = near_m;
-  for (const Hold& hold : holds) size = std::max(size, (hold.at - origin).norm());
+  double size = 0;
+  for (const Hold& hold : holds) size = std::max({size, hold.radius_m, (hold.at - origin).norm()});
   const auto both = std::count_if(holds.begin(), holds.end(), [](const Hold& h) { return h.both; });
   const auto unknowns = 3 * static_cast<Eigen::Index>(column.size());
   Eigen::MatrixXd stopped = Eigen::MatrixXd::Zero(both, unknowns);
@@ -98,12 +100,16 @@ void hold(const Solid& solid, const ContactPoint& c, std::vector<Hold>& holds) {
   const Placement& edge = solid.placements()[at(c.edge_part)];
   const Point t = edge.vector(c.edge_to) - edge.vector(c.edge_from);
   const Point along = t / t.norm();
-  const Point place = solid.place(c);
-  holds.push_back({c.vertex_block, c.edge_block, place, perpendicular(along), true});
+  const auto radius = [&](int block) { return solid.blocks()[at(block)].radius; };
+  const auto add = [&](const Point& direction, bool both) {
+    const double smaller_m = std::min(radius(c.vertex_block), radius(c.edge_block));
+    holds.push_back({c.vertex_block, c.edge_block, solid.place(c), direction, both, smaller_m});
+  };
+  add(perpendicular(along), true);
   if (c.state == ContactState::stick && !c.slid) {
-    holds.push_back({c.vertex_block, c.edge_block, place, along, true});
+    add(along, true);
   } else if (c.state == ContactState::slip && c.force.y() != 0) {
-    holds.push_back({c.vertex_block, c.edge_block, place, c.force.y() < 0 ? along : Point(-along), false});
+    add(c.force.y() < 0 ? along : Point(-along), false);
   }
 }
 
@@ -117,8 +123,8 @@ std::vector<Hold> holds_of(const Solid& solid, const std::vector<bool>& moves) {
     if (!moves[at(s.block)]) continue;
     const Block& block = solid.blocks()[at(s.block)];
     const Point place = solid.placements()[at(s.block)].position(s.point_m - block.centroid);
-    if (s.displacement_x_m) holds.push_back({s.block, -1, place, Point::UnitX(), true});
-    if (s.displacement_y_m) holds.push_back({s.block, -1, place, Point::UnitY(), true});
+    if (s.displacement_x_m) holds.push_back({s.block, -1, place, Point::UnitX(), true, block.radius});
+    if (s.displacement_y_m) holds.push_back({s.block, -1, place, Point::UnitY(), true, block.radius});
   }
   return holds;
 }
@@ -137,7 +143,7 @@ std::vector<std::vector<Hold>> groups_of(const std::vector<Hold>& holds, std::si
 }
 
 /// Joins each two bodies that have no rigid motion against each other; true while there are any.
-bool join_pairs(std::vector<Hold>& holds, Bodies& bodies, double near_m) {
+bool join_pairs(std::vector<Hold>& holds, Bodies& bodies) {
   const auto pair = [](const Hold& h) { return std::minmax(h.of, h.on); };
   std::sort(holds.begin(), holds.end(), [&](const Hold& a, const Hold& b) { return pair(a) < pair(b); });
   bool joined = false;
@@ -146,7 +152,7 @@ bool join_pairs(std::vector<Hold>& holds, Bodies& bodies, double near_m) {
     if (std::distance(first, end) < 3) continue;
     const auto [low, high] = std::pair(std::min(first->of, first->on), std::max(first->of, first->on));
     if (bodies.of(low) == bodies.of(high)) continue;
-    if (!held_bodies({first, end}, high, near_m).at(low)) continue;
+    if (!held_bodies({first, end}, high).at(low)) continue;
     bodies.join(low, high);
     joined = true;
   }
@@ -155,7 +161,7 @@ bool join_pairs(std::vector<Hold>& holds, Bodies& bodies, double near_m) {
 
 /// Names bodies instead of blocks, and leaves out what two parts of one body hold.
 void rename(std::vector<Hold>& holds, Bodies& bodies) {
-  for (Hold& h : holds) h = {bodies.of(h.of), bodies.of(h.on), h.at, h.direction, h.both};
+  for (Hold& h : holds) h = {bodies.of(h.of), bodies.of(h.on), h.at, h.direction, h.both, h.radius_m};
   std::erase_if(holds, [](const Hold& h) { return h.of == h.on; });
 }
 
@@ -171,13 +177,12 @@ std::vector<bool> only_strain(const Solid& solid, const std::vector<bool>& moves
     if (!moves[at(h.of)]) h.of = standing;
     if (h.on < 0 || !moves[at(h.on)]) h.on = standing;
   }
-  const double near_m = 1e-3 * solid.size_m();
-  while (join_pairs(holds, bodies, near_m)) rename(holds, bodies);
+  while (join_pairs(holds, bodies)) rename(holds, bodies);
   for (const std::vector<Hold>& group : groups_of(holds, moves.size(), bodies.of(standing))) {
     std::set<int> together;
     for (const Hold& h : group) together.insert({h.of, h.on});
     if (together.size() > most_bodies + 1) continue;
-    for (const auto& [body, is_held] : held_bodies(group, bodies.of(standing), near_m)) {
+    for (const auto& [body, is_held] : held_bodies(group, bodies.of(standing))) {
       if (is_held) bodies.join(body, standing);
     }
   }

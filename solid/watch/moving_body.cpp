@@ -47,6 +47,19 @@ Point MovedSince::operator()(int block, const Point& X) const {
   return solid_.placements()[at(block)].displacement(X) - then_[at(block)].displacement(X) - base_[at(block)];
 }
 
+Point MovedSince::of_part(int block, int part, const Point& X) const {
+  const auto& blocks = solid_.blocks();
+  return (*this)(block, X + blocks[at(part)].centroid - blocks[at(block)].centroid);
+}
+
+Point MovedSince::of_vertex(const ContactPoint& c) const {
+  return of_part(c.vertex_block, c.vertex_part, c.vertex_at);
+}
+
+Point MovedSince::of_foot(const ContactPoint& c) const {
+  return of_part(c.edge_block, c.edge_part, c.edge_from + c.anchor * (c.edge_to - c.edge_from));
+}
+
 double MovedSince::farthest(int block) const {
   double farthest = 0;
   for (const Point& X : solid_.blocks()[at(block)].vertices) farthest = std::max(farthest, (*this)(block, X).norm());
@@ -59,19 +72,14 @@ double MovedSince::turned(int block) const {
 
 PairMotions pair_motions(const MovedSince& moved) {
   PairMotions pairs;
-  const auto& blocks = moved.solid().blocks();
   for (const ContactPoint& c : moved.solid().contacts()) {
-    const auto point = [&](int block, int part, const Point& X) {
-      return moved(block, X + blocks[at(part)].centroid - blocks[at(block)].centroid);
-    };
-    const Point vertex = point(c.vertex_block, c.vertex_part, c.vertex_at);
-    const Point foot = point(c.edge_block, c.edge_part, c.edge_from + c.anchor * (c.edge_to - c.edge_from));
+    const Point vertex = moved.of_vertex(c);
+    const Point foot = moved.of_foot(c);
     PairMotion& pair = pairs[c.pair()];
     pair.points.extend(moved.solid().placements()[at(c.vertex_part)].position(c.vertex_at));
     const double relative = (vertex - foot).norm();
     pair.moved = std::max({pair.moved, vertex.norm(), foot.norm()});
     pair.relative = std::max(pair.relative, relative);
-    pair.opening = std::max(pair.opening, c.gap);
     if (c.state == ContactState::open) continue;
     pair.slip = std::max(pair.slip, relative);
     pair.normal += c.force.x();

@@ -19,6 +19,10 @@ class MovedSince {
 
   /// Of a point [m, from the centroid], against the base.
   [[nodiscard]] Point operator()(int block, const Point& X) const;
+  /// Of a contact's two points [m], and of its vertex against its edge.
+  [[nodiscard]] Point of_vertex(const ContactPoint& c) const;
+  [[nodiscard]] Point of_foot(const ContactPoint& c) const;
+  [[nodiscard]] Point apart(const ContactPoint& c) const { return of_vertex(c) - of_foot(c); }
   /// Farthest that a vertex has come [m].
   [[nodiscard]] double farthest(int block) const;
   /// Angle that the block has turned [rad].
@@ -26,6 +30,8 @@ class MovedSince {
   [[nodiscard]] const Solid& solid() const { return solid_; }
 
  private:
+  [[nodiscard]] Point of_part(int block, int part, const Point& X) const;
+
   const Solid& solid_;
   const std::vector<Vector6>& displacement_;
   std::vector<Placement> then_;
@@ -37,12 +43,8 @@ struct PairMotion {
   double moved = 0;            ///< largest of a contact's two points
   double relative = 0;         ///< largest between them
   double slip = 0;             ///< the same of closed contacts
-  double opening = 0;          ///< widest gap
   double normal = 0;           ///< sum of normal forces [N per metre]
   Eigen::AlignedBox2d points;  ///< of contacts
-
-  /// Of the joint [m].
-  [[nodiscard]] double length() const { return points.isEmpty() ? 0 : points.diagonal().norm(); }
 };
 using PairMotions = std::map<std::pair<int, int>, PairMotion>;
 PairMotions pair_motions(const MovedSince& moved);

@@ -79,6 +79,17 @@ double root(const std::function<double(double)>& margin, double low, double high
   return (low + high) / 2;
 }
 
+double level_of(double Margins::*margin, const Stack& stack, double high_m) {
+  return root([&](double z) { return margins_of(stack, z).*margin; }, stack.heel_m.y(), high_m);
+}
+
+double level_once_broken(Stack stack, const std::string& mode, double high_m) {
+  const bool slides = mode == "sliding";
+  stack.law.cohesion_pa *= slides ? 0 : 0.5;
+  stack.law.tension_pa = 0;
+  return level_of(slides ? &Margins::overturning : &Margins::sliding, stack, high_m);
+}
+
 }  // namespace
 
 Stack stack_of(const std::string& joint, const Vec& heel, const Vec& toe, const Vec& face_top, const Vec& back_top,
@@ -97,13 +108,17 @@ Stack stack_of(const std::string& joint, const Vec& heel, const Vec& toe, const 
   return stack;
 }
 
+double overturning_level(const Stack& stack, double high_m) {
+  return level_of(&Margins::overturning, stack, high_m);
+}
+
 Failing first_failure(const std::vector<Stack>& stacks, double high_m) {
   std::vector<Failing> ways;
   for (const Stack& stack : stacks) {
     const auto add = [&](const char* mode, double Margins::*margin) {
-      const double low_m = stack.heel_m.y();
-      const double level = root([&](double z) { return margins_of(stack, z).*margin; }, low_m, high_m);
+      const double level = level_of(margin, stack, high_m);
       ways.push_back({level, mode, stack.joint, level - stack.heel_m.y(), high_m});
+      ways.back().broken_level_m = level_once_broken(stack, mode, high_m);
     };
     add("sliding", &Margins::sliding);
     add("overturning", &Margins::overturning);

@@ -37,7 +37,13 @@ struct Failing {
   std::string joint;
   double head_m = 0;        ///< of the level above the joint's heel
   double next_level_m = 0;  ///< at which the next way to fail begins
+  /// At which the other way begins on the same joint, once the first has broken its bond: a slip breaks it all, a heel
+  /// that opens that of its end.
+  double broken_level_m = std::numeric_limits<double>::infinity();
 };
+
+/// The level, up to `high_m`, at which all above a joint turns over its toe.
+double overturning_level(const Stack& stack, double high_m);
 
 /// The lowest level, up to `high_m`, at which one of the stacks fails on its joint.
 Failing first_failure(const std::vector<Stack>& stacks, double high_m);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tests/independent/limit_analysis.hpp"
+#include "tests/independent/rock_foundation.hpp"
 #include "tests/independent/voronoi_cells.hpp"
 
 namespace blockweir::independent {
@@ -57,18 +58,6 @@ Law random_law(Random& random, double weight_stress_pa) {
   return law;
 }
 
-/// Where the dam on its rock would fail later, and the mechanism does not turn the rock, both slide on the bedding.
-void find_by_hand_on_rock(RandomStructure& one, const Limit& limit) {
-  const Structure& s = one.structure;
-  const auto& dam = s.bodies[2].outline_m;
-  const Stack stack = stack_of("contact", dam[0], dam[1], dam[3], dam[2], s.joints[0].law, s.density_kg_per_m3, none_m);
-  const double alone_m = first_failure({stack}, 2 * one.height_m).level_m;
-  if (limit.velocities.empty()) return;
-  const Eigen::Vector3d& rock = limit.velocities[1];
-  const bool slides = rock.head<2>().norm() > 1e-3 && std::abs(rock[2]) < 1e-6 * rock.head<2>().norm();
-  if (slides) one.by_hand = Failing{limit.level_m, "sliding", "bedding", limit.level_m, alone_m};
-}
-
 /// Tries until the structure fails at a level worth the trial.
 template <class Draw>
 RandomStructure drawn(std::uint64_t seed, const char* kind, Draw draw) {
@@ -81,7 +70,8 @@ RandomStructure drawn(std::uint64_t seed, const char* kind, Draw draw) {
       const auto limit = limit_level(one.structure, 0.3 * one.height_m, high_m);
       if (!limit) continue;
       one.level_m = limit->level_m;
-      if (one.kind == "on_rock") find_by_hand_on_rock(one, *limit);
+      if (one.kind == "on_rock") one.by_hand = failing_on_rock(one.structure, *limit, 2 * one.height_m);
+      if (one.by_hand) one.level_m = one.by_hand->level_m;
       return one;
     }
     one.by_hand = first_failure(one.stacks, high_m);

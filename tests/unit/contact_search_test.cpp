@@ -41,6 +41,16 @@ TEST(ContactSearch, FindsTheSameContactsWhereTheReachIsLongerThanBlocksAreThick)
   }
 }
 
+/// Springs have let the slab's corner a little into the wall.
+TEST(ContactSearch, KeepsTheFloorOfANotchUnderACornerThatIsPressedIntoItsWall) {
+  scene::Scene scene = two_slabs();
+  scene.blocks[0].vertices = {{-1, -1}, {2, -1}, {2, 0}, {0, 0}, {0, 1}, {-1, 1}};
+  scene.blocks[1].vertices = {{-1e-5, 1e-6}, {1, 1e-6}, {1, 0.5}, {-1e-5, 0.5}};
+  const auto contacts = contacts_within(0.1, scene);
+  EXPECT_TRUE(std::any_of(contacts.begin(), contacts.end(),
+                          [](const ContactPoint& c) { return c.vertex_block == 1 && c.vertex == 0 && c.edge == 2; }));
+}
+
 /// Contacts of two outlines that do not touch.
 std::vector<ContactPoint> contacts_between(const std::vector<Point>& one, const std::vector<Point>& other,
                                            double size_m = 1) {
@@ -156,13 +166,16 @@ class PassingCorners : public testing::Test {
     search_.update(placements_, contacts_);
     return contacts_.size();
   }
+  void press() {
+    for (ContactPoint& c : contacts_) c.state = ContactState::stick;
+  }
   /// After a step that takes the right one so far.
   bool entered(double x_m, double y_m) {
     std::vector<Placement> after = placements_;
     Vector6 moved = Vector6::Zero();
     moved.head<2>() << x_m, y_m;
     after[1] = Placement(parts_.blocks[1].centroid, moved);
-    return search_.entered(after);
+    return search_.entered(after, contacts_);
   }
 
  private:
@@ -193,6 +206,21 @@ TEST_F(PassingCorners, AreOneOnceAStepHasTakenOneIntoTheOther) {
   EXPECT_GE(contacts(), 1U) << "when the step is done again";
   EXPECT_FALSE(entered(-0.02, 0)) << "it is held now";
   EXPECT_EQ(contacts(), 0U) << "in the step that follows";
+}
+
+/// A heel that has slid past the corner of the ground, down its dipping base.
+class HeelPastACorner : public PassingCorners {
+ protected:
+  HeelPastACorner()
+      : PassingCorners({{-2, -1}, {2, -1}, {2, -0.1}, {0, 0}, {-2, 0}},
+                       {{1e-6, -5e-8}, {1, -0.05}, {1, 0.5}, {1e-6, 0.5}}) {}
+};
+
+TEST_F(HeelPastACorner, IsNotHeldByTheFaceBehindItHoweverFarItsSpringLetsItIn) {
+  EXPECT_EQ(contacts(), 2U);
+  press();
+  EXPECT_FALSE(entered(0, -1e-5));
+  EXPECT_EQ(contacts(), 2U);
 }
 
 /// Acute corners that a step takes through each other: neither is in the other's block at its end.

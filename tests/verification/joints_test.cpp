@@ -108,6 +108,32 @@ TEST_P(Joints, ASofteningJointLosesCohesionAndPeakFrictionLinearlyWithItsSlip) {
   EXPECT_NEAR(peak / peak_strength, 1, 3e-3);
 }
 
+/// 1 m by 0.5 m, led at a corner of the joint, whose contacts then share their shear with the support in any way, or by
+/// its head.
+TEST_P(Joints, ARigidBlockThatIsDraggedBearsWhatItsSofteningJointHasLeft) {
+  for (const Point& led_m : {Point(1, 0), Point(0, 0.5)}) {
+    auto scene = led_block();
+    scene.blocks.pop_back();
+    add(scene, {{0, 0}, {1, 0}, {1, 0.5}, {0, 0.5}});
+    scene.analysis.rigid = scene::Rigid::all;
+    scene.analysis.step_s = 0.01;
+    scene.supports[0].point_m = led_m;
+    scene.supports[0].displacement_x_m = scene::TimeTable{.time_s = {0, 1}, .value = {0, 0.1}};
+    scene.default_joint.residual_friction_angle_deg = 20;
+    scene.default_joint.cohesion_pa = 1e3;
+    scene.default_joint.softening_slip_m = 0.05;
+    Solid solid(scene);
+    solid.settle({});
+    const double peak = weight / 8 * std::tan(30 * pi / 180) + 1e3;
+    const double residual = weight / 8 * std::tan(20 * pi / 180);
+    for (int n = 0; n < 100; ++n) {
+      solid.advance(n * 0.01, (n + 1) * 0.01, {});
+      const double left = std::max(0.0, 1 - (n + 1) * 1e-3 / 0.05);
+      ASSERT_NEAR(shear(solid) / peak, (residual + left * (peak - residual)) / peak, 1e-6) << led_m.y() << " m, " << n;
+    }
+  }
+}
+
 TEST_P(Joints, ATensionStrengthHoldsAHangingBlockUpToItsValue) {
   for (const auto& [share, holds] : {std::pair{1.01, true}, std::pair{0.99, false}}) {
     auto scene = empty_scene();

@@ -72,6 +72,26 @@ TEST(Mobility, BlocksThatHoldEachOtherAcrossAGapAreHeldTogether) {
   EXPECT_TRUE(held[2]);
 }
 
+/// Its toe has two contacts with the corner of the ground, as far apart as springs let it in.
+TEST(Mobility, WhatTurnsOnACornerIsNotHeldByTheTwoContactsThere) {
+  auto scene = empty_scene();
+  scene.contact.formulation = scene::ContactFormulation::penalty;
+  scene.contact.stiffness_n_per_m2 = 1e8;  // half a millimetre of settlement
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 60;
+  scene.analysis.rigid = scene::Rigid::all;
+  add(scene, {{-5, -1}, {5, -1}, {5, 0.1}, {1, 0.1}, {0, 0}, {-5, 0}}, true);
+  add(scene, {{0, 0}, {1, 0.1}, {1, 2}, {0, 2}});
+  scene::PointLoad load{.block = 1, .point_m = Point(0, 2)};
+  load.force_x_n_per_m = scene::TimeTable::constant(0.4 * 2 * 2500 * 9.81);
+  load.force_y_n_per_m = scene::TimeTable::constant(0);
+  scene.point_loads.push_back(load);
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 0.3);
+  ASSERT_LT(solid.states()[1].displacement[2], -0.01);
+  EXPECT_FALSE(only_strain(solid, {false, true})[1]);
+}
+
 TEST(Surfaces, OfAWallAreItsBedJointsAndNoneOfItsHeadJoints) {
   auto scene = empty_scene();
   add_box(scene, -1, -1, 6, 1, true);

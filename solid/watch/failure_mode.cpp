@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/watch/failure_mode.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bridge/scene/at.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+/// Half the diagonal of the box around the blocks [m].
+double radius(const Solid& solid, const std::vector<int>& blocks) {
+  Eigen::AlignedBox2d box;
+  for (const int b : blocks) {
+    for (const Point& X : solid.blocks()[at(b)].vertices) box.extend(solid.placements()[at(b)].position(X));
+  }
+  return box.diagonal().norm() / 2;
+}
+
+/// Does the body, by turning about where it presses, open a joint behind it? What strains or rings may turn, too, but
+/// opens none; and what slides away from a wall opens that by its slip.
+bool opens_by_turning(const MovedSince& moved, const MovingBody& body, const PairMotions& pairs, double turn) {
+  constexpr double opened = 0.2;  // of the turn times the joint's length, however slender the body
+  const Solid& solid = moved.solid();
+  const auto each_left = [&](const auto& look) {  // 1 where the contact's vertex is the body's, -1 where its edge is
+    for (const ContactPoint& c : solid.contacts()) {
+      for (const auto& [inside, outside] : body.left) {
+        if (c.vertex_block == inside && c.edge_block == outside) look(c, 1);
+        if (c.edge_block == inside && c.vertex_block == outside) look(c, -1);
+      }
+    }
+  };
+  double pressed = 0;
+  Point place = Point::Zero();  // where the body presses, and its slip there, weighted by how much
+  Point slip = Point::Zero();
+  each_left([&](const ContactPoint& c, int of_body) {
+    if (c.state == ContactState::open) return;
+    pressed += c.force.x();
+    place += c.force.x() * solid.place(c);
+    slip += c.force.x() * of_body * moved.apart(c);
+  });
+  if (pressed <= 0) return true;
+  place /= pressed;
+  slip /= pressed;
+  Eigen::AlignedBox2d joint;
+  for (const auto& [inside, outside] : body.left) joint.extend(pairs.at(std::minmax(inside, outside)).points);
+  const double least = opened * std::abs(turn) * joint.diagonal().norm();
+  bool opens = false;
+  each_left([&](const ContactPoint& c, int of_body) {
+    const Placement& edge = solid.placements()[at(c.edge_part)];
+    const Point away = -of_body * perpendicular(edge.vector(c.edge_to - c.edge_from)).normalized();
+    const double beyond_slip = away.dot(of_body * moved.apart(c)) - std::max(0.0, away.dot(slip));
+    const double by_turning = turn * away.dot(perpendicular(solid.place(c) - place));
+    opens = opens || std::min({c.gap, beyond_slip, by_turning}) >= least;
+  });
+  return opens;
+}
+
+}  // namespace
+
+Mode mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions& pairs) {
+  // Shares of the way: a body that turns about its toe has about 1/2 of it from the turning, one that slides none.
+  constexpr double turns = 0.02;
+  constexpr double slides = 0.002;
+  double travel = 0;
+  double mass = 0;
+  double turned = 0;
+  double ahead = 0;
+  for (const int b : body.blocks) {
+    const double m = moved.solid().blocks()[at(b)].mass_per_m();
+    travel = std::max(travel, moved.farthest(b));
+    mass += m;
+    turned += m * moved.turned(b);
+    ahead += m * moved(b, Point::Zero()).x();
+  }
+  const double turn = turned / mass;
+  double slip = 0;
+  for (const auto& [inside, outside] : body.left) slip = std::max(slip, pairs.at(std::minmax(inside, outside)).slip);
+  const double by_turn = std::abs(turn) * radius(moved.solid(), body.blocks);
+  // What slides faster than its head follows leans back: it falls over no edge.
+  const bool leans_back = turn * ahead > 0 && slip > by_turn;
+  const bool turning = by_turn > turns * travel && !leans_back;
+  return {turning && opens_by_turning(moved, body, pairs, turn), slip > slides * travel};
+}
+
+}  // namespace blockweir::solid
