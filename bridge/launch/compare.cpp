@@ -60,7 +60,7 @@ bool add_rows(const std::string& name, const char* formulation, const json& s, j
                check["name"].get<std::string>(), number(check["relative_error"], "{:.2e}"),
                number(s["largest_penetration_m"], "{:.2e}"), number(s["largest_condition_number"], "{:.2e}"),
                s["counts"]["iterations"].get<long>(), s["counts"]["steps"].get<long>(),
-               s["counts"]["softened_steps"].get<long>(), number(s["wall_time_s"], "{:.3g}"));
+               s["counts"]["substituted_steps"].get<long>(), number(s["wall_time_s"], "{:.3g}"));
     rows.push_back({{"case", name},
                     {"formulation", formulation},
                     {"name", check["name"]},
@@ -72,7 +72,7 @@ bool add_rows(const std::string& name, const char* formulation, const json& s, j
                     {"iterations", s["counts"]["iterations"]},
                     {"multiplier_sweeps", s["counts"]["multiplier_sweeps"]},
                     {"steps", s["counts"]["steps"]},
-                    {"softened_steps", s["counts"]["softened_steps"]},
+                    {"substituted_steps", s["counts"]["substituted_steps"]},
                     {"wall_time_s", s["wall_time_s"]}});
   }
   return true;

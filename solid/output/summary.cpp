@@ -198,6 +198,17 @@ json checks(const Outcome& outcome) {
   return list;
 }
 
+/// Steps of many moving contacts end after a number of sweeps: empty where what these left is little against a failure.
+std::string residual_warning(const scene::Scene& scene, const Counts& counts) {
+  constexpr double most = 0.1;
+  if (counts.residual_m <= most * scene.analysis.failure_displacement_m) return {};
+  return fmt::format(
+      "a step of many moving contacts left gaps and slips off their laws by {:.3g} m, expected at most {:.3g} m, {:g} "
+      "of "
+      "[analysis] failure_displacement_m: what moved is known no better; shorten [analysis] step_s (now {:.3g})",
+      counts.residual_m, most * scene.analysis.failure_displacement_m, most, scene.analysis.step_s);
+}
+
 json summary(const Outcome& outcome) {
   const scene::Scene& scene = outcome.solid.scene();
   const Counts counts = outcome.solid.counts();
@@ -207,19 +218,18 @@ json summary(const Outcome& outcome) {
                {"simulated_s", outcome.last.time_s},
                {"largest_displacement_m", outcome.last.largest_displacement_m},
                {"largest_penetration_m", outcome.largest_penetration_m},
+               {"largest_overlap_m", counts.overlap_m},
+               {"largest_residual_m", counts.residual_m},
                {"warnings", scene.warnings},
                {"checks", checks(outcome)},
                {"skips", skips(outcome.solid, outcome.frames)},
                {"counts",
                 {{"steps", counts.steps},
                  {"undone_steps", counts.undone_steps},
-                 {"softened_steps", counts.softened_steps},
+                 {"substituted_steps", counts.substituted_steps},
                  {"lagged_steps", counts.lagged_steps},
                  {"impact_steps", counts.impact_steps},
-                 {"pivoted_islands", counts.pivoted_islands},
                  {"swept_islands", counts.swept_islands},
-                 {"residual_m", counts.residual_m},
-                 {"overlap_m", counts.overlap_m},
                  {"iterations", counts.iterations},
                  {"factorizations", counts.factorizations},
                  {"reused_factorizations", counts.reused_factorizations},
@@ -245,6 +255,9 @@ json summary(const Outcome& outcome) {
   }
   text["energy_gain"] = outcome.energy.gain();
   if (const std::string warning = outcome.energy.warning(outcome.solid); !warning.empty()) {
+    text["warnings"].push_back(warning);
+  }
+  if (const std::string warning = residual_warning(scene, counts); !warning.empty()) {
     text["warnings"].push_back(warning);
   }
   const InterfaceEnergy& exchanged = outcome.interface_energy;

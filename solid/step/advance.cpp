@@ -57,34 +57,24 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
   }
 }
 
-/// A step that goes too far does so whatever finds its states: it is cut. Where friction has had to lag it will have to
-/// again: the whole of Coulomb's law, which finds that out by running in circles, is left out for a while.
+/// In motion contacts are swept where Newton's method does not find their states. A state of rest is to be exact: where
+/// the whole of Coulomb's law runs in circles there, friction lags, and is left to for a while. Where contacts are
+/// redundant, states of Lagrange multipliers run in circles: the augmented Lagrangian makes such a step.
 bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
-  if (may_sweep()) return attempt(dt, end_s, water);
+  if (may_sweep() || smooth_only_) return attempt(dt, end_s, water);
   if (whole_law_.skips()) {
     if (attempt_with_lagging_friction(dt, end_s, water)) return true;
     if (jumps_) return false;
   }
-  if (!attempt(dt, end_s, water)) return !unfit() && attempt_otherwise(dt, end_s, water);
-  whole_law_.succeeded();
-  return true;
-}
-
-/// A step whose states run in circles, in other ways to the same answer: by friction that lags where islands are large,
-/// where they are small with softer contacts, which costs least, then by pivoting. Where contacts are redundant, states
-/// of Lagrange multipliers run in circles: the augmented Lagrangian makes such a step.
-bool Solid::attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water) {
-  const auto large = [](const IslandSystem& s) { return s.unknowns->total > large_island; };
-  const auto lagging = [&] { return !unfit() && attempt_with_lagging_friction(dt, end_s, water); };
-  if (!substitute_) {
-    if (std::none_of(islands_.begin(), islands_.end(), large)) {
-      return attempt_softly(dt, end_s, water) || attempt_by_pivoting(dt, end_s, water) || lagging();
-    }
-    if (!lagging()) return attempt_softly(dt, end_s, water);
-    whole_law_.failed();
+  if (attempt(dt, end_s, water)) {
+    whole_law_.succeeded();
     return true;
   }
-  return attempt_by_substitute(dt, end_s, water);
+  if (unfit()) return false;
+  if (substitute_) return attempt_by_substitute(dt, end_s, water);
+  if (!attempt_with_lagging_friction(dt, end_s, water)) return false;
+  whole_law_.failed();
+  return true;
 }
 
 bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water) {
@@ -96,29 +86,6 @@ bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::ve
   const bool solved = attempt(dt, end_s, water);
   settings.friction_lags = false;
   settings.penalty_ratio = usual;
-  return solved;
-}
-
-bool Solid::attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water) {
-  if (unfit()) return false;
-  pivots_ = true;
-  const bool solved = attempt(dt, end_s, water);
-  pivots_ = false;
-  return solved;
-}
-
-/// A large penalty leaves a sticking contact a narrow range of slips, in which Newton's method may jump to and fro
-/// between states; a smaller one takes more sweeps.
-bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& water) {
-  if (!formulation_->can_lag_friction()) return false;  // has no penalties of its own
-  const double usual = formulation_->settings().penalty_ratio;
-  bool solved = false;
-  for (double ratio = usual / 100; !solved && !unfit() && ratio >= usual / 1e6; ratio /= 100) {
-    ++counts_.softened_steps;
-    formulation_->settings().penalty_ratio = ratio;
-    solved = attempt(dt, end_s, water);
-  }
-  formulation_->settings().penalty_ratio = usual;
   return solved;
 }
 

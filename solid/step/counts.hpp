@@ -33,13 +33,12 @@ struct Rest {
 struct Counts {
   long steps = 0;
   long undone_steps = 0;
-  long softened_steps = 0;   ///< tries with a smaller penalty
-  long lagged_steps = 0;     ///< tries with friction that lags
-  long impact_steps = 0;     ///< made by Shi's scheme in place of a rule of second order, as contacts changed
-  long pivoted_islands = 0;  ///< whose states were looked for by pivoting
-  long swept_islands = 0;    ///< whose contacts were swept, summed over steps
-  long iterations = 0;       ///< solved linear systems
-  long factorizations = 0;   ///< of matrices; the other solutions reuse one
+  long substituted_steps = 0;  ///< by the augmented Lagrangian in place of Lagrange multipliers
+  long lagged_steps = 0;       ///< tries with friction that lags
+  long impact_steps = 0;       ///< made by Shi's scheme in place of a rule of second order, as contacts changed
+  long swept_islands = 0;      ///< whose contacts were swept, summed over steps
+  long iterations = 0;         ///< solved linear systems
+  long factorizations = 0;     ///< of matrices; the other solutions reuse one
   long reused_factorizations = 0;
   long sweeps = 0;         ///< multiplier updates
   long state_changes = 0;  ///< open, stick, slip
@@ -56,7 +55,7 @@ struct Counts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(steps, undone_steps, softened_steps, lagged_steps, impact_steps, pivoted_islands, swept_islands, iterations,
+    archive(steps, undone_steps, substituted_steps, lagged_steps, impact_steps, swept_islands, iterations,
             factorizations, reused_factorizations, sweeps, state_changes, broad_searches, searches, skipped_searches,
             settling_steps, solved_islands, most_islands, slept_islands, condition_number, residual_m, overlap_m);
   }

@@ -12,7 +12,6 @@
 #include "solid/block/water_course.hpp"
 #include "solid/contact/bolt.hpp"
 #include "solid/contact/bonds.hpp"
-#include "solid/contact/coulomb_forces.hpp"
 #include "solid/contact/formulation.hpp"
 #include "solid/contact/search.hpp"
 #include "solid/solve/force_sweeps.hpp"
@@ -130,13 +129,6 @@ class Solid {
     Eigen::VectorXd uncertain;   ///< round-off of the residual at nodes
   };
 
-  /// An island without the forces of its contacts.
-  struct Released {
-    std::vector<int> ids;  ///< of contacts that may close
-    CoulombContacts contacts;
-    Eigen::MatrixXd moves_by;  ///< what unit forces of theirs do to the unknowns
-  };
-
   /// Of Shi's scheme, after a step in which contacts have changed: its acceleration is that of the forces that act,
   /// which a rule of second order goes on from.
   static constexpr int smooth_steps_before_restart = 1;
@@ -179,11 +171,8 @@ class Solid {
   [[nodiscard]] bool unfit() const { return goes_too_far_ || jumps_; }  ///< though its states were found
   bool try_step(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
-  bool attempt_otherwise(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
-  bool attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_by_substitute(double dt, double end_s, const std::vector<Panel>& water);
-  bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
   [[nodiscard]] double timed() const;
   bool find_contacts();
   void predict(std::size_t b);
@@ -209,9 +198,6 @@ class Solid {
   [[nodiscard]] Eigen::Vector2d rate_of_fixed(const Interaction& action, bool to_mean, double dt) const;
   bool sweep(IslandSystem& island);
   bool find_equilibrium_with_lagging_friction(IslandSystem& island);
-  [[nodiscard]] bool may_pivot(const IslandSystem& island) const;
-  bool release_contacts(IslandSystem& island, Released& released);
-  bool find_equilibrium_by_pivoting(IslandSystem& island);
   enum class Approach { nothing, near, states };  ///< what the interior point has come to
   Approach approach(IslandSystem& island, double change_n);
   bool finish(IslandSystem& island);
@@ -339,7 +325,6 @@ class Solid {
   std::vector<bool> frozen_;  ///< fixed, or waiting while others settle
   double end_s_ = 0;          ///< of the step
   bool starts_at_rest_ = true;
-  bool pivots_ = false;        ///< where states of small islands run in circles
   bool goes_too_far_ = false;  ///< states were found, but blocks move or turn by more than a step may
   bool smooth_only_ = false;   ///< the step is not to be where contacts change
   bool jumps_ = false;         ///< they do

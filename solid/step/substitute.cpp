@@ -6,7 +6,7 @@ namespace blockweir::solid {
 
 /// Penalties are its own from here on.
 bool Solid::attempt_by_substitute(double dt, double end_s, const std::vector<Panel>& water) {
-  ++counts_.softened_steps;
+  ++counts_.substituted_steps;
   for (ContactPoint& c : contacts_) c.penalty = 0;
   for (Support& s : supports_) s.penalty = 0;
   formulation_.swap(substitute_);

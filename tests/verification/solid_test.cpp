@@ -141,7 +141,7 @@ TEST(Solid, AStepThatGoesTooFarIsCutAndNotTriedInOtherWays) {
   Solid solid(scene);
   run(solid, 0.5);
   EXPECT_GT(solid.counts().undone_steps, 0);
-  EXPECT_EQ(solid.counts().softened_steps, 0);
+  EXPECT_EQ(solid.counts().substituted_steps, 0);
   // Nothing has moved since the contacts of a step that is undone were found.
   EXPECT_LE(solid.counts().searches, solid.counts().steps);
   const double braked = 9.81 * std::tan(std::numbers::pi / 6);

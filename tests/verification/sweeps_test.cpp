@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_step
-// States found by pivoting, where Newton's method is not let look for them.
+// Steps whose contacts are swept, where Newton's method is not let look for them.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -21,11 +21,11 @@ scene::Scene block_on_a_floor() {
   return scene;
 }
 
-TEST(Pivoting, HoldsABlockThatStands) {
+TEST(Sweeps, HoldsABlockThatStands) {
   const auto scene = block_on_a_floor();
   Solid solid(scene);
   run(solid, 0.1);
-  EXPECT_GT(solid.counts().pivoted_islands, 0);
+  EXPECT_GT(solid.counts().swept_islands, 0);
   EXPECT_LT(solid.states()[1].displacement.norm(), 1e-14);
   double reaction = 0;
   for (const ContactPoint& c : solid.contacts()) reaction += c.force.x();
@@ -33,22 +33,22 @@ TEST(Pivoting, HoldsABlockThatStands) {
 }
 
 /// x = v t - tan(phi) g t^2/2
-TEST(Pivoting, SlowsABlockThatSlides) {
+TEST(Sweeps, SlowsABlockThatSlides) {
   auto scene = block_on_a_floor();
   scene.blocks[1].initial_velocity_m_per_s = Point(1, 0);
   Solid solid(scene);
   run(solid, 0.1);
-  EXPECT_GT(solid.counts().pivoted_islands, 0);
+  EXPECT_GT(solid.counts().swept_islands, 0);
   EXPECT_NEAR(solid.states()[1].displacement[0], 0.1 - std::tan(std::numbers::pi / 6) * 9.81 * 0.01 / 2, 1e-10);
 }
 
 /// A block that falls on its corner is free again after the impact, for no impact throws back.
-TEST(Pivoting, StopsABlockThatFalls) {
+TEST(Sweeps, StopsABlockThatFalls) {
   auto scene = block_on_a_floor();
   scene.blocks[1].vertices = {{0, 0.01}, {0.8, 0.61}, {0.2, 1.41}, {-0.6, 0.81}};
   Solid solid(scene);
   run(solid, 0.1);
-  EXPECT_GT(solid.counts().pivoted_islands, 0);
+  EXPECT_GT(solid.counts().swept_islands, 0);
   EXPECT_NEAR(solid.place(solid.contacts().front()).y(), 0, 1e-9);
 }
 
