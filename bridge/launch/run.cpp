@@ -16,6 +16,7 @@
 #include "bridge/launch/progress.hpp"
 #include "bridge/launch/supervisor.hpp"
 #include "bridge/launch/temporary_folder.hpp"
+#include "bridge/launch/trouble.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read.hpp"
@@ -48,40 +49,6 @@ fs::path results_folder(const RunOptions& options) {
 json read_json(const fs::path& path) {
   std::ifstream stream(path);
   return stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
-}
-
-/// Then the logs, too, have no place for a last word.
-bool is_full(const fs::path& folder) {
-  std::error_code unknown;
-  const fs::space_info space = fs::space(folder, unknown);
-  return !unknown && space.available < 4096;
-}
-
-/// The first failure in time is the cause; what the others say of it is its echo. A process that was killed says
-/// nothing itself.
-std::string first_trouble(const Supervised& supervised, const fs::path& folder) {
-  if (supervised.interrupted) {
-    return has_frames(folder) ? "stopped on request; the results so far stand"
-                              : "stopped on request before its first frame";
-  }
-  if (supervised.overdue) return "still running when its time was over";
-  for (const ChildEnd& end : supervised.ends) {
-    if (end.exit_code > 128) return fmt::format("the {} process was ended by signal {}", end.name, end.exit_code - 128);
-  }
-  const auto is_echo = [](const ChildEnd& end) {
-    return end.last_line.find("see its own message for the cause") != std::string::npos;
-  };
-  const ChildEnd* cause = nullptr;
-  for (const ChildEnd& end : supervised.ends) {
-    if (end.exit_code != 0 && (cause == nullptr || (is_echo(*cause) && !end.last_line.empty()))) cause = &end;
-  }
-  if (cause != nullptr) {
-    return cause->last_line.empty()
-               ? fmt::format("the {} process ended with {}{}", cause->name, cause->exit_code,
-                             is_full(folder) ? ": is the disk full, or the folder not writable?" : "")
-               : cause->last_line;
-  }
-  return "";
 }
 
 /// The last checkpoint that all processes of the run can go on from; 0: there is none. Still water remembers nothing,
