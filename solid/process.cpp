@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bridge/results/folder.hpp"
+#include "bridge/results/folder_lock.hpp"
 #include "bridge/results/peak_memory.hpp"
 #include "bridge/results/saving.hpp"
 #include "bridge/scene/read.hpp"
@@ -137,6 +138,7 @@ FluidReport run_process(SolidProcess process) {
   }
   channel::catch_stop_signals();
   results::make_folder(process.folder);
+  const results::FolderLock lock(process.folder);
   const std::uint64_t first = process.resume;
   checkpoint::Checkpoints checkpoints(process.folder, "solid", scene.digest, scene.output.checkpoint_every_s);
   if (first == 0) checkpoint::forget(process.folder);

@@ -18,6 +18,7 @@
 #include "bridge/launch/temporary_folder.hpp"
 #include "bridge/launch/trouble.hpp"
 #include "bridge/results/folder.hpp"
+#include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read.hpp"
 
@@ -30,6 +31,8 @@ constexpr double grace_s = 5;
 
 fs::path results_folder(const RunOptions& options) {
   if (!options.out.empty()) {
+    if (fs::exists(options.out / results::FolderLock::file))
+      results::FolderLock{options.out};  // whose first files are few
     if (is_anothers(options.out)) {
       throw std::invalid_argument(
           fmt::format("--out {}: not empty and not a former run; choose another folder", options.out.string()));
@@ -99,6 +102,17 @@ bool is_refusal(const Supervised& supervised) {
          });
 }
 
+/// A run that has come to its end has no checkpoint, and needs none.
+void refuse_finished(const fs::path& folder) {
+  const json summary = read_json(folder / "summary.json");
+  const std::string outcome = summary.is_object() ? summary.value("outcome", "stopped") : "stopped";
+  if (outcome == "stopped") return;
+  throw std::invalid_argument(
+      fmt::format("{}: found a run that is complete, its outcome is \"{}\"; nothing is left to resume; \"blockweir run "
+                  "{} --set analysis.duration_s=...\" makes a longer one",
+                  folder.string(), outcome, scene_of(folder).string()));
+}
+
 /// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
 /// scene.
 RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool inproc, bool quiet,
@@ -144,6 +158,7 @@ RunResult run(const RunOptions& options) {
   }
   const fs::path folder = results_folder(options);
   results::make_folder(folder);
+  const results::FolderLock lock(folder);
   forget_former_run(folder, read.scene);
   results::replace_file(scene_of(folder), read.scene.text);
   return go(read.scene, folder, 0, options.inproc, options.quiet, options.longest_s);
@@ -155,10 +170,12 @@ RunResult resume(const ResumeOptions& options) {
         fmt::format("{}: found no scene.toml and solid.log of a run; expected the folder that a run has written",
                     options.folder.string()));
   }
+  const results::FolderLock lock(options.folder);
   const scene::Scene scene = scene::read(scene_of(options.folder), {}).scene;
   require_fit(scene, options.inproc);
   const std::uint64_t first = resumable_window(options.folder, scene);
   if (first == 0) {
+    refuse_finished(options.folder);
     throw std::invalid_argument(fmt::format(
         "{}: no checkpoint that all its processes have; run it anew, with a shorter [output] checkpoint_every_s",
         options.folder.string()));
