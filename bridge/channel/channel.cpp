@@ -52,7 +52,7 @@ struct Channel::Line {
       socket.set(zmq::sockopt::zap_domain,
                  "blockweir");  // asks it without keys, too, which turns ZMTP 1 away: any bytes
     }
-    open(socket, options);
+    open_at_endpoint(socket, options);
   }
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;

@@ -55,7 +55,7 @@ std::string set_up(zmq::socket_t& socket, const Options& options) {
   return keys.partner_public;
 }
 
-void open(zmq::socket_t& socket, const Options& options) {
+void open_at_endpoint(zmq::socket_t& socket, const Options& options) {
   const bool listens = options.side == Side::listens;
   try {
     undisturbed([&] {

@@ -13,6 +13,6 @@ namespace blockweir::channel {
 std::string set_up(zmq::socket_t& socket, const Options& options);
 
 /// Throws PeerError when the endpoint is taken or out of reach.
-void open(zmq::socket_t& socket, const Options& options);
+void open_at_endpoint(zmq::socket_t& socket, const Options& options);
 
 }  // namespace blockweir::channel
