@@ -238,7 +238,7 @@ void Recorder::finish(const nlohmann::json& extra, const std::string& stopped,
                         .frames = frames_,
                         .largest_penetration_m = largest_penetration_m_,
                         .breached_s = breached_s_};
-  nlohmann::json text;
+  nlohmann::json text = {{"warnings", solid_.scene().warnings}};  // of a start that fails, too
   if (recorded_s_ >= 0) text = summary(outcome);
   for (const std::string& skip : more_skips) text["skips"].push_back(skip);
   text["profile_s"] = seconds();

@@ -68,7 +68,7 @@ void Solid::stand_as(const Standing& before) {
 }
 
 void Solid::settle(const std::vector<Panel>& water) {
-  constexpr int most_steps = 200;
+  constexpr int most_steps = most_settling_steps;
   const double pseudo_step = pseudo_step_s();
   const double at_rest_m = 1e-13 * size_;
   const double shortest = 1e-6 * pseudo_step;

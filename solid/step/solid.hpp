@@ -138,6 +138,7 @@ class Solid {
   /// Of Shi's scheme, after a step in which contacts have changed: its acceleration is that of the forces that act,
   /// which a rule of second order goes on from.
   static constexpr int smooth_steps_before_restart = 1;
+  static constexpr int most_settling_steps = 200;
   static constexpr int large_island = 200;  ///< unknowns above which states that run in circles are not waited for
   static constexpr double lagging_penalty_ratio = 1e-2;  ///< penalties while friction lags, of a step's own
 
@@ -276,6 +277,7 @@ class Solid {
   void require_numbers(const IslandSystem& island) const;
   [[noreturn]] void refuse_step(double time_s, double dt) const;
   [[noreturn]] void refuse_start(int steps) const;
+  [[nodiscard]] std::string start_advice(bool moves_on, double overlap_m) const;
   void require_small_strains() const;
   [[noreturn]] void refuse(std::size_t b, const char* what, double time_s) const;
 
