@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bridge/results/folder.hpp"
+#include "bridge/results/folder_lock.hpp"
 #include "bridge/results/peak_memory.hpp"
 #include "bridge/results/saving.hpp"
 #include "bridge/scene/read.hpp"
@@ -23,17 +24,39 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Progress, at most twenty lines a second on a pipe, one in two seconds for people. While the structure settles,
-/// "settling SOLUTIONS"; then "time_s level_m largest_displacement_m".
+/// "settling SOLUTIONS"; then "time_s level_m largest_displacement_m", and "solving WINDOW time_s SOLUTIONS" from a
+/// window that takes long. A fluid that waits is told of each solution's end, too.
 class Reports {
  public:
   Reports(int fd, double duration_s) : fd_(fd), duration_s_(duration_s) {}
 
+  /// Where the fluid waits for what is solved, from now on; null: nowhere.
+  void tell(channel::Channel* fluid) { fluid_ = fluid; }
+
   /// Throws channel::Interrupted once the process has been asked to stop: there is nothing to keep yet.
   void settling(long solutions) {
     if (channel::stop_requested()) throw channel::Interrupted("asked to stop while the structure settled");
-    if (!due()) return;
-    write(fd_ >= 0 ? fmt::format("settling {}\n", solutions)
-                   : fmt::format("settling: {} linear systems solved\n", solutions));
+    const auto now = Clock::now();
+    if (now - looked_ < look_every) return;
+    looked_ = now;
+    const std::string text = fmt::format("settling: {} linear systems solved", solutions);
+    tell_fluid(text);
+    if (due()) write(fd_ >= 0 ? fmt::format("settling {}\n", solutions) : text + "\n");
+  }
+  /// Throws channel::Interrupted once the process has been asked twice: whoever asks once may wait for the window's
+  /// end, where a checkpoint is.
+  void solving(std::uint64_t window, double time_s, long solutions) {
+    if (channel::stop_requested_twice()) {
+      throw channel::Interrupted(fmt::format("asked twice to stop, in window {} at {:.4g} s", window, time_s));
+    }
+    const auto now = Clock::now();
+    if (now - looked_ < look_every) return;
+    looked_ = now;
+    if (std::exchange(window_, window) != window) window_since_ = now;
+    const std::string text = fmt::format("window {}, {:.4g} s: {} solutions so far", window, time_s, solutions);
+    tell_fluid(text);
+    if (now - window_since_ < long_window || !due()) return;
+    write(fd_ >= 0 ? fmt::format("solving {} {:.9g} {}\n", window, time_s, solutions) : text + "\n");
   }
   void run(double time_s, double level_m, double displacement_m) {
     if (!due() && begun_ && time_s < duration_s_) return;
@@ -44,6 +67,12 @@ class Reports {
   }
 
  private:
+  static constexpr std::chrono::milliseconds look_every{20};  // solutions of few blocks come by the ten thousand
+  static constexpr std::chrono::milliseconds long_window{1'000};
+
+  void tell_fluid(const std::string& text) {
+    if (fluid_ != nullptr) fluid_->send(wire::Progress{text});
+  }
   bool due() {
     const auto now = Clock::now();
     if (silent_ || now - last_ < std::chrono::milliseconds(fd_ >= 0 ? 50 : 2000)) return false;
@@ -58,6 +87,10 @@ class Reports {
   int fd_;
   double duration_s_;
   Clock::time_point last_ = Clock::now();
+  Clock::time_point looked_;
+  channel::Channel* fluid_ = nullptr;
+  std::uint64_t window_ = 0;
+  Clock::time_point window_since_ = Clock::now();
   bool begun_ = false;
   bool silent_ = false;
 };
@@ -105,6 +138,7 @@ FluidReport run_process(SolidProcess process) {
   }
   channel::catch_stop_signals();
   results::make_folder(process.folder);
+  const results::FolderLock lock(process.folder);
   const std::uint64_t first = process.resume;
   checkpoint::Checkpoints checkpoints(process.folder, "solid", scene.digest, scene.output.checkpoint_every_s);
   if (first == 0) checkpoint::forget(process.folder);
@@ -112,7 +146,9 @@ FluidReport run_process(SolidProcess process) {
   solid::output::Recorder recorder(
       scene, process.folder, first == 0 ? results::Begin::anew : results::Begin::where_it_stopped,
       {.run = [&](double time_s, double level_m, double moved_m) { reports.run(time_s, level_m, moved_m); },
-       .settling = [&](long solutions) { reports.settling(solutions); }});
+       .settling = [&](long solutions) { reports.settling(solutions); },
+       .solving = [&](std::uint64_t window, double time_s,
+                      long solutions) { reports.solving(window, time_s, solutions); }});
   std::optional<channel::Channel> channel;
   FluidReport report;
   Exchanges exchanges;
@@ -154,6 +190,7 @@ FluidReport run_process(SolidProcess process) {
       process.line.open_timeout_s = scene.coupling.open_timeout_s;
       channel.emplace(process.line);
       channel->handshake(hello(scene, "solid", first));
+      reports.tell(&*channel);
       started_s = since(start);
       waited_before_s = channel->waited_s();
       RemoteFluid there(*channel);

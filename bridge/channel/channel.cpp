@@ -13,8 +13,8 @@
 #include "bridge/channel/gate.hpp"
 #include "bridge/channel/hello.hpp"
 #include "bridge/channel/incoming.hpp"
-#include "bridge/channel/keys.hpp"
 #include "bridge/channel/outgoing.hpp"
+#include "bridge/channel/socket.hpp"
 #include "bridge/channel/undisturbed.hpp"
 #include "bridge/channel/visitors.hpp"
 #include "bridge/wire/codec.hpp"
@@ -28,35 +28,13 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr int linger_ms = 1000;       // a last word still goes out
-constexpr int reconnect_ms = 5;       // who connects may come first: its next try is not far off
 constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that arrived just before a poll
 constexpr double spin_s = 1e-3;       // answers on some ten thousand panels come within this: no sleep, no wake-up
-
-/// An I/O thread answers even while its process computes; a stopped or vanished process does not. Only who connects
-/// beats, and says how long the listener is to wait for the next one: ZeroMQ 4.3.4 aborts where a beat of the
-/// listener's own falls due for a stranger who has just left.
-void keep_beating(zmq::socket_t& socket, double timeout_s) {
-  const int every_ms = static_cast<int>(std::max(100.0, 1000 * timeout_s / 4));
-  socket.set(zmq::sockopt::heartbeat_ivl, every_ms);
-  socket.set(zmq::sockopt::heartbeat_timeout, 2 * every_ms);
-  socket.set(zmq::sockopt::heartbeat_ttl, 2 * every_ms);
-}
 
 /// ZeroMQ lets go of the memory when it has sent it.
 zmq::message_t sent_from(wire::Part& part) {
   const auto let_go = [](void*, void* keeper) { delete static_cast<wire::Keeper*>(keeper); };
   return {const_cast<void*>(part.data), part.size, let_go, new wire::Keeper(std::move(part.keeper))};
-}
-
-void secure(zmq::socket_t& socket, const Keys& keys, bool listens) {
-  socket.set(zmq::sockopt::curve_secretkey, keys.own_secret);
-  if (listens) {
-    socket.set(zmq::sockopt::curve_server, 1);
-    return;
-  }
-  socket.set(zmq::sockopt::curve_publickey, keys.own_public);
-  socket.set(zmq::sockopt::curve_serverkey, keys.partner_public);
 }
 
 }  // namespace
@@ -68,45 +46,16 @@ struct Channel::Line {
         listens(o.side == Side::listens),
         socket(context, zmq::socket_type::pair),
         visitors(context, socket, o.endpoint, listens && is_tcp(o.endpoint)) {
-    check_endpoint(options.endpoint, listens, options.insecure || !options.keys.empty());
-    socket.set(zmq::sockopt::linger, linger_ms);
-    socket.set(zmq::sockopt::reconnect_ivl, reconnect_ms);
-    if (!listens) keep_beating(socket, options.timeout_s);
-    socket.set(zmq::sockopt::maxmsgsize, std::int64_t{1} << 30);
-    socket.set(zmq::sockopt::ipv6, options.endpoint.find('[') != std::string::npos ? 1 : 0);
-    Keys keys;
-    if (!options.keys.empty()) {
-      if (!is_tcp(options.endpoint)) {
-        throw std::invalid_argument(
-            fmt::format("--keys are for tcp://HOST:PORT; {} has none to keep out", options.endpoint));
-      }
-      keys = read_keys(options.keys);
-      secure(socket, keys, listens);
-    }
+    const std::string partner_public = set_up(socket, options);
     if (listens && is_tcp(options.endpoint)) {
-      gate.emplace(context, keys.partner_public);
+      gate.emplace(context, partner_public);
       socket.set(zmq::sockopt::zap_domain,
                  "blockweir");  // asks it without keys, too, which turns ZMTP 1 away: any bytes
     }
-    open();
+    open_at_endpoint(socket, options);
   }
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
-
-  void open() {
-    try {
-      undisturbed([&] {
-        if (listens) {
-          socket.bind(options.endpoint);
-        } else {
-          socket.connect(options.endpoint);
-        }
-      });
-    } catch (const zmq::error_t& error) {
-      throw PeerError(fmt::format("cannot {} {}: {}; choose another --endpoint", listens ? "listen at" : "connect to",
-                                  options.endpoint, error.what()));
-    }
-  }
 
   template <class Message>
   void send(const Message& message) {
@@ -126,7 +75,8 @@ struct Channel::Line {
     send_part(frame, zmq::send_flags::none);
     parts.clear();
     packed_s += std::chrono::duration<double>(packed - start).count();
-    wire_s += seconds_since(packed);
+    last_sent = Clock::now();
+    wire_s += std::chrono::duration<double>(last_sent - packed).count();
   }
 
   void send_part(zmq::message_t& frame, zmq::send_flags flags) {
@@ -189,8 +139,9 @@ struct Channel::Line {
             fmt::format("{} closed the line {}; see its own message for the cause", options.partner, moment));
       }
       if (waited > patience_s) {
-        throw PeerError(fmt::format("{} has been silent for {:.3g} s at {} {}; [coupling] timeout_s sets the patience",
-                                    options.partner, patience_s, options.endpoint, moment));
+        throw PeerError(fmt::format(
+            "{} has been silent for {:.3g} s at {} {}{}; [coupling] timeout_s sets the patience", options.partner,
+            patience_s, options.endpoint, moment, progress.text.empty() ? "" : ": it hangs since " + progress.text));
       }
       poll(std::min(poll_slice_s, patience_s - waited + 1e-3));
     }
@@ -199,13 +150,26 @@ struct Channel::Line {
     waited_s += last_wait_s;
   }
 
+  /// Waits for what is due. A partner that comes further with it is waited for as long as it does.
   template <class Message>
   void receive(wire::Kind kind, Message& into, double patience_s, const std::string& moment) {
-    wait(patience_s, moment, kind == wire::Kind::load ? stop_requested_twice : stop_requested);
+    progress.text.clear();
+    do {
+      wait(patience_s, moment, kind == wire::Kind::load ? stop_requested_twice : stop_requested);
+    } while (!take(kind, into, moment));
+  }
+
+  /// Takes what has come; false where it was the partner's progress.
+  template <class Message>
+  bool take(wire::Kind kind, Message& into, const std::string& moment) {
     const auto start = Clock::now();
     const wire::Part frame = incoming.frame();
     try {
       const wire::Kind got = wire::verify(frame);
+      if (got == wire::Kind::progress && kind != wire::Kind::hello) {
+        wire::decode(frame, progress);
+        return false;
+      }
       if (got == wire::Kind::end) {
         wire::End end;
         wire::decode(frame, end);
@@ -222,6 +186,7 @@ struct Channel::Line {
       throw PeerError(fmt::format("{} sent {} ({})", options.partner, bad.what(), moment));
     }
     packed_s += seconds_since(start);
+    return true;
   }
 
   Options options;
@@ -237,6 +202,8 @@ struct Channel::Line {
   double last_wait_s = 0;  ///< after a long wait the next is likely to be long: who keeps looking is in the way
   double packed_s = 0;
   double wire_s = 0;
+  Clock::time_point last_sent;
+  wire::Progress progress;  ///< what the partner last said of it; empty: nothing
   std::uint64_t window = 0;
   std::size_t blocks = 0;  ///< that the handshake was on
 
@@ -270,6 +237,9 @@ void Channel::send(const wire::End& end) {
 }
 void Channel::send(const wire::Failure& failure) {
   line_->send(failure);
+}
+void Channel::send(const wire::Progress& progress) {
+  if (seconds_since(line_->last_sent) > line_->options.timeout_s / 4) line_->send(progress);
 }
 
 void Channel::receive(wire::Motion& into) {

@@ -33,7 +33,7 @@ struct Options {
   Side side = Side::listens;
   std::string endpoint;        ///< ipc://PATH, tcp://HOST:PORT
   std::string partner;         ///< how messages call the other side, e.g. "fluid process (hydrostatic)"
-  double timeout_s = 20;       ///< longest silence while a message is awaited
+  double timeout_s = 20;       ///< longest silence, without progress, while a message is awaited
   double open_timeout_s = 20;  ///< longest wait for the partner to arrive
   std::string keys{};          ///< folder of this side's CURVE keys; empty: none
   bool insecure = false;       ///< a tcp port that other machines reach may do without them
@@ -55,6 +55,9 @@ class Channel {
   void send(const wire::Load& load);
   void send(const wire::End& end);
   void send(const wire::Failure& failure);
+  /// To be called while this side computes what it owes, whenever it has come further: goes out where nothing has for a
+  /// quarter of timeout_s.
+  void send(const wire::Progress& progress);
 
   /// Wait for the next message, which must be of this kind. Storage in `into` is reused: no allocation in
   /// steady state. Throw PeerError, PeerEnded or Interrupted.
@@ -72,7 +75,8 @@ class Channel {
 };
 
 /// Installs handlers that count SIGINT and SIGTERM. Whoever waits for a Motion then throws Interrupted; a load that is
-/// on its way is still waited for, until asked twice. What is written to a pipe that nobody reads is lost, no more.
+/// on its way is still waited for, until asked twice. A launcher that is killed asks once, then an alarm, then another
+/// ends the process. What is written to a pipe that nobody reads is lost, no more.
 void catch_stop_signals();
 [[nodiscard]] bool stop_requested();
 [[nodiscard]] bool stop_requested_twice();

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/launch/former_run.hpp"
 
+#include <algorithm>
+
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/launch/commands.hpp"
+#include "bridge/results/folder_lock.hpp"
 
 namespace blockweir::launch {
 
@@ -21,7 +24,10 @@ bool has_frames(const fs::path& folder) {
 bool is_anothers(const fs::path& folder) {
   std::error_code unreadable;
   const fs::directory_iterator contents(folder, unreadable);
-  return contents != fs::directory_iterator() && !is_run(folder);
+  const auto counts = [](const fs::directory_entry& entry) {
+    return entry.path().filename() != results::FolderLock::file;  // of a run that was killed as it began
+  };
+  return std::any_of(begin(contents), end(contents), counts) && !is_run(folder);
 }
 
 void forget_checkpoints(const fs::path& folder) {

@@ -7,8 +7,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace blockweir::launch {
+namespace {
+
+/// 4,000
+std::string grouped(long number) {
+  std::string text = std::to_string(number);
+  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3) text.insert(static_cast<std::size_t>(at), ",");
+  return text;
+}
+
+}  // namespace
 
 Progress::Progress(int fd, double duration_s, bool quiet)
     : fd_(fd), duration_s_(duration_s), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
@@ -24,25 +35,33 @@ bool Progress::update() {
   pending_.erase(0, end + 1);
   long solutions = 0;
   if (std::sscanf(line.c_str(), "settling %ld", &solutions) == 1) {
-    if (!quiet_) show_settling(solutions);
+    show_solutions(fmt::format("settling: {} linear systems solved", grouped(solutions)), solutions);
     return begun_;
   }
   begun_ = true;
   double time_s = 0;
   double level_m = 0;
   double displacement_m = 0;
+  unsigned long window = 0;
+  if (std::sscanf(line.c_str(), "solving %lu %lf %ld", &window, &time_s, &solutions) == 3) {
+    if (std::exchange(window_, window) != window) next_solutions_ = first_solutions;
+    show_solutions(fmt::format("window {}, {:.4g} s: {} solutions so far", window, time_s, grouped(solutions)),
+                   solutions);
+    return begun_;
+  }
   if (!quiet_ && std::sscanf(line.c_str(), "%lf %lf %lf", &time_s, &level_m, &displacement_m) == 3) {
     show(time_s, level_m, displacement_m);
   }
   return begun_;
 }
 
-void Progress::show_settling(long solutions) {
+void Progress::show_solutions(const std::string& words, long solutions) {
+  if (quiet_) return;
   if (terminal_) {
-    fmt::print(stderr, "\rsettling: {} linear systems solved\033[K", solutions);
+    fmt::print(stderr, "\r{}\033[K", words);
   } else if (solutions >= next_solutions_) {
     while (next_solutions_ <= solutions) next_solutions_ *= 2;
-    fmt::print(stderr, "settling: {} linear systems solved\n", solutions);
+    fmt::print(stderr, "{}\n", words);
   }
   std::fflush(stderr);
 }

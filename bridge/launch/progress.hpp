@@ -8,7 +8,8 @@ namespace blockweir::launch {
 
 class Progress {
  public:
-  /// Reads lines "settling SOLUTIONS", then "time_s level_m largest_displacement_m" from `fd`, which does not block.
+  /// Reads lines "settling SOLUTIONS", then "time_s level_m largest_displacement_m" and, within windows that take long,
+  /// "solving WINDOW time_s SOLUTIONS" from `fd`, which does not block.
   Progress(int fd, double duration_s, bool quiet);
   /// Shows what has come since the last call; true once the structure has settled.
   bool update();
@@ -17,14 +18,17 @@ class Progress {
 
  private:
   void show(double time_s, double level_m, double displacement_m);
-  void show_settling(long solutions);
+  /// How far something has come that takes `solutions` of linear systems so far, told of in `words`.
+  void show_solutions(const std::string& words, long solutions);
 
   int fd_;
   double duration_s_;
   bool quiet_;
   bool terminal_;
   int shown_tenths_ = 0;
-  long next_solutions_ = 100;  ///< of linear systems, that a line in a pipe tells
+  static constexpr long first_solutions = 100;
+  long next_solutions_ = first_solutions;  ///< that a line in a pipe tells, twice as many each time
+  unsigned long window_ = 0;               ///< that they are of
   bool begun_ = false;
   std::string pending_;
 };

@@ -16,7 +16,9 @@
 #include "bridge/launch/progress.hpp"
 #include "bridge/launch/supervisor.hpp"
 #include "bridge/launch/temporary_folder.hpp"
+#include "bridge/launch/trouble.hpp"
 #include "bridge/results/folder.hpp"
+#include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read.hpp"
 
@@ -29,6 +31,8 @@ constexpr double grace_s = 5;
 
 fs::path results_folder(const RunOptions& options) {
   if (!options.out.empty()) {
+    if (fs::exists(options.out / results::FolderLock::file))
+      results::FolderLock{options.out};  // whose first files are few
     if (is_anothers(options.out)) {
       throw std::invalid_argument(
           fmt::format("--out {}: not empty and not a former run; choose another folder", options.out.string()));
@@ -48,40 +52,6 @@ fs::path results_folder(const RunOptions& options) {
 json read_json(const fs::path& path) {
   std::ifstream stream(path);
   return stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
-}
-
-/// Then the logs, too, have no place for a last word.
-bool is_full(const fs::path& folder) {
-  std::error_code unknown;
-  const fs::space_info space = fs::space(folder, unknown);
-  return !unknown && space.available < 4096;
-}
-
-/// The first failure in time is the cause; what the others say of it is its echo. A process that was killed says
-/// nothing itself.
-std::string first_trouble(const Supervised& supervised, const fs::path& folder) {
-  if (supervised.interrupted) {
-    return has_frames(folder) ? "stopped on request; the results so far stand"
-                              : "stopped on request before its first frame";
-  }
-  if (supervised.overdue) return "still running when its time was over";
-  for (const ChildEnd& end : supervised.ends) {
-    if (end.exit_code > 128) return fmt::format("the {} process was ended by signal {}", end.name, end.exit_code - 128);
-  }
-  const auto is_echo = [](const ChildEnd& end) {
-    return end.last_line.find("see its own message for the cause") != std::string::npos;
-  };
-  const ChildEnd* cause = nullptr;
-  for (const ChildEnd& end : supervised.ends) {
-    if (end.exit_code != 0 && (cause == nullptr || (is_echo(*cause) && !end.last_line.empty()))) cause = &end;
-  }
-  if (cause != nullptr) {
-    return cause->last_line.empty()
-               ? fmt::format("the {} process ended with {}{}", cause->name, cause->exit_code,
-                             is_full(folder) ? ": is the disk full, or the folder not writable?" : "")
-               : cause->last_line;
-  }
-  return "";
 }
 
 /// The last checkpoint that all processes of the run can go on from; 0: there is none. Still water remembers nothing,
@@ -132,6 +102,17 @@ bool is_refusal(const Supervised& supervised) {
          });
 }
 
+/// A run that has come to its end has no checkpoint, and needs none.
+void refuse_finished(const fs::path& folder) {
+  const json summary = read_json(folder / "summary.json");
+  const std::string outcome = summary.is_object() ? summary.value("outcome", "stopped") : "stopped";
+  if (outcome == "stopped") return;
+  throw std::invalid_argument(
+      fmt::format("{}: found a run that is complete, its outcome is \"{}\"; nothing is left to resume; \"blockweir run "
+                  "{} --set analysis.duration_s=...\" makes a longer one",
+                  folder.string(), outcome, scene_of(folder).string()));
+}
+
 /// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
 /// scene.
 RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool inproc, bool quiet,
@@ -177,6 +158,7 @@ RunResult run(const RunOptions& options) {
   }
   const fs::path folder = results_folder(options);
   results::make_folder(folder);
+  const results::FolderLock lock(folder);
   forget_former_run(folder, read.scene);
   results::replace_file(scene_of(folder), read.scene.text);
   return go(read.scene, folder, 0, options.inproc, options.quiet, options.longest_s);
@@ -188,10 +170,12 @@ RunResult resume(const ResumeOptions& options) {
         fmt::format("{}: found no scene.toml and solid.log of a run; expected the folder that a run has written",
                     options.folder.string()));
   }
+  const results::FolderLock lock(options.folder);
   const scene::Scene scene = scene::read(scene_of(options.folder), {}).scene;
   require_fit(scene, options.inproc);
   const std::uint64_t first = resumable_window(options.folder, scene);
   if (first == 0) {
+    refuse_finished(options.folder);
     throw std::invalid_argument(fmt::format(
         "{}: no checkpoint that all its processes have; run it anew, with a shorter [output] checkpoint_every_s",
         options.folder.string()));

@@ -19,6 +19,9 @@ extern "C" {  // glibc 2.36 forgets to say so itself
 #include <fstream>
 #include <stdexcept>
 #include <thread>
+#include <utility>
+
+#include "bridge/launch/process_state.hpp"
 
 namespace blockweir::launch {
 namespace {
@@ -71,10 +74,12 @@ class StopSignals {
   struct sigaction old_term_ {};
 };
 
-[[noreturn]] void become(const Command& command, const std::filesystem::path& log, const StopSignals& signals) {
+[[noreturn]] void become(const Command& command, const std::filesystem::path& log, const StopSignals& signals,
+                         pid_t parent) {
   ::sigprocmask(SIG_SETMASK, &signals.outside(), nullptr);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  ::setpgid(0, 0);  // Ctrl-C reaches us alone; we pass it on in order
+  if (::getppid() != parent) ::_exit(127);  // gone before we said so
+  ::setpgid(0, 0);                          // Ctrl-C reaches us alone; we pass it on in order
   const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file >= 0) ::dup2(file, STDERR_FILENO);
   if (file >= 0 && !command.output.empty()) ::dup2(file, STDOUT_FILENO);
@@ -133,6 +138,8 @@ struct Child {
   pid_t pid = -1;
   int end = -1;  ///< a descriptor that becomes readable when the process has ended
   bool running = false;
+  bool told = false;     ///< by a signal of ours
+  bool stopped = false;  ///< when another failed
 };
 
 struct Children {
@@ -149,14 +156,21 @@ struct Children {
   [[nodiscard]] bool running() const {
     return std::any_of(all.begin(), all.end(), [](const Child& c) { return c.running; });
   }
-  void signal(int number) const {
-    for (const Child& child : all) {
-      if (child.running) ::kill(child.pid, number);
-    }
+  void signal(int number) {
+    for (Child& child : all) signal(child, number);
   }
   /// The one that leads; it tells the others.
-  void signal_first(int number) const {
-    if (all.front().running) ::kill(all.front().pid, number);
+  void signal_first(int number) { signal(all.front(), number); }
+  /// Those that are stopped are asked to end and woken, so that they can.
+  void wake() {
+    for (Child& child : all) {
+      if (!child.running || child.stopped) continue;
+      const std::vector<pid_t> family = family_of(child.pid);
+      if (!is_stopped(family)) continue;
+      child.stopped = true;
+      signal(child, SIGTERM);
+      for (const pid_t pid : family) ::kill(pid, SIGCONT);
+    }
   }
   /// Until a child ends, a signal comes, or 50 ms have passed; adds those that have ended to `result`.
   void wait(const StopSignals& signals, Supervised& result) {
@@ -170,8 +184,15 @@ struct Children {
       int status = 0;
       if (!child.running || ::waitpid(child.pid, &status, WNOHANG) != child.pid) continue;
       child.running = false;
-      result.ends.push_back({child.name, exit_code(status), last_line(child.log)});
+      result.ends.push_back({child.name, exit_code(status), child.told, child.stopped, last_line(child.log)});
     }
+  }
+
+ private:
+  static void signal(Child& child, int number) {
+    if (!child.running) return;
+    child.told = true;
+    ::kill(child.pid, number);
   }
 };
 
@@ -200,13 +221,15 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
   const auto since = [](Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); };
   const StopSignals signals;
   const Reaper reaper;
+  const pid_t we = ::getpid();
+  const pid_t parent = ::getppid();
   Children children;
   for (const Command& command : commands) {
     Child& child = children.all.emplace_back();
     child.name = command.name;
     child.log = command.output.empty() ? log_folder / (command.name + ".log") : command.output;
     child.pid = ::fork();
-    if (child.pid == 0) become(command, child.log, signals);
+    if (child.pid == 0) become(command, child.log, signals, we);
     if (child.pid > 0) child.end = ::pidfd_open(child.pid, 0);
     if (child.end < 0) {
       const std::string reason = std::strerror(errno);
@@ -219,19 +242,23 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
 
   Supervised result;
   Clock::time_point trouble = Clock::time_point::max();
-  int sent = 0;  // 0 nothing, 1 SIGTERM, 2 SIGKILL
+  int sent = 0;   // 0 nothing, 1 SIGTERM, 2 SIGKILL
+  int heard = 0;  // of the stop signals to us
   while (children.running()) {
     children.wait(signals, result);
     const bool in_touch = tick();
     const auto now = Clock::now();
-    if (stop_signals > 0 && !result.interrupted) {
+    if (const int asked = stop_signals; asked > heard) {
+      const bool once = std::exchange(heard, asked) == 0 && asked == 1;
+      const bool alone = ::getppid() != parent;  // nobody will ask a second time
       result.interrupted = true;
-      children.signal_first(SIGTERM);
-    }
-    if (sent < 1 && (stop_signals > 1 || (result.interrupted && !in_touch))) {
-      children.signal(SIGTERM);
-      trouble = now;
-      sent = 1;
+      if (once && in_touch && !alone) {
+        children.signal_first(SIGTERM);
+      } else {
+        children.signal(SIGTERM);
+        trouble = now;
+        sent = 1;
+      }
     }
     if (longest_s > 0 && !result.overdue && since(begin) > longest_s) {
       result.overdue = true;
@@ -239,6 +266,7 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
     }
     if (trouble == Clock::time_point::max() && !result.ends.empty() && !result.all_fine()) trouble = now;
     if (trouble == Clock::time_point::max()) continue;
+    children.wake();
     const double waited = since(trouble);
     if (sent < 1 && waited > grace_s) children.signal(SIGTERM), sent = 1;
     if (sent < 2 && waited > 2 * grace_s) children.signal(SIGKILL), sent = 2;

@@ -22,6 +22,8 @@ struct Command {
 struct ChildEnd {
   std::string name;
   int exit_code = 0;      ///< 128 + signal for one that was killed
+  bool by_us = false;     ///< we had asked it to end, or killed it
+  bool stopped = false;   ///< it, or what it started, had been stopped (SIGSTOP) when another failed
   std::string last_line;  ///< of what it wrote to its standard error
 };
 
@@ -47,7 +49,8 @@ class StopsLater {
 
 /// Runs all commands at once until the last has ended. Their standard error goes to files `log_folder`/NAME.log
 /// unless a command says otherwise.
-/// When one fails, the others get `grace_s` to notice by themselves, then SIGTERM, then SIGKILL. SIGINT or SIGTERM to
+/// When one fails, the others get `grace_s` to notice by themselves, then SIGTERM, then SIGKILL. One that is stopped
+/// notices nothing: it gets SIGTERM at once, and is woken to leave in order. SIGINT or SIGTERM to
 /// us is passed on to the first command, which leaves in order and tells the others; a second one, or one that comes
 /// before they are in touch, to all. What the commands themselves started and left behind is waited for, and killed
 /// after `grace_s`. The kernel ends the children should we be killed. `tick` is called about every 50 ms and says

@@ -8,6 +8,7 @@ namespace {
 
 constexpr bool takes_a_point = true;
 constexpr bool says_a_word = true;
+constexpr bool of_one_block = true;
 
 constexpr Answer all_quantities[] = {
     // Of the first failure; `of` says which block or joint is expected to be it.
@@ -56,10 +57,10 @@ constexpr Answer all_formulas[] = {
     {"weight-above", Subject::joint},
     {"own-weight-stress", Subject::block_only},
     {"own-weight-shortening", Subject::block_only},
-    {"plane-crack-sliding", Subject::joint},
-    {"plane-crack-acceleration", Subject::joint, Need::upstream_level},
-    {"monolith-sliding", Subject::joint},
-    {"monolith-overturning", Subject::joint},
+    {"plane-crack-sliding", Subject::joint, Need::nothing, !takes_a_point, !says_a_word, of_one_block},
+    {"plane-crack-acceleration", Subject::joint, Need::upstream_level, !takes_a_point, !says_a_word, of_one_block},
+    {"monolith-sliding", Subject::joint, Need::nothing, !takes_a_point, !says_a_word, of_one_block},
+    {"monolith-overturning", Subject::joint, Need::nothing, !takes_a_point, !says_a_word, of_one_block},
     {"hydrostatic-force", Subject::block_only, Need::upstream_level},
     {"hydrostatic-moment", Subject::block_only, Need::upstream_level},
     {"mouth-pressure", Subject::joint, Need::upstream_level},

@@ -22,6 +22,8 @@ struct Answer {
   Need needs = Need::nothing;
   bool at_point = false;  ///< `at_m`
   bool word = false;      ///< a word, no number
+  /// Limit equilibrium of the block above a joint alone: it carries no other, and no water is downstream of it.
+  bool one_block = false;
 };
 
 /// `quantity` of [[expect]] and of studies.

@@ -6,6 +6,7 @@
 
 #include "bridge/scene/answers.hpp"
 #include "bridge/scene/nearest.hpp"
+#include "bridge/scene/one_block.hpp"
 #include "bridge/scene/sections.hpp"
 
 namespace blockweir::scene {
@@ -81,6 +82,14 @@ void check_one(TableReader& table, const Reading& reading, const Expectation& e,
   }
   if (answer.at_point && !e.at_m) {
     report("at_m", "needs at_m", "at_m = [x, y], a point of the block", "state the point, in an [[expect]]");
+  }
+  if (answer.one_block && held) {
+    const auto joint = std::find_if(reading.scene.joints.begin(), reading.scene.joints.end(),
+                                    [&](const Joint& j) { return j.name == e.of; });
+    if (const std::string beyond = beyond_one_block(reading.scene, *joint); !beyond.empty()) {
+      report(kind, beyond, "one block on a joint, with water upstream of it alone",
+             "state what you have calculated by hand, as value");
+    }
   }
   if (const char* lack = missing(reading.scene, answer.needs)) {
     report(kind, fmt::format("needs {}", lack), "a scene that has it", "add it, or use another figure");

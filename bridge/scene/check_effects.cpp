@@ -144,10 +144,17 @@ void check_reach_of_water(const Reading& reading) {
 void check_anything_happens(const Reading& reading) {
   const Scene& scene = reading.scene;
   const auto fixed = [](const Block& block) { return block.fixed; };
-  if (!std::all_of(scene.blocks.begin(), scene.blocks.end(), fixed) || !dry(scene) || !scene.expectations.empty())
+  const bool asked = !scene.expectations.empty() || !scene.water_expectations.empty();
+  if (asked || !std::all_of(scene.blocks.begin(), scene.blocks.end(), fixed)) return;
+  if (dry(scene)) {
+    reading.problems.warning(reading.problems.at(0), "nothing can happen: all blocks are fixed, and there is no water",
+                             "a block that is not fixed, or [water]", "free the structure's blocks");
     return;
-  reading.problems.warning(reading.problems.at(0), "nothing can happen: all blocks are fixed, and there is no water",
-                           "a block that is not fixed, or [water]", "free the structure's blocks");
+  }
+  // Such a structure "stands" at any level.
+  reading.problems.warning(reading.problems.at(0),
+                           "nothing can move: all blocks are fixed, and no [[expect]] asks for the water's loads",
+                           "a block that is not fixed, or an [[expect]]", "free the structure's blocks");
 }
 
 }  // namespace

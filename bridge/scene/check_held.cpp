@@ -67,6 +67,18 @@ std::vector<bool> held_by_themselves(const Scene& scene) {
   return held;
 }
 
+/// "block "a" is", "3 blocks ("a", "b", "c") are", of many the first few.
+std::string falling_blocks(const std::vector<const Block*>& blocks) {
+  constexpr std::size_t most = 3;
+  if (blocks.size() == 1) return fmt::format("block \"{}\" is", blocks.front()->name);
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most, blocks.size()); ++i) {
+    names += fmt::format("{}\"{}\"", i > 0 ? ", " : "", blocks[i]->name);
+  }
+  if (blocks.size() > most) names += fmt::format(" and {} more", blocks.size() - most);
+  return fmt::format("{} blocks ({}) are", blocks.size(), names);
+}
+
 /// The blocks turned so that gravity points down the y axis.
 std::vector<Block> upright(const Scene& scene) {
   std::vector<Block> blocks = scene.blocks;
@@ -116,14 +128,16 @@ void check_held(const Scene& scene, Problems& problems) {
       if (lies_above(blocks[i], holder) || touch(blocks[i], holder)) hold(i);
     }
   }
+  std::vector<const Block*> falling;
   for (std::size_t i = 0; i < held.size(); ++i) {
-    if (held[i]) continue;
-    problems.error(problems.at(scene.blocks[i].line),
-                   fmt::format("block \"{}\" is outside any support: nothing that holds is below or beside it",
-                               scene.blocks[i].name),
-                   "a fixed block or a support in y that it touches or lies above, or other blocks in between",
-                   "add a foundation with fixed = true, or a [[support]] with displacement_y_m = 0");
+    if (!held[i]) falling.push_back(&scene.blocks[i]);
   }
+  if (falling.empty()) return;
+  problems.error(problems.at(falling.front()->line),
+                 falling_blocks(falling) + " outside any support: nothing that holds is below or beside",
+                 "a fixed block or a support in y that they touch or lie above, or other blocks in between",
+                 "add a foundation with fixed = true, fixed_base = true to a [[wall]], or a [[support]] with "
+                 "displacement_y_m = 0");
 }
 
 }  // namespace blockweir::scene

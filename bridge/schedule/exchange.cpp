@@ -68,7 +68,10 @@ void Exchange::tell(wire::Motion& motion, double time_s) {
 }
 
 void Exchange::hear() {
-  if (fluid_ == nullptr) return;
+  if (fluid_ == nullptr) {
+    answered_.window = told_.window;
+    return;
+  }
   if (silent_) {
     load_.time_s = told_.time_s;
     std::swap(answered_, told_);

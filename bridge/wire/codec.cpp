@@ -161,6 +161,12 @@ void encode(const Failure& m, Builder& builder) {
   finish(builder, buffer::Body::Failure, buffer::CreateFailure(builder, words));
 }
 
+void encode(const Progress& m, Builder& builder) {
+  begin(builder);
+  const auto words = builder.CreateString(m.text);
+  finish(builder, buffer::Body::Progress, buffer::CreateProgress(builder, words));
+}
+
 Kind verify(const Part& frame) {
   const Trailer trailer = frame.size > sizeof(Trailer) ? trailer_of(frame) : Trailer();
   const std::size_t length = frame.size - std::min(frame.size, sizeof trailer);
@@ -187,6 +193,8 @@ Kind verify(const Part& frame) {
         return Kind::end;
       case buffer::Body::Failure:
         return Kind::failure;
+      case buffer::Body::Progress:
+        return Kind::progress;
       default:
         break;
     }
@@ -274,6 +282,10 @@ void decode(const Part& frame, End& m) {
 
 void decode(const Part& frame, Failure& m) {
   m.text = text(body<buffer::Failure>(frame).text());
+}
+
+void decode(const Part& frame, Progress& m) {
+  m.text = text(body<buffer::Progress>(frame).text());
 }
 
 }  // namespace blockweir::wire

@@ -18,7 +18,7 @@ struct BadMessage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class Kind { hello, motion, load, end, failure };
+enum class Kind { hello, motion, load, end, failure, progress };
 
 /// What keeps memory.
 using Keeper = std::shared_ptr<const void>;
@@ -40,6 +40,7 @@ void encode(const Motion& message, flatbuffers::FlatBufferBuilder& builder, std:
 void encode(const Load& message, flatbuffers::FlatBufferBuilder& builder, std::vector<Part>& parts);
 void encode(const End& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const Failure& message, flatbuffers::FlatBufferBuilder& builder);
+void encode(const Progress& message, flatbuffers::FlatBufferBuilder& builder);
 
 /// What frames must be aligned to, here and below [bytes].
 inline constexpr std::size_t alignment = 8;
@@ -58,5 +59,6 @@ void decode(const Part& frame, Motion& into, const NextPart& next = nullptr);
 void decode(const Part& frame, Load& into, const NextPart& next = nullptr);
 void decode(const Part& frame, End& into);
 void decode(const Part& frame, Failure& into);
+void decode(const Part& frame, Progress& into);
 
 }  // namespace blockweir::wire

@@ -13,7 +13,7 @@
 namespace blockweir::wire {
 
 /// Raised whenever a message changes its meaning; partners of different versions refuse each other.
-inline constexpr std::uint32_t protocol_version = 9;
+inline constexpr std::uint32_t protocol_version = 10;
 
 /// First message of either side. Everything in it must agree, but for `role` and `build`.
 struct Hello {
@@ -109,6 +109,11 @@ struct End {
 /// The sender cannot go on; the text is for the user.
 struct Failure {
   std::string text;
+};
+
+/// The sender still computes what it owes, and has come further since it last said so. Whoever waits waits on.
+struct Progress {
+  std::string text;  ///< how far it has come, for the user: "window 333, 3.31 s: 4000 solutions so far"
 };
 
 }  // namespace blockweir::wire

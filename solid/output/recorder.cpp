@@ -76,7 +76,8 @@ void Recorder::start(const wire::Load& load) {
   added_mass_.look(load, solid_);
   solve(load, solid_.scene().coupling.window_s, [&] {
     if (solid_.scene().analysis.start == scene::Start::equilibrium) {
-      solid_.settle(water_.at(load.time_s), [&] { progress_.settling(solid_.counts().iterations); });
+      solid_.call_meanwhile([this] { progress_.settling(solid_.counts().iterations); });
+      solid_.settle(water_.at(load.time_s));
     }
   });
   observe(load, 0);
@@ -91,6 +92,9 @@ void Recorder::advance(const wire::Load& load, const wire::Motion& told, double 
   std::vector<Eigen::Vector3d> velocities;
   for (const auto& v : told.velocity) velocities.emplace_back(v[0], v[1], v[2]);
   AddedMasses masses;
+  solid_.call_meanwhile([this, window = told.window, before = solid_.counts().iterations] {
+    progress_.solving(window, solid_.time_s(), solid_.counts().iterations - before);
+  });
   solve(load, to_s, [&] {
     masses = added_mass_.look(load, solid_);
     solid_.advance(from_s, to_s, water_, {masses, velocities, told.time_s});
@@ -235,7 +239,7 @@ void Recorder::finish(const nlohmann::json& extra, const std::string& stopped,
                         .frames = frames_,
                         .largest_penetration_m = largest_penetration_m_,
                         .breached_s = breached_s_};
-  nlohmann::json text;
+  nlohmann::json text = {{"warnings", solid_.scene().warnings}};  // of a start that fails, too
   if (recorded_s_ >= 0) text = summary(outcome);
   for (const std::string& skip : more_skips) text["skips"].push_back(skip);
   text["profile_s"] = seconds();

@@ -15,10 +15,12 @@ namespace blockweir::solid::output {
 
 class Recorder final : public schedule::SolidSide {
  public:
-  /// Called on the way; what `settling` throws ends the run.
+  /// Called on the way. `settling` and `solving` are called as steps begin and after each solution of a linear system,
+  /// with the number so far of those of the start and of the window at hand; what they throw ends the run.
   struct Progress {
     std::function<void(double time_s, double level_m, double displacement_m)> run;
-    std::function<void(long solutions)> settling;  ///< of linear systems, so far
+    std::function<void(long solutions)> settling;
+    std::function<void(std::uint64_t window, double time_s, long solutions)> solving;
   };
   Recorder(const scene::Scene& scene, const std::filesystem::path& folder, results::Begin begin, Progress progress);
 

@@ -30,6 +30,7 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
     start_acceleration(water.at(from_s), from_s);
   }
   while (to_s - time > 1e-9 * largest_step) {
+    if (meanwhile_) meanwhile_();  // steps at rest solve nothing
     // Equal steps up to the end of the window, none longer than allowed; 1e-9 forgives round-off in the quotient.
     const double allowed = std::min(next_dt_, largest_step);
     const double equal = (to_s - time) / std::ceil((to_s - time) / allowed * (1 - 1e-9));

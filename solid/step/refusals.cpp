@@ -80,7 +80,18 @@ void Solid::refuse_start(int steps) const {
         blocks_[at(worst->vertex_block)].name, blocks_[at(worst->edge_block)].name, where.x(), where.y(), apart,
         overlap);
   }
-  throw SolveError(text + "; set [analysis] start = \"unstressed\" if the structure moves from the start");
+  throw SolveError(text + "; " + start_advice(goes_too_far_ || steps >= most_settling_steps, overlap));
+}
+
+/// What helps: a start without stress lets go what is on its way, and finds no states that this one does not find.
+std::string Solid::start_advice(bool moves_on, double overlap_m) const {
+  if (moves_on) {
+    const bool rests = scene_.analysis.kind == scene::AnalysisKind::at_rest;  // where nothing is on its way
+    return std::string("what holds it? Give it a support, a bolt or a face to stand on") +
+           (rests ? "" : ", or set [analysis] start = \"unstressed\" if it is meant to move from the start");
+  }
+  if (overlap_m > 1e-6 * size_) return "mend the outlines that overlap";
+  return fmt::format("a larger [contact] max_iterations than {} may help", scene_.contact.max_iterations);
 }
 
 void Solid::refuse(std::size_t b, const char* what, double time_s) const {

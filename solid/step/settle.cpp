@@ -67,8 +67,8 @@ void Solid::stand_as(const Standing& before) {
   contacts_stand_ = false;
 }
 
-void Solid::settle(const std::vector<Panel>& water, std::function<void()> meanwhile) {
-  constexpr int most_steps = 200;
+void Solid::settle(const std::vector<Panel>& water) {
+  constexpr int most_steps = most_settling_steps;
   const double pseudo_step = pseudo_step_s();
   const double at_rest_m = 1e-13 * size_;
   const double shortest = 1e-6 * pseudo_step;
@@ -79,7 +79,6 @@ void Solid::settle(const std::vector<Panel>& water, std::function<void()> meanwh
   for (std::size_t b = 0; b < blocks_.size(); ++b) frozen_[b] = fixed[b] || waiting[b];
   const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
   settling_ = true;
-  meanwhile_ = std::move(meanwhile);
   const FormulationSettings usual = formulation_->settings();
   const auto set = [this](const FormulationSettings& settings) {
     formulation_->settings() = settings;
@@ -151,7 +150,6 @@ void Solid::settle(const std::vector<Panel>& water, std::function<void()> meanwh
   whole_law_ = {};  // a step of the run is shorter by far
   set(usual);
   settling_ = false;
-  meanwhile_ = {};
   counts_.steps = 0;
   counts_.solved_islands = 0;  // what sleep saves is counted in steps of the run, which cost less
   profile_.equilibria = 0;

@@ -32,9 +32,12 @@ class Solid {
   explicit Solid(const scene::Scene& scene);
 
   /// Lets weight and first loads settle with all joints held, then releases them: the state at time 0.
-  /// Throws SolveError when no equilibrium is found. `meanwhile` is called after each solution of a linear system; what
-  /// it throws ends the search, and the solid is of no more use.
-  void settle(const std::vector<Panel>& water, std::function<void()> meanwhile = {});
+  /// Throws SolveError when no equilibrium is found.
+  void settle(const std::vector<Panel>& water);
+
+  /// `meanwhile` is called as each step begins and after each solution of a linear system, of the start and of steps;
+  /// what it throws ends the run, and the solid is of no more use.
+  void call_meanwhile(std::function<void()> meanwhile) { meanwhile_ = std::move(meanwhile); }
 
   /// What the water that acts in a window answers: the inertia in its forces, for the added-mass guard of dynamic
   /// analyses where the scene has it on, with velocities (u0, v0, r0) of the scene's blocks and the time that it was
@@ -132,6 +135,7 @@ class Solid {
   /// Of Shi's scheme, after a step in which contacts have changed: its acceleration is that of the forces that act,
   /// which a rule of second order goes on from.
   static constexpr int smooth_steps_before_restart = 1;
+  static constexpr int most_settling_steps = 200;
   static constexpr int large_island = 200;  ///< unknowns above which states that run in circles are not waited for
   static constexpr double lagging_penalty_ratio = 1e-2;  ///< penalties while friction lags, of a step's own
 
@@ -283,6 +287,7 @@ class Solid {
   void require_numbers(const IslandSystem& island) const;
   [[noreturn]] void refuse_step(double time_s, double dt) const;
   [[noreturn]] void refuse_start(int steps) const;
+  [[nodiscard]] std::string start_advice(bool moves_on, double overlap_m) const;
   void require_small_strains() const;
   [[noreturn]] void refuse(std::size_t b, const char* what, double time_s) const;
 
@@ -308,8 +313,8 @@ class Solid {
   double time_s_ = 0;  ///< of states_
   Rest rest_;
   bool settling_ = false;
-  std::function<void()> meanwhile_;  ///< while it settles
-  Pause whole_law_;                  ///< of Coulomb: fails where friction has to lag
+  std::function<void()> meanwhile_;
+  Pause whole_law_;  ///< of Coulomb: fails where friction has to lag
   Sleep sleep_;
   EnergyBalance energy_balance_;
   int smooth_steps_ = 0;  ///< since the last in which contacts changed, where the integrator is of second order

@@ -247,6 +247,16 @@ TEST_F(Faults, AnExpectationThatTheSceneCannotAnswerCostsNoResult) {
   EXPECT_GT(summary["counts"]["steps"], 10);
 }
 
+TEST_F(Faults, AStartThatFailsLeavesASummaryWithTheWarnings) {
+  EXPECT_EQ(
+      shell(programs + "/blockweir run " + cases + "own-weight --set material.concrete.youngs_modulus_pa=25 --out o"),
+      1);
+  const auto summary = nlohmann::json::parse(text("o/summary.json"));
+  EXPECT_EQ(summary["outcome"], "stopped");
+  EXPECT_THAT(summary["stopped"], HasSubstr("is too soft"));
+  EXPECT_THAT(summary["warnings"].dump(), HasSubstr("youngs_modulus_pa"));
+}
+
 TEST_F(Faults, ALoadBeyondAllNumbersEndsTheRunAndLeavesASceneThatRepeatsIt) {
   std::ifstream original(cases + "cracked-dam-upper/scene.toml");
   std::ofstream scene(folder / "scene.toml");

@@ -224,9 +224,9 @@ TEST_F(LineFaults, APartnerOfAnotherVersionIsRefusedWithBothNumbers) {
       From::fluid,
       [](From, std::size_t number, const std::vector<Frame>& sent) -> std::vector<Frame> {
         if (number > 0) return {sent.back()};
-        return {altered<wire::Hello>(sent.back(), [](wire::Hello& hello) { hello.protocol = 10; })};
+        return {altered<wire::Hello>(sent.back(), [](wire::Hello& hello) { hello.protocol = 11; })};
       },
-      "handshake refused: protocol: solid has 9, hydrostatic has 10");
+      "handshake refused: protocol: solid has 10, hydrostatic has 11");
 }
 
 TEST_F(LineFaults, APartnerFromBeforeChecksumsIsRefused) {
@@ -235,7 +235,7 @@ TEST_F(LineFaults, APartnerFromBeforeChecksumsIsRefused) {
       [](From, std::size_t, const std::vector<Frame>& sent) -> std::vector<Frame> {
         return {Frame(sent.back().begin(), sent.back().end() - 16)};
       },
-      "not of protocol 9: are both sides of one version of blockweir?");
+      "not of protocol 10: are both sides of one version of blockweir?");
 }
 
 TEST_F(LineFaults, AStrangerOnALineInUseChangesNothing) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_launch
-// What a command started and left behind does not outlive the call: mpirun may end before its ranks do.
+// What a command started and left behind does not outlive the call: mpirun may end before its ranks do. What is said
+// of a run that breaks off is its cause, not what we have done about it.
 #include "bridge/launch/supervisor.hpp"
+#include "bridge/launch/trouble.hpp"
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -11,8 +13,17 @@ class Supervisor : public Processes {
  protected:
   /// Runs `line` in a shell in this test's folder.
   [[nodiscard]] launch::Supervised run(const std::string& line, double grace_s) const {
-    const launch::Command command{"sh", {"sh", "-c", "cd " + folder.string() + " && " + line}};
-    return launch::supervise({command}, folder, grace_s, [] { return true; });
+    return launch::supervise({in_shell("sh", line)}, folder, grace_s, [] { return true; });
+  }
+  /// What is said of two at once, of which the second does as `line` says and the first gives it up with a last word.
+  [[nodiscard]] std::string trouble_with(const std::string& line) const {
+    const auto first =
+        in_shell("solid", "while [ ! -e begun ]; do sleep 0.01; done; echo \"the last word\" >&2; exit 1");
+    return launch::first_trouble(launch::supervise({first, in_shell("fluid", line)}, folder, 0.2, [] { return true; }),
+                                 folder);
+  }
+  [[nodiscard]] launch::Command in_shell(const std::string& name, const std::string& line) const {
+    return {name, {"sh", "-c", "cd " + folder.string() + " && " + line}};
   }
 };
 
@@ -25,6 +36,28 @@ TEST_F(Supervisor, WhatIsLeftBehindMayEndByItself) {
 TEST_F(Supervisor, WhatIsLeftBehindAndStaysIsKilled) {
   EXPECT_TRUE(run("setsid sleep 250 & exit 0", 0.1).all_fine());
   EXPECT_FALSE(orphan());
+}
+
+TEST_F(Supervisor, OneThatHangsAndIsKilledIsNotTheCause) {
+  EXPECT_EQ(trouble_with("trap '' TERM; touch begun; while :; do :; done"), "the last word");
+  EXPECT_FALSE(orphan());
+}
+
+TEST_F(Supervisor, OneThatIsStoppedIsTheCauseAndWokenToLeaveInOrder) {
+  EXPECT_EQ(
+      trouble_with("trap 'echo left >order; exit 1' TERM; touch begun; kill -STOP $$; while :; do sleep 0.01; done"),
+      "the fluid process was stopped (SIGSTOP) and answered no more for [coupling] timeout_s");
+  EXPECT_EQ(text("order"), "left\n");
+}
+
+TEST_F(Supervisor, OneThatHasStartedAStoppedProcessIsTheCauseToo) {
+  EXPECT_EQ(trouble_with("(touch begun; kill -STOP $(exec sh -c 'echo $PPID')); sleep 250"),
+            "the fluid process was stopped (SIGSTOP) and answered no more for [coupling] timeout_s");
+  EXPECT_FALSE(orphan());
+}
+
+TEST_F(Supervisor, OneThatIsKilledByAnotherIsTheCause) {
+  EXPECT_EQ(trouble_with("touch begun; kill -KILL $$"), "the fluid process was ended by signal 9");
 }
 
 }  // namespace

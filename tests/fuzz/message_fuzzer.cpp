@@ -45,6 +45,8 @@ void read(const std::vector<std::uint8_t>& bytes) {
         return decode_into_used<End>(frame);
       case Kind::failure:
         return decode_into_used<Failure>(frame);
+      case Kind::progress:
+        return decode_into_used<Progress>(frame);
     }
   } catch (const BadMessage&) {
     return;

@@ -136,7 +136,8 @@ class Recorded : public test::OwnFolder {
 
 TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
   const auto scene = two_blocks();
-  Recorder recorder(scene, folder, results::Begin::anew, {[](double, double, double) {}, [](long) {}});
+  Recorder recorder(scene, folder, results::Begin::anew,
+                    {[](double, double, double) {}, [](long) {}, [](std::uint64_t, double, long) {}});
   wire::Motion motion;
   recorder.start(load_of({}, {}));
   recorder.place(motion);
@@ -150,7 +151,8 @@ TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
 TEST_F(Recorded, ARunIsRefusedAtItsFirstLoad) {
   auto scene = two_blocks();
   scene.coupling.added_mass_guard = false;
-  Recorder recorder(scene, folder, results::Begin::anew, {[](double, double, double) {}, [](long) {}});
+  Recorder recorder(scene, folder, results::Begin::anew,
+                    {[](double, double, double) {}, [](long) {}, [](std::uint64_t, double, long) {}});
   EXPECT_THROW(recorder.start(load_of({3 * mass, 0, 0, 0, 0, 0}, {})), std::runtime_error);
 }
 

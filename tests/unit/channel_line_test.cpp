@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <thread>
 
 #include "bridge/channel/channel.hpp"
@@ -81,6 +82,39 @@ TEST_F(Line, AMessageOfAnotherKindThanIsDueIsNamed) {
     EXPECT_THAT(error.what(), HasSubstr("fluid process sent a message of another kind than was due"));
   }
   channel.send(wire::End{"enough"});
+  fluid.join();
+}
+
+/// A fluid that says for `steps` quarters of the time-out that it comes further, and then nothing.
+TEST_F(Line, APartnerThatComesFurtherIsWaitedForUntilItHangs) {
+  constexpr double timeout_s = 0.4;
+  constexpr int steps = 10;
+  std::promise<void> given_up;
+  const auto options = [&](Side side, const char* partner) {
+    return Options{
+        .side = side, .endpoint = "ipc://" + (folder / "line").string(), .partner = partner, .timeout_s = timeout_s};
+  };
+  std::thread fluid([&] {
+    Channel channel(options(Side::connects, "solid process"));
+    static_cast<void>(channel.handshake({}));
+    for (int step = 0; step < steps; ++step) {
+      std::this_thread::sleep_for(std::chrono::duration<double>(timeout_s * 0.3));
+      channel.send(wire::Progress{"window 7: step " + std::to_string(step)});
+    }
+    given_up.get_future().wait();
+  });
+  Channel channel(options(Side::listens, "fluid process"));
+  static_cast<void>(channel.handshake({}));
+  wire::Load load;
+  try {
+    channel.receive(load);
+    ADD_FAILURE();
+  } catch (const PeerError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("fluid process has been silent for 0.4 s"));
+    EXPECT_THAT(error.what(), HasSubstr(": it hangs since window 7: step 9; [coupling] timeout_s sets the patience"));
+  }
+  EXPECT_GT(channel.waited_s(), 2 * timeout_s);
+  given_up.set_value();
   fluid.join();
 }
 

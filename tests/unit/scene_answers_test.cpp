@@ -90,6 +90,24 @@ TEST(SceneAnswers, EachFormulaIsOfWhatItsRowSays) {
   }
 }
 
+TEST(SceneAnswers, AFormulaOfOneBlockLeavesOutNeitherLiftsNorTailwater) {
+  for (const Answer& answer : formulas()) {
+    if (!answer.one_block) continue;
+    const std::string scene =
+        expecting(fmt::format("quantity = \"failure_head_m\"\nformula = \"{}\"\nof = \"crack\"\n", answer.name));
+    EXPECT_THAT(errors(scene), IsEmpty());
+    expect_error(sample::with("between = [\"base\", \"top\"]", "between = [\"ground\", \"base\"]", scene), 67,
+                 {fmt::format("formula {} in [[expect]] leaves out block \"top\", which stands on block \"base\"",
+                              answer.name)});
+    const auto under = [&](const char* level) {
+      return errors(scene, {std::string("water.downstream_level_m=") + level});
+    };
+    EXPECT_THAT(under("{table=[[0, 1], [1, 2.5], [2, 1]]}"),
+                Contains(HasSubstr("leaves out the tailwater, which presses block \"top\" above 2 m")));
+    EXPECT_THAT(under("1.9"), IsEmpty());
+  }
+}
+
 TEST(SceneAnswers, AFigureThatNeedsAPartAndHasNoneNamesThoseThereAre) {
   expect_error(expecting("quantity = \"displacement_m\"\nvalue = 1\nof = \"\"\n"), 68,
                {"quantity displacement_m in [[expect]] has no of",

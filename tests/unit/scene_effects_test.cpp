@@ -166,6 +166,13 @@ TEST(SceneEffects, ASceneInWhichNothingCanHappenIsAWarning) {
   expect_warning(all_fixed, 0, {"nothing can happen: all blocks are fixed, and there is no water"});
 }
 
+TEST(SceneEffects, ASceneInWhichWaterPressesWhatCannotMoveIsAWarningUnlessItsLoadsAreAskedFor) {
+  const std::string wet = all_fixed + "[water]\nupstream_level_m = 0.5\n";
+  expect_warning(wet, 0, {"nothing can move: all blocks are fixed", "free the structure's blocks"});
+  EXPECT_THAT(sample::warnings(wet + "[[expect]]\nquantity = \"water_force_x_n_per_m\"\nof = \"a\"\nvalue = 1\n"),
+              testing::IsEmpty());
+}
+
 TEST(SceneEffects, ASceneWithoutBlocksIsAnError) {
   EXPECT_THAT(sample::errors("[analysis]\nduration_s = 1\n[material.m]\nyoungs_modulus_pa = 50e9\n"
                              "poissons_ratio = 0.2\ndensity_kg_per_m3 = 2500\n",

@@ -175,6 +175,16 @@ TEST(SceneHeld, ABlockThatWouldFallForEverIsRefused) {
                {"block \"a\" is outside any support", "a fixed block or a support in y", "add a foundation"});
 }
 
+TEST(SceneHeld, ManyThatWouldFallAreOneErrorThatCountsThemAndNamesThree) {
+  std::vector<Outline> blocks = {ground};
+  for (int i = 0; i < 78; ++i) {
+    blocks.push_back({fmt::format("b{}", i), fmt::format("[{0}, 5], [{1}, 5], [{1}, 6], [{0}, 6]", 20 + i, 21 + i)});
+  }
+  expect_error(
+      scene_of(blocks), 12,
+      {"78 blocks (\"b0\", \"b1\", \"b2\" and 75 more) are outside any support", "fixed_base = true to a [[wall]]"});
+}
+
 TEST(SceneHeld, WithoutGravityNothingFalls) {
   EXPECT_THAT(errors(with("duration_s = 1", "duration_s = 1\nanalysis.gravity_m_per_s2 = 0",
                           scene_of({{"a", "[20, 5], [21, 5], [21, 6], [20, 6]"}}))),

@@ -122,6 +122,26 @@ TEST(Start, AStartThatFailsNamesWhatMovesAndWhatDoesNotFit) {
       << text;
   EXPECT_NE(text.find("block \"b1\" moves most, by"), std::string::npos) << text;
   EXPECT_NE(text.find("blocks \"b1\" and \"b0\" fit least, at ("), std::string::npos) << text;
+  EXPECT_NE(text.find("a larger [contact] max_iterations than 1 may help"), std::string::npos) << text;
+  EXPECT_EQ(text.find("unstressed"), std::string::npos) << text;
+}
+
+/// A beam that is held at one point swings: at rest it would never be, and without stress it may set out.
+TEST(Start, AStartThatNothingHoldsIsToldWhatWould) {
+  for (const auto kind : {scene::AnalysisKind::dynamic, scene::AnalysisKind::at_rest}) {
+    auto scene = empty_scene();
+    scene.analysis.kind = kind;
+    add(scene, {{0, 0}, {4, 0}, {4, 1}, {0, 1}});
+    scene.supports.push_back({.block = 0,
+                              .point_m = {0, 0},
+                              .displacement_x_m = scene::TimeTable::constant(0),
+                              .displacement_y_m = scene::TimeTable::constant(0)});
+    const std::string text = what_settling_says(scene);
+    EXPECT_NE(text.find("Give it a support, a bolt or a face to stand on"), std::string::npos) << text;
+    EXPECT_EQ(text.find("start = \"unstressed\" if it is meant to move") != std::string::npos,
+              kind == scene::AnalysisKind::dynamic)
+        << text;
+  }
 }
 
 /// A soft block that a push of 1.2 times its friction moves from the start.

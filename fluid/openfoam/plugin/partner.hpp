@@ -24,6 +24,11 @@ class Partner {
   /// The master's load is sent.
   void send(const wire::Load& load);
 
+  /// The master says how far the window's steps have come, where the solid would else wait for long.
+  void come_further(const std::string& text) {
+    if (channel_) channel_->send(wire::Progress{text});
+  }
+
   /// Ends the run on all ranks; the solid is told why.
   [[noreturn]] void fail(const std::string& text);
 

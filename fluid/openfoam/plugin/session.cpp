@@ -183,7 +183,8 @@ void Session::begin_step() {
 }
 
 void Session::end_step() {
-  if (++step_ == steps_) exchange();
+  if (++step_ == steps_) return exchange();
+  partner_.come_further(fmt::format("window {}: step {} of {}", window_, step_, steps_));
 }
 
 /// Pressures of now are said, the blocks' next places are heard: at once again, while nothing happens until then.

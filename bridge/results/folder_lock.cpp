@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/results/folder_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "bridge/results/result_file.hpp"
+
+namespace blockweir::results {
+namespace {
+
+/// Number of the process that took the lock; 0 where it has not said so yet.
+pid_t holder_of(const std::filesystem::path& path) {
+  pid_t holder = 0;
+  std::ifstream(path) >> holder;
+  return holder;
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / file;
+  // Children inherit it: while one of them still writes, the folder is in use, even if we are gone.
+  descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT, 0644);
+  if (descriptor_ < 0) cannot_write(path);
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    const bool held = errno == EWOULDBLOCK;
+    ::close(descriptor_);
+    descriptor_ = -1;
+    if (!held) return;  // a file system without locks
+    const pid_t holder = holder_of(path);
+    if (holder == ::getppid()) return;
+    throw std::invalid_argument(fmt::format(
+        "{}: another run writes there, that of process {}{}; choose another --out, or wait until it has ended",
+        folder.string(), holder, ::kill(holder, 0) == 0 ? "" : ", which has ended and left others running"));
+  }
+  const std::string text = fmt::format("{}\n", ::getpid());
+  // Where the disk is full we have it all the same.
+  (void)!::ftruncate(descriptor_, 0);
+  (void)!::write(descriptor_, text.data(), text.size());
+}
+
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+}  // namespace blockweir::results

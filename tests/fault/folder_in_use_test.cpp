@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_results nlohmann_json::nlohmann_json
+// A folder that a run writes to is no other run's; a run that has ended has nothing to resume.
+#include <fmt/format.h>
+
+#include "bridge/results/folder_lock.hpp"
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+class FolderInUse : public Processes {
+ protected:
+  const std::string long_run =
+      programs + "/blockweir run " + cases + "cracked-dam-upper --set analysis.step_s=0.001 --out o";
+};
+
+TEST_F(FolderInUse, ASecondRunIsRefusedWithTheNumberOfTheFirst) {
+  const pid_t first = start(long_run + " --quiet", "first");
+  ASSERT_TRUE(under_way("o"));
+  const std::string refusal =
+      fmt::format("o: another run writes there, that of process {}; choose another --out", first);
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --out o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr(refusal));
+  EXPECT_EQ(shell(programs + "/blockweir resume o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr(refusal));
+  EXPECT_EQ(shell(programs + "/blockweir-solid " + cases + "incline --out o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr(refusal));
+  kill(first, SIGINT);
+  EXPECT_EQ(end_of(first, 20), 130) << text("first");
+}
+
+TEST_F(FolderInUse, AKilledRunLetsGoOfItOnceItsProcessesHaveEnded) {
+  const pid_t first = start(long_run + " --quiet", "first");
+  ASSERT_TRUE(under_way("o"));
+  kill(first, SIGKILL);
+  EXPECT_EQ(end_of(first, 5), 128 + SIGKILL);
+  for (int wait = 0; wait < 400 && orphan(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_TRUE(fs::exists(folder / "o" / results::FolderLock::file));
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out o"), 0) << text("out");
+}
+
+TEST_F(FolderInUse, WhatAKilledLauncherHasLeftRunningKeepsIt) {
+  fs::create_directory(folder / "mine");
+  const std::string keeper = "exec 9>mine/.lock; flock 9; echo $$ >&9; sleep 250 & echo $! >&2; kill -9 $$";
+  const pid_t launcher = start("bash -c '" + keeper + "'", "child");
+  EXPECT_EQ(end_of(launcher, 5), 128 + SIGKILL);
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --out mine"), 2);
+  EXPECT_THAT(text("out"),
+              HasSubstr(fmt::format("that of process {}, which has ended and left others running", launcher)));
+  kill(std::stoi(text("child")), SIGKILL);
+  for (int wait = 0; wait < 400 && orphan(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out mine"), 0) << text("out");
+}
+
+TEST_F(FolderInUse, ARunThatIsCompleteHasNothingToResume) {
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out o"), 0) << text("out");
+  const std::string outcome = nlohmann::json::parse(text("o/summary.json"))["outcome"];
+  EXPECT_EQ(shell(programs + "/blockweir resume o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("o: found a run that is complete, its outcome is \"" + outcome + "\""));
+  EXPECT_THAT(text("out"),
+              HasSubstr("\"blockweir run o/scene.toml --set analysis.duration_s=...\" makes a longer one"));
+}
+
+}  // namespace
+}  // namespace blockweir::test
