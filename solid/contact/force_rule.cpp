@@ -35,7 +35,8 @@ std::optional<Eigen::Vector2d> slipping(const ForceRule& rule, const Eigen::Matr
 }  // namespace
 
 RuledForce forces_of(const ForceRule& rule, const Eigen::Matrix2d& flexibility, const Eigen::Vector2d& apart) {
-  if (rule.opens && apart[0] >= 0 && rule.least_normal == 0) return {};
+  const double opened = rule.opening[apart[1] > 0 ? 0 : 1] * apart[1];
+  if (rule.opens && apart[0] >= opened && rule.least_normal == 0) return {};
   Eigen::Matrix2d W = flexibility;
   W.diagonal() += rule.compliance;
   const double determinant = W(0, 0) * W(1, 1) - W(0, 1) * W(1, 0);

@@ -243,6 +243,7 @@ JointForce Formulation::judge(int index, ContactPoint& c, const Eigen::Vector2d&
     if (progress.turning) force = {ContactState::stick, stuck.x(), stuck.y(), 0};
   }
   if (!states_stand) progress.slip_force = force.shear;
+  progress.swept = false;
   if (force.state != c.state) state_changes_.fetch_add(1, std::memory_order_relaxed);
   c.state = force.state;
   c.force = {force.normal, force.shear};

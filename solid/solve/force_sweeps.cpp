@@ -52,15 +52,15 @@ Eigen::Vector2d ForceSweeps::apart(const Row& row) const {
   return {gap, slip};
 }
 
-double ForceSweeps::sweep() {
+double ForceSweeps::sweep(double share) {
   double largest = 0;
   for (Row& row : rows_) {
     const Eigen::Vector2d without = apart(row) - row.flexibility * row.force;
     const RuledForce now = forces_of(row.rule, row.flexibility, without);
-    const Eigen::Vector2d change = now.force - row.force;
+    const Eigen::Vector2d change = share * (now.force - row.force);
     row.slips = now.slips;
     if (change.isZero(0)) continue;
-    row.force = now.force;
+    row.force = share == 1 ? now.force : Eigen::Vector2d(row.force + change);
     act(row, change);
     largest = std::max(largest, (row.flexibility * change).cwiseAbs().maxCoeff());
   }

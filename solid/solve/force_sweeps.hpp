@@ -39,8 +39,9 @@ class ForceSweeps {
   /// Rows stay, displacements begin anew.
   void displace(const Eigen::VectorXd& displacement) { displacement_ = displacement; }
 
-  /// Largest change of a gap or slip by a row's own forces [m].
-  double sweep();
+  /// Forces go that share of their way; admissible ones stay so. Largest change of a gap or slip by a row's own forces
+  /// [m].
+  double sweep(double share = 1);
   /// By how much gaps and slips are off their laws [m].
   [[nodiscard]] double residual() const;
   [[nodiscard]] Eigen::Vector2d apart(const Row& row) const;

@@ -9,6 +9,12 @@
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
+namespace {
+
+// Of a fall through the step: closed in one, an overlap gets a velocity of that share of the fall's.
+constexpr double lasting_overlap = 5e-5;
+
+}  // namespace
 
 void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses) {
   WaterCourse held(0);
@@ -73,9 +79,37 @@ bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
   }
   if (unfit()) return false;
   if (substitute_) return attempt_by_substitute(dt, end_s, water);
-  if (!attempt_with_lagging_friction(dt, end_s, water)) return false;
+  const auto large = [](const IslandSystem& s) { return s.unknowns->total > large_island; };
+  if (std::none_of(islands_.begin(), islands_.end(), large)) {
+    if (attempt_softly(dt, end_s, water) || attempt_by_pivoting(dt, end_s, water)) return true;
+  }
+  if (unfit() || !attempt_with_lagging_friction(dt, end_s, water)) return false;
   whole_law_.failed();
   return true;
+}
+
+bool Solid::attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water) {
+  if (unfit()) return false;
+  pivots_ = true;
+  const bool solved = attempt(dt, end_s, water);
+  pivots_ = false;
+  return solved;
+}
+
+/// A large penalty leaves a sticking contact a narrow range of slips, in which Newton's method may jump to and fro
+/// between states; a smaller one takes more sweeps of multipliers. Of small structures, which friction that lags serves
+/// badly.
+bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& water) {
+  if (!formulation_->can_lag_friction()) return false;  // has no penalties of its own
+  const double usual = formulation_->settings().penalty_ratio;
+  bool solved = false;
+  for (double ratio = usual / 100; !solved && !unfit() && ratio >= usual / 1e6; ratio /= 100) {
+    ++counts_.softened_steps;
+    formulation_->settings().penalty_ratio = ratio;
+    solved = attempt(dt, end_s, water);
+  }
+  formulation_->settings().penalty_ratio = usual;
+  return solved;
 }
 
 bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water) {
@@ -144,12 +178,10 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   }
 
   bool solved = true;
-  // m; closed in the step it gives a velocity of that share of what a fall through the step gives
-  constexpr double lasting_overlap = 5e-5;
   formulation_->settings().lasting_overlap_m =
-      settling_ || !newmark_.damps ? 0
-                                   : std::max(scene_.contact.penetration_tolerance_m,
-                                              lasting_overlap * scene_.analysis.gravity_m_per_s2 * dt * dt);
+      settling_ || !newmark_.damps
+          ? 0
+          : std::max(scene_.contact.penetration_tolerance_m, std::min(1e-8 * size_, lasting_overlap * fall_m()));
   for (const IslandSystem& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
     const Held held = held_by(s);
     formulation_->begin(at_start(), matrix_, frozen_, held);
@@ -157,7 +189,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
   }
   const bool sweeps = may_sweep();
   const bool newton = !sweeps || !whole_law_.skips();
-  bool found_all = true;  // by Newton's method
+  bool found_all = true;  // by Newton's method, in the end
   for (IslandSystem& island : islands_) {
     island.asleep = may_sleep(island);
     island.swept = false;
@@ -167,12 +199,13 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
       const Stopwatch watch(profile_.equilibria);
       ++counts_.solved_islands;
       start_where_it_rests(island);
-      const bool found = solved && newton && find_equilibrium(island);
-      found_all = found_all && found;
+      const bool found =
+          solved && newton && (find_equilibrium(island) || (pivots_ && find_equilibrium_by_pivoting(island)));
       solved = solved && (found || (sweeps && find_equilibrium_by_sweeps(island)));
+      found_all = found_all && !island.swept;
     }
   }
-  if (sweeps && newton) found_all ? whole_law_.succeeded() : whole_law_.failed();
+  if (sweeps && (newton || found_all)) found_all ? whole_law_.succeeded() : whole_law_.failed();
   const double moved = largest_increment();
   goes_too_far_ = solved && !(moved <= scene_.analysis.max_displacement_ratio * size_ &&
                               (moved == 0 || largest_turn() <= ContactSearch::most_turn));

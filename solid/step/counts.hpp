@@ -34,8 +34,10 @@ struct Counts {
   long steps = 0;
   long undone_steps = 0;
   long substituted_steps = 0;  ///< by the augmented Lagrangian in place of Lagrange multipliers
+  long softened_steps = 0;     ///< tries of a state of rest with a smaller penalty
   long lagged_steps = 0;       ///< tries with friction that lags
   long impact_steps = 0;       ///< made by Shi's scheme in place of a rule of second order, as contacts changed
+  long pivoted_islands = 0;    ///< at rest, whose states were looked for by pivoting
   long swept_islands = 0;      ///< whose contacts were swept, summed over steps
   long iterations = 0;         ///< solved linear systems
   long factorizations = 0;     ///< of matrices; the other solutions reuse one
@@ -55,9 +57,10 @@ struct Counts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(steps, undone_steps, substituted_steps, lagged_steps, impact_steps, swept_islands, iterations,
-            factorizations, reused_factorizations, sweeps, state_changes, broad_searches, searches, skipped_searches,
-            settling_steps, solved_islands, most_islands, slept_islands, condition_number, residual_m, overlap_m);
+    archive(steps, undone_steps, substituted_steps, softened_steps, lagged_steps, impact_steps, pivoted_islands,
+            swept_islands, iterations, factorizations, reused_factorizations, sweeps, state_changes, broad_searches,
+            searches, skipped_searches, settling_steps, solved_islands, most_islands, slept_islands, condition_number,
+            residual_m, overlap_m);
   }
 };
 

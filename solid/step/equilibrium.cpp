@@ -13,8 +13,6 @@
 namespace blockweir::solid {
 namespace {
 
-constexpr int few_unknowns = 60;  // of an island for which Newton's method may go on as long as it likes
-
 /// Notices that Newton's method runs in circles: what is unbalanced comes again (Brent's way to find a cycle).
 class Circle {
  public:
@@ -123,9 +121,10 @@ bool Solid::find_equilibrium(IslandSystem& s) {
                             : unknowns > large_island    ? 50
                                                          : scene_.contact.max_iterations;
   // Where it has failed, its next turn is a short one.
-  constexpr int few = 15;
-  const bool short_turn = unknowns > few_unknowns && whole_law_.after_failure();
-  const int most = short_turn ? few : scene_.contact.max_iterations;
+  const bool short_turn = unknowns > (may_sweep() ? few_unknowns : large_island) && whole_law_.after_failure();
+  const int most = short_turn    ? 20
+                   : may_sweep() ? std::min(40, scene_.contact.max_iterations)
+                                 : scene_.contact.max_iterations;
   const double tolerance = formulation_->settings().force_tolerance_n;
   constexpr double close = 0.3;  // of what multipliers will still move: they need no closer equilibrium
   const Held held = held_by(s);
@@ -140,7 +139,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
       return false;
     }
     if (left <= tolerance || left <= close * formulation_->unsettled(held)) {
-      if (sweep(s)) return true;
+      if (update_multipliers(s)) return true;
       circle = {};
       in_a_row = 0;
       first = unbalanced_in_these_states(s);
@@ -153,6 +152,31 @@ bool Solid::find_equilibrium(IslandSystem& s) {
     const bool diverges = unknowns > 10 * large_island && in_a_row > 2 && left > 1e3 * first;
     if (diverges || in_a_row > most_in_a_row || !correct(s)) return false;
   }
+  return false;
+}
+
+/// What the search finds, or the island's trial as it was.
+bool Solid::or_undone(IslandSystem& s, const std::function<bool()>& search) {
+  std::vector<ContactMemory> contacts;
+  std::vector<Support> supports;
+  std::vector<Vector6> increments;
+  std::vector<Point> nodes;
+  for (const int k : s.island.contacts) contacts.push_back(contacts_[at(k)]);
+  for (const int k : s.island.supports) supports.push_back(supports_[at(k)]);
+  for (const int b : s.island.blocks) increments.push_back(increment_[at(b)]);
+  for (const auto& [node, first] : s.unknowns->nodes) nodes.push_back(node_increment_[at(node)]);
+  if (search()) return true;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    static_cast<ContactMemory&>(contacts_[at(s.island.contacts[i])]) = contacts[i];
+  }
+  for (std::size_t i = 0; i < supports.size(); ++i) supports_[at(s.island.supports[i])] = supports[i];
+  for (std::size_t i = 0; i < nodes.size(); ++i) node_increment_[at(s.unknowns->nodes[i].first)] = nodes[i];
+  for (std::size_t i = 0; i < increments.size(); ++i) {
+    const auto b = at(s.island.blocks[i]);
+    increment_[b] = increments[i];
+    placement_[b] = Placement(blocks_[b].centroid, states_[b].displacement + increment_[b]);
+  }
+  if (formulation_->settings().friction_lags) formulation_->lag_friction(held_by(s));
   return false;
 }
 
@@ -181,7 +205,7 @@ void Solid::start_where_it_rests(const IslandSystem& s) {
 }
 
 /// Multipliers (8), then bonds: false where one of them has changed.
-bool Solid::sweep(IslandSystem& s) {
+bool Solid::update_multipliers(IslandSystem& s) {
   const Stopwatch watch(profile_.sweeps);
   ++counts_.sweeps;
   return formulation_->sweep(held_by(s)) &&

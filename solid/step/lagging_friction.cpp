@@ -115,23 +115,6 @@ bool Solid::finish(IslandSystem& s) {
   return or_undone(s, by_whole_law);
 }
 
-/// What the search finds, or the trial as it was.
-bool Solid::or_undone(IslandSystem& s, const std::function<bool()>& search) {
-  const auto contacts = contacts_;
-  const auto supports = supports_;
-  const auto increment = increment_;
-  const auto placement = placement_;
-  const auto nodes = node_increment_;
-  if (search()) return true;
-  contacts_ = contacts;
-  supports_ = supports;
-  increment_ = increment;
-  placement_ = placement;
-  node_increment_ = nodes;
-  formulation_->lag_friction(held_by(s));
-  return false;
-}
-
 /// Of the energy whose negative gradient is the residual.
 bool Solid::minimize(IslandSystem& s, int most_solutions) {
   double left = unbalanced(s);

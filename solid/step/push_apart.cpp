@@ -16,10 +16,15 @@ EdgeFrame Solid::frame_now(const ContactPoint& c) const {
 
 /// Gap of a contact where its blocks are now: what rounded coordinates left at the start and what its slip has opened
 /// are no part of it, nor what its spring gives way.
+/// A vertex farther beside the edge than behind it is not in its block.
 double Solid::gap_now(const ContactPoint& c) const {
+  const EdgeFrame edge = frame_now(c);
   const Point along = place(c) - start_[at(c.edge_part)].position(c.edge_from);
-  return frame_now(c).n.dot(along) - c.gap_at_start - laws_[c.law].dilation_m(c.slip_m) -
-         formulation_->gap_under_force_m(c);
+  const double gap =
+      edge.n.dot(along) - c.gap_at_start - laws_[c.law].dilation_m(c.slip_m) - formulation_->gap_under_force_m(c);
+  const double s = edge.t.dot(along);
+  const double beside = std::max(-s, s - edge.length);
+  return beside > std::max(-gap, 2e-7 * size_) ? std::max(gap, beside) : gap;
 }
 
 /// Are any?

@@ -190,7 +190,7 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
     const auto solves = [&] {
       if (dt > pseudo_step) return attempt_with_lagging_friction(dt, settling_time_s(), water);
       if (whole_step) return try_step(dt, settling_time_s(), water);
-      return attempt(dt, settling_time_s(), water);
+      return attempt(dt, settling_time_s(), water) || (!unfit() && attempt_softly(dt, settling_time_s(), water));
     };
     if (!solves()) {
       if (dt > pseudo_step) {

@@ -12,6 +12,7 @@
 #include "solid/block/water_course.hpp"
 #include "solid/contact/bolt.hpp"
 #include "solid/contact/bonds.hpp"
+#include "solid/contact/coulomb_forces.hpp"
 #include "solid/contact/formulation.hpp"
 #include "solid/contact/search.hpp"
 #include "solid/solve/force_sweeps.hpp"
@@ -132,10 +133,18 @@ class Solid {
     Eigen::VectorXd uncertain;   ///< round-off of the residual at nodes
   };
 
+  /// An island without the forces of its contacts.
+  struct Released {
+    std::vector<int> ids;  ///< of contacts that may close
+    CoulombContacts contacts;
+    Eigen::MatrixXd moves_by;  ///< what unit forces of theirs do to the unknowns
+  };
+
   /// Of Shi's scheme, after a step in which contacts have changed: its acceleration is that of the forces that act,
   /// which a rule of second order goes on from.
   static constexpr int smooth_steps_before_restart = 1;
   static constexpr int most_settling_steps = 200;
+  static constexpr int few_unknowns = 60;   ///< of an island in which Newton's method may go on as long as it likes
   static constexpr int large_island = 200;  ///< unknowns above which states that run in circles are not waited for
   static constexpr double lagging_penalty_ratio = 1e-2;  ///< penalties while friction lags, of a step's own
 
@@ -176,6 +185,8 @@ class Solid {
   bool try_step(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
+  bool attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water);
+  bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_by_substitute(double dt, double end_s, const std::vector<Panel>& water);
   [[nodiscard]] double timed() const;
   bool find_contacts();
@@ -187,7 +198,14 @@ class Solid {
   bool find_equilibrium(IslandSystem& island);
   /// Static analyses ask for round-off, which sweeps do not reach; steps that are to be smooth for states that stay.
   [[nodiscard]] bool may_sweep() const { return newmark_.damps && !settling_ && !smooth_only_; }
+  [[nodiscard]] bool may_pivot(const IslandSystem& island) const;
+  bool release_contacts(IslandSystem& island, Released& released);
+  bool find_equilibrium_by_pivoting(IslandSystem& island);
   bool find_equilibrium_by_sweeps(IslandSystem& island);
+  /// Twice that of a fall from rest through the step: a measure of what the integrator is off by.
+  [[nodiscard]] double fall_m() const { return scene_.analysis.gravity_m_per_s2 * matrices_dt_ * matrices_dt_; }
+  double sweep(IslandSystem& island, int most, double enough_m);
+  bool finish_swept(IslandSystem& island);
   void start_again(const IslandSystem& island);
   bool linearize(IslandSystem& island);
   void add_row(IslandSystem& island, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force);
@@ -200,7 +218,7 @@ class Solid {
   void displace(std::size_t block, const Eigen::Vector3d& by);
   void settle_swept_velocities(IslandSystem& island, double dt);
   [[nodiscard]] Eigen::Vector2d rate_of_fixed(const Interaction& action, bool to_mean, double dt) const;
-  bool sweep(IslandSystem& island);
+  bool update_multipliers(IslandSystem& island);
   bool find_equilibrium_with_lagging_friction(IslandSystem& island);
   enum class Approach { nothing, near, states };  ///< what the interior point has come to
   Approach approach(IslandSystem& island, double change_n);
@@ -330,6 +348,7 @@ class Solid {
   std::vector<bool> frozen_;  ///< fixed, or waiting while others settle
   double end_s_ = 0;          ///< of the step
   bool starts_at_rest_ = true;
+  bool pivots_ = false;        ///< where states of small islands at rest run in circles
   bool goes_too_far_ = false;  ///< states were found, but blocks move or turn by more than a step may
   bool smooth_only_ = false;   ///< the step is not to be where contacts change
   bool jumps_ = false;         ///< they do

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
@@ -13,11 +14,10 @@
 namespace blockweir::solid {
 namespace {
 
-constexpr double most_visits = 3e4;  // to contacts
-constexpr double least_sweeps = 100;
-constexpr double most_sweeps = 1000;  // of the first round, where an island is large
-const int rounds =
-    getenv("RO") ? atoi(getenv("RO")) : 2;  // blocks turn: forces act along other directions where that has taken them
+constexpr int rounds = 2;             // blocks turn: forces act along other directions where that has taken them
+constexpr double most_visits = 3e4;   // to contacts, in the first round
+constexpr double least_sweeps = 100;  // where an island is large
+constexpr double most_sweeps = 1000;  // also of the first step that is swept: what follows begins with its forces
 
 }  // namespace
 
@@ -28,24 +28,16 @@ bool Solid::find_equilibrium_by_sweeps(IslandSystem& s) {
   formulation_->undo(held);
   start_again(s);
   formulation_->begin(at_start(), matrix_, frozen_, held);
-  // A fall through the step is known no better by the integrator.
-  const double enough_m = std::max(1e-4 * scene_.analysis.gravity_m_per_s2 * matrices_dt_ * matrices_dt_,
-                                   scene_.contact.penetration_tolerance_m);
+  const bool begins = !whole_law_.after_failure();
+  const double closely = begins || s.unknowns->total <= few_unknowns ? 1e-4 : 1;
+  const double enough_m = closely * std::min(2e-8 * size_, 1e-4 * fall_m());
   constexpr int most_rounds = 20;  // bonds break a few at a time
+  double left_m = 0;
   for (int round = 1;; ++round) {
     if (!linearize(s)) return false;
     const double visits = most_visits / static_cast<double>(s.sweeps.rows().size());
-    const int most = static_cast<int>(std::clamp(visits, least_sweeps, most_sweeps) / (round == 1 ? 1 : 4));
-    {
-      const Stopwatch watch(profile_.sweeps);
-      double residual_m = 0;
-      for (int sweep = 0; sweep < most; ++sweep) {
-        ++counts_.sweeps;
-        residual_m = s.sweeps.sweep();
-        if (residual_m <= enough_m) break;
-      }
-      if (round >= rounds) counts_.residual_m = std::max(counts_.residual_m, residual_m);
-    }
+    const double most = !begins ? std::clamp(visits, least_sweeps, most_sweeps) : most_sweeps;
+    left_m = sweep(s, static_cast<int>(round == 1 ? most : most / 4), enough_m);
     s.correction = s.sweeps.displacement();
     if (!s.correction.allFinite()) return false;
     move(s, 1);
@@ -54,9 +46,45 @@ bool Solid::find_equilibrium_by_sweeps(IslandSystem& s) {
         break_bonds(laws_, formulation_->settings().force_tolerance_n, blocks_, s.island.contacts, contacts_);
     if (round >= rounds && (!broken || round >= most_rounds)) break;
   }
+  // From states and forces that are next to right Newton's method is exact in a solution or two.
+  const bool near = left_m <= enough_m && formulation_->holds_exactly();
+  if (near && or_undone(s, [&] { return finish_swept(s); })) {
+    s.swept = false;
+    return true;
+  }
+  counts_.residual_m = std::max(counts_.residual_m, left_m);
+  take_forces(s);
   balance_alone(s);
   find_residual(s, [&](std::size_t k) { take_up(s, k); });
   return true;
+}
+
+/// Begins with the forces found, to the last digit, so that their states stand, and with softer penalties: these leave
+/// sticking contacts a range of slips that Newton's method does not pass by.
+bool Solid::finish_swept(IslandSystem& s) {
+  const double softer = s.unknowns->total <= few_unknowns ? 1 : 1e-3;
+  for (const int k : s.island.contacts) contacts_[at(k)].penalty *= softer;
+  for (const int k : s.island.supports) supports_[at(k)].penalty *= softer;
+  formulation_->keep_forces(trial(), held_by(s));
+  return find_equilibrium(s);
+}
+
+/// What the last sweep still moved. Where steep friction makes forces go to and fro, they go half the way.
+double Solid::sweep(IslandSystem& s, int most, double enough_m) {
+  constexpr int look = 20;  // sweeps after which less should be left
+  const Stopwatch watch(profile_.sweeps);
+  double left_m = 0;
+  double looked_m = std::numeric_limits<double>::infinity();
+  double share = 1;
+  for (int sweep = 1; sweep <= most; ++sweep) {
+    ++counts_.sweeps;
+    left_m = s.sweeps.sweep(share);
+    if (left_m <= enough_m) break;
+    if (sweep % look != 0) continue;
+    share = left_m < looked_m ? 1 : 0.5;
+    looked_m = left_m;
+  }
+  return left_m;
 }
 
 /// The trial goes on as blocks move.

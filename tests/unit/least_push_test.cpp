@@ -46,7 +46,7 @@ TEST(LeastPush, RandomPilesHaveNoOverlapLeftAndNoLessMassIsMoved) {
   for (int pile = 0; pile < 50; ++pile) {
     constexpr int bodies = 8;
     std::vector<Eigen::Vector3d> mass;
-    for (int b = 0; b < bodies; ++b) mass.emplace_back(Eigen::Vector3d::Constant(0.5 + any(random) * any(random)));
+    for (int b = 0; b < bodies; ++b) mass.emplace_back(Eigen::Vector3d::Constant(0.5 + std::abs(any(random))));
     std::vector<Overlap> overlaps;
     for (int b = 0; b < bodies; ++b) {
       const Eigen::Vector3d up(0.3 * any(random), 1, 0.3 * any(random));
@@ -54,7 +54,7 @@ TEST(LeastPush, RandomPilesHaveNoOverlapLeftAndNoLessMassIsMoved) {
     }
     LeastPush push(mass, overlaps);
     push.solve(tolerance_m);
-    EXPECT_LE(push.deepest(), 10 * tolerance_m) << pile;
+    EXPECT_LE(push.deepest(), 1e-7) << pile;  // of overlaps of 1e-2: springs as stiff leave no more
 
     std::vector<Eigen::Vector3d> moved(bodies, Eigen::Vector3d::Zero());
     std::vector<double> pushed(overlaps.size(), 0);

@@ -147,8 +147,8 @@ TEST(Large, AStartThatSlidesIsNotWaitedFor) {
 }
 
 /// Contact forces of rigid blocks are many times more than their motions, and leave most contacts of a slope that
-/// begins to slide near their bounds. Where Coulomb's whole law has failed, the next step
-/// lags at once, and that of a resumed run does.
+/// begins to slide near their bounds. What Newton's method does not find sweeps find, and Newton's method makes it
+/// exact; a resumed run goes on with the same bits.
 TEST(Large, ASlopeOf300BlocksSlidesAsTheFormulaSays) {
   const double dip = 20 * std::numbers::pi / 180;
   auto scene = rock_slope(300, 0.3);
@@ -158,23 +158,17 @@ TEST(Large, ASlopeOf300BlocksSlidesAsTheFormulaSays) {
   const auto advance = [dt](Solid& one, int n) {
     const Counts before = one.counts();
     one.advance(n * dt, (n + 1) * dt, {});
-    return std::pair(one.counts().lagged_steps - before.lagged_steps, one.counts().iterations - before.iterations);
+    return std::pair(one.counts().swept_islands - before.swept_islands, one.counts().iterations - before.iterations);
   };
-  const auto [first_lagged, first_solved] = advance(solid, 0);
-  EXPECT_EQ(first_lagged, 1);
-  EXPECT_GT(first_solved, 50);
+  EXPECT_EQ(advance(solid, 0).first, 1);
   Solid resumed(scene);
   checkpoint::unpack(checkpoint::pack(solid), resumed);
-  const auto [lagged, solved] = advance(solid, 1);
-  EXPECT_EQ(lagged, 1);
-  EXPECT_LT(solved, 50);
-  EXPECT_EQ(advance(resumed, 1), std::pair(lagged, solved));
+  EXPECT_EQ(advance(resumed, 1), advance(solid, 1));
   for (std::size_t b = 0; b < solid.states().size(); ++b) {
     ASSERT_EQ(resumed.states()[b].displacement, solid.states()[b].displacement) << b;
   }
   for (int n = 2; n < 12; ++n) advance(solid, n);
   const double acceleration = 9.81 * (std::sin(dip) - 0.3 * std::cos(dip));
-  EXPECT_GE(solid.counts().lagged_steps, 1);
   EXPECT_EQ(solid.counts().steps, 12);  // none was cut
   EXPECT_NEAR(solid.states()[1].displacement.head<2>().norm(), acceleration * 0.2 * 0.2 / 2, 1e-6);
   EXPECT_LT(worst_against_coulomb(solid, 0.3), 2e-10);
