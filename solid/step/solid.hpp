@@ -95,7 +95,7 @@ class Solid {
     for (Bolt& bolt : bolts_) archive(bolt);
     if (substitute_) archive(*substitute_);
     std::vector<KeptFactors> kept = kept_factors();
-    archive(links_, kept, whole_law_);
+    archive(links_, kept, whole_law_, multipliers_);
     if (Archive::is_loading::value) follow_states(std::move(kept));
   }
 
@@ -196,8 +196,9 @@ class Solid {
   void prepare_matrices(double dt);
   void prepare_islands();
   bool find_equilibrium(IslandSystem& island);
+  [[nodiscard]] bool in_motion() const { return newmark_.damps && !settling_; }
   /// Static analyses ask for round-off, which sweeps do not reach; steps that are to be smooth for states that stay.
-  [[nodiscard]] bool may_sweep() const { return newmark_.damps && !settling_ && !smooth_only_; }
+  [[nodiscard]] bool may_sweep() const { return in_motion() && !smooth_only_ && !formulation_->solves_for_forces(); }
   [[nodiscard]] bool may_pivot(const IslandSystem& island) const;
   bool release_contacts(IslandSystem& island, Released& released);
   bool find_equilibrium_by_pivoting(IslandSystem& island);
@@ -332,7 +333,8 @@ class Solid {
   Rest rest_;
   bool settling_ = false;
   std::function<void()> meanwhile_;
-  Pause whole_law_;  ///< of Coulomb: fails where friction has to lag
+  Pause whole_law_;    ///< of Coulomb, by Newton's method: fails where friction has to lag or contacts to be swept
+  Pause multipliers_;  ///< Lagrange's, where these fail
   Sleep sleep_;
   EnergyBalance energy_balance_;
   int smooth_steps_ = 0;  ///< since the last in which contacts changed, where the integrator is of second order
