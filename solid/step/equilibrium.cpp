@@ -121,10 +121,8 @@ bool Solid::find_equilibrium(IslandSystem& s) {
                             : unknowns > large_island    ? 50
                                                          : scene_.contact.max_iterations;
   // Where it has failed, its next turn is a short one.
-  const bool short_turn = unknowns > (may_sweep() ? few_unknowns : large_island) && whole_law_.after_failure();
-  const int most = short_turn    ? 20
-                   : may_sweep() ? std::min(40, scene_.contact.max_iterations)
-                                 : scene_.contact.max_iterations;
+  const int large = may_sweep() ? few_unknowns : large_island;
+  const int most = unknowns > large && whole_law_.after_failure() ? 20 : scene_.contact.max_iterations;
   const double tolerance = formulation_->settings().force_tolerance_n;
   constexpr double close = 0.3;  // of what multipliers will still move: they need no closer equilibrium
   const Held held = held_by(s);

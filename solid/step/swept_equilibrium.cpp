@@ -48,9 +48,11 @@ bool Solid::find_equilibrium_by_sweeps(IslandSystem& s) {
   }
   // From states and forces that are next to right Newton's method is exact in a solution or two.
   const bool near = left_m <= enough_m && formulation_->holds_exactly();
-  if (near && or_undone(s, [&] { return finish_swept(s); })) {
-    s.swept = false;
-    return true;
+  const bool small = s.unknowns->total <= few_unknowns;
+  if (near && (small || !finish_.skips())) {
+    s.swept = !or_undone(s, [&] { return finish_swept(s); });
+    if (!small) s.swept ? finish_.failed() : finish_.succeeded();
+    if (!s.swept) return true;
   }
   counts_.residual_m = std::max(counts_.residual_m, left_m);
   take_forces(s);
