@@ -69,13 +69,7 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
 /// redundant, states of Lagrange multipliers run in circles: the augmented Lagrangian makes such a step.
 bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
   if (in_motion()) {
-    if (!substitute_) return attempt(dt, end_s, water);
-    if (!multipliers_.skips()) {
-      const bool solved = attempt(dt, end_s, water);
-      solved ? multipliers_.succeeded() : multipliers_.failed();
-      if (solved || unfit()) return solved;
-    }
-    return attempt_by_substitute(dt, end_s, water);
+    return attempt(dt, end_s, water) || (substitute_ && !unfit() && attempt_by_substitute(dt, end_s, water));
   }
   if (whole_law_.skips()) {
     if (attempt_with_lagging_friction(dt, end_s, water)) return true;

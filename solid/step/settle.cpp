@@ -147,7 +147,7 @@ void Solid::settle(const std::vector<Panel>& water) {
 
   set(closely);
   relax(pseudo_step, water);
-  whole_law_ = multipliers_ = {};  // a step of the run is shorter by far
+  whole_law_ = {};  // a step of the run is shorter by far
   set(usual);
   settling_ = false;
   counts_.steps = 0;

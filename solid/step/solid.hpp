@@ -95,7 +95,7 @@ class Solid {
     for (Bolt& bolt : bolts_) archive(bolt);
     if (substitute_) archive(*substitute_);
     std::vector<KeptFactors> kept = kept_factors();
-    archive(links_, kept, whole_law_, multipliers_, finish_);
+    archive(links_, kept, whole_law_, finish_);
     if (Archive::is_loading::value) follow_states(std::move(kept));
   }
 
@@ -333,9 +333,8 @@ class Solid {
   Rest rest_;
   bool settling_ = false;
   std::function<void()> meanwhile_;
-  Pause whole_law_;    ///< of Coulomb, by Newton's method: fails where friction has to lag or contacts to be swept
-  Pause multipliers_;  ///< Lagrange's, where these fail
-  Pause finish_;       ///< by Newton's method, of what sweeps have found
+  Pause whole_law_;  ///< of Coulomb, by Newton's method: fails where friction has to lag or contacts to be swept
+  Pause finish_;     ///< by Newton's method, of what sweeps have found
   Sleep sleep_;
   EnergyBalance energy_balance_;
   int smooth_steps_ = 0;  ///< since the last in which contacts changed, where the integrator is of second order

@@ -159,6 +159,9 @@ TEST_F(Resume, AsksForTheFolderOfARunWithACheckpoint) {
   EXPECT_THAT(text("out"), HasSubstr("nowhere: found no scene.toml and solid.log of a run"));
   ASSERT_EQ(shell(command("incline", "o")), 0) << text("out");
   EXPECT_EQ(shell(programs + "/blockweir resume o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("o: found a run that is complete"));
+  std::filesystem::remove(folder / "o/summary.json");
+  EXPECT_EQ(shell(programs + "/blockweir resume o"), 2);
   EXPECT_THAT(text("out"), HasSubstr("o: no checkpoint that all its processes have"));
 }
 
