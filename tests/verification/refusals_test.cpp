@@ -14,7 +14,7 @@ TEST(Refusals, StatesThatDoNotSettleAreRefusedForThat) {
   add(scene, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   scene.contact.max_iterations = 1;
   scene.analysis.kind = scene::AnalysisKind::quasi_static;  // in motion contacts are swept
-  scene.default_joint.cohesion_pa = 1;  // what has a bond to lose is not left to pivoting
+  scene.default_joint.cohesion_pa = 1;                      // what has a bond to lose is not left to pivoting
   Solid solid(scene);
   try {
     run(solid, 0.01);
