@@ -69,7 +69,8 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     Progress& progress = contacts_[at(k)] = {};
     const EdgeFrame edge = edge_frame(trial, c);
     if (settings_.lasting_overlap_m > 0) {
-      const double gap = holds_exactly() ? follow(trial, k, c, edge).separation.x() : c.overlap_m;
+      const bool measured = settings_.swept && holds_exactly();
+      const double gap = measured ? follow(trial, k, c, edge).separation.x() : c.overlap_m;
       if (gap < -settings_.lasting_overlap_m) progress.overlap = gap;
     }
     const Point n = edge.n;

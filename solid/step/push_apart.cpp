@@ -31,18 +31,20 @@ double Solid::gap_now(const ContactPoint& c) const {
 bool Solid::push_apart(const IslandSystem& s) {
   constexpr int most = 3;  // pushes turn blocks
   const FormulationSettings& settings = formulation_->settings();
-  if (settings.lasting_overlap_m == 0 || !(s.swept || formulation_->holds_exactly())) return false;
+  if (settings.lasting_overlap_m == 0) return false;
+  // Newton's method leaves none but those that a swept step had left.
+  const auto was_left = [&](int k) { return contacts_[at(k)].overlap_m < -settings.lasting_overlap_m; };
+  if (!s.swept && std::none_of(s.island.contacts.begin(), s.island.contacts.end(), was_left)) return false;
   const auto overlaps = [&](int k) { return gap_now(contacts_[at(k)]) < -settings.lasting_overlap_m; };
   const auto any = [&] { return std::any_of(s.island.contacts.begin(), s.island.contacts.end(), overlaps); };
   int pushes = 0;
   while (pushes < most && any()) push_once(s), ++pushes;
-  if (pushes == 0) return false;
   for (const int k : s.island.contacts) {
     ContactPoint& c = contacts_[at(k)];
     c.overlap_m = std::min(0.0, gap_now(c));
     counts_.overlap_m = std::max(counts_.overlap_m, -c.overlap_m);
   }
-  return true;
+  return pushes > 0;
 }
 
 void Solid::push_once(const IslandSystem& s) {

@@ -27,7 +27,9 @@ bool Solid::find_equilibrium_by_sweeps(IslandSystem& s) {
   const Held held = held_by(s);
   formulation_->undo(held);
   start_again(s);
+  formulation_->settings().swept = true;
   formulation_->begin(at_start(), matrix_, frozen_, held);
+  formulation_->settings().swept = false;
   const bool begins = !whole_law_.after_failure();
   const double closely = begins || s.unknowns->total <= few_unknowns ? 1e-4 : 1;
   const double enough_m = closely * std::min(2e-8 * size_, 1e-4 * fall_m());
