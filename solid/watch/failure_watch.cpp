@@ -26,9 +26,9 @@ struct FailedJoint {
       mouth;  ///< m, end on the higher pool's side in the scene's outline; none where they did not touch
 };
 
-/// Of the joints that the body leaves, the one that begins nearest to the higher pool. Where it slides those that bear
-/// next to nothing have only opened behind it; where it turns, what has opened belongs to the joint. Blocks that had no
-/// joint count when they press on each other now.
+/// Of the joints that the body leaves, the one that begins nearest to the higher pool; where it slides, the one that
+/// bears most, pieces of a set counted together. Where it turns, what has opened belongs to the joint. Blocks that had
+/// no joint count when they press on each other now.
 FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs, bool turns,
                          bool from_downstream) {
   constexpr double bears = 1e-2;  // of all that the body presses with
@@ -36,20 +36,31 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
   const auto normal = [&](const std::pair<int, int>& face) {
     return pairs.at(std::minmax(face.first, face.second)).normal;
   };
+  const auto name_of = [&](const std::pair<int, int>& face) {
+    const std::string set = joint_set(solid, face.first, face.second);
+    return set.empty() ? joint_name(solid, face.first, face.second) : set;
+  };
   double whole = 0;
-  for (const auto& face : body.left) whole += std::max(0.0, normal(face));
+  std::map<std::string, double> borne;
+  for (const auto& face : body.left) {
+    whole += std::max(0.0, normal(face));
+    borne[name_of(face)] += std::max(0.0, normal(face));
+  }
+  double most = 0;
+  for (const auto& [name, force] : borne) most = std::max(most, force);
   FailedJoint joint;
   double farthest = std::numeric_limits<double>::infinity();  // downstream of the pool, m
   for (const auto& [inside, outside] : body.left) {
     const auto trace = scene::trace_joint(blocks[at(inside)], blocks[at(outside)], 1e-6 * solid.size_m());
     const bool pressed = normal({inside, outside}) > bears * whole;
+    const bool bears_most = borne.at(name_of({inside, outside})) == most;
+    if (whole > 0 && !turns && !bears_most) continue;
     if (!pressed && (trace.pieces.empty() || (!turns && whole > 0))) continue;
     double x = std::numeric_limits<double>::max();
     if (!trace.pieces.empty()) x = from_downstream ? -trace.end().x() : trace.mouth().x();
     if (x >= farthest) continue;
     farthest = x;
-    const std::string set = joint_set(solid, inside, outside);
-    joint = {set.empty() ? joint_name(solid, inside, outside) : set, std::nullopt};
+    joint = {name_of({inside, outside}), std::nullopt};
     if (!trace.pieces.empty()) joint.mouth = from_downstream ? trace.end() : trace.mouth();
   }
   return joint;

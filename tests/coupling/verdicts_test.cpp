@@ -275,5 +275,61 @@ TEST_F(Verdicts, LiftsThatMoveTogetherFailOnTheJointBelowThemInAnyOrder) {
   }
 }
 
+/// Two lifts on rock that beds and steep joints cut, at a level at which rock and dam go: what bears is the bedding,
+/// the lift's own base on one of the pieces comes first from upstream.
+TEST_F(Verdicts, ADamThatSlidesWithItsRockFailsOnTheBedding) {
+  const auto slid = run(R"([analysis]
+duration_s = 0.8
+step_s = 0.01
+[joint]
+friction_angle_deg = 20
+[material.concrete]
+density_kg_per_m3 = 2400
+youngs_modulus_pa = 25e9
+poissons_ratio = 0.2
+[material.rock]
+density_kg_per_m3 = 2650
+youngs_modulus_pa = 40e9
+poissons_ratio = 0.25
+[section]
+material = "rock"
+outline_m = [[-20, -15], [50, -15], [50, 0], [-20, 0]]
+[water]
+upstream_level_m = { from = 20, rate_per_s = 0.8, to = 20.5 }
+[[block]]
+name = "base"
+material = "concrete"
+vertices_m = [[0, 0], [15.5, 0], [9.4175, 11.6361], [0, 15]]
+[[block]]
+name = "top"
+material = "concrete"
+vertices_m = [[0, 15], [9.4175, 11.6361], [4, 22], [0, 22]]
+[[joint_set]]
+name = "bedding"
+dip_deg = 12
+friction_angle_deg = 8
+offset_m = 1
+spacing_m = 4
+[[joint_set]]
+name = "steep"
+dip_deg = -70
+offset_m = 1
+persistence = 0.8
+seed = 2
+spacing_m = 6
+trace_length_m = 8
+[[joints]]
+name = "crack"
+between = ["base", "top"]
+[[region]]
+material = "rock"
+fixed = true
+outline_m = [[-20, -15], [50, -15], [50, -12], [-20, -12]]
+)");
+  ASSERT_EQ(slid["outcome"], "fails") << text("out");
+  EXPECT_EQ(slid["failure"]["mode"], "sliding");
+  EXPECT_EQ(slid["failure"]["joint"], "bedding");
+}
+
 }  // namespace
 }  // namespace blockweir::test

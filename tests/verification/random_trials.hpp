@@ -156,7 +156,8 @@ inline std::string wrong(const Trial& trial, const Verdict& v, const Allowed& al
     }
     // What a broken bond held back as well may begin at once.
     const bool both = one.by_hand->broken_level_m <= allowed.modes_apart * one.level_m;
-    if (v.mode != one.by_hand->mode && !both) all += "mode, " + one.by_hand->mode + "; ";
+    const bool either = v.mode == "sliding" || v.mode == "overturning" || v.mode == "sliding and overturning";
+    if (v.mode != one.by_hand->mode && !(both && either)) all += "mode, " + one.by_hand->mode + "; ";
     if (v.joint != one.by_hand->joint) all += "joint, " + one.by_hand->joint + "; ";
   }
   return all.empty() ? "" : text(trial.filling) + text(v) + ": wrong " + all;
