@@ -148,7 +148,9 @@ Ruled Formulation::ruled_contact(const Trial& trial, int index, const ContactPoi
   const Progress& progress = follow(trial, index, c, edge_frame(trial, c));
   const JointProperties& law = laws_[c.law];
   const Strength strength = iterated_strength(c);
-  ForceRule rule{.friction = strength.friction, .cohesion = strength.cohesion};
+  // What is left of a bond that has let go holds while sweeps last; where they open the contact it is lost (bonds.cpp).
+  const bool for_good = c.let_go && law.keeps_cohesion;
+  ForceRule rule{.friction = strength.friction, .cohesion = for_good ? 0 : strength.cohesion};
   if (strength.tension > 0) {
     rule.least_normal = -strength.tension;
     rule.opens = false;
@@ -173,7 +175,7 @@ Ruled Formulation::ruled_support(const Trial& trial, int index, const Support& s
 Interaction Formulation::take_contact(const Trial& trial, int index, ContactPoint& c, const RuledForce& found) {
   const EdgeFrame edge = edge_frame(trial, c);
   Progress& progress = follow(trial, index, c, edge);
-  const bool open = found.force.isZero(0);
+  const bool open = found.force.isZero(0) || iterated_strength(c).opens(found.force.x());
   const ContactState state = open ? ContactState::open : found.slips ? ContactState::slip : ContactState::stick;
   if (state != c.state) state_changes_.fetch_add(1, std::memory_order_relaxed);
   c.state = state;

@@ -26,7 +26,8 @@ bool Solid::make_step(double dt, double end_s, const std::vector<Panel>& water) 
     const bool made = try_step(dt, end_s, water);
     smooth_only_ = false;
     made_by_shi_ = !made;
-    if (made || !std::exchange(jumps_, false)) return made;
+    jumps_ = false;
+    if (made || goes_too_far_) return made;
     smooth_steps_ = 0;
   }
   const Newmark own = std::exchange(newmark_, Newmark{});
