@@ -59,6 +59,11 @@ class Processes : public OwnFolder {
     return -1;
   }
 
+  /// Sends `signal` (its name without SIG) to the process `name` of that launcher's run alone; true when it was there.
+  [[nodiscard]] bool signal_child(pid_t launcher, const std::string& name, const std::string& signal) const {
+    return shell("pkill -" + signal + " -P " + std::to_string(launcher) + " -f '[b]lockweir-" + name + "'") == 0;
+  }
+
   /// That the run in `run` has written so far, below the heading.
   [[nodiscard]] long rows_of(const std::string& run) const {
     const std::string history = text(run + "/history.csv");

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/joint_trace.hpp"
 #include "solid/watch/failure_mode.hpp"
 #include "solid/watch/joint_name.hpp"
 #include "solid/watch/mobility.hpp"
@@ -26,44 +27,62 @@ struct FailedJoint {
       mouth;  ///< m, end on the higher pool's side in the scene's outline; none where they did not touch
 };
 
-/// Of the joints that the body leaves, the one that begins nearest to the higher pool; where it slides, the one that
-/// bears most, pieces of a set counted together. Where it turns, what has opened belongs to the joint. Blocks that had
-/// no joint count when they press on each other now.
+/// A joint that a body leaves.
+struct LeftJoint {
+  int inside;                 ///< block of the body
+  int outside;                ///< the one that it leaves
+  double normal;              ///< N/m, with which they press on each other
+  scene::JointTrace trace{};  ///< in the scene's outline
+};
+
+/// Do both lie in one direction, as what slides on a plane does on all of its pieces?
+bool is_one_surface(const LeftJoint& a, const LeftJoint& b) {
+  constexpr double sine = 0.1;
+  if (a.trace.pieces.empty() || b.trace.pieces.empty()) return &a == &b;
+  const Point u = a.trace.end() - a.trace.mouth();
+  const Point v = b.trace.end() - b.trace.mouth();
+  return std::abs(u.x() * v.y() - u.y() * v.x()) <= sine * u.norm() * v.norm();
+}
+
+/// Of the joints that the body leaves, the one that begins nearest to the higher pool; where it slides, of the surface
+/// that bears most. Where it turns, what has opened belongs to the joint. Blocks that had no joint count when they
+/// press on each other now.
 FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs, bool turns,
                          bool from_downstream) {
   constexpr double bears = 1e-2;  // of all that the body presses with
   const auto& blocks = solid.scene().blocks;
-  const auto normal = [&](const std::pair<int, int>& face) {
-    return pairs.at(std::minmax(face.first, face.second)).normal;
-  };
-  const auto name_of = [&](const std::pair<int, int>& face) {
-    const std::string set = joint_set(solid, face.first, face.second);
-    return set.empty() ? joint_name(solid, face.first, face.second) : set;
-  };
+  std::vector<LeftJoint> left;
   double whole = 0;
-  std::map<std::string, double> borne;
-  for (const auto& face : body.left) {
-    whole += std::max(0.0, normal(face));
-    borne[name_of(face)] += std::max(0.0, normal(face));
-  }
-  double most = 0;
-  for (const auto& [name, force] : borne) most = std::max(most, force);
-  FailedJoint joint;
-  double farthest = std::numeric_limits<double>::infinity();  // downstream of the pool, m
   for (const auto& [inside, outside] : body.left) {
-    const auto trace = scene::trace_joint(blocks[at(inside)], blocks[at(outside)], 1e-6 * solid.size_m());
-    const bool pressed = normal({inside, outside}) > bears * whole;
-    const bool bears_most = borne.at(name_of({inside, outside})) == most;
-    if (whole > 0 && !turns && !bears_most) continue;
-    if (!pressed && (trace.pieces.empty() || (!turns && whole > 0))) continue;
+    const double normal = std::max(0.0, pairs.at(std::minmax(inside, outside)).normal);
+    left.push_back(
+        {inside, outside, normal, scene::trace_joint(blocks[at(inside)], blocks[at(outside)], 1e-6 * solid.size_m())});
+    whole += normal;
+  }
+  const bool slides = !turns && whole > 0;
+  const auto surface_bears = [&](const LeftJoint& joint) {
+    double sum = 0;
+    for (const LeftJoint& other : left) sum += is_one_surface(joint, other) ? other.normal : 0;
+    return sum;
+  };
+  double most = 0;
+  for (const LeftJoint& joint : left) most = std::max(most, surface_bears(joint));
+  FailedJoint failed;
+  double farthest = std::numeric_limits<double>::infinity();  // downstream of the pool, m
+  for (const LeftJoint& joint : left) {
+    const bool pressed = joint.normal > bears * whole;
+    const bool untouched = joint.trace.pieces.empty();
+    if (!pressed && (untouched || slides)) continue;
+    if (slides && surface_bears(joint) < most) continue;
     double x = std::numeric_limits<double>::max();
-    if (!trace.pieces.empty()) x = from_downstream ? -trace.end().x() : trace.mouth().x();
+    if (!untouched) x = from_downstream ? -joint.trace.end().x() : joint.trace.mouth().x();
     if (x >= farthest) continue;
     farthest = x;
-    joint = {name_of({inside, outside}), std::nullopt};
-    if (!trace.pieces.empty()) joint.mouth = from_downstream ? trace.end() : trace.mouth();
+    const std::string set = joint_set(solid, joint.inside, joint.outside);
+    failed = {set.empty() ? joint_name(solid, joint.inside, joint.outside) : set, std::nullopt};
+    if (!untouched) failed.mouth = from_downstream ? joint.trace.end() : joint.trace.mouth();
   }
-  return joint;
+  return failed;
 }
 
 }  // namespace

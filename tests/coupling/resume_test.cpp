@@ -126,7 +126,7 @@ TEST_F(Resume, AKilledRunGoesOnFromItsLastCheckpointWhenceverItWasKilled) {
     const pid_t run = start(command("cracked-dam-upper", "killed", often), "log");
     ASSERT_TRUE(under_way("killed", 5 + 12 * moment));
     const std::string name = moment % 2 == 0 ? "solid" : "hydrostatic";
-    EXPECT_EQ(shell("pkill -KILL -f '[b]lockweir-" + name + " killed/'"), 0);
+    EXPECT_TRUE(signal_child(run, name, "KILL"));
     EXPECT_EQ(end_of(run, 15), 1) << text("log");
     EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume killed\" goes on"));
     ASSERT_EQ(shell(programs + "/blockweir resume killed --quiet"), 0) << text("out");
@@ -138,7 +138,7 @@ TEST_F(Resume, AKilledRunGoesOnFromItsLastCheckpointWhenceverItWasKilled) {
 TEST_F(Resume, AFluidThatRemembersNothingIsTakenUpWhereItDied) {
   const pid_t run = start(command("cracked-dam-upper", "left", " --set output.checkpoint_every_s=0"), "log");
   ASSERT_TRUE(under_way("left"));
-  EXPECT_EQ(shell("pkill -KILL -f '[b]lockweir-hydrostatic left/'"), 0);
+  EXPECT_TRUE(signal_child(run, "hydrostatic", "KILL"));
   EXPECT_EQ(end_of(run, 15), 1) << text("log");
   EXPECT_EQ(shell(programs + "/blockweir resume left --quiet"), 0) << text("out");
   ASSERT_EQ(shell(command("cracked-dam-upper", "whole", " --set output.checkpoint_every_s=0")), 0);

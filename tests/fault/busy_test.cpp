@@ -80,7 +80,7 @@ TEST_F(Busy, AStoppedPartnerIsNamedAndLeavesACheckpoint) {
   for (const std::string victim : {"solid", "hydrostatic"}) {
     const pid_t pid = start_long_run("--quiet --set coupling.window_s=0.001 --set coupling.timeout_s=1");
     ASSERT_TRUE(under_way("o", 3)) << text("log");
-    EXPECT_EQ(shell("pkill -STOP -f '[b]lockweir-" + victim + " o/'"), 0);
+    EXPECT_TRUE(signal_child(pid, victim, "STOP"));
     EXPECT_EQ(end_of(pid, 20), 1) << text("log");
     EXPECT_THAT(text("log"), HasSubstr("the " + victim + " process was stopped (SIGSTOP) and answered no more"));
     EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume o\" goes on"));
@@ -94,7 +94,7 @@ TEST_F(Busy, AStoppedPartnerIsNamedAndLeavesACheckpoint) {
 TEST_F(Busy, AKilledPartnerIsNamedByTheOneThatItKeptWaiting) {
   const pid_t pid = start_long_run("--quiet --set coupling.window_s=50");
   ASSERT_TRUE(under_way("o", 1)) << text("log");
-  EXPECT_EQ(shell("pkill -KILL -f '[b]lockweir-solid o/'"), 0);
+  EXPECT_TRUE(signal_child(pid, "solid", "KILL"));
   EXPECT_EQ(end_of(pid, 20), 1) << text("log");
   EXPECT_THAT(text("log"), HasSubstr("the solid process was ended by signal 9"));
   EXPECT_FALSE(orphan());

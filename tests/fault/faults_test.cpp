@@ -203,7 +203,7 @@ TEST_F(Faults, AProcessThatIsKilledIsNamedByTheLauncher) {
         programs + "/blockweir run " + cases + "cracked-dam-upper --quiet --set analysis.step_s=0.001 --out " + name,
         "log");
     ASSERT_TRUE(under_way(name));
-    EXPECT_EQ(shell("pkill -KILL -f '[b]lockweir-" + name + " " + name + "/'"), 0);
+    EXPECT_TRUE(signal_child(run, name, "KILL"));
     EXPECT_EQ(end_of(run, 15), 1) << text("log");
     EXPECT_THAT(text("log"), HasSubstr("the " + name + " process was ended by signal 9"));
     EXPECT_EQ(nlohmann::json::parse(text(name + "/summary.json"))["outcome"], "stopped");

@@ -312,7 +312,7 @@ TEST_F(LineFaults, ADiskThatFillsUpLeavesACheckpointToGoOnFrom) {
 TEST_F(LineFaults, TheLauncherEndsAPartnerThatIsStopped) {
   const pid_t run = start(programs + "/blockweir run " + scene + " --set analysis.step_s=0.001 --quiet --out o", "log");
   ASSERT_TRUE(under_way("o"));
-  EXPECT_EQ(shell("pkill -STOP -f '[b]lockweir-hydrostatic o/'"), 0);
+  EXPECT_TRUE(signal_child(run, "hydrostatic", "STOP"));
   EXPECT_EQ(end_of(run, 15), 1) << text("log");
   EXPECT_EQ(nlohmann::json::parse(text("o/summary.json"))["outcome"], "stopped");
 }
