@@ -37,7 +37,8 @@ void Solid::come_to_rest(const std::vector<Panel>& water, double at_s) {
     }
     ++rest_.steps;
     const double before = std::exchange(rest_.unbalanced, unbalanced_ratio());
-    rest_.found = rest_.unbalanced <= scene_.analysis.residual_tolerance;
+    const bool swept = std::any_of(islands_.begin(), islands_.end(), [](const auto& s) { return s.swept; });
+    rest_.found = !swept && rest_.unbalanced <= scene_.analysis.residual_tolerance;
     // What only strains or settles halves what is unbalanced, however far it goes; what slides or turns does not.
     const bool settles = rest_.steps == 1 || rest_.unbalanced < before / 2;
     const bool far = largest_displacement_m() - before_m > scene_.analysis.failure_displacement_m;

@@ -187,6 +187,7 @@ class Solid {
   bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
+  bool attempt_by_sweeps(double dt, double end_s, const std::vector<Panel>& water);
   bool attempt_by_substitute(double dt, double end_s, const std::vector<Panel>& water);
   [[nodiscard]] double timed() const;
   bool find_contacts();
@@ -198,7 +199,9 @@ class Solid {
   bool find_equilibrium(IslandSystem& island);
   [[nodiscard]] bool in_motion() const { return newmark_.damps && !settling_; }
   /// Static analyses ask for round-off, which sweeps do not reach; steps that are to be smooth for states that stay.
-  [[nodiscard]] bool may_sweep() const { return in_motion() && !smooth_only_ && !formulation_->solves_for_forces(); }
+  [[nodiscard]] bool may_sweep() const {
+    return (sweeps_ || in_motion()) && !smooth_only_ && !formulation_->solves_for_forces();
+  }
   [[nodiscard]] bool may_pivot(const IslandSystem& island) const;
   bool release_contacts(IslandSystem& island, Released& released);
   bool find_equilibrium_by_pivoting(IslandSystem& island);
@@ -350,6 +353,7 @@ class Solid {
   std::vector<bool> frozen_;  ///< fixed, or waiting while others settle
   double end_s_ = 0;          ///< of the step
   bool starts_at_rest_ = true;
+  bool sweeps_ = false;        ///< where all else has failed on the way to rest
   bool pivots_ = false;        ///< where states of small islands at rest run in circles
   bool goes_too_far_ = false;  ///< states were found, but blocks move or turn by more than a step may
   bool smooth_only_ = false;   ///< the step is not to be where contacts change
