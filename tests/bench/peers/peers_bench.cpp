@@ -3,7 +3,6 @@
 // blockweir beside Box2D in one run: the same scenes, wall time from the description of the blocks to the end of the
 // motion, and the error of the answer. Box2D takes 16 velocity and 16 position iterations a step of 1/60 s. No sleep on
 // either side, except where a row says so.
-#include <box2d/box2d.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "solid/step/solid.hpp"
+#include "tests/bench/peers/box2d_world.hpp"
 #include "tests/large_scenes.hpp"
 
 namespace {
@@ -78,52 +78,17 @@ End blockweir_to(const scene::Scene& described, double duration_s, double dt, bo
   return end;
 }
 
-b2Vec2 vec(const Point& p) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y())};
-}
-
-/// A rectangle of the scene. Box2D keeps shapes a skin apart: they are made smaller by it, so that skins touch where
-/// the scene's blocks do.
-b2Body* add_rectangle(b2World& world, const scene::Scene& scene, const scene::Block& block) {
-  const auto& v = block.vertices;
-  const Point centre = (v[0] + v[2]) / 2;
-  const Point along = v[1] - v[0];
-  b2BodyDef body;
-  body.type = block.fixed ? b2_staticBody : b2_dynamicBody;
-  body.position = vec(centre);
-  body.angle = static_cast<float>(std::atan2(along.y(), along.x()));
-  const double skin = static_cast<double>(b2_polygonRadius);
-  const Point whole(along.norm(), (v[2] - v[1]).norm());
-  const Point shrunk = whole - Point(2 * skin, 2 * skin);
-  b2PolygonShape shape;
-  shape.SetAsBox(static_cast<float>(shrunk.x() / 2), static_cast<float>(shrunk.y() / 2));
-  b2FixtureDef fixture;
-  fixture.shape = &shape;
-  fixture.density = static_cast<float>(scene.materials[0].density_kg_per_m3 * whole.prod() / shrunk.prod());
-  fixture.friction = static_cast<float>(std::tan(scene.default_joint.friction_angle_deg * std::numbers::pi / 180));
-  b2Body* made = world.CreateBody(&body);
-  made->CreateFixture(&fixture);
-  return made;
-}
-
 End box2d_to(const scene::Scene& scene, double duration_s, bool sleep) {
-  constexpr int iterations = 16;
   End end;
   end.wall_s = seconds([&] {
-    b2World world(vec(scene.analysis.gravity()));
-    world.SetAllowSleeping(sleep);
-    std::vector<b2Body*> bodies;
-    std::vector<b2Vec2> starts;
-    for (const auto& block : scene.blocks) {
-      bodies.push_back(add_rectangle(world, scene, block));
-      starts.push_back(bodies.back()->GetPosition());
-    }
+    const auto [world, bodies, centroid] = peers::box2d_world(scene, sleep);
     const auto steps = std::lround(duration_s / step_s);
-    for (long n = 0; n < steps; ++n) world.Step(static_cast<float>(step_s), iterations, iterations);
+    for (long n = 0; n < steps; ++n) world->Step(static_cast<float>(step_s), peers::iterations, peers::iterations);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      end.moved_m = std::max(end.moved_m, static_cast<double>((bodies[b]->GetPosition() - starts[b]).Length()));
+      const b2Vec2 moved = bodies[b]->GetPosition() - peers::vec(centroid[b]);
+      end.moved_m = std::max(end.moved_m, static_cast<double>(moved.Length()));
     }
-    for (const b2Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext()) {
+    for (const b2Contact* c = world->GetContactList(); c != nullptr; c = c->GetNext()) {
       if (c->GetFixtureA()->GetBody() != bodies[0] && c->GetFixtureB()->GetBody() != bodies[0]) continue;
       const b2Manifold& manifold = *c->GetManifold();
       for (int i = 0; i < manifold.pointCount; ++i) {
