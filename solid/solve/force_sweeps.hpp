@@ -51,7 +51,7 @@ class ForceSweeps {
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
  private:
-  void act(const Row& row, const Eigen::Vector2d& force);
+  void act(const Row& row, double normal, double shear);
 
   std::vector<Row> rows_;
   std::vector<double> entries_;
