@@ -19,7 +19,7 @@ struct Word {
   char letter;
   const char* colour;
 };
-constexpr std::array<Word, 11> outcomes{{{"stands", '.', "#73a946"},
+constexpr std::array<Word, 14> outcomes{{{"stands", '.', "#73a946"},
                                          {"moving", 'm', "#ad7fa8"},
                                          {"sliding", 's', "#3465a4"},
                                          {"overturning", 'o', "#e08e0b"},
@@ -27,6 +27,9 @@ constexpr std::array<Word, 11> outcomes{{{"stands", '.', "#73a946"},
                                          {"falling", 'f', "#555753"},
                                          {"stable", '-', "#73a946"},
                                          {"grows", 'g', "#e08e0b"},
+                                         {"hold", '.', "#73a946"},
+                                         {"energy made", 'e', "#cc0000"},
+                                         {"in each other", 'i', "#a40000"},
                                          {"right", '.', "#73a946"},
                                          {"refused", 'r', "#d3d7cf"},
                                          {"wrong", 'X', "#f57900"}}};

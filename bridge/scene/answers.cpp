@@ -49,6 +49,7 @@ constexpr Answer all_quantities[] = {
     {"point_stress_yy_pa", Subject::block, Need::nothing, takes_a_point},
     {"point_stress_xy_pa", Subject::block, Need::nothing, takes_a_point},
     {"mode", Subject::block_if_any, Need::nothing, !takes_a_point, says_a_word},
+    {"invariants", Subject::none, Need::nothing, !takes_a_point, says_a_word},
     {"stability", Subject::block_if_any, Need::water, !takes_a_point, says_a_word},
 };
 

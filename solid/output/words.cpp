@@ -49,9 +49,18 @@ std::string schedule_stability(const scene::Scene& scene, const std::string& of)
   return schedule_growth(oscillator_of(scene, of)) > least_growth ? "grows" : "stable";
 }
 
+/// What holds of every fall, whatever its path.
+std::string invariants(const Outcome& o, const std::string& /*of*/) {
+  constexpr double most_energy = 1e-5;   // made, of what the run had
+  constexpr double most_overlap = 1e-4;  // of the model's size
+  if (!(o.energy.gain() <= most_energy)) return "energy made";
+  if (!(o.largest_penetration_m <= most_overlap * o.solid.size_m())) return "in each other";
+  return "hold";
+}
+
 using Words = std::map<std::string, std::string (*)(const Outcome&, const std::string&)>;
 const Words& words() {
-  static const Words all = {{"mode", mode}, {"stability", stability}};
+  static const Words all = {{"invariants", invariants}, {"mode", mode}, {"stability", stability}};
   return all;
 }
 
