@@ -2,6 +2,7 @@
 // Corners that meet: of all pairs of vertex and edge that describe one contact, the search keeps one.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "bridge/scene/at.hpp"
@@ -73,17 +74,18 @@ int ContactSearch::met_vertex(const ContactPoint& c) const {
   return -1;
 }
 
-/// Can two corners pass each other: does the vertex come towards an end of the edge, with nothing of its block beside
-/// what lies between?
+/// Can two corners pass each other: is the vertex on the outer side of the edge that goes on from this one at a corner?
+/// Then it is in the block of neither, and may leave along both.
 bool ContactSearch::may_pass(const ContactPoint& c) const {
-  const auto& V = corners_[static_cast<std::size_t>(c.vertex_block)];
-  const auto v = static_cast<std::size_t>(c.vertex);
-  const auto [from, to] = edge_of(c);
-  const double from_end = (to - from).norm() * std::min(c.anchor, 1 - c.anchor);
-  if (from_end > std::max(2 * coincidence_, parallel_tolerance * std::abs(c.gap - opening(c)))) return false;
-  const Point inward = (c.anchor < 0.5 ? 1 : -1) * (to - from).normalized();
-  const auto beside = [&](std::size_t w) { return inward.dot((V[w] - V[v]).normalized()) > parallel_tolerance; };
-  return !beside(previous(v, V.size())) && !beside(next(v, V.size()));
+  const auto& E = corners_[static_cast<std::size_t>(c.edge_block)];
+  const auto e = static_cast<std::size_t>(c.edge);
+  const auto goes_on = [&](std::size_t edge, std::size_t corner) {
+    const Point t = (E[next(edge, E.size())] - E[edge]).normalized();
+    const Point in = (E[corner] - E[previous(corner, E.size())]).normalized();
+    const Point out = (E[next(corner, E.size())] - E[corner]).normalized();
+    return cross(in, out) > parallel_tolerance && cross(vertex_of(c) - E[edge], t) >= -give_;
+  };
+  return goes_on(previous(e, E.size()), e) || goes_on(next(e, E.size()), next(e, E.size()));
 }
 
 /// Do the vertices of two mirrored contacts bound what two faces have in common, or will have once these have turned
@@ -97,24 +99,46 @@ bool ContactSearch::bound_overlap(const ContactPoint& a, const ContactPoint& b) 
   return over_its_edge(a) && over_its_edge(b) && along(a).dot(along(b)) < -std::cos(parallel_tolerance + closing);
 }
 
+/// Corners that have passed each other a little behind the line of their faces go on as they are: pushed onto it at
+/// once, they would fly.
+void ContactSearch::count_from_passing() {
+  const auto between_the_same = [](const ContactPoint& a, const ContactPoint& b) { return a.pair() == b.pair(); };
+  for (std::size_t i = 0; i < found_.size() && !passed_.empty(); ++i) {
+    ContactPoint& c = found_[i];
+    if (inherited_[i] != 0 || c.gap >= -coincidence_ || c.gap <= -give_) continue;
+    if (std::any_of(passed_.begin(), passed_.end(), [&](const auto& p) { return between_the_same(p, c); })) {
+      c.gap_at_start = c.gap;
+      count_from_start(c);
+    }
+  }
+}
+
+/// How near a contact is to being the one of its meeting: of corners that a step has taken into each other that edge is
+/// the entrance which the step has left least behind.
+double ContactSearch::nearness(const ContactPoint& c) const {
+  const auto entered = std::find_if(entered_.begin(), entered_.end(), [&](const auto& e) { return e.same_key(c); });
+  return entered == entered_.end() ? c.gap : entered->gap;
+}
+
 /// Where two convex vertices meet, up to four vertex-edge candidates describe one contact. What the meeting has come to
 /// know stays with the one that is kept.
 void ContactSearch::keep_one_of_each_meeting() {
-  std::vector<char> drop(found_.size(), 0);
+  std::vector<std::size_t> kept_for(found_.size());  // by each: itself, or what it was dropped for
+  for (std::size_t i = 0; i < kept_for.size(); ++i) kept_for[i] = i;
   const auto drop_for = [&](std::size_t dropped, std::size_t kept) {
-    drop[dropped] = 1;
+    kept_for[dropped] = kept;
     if (inherited_[dropped] == 0 || inherited_[kept] != 0 || found_[dropped].state == ContactState::open) return;
     static_cast<ContactMemory&>(found_[kept]) = found_[dropped];
     inherited_[kept] = 1;
     count_from_start(found_[kept]);
   };
   for (std::size_t i = 0; i < found_.size(); ++i) {
-    const int wi = drop[i] != 0 ? -1 : met_vertex(found_[i]);
+    const int wi = kept_for[i] != i ? -1 : met_vertex(found_[i]);
     if (wi < 0) continue;
     for (std::size_t j = i + 1; j < found_.size() && found_[j].pair() == found_[i].pair(); ++j) {
       ContactPoint& a = found_[i];
       ContactPoint& b = found_[j];
-      if (drop[j] != 0) continue;
+      if (kept_for[j] != j) continue;
       const bool same = b.vertex_block == a.vertex_block && b.vertex == a.vertex && b.edge_block == a.edge_block;
       const bool mirrored = b.vertex_block == a.edge_block && b.vertex == wi && b.edge_block == a.vertex_block;
       if (!(same || mirrored) || met_vertex(b) < 0) continue;
@@ -122,7 +146,8 @@ void ContactSearch::keep_one_of_each_meeting() {
       // Faces that lie on each other outrank a mere meeting of corners; then memory; then the entrance edge.
       const auto rank = [&](std::size_t k) {
         const ContactPoint& c = found_[k];
-        return std::make_tuple(c.length > 2 * coincidence_, inherited_[k] != 0 && c.state != ContactState::open, c.gap);
+        return std::make_tuple(c.length > 2 * coincidence_, inherited_[k] != 0 && c.state != ContactState::open,
+                               did_enter(c), nearness(c));
       };
       if (same) a.length = b.length = a.length + b.length;  // two edges of one face, which go on from each other
       if (rank(j) > rank(i)) {
@@ -131,19 +156,34 @@ void ContactSearch::keep_one_of_each_meeting() {
       }
       drop_for(j, i);
     }
-    // Corners that touch in a point and share no length, as those of bricks that slide over others, press only once one
-    // has entered.
-    if (drop[i] == 0 && found_[i].length <= 2 * coincidence_ && found_[i].gap > -coincidence_ &&
-        found_[i].state == ContactState::open && may_pass(found_[i]) && !did_enter(found_[i])) {
-      drop[i] = 1;
-      passing_.push_back(found_[i]);
-    }
   }
+  let_pass(kept_for);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < found_.size(); ++i) {
-    if (drop[i] == 0) found_[kept++] = found_[i];
+    if (kept_for[i] == i) found_[kept++] = found_[i];
   }
   found_.resize(kept);
+}
+
+/// Corners that touch in a point, as those of bricks that slide over others, press only once one has entered. By which
+/// edge is seen then. Faces that share no more than blocks give way by catch on each other no longer than that.
+void ContactSearch::let_pass(std::vector<std::size_t>& kept_for) {
+  constexpr auto passes = std::numeric_limits<std::size_t>::max();
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    const ContactPoint& c = found_[i];
+    // Faces askew to the way that they pass along lie over each other by their distance times a cotangent.
+    constexpr double steepest = 10;
+    const bool open = c.state == ContactState::open && c.length <= std::max(give_, steepest * c.gap);
+    const bool catches = c.length > 0 && c.length <= give_;
+    if (kept_for[i] == i && (open || catches) && c.gap > -give_ && may_pass(c) && !did_enter(c)) {
+      kept_for[i] = passes;
+    }
+  }
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    std::size_t k = i;
+    while (k != passes && kept_for[k] != k) k = kept_for[k];
+    if (k == passes) passing_.push_back(found_[i]);
+  }
 }
 
 }  // namespace blockweir::solid

@@ -20,9 +20,10 @@ bool ContactSearch::within(const std::vector<Point>& vertices, std::size_t v, co
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const Point span = edges[next(e, edges.size())] - edges[e];
     const double s = std::clamp(span.dot(p - edges[e]) / span.squaredNorm(), 0.0, 1.0);
-    if ((edges[e] + s * span - p).norm() > coincidence_) continue;
+    const double distance = (edges[e] + s * span - p).norm();
+    if (distance > give_) continue;
     if (faces(vertices, v, Point(span.y(), -span.x()).normalized(), closing)) return false;
-    touches = true;
+    touches = touches || distance <= coincidence_;
   }
   return touches || encloses(edges, p) || pierces(vertices, v, edges, edge, coincidence_);
 }
@@ -43,10 +44,13 @@ bool ContactSearch::entered(const std::vector<Placement>& placements, const std:
   };
   const std::size_t before = entered_.size();
   for (const ContactPoint& c : passing_) {
-    if (c.gap < -coincidence_) continue;  // behind the edge's line all along
+    if (c.gap < -give_) continue;  // behind the edge's line all along
     const auto& vertices = outline(c.vertex_block, outlines_[0]);
     const auto& edges = outline(c.edge_block, outlines_[1]);
-    if (within(vertices, at(c.vertex), edges, at(c.edge)) && !presses_already(c)) entered_.push_back(c);
+    if (!within(vertices, at(c.vertex), edges, at(c.edge)) || presses_already(c)) continue;
+    const Point span = edges[next(at(c.edge), edges.size())] - edges[at(c.edge)];
+    entered_.push_back(c);
+    entered_.back().gap = cross(vertices[at(c.vertex)] - edges[at(c.edge)], span.normalized());
   }
   if (entered_.size() > before) return true;
   entered_.clear();

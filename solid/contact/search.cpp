@@ -36,13 +36,14 @@ double overlap(const Point& vertex, const Point& end, const Point& a, const Poin
 }  // namespace
 
 ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m,
-                             double farthest_reach_m)
+                             double farthest_reach_m, double give_m)
     : parts_(parts),
       laws_(laws),
       dilates_(laws.dilate()),
       reach_(std::min(reach_m, farthest_reach_m)),
       farthest_reach_(farthest_reach_m),
-      coincidence_(1e-7 * size_m) {
+      coincidence_(1e-7 * size_m),
+      give_(std::max(2 * coincidence_, give_m)) {
   corners_.resize(parts.outlines.size());
   boxes_.resize(parts.outlines.size());
   for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
@@ -53,6 +54,7 @@ ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double s
 bool ContactSearch::rounds_to(double rounding_m) {
   if (2 * rounding_m <= coincidence_) return false;
   coincidence_ = 2 * rounding_m;
+  give_ = std::max(2 * coincidence_, give_);
   return true;
 }
 
@@ -67,6 +69,7 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
   if (dilates_) note_openings(contacts);
   refresh_pairs(placements);
   found_.clear();
+  passed_.swap(passing_);
   passing_.clear();
   for (const auto& [a, b] : pairs_) {
     if (!boxes_[static_cast<std::size_t>(a)].intersects(boxes_[static_cast<std::size_t>(b)])) continue;
@@ -74,6 +77,7 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
     vertices_on_edges(b, a);
   }
   inherit(placements, contacts);
+  count_from_passing();
   drop_edges_seen_from_within();
   keep_one_of_each_meeting();
   contacts.swap(found_);

@@ -22,8 +22,10 @@ class ContactSearch {
   /// The farthest that a block among others may turn in a step: which vertices may meet which edges holds about as long
   /// [rad].
   static constexpr double most_turn = 0.05;
-  /// The reach begins with `reach_m` and grows with what blocks move, up to `farthest_reach_m`.
-  ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m, double farthest_reach_m);
+  /// The reach begins with `reach_m` and grows with what blocks move, up to `farthest_reach_m`. Corners that slide over
+  /// each other do not catch on steps of up to `give_m`, by which blocks strain and contact springs give way.
+  ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m, double farthest_reach_m,
+                double give_m = 0);
 
   /// Contacts for a step that starts from `placements`; a contact that was in `contacts` keeps its memory, one
   /// that takes over its place (the vertex passed to the next edge, or its twin across the joint) inherits it.
@@ -63,7 +65,10 @@ class ContactSearch {
   void vertices_on_edges(int vertex_block, int edge_block);
   void drop_edges_seen_from_within();
   [[nodiscard]] bool overlaps_at(const ContactPoint& c) const;
+  [[nodiscard]] double nearness(const ContactPoint& c) const;
   void keep_one_of_each_meeting();
+  void let_pass(std::vector<std::size_t>& kept_for);
+  void count_from_passing();
   [[nodiscard]] const Point& vertex_of(const ContactPoint& c) const;
   [[nodiscard]] std::pair<Point, Point> edge_of(const ContactPoint& c) const;
   [[nodiscard]] int met_vertex(const ContactPoint& c) const;
@@ -83,6 +88,7 @@ class ContactSearch {
   double reach_;                             ///< m
   double farthest_reach_;                    ///< m
   double coincidence_;                       ///< m, closer points are one
+  double give_;                              ///< m, by which corners may be past each other and still pass
   std::vector<std::vector<Point>> corners_;  ///< current outlines of the scene's blocks
   std::vector<Box> boxes_;                   ///< current, by `reach`
   std::vector<std::vector<Point>> corners_at_pairs_;
@@ -90,6 +96,7 @@ class ContactSearch {
   std::vector<ContactPoint> found_;
   std::vector<char> inherited_;
   std::vector<ContactPoint> passing_;           ///< corners that may pass each other, left out
+  std::vector<ContactPoint> passed_;            ///< those of the search before
   std::array<std::vector<Point>, 2> outlines_;  ///< of such corners' blocks
   std::vector<ContactPoint> entered_;           ///< of them, those that did not in the step at hand
   // Of joints that dilate; empty where none does.

@@ -85,15 +85,14 @@ bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
   if (std::none_of(islands_.begin(), islands_.end(), large)) {
     if (attempt_softly(dt, end_s, water) || attempt_by_pivoting(dt, end_s, water)) return true;
   }
-  if (!unfit() && attempt_with_lagging_friction(dt, end_s, water)) {
-    whole_law_.failed();
-    return true;
-  }
-  return !unfit() && !settling_ && attempt_by_sweeps(dt, end_s, water);
+  if (unfit() || !attempt_with_lagging_friction(dt, end_s, water)) return false;
+  whole_law_.failed();
+  return true;
 }
 
 /// On the way to a state of rest, where a bond is about to break and no states are found with it or without.
 bool Solid::attempt_by_sweeps(double dt, double end_s, const std::vector<Panel>& water) {
+  if (unfit()) return false;
   sweeps_ = true;
   const bool solved = attempt(dt, end_s, water);
   sweeps_ = false;

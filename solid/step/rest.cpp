@@ -23,6 +23,7 @@ double Solid::unbalanced_ratio() const {
 void Solid::come_to_rest(const std::vector<Panel>& water, double at_s) {
   constexpr int most_steps = 1000;
   constexpr double shortest = 1e-6;  // of the pseudo-step that the search begins with
+  constexpr double brief = 1e-3;     // the same: inertia then keeps what is swept from another state of rest
   const double longest = pseudo_step_s();
   const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
   const double before_m = largest_displacement_m();
@@ -31,7 +32,7 @@ void Solid::come_to_rest(const std::vector<Panel>& water, double at_s) {
   rest_ = {};
   for (double dt = longest; rest_.steps < most_steps && dt > shortest * longest;) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (!try_step(dt, at_s, water)) {
+    if (!try_step(dt, at_s, water) && !(dt < brief * longest && attempt_by_sweeps(dt, at_s, water))) {
       dt /= 4;
       continue;
     }

@@ -66,6 +66,23 @@ double largest_modulus(const scene::Scene& scene) {
   return largest;
 }
 
+/// At most about as much as corners move against each other where blocks strain, or contacts are springs, under their
+/// weight and as much again of water and wedging [m].
+double give_under_weight(const scene::Scene& scene, const std::vector<Block>& blocks, double size_m) {
+  constexpr double share = 4;    // of a column's shortening, rho g L^2/E
+  constexpr double most = 1e-3;  // of the size
+  const bool springs = scene.contact.formulation == scene::ContactFormulation::penalty;
+  double give = 0;
+  for (const Block& block : blocks) {
+    if (block.rigid && !springs) continue;
+    double modulus = block.elasticity(0, 0);
+    if (springs) modulus = std::min(modulus, scene.contact.stiffness_n_per_m2.value_or(modulus));
+    const double weight = block.mass_per_m() / block.area * scene.analysis.gravity_m_per_s2;
+    give = std::max(give, share * weight * size_m * size_m / modulus);
+  }
+  return std::min(give, most * size_m);
+}
+
 std::vector<Support> make_supports(const scene::Scene& scene, const Parts& parts) {
   std::vector<Support> supports;
   for (const auto& described : scene.supports) {
@@ -105,7 +122,8 @@ Solid::Solid(const scene::Scene& scene)
            .largest_modulus_pa = largest_modulus(scene)})),
       // A twentieth of a block's width is more than most steps move it, and meets neighbours only.
       search_(parts_, laws_, size_, 0.05 * typical_width(blocks_),
-              ContactSearch::reach_per_move * scene.analysis.max_displacement_ratio * size_) {
+              ContactSearch::reach_per_move * scene.analysis.max_displacement_ratio * size_,
+              give_under_weight(scene, blocks_, size_)) {
   const std::size_t n = blocks_.size();
   if (scene.analysis.kind == scene::AnalysisKind::at_rest) loads_.start_base();
   newmark_.damps = scene.analysis.kind == scene::AnalysisKind::dynamic;

@@ -60,6 +60,13 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
     whole += normal;
   }
   const bool slides = !turns && whole > 0;
+  // Of what has come to touch only as the body moved no joint is named where another bears.
+  const auto bears_from_the_start = [&](const LeftJoint& j) {
+    return !j.trace.pieces.empty() && j.normal > bears * whole;
+  };
+  if (slides && std::any_of(left.begin(), left.end(), bears_from_the_start)) {
+    std::erase_if(left, [](const LeftJoint& j) { return j.trace.pieces.empty(); });
+  }
   const auto surface_bears = [&](const LeftJoint& joint) {
     double sum = 0;
     for (const LeftJoint& other : left) sum += is_one_surface(joint, other) ? other.normal : 0;
