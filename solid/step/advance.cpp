@@ -7,6 +7,7 @@
 #include "bridge/results/stopwatch.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/step/solid.hpp"
+#include "solid/step/temporarily.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -47,7 +48,8 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
       water_work_.begin_step(water_forces(panels, blocks_, start_, described(), scene_.water.nodal_rule), guard_,
                              states_);
     }
-    if (make_step(dt, time + dt, panels)) {
+    const Outcome outcome = make_step({dt, time + dt, panels});
+    if (outcome == Outcome::made) {
       if (!panels.empty()) water_work_.end_step(guard_, states_, dt, made_by_shi_);
       time += dt;
       next_dt_ = std::min(largest_step, next_dt_ < dt ? next_dt_ * 2 : std::max(next_dt_, dt * 2));
@@ -55,7 +57,7 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
     }
     ++counts_.undone_steps;
     next_dt_ = dt / 4;
-    if (next_dt_ < smallest_step) refuse_step(time, dt);
+    if (next_dt_ < smallest_step) refuse_step(time, dt, outcome);
   }
   // Steps without velocities take what slips a short way each: whether it comes to rest is seen at the window's end.
   constexpr double balanced = 5e-5;  // of the weight
@@ -66,74 +68,52 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
 
 /// In motion contacts are swept where Newton's method does not find their states. A state of rest is to be exact: where
 /// the whole of Coulomb's law runs in circles there, friction lags, and is left to for a while. Where contacts are
-/// redundant, states of Lagrange multipliers run in circles: the augmented Lagrangian makes such a step.
-bool Solid::try_step(double dt, double end_s, const std::vector<Panel>& water) {
-  if (in_motion()) {
-    return attempt(dt, end_s, water) || (substitute_ && !unfit() && attempt_by_substitute(dt, end_s, water));
-  }
-  if (whole_law_.skips()) {
-    if (attempt_with_lagging_friction(dt, end_s, water)) return true;
-    if (jumps_) return false;
-  }
-  if (attempt(dt, end_s, water)) {
-    whole_law_.succeeded();
-    return true;
-  }
-  if (unfit()) return false;
-  if (substitute_) return attempt_by_substitute(dt, end_s, water);
+/// redundant, states of Lagrange multipliers run in circles: the augmented Lagrangian makes such a step. Where a bond
+/// is about to break on the way to rest and no states are found with it or without, contacts are swept as well.
+Outcome Solid::try_step(const Stretch& stretch, const StepMode& mode) {
+  const auto lagging = [&] { return attempt_with_lagging_friction(stretch, mode); };
+  if (!mode.in_motion() && whole_law_.skips() && lagging() == Outcome::made) return Outcome::made;
+  Outcome outcome = attempt(stretch, mode);
+  if (!mode.in_motion() && outcome == Outcome::made) whole_law_.succeeded();
+  if (outcome != Outcome::not_found) return outcome;
+  if (substitute_) return attempt_by_substitute(stretch, mode);
+  if (mode.in_motion()) return outcome;
   const auto large = [](const IslandSystem& s) { return s.unknowns->total > large_island; };
   if (std::none_of(islands_.begin(), islands_.end(), large)) {
-    if (attempt_softly(dt, end_s, water) || attempt_by_pivoting(dt, end_s, water)) return true;
+    outcome = attempt_softly(stretch, mode);
+    if (outcome == Outcome::not_found) outcome = attempt(stretch, mode.with_pivoting());
   }
-  if (!unfit() && attempt_with_lagging_friction(dt, end_s, water)) {
-    whole_law_.failed();
-    return true;
+  if (outcome == Outcome::not_found) {
+    outcome = lagging();
+    if (outcome == Outcome::made) whole_law_.failed();
   }
-  return !unfit() && !settling_ && attempt_by_sweeps(dt, end_s, water);
-}
-
-/// On the way to a state of rest, where a bond is about to break and no states are found with it or without.
-bool Solid::attempt_by_sweeps(double dt, double end_s, const std::vector<Panel>& water) {
-  sweeps_ = true;
-  const bool solved = attempt(dt, end_s, water);
-  sweeps_ = false;
-  return solved;
-}
-
-bool Solid::attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water) {
-  if (unfit()) return false;
-  pivots_ = true;
-  const bool solved = attempt(dt, end_s, water);
-  pivots_ = false;
-  return solved;
+  if (outcome != Outcome::not_found || mode.settles) return outcome;
+  return attempt(stretch, mode.with_sweeps());
 }
 
 /// A large penalty leaves a sticking contact a narrow range of slips, in which Newton's method may jump to and fro
 /// between states; a smaller one takes more sweeps of multipliers. Of small structures, which friction that lags serves
 /// badly.
-bool Solid::attempt_softly(double dt, double end_s, const std::vector<Panel>& water) {
-  if (!formulation_->can_lag_friction()) return false;  // has no penalties of its own
-  const double usual = formulation_->settings().penalty_ratio;
-  bool solved = false;
-  for (double ratio = usual / 100; !solved && !unfit() && ratio >= usual / 1e6; ratio /= 100) {
+Outcome Solid::attempt_softly(const Stretch& stretch, const StepMode& mode) {
+  Outcome outcome = Outcome::not_found;
+  if (!formulation_->can_lag_friction()) return outcome;  // has no penalties of its own
+  double& penalty_ratio = formulation_->settings().penalty_ratio;
+  const double usual = penalty_ratio;
+  for (double ratio = usual / 100; outcome == Outcome::not_found && ratio >= usual / 1e6; ratio /= 100) {
     ++counts_.softened_steps;
-    formulation_->settings().penalty_ratio = ratio;
-    solved = attempt(dt, end_s, water);
+    const Temporarily softer(penalty_ratio, ratio);
+    outcome = attempt(stretch, mode);
   }
-  formulation_->settings().penalty_ratio = usual;
-  return solved;
+  return outcome;
 }
 
-bool Solid::attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water) {
-  if (!formulation_->can_lag_friction()) return false;
+Outcome Solid::attempt_with_lagging_friction(const Stretch& stretch, const StepMode& mode) {
+  if (!formulation_->can_lag_friction()) return Outcome::not_found;
   FormulationSettings& settings = formulation_->settings();
-  const double usual = std::exchange(settings.penalty_ratio, lagging_penalty_ratio * settings.penalty_ratio);
   ++counts_.lagged_steps;
-  settings.friction_lags = true;
-  const bool solved = attempt(dt, end_s, water);
-  settings.friction_lags = false;
-  settings.penalty_ratio = usual;
-  return solved;
+  const Temporarily softer(settings.penalty_ratio, lagging_penalty_ratio * settings.penalty_ratio);
+  const Temporarily lags(settings.friction_lags, true);
+  return attempt(stretch, mode.with_lagging_friction());
 }
 
 /// False where contacts are those of the step before.
@@ -157,21 +137,22 @@ double Solid::timed() const {
   return counts_.steps % steps == 0 ? static_cast<double>(steps) : 0;
 }
 
-/// One step of length dt, or nothing at all: false leaves the state as it was.
-bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
+/// One step, or nothing at all: all but a step that is made leaves the state as it was.
+Outcome Solid::attempt(const Stretch& stretch, const StepMode& mode) {
+  const auto& [dt, end_s, water] = stretch;
   const Stopwatch::Sample sample(timed());
   if (scene_.analysis.kind == scene::AnalysisKind::quasi_static) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
   }
   end_s_ = end_s;
-  const long touching = smooth_only_ ? touching_contacts() : 0;
+  const long touching = mode.smooth_only ? touching_contacts() : 0;
   const bool searched = find_contacts();
-  jumps_ = smooth_only_ && touching_contacts() != touching;  // the search has dropped one
-  if (jumps_) return goes_too_far_ = false;
+  if (mode.smooth_only && touching_contacts() != touching)
+    return Outcome::contacts_change;  // the search has dropped one
   const long state_changes_before = formulation_->state_changes();
   if (searched || islands_.empty()) prepare_islands();
   find_sliding_blocks();
-  prepare_matrices(dt);
+  prepare_matrices(dt, mode.scheme);
   loads_.evaluate(end_s, water, start_, external_);
   if (guard_.acts()) guard(dt);
   require_finite_loads(end_s);
@@ -191,7 +172,7 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
 
   bool solved = true;
   formulation_->settings().lasting_overlap_m =
-      settling_ || !newmark_.damps
+      !mode.in_motion()
           ? 0
           : std::max(scene_.contact.penetration_tolerance_m, std::min(1e-8 * size_, lasting_overlap * fall_m()));
   for (const IslandSystem& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
@@ -199,11 +180,11 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
     formulation_->begin(at_start(), matrix_, frozen_, held);
     if (s.unknowns->total > large_island) formulation_->keep_forces(at_start(), held);
   }
-  const bool sweeps = may_sweep();
+  const bool sweeps = may_sweep(mode);
   const bool newton = !sweeps || !whole_law_.skips();
   bool found_all = true;  // by Newton's method, in the end
   for (IslandSystem& island : islands_) {
-    island.asleep = may_sleep(island);
+    island.asleep = may_sleep(island, mode);
     island.swept = false;
     if (island.asleep) {
       put_to_sleep(island);
@@ -212,27 +193,35 @@ bool Solid::attempt(double dt, double end_s, const std::vector<Panel>& water) {
       ++counts_.solved_islands;
       start_where_it_rests(island);
       const bool found =
-          solved && newton && (find_equilibrium(island) || (pivots_ && find_equilibrium_by_pivoting(island)));
-      solved = solved && (found || (sweeps && find_equilibrium_by_sweeps(island)));
+          solved && newton &&
+          (find_equilibrium(island, mode) || (mode.pivots && find_equilibrium_by_pivoting(island, mode)));
+      solved = solved && (found || (sweeps && find_equilibrium_by_sweeps(island, mode)));
       found_all = found_all && !island.swept;
     }
   }
   if (sweeps && (newton || found_all)) found_all ? whole_law_.succeeded() : whole_law_.failed();
   const double moved = largest_increment();
-  goes_too_far_ = solved && !(moved <= scene_.analysis.max_displacement_ratio * size_ &&
-                              (moved == 0 || largest_turn() <= ContactSearch::most_turn));
-  jumps_ = solved && smooth_only_ && contacts_change();
-  solved = solved && !unfit();
-  const bool seen = !solved || (search_.covers(moved) && (moved == 0 || !search_.entered(placement_, contacts_)));
-  if (!solved || !seen) {
+  const Outcome outcome = !solved                                 ? Outcome::not_found
+                          : goes_too_far(moved)                   ? Outcome::too_far
+                          : mode.smooth_only && contacts_change() ? Outcome::contacts_change
+                                                                  : Outcome::made;
+  const bool made = outcome == Outcome::made;
+  const bool seen = !made || (search_.covers(moved) && (moved == 0 || !search_.entered(placement_, contacts_)));
+  if (!made || !seen) {
     for (const IslandSystem& s : islands_) formulation_->undo(held_by(s));
     contacts_stand_ = seen;
-    return !seen && attempt(dt, end_s, water);
+    return seen ? outcome : attempt(stretch, mode);
   }
-  const bool otherwise = accept(dt, end_s);
+  const bool otherwise = accept(stretch, mode);
   contacts_stand_ = moved == 0 && formulation_->state_changes() == state_changes_before && !otherwise;
   require_finite(end_s);
-  return true;
+  return Outcome::made;
+}
+
+/// Do blocks move or turn by more than a step may?
+bool Solid::goes_too_far(double moved_m) const {
+  return !(moved_m <= scene_.analysis.max_displacement_ratio * size_ &&
+           (moved_m == 0 || largest_turn() <= ContactSearch::most_turn));
 }
 
 /// What a step begins with: the block goes on as it moves.
@@ -252,13 +241,15 @@ void Solid::carry_fixed_blocks(double end_s) {
 }
 
 /// Does any contact slip, or any block lie otherwise than the step had it?
-bool Solid::accept(double dt, double end_s) {
+bool Solid::accept(const Stretch& stretch, const StepMode& mode) {
+  const double dt = stretch.dt;
+  const double end_s = stretch.end_s;
   const Stopwatch watch(profile_.accept);
   time_s_ = end_s;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].fixed) states_[b].velocity.head<2>() = base_.velocity(end_s);
   }
-  if (base_.moves_supports() && !settling_) {
+  if (base_.moves_supports() && !mode.settles) {
     const Point moved = base_.displacement(end_s) - base_.displacement(end_s - dt);
     energy_balance_.lead(push_of_base(), moved, !newmark_.second_order());
   }
@@ -272,11 +263,11 @@ bool Solid::accept(double dt, double end_s) {
       if (!newmark_.second_order() && !blocks_[b].is_part()) act_by_end_rates(b, dt);
       states_[b].force = at_corners(b, balance_[b]);
     });
-    if (!settling_) balance_energy(island, dt);
+    if (!mode.settles) balance_energy(island, dt);
     if (formulation_->holds_exactly()) {
       island.swept ? settle_swept_velocities(island, dt) : settle_held_velocities(island, dt);
     }
-    take_back_energy(island);
+    take_back_energy(island, mode);
     if (guard_.acts()) energy_balance_.give(-taken_by_water(island));
     any_slips = formulation_->accept(trial(), held_by(island)) || any_slips;
   }
@@ -289,7 +280,7 @@ bool Solid::accept(double dt, double end_s) {
   });
   follow_triangles();
   bool pushed = false;
-  if (!settling_) {
+  if (!mode.settles) {
     for (IslandSystem& island : islands_) {
       if (!island.asleep) pushed = push_apart(island) || pushed;
     }
@@ -299,8 +290,8 @@ bool Solid::accept(double dt, double end_s) {
   return any_slips || pushed;
 }
 
-bool Solid::may_sleep(const IslandSystem& s) const {
-  if (!scene_.analysis.sleep || settling_) return false;
+bool Solid::may_sleep(const IslandSystem& s, const StepMode& mode) const {
+  if (!scene_.analysis.sleep || mode.settles) return false;
   const double tolerance_n = formulation_->settings().force_tolerance_n;
   const auto rests = [&](int b) { return sleep_.rests(static_cast<std::size_t>(b), blocks_, external_, tolerance_n); };
   const auto in_place = [&](int k) {

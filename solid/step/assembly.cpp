@@ -20,9 +20,10 @@ double magnitude(const Vector6& force, const Block& block) {
 
 }  // namespace
 
-void Solid::prepare_matrices(double dt) {
-  if (dt == matrices_dt_) return;
+void Solid::prepare_matrices(double dt, const Newmark& scheme) {
+  if (dt == matrices_dt_ && scheme == newmark_) return;
   matrices_dt_ = dt;
+  newmark_ = scheme;
   for_each(blocks_.size(), [&](std::size_t b) {
     const double velocity_factor = newmark_.velocity_factor(dt);
     const double drag = velocity_factor * scene_.analysis.mass_damping_per_s;

@@ -86,8 +86,8 @@ bool Solid::touches(int contact) const {
 }
 
 /// Where nothing anchors a group its momenta stay. Most steps make nothing: then nothing is grouped.
-void Solid::take_back_energy(IslandSystem& s) {
-  if (settling_ || !newmark_.damps || base_.moves_supports() || !mean_motions_.empty()) return;
+void Solid::take_back_energy(IslandSystem& s, const StepMode& mode) {
+  if (mode.settles || !newmark_.damps || base_.moves_supports() || !mean_motions_.empty()) return;
   constexpr double round_off = 1e-12;
   const double force_n = formulation_->settings().force_tolerance_n;
   struct Made {

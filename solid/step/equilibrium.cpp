@@ -9,6 +9,7 @@
 #include "solid/block/parallel.hpp"
 #include "solid/solve/condition_number.hpp"
 #include "solid/step/solid.hpp"
+#include "solid/step/temporarily.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -112,8 +113,8 @@ void Solid::find_incidences() {
   }
 }
 
-bool Solid::find_equilibrium(IslandSystem& s) {
-  if (formulation_->settings().friction_lags) return find_equilibrium_with_lagging_friction(s);
+bool Solid::find_equilibrium(IslandSystem& s, const StepMode& mode) {
+  if (mode.friction_lags) return find_equilibrium_with_lagging_friction(s, mode);
   // A large island whose states run in circles shows it by then; trying on costs a small one little, and may find out.
   // In the largest a solution costs several of those by Cholesky that find states while friction lags.
   const int unknowns = s.unknowns->total;
@@ -121,7 +122,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
                             : unknowns > large_island    ? 50
                                                          : scene_.contact.max_iterations;
   // Where it has failed, its next turn is a short one.
-  const int large = may_sweep() ? few_unknowns : large_island;
+  const int large = may_sweep(mode) ? few_unknowns : large_island;
   const int most = unknowns > large && whole_law_.after_failure() ? 20 : scene_.contact.max_iterations;
   const double tolerance = formulation_->settings().force_tolerance_n;
   constexpr double close = 0.3;  // of what multipliers will still move: they need no closer equilibrium
@@ -140,7 +141,7 @@ bool Solid::find_equilibrium(IslandSystem& s) {
       if (update_multipliers(s)) return true;
       circle = {};
       in_a_row = 0;
-      first = unbalanced_in_these_states(s);
+      first = unbalanced_in_these_states(s, mode);
     } else if (iteration > 0) {
       if (circle.closes(left)) return false;
       ++in_a_row;
@@ -181,11 +182,9 @@ bool Solid::or_undone(IslandSystem& s, const std::function<bool()>& search) {
 /// Multipliers that took the penalties' part have put all out of balance, and no state in question: a solution in the
 /// states that contacts have spares those in which hundreds of them would change and change back. While a structure
 /// settles all are judged, or what has slipped once would go on, and bonds beside it break that can hold it.
-double Solid::unbalanced_in_these_states(IslandSystem& s) {
-  formulation_->settings().states_stand = !settling_;
-  const double left = unbalanced(s);
-  formulation_->settings().states_stand = false;
-  return left;
+double Solid::unbalanced_in_these_states(IslandSystem& s, const StepMode& mode) {
+  const Temporarily stand(formulation_->settings().states_stand, !mode.settles);
+  return unbalanced(s);
 }
 
 /// What a large island's velocities are is round-off where they would move it by no more: with penalties times

@@ -11,34 +11,30 @@ namespace blockweir::solid {
 
 /// A step by the scene's integrator; by Shi's scheme where contacts close, open, begin or cease to slip in it, and for
 /// one more, whose acceleration is that of the forces that act.
-bool Solid::make_step(double dt, double end_s, const std::vector<Panel>& water) {
+Outcome Solid::make_step(const Stretch& stretch) {
   made_by_shi_ = true;
+  const StepMode own{.scheme = scheme_};
   // Without velocities a step as short as the scene's would hold back by inertia what is led, and let it spring back at
   // rest: one long against elastic periods follows what is led through states of rest.
   constexpr double longer = 10;
   if (scene_.analysis.kind == scene::AnalysisKind::quasi_static) {
     const double long_s = longer * pseudo_step_s();
-    if (long_s > dt && try_step(long_s, end_s, water)) return true;
+    if (long_s > stretch.dt && try_step({long_s, stretch.end_s, stretch.water}, own) == Outcome::made) {
+      return Outcome::made;
+    }
   }
-  if (!newmark_.second_order() || !newmark_.damps) return try_step(dt, end_s, water);
+  if (!scheme_.second_order() || !scheme_.damps) return try_step(stretch, own);
   if (smooth_steps_ >= smooth_steps_before_restart) {
-    smooth_only_ = true;
-    const bool made = try_step(dt, end_s, water);
-    smooth_only_ = false;
-    made_by_shi_ = !made;
-    jumps_ = false;
-    if (made || goes_too_far_) return made;
+    const Outcome smooth = try_step(stretch, {.scheme = scheme_, .smooth_only = true});
+    made_by_shi_ = smooth != Outcome::made;
+    if (smooth == Outcome::made || smooth == Outcome::too_far) return smooth;
     smooth_steps_ = 0;
   }
-  const Newmark own = std::exchange(newmark_, Newmark{});
-  matrices_dt_ = -1;
-  const bool made = try_step(dt, end_s, water);
-  newmark_ = own;
-  matrices_dt_ = -1;
-  if (!made) return false;
+  const Outcome outcome = try_step(stretch, {});
+  if (outcome != Outcome::made) return outcome;
   ++counts_.impact_steps;
   smooth_steps_ = contacts_change() ? 0 : smooth_steps_ + 1;
-  return true;
+  return outcome;
 }
 
 /// Viscous forces of a step by Shi's scheme go by its mean rates. The trapezoidal rule goes on from those of its end:

@@ -11,23 +11,24 @@
 #include "bridge/results/stopwatch.hpp"
 #include "solid/contact/interior_point.hpp"
 #include "solid/step/solid.hpp"
+#include "solid/step/temporarily.hpp"
 
 namespace blockweir::solid {
 
 /// For where the states of the whole law run in circles: a slip changes the normal force that bounds it, there and at
 /// its neighbours, and brings the states back with which Newton's method began.
-bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
+bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s, const StepMode& mode) {
   const Held held = held_by(s);
   constexpr int few_solutions = 3;
   formulation_->lag_friction(held);
   // A step after one whose friction lagged begins with its states, or nearly so.
   const bool goes_on = whole_law_.after_failure();
   if (!goes_on || !or_undone(s, [&] { return minimize(s, few_solutions); })) {
-    const double left = settling_ && goes_on ? unbalanced(s) : std::numeric_limits<double>::infinity();
+    const double left = mode.settles && goes_on ? unbalanced(s) : std::numeric_limits<double>::infinity();
     const Approach reached = approach(s, left);
-    if (settling_ && reached == Approach::near && finish(s)) return true;
+    if (mode.settles && reached == Approach::near && finish(s, mode)) return true;
     // Softer contacts or a shorter step cost less than what sweeps would take from here.
-    if (settling_ && reached == Approach::nothing) return false;
+    if (mode.settles && reached == Approach::nothing) return false;
   }
   for (int sweep = 0; sweep < scene_.contact.max_iterations; ++sweep) {
     const bool bounds_stand = formulation_->follow_with_friction(held);
@@ -56,7 +57,7 @@ Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
   auto& method = static_cast<InteriorPoint&>(*other);
   method.begin(trial(), matrix_, frozen_, held);
   double first = method.scale_n();
-  formulation_.swap(other);
+  const TradePlaces stands_in(formulation_, other);
   Eigen::VectorXd way = Eigen::VectorXd::Zero(s.unknowns->total);
   Eigen::VectorXd best = way;  // where least was left
   double least = std::numeric_limits<double>::infinity();
@@ -90,7 +91,6 @@ Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
     move(s, fraction - 1);
     way += fraction * s.correction;
   }
-  formulation_.swap(other);
   s.correction = best - way;
   move(s, 1);
   return reached;
@@ -99,18 +99,15 @@ Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
 /// From states that are next to right Newton's method on the whole of Coulomb's law takes a few solutions, by penalties
 /// as large as a step's own. Where bricks that carry little slip at both ends, bounds that lag may go to and fro for
 /// ever.
-bool Solid::finish(IslandSystem& s) {
+bool Solid::finish(IslandSystem& s, const StepMode& mode) {
   FormulationSettings& settings = formulation_->settings();
   const auto by_whole_law = [&] {
     unbalanced(s);  // by bounds that lag: which way contacts slip
     for (const int k : s.island.contacts) contacts_[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
     for (const int k : s.island.supports) supports_[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
-    settings.penalty_ratio /= lagging_penalty_ratio;
-    settings.friction_lags = false;
-    const bool found = find_equilibrium(s);
-    settings.friction_lags = true;
-    settings.penalty_ratio *= lagging_penalty_ratio;
-    return found;
+    const Temporarily harder(settings.penalty_ratio, settings.penalty_ratio / lagging_penalty_ratio);
+    const Temporarily follows(settings.friction_lags, false);
+    return find_equilibrium(s, mode.by_whole_law());
   };
   return or_undone(s, by_whole_law);
 }

@@ -12,9 +12,9 @@
 namespace blockweir::solid {
 
 /// Contacts that only press and rub, and formulations that take up forces from a step before.
-bool Solid::may_pivot(const IslandSystem& s) const {
+bool Solid::may_pivot(const IslandSystem& s, const StepMode& mode) const {
   const FormulationSettings& settings = formulation_->settings();
-  return formulation_->can_lag_friction() && !settings.friction_lags && !settings.joints_held &&
+  return formulation_->can_lag_friction() && !mode.friction_lags && !settings.joints_held &&
          s.unknowns->total <= large_island && !s.unknowns->shared() &&
          std::none_of(s.island.contacts.begin(), s.island.contacts.end(), [&](int k) {
            const JointProperties& law = laws_[contacts_[at(k)].law];
@@ -67,9 +67,9 @@ bool Solid::release_contacts(IslandSystem& s, Released& released) {
 }
 
 /// False where pivoting finds no forces either.
-bool Solid::find_equilibrium_by_pivoting(IslandSystem& s) {
+bool Solid::find_equilibrium_by_pivoting(IslandSystem& s, const StepMode& mode) {
   constexpr int most_rounds = 10;
-  if (!may_pivot(s)) return false;
+  if (!may_pivot(s, mode)) return false;
   ++counts_.pivoted_islands;
   const Held held = held_by(s);
   formulation_->undo(held);
@@ -94,7 +94,7 @@ bool Solid::find_equilibrium_by_pivoting(IslandSystem& s) {
     c.multiplier = forces.segment<2>(2 * static_cast<Eigen::Index>(i));
     c.state = c.multiplier.x() > 0 ? ContactState::stick : ContactState::open;
   }
-  return find_equilibrium(s);
+  return find_equilibrium(s, mode);
 }
 
 }  // namespace blockweir::solid

@@ -12,8 +12,8 @@
 
 namespace blockweir::solid {
 
-void Solid::refuse_step(double time_s, double dt) const {
-  if (goes_too_far_) {
+void Solid::refuse_step(double time_s, double dt, Outcome last) const {
+  if (last == Outcome::too_far) {
     throw SolveError(
         fmt::format("at {:.6g} s blocks move by more than [analysis] max_displacement_ratio, or turn by more than a "
                     "search of contacts follows, even in a step of {:.3g} s; are velocities and loads in their units?",
@@ -46,7 +46,8 @@ void Solid::require_small_strains() const {
 }
 
 /// What the last try of a start left open: where blocks still move, and which of them do not fit onto each other.
-void Solid::refuse_start(int steps) const {
+void Solid::refuse_start(int steps, Outcome last) const {
+  const bool too_far = last == Outcome::too_far;
   std::string text =
       fmt::format("no equilibrium under the first loads was found with all joints held ({} steps)", steps);
   const auto moved = [this](std::size_t b) {
@@ -60,7 +61,7 @@ void Solid::refuse_start(int steps) const {
   }
   text +=
       fmt::format("; block \"{}\" moves most, by {:.3g} m in the last try", blocks_[farthest].name, moved(farthest));
-  if (goes_too_far_) text += ", which is more than [analysis] max_displacement_ratio lets a step";
+  if (too_far) text += ", which is more than [analysis] max_displacement_ratio lets a step";
   const ContactPoint* worst = nullptr;
   double apart = 0;
   double overlap = 0;
@@ -80,7 +81,7 @@ void Solid::refuse_start(int steps) const {
         blocks_[at(worst->vertex_block)].name, blocks_[at(worst->edge_block)].name, where.x(), where.y(), apart,
         overlap);
   }
-  throw SolveError(text + "; " + start_advice(goes_too_far_ || steps >= most_settling_steps, overlap));
+  throw SolveError(text + "; " + start_advice(too_far || steps >= most_settling_steps, overlap));
 }
 
 /// What helps: a start without stress lets go what is on its way, and finds no states that this one does not find.

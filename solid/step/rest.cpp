@@ -24,14 +24,13 @@ void Solid::come_to_rest(const std::vector<Panel>& water, double at_s) {
   constexpr int most_steps = 1000;
   constexpr double shortest = 1e-6;  // of the pseudo-step that the search begins with
   const double longest = pseudo_step_s();
-  const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
+  const StepMode still{.scheme = {.damps = false}};
   const double before_m = largest_displacement_m();
   loads_.start_base();
-  matrices_dt_ = -1;
   rest_ = {};
   for (double dt = longest; rest_.steps < most_steps && dt > shortest * longest;) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (!try_step(dt, at_s, water)) {
+    if (try_step({dt, at_s, water}, still) != Outcome::made) {
       dt /= 4;
       continue;
     }
@@ -45,8 +44,6 @@ void Solid::come_to_rest(const std::vector<Panel>& water, double at_s) {
     if (rest_.found || (far && !settles)) break;
     dt = settles ? std::min(std::max(longest, dt), 2 * dt) : 2 * dt;
   }
-  newmark_ = scheme;
-  matrices_dt_ = -1;
   if (!rest_.found) return;  // velocities tell where it goes
   for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
 }

@@ -77,8 +77,7 @@ void Solid::settle(const std::vector<Panel>& water) {
   const std::vector<BlockState> released = states_;
   const std::vector<bool> waiting = unanchored();
   for (std::size_t b = 0; b < blocks_.size(); ++b) frozen_[b] = fixed[b] || waiting[b];
-  const Newmark scheme = std::exchange(newmark_, Newmark{.damps = false});
-  settling_ = true;
+  const StepMode mode{.scheme = {.damps = false}, .settles = true};
   const FormulationSettings usual = formulation_->settings();
   const auto set = [this](const FormulationSettings& settings) {
     formulation_->settings() = settings;
@@ -109,9 +108,12 @@ void Solid::settle(const std::vector<Panel>& water) {
   double dt = pseudo_step;
   double longest = 100 * pseudo_step;
   double moved_before = std::numeric_limits<double>::infinity();
+  Outcome last = Outcome::not_found;
   const auto solves = [&] {
-    if (attempt(dt, settling_time_s(), water)) return true;
-    return substitute_ && !goes_too_far_ && attempt_by_substitute(dt, settling_time_s(), water);
+    const Stretch stretch{dt, settling_time_s(), water};
+    last = attempt(stretch, mode);
+    if (substitute_ && last == Outcome::not_found) last = attempt_by_substitute(stretch, mode);
+    return last == Outcome::made;
   };
   const auto settles = [&] {
     if (solves()) return true;
@@ -120,7 +122,7 @@ void Solid::settle(const std::vector<Panel>& water) {
       if (solves()) return true;
     }
     // What is soft goes on by as much as a step may, held back by its inertia.
-    while (goes_too_far_ && dt > shortest) {
+    while (last == Outcome::too_far && dt > shortest) {
       dt /= 4;
       if (solves()) return true;
     }
@@ -132,7 +134,7 @@ void Solid::settle(const std::vector<Panel>& water) {
   };
   for (int step = 0;; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (step == most_steps || !settles()) refuse_start(step);
+    if (step == most_steps || !settles()) refuse_start(step, last);
     ++counts_.settling_steps;
     require_small_strains();
     const double moved = largest_increment();
@@ -146,14 +148,12 @@ void Solid::settle(const std::vector<Panel>& water) {
   }
 
   set(closely);
-  relax(pseudo_step, water);
+  relax({pseudo_step, settling_time_s(), water}, mode);
   whole_law_ = {};  // a step of the run is shorter by far
   set(usual);
-  settling_ = false;
   counts_.steps = 0;
   counts_.solved_islands = 0;  // what sleep saves is counted in steps of the run, which cost less
   profile_.equilibria = 0;
-  newmark_ = scheme;
   frozen_ = fixed;
   matrices_dt_ = -1;
   islands_.clear();
@@ -170,32 +170,34 @@ void Solid::settle(const std::vector<Panel>& water) {
 /// ringing. Where all joints of a high stack slip at once, both ends of each in opposite directions, next to nothing
 /// holds the blocks sideways: shorter steps, whose inertia does, find the states, and come at least near to rest. A
 /// structure that does not is on the move already: it starts from the held state.
-void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
+void Solid::relax(const Stretch& pseudo_step, const StepMode& mode) {
   constexpr int most_steps = 200;
   const Standing held = standing();
   // What moves by more at once than the blocks' own strains have moved it is on its way.
   const double far_m = std::max(1e-4 * size_, largest_displacement_m());
   const double at_rest_m = 1e-12 * size_;
-  const double shortest = 1e-4 * pseudo_step;
+  const double shortest = 1e-4 * pseudo_step.dt;
   const double moving = 1e-4 * scene_.analysis.gravity_m_per_s2;
-  double dt = pseudo_step;
-  double longest = 100 * pseudo_step;
+  double dt = pseudo_step.dt;
+  double longest = 100 * pseudo_step.dt;
   double failed = longest;  // a step that found no states
   Pause as_long;            // as it again
   double acceleration = std::numeric_limits<double>::infinity();
   int steady_steps = 0;
   for (int step = 0; step < most_steps && dt > shortest; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    const bool whole_step = dt >= pseudo_step;
-    const auto solves = [&] {
-      if (dt > pseudo_step) return attempt_with_lagging_friction(dt, settling_time_s(), water);
-      if (whole_step) return try_step(dt, settling_time_s(), water);
-      return attempt(dt, settling_time_s(), water) || (!unfit() && attempt_softly(dt, settling_time_s(), water));
+    const bool whole_step = dt >= pseudo_step.dt;
+    const Stretch stretch{dt, pseudo_step.end_s, pseudo_step.water};
+    const auto solved = [&] {
+      if (dt > pseudo_step.dt) return attempt_with_lagging_friction(stretch, mode);
+      if (whole_step) return try_step(stretch, mode);
+      const Outcome outcome = attempt(stretch, mode);
+      return outcome == Outcome::not_found ? attempt_softly(stretch, mode) : outcome;
     };
-    if (!solves()) {
-      if (dt > pseudo_step) {
-        longest = std::max(pseudo_step, longest / 10);
-        dt = pseudo_step;
+    if (solved() != Outcome::made) {
+      if (dt > pseudo_step.dt) {
+        longest = std::max(pseudo_step.dt, longest / 10);
+        dt = pseudo_step.dt;
       } else {
         as_long.failed();
         failed = dt;
@@ -213,32 +215,31 @@ void Solid::relax(double pseudo_step, const std::vector<Panel>& water) {
     if (moved > far_m) break;
     // Large structures come to rest a tenth at a time: longer steps, where they find states, take them there sooner.
     const bool comes_to_rest = whole_law_.after_failure() && whole_step && moved <= 1e-6 * size_;
-    const double longer = comes_to_rest ? longest : std::min(pseudo_step, 2 * dt);
+    const double longer = comes_to_rest ? longest : std::min(pseudo_step.dt, 2 * dt);
     if (longer <= dt || longer < failed || !as_long.skips()) dt = longer;
   }
   if (acceleration < moving) return;
   starts_at_rest_ = false;
   stand_as(held);
-  start_moving(pseudo_step, acceleration, held, water);
+  start_moving(pseudo_step, acceleration, held, mode);
   for (std::size_t b = 0; b < blocks_.size(); ++b) sleep_.wake(b);
 }
 
 /// The strains of the motion that begins, found in steps so short that it hardly moves: released at once, what joints
 /// have held beyond their laws would give it a push. What does not strain has none, and what is so soft that these
 /// steps would carry it off starts as it was held.
-void Solid::start_moving(double pseudo_step, double acceleration, const Standing& held,
-                         const std::vector<Panel>& water) {
+void Solid::start_moving(const Stretch& pseudo_step, double acceleration, const Standing& held, const StepMode& mode) {
   constexpr int steps = 5;
   constexpr double brief = 0.02;   // of the pseudo-step: a fifth of what strains lack is left by each
   constexpr double hardly = 0.02;  // of a failure
-  const double dt = brief * pseudo_step;
+  const double dt = brief * pseudo_step.dt;
   const bool carried_off = steps * acceleration * dt * dt / 2 > hardly * scene_.analysis.failure_displacement_m;
   bool any_strains = false;
   for (std::size_t b = 0; b < blocks_.size(); ++b) any_strains = any_strains || !(frozen_[b] || blocks_[b].rigid);
   if (!any_strains || carried_off) return;
   for (int step = 0; step < steps; ++step) {
     for (BlockState& state : states_) state.velocity.setZero(), state.acceleration.setZero();
-    if (!attempt(dt, settling_time_s(), water)) return stand_as(held);
+    if (attempt({dt, pseudo_step.end_s, pseudo_step.water}, mode) != Outcome::made) return stand_as(held);
     ++counts_.settling_steps;
   }
 }
@@ -246,13 +247,9 @@ void Solid::start_moving(double pseudo_step, double acceleration, const Standing
 /// Second-order schemes need the acceleration that the run starts with: a step of Shi's scheme, undone, gives it.
 void Solid::start_acceleration(const std::vector<Panel>& water, double from_s) {
   const Standing before = standing();
-  const Newmark scheme = std::exchange(newmark_, Newmark{});
   const double dt = 1e-2 * scene_.analysis.step_s;
-  matrices_dt_ = -1;
-  const bool solved = attempt(dt, from_s + dt, water);
+  const bool solved = attempt({dt, from_s + dt, water}, {}) == Outcome::made;
   auto first = states_;
-  newmark_ = scheme;
-  matrices_dt_ = -1;
   stand_as(before);
   smooth_steps_ = solved ? smooth_steps_before_restart : 0;
   if (!solved) return;

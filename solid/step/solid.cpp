@@ -90,10 +90,11 @@ Solid::Solid(const scene::Scene& scene)
       base_(scene),
       size_(model_size(scene)),
       force_scale_(weight_of_all(blocks_, scene.analysis.gravity_m_per_s2)),
+      scheme_(Newmark::of(scene.analysis.integrator, scene.analysis.spectral_radius)),
       supports_(make_supports(scene, parts_)),
       next_dt_(scene.analysis.step_s),
       sleep_(blocks_.size(), size_),
-      newmark_(Newmark::of(scene.analysis.integrator, scene.analysis.spectral_radius)),
+      newmark_(scheme_),
       formulation_(make_formulation(
           scene.contact.formulation, laws_,
           {.penetration_tolerance_m = scene.contact.penetration_tolerance_m,
@@ -108,7 +109,7 @@ Solid::Solid(const scene::Scene& scene)
               ContactSearch::reach_per_move * scene.analysis.max_displacement_ratio * size_) {
   const std::size_t n = blocks_.size();
   if (scene.analysis.kind == scene::AnalysisKind::at_rest) loads_.start_base();
-  newmark_.damps = scene.analysis.kind == scene::AnalysisKind::dynamic;
+  scheme_.damps = scene.analysis.kind == scene::AnalysisKind::dynamic;
   states_.resize(n);
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     if (blocks_[b].fixed) continue;

@@ -24,6 +24,7 @@
 #include "solid/step/energy_balance.hpp"
 #include "solid/step/newmark.hpp"
 #include "solid/step/sleep.hpp"
+#include "solid/step/step_mode.hpp"
 #include "solid/step/water_work.hpp"
 
 namespace blockweir::solid {
@@ -174,42 +175,38 @@ class Solid {
   void bond_touching_contacts();
   void begin_window(const Answered& answered);
   void guard(double dt);
-  void relax(double pseudo_step, const std::vector<Panel>& water);
-  void start_moving(double pseudo_step, double acceleration, const Standing& held, const std::vector<Panel>& water);
+  void relax(const Stretch& pseudo_step, const StepMode& mode);
+  void start_moving(const Stretch& pseudo_step, double acceleration, const Standing& held, const StepMode& mode);
   void start_acceleration(const std::vector<Panel>& water, double from_s);
-  bool make_step(double dt, double end_s, const std::vector<Panel>& water);
+  Outcome make_step(const Stretch& stretch);
   void act_by_end_rates(std::size_t b, double dt);
   [[nodiscard]] bool contacts_change();
   [[nodiscard]] long touching_contacts() const;
-  [[nodiscard]] bool unfit() const { return goes_too_far_ || jumps_; }  ///< though its states were found
-  bool try_step(double dt, double end_s, const std::vector<Panel>& water);
-  bool attempt(double dt, double end_s, const std::vector<Panel>& water);
-  bool attempt_with_lagging_friction(double dt, double end_s, const std::vector<Panel>& water);
-  bool attempt_by_pivoting(double dt, double end_s, const std::vector<Panel>& water);
-  bool attempt_softly(double dt, double end_s, const std::vector<Panel>& water);
-  bool attempt_by_sweeps(double dt, double end_s, const std::vector<Panel>& water);
-  bool attempt_by_substitute(double dt, double end_s, const std::vector<Panel>& water);
+  Outcome try_step(const Stretch& stretch, const StepMode& mode);
+  Outcome attempt(const Stretch& stretch, const StepMode& mode);
+  Outcome attempt_with_lagging_friction(const Stretch& stretch, const StepMode& mode);
+  Outcome attempt_softly(const Stretch& stretch, const StepMode& mode);
+  Outcome attempt_by_substitute(const Stretch& stretch, const StepMode& mode);
   [[nodiscard]] double timed() const;
   bool find_contacts();
   void predict(std::size_t b);
   void find_sliding_blocks();
   [[nodiscard]] double retardation_s(std::size_t b) const { return blocks_[b].retardation.of(slides_[b]); }
-  void prepare_matrices(double dt);
+  void prepare_matrices(double dt, const Newmark& scheme);
   void prepare_islands();
-  bool find_equilibrium(IslandSystem& island);
-  [[nodiscard]] bool in_motion() const { return newmark_.damps && !settling_; }
+  bool find_equilibrium(IslandSystem& island, const StepMode& mode);
   /// Static analyses ask for round-off, which sweeps do not reach; steps that are to be smooth for states that stay.
-  [[nodiscard]] bool may_sweep() const {
-    return (sweeps_ || in_motion()) && !smooth_only_ && !formulation_->solves_for_forces();
+  [[nodiscard]] bool may_sweep(const StepMode& mode) const {
+    return (mode.sweeps || mode.in_motion()) && !mode.smooth_only && !formulation_->solves_for_forces();
   }
-  [[nodiscard]] bool may_pivot(const IslandSystem& island) const;
+  [[nodiscard]] bool may_pivot(const IslandSystem& island, const StepMode& mode) const;
   bool release_contacts(IslandSystem& island, Released& released);
-  bool find_equilibrium_by_pivoting(IslandSystem& island);
-  bool find_equilibrium_by_sweeps(IslandSystem& island);
+  bool find_equilibrium_by_pivoting(IslandSystem& island, const StepMode& mode);
+  bool find_equilibrium_by_sweeps(IslandSystem& island, const StepMode& mode);
   /// Twice that of a fall from rest through the step: a measure of what the integrator is off by.
   [[nodiscard]] double fall_m() const { return scene_.analysis.gravity_m_per_s2 * matrices_dt_ * matrices_dt_; }
   double sweep(IslandSystem& island, int most, double enough_m);
-  bool finish_swept(IslandSystem& island);
+  bool finish_swept(IslandSystem& island, const StepMode& mode);
   void start_again(const IslandSystem& island);
   bool linearize(IslandSystem& island);
   void add_row(IslandSystem& island, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force);
@@ -223,10 +220,10 @@ class Solid {
   void settle_swept_velocities(IslandSystem& island, double dt);
   [[nodiscard]] Eigen::Vector2d rate_of_fixed(const Interaction& action, bool to_mean, double dt) const;
   bool update_multipliers(IslandSystem& island);
-  bool find_equilibrium_with_lagging_friction(IslandSystem& island);
+  bool find_equilibrium_with_lagging_friction(IslandSystem& island, const StepMode& mode);
   enum class Approach { nothing, near, states };  ///< what the interior point has come to
   Approach approach(IslandSystem& island, double change_n);
-  bool finish(IslandSystem& island);
+  bool finish(IslandSystem& island, const StepMode& mode);
   bool or_undone(IslandSystem& island, const std::function<bool()>& search);
   bool minimize(IslandSystem& island, int most_solutions);
   double search_along_correction(IslandSystem& island);
@@ -236,7 +233,7 @@ class Solid {
   void correct_forces(IslandSystem& island);
   void start_where_it_rests(const IslandSystem& island);
   double unbalanced(IslandSystem& island);
-  double unbalanced_in_these_states(IslandSystem& island);
+  double unbalanced_in_these_states(IslandSystem& island, const StepMode& mode);
   void balance_own(std::size_t b);
   void balance_alone(IslandSystem& island);
   double find_residual(IslandSystem& island, const std::function<void(std::size_t)>& also_acts);
@@ -262,7 +259,7 @@ class Solid {
   [[nodiscard]] double opening_slope(const IslandSystem& island, std::size_t action) const;
   void project_held_velocities(IslandSystem& island, const std::vector<Eigen::Vector2d>& missing);
   void balance_energy(IslandSystem& island, double dt);
-  void take_back_energy(IslandSystem& island);
+  void take_back_energy(IslandSystem& island, const StepMode& mode);
   [[nodiscard]] double taken_by_water(const IslandSystem& island) const;
   [[nodiscard]] Point push_of_base() const;
   [[nodiscard]] std::vector<int> groups_of(const IslandSystem& island) const;
@@ -288,9 +285,10 @@ class Solid {
   [[nodiscard]] Vector6 corner_increment(std::size_t triangle) const;
   void follow_triangles();
   void carry_fixed_blocks(double end_s);
-  bool accept(double dt, double end_s);
-  [[nodiscard]] bool may_sleep(const IslandSystem& island) const;
+  bool accept(const Stretch& stretch, const StepMode& mode);
+  [[nodiscard]] bool may_sleep(const IslandSystem& island, const StepMode& mode) const;
   void put_to_sleep(const IslandSystem& island);
+  [[nodiscard]] bool goes_too_far(double moved_m) const;
   [[nodiscard]] double largest_increment() const;
   [[nodiscard]] double largest_turn() const;
   [[nodiscard]] Trial at_start() const {
@@ -307,8 +305,8 @@ class Solid {
   [[nodiscard]] double unbalanced_ratio() const;
   void require_finite_loads(double time_s) const;
   void require_numbers(const IslandSystem& island) const;
-  [[noreturn]] void refuse_step(double time_s, double dt) const;
-  [[noreturn]] void refuse_start(int steps) const;
+  [[noreturn]] void refuse_step(double time_s, double dt, Outcome last) const;
+  [[noreturn]] void refuse_start(int steps, Outcome last) const;
   [[nodiscard]] std::string start_advice(bool moves_on, double overlap_m) const;
   void require_small_strains() const;
   [[noreturn]] void refuse(std::size_t b, const char* what, double time_s) const;
@@ -322,6 +320,7 @@ class Solid {
   BaseMotion base_;
   double size_ = 0;
   double force_scale_ = 0;  ///< weight of all that can move [N per metre]
+  Newmark scheme_;          ///< the scene's
 
   // What a step changes.
   std::vector<BlockState> states_;
@@ -334,7 +333,6 @@ class Solid {
   bool started_ = false;
   double time_s_ = 0;  ///< of states_
   Rest rest_;
-  bool settling_ = false;
   std::function<void()> meanwhile_;
   Pause whole_law_;  ///< of Coulomb, by Newton's method: fails where friction has to lag or contacts to be swept
   Pause finish_;     ///< by Newton's method, of what sweeps have found
@@ -343,7 +341,7 @@ class Solid {
   int smooth_steps_ = 0;  ///< since the last in which contacts changed, where the integrator is of second order
 
   // The step at hand.
-  Newmark newmark_;
+  Newmark newmark_;  ///< of the step
   AddedMassGuard guard_;
   WaterWork water_work_;
   std::vector<MeanMotion> mean_motions_;  ///< of meshed blocks under the guard
@@ -353,14 +351,9 @@ class Solid {
   std::vector<bool> frozen_;  ///< fixed, or waiting while others settle
   double end_s_ = 0;          ///< of the step
   bool starts_at_rest_ = true;
-  bool sweeps_ = false;        ///< where all else has failed on the way to rest
-  bool pivots_ = false;        ///< where states of small islands at rest run in circles
-  bool goes_too_far_ = false;  ///< states were found, but blocks move or turn by more than a step may
-  bool smooth_only_ = false;   ///< the step is not to be where contacts change
-  bool jumps_ = false;         ///< they do
-  bool made_by_shi_ = true;    ///< the last step, by Shi's scheme
-  double matrices_dt_ = -1;    ///< step that matrix_ was made for
-  std::vector<bool> slides_;   ///< has a contact that slips as the step begins
+  bool made_by_shi_ = true;   ///< the last step, by Shi's scheme
+  double matrices_dt_ = -1;   ///< step that matrix_ was made for
+  std::vector<bool> slides_;  ///< has a contact that slips as the step begins
   /// Relative, of a sum of some tens of terms.
   static constexpr double sum_round_off = 1e-13;
 

@@ -10,6 +10,7 @@
 #include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/step/solid.hpp"
+#include "solid/step/temporarily.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -21,15 +22,16 @@ constexpr double most_sweeps = 1000;  // also of the first step that is swept: w
 
 }  // namespace
 
-bool Solid::find_equilibrium_by_sweeps(IslandSystem& s) {
+bool Solid::find_equilibrium_by_sweeps(IslandSystem& s, const StepMode& mode) {
   ++counts_.swept_islands;
   s.swept = true;
   const Held held = held_by(s);
   formulation_->undo(held);
   start_again(s);
-  formulation_->settings().swept = true;
-  formulation_->begin(at_start(), matrix_, frozen_, held);
-  formulation_->settings().swept = false;
+  {
+    const Temporarily swept(formulation_->settings().swept, true);
+    formulation_->begin(at_start(), matrix_, frozen_, held);
+  }
   const bool begins = !whole_law_.after_failure();
   const double closely = begins || s.unknowns->total <= few_unknowns ? 1e-4 : 1;
   const double enough_m = closely * std::min(2e-8 * size_, 1e-4 * fall_m());
@@ -52,7 +54,7 @@ bool Solid::find_equilibrium_by_sweeps(IslandSystem& s) {
   const bool near = left_m <= enough_m && formulation_->holds_exactly();
   const bool small = s.unknowns->total <= few_unknowns;
   if (near && (small || !finish_.skips())) {
-    s.swept = !or_undone(s, [&] { return finish_swept(s); });
+    s.swept = !or_undone(s, [&] { return finish_swept(s, mode); });
     if (!small) s.swept ? finish_.failed() : finish_.succeeded();
     if (!s.swept) return true;
   }
@@ -65,12 +67,12 @@ bool Solid::find_equilibrium_by_sweeps(IslandSystem& s) {
 
 /// Begins with the forces found, to the last digit, so that their states stand, and with softer penalties: these leave
 /// sticking contacts a range of slips that Newton's method does not pass by.
-bool Solid::finish_swept(IslandSystem& s) {
+bool Solid::finish_swept(IslandSystem& s, const StepMode& mode) {
   const double softer = s.unknowns->total <= few_unknowns ? 1 : 1e-3;
   for (const int k : s.island.contacts) contacts_[at(k)].penalty *= softer;
   for (const int k : s.island.supports) supports_[at(k)].penalty *= softer;
   formulation_->keep_forces(trial(), held_by(s));
-  return find_equilibrium(s);
+  return find_equilibrium(s, mode);
 }
 
 /// What the last sweep still moved. Where steep friction makes forces go to and fro, they go half the way.
