@@ -39,6 +39,14 @@ struct StepMode {
   }
 };
 
+/// Of an island in a step.
+enum class Found {
+  nothing,
+  asleep,     ///< what it had
+  by_newton,  ///< states in equilibrium, to round-off
+  by_sweeps   ///< to within the time integrator's error
+};
+
 /// Of a try to make a step. All but a step that is made leave the state as it was.
 enum class Outcome {
   made,
