@@ -54,7 +54,7 @@ Loads::Loads(const scene::Scene& scene, const Parts& parts) : parts_(parts), sce
 }
 
 void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::vector<Placement>& placements,
-                     std::vector<Vector6>& forces) const {
+                     std::vector<Vector6>& forces, bool base_moves) const {
   forces = constant_;
   std::vector<Panel> pieces;
   const auto add_panel = [&](const Panel& whole, scene::NodalRule rule) {
@@ -84,6 +84,7 @@ void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::
   for (const Panel& panel : water) add_panel(panel, scene_.water.nodal_rule);
   add_lines(time_s, placements, forces);
   add_bodies(time_s, forces);
+  if (base_moves) add_base(time_s, forces);
 }
 
 /// In each component f_i = L (2 q_i + q_j)/6, L as the scene draws it.
@@ -127,7 +128,9 @@ void Loads::add_bodies(double time_s, std::vector<Vector6>& forces) const {
       for (const int triangle : parts_.triangles[at(b)]) add(triangle, load, value);
     }
   }
-  if (!base_started_) return;
+}
+
+void Loads::add_base(double time_s, std::vector<Vector6>& forces) const {
   const Point inertia = base_.inertia(time_s);
   if (inertia.isZero(0)) return;
   for (std::size_t b = 0; b < forces.size(); ++b) forces[b].head<2>() -= parts_.blocks[b].mass_per_m() * inertia;

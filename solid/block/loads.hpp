@@ -14,15 +14,12 @@ class Loads {
  public:
   Loads(const scene::Scene& scene, const Parts& parts);
 
-  /// The base moves from now on: before, weight and first loads settle on a base at rest.
-  void start_base() { base_started_ = true; }
-
   /// Weight and initial stress of a part.
   [[nodiscard]] const Vector6& constant(std::size_t part) const { return constant_[part]; }
   /// External generalized forces [N per metre, N] on every part at `time_s`, with the water's panels on the scene's
-  /// blocks; directions follow the placements given.
+  /// blocks; directions follow the placements given. `base_moves`: else weight and first loads act on a base at rest.
   void evaluate(double time_s, const std::vector<Panel>& water, const std::vector<Placement>& placements,
-                std::vector<Vector6>& forces) const;
+                std::vector<Vector6>& forces, bool base_moves = false) const;
 
  private:
   struct PointForce {
@@ -39,6 +36,7 @@ class Loads {
   };
   void add_lines(double time_s, const std::vector<Placement>& placements, std::vector<Vector6>& forces) const;
   void add_bodies(double time_s, std::vector<Vector6>& forces) const;
+  void add_base(double time_s, std::vector<Vector6>& forces) const;
 
   const Parts& parts_;
   const scene::Scene& scene_;
@@ -47,7 +45,6 @@ class Loads {
   std::vector<Face> faces_;
   std::vector<Line> lines_;
   BaseMotion base_;
-  bool base_started_ = false;
 };
 
 }  // namespace blockweir::solid

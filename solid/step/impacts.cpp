@@ -1,71 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An impact is not a smooth motion. A rule of second order weighs the forces of the step's beginning, which an impact
-// does not continue, and makes energy of it: steps in which contacts change are made by Shi's scheme, which takes.
-#include <Eigen/Cholesky>
-#include <algorithm>
-#include <utility>
-
-#include "solid/step/solid.hpp"
+#include "solid/step/impacts.hpp"
 
 namespace blockweir::solid {
 
-/// A step by the scene's integrator; by Shi's scheme where contacts close, open, begin or cease to slip in it, and for
-/// one more, whose acceleration is that of the forces that act.
-bool Solid::make_step(double dt, double end_s, const std::vector<Panel>& water) {
+void StepsWithImpacts::start_acceleration(const std::vector<Panel>& water, double from_s) {
+  const Standing before = state_;
+  const double dt = 1e-2 * model_.scene.analysis.step_s;
+  const bool solved = time_step_.attempt({dt, from_s + dt, water}, {}) == Outcome::made;
+  const std::vector<BlockState> first = state_.blocks;
+  state_.stand_as(before);
+  state_.smooth_steps = solved ? State::smooth_steps_before_restart : 0;
+  if (!solved) return;
+  for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
+    state_.blocks[b].acceleration = first[b].acceleration;
+    // With water to push a mesh has inertia beyond its triangles' own: what balanced it is the force.
+    state_.blocks[b].force = water_.of_meshes() ? first[b].force : Vector6(trial_.inertia(b) * first[b].acceleration);
+  }
+}
+
+Outcome StepsWithImpacts::make(const Stretch& stretch) {
   made_by_shi_ = true;
+  const StepMode own{.scheme = model_.scheme};
   // Without velocities a step as short as the scene's would hold back by inertia what is led, and let it spring back at
   // rest: one long against elastic periods follows what is led through states of rest.
   constexpr double longer = 10;
-  if (scene_.analysis.kind == scene::AnalysisKind::quasi_static) {
-    const double long_s = longer * pseudo_step_s();
-    if (long_s > dt && try_step(long_s, end_s, water)) return true;
+  if (model_.is(scene::AnalysisKind::quasi_static)) {
+    const double long_s = longer * model_.pseudo_step_s();
+    if (long_s > stretch.dt && time_step_.try_all({long_s, stretch.end_s, stretch.water}, own) == Outcome::made) {
+      return Outcome::made;
+    }
   }
-  if (!newmark_.second_order() || !newmark_.damps) return try_step(dt, end_s, water);
-  if (smooth_steps_ >= smooth_steps_before_restart) {
-    smooth_only_ = true;
-    const bool made = try_step(dt, end_s, water);
-    smooth_only_ = false;
-    made_by_shi_ = !made;
-    jumps_ = false;
-    if (made || goes_too_far_) return made;
-    smooth_steps_ = 0;
+  if (!model_.scheme.second_order() || !model_.scheme.damps) return time_step_.try_all(stretch, own);
+  if (state_.smooth_steps >= State::smooth_steps_before_restart) {
+    const Outcome smooth = time_step_.try_all(stretch, {.scheme = model_.scheme, .smooth_only = true});
+    made_by_shi_ = smooth != Outcome::made;
+    if (smooth == Outcome::made || smooth == Outcome::too_far) return smooth;
+    state_.smooth_steps = 0;
   }
-  const Newmark own = std::exchange(newmark_, Newmark{});
-  matrices_dt_ = -1;
-  const bool made = try_step(dt, end_s, water);
-  newmark_ = own;
-  matrices_dt_ = -1;
-  if (!made) return false;
+  const Outcome outcome = time_step_.try_all(stretch, {});
+  if (outcome != Outcome::made) return outcome;
   ++counts_.impact_steps;
-  smooth_steps_ = contacts_change() ? 0 : smooth_steps_ + 1;
-  return true;
-}
-
-/// Viscous forces of a step by Shi's scheme go by its mean rates. The trapezoidal rule goes on from those of its end:
-/// their mean over a step is that of the step's mean rate, and takes. Generalized-alpha weighs them otherwise and would
-/// make energy of them.
-void Solid::act_by_end_rates(std::size_t b, double dt) {
-  if (scene_.analysis.integrator != scene::Integrator::trapezoidal || !newmark_.damps) return;
-  BlockState& state = states_[b];
-  const Vector6 beyond = state.velocity - increment_[b] / dt;
-  const double drag = scene_.analysis.mass_damping_per_s;
-  state.acceleration -= drag * beyond;
-  balance_[b] -= drag * (blocks_[b].inertia * beyond);
-  if (blocks_[b].rigid || retardation_s(b) == 0) return;
-  const Eigen::Vector3d strain = retardation_s(b) * (blocks_[b].stiffness * beyond.tail<3>());
-  balance_[b].tail<3>() -= strain;
-  const Eigen::Matrix4d inertia = blocks_[b].inertia.matrix().bottomRightCorner<4, 4>();
-  state.acceleration.tail<4>() -= inertia.ldlt().solve(Eigen::Vector4d(0, strain[0], strain[1], strain[2]));
-}
-
-bool Solid::contacts_change() {
-  return std::any_of(islands_.begin(), islands_.end(),
-                     [this](const IslandSystem& s) { return formulation_->changed(held_by(s)); });
-}
-
-long Solid::touching_contacts() const {
-  return std::count_if(contacts_.begin(), contacts_.end(),
-                       [](const ContactPoint& c) { return c.state != ContactState::open; });
+  state_.smooth_steps = time_step_.contacts_change() ? 0 : state_.smooth_steps + 1;
+  return outcome;
 }
 
 }  // namespace blockweir::solid

@@ -1,42 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Equilibrium of one island with friction bounds that lag: within a sweep each is what the normal force of the sweep
-// before allows, so that the increment minimizes a convex energy, and Newton's method with a line search always finds
-// it. Sweeps of multipliers and bounds together lead to Coulomb's law (Simo and Laursen 1992, Comput. Struct. 42). An
-// interior point method finds the states to begin with.
+#include "solid/step/lagging_friction.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "bridge/results/stopwatch.hpp"
+#include "solid/contact/bonds.hpp"
 #include "solid/contact/interior_point.hpp"
-#include "solid/step/solid.hpp"
+#include "solid/step/newton.hpp"
+#include "solid/step/refusals.hpp"
+#include "solid/step/temporarily.hpp"
+#include "solid/step/undo.hpp"
 
 namespace blockweir::solid {
 
-/// For where the states of the whole law run in circles: a slip changes the normal force that bounds it, there and at
-/// its neighbours, and brings the states back with which Newton's method began.
-bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
-  const Held held = held_by(s);
+bool LaggingFriction::find(IslandEquations& s, const StepMode& mode) {
+  const Held held = s.held();
   constexpr int few_solutions = 3;
   formulation_->lag_friction(held);
   // A step after one whose friction lagged begins with its states, or nearly so.
-  const bool goes_on = whole_law_.after_failure();
-  if (!goes_on || !or_undone(s, [&] { return minimize(s, few_solutions); })) {
-    const double left = settling_ && goes_on ? unbalanced(s) : std::numeric_limits<double>::infinity();
+  const bool goes_on = state_.whole_law.after_failure();
+  if (!goes_on || !or_undone(step_, s, mode, [&] { return minimize(s, few_solutions); })) {
+    const double left = mode.settles && goes_on ? s.unbalanced() : std::numeric_limits<double>::infinity();
     const Approach reached = approach(s, left);
-    if (settling_ && reached == Approach::near && finish(s)) return true;
+    if (mode.settles && reached == Approach::near && finish(s, mode)) return true;
     // Softer contacts or a shorter step cost less than what sweeps would take from here.
-    if (settling_ && reached == Approach::nothing) return false;
+    if (mode.settles && reached == Approach::nothing) return false;
   }
-  for (int sweep = 0; sweep < scene_.contact.max_iterations; ++sweep) {
+  for (int sweep = 0; sweep < model_.scene.contact.max_iterations; ++sweep) {
     const bool bounds_stand = formulation_->follow_with_friction(held);
-    if (!minimize(s, scene_.contact.max_iterations)) return false;
+    if (!minimize(s, model_.scene.contact.max_iterations)) return false;
     const Stopwatch watch(profile_.sweeps);
     ++counts_.sweeps;
     const bool settled = formulation_->sweep(held) && bounds_stand;
-    if (settled &&
-        !break_bonds(laws_, formulation_->settings().force_tolerance_n, blocks_, s.island.contacts, contacts_))
+    if (settled && !break_bonds(model_.laws, formulation_->settings().force_tolerance_n, model_.blocks,
+                                s.island.contacts, state_.contacts))
       return true;
   }
   return false;
@@ -47,16 +47,16 @@ bool Solid::find_equilibrium_with_lagging_friction(IslandSystem& s) {
 /// it. Among thousands of deformable bricks some contacts with next to no force on them go to and fro: it goes back to
 /// where it was nearest.
 /// Forces of the step before will change by about `change_n`.
-Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
+LaggingFriction::Approach LaggingFriction::approach(IslandEquations& s, double change_n) {
   constexpr int most_solutions = 200;
   constexpr double near = 1e-5;  // of what was unbalanced
   constexpr int patience = 8;
-  const Held held = held_by(s);
-  std::unique_ptr<Formulation> other = std::make_unique<InteriorPoint>(laws_, formulation_->settings(), change_n);
+  const Held held = s.held();
+  std::unique_ptr<Formulation> other = std::make_unique<InteriorPoint>(model_.laws, formulation_->settings(), change_n);
   auto& method = static_cast<InteriorPoint&>(*other);
-  method.begin(trial(), matrix_, frozen_, held);
+  method.begin(trial_.now(), trial_.matrix, trial_.frozen, held);
   double first = method.scale_n();
-  formulation_.swap(other);
+  const TradePlaces stands_in(formulation_, other);
   Eigen::VectorXd way = Eigen::VectorXd::Zero(s.unknowns->total);
   Eigen::VectorXd best = way;  // where least was left
   double least = std::numeric_limits<double>::infinity();
@@ -64,7 +64,7 @@ Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
   int since = 0;  // solutions that have not halved that again
   Approach reached = Approach::nothing;
   for (int solutions = 0; solutions < most_solutions; ++solutions) {
-    const double left = unbalanced(s);
+    const double left = s.unbalanced();
     if (solutions == 0) first = std::max(first, left);
     since = left <= halved / 2 ? 0 : since + 1;
     if (since == 0) halved = left;
@@ -78,53 +78,49 @@ Solid::Approach Solid::approach(IslandSystem& s, double change_n) {
       }
     }
     const bool done = reached == Approach::states || (reached == Approach::near && since >= patience);
-    if (done || !(left <= 1e6 * first) || !solve_linearized(s)) break;
-    move(s, 1);
-    method.predict(trial(), held);
-    move(s, -1);
-    unbalanced(s);
-    if (!solve(s, true)) break;
+    if (done || !(left <= 1e6 * first) || !s.solve_linearized()) break;
+    s.move(1);
+    method.predict(trial_.now(), held);
+    s.move(-1);
+    s.unbalanced();
+    if (!s.solve(true)) break;
     ++counts_.iterations;
-    move(s, 1);
-    const double fraction = method.follow_correction(trial(), held);
-    move(s, fraction - 1);
+    s.move(1);
+    const double fraction = method.follow_correction(trial_.now(), held);
+    s.move(fraction - 1);
     way += fraction * s.correction;
   }
-  formulation_.swap(other);
   s.correction = best - way;
-  move(s, 1);
+  s.move(1);
   return reached;
 }
 
 /// From states that are next to right Newton's method on the whole of Coulomb's law takes a few solutions, by penalties
 /// as large as a step's own. Where bricks that carry little slip at both ends, bounds that lag may go to and fro for
 /// ever.
-bool Solid::finish(IslandSystem& s) {
+bool LaggingFriction::finish(IslandEquations& s, const StepMode& mode) {
   FormulationSettings& settings = formulation_->settings();
   const auto by_whole_law = [&] {
-    unbalanced(s);  // by bounds that lag: which way contacts slip
-    for (const int k : s.island.contacts) contacts_[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
-    for (const int k : s.island.supports) supports_[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
-    settings.penalty_ratio /= lagging_penalty_ratio;
-    settings.friction_lags = false;
-    const bool found = find_equilibrium(s);
-    settings.friction_lags = true;
-    settings.penalty_ratio *= lagging_penalty_ratio;
-    return found;
+    s.unbalanced();  // by bounds that lag: which way contacts slip
+    for (const int k : s.island.contacts) state_.contacts[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
+    for (const int k : s.island.supports) state_.supports[static_cast<std::size_t>(k)].penalty /= lagging_penalty_ratio;
+    const Temporarily harder(settings.penalty_ratio, settings.penalty_ratio / lagging_penalty_ratio);
+    const Temporarily follows(settings.friction_lags, false);
+    return Newton(step_).find(s, mode.by_whole_law());
   };
-  return or_undone(s, by_whole_law);
+  return or_undone(step_, s, mode, by_whole_law);
 }
 
 /// Of the energy whose negative gradient is the residual.
-bool Solid::minimize(IslandSystem& s, int most_solutions) {
-  double left = unbalanced(s);
+bool LaggingFriction::minimize(IslandEquations& s, int most_solutions) {
+  double left = s.unbalanced();
   for (int iteration = 0; iteration < most_solutions; ++iteration) {
     if (left <= formulation_->settings().force_tolerance_n) return true;
     if (!std::isfinite(left)) {
-      require_numbers(s);
+      require_numbers(step_, s);
       return false;
     }
-    if (!solve_linearized(s)) return false;
+    if (!s.solve_linearized()) return false;
     left = search_along_correction(s);
   }
   return false;
@@ -132,7 +128,7 @@ bool Solid::minimize(IslandSystem& s, int most_solutions) {
 
 /// Takes the whole correction, or as much of it as halves the slope of the energy where that has become as steep
 /// upward: by regula falsi and bisection in turns, for the slope has kinks. Returns the largest unbalanced force.
-double Solid::search_along_correction(IslandSystem& s) {
+double LaggingFriction::search_along_correction(IslandEquations& s) {
   constexpr int most = 40;
   struct Place {
     double fraction;
@@ -142,8 +138,8 @@ double Solid::search_along_correction(IslandSystem& s) {
   const double enough = low.slope / 2;
   double left = 0;
   const auto go_to = [&](double fraction, double from) {
-    move(s, fraction - from);
-    left = unbalanced(s);
+    s.move(fraction - from);
+    left = s.unbalanced();
     return Place{fraction, s.residual.dot(s.correction)};
   };
   Place high = go_to(1, 0);

@@ -16,6 +16,8 @@ struct Newmark {
   double alpha_f = 0;
   bool damps = true;  ///< false where velocities mean nothing: quasi-static steps and the search for a state of rest
 
+  bool operator==(const Newmark&) const = default;
+
   static Newmark of(scene::Integrator integrator, double spectral_radius) {
     if (integrator == scene::Integrator::shi) return {};
     if (integrator == scene::Integrator::trapezoidal) return {0.25, 0.5, 0, 0};

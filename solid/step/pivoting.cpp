@@ -1,58 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Equilibrium of a small island whose states run in circles: gaps and slips at the end of the step are linear in the
-// forces of its contacts, and Coulomb's law makes of that a complementarity problem (Stewart and Trinkle 1996, Int. J.
-// Numer. Meth. Engng 39), which pivoting solves. Blocks turn: so again from where that has taken them.
+#include "solid/step/pivoting.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
-#include "solid/contact/coulomb_forces.hpp"
-#include "solid/step/solid.hpp"
+#include "solid/step/newton.hpp"
 
 namespace blockweir::solid {
 
 /// Contacts that only press and rub, and formulations that take up forces from a step before.
-bool Solid::may_pivot(const IslandSystem& s) const {
+bool Pivoting::fits(const IslandEquations& s, const StepMode& mode) const {
   const FormulationSettings& settings = formulation_->settings();
-  return formulation_->can_lag_friction() && !settings.friction_lags && !settings.joints_held &&
+  return formulation_->can_lag_friction() && !mode.friction_lags && !settings.joints_held &&
          s.unknowns->total <= large_island && !s.unknowns->shared() &&
          std::none_of(s.island.contacts.begin(), s.island.contacts.end(), [&](int k) {
-           const JointProperties& law = laws_[contacts_[at(k)].law];
+           const JointProperties& law = model_.laws[state_.contacts[at(k)].law];
            return law.bonds() || law.dilation != 0;
          });
 }
 
 /// Gaps and slips at those of an island's contacts that may close in the step, and how forces there change them; the
 /// correction is that without them. False where there is none.
-bool Solid::release_contacts(IslandSystem& s, Released& released) {
+bool Pivoting::release_contacts(IslandEquations& s, Released& released) {
   for (const int k : s.island.contacts) {
-    contacts_[at(k)].multiplier.setZero();
-    contacts_[at(k)].penalty = 0;
+    state_.contacts[at(k)].multiplier.setZero();
+    state_.contacts[at(k)].penalty = 0;
   }
-  if (!std::isfinite(unbalanced(s)) || !solve_linearized(s)) return false;
+  if (!std::isfinite(s.unbalanced()) || !s.solve_linearized()) return false;
   double near = s.correction.cwiseAbs().maxCoeff();  // m: what is farther off blocks do not reach
-  for (const int b : s.island.blocks) near = std::max(near, increment_[at(b)].cwiseAbs().maxCoeff());
+  for (const int b : s.island.blocks) near = std::max(near, trial_.increment[at(b)].cwiseAbs().maxCoeff());
   released = {};
   std::vector<Eigen::VectorXd> pulls;
   std::vector<double> apart;
   for (const int k : s.island.contacts) {
-    const ContactPoint& c = contacts_[at(k)];
-    const EdgeFrame edge = edge_frame(trial(), c);
-    const Separation separation = separation_of(trial(), c, edge);
+    const ContactPoint& c = state_.contacts[at(k)];
+    const EdgeFrame edge = edge_frame(trial_.now(), c);
+    const Separation separation = separation_of(trial_.now(), c, edge);
     if (separation.value.x() > near) continue;
     const Interaction action = interaction_of(c, edge, separation.value.y());
     for (const Point& axis : {action.axis, perpendicular(action.axis)}) {
       Eigen::VectorXd& pull = pulls.emplace_back(Eigen::VectorXd::Zero(s.unknowns->total));
       for (const bool second : {false, true}) {
         const int block = action.block(second);
-        if (!moves(block)) continue;
-        s.unknowns->add(local_[at(block)],
-                        placement_[at(block)].generalized((second ? -1 : 1) * axis, action.at(second)), pull);
+        if (!trial_.moves(block)) continue;
+        s.unknowns->add(s.local(block),
+                        trial_.placement[at(block)].generalized((second ? -1 : 1) * axis, action.at(second)), pull);
       }
     }
     apart.insert(apart.end(), {separation.value.x(), separation.value.y()});
     released.ids.push_back(k);
-    released.contacts.friction.push_back(laws_[c.law].strength(c.bond, c.bond_length).friction);
+    released.contacts.friction.push_back(model_.laws[c.law].strength(c.bond, c.bond_length).friction);
   }
   const auto n = static_cast<Eigen::Index>(pulls.size());
   Eigen::MatrixXd pull(s.unknowns->total, n);
@@ -66,17 +64,16 @@ bool Solid::release_contacts(IslandSystem& s, Released& released) {
   return true;
 }
 
-/// False where pivoting finds no forces either.
-bool Solid::find_equilibrium_by_pivoting(IslandSystem& s) {
+bool Pivoting::find(IslandEquations& s, const StepMode& mode) {
   constexpr int most_rounds = 10;
-  if (!may_pivot(s)) return false;
+  if (!fits(s, mode)) return false;
   ++counts_.pivoted_islands;
-  const Held held = held_by(s);
+  const Held held = s.held();
   formulation_->undo(held);
-  for (const int b : s.island.blocks) predict(at(b));
-  formulation_->begin(at_start(), matrix_, frozen_, held);
+  for (const int b : s.island.blocks) trial_.predict(at(b));
+  formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, held);
   std::vector<double> penalty;
-  for (const int k : s.island.contacts) penalty.push_back(contacts_[at(k)].penalty);
+  for (const int k : s.island.contacts) penalty.push_back(state_.contacts[at(k)].penalty);
   Released released;
   Eigen::VectorXd forces;
   for (int round = 0; round < most_rounds; ++round) {
@@ -85,16 +82,16 @@ bool Solid::find_equilibrium_by_pivoting(IslandSystem& s) {
     if (!found) return false;
     forces = *found;
     s.correction += released.moves_by * forces;
-    move(s, 1);
+    s.move(1);
     if (s.correction.cwiseAbs().maxCoeff() <= formulation_->settings().position_round_off_m) break;
   }
-  for (std::size_t i = 0; i < penalty.size(); ++i) contacts_[at(s.island.contacts[i])].penalty = penalty[i];
+  for (std::size_t i = 0; i < penalty.size(); ++i) state_.contacts[at(s.island.contacts[i])].penalty = penalty[i];
   for (std::size_t i = 0; i < released.ids.size(); ++i) {
-    ContactPoint& c = contacts_[at(released.ids[i])];
+    ContactPoint& c = state_.contacts[at(released.ids[i])];
     c.multiplier = forces.segment<2>(2 * static_cast<Eigen::Index>(i));
     c.state = c.multiplier.x() > 0 ? ContactState::stick : ContactState::open;
   }
-  return find_equilibrium(s);
+  return Newton(step_).find(s, mode);
 }
 
 }  // namespace blockweir::solid

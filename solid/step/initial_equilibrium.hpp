@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The state at time 0: weight and first loads carried, all joints that touch held, everything at rest.
+#pragma once
+
+#include <vector>
+
+#include "solid/step/time_step.hpp"
+
+namespace blockweir::solid {
+
+class InitialEquilibrium : StepPart {
+ public:
+  InitialEquilibrium(Step& step, TimeStep& time_step) : StepPart(step), time_step_(time_step) {}
+
+  /// Lets weight and first loads settle with all joints held, then releases them. False where the structure is on the
+  /// move. Throws SolveError when no equilibrium is found.
+  bool settle(const std::vector<Panel>& water);
+
+ private:
+  void set(const FormulationSettings& settings);
+  void hold(const Stretch& pseudo_step, const StepMode& mode, FormulationSettings& held);
+  bool relax(const Stretch& pseudo_step, const StepMode& mode);
+  void start_moving(const Stretch& pseudo_step, double acceleration, const Standing& held, const StepMode& mode);
+
+  TimeStep& time_step_;
+};
+
+/// Blocks that hang on nothing: no chain of touching contacts and bolts leads to the ground or to a support.
+std::vector<bool> unanchored(const Model& model, const State& state);
+
+}  // namespace blockweir::solid

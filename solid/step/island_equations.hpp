@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The equations of one island at the trial (5)-(6): residual, matrix, and what solves them linearized.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "solid/contact/interaction.hpp"
+#include "solid/solve/force_sweeps.hpp"
+#include "solid/solve/incidence.hpp"
+#include "solid/solve/islands.hpp"
+#include "solid/solve/saddle_point.hpp"
+#include "solid/step/step.hpp"
+#include "solid/step/step_mode.hpp"
+#include "solid/step/water_inertia.hpp"
+
+namespace blockweir::solid {
+
+constexpr int few_unknowns = 60;         ///< of an island in which Newton's method may go on as long as it likes
+constexpr int large_island = 200;        ///< unknowns above which states that run in circles are not waited for
+constexpr double sum_round_off = 1e-13;  ///< relative, of a sum of some tens of terms
+
+class IslandEquations : StepPart {
+ public:
+  /// `numbers`: of each of the model's blocks, its index within its island.
+  IslandEquations(Step& step, const WaterInertia& water, const std::vector<int>& numbers, Island of,
+                  std::unique_ptr<Unknowns> its);
+
+  Island island;
+  std::vector<int> bolts;
+  std::vector<int> couplings;  ///< indices into Parts::couplings
+  std::unique_ptr<Unknowns> unknowns;
+  Incidence incidence;           ///< of the actions
+  Found found = Found::nothing;  ///< in the step at hand
+
+  std::vector<Interaction> actions;  ///< of contacts, supports and bolts, in this order, at the trial
+  Eigen::VectorXd residual;
+  Eigen::VectorXd uncertain;  ///< round-off of the residual at nodes
+  Eigen::VectorXd correction;
+  std::unique_ptr<LinearSystem> system;
+  ForceSweeps sweeps;  ///< where Newton's method does not find the states
+
+  /// Residual at the trial; returns the largest unbalanced force, less what round-off explains. What contacts, supports
+  /// and bolts do is kept for the matrix, which only a residual that is too large asks for.
+  double unbalanced();
+  /// What acts on an island's blocks without contacts, supports and bolts.
+  void balance_alone();
+  /// Residual of the balance, with what `also_acts` adds to that of each block, by its place in the island.
+  double find_residual(const std::function<void(std::size_t)>& also_acts);
+  /// Adds to the balance of an island's block k what acts on it.
+  void take_up(std::size_t k);
+
+  /// The correction by one solution of the linearized equations; false where there is none.
+  bool solve_linearized();
+  /// Adds so much of the correction to the trial.
+  void move(double fraction);
+  /// The matrix of blocks alone, to which others add.
+  void set_block_matrices();
+  void add_stiffness(const Interaction& action);
+  bool solve(bool symmetric);
+  /// For another force, with the matrix of the last solution.
+  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& force) const;
+
+  [[nodiscard]] Held held() { return {island.contacts, state_.contacts, island.supports, state_.supports}; }
+  [[nodiscard]] int local(int block) const { return numbers_[static_cast<std::size_t>(block)]; }
+
+ private:
+  /// A force that is solved for, of a contact or a support: what a unit of it exerts (normal, shear).
+  struct UnknownForce {
+    bool support;
+    int index;
+    Eigen::Vector2d force;
+  };
+
+  void balance_own(std::size_t b);
+  void balance_couplings();
+  void let_act();
+  double add_residual(std::size_t k);
+  void add_residual_at_corners(int k);
+  void set_corner_maps();
+  void assemble();
+  template <class System>
+  void add_own(System& to) const;
+  template <class System>
+  void add_stiffness_to(System& to, const Interaction& action) const;
+  template <class System>
+  void add_columns(System& to, const Interaction& action, bool of_second) const;
+  void set_saddle();
+  void add_constraints(const Interaction& action, bool support, int index);
+  void correct_forces();
+
+  const WaterInertia& water_;
+  const std::vector<int>& numbers_;
+  bool symmetric_ = true;  ///< are the actions' stiffnesses?
+  SaddlePoint saddle_;     ///< instead of the system while there are unknown forces
+  std::vector<UnknownForce> unknown_forces_;
+  Eigen::VectorXd forces_;  ///< of them
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/step/newton.hpp"
+
+#include <cmath>
+
+#include "bridge/results/stopwatch.hpp"
+#include "solid/contact/bonds.hpp"
+#include "solid/step/equilibrium.hpp"
+#include "solid/step/refusals.hpp"
+#include "solid/step/temporarily.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+/// Notices that Newton's method runs in circles: what is unbalanced comes again (Brent's way to find a cycle).
+class Circle {
+ public:
+  bool closes(double unbalanced) {
+    if (std::abs(unbalanced - seen_) <= 1e-9 * seen_) return true;
+    if (++since_ == wait_) {
+      seen_ = unbalanced;
+      wait_ *= 2;
+      since_ = 0;
+    }
+    return false;
+  }
+
+ private:
+  double seen_ = -1;
+  int since_ = 0;
+  int wait_ = 1;
+};
+
+}  // namespace
+
+bool Newton::find(IslandEquations& s, const StepMode& mode) {
+  // A large island whose states run in circles shows it by then; trying on costs a small one little, and may find out.
+  // In the largest a solution costs several of those by Cholesky that find states while friction lags.
+  const int unknowns = s.unknowns->total;
+  const int most_in_a_row = unknowns > 10 * large_island ? 15
+                            : unknowns > large_island    ? 50
+                                                         : model_.scene.contact.max_iterations;
+  // Where it has failed, its next turn is a short one.
+  const int large = may_sweep(step_, mode) ? few_unknowns : large_island;
+  const int most = unknowns > large && state_.whole_law.after_failure() ? 20 : model_.scene.contact.max_iterations;
+  const double tolerance = formulation_->settings().force_tolerance_n;
+  constexpr double close = 0.3;  // of what multipliers will still move: they need no closer equilibrium
+  const Held held = s.held();
+  int in_a_row = 0;  // solves since the last sweep
+  double first = 0;  // unbalanced as they began
+  Circle circle;
+  for (int iteration = 0; iteration < most; ++iteration) {
+    const double left = s.unbalanced();
+    if (!std::isfinite(left)) {
+      // Of redundant multipliers the forces may overflow: the substitute has none.
+      if (!formulation_->solves_for_forces()) require_numbers(step_, s);
+      return false;
+    }
+    if (left <= tolerance || left <= close * formulation_->unsettled(held)) {
+      if (update_multipliers(s)) return true;
+      circle = {};
+      in_a_row = 0;
+      first = unbalanced_in_these_states(s, mode);
+    } else if (iteration > 0) {
+      if (circle.closes(left)) return false;
+      ++in_a_row;
+    } else {
+      first = left;
+    }
+    const bool diverges = unknowns > 10 * large_island && in_a_row > 2 && left > 1e3 * first;
+    if (diverges || in_a_row > most_in_a_row || !s.solve_linearized()) return false;
+    s.move(1);
+  }
+  return false;
+}
+
+/// Multipliers that took the penalties' part have put all out of balance, and no state in question: a solution in the
+/// states that contacts have spares those in which hundreds of them would change and change back. While a structure
+/// settles all are judged, or what has slipped once would go on, and bonds beside it break that can hold it.
+double Newton::unbalanced_in_these_states(IslandEquations& s, const StepMode& mode) {
+  const Temporarily stand(formulation_->settings().states_stand, !mode.settles);
+  return s.unbalanced();
+}
+
+/// Multipliers (8), then bonds: false where one of them has changed.
+bool Newton::update_multipliers(IslandEquations& s) {
+  const Stopwatch watch(profile_.sweeps);
+  ++counts_.sweeps;
+  return formulation_->sweep(s.held()) &&
+         (formulation_->settings().joints_held || !break_bonds(model_.laws, formulation_->settings().force_tolerance_n,
+                                                               model_.blocks, s.island.contacts, state_.contacts));
+}
+
+}  // namespace blockweir::solid

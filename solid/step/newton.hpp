@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Equilibrium of one island at the end of a step: Newton's method on (5)-(6) with the open-close states inside,
+// multipliers swept (8) each time it has converged.
+#pragma once
+
+#include "solid/step/island_equations.hpp"
+#include "solid/step/step_mode.hpp"
+
+namespace blockweir::solid {
+
+class Newton : StepPart {
+ public:
+  explicit Newton(Step& step) : StepPart(step) {}
+
+  /// By the whole of Coulomb's law: false where states are not found.
+  bool find(IslandEquations& island, const StepMode& mode);
+
+ private:
+  double unbalanced_in_these_states(IslandEquations& island, const StepMode& mode);
+  bool update_multipliers(IslandEquations& island);
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What overlaps as a step ends is pushed apart by displacements alone: closed within a step, an overlap would become a
+// velocity. Pushes have no friction and move each block as a rigid one, the light ones farther than the heavy: of all
+// displacements that leave no overlap those that move least mass (0 <= gap _|_ push >= 0).
+#pragma once
+
+#include "solid/step/island_equations.hpp"
+
+namespace blockweir::solid {
+
+class PushApart : StepPart {
+ public:
+  explicit PushApart(Step& step) : StepPart(step) {}
+
+  /// Of an island, after the step has been accepted: has any block been pushed?
+  bool push(const IslandEquations& island);
+
+ private:
+  void push_once(const IslandEquations& island);
+  [[nodiscard]] EdgeFrame frame_now(const ContactPoint& c) const;
+  [[nodiscard]] double gap_now(const ContactPoint& c) const;
+  void displace(std::size_t block, const Eigen::Vector3d& by);
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/step/static_analysis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace blockweir::solid {
+
+double StaticAnalysis::unbalanced_ratio() const {
+  double largest = 0;
+  for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
+    if (trial_.frozen[b]) continue;
+    const Vector6 inertia = trial_.scheme.mass_factor(trial_.dt) * (model_.blocks[b].inertia * trial_.increment[b]);
+    largest =
+        std::max({largest, inertia.head<2>().cwiseAbs().maxCoeff(), std::abs(inertia[2]) / model_.blocks[b].radius});
+  }
+  return largest / model_.weight_n_per_m;
+}
+
+void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) {
+  constexpr int most_steps = 1000;
+  constexpr double shortest = 1e-6;  // of the pseudo-step that the search begins with
+  constexpr double brief = 1e-3;     // the same: inertia then keeps what is swept from another state of rest
+  const double longest = model_.pseudo_step_s();
+  const StepMode still{.scheme = {.damps = false}};
+  const double before_m = state_.largest_displacement_m(model_);
+  state_.rest = {};
+  for (double dt = longest; state_.rest.steps < most_steps && dt > shortest * longest;) {
+    state_.stop();
+    const Stretch stretch{dt, at_s, water};
+    Outcome outcome = time_step_.try_all(stretch, still);
+    if (outcome == Outcome::not_found && dt < brief * longest) {
+      outcome = time_step_.attempt(stretch, still.with_sweeps());  // a bond is about to break
+    }
+    if (outcome != Outcome::made) {
+      dt /= 4;
+      continue;
+    }
+    ++state_.rest.steps;
+    const double before = std::exchange(state_.rest.unbalanced, unbalanced_ratio());
+    state_.rest.found = !time_step_.any_swept() && state_.rest.unbalanced <= model_.scene.analysis.residual_tolerance;
+    // What only strains or settles halves what is unbalanced, however far it goes; what slides or turns does not.
+    const bool settles = state_.rest.steps == 1 || state_.rest.unbalanced < before / 2;
+    const bool far = state_.largest_displacement_m(model_) - before_m > model_.scene.analysis.failure_displacement_m;
+    if (state_.rest.found || (far && !settles)) break;
+    dt = settles ? std::min(std::max(longest, dt), 2 * dt) : 2 * dt;
+  }
+  if (!state_.rest.found) return;  // velocities tell where it goes
+  state_.stop();
+}
+
+}  // namespace blockweir::solid

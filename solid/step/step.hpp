@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all parts of a step work on.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "solid/contact/formulation.hpp"
+#include "solid/step/counts.hpp"
+#include "solid/step/model.hpp"
+#include "solid/step/state.hpp"
+#include "solid/step/step_trial.hpp"
+
+namespace blockweir::solid {
+
+/// Model and state must outlive it.
+struct Step {
+  Step(const Model& of_model, State& of_state);
+  Step(const Step&) = delete;
+  Step& operator=(const Step&) = delete;
+
+  const Model& model;
+  State& state;
+  StepTrial trial;
+  std::unique_ptr<Formulation> formulation;  ///< of contact
+  std::unique_ptr<Formulation> substitute;   ///< for steps that Lagrange multipliers cannot settle
+  Counts counts;
+  Profile profile;
+  std::function<void()> meanwhile;  ///< called as each step begins and after each solution of a linear system
+};
+
+/// Whatever takes part in a step, which must outlive it.
+class StepPart {
+ protected:
+  explicit StepPart(Step& step)
+      : step_(step),
+        model_(step.model),
+        state_(step.state),
+        trial_(step.trial),
+        formulation_(step.formulation),
+        counts_(step.counts),
+        profile_(step.profile) {}
+
+  Step& step_;
+  const Model& model_;
+  State& state_;
+  StepTrial& trial_;
+  std::unique_ptr<Formulation>& formulation_;  ///< the one at work
+  Counts& counts_;
+  Profile& profile_;
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/step/step_energy.hpp"
+
+#include "bridge/scene/at.hpp"
+
+namespace blockweir::solid {
+
+void StepEnergy::balance(IslandEquations& s, double dt) {
+  const bool by_shi = !trial_.scheme.second_order();
+  const auto strained = [this](int b) { return trial_.increment[at(b)].tail<3>(); };
+  const auto strain = [this](int b) { return state_.blocks[at(b)].displacement.tail<3>(); };
+  for (const int block : s.island.blocks) {
+    const auto b = at(block);
+    const Vector6 load = state_.energy.through_step(b, trial_.external[b], by_shi);
+    const double work = model_.blocks[b].is_part() ? trial_.at_corners(b, load).dot(trial_.corner_increment(b))
+                                                   : load.dot(trial_.increment[b]);
+    state_.energy.give(work - model_.loads.constant(b).dot(trial_.increment[b]));
+    trial_.for_motion[b] =
+        work - strained(block).dot(model_.blocks[b].stiffness * (strain(block) + strained(block) / 2));
+  }
+  for (const int k : s.couplings) {
+    const StrainCoupling& c = model_.parts.couplings[at(k)];
+    trial_.for_motion[at(c.i)] -= strained(c.i).dot(c.stiffness * (strain(c.j) + strained(c.j) / 2)) +
+                                  (strain(c.i) + strained(c.i) / 2).dot(c.stiffness * strained(c.j));
+  }
+  for (const int k : s.island.supports) {
+    const Support& support = state_.supports[at(k)];
+    const Point force = by_shi ? support.force : Point((formulation_->support_before(k).force + support.force) / 2);
+    state_.energy.give(force.dot(support.target(trial_.end_s) - support.target(trial_.end_s - dt)));
+  }
+  const auto store = [&](const Interaction& action, double rise) {
+    state_.energy.store(rise);
+    trial_.for_motion[at(trial_.moves(action.block_i) ? action.block_i : action.block_j)] -= rise;
+  };
+  std::size_t next = 0;
+  for (const int k : s.island.contacts) store(s.actions[next++], formulation_->stored(k, state_.contacts[at(k)]));
+  for (const int k : s.island.supports) store(s.actions[next++], formulation_->stored(k, state_.supports[at(k)]));
+  for (const int k : s.bolts) {
+    const Bolt& bolt = state_.bolts[at(k)];
+    const double tension = -s.actions[next].force.x();
+    const double before = bolt.acting.tension_n_per_m;
+    store(s.actions[next++], (tension - before) * (tension + before) / (2 * bolt.described->stiffness_n_per_m2));
+  }
+}
+
+Point StepEnergy::push_of_base(const StepIslands& islands) const {
+  Point push = Point::Zero();
+  for (const IslandEquations& s : islands) {
+    if (s.found == Found::asleep) continue;
+    for (const Interaction& action : s.actions) {
+      for (const bool second : {false, true}) {
+        if (!trial_.moves(action.block(second))) push += (second ? 1 : -1) * action.pull();
+      }
+    }
+  }
+  return push;
+}
+
+}  // namespace blockweir::solid

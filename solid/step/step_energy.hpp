@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The energy of a step: what loads give goes into strain, springs and motion. Contacts and damping only take.
+#pragma once
+
+#include <vector>
+
+#include "solid/step/island_equations.hpp"
+#include "solid/step/step_islands.hpp"
+
+namespace blockweir::solid {
+
+class StepEnergy : StepPart {
+ public:
+  explicit StepEnergy(Step& step) : StepPart(step) {}
+
+  /// Of a base that moves, on all islands that are awake.
+  [[nodiscard]] Point push_of_base(const StepIslands& islands) const;
+  /// What loads give an island's blocks in the step, less what strain, bolts and springs take up.
+  void balance(IslandEquations& island, double dt);
+  /// What a step has made of nothing is taken back from the velocities. Contact forces act along the directions of the
+  /// step's end, and points turn on their way there: a block that topples would gain by an error of the step's first
+  /// order. Where nothing anchors a group its momenta stay. Most steps make nothing: then nothing is grouped.
+  void take_back(IslandEquations& island);
+
+ private:
+  struct Group;
+  /// What a block's motion has gained beyond what there was for it [J per metre].
+  struct Made {
+    double energy = 0;
+    double round_off = 0;
+    double kinetic = 0;
+  };
+  [[nodiscard]] Made made_by(std::size_t b) const;
+  [[nodiscard]] std::vector<int> groups_of(const IslandEquations& island) const;
+  [[nodiscard]] bool touches(int contact) const;
+  void look_at_links(const IslandEquations& island, const std::vector<int>& group_of, std::vector<Group>& groups) const;
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Equilibrium of an island whose contact states Newton's method does not find: sweeps over its contacts. Their number
+// is bounded; wherever they stop, forces are admissible and momentum balances.
+#pragma once
+
+#include "solid/step/island_equations.hpp"
+#include "solid/step/step_mode.hpp"
+
+namespace blockweir::solid {
+
+class SweptEquilibrium : StepPart {
+ public:
+  explicit SweptEquilibrium(Step& step) : StepPart(step) {}
+
+  /// By sweeps, or from there by Newton's method.
+  Found find(IslandEquations& island, const StepMode& mode);
+
+ private:
+  double sweep(IslandEquations& island, int most, double enough_m);
+  bool finish(IslandEquations& island, const StepMode& mode);
+  void start_again(const IslandEquations& island);
+  bool linearize(IslandEquations& island);
+  void add_row(IslandEquations& island, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force);
+  void add_end_of_mesh(IslandEquations& island, bool second, int block, const Matrix26& shape);
+  void take_forces(IslandEquations& island);
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/step/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bridge/results/stopwatch.hpp"
+#include "bridge/scene/at.hpp"
+#include "solid/block/parallel.hpp"
+#include "solid/step/refusals.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+// Of a fall through the step: closed in one, an overlap gets a velocity of that share of the fall's.
+constexpr double lasting_overlap = 5e-5;
+
+}  // namespace
+
+Outcome TimeStep::attempt(const Stretch& stretch, const StepMode& mode) {
+  const Stopwatch::Sample sample(timed());
+  if (model_.is(scene::AnalysisKind::quasi_static)) state_.stop();
+  const long touching = mode.smooth_only ? state_.touching_contacts() : 0;
+  const bool searched = find_contacts();
+  if (mode.smooth_only && state_.touching_contacts() != touching) {  // the search has dropped one
+    return Outcome::contacts_change;
+  }
+  const long state_changes_before = formulation_->state_changes();
+  if (searched || islands_.empty()) islands_.prepare();
+  begin(stretch, mode);
+  const bool solved = solve(mode);
+  const double moved = trial_.largest_increment();
+  Outcome outcome = Outcome::made;
+  if (!solved) {
+    outcome = Outcome::not_found;
+  } else if (trial_.goes_too_far(moved)) {
+    outcome = Outcome::too_far;
+  } else if (mode.smooth_only && contacts_change()) {
+    outcome = Outcome::contacts_change;
+  }
+  const bool made = outcome == Outcome::made;
+  const bool seen = !made || (state_.search.covers(moved) &&
+                              (moved == 0 || !state_.search.entered(trial_.placement, state_.contacts)));
+  if (!made || !seen) {
+    for (IslandEquations& s : islands_) formulation_->undo(s.held());
+    state_.contacts_stand = seen;
+    return seen ? outcome : attempt(stretch, mode);
+  }
+  const bool otherwise = accept(stretch, mode);
+  state_.contacts_stand = moved == 0 && formulation_->state_changes() == state_changes_before && !otherwise;
+  require_finite(step_, stretch.end_s);
+  return Outcome::made;
+}
+
+/// What acts in the step, and what its blocks and supports begin with.
+void TimeStep::begin(const Stretch& stretch, const StepMode& mode) {
+  trial_.end_s = stretch.end_s;
+  trial_.find_sliding_blocks();
+  trial_.set_matrices(stretch.dt, mode.scheme);
+  // The base moves from time 0 on: before, weight and first loads settle on a base at rest.
+  const bool base_moves = !mode.settles || model_.is(scene::AnalysisKind::at_rest);
+  model_.loads.evaluate(stretch.end_s, stretch.water, state_.placements, trial_.external, base_moves);
+  if (state_.guard.acts()) water_.begin_step(stretch.dt);
+  require_finite_loads(step_, stretch.end_s);
+  trial_.begin();
+  for (Support& support : state_.supports) {
+    const auto b = at(support.block);
+    support.separation = state_.placements[b].displacement(support.material) - support.target(stretch.end_s) -
+                         model_.base.displacement(stretch.end_s);
+  }
+  begin_contacts(mode);
+}
+
+void TimeStep::begin_contacts(const StepMode& mode) {
+  const double share_of_fall = std::min(1e-8 * model_.size_m, lasting_overlap * trial_.fall_m());
+  formulation_->settings().lasting_overlap_m =
+      mode.in_motion() ? std::max(model_.scene.contact.penetration_tolerance_m, share_of_fall) : 0;
+  for (IslandEquations& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
+    const Held held = s.held();
+    formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, held);
+    if (s.unknowns->total > large_island) formulation_->keep_forces(trial_.at_start(), held);
+  }
+}
+
+/// Equilibrium of all islands, each by itself.
+bool TimeStep::solve(const StepMode& mode) {
+  const bool sweeps = may_sweep(step_, mode);
+  const bool newton = !sweeps || !state_.whole_law.skips();
+  bool solved = true;
+  bool all_by_newton = true;
+  for (IslandEquations& island : islands_) {
+    island.found = Found::nothing;
+    if (may_sleep(island, mode)) {
+      put_to_sleep(island);
+      continue;
+    }
+    const Stopwatch watch(profile_.equilibria);
+    ++counts_.solved_islands;
+    start_where_it_rests(island);
+    if (solved) island.found = find_equilibrium(step_, island, mode, newton);
+    solved = solved && island.found != Found::nothing;
+    all_by_newton = all_by_newton && island.found == Found::by_newton;
+  }
+  if (sweeps && (newton || all_by_newton)) {
+    all_by_newton ? state_.whole_law.succeeded() : state_.whole_law.failed();
+  }
+  return solved;
+}
+
+bool TimeStep::any_swept() const {
+  return std::any_of(islands_.begin(), islands_.end(), [](const auto& s) { return s.found == Found::by_sweeps; });
+}
+
+void TimeStep::begin_anew() {
+  trial_.dt = -1;
+  islands_.clear();
+}
+
+bool TimeStep::contacts_change() {
+  return std::any_of(islands_.begin(), islands_.end(),
+                     [this](IslandEquations& s) { return formulation_->changed(s.held()); });
+}
+
+/// False where contacts are those of the step before.
+bool TimeStep::find_contacts() {
+  if (state_.contacts_stand && model_.scene.analysis.skip_searches) {
+    ++counts_.skipped_searches;
+    return false;
+  }
+  const Stopwatch watch(profile_.search);
+  ++counts_.searches;
+  state_.search.update(state_.placements, state_.contacts);
+  return true;
+}
+
+/// Phases of a step of few blocks take no longer than looks at the clock: but for the first steps, one in 16 is timed
+/// and counts for all.
+double TimeStep::timed() const {
+  constexpr std::size_t few_blocks = 16;
+  constexpr long steps = 16;
+  if (model_.blocks.size() > few_blocks || counts_.steps < steps) return 1;
+  return counts_.steps % steps == 0 ? static_cast<double>(steps) : 0;
+}
+
+/// What a large island's velocities are is round-off where they would move it by no more: with penalties times
+/// that, a wall that stands would be out of balance as each step begins.
+void TimeStep::start_where_it_rests(const IslandEquations& s) {
+  const double round_off_m = 10 * formulation_->settings().position_round_off_m;
+  if (s.unknowns->total <= large_island || s.unknowns->shared()) return;
+  for (const int block : s.island.blocks) {
+    const auto b = at(block);
+    const double moved =
+        trial_.increment[b].head<2>().norm() + model_.blocks[b].radius * trial_.increment[b].tail<4>().norm();
+    if (moved > round_off_m) continue;
+    trial_.increment[b].setZero();
+    trial_.placement[b] = state_.placements[b];
+  }
+}
+
+bool TimeStep::may_sleep(const IslandEquations& s, const StepMode& mode) const {
+  if (!model_.scene.analysis.sleep || mode.settles) return false;
+  const double tolerance_n = formulation_->settings().force_tolerance_n;
+  const auto rests = [&](int b) {
+    return state_.sleep.rests(static_cast<std::size_t>(b), model_.blocks, trial_.external, tolerance_n);
+  };
+  const auto in_place = [&](int k) {
+    const Support& support = state_.supports[static_cast<std::size_t>(k)];
+    return support.held().cwiseProduct(support.separation).norm() <= formulation_->settings().penetration_tolerance_m;
+  };
+  const auto rests_on = [&](int k) {
+    const ContactPoint& c = state_.contacts[static_cast<std::size_t>(k)];
+    return rests(c.vertex_part) && rests(c.edge_part);
+  };
+  const auto hangs_still = [&](int k) {
+    const auto& ends = state_.bolts[static_cast<std::size_t>(k)].part;
+    return std::all_of(ends.begin(), ends.end(),
+                       [&](int b) { return b < 0 ? !model_.base.moves_supports() : rests(b); });
+  };
+  return std::all_of(s.island.blocks.begin(), s.island.blocks.end(), rests) &&
+         std::all_of(s.bolts.begin(), s.bolts.end(), hangs_still) &&
+         std::all_of(s.island.supports.begin(), s.island.supports.end(), in_place) &&
+         std::all_of(s.island.contacts.begin(), s.island.contacts.end(), rests_on);
+}
+
+void TimeStep::put_to_sleep(IslandEquations& s) {
+  s.found = Found::asleep;
+  ++counts_.slept_islands;
+  for (const int block : s.island.blocks) {
+    const auto b = static_cast<std::size_t>(block);
+    trial_.increment[b].setZero();
+    trial_.placement[b] = state_.placements[b];
+    state_.blocks[b].velocity.setZero();
+    state_.blocks[b].acceleration.setZero();
+  }
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The time step as an algorithm: search, assemble, solve, open-close, accept or cut, update.
+#pragma once
+
+#include "solid/step/equilibrium.hpp"
+#include "solid/step/step_islands.hpp"
+
+namespace blockweir::solid {
+
+class TimeStep : StepPart {
+ public:
+  TimeStep(Step& step, WaterInertia& water) : StepPart(step), water_(water), islands_(step, water) {}
+
+  /// One step by one method, or nothing at all: all but a step that is made leaves the state as it was.
+  Outcome attempt(const Stretch& stretch, const StepMode& mode);
+  Outcome attempt_softly(const Stretch& stretch, const StepMode& mode);
+  Outcome attempt_with_lagging_friction(const Stretch& stretch, const StepMode& mode);
+  /// Of steps that Lagrange multipliers cannot settle.
+  Outcome attempt_by_substitute(const Stretch& stretch, const StepMode& mode);
+  /// By all methods that a mode has, in turn.
+  Outcome try_all(const Stretch& stretch, const StepMode& mode);
+
+  /// In the last step: has any contact closed, opened, begun or ceased to slip?
+  [[nodiscard]] bool contacts_change();
+  [[nodiscard]] bool any_swept() const;
+  [[nodiscard]] StepIslands& islands() { return islands_; }
+  /// Nothing that was made for steps before serves the next.
+  void begin_anew();
+
+ private:
+  [[nodiscard]] double timed() const;
+  bool find_contacts();
+  void begin(const Stretch& stretch, const StepMode& mode);
+  void begin_contacts(const StepMode& mode);
+  void start_where_it_rests(const IslandEquations& island);
+  bool solve(const StepMode& mode);
+  bool accept(const Stretch& stretch, const StepMode& mode);
+  void accept_motion(IslandEquations& island, double dt);
+  void act_by_end_rates(std::size_t b, double dt);
+  [[nodiscard]] bool may_sleep(const IslandEquations& island, const StepMode& mode) const;
+  void put_to_sleep(IslandEquations& island);
+
+  WaterInertia& water_;
+  StepIslands islands_;
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The end of a step that has been found.
+#include <Eigen/Cholesky>
+
+#include "bridge/results/stopwatch.hpp"
+#include "bridge/scene/at.hpp"
+#include "solid/block/parallel.hpp"
+#include "solid/step/held_velocities.hpp"
+#include "solid/step/mesh_motion.hpp"
+#include "solid/step/push_apart.hpp"
+#include "solid/step/step_energy.hpp"
+#include "solid/step/time_step.hpp"
+
+namespace blockweir::solid {
+
+/// Does any contact slip, or any block lie otherwise than the step had it?
+bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
+  const double dt = stretch.dt;
+  const double end_s = stretch.end_s;
+  const Stopwatch watch(profile_.accept);
+  state_.time_s = end_s;
+  for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
+    if (model_.blocks[b].fixed) state_.blocks[b].velocity.head<2>() = model_.base.velocity(end_s);
+  }
+  if (model_.base.moves_supports() && !mode.settles) {
+    const Point moved = model_.base.displacement(end_s) - model_.base.displacement(end_s - dt);
+    state_.energy.lead(StepEnergy(step_).push_of_base(islands_), moved, !trial_.scheme.second_order());
+  }
+  StepEnergy energy(step_);
+  bool any_slips = false;
+  for (IslandEquations& island : islands_) {
+    if (island.found == Found::asleep) continue;
+    accept_motion(island, dt);
+    if (!mode.settles) energy.balance(island, dt);
+    if (formulation_->holds_exactly()) HeldVelocities(step_).settle(island, dt);
+    if (!water_.of_meshes()) energy.take_back(island);
+    if (state_.guard.acts()) state_.energy.give(-water_.taken_by_water(island));
+    any_slips = formulation_->accept(trial_.now(), island.held()) || any_slips;
+  }
+  if (model_.scene.analysis.integrator != scene::Integrator::shi) state_.energy.end_step(trial_.external);
+  for (Bolt& bolt : state_.bolts) solid::accept(trial_.now(), model_.base.displacement(end_s), bolt);
+  for_each(model_.blocks.size(), [&](std::size_t b) {
+    if (trial_.frozen[b] && !model_.base.moves_supports()) return;
+    state_.blocks[b].displacement += trial_.increment[b];
+    state_.placements[b] = trial_.placement[b];
+  });
+  follow_triangles(model_, trial_, state_);
+  bool pushed = false;
+  if (!mode.settles) {
+    for (IslandEquations& island : islands_) {
+      if (island.found != Found::asleep) pushed = PushApart(step_).push(island) || pushed;
+    }
+  }
+  state_.sleep.look(model_.blocks, trial_.increment, trial_.external, dt);
+  ++counts_.steps;
+  return any_slips || pushed;
+}
+
+void TimeStep::accept_motion(IslandEquations& island, double dt) {
+  for_each(island.island.blocks.size(), [&](std::size_t k) {
+    const auto b = static_cast<std::size_t>(island.island.blocks[k]);
+    trial_.began_with[b] = state_.blocks[b].velocity;
+    trial_.scheme.finish(state_.blocks[b],
+                         model_.blocks[b].is_part() ? trial_.corner_increment(b) : trial_.increment[b], dt);
+    if (!trial_.scheme.second_order() && !model_.blocks[b].is_part()) act_by_end_rates(b, dt);
+    state_.blocks[b].force = trial_.at_corners(b, trial_.balance[b]);
+  });
+}
+
+/// Viscous forces of a step by Shi's scheme go by its mean rates. The trapezoidal rule goes on from those of its end:
+/// their mean over a step is that of the step's mean rate, and takes. Generalized-alpha weighs them otherwise and would
+/// make energy of them.
+void TimeStep::act_by_end_rates(std::size_t b, double dt) {
+  if (model_.scene.analysis.integrator != scene::Integrator::trapezoidal || !trial_.scheme.damps) return;
+  BlockState& state = state_.blocks[b];
+  const Vector6 beyond = state.velocity - trial_.increment[b] / dt;
+  const double drag = model_.scene.analysis.mass_damping_per_s;
+  state.acceleration -= drag * beyond;
+  trial_.balance[b] -= drag * (model_.blocks[b].inertia * beyond);
+  if (model_.blocks[b].rigid || trial_.retardation_s(b) == 0) return;
+  const Eigen::Vector3d strain = trial_.retardation_s(b) * (model_.blocks[b].stiffness * beyond.tail<3>());
+  trial_.balance[b].tail<3>() -= strain;
+  const Eigen::Matrix4d inertia = model_.blocks[b].inertia.matrix().bottomRightCorner<4, 4>();
+  state.acceleration.tail<4>() -= inertia.ldlt().solve(Eigen::Vector4d(0, strain[0], strain[1], strain[2]));
+}
+
+}  // namespace blockweir::solid
