@@ -13,6 +13,7 @@
 #include "bridge/launch/profile.hpp"
 #include "bridge/launch/run.hpp"
 #include "bridge/launch/stress.hpp"
+#include "bridge/launch/supervisor.hpp"
 #include "bridge/launch/study.hpp"
 #include "bridge/launch/validate.hpp"
 #include "bridge/launch/write_case.hpp"
@@ -157,6 +158,7 @@ int run_command(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   if (run_cmd->parsed() || resume_cmd->parsed()) {
+    static const launch::StopsLater until_it_is_reported;  // what has ended by itself was not stopped
     const launch::RunResult result = run_cmd->parsed() ? launch::run(run) : launch::resume(resume);
     if (!result.trouble.empty()) fmt::print(stderr, "blockweir: {}\n", result.trouble);
     fmt::print("{}", launch::report(result));
