@@ -141,6 +141,58 @@ void check_reach_of_water(const Reading& reading) {
   }
 }
 
+/// Ground that shakes: a record that ends before the run, and still water that does not answer.
+void check_base_motion(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  if (!scene.base_motion) return;
+  const toml::table* stated = reading.file["base_motion"].as_table();
+  const auto look = [&](const char* key, const TimeTable& a) {
+    const toml::node* node = stated == nullptr ? nullptr : stated->get(key);
+    if (node == nullptr || a.value.size() < 2 || a.value.back() == 0 || a.time_s.back() >= scene.analysis.duration_s) {
+      return;
+    }
+    reading.problems.warning(
+        reading.problems.at(node->source()),
+        fmt::format("{} ends at {:.4g} s with {:.4g} m/s2, which then acts to the end of the run, {:.4g} s", key,
+                    a.time_s.back(), a.value.back(), scene.analysis.duration_s),
+        "a last value of 0, or rows to the end", "add a row of 0, or shorten duration_s");
+  };
+  look("acceleration_x_m_per_s2", scene.base_motion->acceleration_x_m_per_s2);
+  look("acceleration_y_m_per_s2", scene.base_motion->acceleration_y_m_per_s2);
+  if (scene.fluid != FluidModel::hydrostatic) return;
+  if (stated == nullptr) return;
+  reading.problems.warning(reading.problems.at(stated->source()),
+                           "still water does not answer to the ground's motion: what its inertia presses with is left "
+                           "out",
+                           "model = \"openfoam\" in [fluid], or [[face_pressure]] for the hydrodynamic pressure",
+                           "take one of both, or know that the water's part is missing");
+}
+
+/// Uplift is by the pressure at a crack's mouth: full of water, one that dips has more below.
+void check_dipping_uplift(const Reading& reading) {
+  constexpr double much = 0.1;  // of the head at the mouth
+  const Scene& scene = reading.scene;
+  if (scene.fluid != FluidModel::hydrostatic || !scene.water.upstream_level_m) return;
+  const double level = highest(*scene.water.upstream_level_m, scene.analysis.duration_s);
+  const double touching_m = 0.5e-6 * structure_size_m(scene.blocks);
+  for (const Joint& joint : scene.joints) {
+    if (joint.law.uplift != Uplift::full) continue;
+    const auto trace = trace_joint(scene.blocks[at(joint.between[0])], scene.blocks[at(joint.between[1])], touching_m);
+    if (trace.pieces.empty()) continue;
+    const double head = level - trace.mouth().y();
+    const double fall = trace.mouth().y() - trace.end().y();
+    if (head <= 0 || fall <= much * head) continue;
+    reading.problems.warning(
+        reading.problems.at(0),
+        fmt::format(
+            "uplift = \"full\" in joint \"{}\" is the pressure at its mouth all along, a head of {:.4g} m; its end "
+            "lies {:.4g} m lower, where water at rest presses by as much more",
+            joint.name, head, fall),
+        "a joint that falls by less than a tenth of the head",
+        "add the rest as [[face_pressure]], or know that it is missing");
+  }
+}
+
 void check_anything_happens(const Reading& reading) {
   const Scene& scene = reading.scene;
   const auto fixed = [](const Block& block) { return block.fixed; };
@@ -163,6 +215,8 @@ void check_effects(const Reading& reading) {
   check_idle_keys(reading);
   check_materials(reading);
   check_reach_of_water(reading);
+  check_base_motion(reading);
+  check_dipping_uplift(reading);
   check_anything_happens(reading);
 }
 

@@ -24,6 +24,7 @@ struct Layout {
   std::string file;
   int column = 2;                ///< of the value, the first being 1
   std::optional<double> step_s;  ///< between rows; without it the first column is the time
+  bool column_stated = false;
   double scale = 1;
 };
 
@@ -68,6 +69,15 @@ std::vector<std::array<double, 2>> rows_of(std::istream& stream, const Layout& l
     if (line.empty() || line[0] == '#' || line[0] == '%') continue;
     const auto fields = fields_of(line);
     if (std::exchange(heading_allowed, false) && is_heading(fields)) continue;
+    if (line.find(',') != std::string::npos && line.find(';') != std::string::npos) {
+      throw Fault{fmt::format("line {} has commas and semicolons", line_number),
+                  "one of both between numbers, and decimal points"};
+    }
+    if (layout.step_s && !layout.column_stated && fields.size() > 1) {
+      throw Fault{
+          fmt::format("line {} has {} numbers, of which step_s makes the first the value", line_number, fields.size()),
+          "one number a row where step_s is given, or `column`; without step_s the first column is the time"};
+    }
     const auto number = [&](std::size_t column) {
       const auto value = column < fields.size() ? number_of(fields[column]) : std::nullopt;
       if (value) return *value;
@@ -99,7 +109,7 @@ void take_record(toml::table& described, const std::filesystem::path& folder, Pr
     if (!table.text("file", layout.file, true)) return;
     double step = 0;
     if (table.number("step_s", step, positive())) layout.step_s = step, layout.column = 1;
-    table.integer("column", layout.column, 1);
+    layout.column_stated = table.integer("column", layout.column, 1);
     table.number("scale", layout.scale);
   }
   const auto refuse = [&](const std::string& found, const char* expected) {

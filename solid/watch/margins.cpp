@@ -6,63 +6,95 @@
 #include <limits>
 
 #include "bridge/scene/at.hpp"
+#include "solid/contact/outline.hpp"
 
 namespace blockweir::solid {
 namespace {
 
-/// What the contacts of one surface bear together.
-struct SurfaceSum {
-  double strength = 0;
-  double shear = 0;
-  double normal = 0;
-  double pressed_or_pulled = 0;  ///< sum of the normal forces' sizes
-  Point moment = Point::Zero();  ///< sum of normal force times place
-  Point low =
-      Point::Constant(std::numeric_limits<double>::infinity());  ///< ends of the surface, as far as contacts reach
-  Point high = -low;
-
-  void add(const ContactPoint& c, const JointProperties& law, const Point& place) {
+/// What the contacts of one surface bear together, along the line from end to end: where some press on other faces
+/// there, as a heel on level ground beside its dipping base, forces count by their parts along that line.
+class SurfaceSum {
+ public:
+  /// First of all contacts: how far they reach.
+  void reach(const Point& place) {
     const auto before = [](const Point& p, const Point& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
-    if (before(place, low)) low = place;
-    if (before(high, place)) high = place;
-    if (c.state == ContactState::open) return;
-    const Strength here = law.strength(c.bond, c.bond_length);
-    strength += std::max(0.0, here.cohesion + c.force.x() * here.friction);
-    // Shear is counted along the edge of one block: seen from the other it keeps its sign.
-    shear += c.force.y();
-    normal += c.force.x();
-    pressed_or_pulled += std::abs(c.force.x());
-    moment += c.force.x() * place;
+    if (before(place, low_)) low_ = place;
+    if (before(high_, place)) high_ = place;
   }
+  [[nodiscard]] double length_m() const { return (high_ - low_).norm(); }
+  [[nodiscard]] Point across() const { return perpendicular(Point(high_ - low_)) / length_m(); }
+
+  /// `force`: on the block above the line.
+  void add(const Strength& law, const Point& force, const Point& place) {
+    const double pressed = across().dot(force);
+    cohesion_ += law.cohesion;
+    friction_ += law.friction * pressed;
+    shear_ += cross(across(), force);
+    normal_ += pressed;
+    pressed_or_pulled_ += force.norm();
+    moment_ += pressed * place;
+  }
+
+  [[nodiscard]] double strength() const { return std::max(0.0, cohesion_ + friction_); }
+  [[nodiscard]] bool is_sheared() const {
+    return std::abs(shear_) > negligible * (std::abs(strength()) + std::abs(normal_));
+  }
+  [[nodiscard]] bool is_pressed() const { return normal_ > negligible * pressed_or_pulled_; }
+  [[nodiscard]] double sliding_factor() const { return strength() / std::abs(shear_); }
   /// Of the resultant from the nearer end, over the surface's length; negative outside.
   [[nodiscard]] double end_distance() const {
-    const Point along = high - low;
-    const double s = along.dot(moment / normal - low) / along.squaredNorm();
+    const Point along = high_ - low_;
+    const double s = along.dot(moment_ / normal_ - low_) / along.squaredNorm();
     return std::min(s, 1 - s);
   }
+
+ private:
+  static constexpr double negligible = 1e-6;
+  Point low_ = Point::Constant(std::numeric_limits<double>::infinity());
+  Point high_ = -low_;
+  double cohesion_ = 0;
+  double friction_ = 0;
+  double shear_ = 0;
+  double normal_ = 0;
+  double pressed_or_pulled_ = 0;  ///< sum of the forces' sizes
+  Point moment_ = Point::Zero();  ///< sum of normal force times place
 };
+
+/// Force on the block whose centre lies farther to this side.
+Point force_on_side(const Solid& solid, const ContactPoint& c, const Point& side) {
+  const Placement& edge = solid.placements()[at(c.edge_part)];
+  const Point t = edge.vector(c.edge_to - c.edge_from).normalized();
+  const Point on_vertex = c.force.x() * Point(t.y(), -t.x()) + c.force.y() * t;
+  const auto& blocks = solid.placements();
+  const Point between = blocks[at(c.vertex_block)].centre() - blocks[at(c.edge_block)].centre();
+  return side.dot(between) > 0 ? on_vertex : Point(-on_vertex);
+}
 
 }  // namespace
 
 void Margins::look(const Solid& solid, double time_s, double level_m) {
-  constexpr double negligible = 1e-6;
   if (!surfaces_) surfaces_.emplace(solid);
   std::vector<SurfaceSum> sums(surfaces_->names().size());
   for (const ContactPoint& c : solid.contacts()) {
-    for (const int surface : surfaces_->of(c.pair())) sums[at(surface)].add(c, solid.laws()[c.law], solid.place(c));
+    for (const int surface : surfaces_->of(c.pair())) sums[at(surface)].reach(solid.place(c));
+  }
+  const auto is_point = [&](const SurfaceSum& sum) { return sum.length_m() <= 1e-6 * solid.size_m(); };
+  for (const ContactPoint& c : solid.contacts()) {
+    if (c.state == ContactState::open) continue;
+    for (const int surface : surfaces_->of(c.pair())) {
+      SurfaceSum& sum = sums[at(surface)];
+      if (is_point(sum)) continue;
+      sum.add(solid.laws()[c.law].strength(c.bond, c.bond_length), force_on_side(solid, c, sum.across()),
+              solid.place(c));
+    }
   }
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    const SurfaceSum& sum = sums[i];
     const auto keep_lowest = [&](std::optional<Margin>& lowest, double value) {
       if (lowest && lowest->value <= value) return;
       lowest = Margin{value, time_s, level_m, surfaces_->names()[i]};
     };
-    if (std::abs(sum.shear) > negligible * (std::abs(sum.strength) + std::abs(sum.normal))) {
-      keep_lowest(sliding_, sum.strength / std::abs(sum.shear));
-    }
-    if (sum.normal > negligible * sum.pressed_or_pulled && (sum.high - sum.low).norm() > negligible * solid.size_m()) {
-      keep_lowest(overturning_, sum.end_distance());
-    }
+    if (sums[i].is_sheared()) keep_lowest(sliding_, sums[i].sliding_factor());
+    if (sums[i].is_pressed()) keep_lowest(overturning_, sums[i].end_distance());
   }
 }
 

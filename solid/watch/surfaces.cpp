@@ -16,11 +16,18 @@ namespace {
 
 using Pair = std::pair<int, int>;
 
+constexpr double straight = 1e-5;  // of the size: by how much points may be beside a line
+
 /// Where a straight joint lies in the scene's outline.
 struct Line {
   double angle = 0;   ///< rad, from just above -pi/2 to just above pi/2
   double offset = 0;  ///< m, of the line from `about`
 };
+
+bool is_point(const std::vector<Point>& points, double tolerance_m) {
+  return std::all_of(points.begin(), points.end(),
+                     [&](const Point& p) { return (p - points.front()).norm() <= tolerance_m; });
+}
 
 /// None where the points are not on one line, or are one point.
 std::optional<Line> line_through(const std::vector<Point>& points, const Point& about, double tolerance_m) {
@@ -104,7 +111,7 @@ std::map<Pair, std::vector<Point>> joint_points(const Solid& solid) {
 
 /// Joints that lie in one line, two or more.
 std::vector<std::set<Pair>> in_one_line(const Solid& solid, const std::map<Pair, std::vector<Point>>& points) {
-  const double tolerance_m = 1e-5 * solid.size_m();
+  const double tolerance_m = straight * solid.size_m();
   constexpr double parallel = 1e-4;  // rad
   std::vector<std::pair<Line, Pair>> lines;
   const Point about = points.empty() ? Point::Zero() : points.begin()->second.front();
@@ -145,11 +152,17 @@ std::string name_of(const Solid& solid, const std::set<Pair>& joints) {
 
 Surfaces::Surfaces(const Solid& solid) {
   const std::map<Pair, std::vector<Point>> points = joint_points(solid);
-  std::vector<Pair> pairs;
-  for (const auto& [pair, at_points] : points) pairs.push_back(pair);
+  const double tolerance_m = straight * solid.size_m();
+  std::vector<Pair> pairs;  // corners that touch in a point hold nothing together
+  for (const auto& [pair, at_points] : points) {
+    if (!is_point(at_points, tolerance_m)) pairs.push_back(pair);
+  }
   const Connections connections(solid, pairs);
   std::vector<std::set<Pair>> candidates = in_one_line(solid, points);
-  for (const Pair& pair : pairs) candidates.push_back({pair});
+  // What is bent, as the base of a dam with its toe in the ground, slides on none of its faces alone.
+  for (const Pair& pair : pairs) {
+    if (line_through(points.at(pair), Point::Zero(), tolerance_m)) candidates.push_back({pair});
+  }
   for (const std::set<Pair>& joints : candidates) {
     if (!connections.parted_by(joints)) continue;
     for (const Pair& pair : joints) of_pair_[pair].push_back(static_cast<int>(names_.size()));

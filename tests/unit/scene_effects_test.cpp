@@ -229,4 +229,36 @@ TEST(SceneEffects, AMaterialOfNoBlockIsAWarning) {
       {"[material.spare] has no effect: no block is of it"});
 }
 
+TEST(SceneEffects, GroundThatShakesUnderStillWaterIsAWarning) {
+  const std::string shaken = "[base_motion]\nacceleration_x_m_per_s2 = ";
+  expect_warning(before_supports(shaken + "{ sine = 1, frequency_hz = 2 }\n"), 31,
+                 {"still water does not answer to the ground's motion", "model = \"openfoam\""});
+  EXPECT_THAT(warnings(with("model = \"hydrostatic\"", "model = \"openfoam\"")), IsEmpty());
+}
+
+TEST(SceneEffects, ARecordThatEndsInTheMidstOfTheRunIsAWarning) {
+  const auto shaken = [](const std::string& rows) {
+    return before_supports("[base_motion]\nacceleration_x_m_per_s2 = { table = " + rows + " }\n");
+  };
+  EXPECT_THAT(warnings(shaken("[[0, 0], [1, 0.2]]")),
+              testing::Contains(
+                  HasSubstr("s.toml:32: warning: acceleration_x_m_per_s2 ends at 1 s with 0.2 m/s2, which then acts "
+                            "to the end of the run, 2 s; expected a last value of 0")));
+  for (const char* rows : {"[[0, 0], [1, 0]]", "[[0, 0], [2, 0.2]]"}) {
+    EXPECT_THAT(warnings(shaken(rows)), ElementsAre(HasSubstr("still water"))) << rows;
+  }
+}
+
+TEST(SceneEffects, FullUpliftOfACrackThatFallsIsAWarning) {
+  const auto falling = [](const std::string& y) {
+    std::string scene = with("[3, 2], [0, 2]]", "[3, " + y + "], [0, 2]]");
+    scene.replace(scene.find("[[0, 2], [3, 2]"), 15, "[[0, 2], [3, " + y + "]");
+    scene.replace(scene.find("cohesion_pa = 1e5"), 17, "uplift = \"full\"");
+    return scene;
+  };
+  EXPECT_THAT(warnings(falling("1.95")), IsEmpty());
+  EXPECT_THAT(warnings(falling("1")),
+              testing::Contains(HasSubstr("its end lies 1 m lower, where water at rest presses by as much more")));
+}
+
 }  // namespace

@@ -160,6 +160,9 @@ TEST_F(SceneRecord, FaultsNameTheFileAndItsLine) {
   EXPECT_THAT(complaint("0,1e300\n1,2\n", ", scale = 1e300"), HasSubstr("the value at line 1 is too large"));
   EXPECT_THAT(complaint("0,1\n1,2\n", ", step_s = 0"), HasSubstr("step_s in a record in a file is 0"));
   EXPECT_THAT(complaint("0,1\n1,2\n", ", colum = 2"), HasSubstr("did you mean \"column\"?"));
+  EXPECT_THAT(complaint("0,1\n1,2\n", ", step_s = 1"),
+              HasSubstr("line 1 has 2 numbers, of which step_s makes the first the value; expected one number a row"));
+  EXPECT_THAT(complaint("0;0,5\n1;0,7\n"), HasSubstr("line 1 has commas and semicolons; expected one of both"));
   std::string rows;
   for (int i = 0; i <= 100'000; ++i) rows += "1\n";
   EXPECT_THAT(complaint(rows, ", step_s = 1"), HasSubstr("more than 100000 rows"));

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_watch
+// The sliding factor and the resultant of a structure that stands, where its ground is no plane.
+#include "solid/watch/margins.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/verification/scenes.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// A dam on ground of this outline, under gravity that is tilted downstream by 25 degrees.
+scene::Scene dam_on(const std::vector<Point>& ground, const Point& toe) {
+  auto scene = empty_scene();
+  add(scene, ground, true);
+  add(scene, {{0, 0}, toe, {4, 14}, {0, 14}});
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 40;
+  scene.analysis.gravity_tilt_deg = 25;
+  scene.analysis.rigid = scene::Rigid::all;
+  return scene;
+}
+
+Margins margins_of(const scene::Scene& scene) {
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 0.05);
+  Margins margins;
+  margins.look(solid, 0.05, 0);
+  return margins;
+}
+
+/// The heel lies in the corner between level ground and its base: some of what it bears presses on the level ground.
+TEST(Margins, CountForcesAlongTheBaseWhereItsEndsMeetOtherFaces) {
+  for (const double rise : {0.5, 1.0, 2.0}) {
+    const auto scene = dam_on({{-20, -5}, {30, -5}, {30, 3 * rise}, {0, 0}, {-20, 0}}, {10, rise});
+    const Margins margins = margins_of(scene);
+    ASSERT_TRUE(margins.sliding()) << rise;
+    const double dip = std::atan(rise / 10);
+    const double factor = std::tan(40 * degree) / std::tan(25 * degree - dip);
+    EXPECT_NEAR(margins.sliding()->value / factor, 1, 1e-6) << rise;
+  }
+}
+
+TEST(Margins, TellNoFactorOfABaseWithItsToeInTheGround) {
+  const auto scene = dam_on({{-20, -5}, {30, -5}, {30, 2}, {10, 2}, {10, 0}, {-20, 0}}, {10, 0});
+  auto keyed = scene;
+  keyed.blocks[1].vertices = {{0, 0}, {10, 0}, {10, 3}, {4, 14}, {0, 14}};
+  EXPECT_FALSE(margins_of(keyed).any_surface());
+}
+
+/// Rock that touches the dam in the one point under its heel.
+TEST(Margins, AreToldWhereACornerOfTheRockTouchesTheHeel) {
+  auto scene = empty_scene();
+  add(scene, {{-20, -5}, {0, -5}, {0, 0}, {-20, 0}}, true);
+  add(scene, {{0, -5}, {30, -5}, {30, 0}, {0, 0}}, true);
+  add(scene, {{0, 0}, {10, 0}, {4, 14}, {0, 14}});
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 40;
+  scene.analysis.gravity_tilt_deg = 20;
+  scene.analysis.rigid = scene::Rigid::all;
+  const Margins margins = margins_of(scene);
+  ASSERT_TRUE(margins.sliding());
+  EXPECT_NEAR(margins.sliding()->value, std::tan(40 * degree) / std::tan(20 * degree), 1e-6);
+}
+
+}  // namespace
+}  // namespace blockweir::solid
