@@ -15,8 +15,11 @@ TEST(SceneCases, WarnOfNothingThatIsNotMeant) {
       ++scenes;
       for (const Diagnostic& warning : read.warnings) {
         // Blocks as light as air, so that no strain is seen over thirteen powers of ten.
-        const bool meant = entry.path().filename() == "ratios.toml" && warning.found.find("density") == 0;
-        EXPECT_TRUE(meant) << variant << ": " << warning.text();
+        const bool light = entry.path().filename() == "ratios.toml" && warning.found.find("density") == 0;
+        // The cracks of the paper's dams fall, and its full uplift is that of their mouths.
+        const bool papers = entry.path().string().find("/cracked-dam-") != std::string::npos &&
+                            warning.found.find("uplift = \"full\"") == 0;
+        EXPECT_TRUE(light || papers) << variant << ": " << warning.text();
       }
     };
     const ReadScene scene = read(entry.path());
