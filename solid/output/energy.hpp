@@ -27,6 +27,8 @@ class EnergyWatch {
   [[nodiscard]] const Energy& now() const { return now_; }
   /// Over what the run has had: the largest sum of the three energies' sizes and the work; 0 where nothing has moved.
   [[nodiscard]] double gain() const { return scale_ > 0 ? made_ / scale_ : 0; }
+  /// J per metre.
+  [[nodiscard]] double made_j_per_m() const { return made_; }
   /// Empty where that is little.
   [[nodiscard]] std::string warning(const Solid& solid) const;
 
