@@ -9,7 +9,8 @@
 namespace blockweir::solid {
 
 bool may_sweep(const Step& step, const StepMode& mode) {
-  return (mode.sweeps || mode.in_motion()) && !mode.smooth_only && !step.formulation->solves_for_forces();
+  return (mode.sweeps || mode.in_motion()) && !mode.smooth_only && !mode.friction_lags &&
+         !step.formulation->solves_for_forces();
 }
 
 Found find_equilibrium(Step& step, IslandEquations& island, const StepMode& mode, bool newton) {

@@ -51,6 +51,7 @@ struct State : Standing {
   ContactSearch search;
   Pause whole_law;  ///< of Coulomb, by Newton's method: fails where friction has to lag or contacts to be swept
   Pause finish;     ///< by Newton's method, of what sweeps have found
+  Pause lagging;    ///< friction, where sweeps end far from their laws
 
   void stand_as(const Standing& before);
   /// Nothing has a velocity, nor an acceleration.
@@ -68,7 +69,7 @@ struct State : Standing {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(blocks, contacts, contacts_stand, next_dt, started, time_s, rest, sleep, guard, water_work, energy,
-            smooth_steps, search, whole_law, finish);
+            smooth_steps, search, whole_law, finish, lagging);
     for (Support& support : supports) archive(support);
     for (Bolt& bolt : bolts) archive(bolt);
   }

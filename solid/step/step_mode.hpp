@@ -23,6 +23,7 @@ struct StepMode {
   bool friction_lags = false;  ///< bounds of shear follow the normal forces from behind
   bool pivots = false;         ///< where states of small islands at rest run in circles
   bool sweeps = false;         ///< where all else has failed on the way to rest
+  bool roughly = false;        ///< sweeps count wherever they end
 
   /// Of states that only pass, not looked for as states of rest.
   [[nodiscard]] bool in_motion() const { return scheme.damps; }
@@ -30,6 +31,7 @@ struct StepMode {
   [[nodiscard]] StepMode by_whole_law() const { return with(&StepMode::friction_lags, false); }
   [[nodiscard]] StepMode with_pivoting() const { return with(&StepMode::pivots, true); }
   [[nodiscard]] StepMode with_sweeps() const { return with(&StepMode::sweeps, true); }
+  [[nodiscard]] StepMode with_rough_sweeps() const { return with(&StepMode::roughly, true); }
 
  private:
   [[nodiscard]] StepMode with(bool StepMode::*what, bool on) const {

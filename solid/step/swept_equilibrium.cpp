@@ -59,6 +59,8 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
     if (!small) exact ? state_.finish.succeeded() : state_.finish.failed();
     if (exact) return Found::by_newton;
   }
+  // Off by more than a fall through the step, a structure that stands would be thrown.
+  if (left_m > trial_.fall_m() && !mode.roughly) return Found::nothing;
   counts_.residual_m = std::max(counts_.residual_m, left_m);
   take_forces(s);
   s.balance_alone();

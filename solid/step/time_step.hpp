@@ -29,6 +29,7 @@ class TimeStep : StepPart {
 
  private:
   [[nodiscard]] double timed() const;
+  Outcome try_far_from_laws(const Stretch& stretch, const StepMode& mode);
   bool find_contacts();
   void begin(const Stretch& stretch, const StepMode& mode);
   void begin_contacts(const StepMode& mode);

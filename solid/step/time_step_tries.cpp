@@ -19,7 +19,7 @@ Outcome TimeStep::try_all(const Stretch& stretch, const StepMode& mode) {
   if (!mode.in_motion() && outcome == Outcome::made) state_.whole_law.succeeded();
   if (outcome != Outcome::not_found) return outcome;
   if (step_.substitute) return attempt_by_substitute(stretch, mode);
-  if (mode.in_motion()) return outcome;
+  if (mode.in_motion()) return try_far_from_laws(stretch, mode);
   const auto large = [](const IslandEquations& s) { return s.unknowns->total > large_island; };
   if (std::none_of(islands_.begin(), islands_.end(), large)) {
     outcome = attempt_softly(stretch, mode);
@@ -30,6 +30,16 @@ Outcome TimeStep::try_all(const Stretch& stretch, const StepMode& mode) {
     if (outcome == Outcome::made) state_.whole_law.failed();
   }
   return outcome;
+}
+
+/// Where sweeps have ended far from their laws: friction lags, or they count all the same.
+Outcome TimeStep::try_far_from_laws(const Stretch& stretch, const StepMode& mode) {
+  Outcome outcome = Outcome::not_found;
+  if (!state_.lagging.skips()) {
+    outcome = attempt_with_lagging_friction(stretch, mode);
+    outcome == Outcome::not_found ? state_.lagging.failed() : state_.lagging.succeeded();
+  }
+  return outcome == Outcome::not_found ? attempt(stretch, mode.with_rough_sweeps()) : outcome;
 }
 
 /// A large penalty leaves a sticking contact a narrow range of slips, in which Newton's method may jump to and fro
@@ -65,7 +75,7 @@ Outcome TimeStep::attempt_by_substitute(const Stretch& stretch, const StepMode& 
   const TradePlaces stands_in(formulation_, step_.substitute);
   const Outcome outcome = attempt(stretch, mode);
   if (outcome == Outcome::made || outcome == Outcome::too_far) return outcome;
-  return attempt_with_lagging_friction(stretch, mode);
+  return mode.in_motion() ? try_far_from_laws(stretch, mode) : attempt_with_lagging_friction(stretch, mode);
 }
 
 }  // namespace blockweir::solid
