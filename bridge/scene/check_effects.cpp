@@ -159,8 +159,7 @@ void check_base_motion(const Reading& reading) {
   };
   look("acceleration_x_m_per_s2", scene.base_motion->acceleration_x_m_per_s2);
   look("acceleration_y_m_per_s2", scene.base_motion->acceleration_y_m_per_s2);
-  if (scene.fluid != FluidModel::hydrostatic) return;
-  if (stated == nullptr) return;
+  if (scene.fluid != FluidModel::hydrostatic || stated == nullptr) return;
   reading.problems.warning(reading.problems.at(stated->source()),
                            "still water does not answer to the ground's motion: what its inertia presses with is left "
                            "out",

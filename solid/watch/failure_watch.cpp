@@ -8,6 +8,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
+#include "solid/contact/outline.hpp"
 #include "solid/watch/failure_mode.hpp"
 #include "solid/watch/joint_name.hpp"
 #include "solid/watch/mobility.hpp"
@@ -41,7 +42,7 @@ bool is_one_surface(const LeftJoint& a, const LeftJoint& b) {
   if (a.trace.pieces.empty() || b.trace.pieces.empty()) return &a == &b;
   const Point u = a.trace.end() - a.trace.mouth();
   const Point v = b.trace.end() - b.trace.mouth();
-  return std::abs(u.x() * v.y() - u.y() * v.x()) <= sine * u.norm() * v.norm();
+  return std::abs(cross(u, v)) <= sine * u.norm() * v.norm();
 }
 
 /// Of the joints that the body leaves, the one that begins nearest to the higher pool; where it slides, of the surface
@@ -67,20 +68,19 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
   if (slides && std::any_of(left.begin(), left.end(), bears_from_the_start)) {
     std::erase_if(left, [](const LeftJoint& j) { return j.trace.pieces.empty(); });
   }
-  const auto surface_bears = [&](const LeftJoint& joint) {
-    double sum = 0;
-    for (const LeftJoint& other : left) sum += is_one_surface(joint, other) ? other.normal : 0;
-    return sum;
-  };
-  double most = 0;
-  for (const LeftJoint& joint : left) most = std::max(most, surface_bears(joint));
+  std::vector<double> borne(left.size(), 0);  // by the whole surface of each
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    for (const LeftJoint& other : left) borne[i] += is_one_surface(left[i], other) ? other.normal : 0;
+  }
+  const double most = left.empty() ? 0 : *std::max_element(borne.begin(), borne.end());
   FailedJoint failed;
   double farthest = std::numeric_limits<double>::infinity();  // downstream of the pool, m
-  for (const LeftJoint& joint : left) {
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const LeftJoint& joint = left[i];
     const bool pressed = joint.normal > bears * whole;
     const bool untouched = joint.trace.pieces.empty();
     if (!pressed && (untouched || slides)) continue;
-    if (slides && surface_bears(joint) < most) continue;
+    if (slides && borne[i] < most) continue;
     double x = std::numeric_limits<double>::max();
     if (!untouched) x = from_downstream ? -joint.trace.end().x() : joint.trace.mouth().x();
     if (x >= farthest) continue;

@@ -92,11 +92,11 @@ class Overhead : public OpenFoam {
 TEST_F(Overhead, OfTheBlocksIsSmall) {
   compare(40, "", "two blocks");
 }
-TEST_F(Overhead, DISABLED_OfTheBlocksOnAFineMesh) {
+TEST_F(Overhead, OfTheBlocksOnAFineMesh) {
   compare(80, "", "two blocks");
 }
 /// A solid as slow as the water: both sides at once, or in turn.
-TEST_F(Overhead, DISABLED_OfTheSchedules) {
+TEST_F(Overhead, OfTheSchedules) {
   compare(40, set("block.base.mesh_size_m=2") + set("block.top.mesh_size_m=2"), "two blocks with meshes");
 }
 

@@ -169,6 +169,12 @@ class PassingCorners : public testing::Test {
   void press() {
     for (ContactPoint& c : contacts_) c.state = ContactState::stick;
   }
+  /// Of the edge that the first contact presses on, to its outside.
+  [[nodiscard]] Point normal() const {
+    const ContactPoint& c = contacts_.front();
+    const Point t = (c.edge_to - c.edge_from).normalized();
+    return (c.edge_block == 0 ? 1 : -1) * Point(t.y(), -t.x());
+  }
   /// After a step that takes the right one so far.
   bool entered(double x_m, double y_m) {
     std::vector<Placement> after = placements_;
@@ -206,6 +212,45 @@ TEST_F(PassingCorners, AreOneOnceAStepHasTakenOneIntoTheOther) {
   EXPECT_GE(contacts(), 1U) << "when the step is done again";
   EXPECT_FALSE(entered(-0.02, 0)) << "it is held now";
   EXPECT_EQ(contacts(), 0U) << "in the step that follows";
+}
+
+/// Two planes that cross askew: the left block, above one of them, and the right one, below it, touch in the crossing.
+class CornersOfCrossingPlanes : public PassingCorners {
+ protected:
+  explicit CornersOfCrossingPlanes(const Point& shift = Point(0, 0))
+      : PassingCorners(moved({{0, 0}, {-0.6, -0.3}, {2.04, -2.28}, {2.4, -1.8}}, shift),
+                       moved({{0, 0}, {0.6, 0.3}, {-1.24, 1.68}, {-1.6, 1.2}}, shift)) {}
+  static std::vector<Point> moved(std::vector<Point> outline, const Point& by) {
+    for (Point& p : outline) p += by;
+    return outline;
+  }
+};
+
+TEST_F(CornersOfCrossingPlanes, PassAlongEither) {
+  EXPECT_EQ(contacts(), 0U);
+  EXPECT_FALSE(entered(0.008, -0.006));
+  EXPECT_FALSE(entered(-0.006, -0.003));
+  EXPECT_EQ(contacts(), 0U);
+}
+
+TEST_F(CornersOfCrossingPlanes, PressOnTheEdgeThatAStepHasLeftLeastBehind) {
+  EXPECT_EQ(contacts(), 0U);
+  EXPECT_TRUE(entered(0.008 - 1e-4, -0.006 - 1e-3));
+  ASSERT_EQ(contacts(), 1U) << "when the step is done again";
+  EXPECT_FALSE(entered(0.008 - 1e-4, -0.006 - 1e-3)) << "it is held now";
+  EXPECT_GT(normal().dot(Point(0.6, 0.8)), 0.999) << "of the plane that it slides on";
+}
+
+/// Round-off has moved one corner by some 1e-15 m.
+class CornersOfCrossingPlanesElsewhere : public CornersOfCrossingPlanes {
+ protected:
+  CornersOfCrossingPlanesElsewhere() : CornersOfCrossingPlanes(Point(10.1, 7.3)) {}
+};
+
+TEST_F(CornersOfCrossingPlanesElsewhere, PassAllTheSame) {
+  EXPECT_EQ(contacts(), 0U);
+  EXPECT_FALSE(entered(0.008, -0.006));
+  EXPECT_FALSE(entered(-0.006, -0.003));
 }
 
 /// A heel that has slid past the corner of the ground, down its dipping base.
