@@ -2,7 +2,6 @@
 // Corners that meet: of all pairs of vertex and edge that describe one contact, the search keeps one.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "bridge/scene/at.hpp"
@@ -168,22 +167,29 @@ void ContactSearch::keep_one_of_each_meeting() {
 /// Corners that touch in a point, as those of bricks that slide over others, press only once one has entered. By which
 /// edge is seen then. Faces that share no more than blocks give way by catch on each other no longer than that.
 void ContactSearch::let_pass(std::vector<std::size_t>& kept_for) {
-  constexpr auto passes = std::numeric_limits<std::size_t>::max();
+  const auto kept = [&](std::size_t i) {
+    while (kept_for[i] != i) i = kept_for[i];
+    return i;
+  };
+  std::vector<char> passes(found_.size(), 0);
+  for (std::size_t i = 0; i < found_.size(); ++i) passes[i] = kept_for[i] == i && passes_alone(found_[i]);
   for (std::size_t i = 0; i < found_.size(); ++i) {
-    const ContactPoint& c = found_[i];
-    // Faces askew to the way that they pass along lie over each other by their distance times a cotangent.
-    constexpr double steepest = 10;
-    const bool open = c.state == ContactState::open && c.length <= std::max(give_, steepest * c.gap);
-    const bool catches = c.length > 0 && c.length <= give_;
-    if (kept_for[i] == i && (open || catches) && c.gap > -give_ && may_pass(c) && !did_enter(c)) {
-      kept_for[i] = passes;
-    }
+    if (did_enter(found_[i])) passes[kept(i)] = 0;
   }
+  std::vector<std::size_t> let;
   for (std::size_t i = 0; i < found_.size(); ++i) {
-    std::size_t k = i;
-    while (k != passes && kept_for[k] != k) k = kept_for[k];
-    if (k == passes) passing_.push_back(found_[i]);
+    if (passes[kept(i)] != 0) passing_.push_back(found_[i]), let.push_back(i);
   }
+  for (const std::size_t i : let) kept_for[i] = found_.size();
+}
+
+/// By itself, whatever else describes its meeting. Faces askew to the way that they pass along lie over each other by
+/// their distance times a cotangent. Behind the edge counts from the edge itself: steps would add up.
+bool ContactSearch::passes_alone(const ContactPoint& c) const {
+  constexpr double steepest = 10;
+  const bool open = c.state == ContactState::open && c.length <= std::max(give_, steepest * c.gap);
+  const bool catches = c.length > 0 && c.length <= give_;
+  return (open || catches) && c.gap + c.gap_at_start > -give_ && may_pass(c);
 }
 
 }  // namespace blockweir::solid

@@ -36,14 +36,14 @@ double overlap(const Point& vertex, const Point& end, const Point& a, const Poin
 }  // namespace
 
 ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m,
-                             double farthest_reach_m, double give_m)
+                             double farthest_reach_m)
     : parts_(parts),
       laws_(laws),
       dilates_(laws.dilate()),
       reach_(std::min(reach_m, farthest_reach_m)),
       farthest_reach_(farthest_reach_m),
       coincidence_(1e-7 * size_m),
-      give_(std::max(2 * coincidence_, give_m)) {
+      give_(2 * coincidence_) {
   corners_.resize(parts.outlines.size());
   boxes_.resize(parts.outlines.size());
   for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());

@@ -2,6 +2,7 @@
 // Narrow phase: which vertices may touch which edges in the coming step, and what they remember.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -22,10 +23,8 @@ class ContactSearch {
   /// The farthest that a block among others may turn in a step: which vertices may meet which edges holds about as long
   /// [rad].
   static constexpr double most_turn = 0.05;
-  /// The reach begins with `reach_m` and grows with what blocks move, up to `farthest_reach_m`. Corners that slide over
-  /// each other do not catch on steps of up to `give_m`, by which blocks strain and contact springs give way.
-  ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m, double farthest_reach_m,
-                double give_m = 0);
+  /// The reach begins with `reach_m` and grows with what blocks move, up to `farthest_reach_m`.
+  ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m, double farthest_reach_m);
 
   /// Contacts for a step that starts from `placements`; a contact that was in `contacts` keeps its memory, one
   /// that takes over its place (the vertex passed to the next edge, or its twin across the joint) inherits it.
@@ -34,6 +33,10 @@ class ContactSearch {
   /// Outlines in the scene are known to this only [m]: points so near are one. True where they were not before, and the
   /// search begins anew.
   [[nodiscard]] bool rounds_to(double rounding_m);
+
+  /// Corners that slide over each other do not catch on steps of up to `give_m`, by which blocks strain and contact
+  /// springs give way.
+  void passes_steps_of(double give_m) { give_ = std::max(2 * coincidence_, give_m); }
 
   /// Did a step that moved a vertex so far stay within what was looked at? Two blocks may move towards each other. If
   /// not, the next search looks farther.
@@ -68,6 +71,7 @@ class ContactSearch {
   [[nodiscard]] double nearness(const ContactPoint& c) const;
   void keep_one_of_each_meeting();
   void let_pass(std::vector<std::size_t>& kept_for);
+  [[nodiscard]] bool passes_alone(const ContactPoint& c) const;
   void count_from_passing();
   [[nodiscard]] const Point& vertex_of(const ContactPoint& c) const;
   [[nodiscard]] std::pair<Point, Point> edge_of(const ContactPoint& c) const;

@@ -84,17 +84,17 @@ double Model::typical_width_m() const {
 
 double Model::give_under_weight_m() const {
   constexpr double share = 4;    // of a column's shortening, rho g L^2/E
-  constexpr double most = 1e-3;  // of the size
+  constexpr double most = 1e-2;  // of a block's width
   const bool springs = scene.contact.formulation == scene::ContactFormulation::penalty;
   double give = 0;
   for (const Block& block : blocks) {
-    if (block.rigid && !springs) continue;
+    if (!springs && (block.rigid || block.fixed)) continue;
     double modulus = block.elasticity(0, 0);
     if (springs) modulus = std::min(modulus, scene.contact.stiffness_n_per_m2.value_or(modulus));
     const double weight = block.mass_per_m() / block.area * scene.analysis.gravity_m_per_s2;
     give = std::max(give, share * weight * size_m * size_m / modulus);
   }
-  return std::min(give, most * size_m);
+  return std::min(give, most * typical_width_m());
 }
 
 double Model::pseudo_step_s() const {

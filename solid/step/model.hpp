@@ -37,7 +37,7 @@ struct Model {
   /// Median over the movable blocks of the lesser side of the box around each [m].
   [[nodiscard]] double typical_width_m() const;
   /// At most about as much as corners move against each other where blocks strain, or contacts are springs, under their
-  /// weight and as much again of water and wedging [m].
+  /// weight and as much again of water and wedging [m]; at most a hundredth of a block's width.
   [[nodiscard]] double give_under_weight_m() const;
   /// Of a step long against every elastic period, so that inertia only regularizes: 2 M/dt^2 is 1e-4 of the elastic
   /// modulus [s].

@@ -56,8 +56,7 @@ State::State(Model& model)
       sleep(model.blocks.size(), model.size_m),
       // A twentieth of a block's width is more than most steps move it, and meets neighbours only.
       search(model.parts, model.laws, model.size_m, 0.05 * model.typical_width_m(),
-             ContactSearch::reach_per_move * model.scene.analysis.max_displacement_ratio * model.size_m,
-             model.give_under_weight_m()) {
+             ContactSearch::reach_per_move * model.scene.analysis.max_displacement_ratio * model.size_m) {
   blocks = first_motions(model);
   supports = make_supports(model.scene, model.parts);
   for (const scene::Bolt& bolt : model.scene.bolts) bolts.push_back(make_bolt(bolt, model.parts));
@@ -70,6 +69,7 @@ State::State(Model& model)
   }
   bond_touching_contacts(model.laws);
   model.make_rigid(contacts);
+  search.passes_steps_of(model.give_under_weight_m());
 }
 
 void State::stand_as(const Standing& before) {
@@ -122,6 +122,12 @@ void State::bond_touching_contacts(const JointLaws& laws) {
       c->bond_length = bonded < 0 || whole == 0 ? c->length : c->length * std::min(1.0, bonded / whole);
     }
   }
+}
+
+double State::fastest_m_per_s() const {
+  double fastest = 0;
+  for (const BlockState& block : blocks) fastest = std::max(fastest, block.velocity.head<2>().norm());
+  return fastest;
 }
 
 double State::largest_displacement_m(const Model& model) const {

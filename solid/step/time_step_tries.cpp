@@ -32,10 +32,12 @@ Outcome TimeStep::try_all(const Stretch& stretch, const StepMode& mode) {
   return outcome;
 }
 
-/// Where sweeps have ended far from their laws: friction lags, or they count all the same.
+/// Where sweeps have ended far from their laws. What stands is worth the thousands of solutions that lagging friction
+/// may take; of what falls they count all the same.
 Outcome TimeStep::try_far_from_laws(const Stretch& stretch, const StepMode& mode) {
   Outcome outcome = Outcome::not_found;
-  if (!state_.lagging.skips()) {
+  const double standing_m_per_s = model_.scene.analysis.gravity_m_per_s2 * stretch.dt;  // of a fall through the step
+  if (state_.fastest_m_per_s() <= standing_m_per_s && !state_.lagging.skips()) {
     outcome = attempt_with_lagging_friction(stretch, mode);
     outcome == Outcome::not_found ? state_.lagging.failed() : state_.lagging.succeeded();
   }
