@@ -12,11 +12,11 @@
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/peak_memory.hpp"
 #include "bridge/results/saving.hpp"
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "bridge/schedule/processes.hpp"
 #include "bridge/schedule/run.hpp"
-#include "solid/output/recorder.hpp"
+#include "solid/coupled_solid.hpp"
 
 namespace blockweir::schedule {
 namespace {
@@ -143,7 +143,7 @@ FluidReport run_process(SolidProcess process) {
   checkpoint::Checkpoints checkpoints(process.folder, "solid", scene.digest, scene.output.checkpoint_every_s);
   if (first == 0) checkpoint::forget(process.folder);
   Reports reports(process.progress_fd, scene.analysis.duration_s);
-  solid::output::Recorder recorder(
+  solid::CoupledSolid recorder(
       scene, process.folder, first == 0 ? results::Begin::anew : results::Begin::where_it_stopped,
       {.run = [&](double time_s, double level_m, double moved_m) { reports.run(time_s, level_m, moved_m); },
        .settling = [&](long solutions) { reports.settling(solutions); },

@@ -13,7 +13,7 @@
 #include "bridge/launch/study.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 
 namespace blockweir::launch {
 namespace {

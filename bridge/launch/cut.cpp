@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
+#include "bridge/geometry/outline.hpp"
+#include "bridge/geometry/polygon.hpp"
 #include "bridge/launch/gnuplot.hpp"
 #include "bridge/results/folder.hpp"
-#include "bridge/scene/outline.hpp"
-#include "bridge/scene/polygon.hpp"
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 
 namespace blockweir::launch {
 namespace {
@@ -22,10 +22,10 @@ std::string terminal_for(const std::filesystem::path& file) {
   throw std::invalid_argument(fmt::format("--out {}: expected a name that ends in .png or .svg", file.string()));
 }
 
-scene::Bounds bounds_of_all(const scene::Scene& scene) {
-  scene::Bounds all = scene::bounds_of(scene.blocks.front().vertices);
+geometry::Bounds bounds_of_all(const scene::Scene& scene) {
+  geometry::Bounds all = geometry::bounds_of(scene.blocks.front().vertices);
   for (const scene::Block& block : scene.blocks) {
-    const scene::Bounds one = scene::bounds_of(block.vertices);
+    const geometry::Bounds one = geometry::bounds_of(block.vertices);
     all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
   }
   return all;
@@ -38,7 +38,7 @@ std::string style_of(const scene::Block& block) {
 }
 
 void draw(const scene::Scene& scene, const std::filesystem::path& out) {
-  const scene::Bounds all = bounds_of_all(scene);
+  const geometry::Bounds all = bounds_of_all(scene);
   const scene::Point span = all.high - all.low;
   const scene::Point edge = scene::Point::Constant(0.03 * all.size());
   const double aspect = std::clamp(span.y() / span.x(), 0.2, 3.0);
@@ -51,7 +51,7 @@ void draw(const scene::Scene& scene, const std::filesystem::path& out) {
   for (const scene::Block& block : scene.blocks) {
     script += gnuplot_polygon(++number, block.vertices, style_of(block));
     if (scene.blocks.size() > most_names) continue;
-    const scene::Point middle = scene::centroid(block.vertices);
+    const scene::Point middle = geometry::centroid(block.vertices);
     script += fmt::format("set label {} {} at {},{} center front font ',8'\n", number, gnuplot_text(block.name),
                           middle.x(), middle.y());
   }
@@ -68,7 +68,7 @@ void cut(const CutOptions& options) {
   const scene::Scene& scene = read.scene;
   draw(scene, options.out);
   std::vector<double> areas;
-  for (const scene::Block& block : scene.blocks) areas.push_back(scene::signed_area(block.vertices));
+  for (const scene::Block& block : scene.blocks) areas.push_back(geometry::signed_area(block.vertices));
   const auto [smallest, largest] = std::minmax_element(areas.begin(), areas.end());
   const auto fixed = std::count_if(scene.blocks.begin(), scene.blocks.end(), [](const auto& b) { return b.fixed; });
   fmt::print("{} blocks ({} fixed) of {:.4g} to {:.4g} m2, {} joints; drawn in {}\n", areas.size(), fixed, *smallest,

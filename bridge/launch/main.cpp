@@ -18,8 +18,8 @@
 #include "bridge/launch/validate.hpp"
 #include "bridge/launch/write_case.hpp"
 #include "bridge/scene/exit_status.hpp"
-#include "bridge/scene/nearest.hpp"
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/nearest.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
 
 namespace {

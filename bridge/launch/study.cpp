@@ -12,8 +12,8 @@
 #include "bridge/launch/run.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
-#include "bridge/scene/nearest.hpp"
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/nearest.hpp"
+#include "bridge/scene/read/read.hpp"
 
 namespace blockweir::launch {
 namespace {

@@ -12,7 +12,7 @@
 #include "bridge/launch/temporary_folder.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 
 namespace blockweir::launch {
 namespace {

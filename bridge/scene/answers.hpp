@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The figures that a scene may expect, and the formulas that yield them: their names, what each speaks of and what it
-// needs of the scene. How they are computed is the solid's (solid/output): a scene is refused for a wrong one before
+// needs of the scene. How they are computed is the solid's (solid/expect): a scene is refused for a wrong one before
 // anything runs.
 #pragma once
 

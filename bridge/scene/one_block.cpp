@@ -5,15 +5,15 @@
 
 #include <algorithm>
 
+#include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/joint_trace.hpp"
-#include "bridge/scene/polygon.hpp"
 #include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::scene {
 namespace {
 
 double height_of(const Block& block) {
-  return centroid(block.vertices).y();
+  return geometry::centroid(block.vertices).y();
 }
 
 /// Does downstream water ever reach above y?

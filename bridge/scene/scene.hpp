@@ -204,10 +204,10 @@ struct Output {
 
 /// One figure that the case states, to be compared after the run; exactly one of value, word and formula.
 struct Expectation {
-  std::string quantity;  ///< see solid/output/quantities
+  std::string quantity;  ///< see solid/expect/quantities
   std::optional<double> value;
   std::string word;           ///< of a quantity that is no number, as the mode of failure
-  std::string formula;        ///< see solid/output/formulas
+  std::string formula;        ///< see solid/expect/formulas
   std::string of;             ///< the block or joint that quantity and formula speak of; may be empty
   std::optional<Point> at_m;  ///< the point of that block, as in the scene's outline
   double tolerance = 1e-3;    ///< relative

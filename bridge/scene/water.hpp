@@ -2,16 +2,16 @@
 // What a scene says of its water, of the model that computes its pressure, and of the exchange with that model.
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "bridge/geometry/point.hpp"
 #include "bridge/scene/time_table.hpp"
 
 namespace blockweir::scene {
 
-using Point = Eigen::Vector2d;  ///< m; x downstream, y up
+using geometry::Point;
 
 enum class NodalRule { consistent, lumped };
 enum class Atmosphere { none, wet_faces };

@@ -2,7 +2,7 @@
 #include "fluid/column/column.hpp"
 
 #include "bridge/checkpoint/archive.hpp"
-#include "bridge/scene/polygon.hpp"
+#include "bridge/geometry/polygon.hpp"
 #include "bridge/wire/placement.hpp"
 
 namespace blockweir::column {
@@ -22,7 +22,7 @@ Column::Column(const scene::Scene& scene)
   const auto edge = static_cast<std::size_t>(column_.edge);
   const Point& from = outline[edge];
   const Point& to = outline[(edge + 1) % outline.size()];
-  centroid_ = scene::centroid(outline);
+  centroid_ = geometry::centroid(outline);
   middle_ = (from + to) / 2;
   width_m_ = (to - from).norm();
   into_ = Point(to.y() - from.y(), from.x() - to.x()) / width_m_;

@@ -4,7 +4,7 @@
 
 #include "bridge/channel/line_options.hpp"
 #include "bridge/scene/exit_status.hpp"
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "bridge/schedule/run.hpp"
 #include "fluid/column/column.hpp"

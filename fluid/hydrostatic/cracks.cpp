@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "bridge/scene/block_index.hpp"
+#include "bridge/scene/read/block_index.hpp"
 #include "bridge/wire/panels.hpp"
 
 namespace blockweir::hydrostatic {
@@ -48,7 +48,7 @@ std::vector<Crack> single_joints(const scene::Scene& scene, double touching_m) {
   const scene::BlockIndex index(scene.blocks);
   for (std::size_t a = 0; a < scene.blocks.size(); ++a) {
     const Point margin = Point::Constant(2 * touching_m);
-    scene::Bounds reach = scene::bounds_of(scene.blocks[a].vertices);
+    geometry::Bounds reach = geometry::bounds_of(scene.blocks[a].vertices);
     reach = {reach.low - margin, reach.high + margin};
     std::vector<std::size_t> near = index.meeting(reach);
     std::sort(near.begin(), near.end());

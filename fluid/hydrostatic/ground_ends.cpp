@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/outline.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
@@ -76,9 +76,9 @@ double bed_length(double end_m, double bed_m, const scene::Scene& scene, double 
 GroundEnds find_ground_ends(const scene::Scene& scene) {
   const std::optional<bool> wets_ends = scene.water.wets_ends;
   if (scene.blocks.empty() || wets_ends.value_or(false)) return {};
-  scene::Bounds model = scene::bounds_of(scene.blocks.front().vertices);
+  geometry::Bounds model = geometry::bounds_of(scene.blocks.front().vertices);
   for (const scene::Block& block : scene.blocks) {
-    const scene::Bounds one = scene::bounds_of(block.vertices);
+    const geometry::Bounds one = geometry::bounds_of(block.vertices);
     model = {model.low.cwiseMin(one.low), model.high.cwiseMax(one.high)};
   }
   const double near = 1e-6 * model.size();
@@ -101,7 +101,7 @@ GroundEnds find_ground_ends(const scene::Scene& scene) {
 }
 
 bool lowest_floats(const scene::Scene& scene) {
-  const auto height = [](const scene::Block& block) { return scene::bounds_of(block.vertices).low.y(); };
+  const auto height = [](const scene::Block& block) { return geometry::bounds_of(block.vertices).low.y(); };
   const auto lowest = std::min_element(scene.blocks.begin(), scene.blocks.end(),
                                        [&](const auto& a, const auto& b) { return height(a) < height(b); });
   if (lowest == scene.blocks.end() || is_held(scene, static_cast<int>(lowest - scene.blocks.begin()))) return false;

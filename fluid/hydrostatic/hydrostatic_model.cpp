@@ -9,10 +9,10 @@
 #include <tuple>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "bridge/geometry/polygon.hpp"
 #include "bridge/results/saving.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/polygon.hpp"
 #include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
 
@@ -75,7 +75,7 @@ HydrostaticModel::HydrostaticModel(const scene::Scene& scene) : scene_(scene), c
   structure_.ground = find_ground_ends(scene);
   structure_.floats = lowest_floats(scene);
   for (const scene::Block& block : scene.blocks) {
-    centroids_.push_back(scene::centroid(block.vertices));
+    centroids_.push_back(geometry::centroid(block.vertices));
     structure_.outlines.push_back(block.vertices);
   }
 }

@@ -2,7 +2,7 @@
 // blockweir-hydrostatic: the reference fluid as a process of its own.
 #include "bridge/channel/line_options.hpp"
 #include "bridge/scene/exit_status.hpp"
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "bridge/schedule/processes.hpp"
 #include "bridge/schedule/run.hpp"

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <deque>
 
-#include "bridge/scene/polygon.hpp"
+#include "bridge/geometry/polygon.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
@@ -199,7 +199,7 @@ ReservoirMesh extract(Triangulation& mesh) {
 ReservoirMesh mesh_reservoir(const std::vector<Ring>& region, const std::vector<InterfaceElement>& interface,
                              double size_m, double near_m) {
   double area = 0;
-  for (const Ring& ring : region) area += scene::signed_area(ring);
+  for (const Ring& ring : region) area += geometry::signed_area(ring);
   if (area <= 0) return {};
   constexpr double most_nodes = 50000;
   const double size = std::max(size_m, std::sqrt(area / most_nodes));

@@ -7,9 +7,7 @@
 namespace blockweir::hydrostatic {
 namespace {
 
-double cross(const Point& a, const Point& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
+using geometry::cross;
 
 constexpr double sharpest_mitre =
     -0.766;  // cosine of a turn of 140 degrees: the corner grows by 2.92 times the distance

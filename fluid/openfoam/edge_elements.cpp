@@ -12,10 +12,6 @@ constexpr double open_cells = 3;    // a wider one carries all of it
 constexpr double parallel = 0.26;   // sine of the angle beyond which two faces bound a corner and not a gap: 15 degrees
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double cross(const Point& a, const Point& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// From nothing to all of it between two and three cells, without a kink.
 double openness_of(double gap_cells) {
   const double x = std::clamp((gap_cells - sealed_cells) / (open_cells - sealed_cells), 0.0, 1.0);

@@ -16,7 +16,7 @@ constexpr double uniform_depths = 0.25;  // of uniform cells beside the structur
 constexpr std::size_t most_cells = 10'000'000;
 
 /// The ground's underside is not where water goes: the lowest vertex above it.
-double find_floor(const scene::Scene& scene, const scene::Bounds& model, bool ground) {
+double find_floor(const scene::Scene& scene, const geometry::Bounds& model, bool ground) {
   if (!ground) return model.low.y();
   double floor = model.high.y();
   for (const scene::Block& block : scene.blocks) {
@@ -58,7 +58,7 @@ Grid make_grid(const scene::Scene& scene) {
   const scene::OpenFoam& o = scene.openfoam;
   Grid grid;
   grid.site = find_site(scene);
-  const scene::Bounds& model = grid.site.model;
+  const geometry::Bounds& model = grid.site.model;
   const double level = grid.site.highest_m;
   const double left = grid.site.structure_left_m;
   const double right = grid.site.structure_right_m;

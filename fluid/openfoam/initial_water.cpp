@@ -61,7 +61,7 @@ InitialWater initial_water(const Grid& g, const scene::Scene& scene) {
   water.reference_level_m = std::max(upstream, downstream);
   if (std::isfinite(upstream)) water.reference_level_m = upstream;
   for (const auto& drawn : scene.openfoam.initial_water_m) {
-    if (!std::isfinite(water.reference_level_m)) water.reference_level_m = scene::bounds_of(drawn).high.y();
+    if (!std::isfinite(water.reference_level_m)) water.reference_level_m = geometry::bounds_of(drawn).high.y();
   }
   const double buoyancy =
       (scene.water.density_kg_per_m3 - scene.openfoam.air_density_kg_per_m3) * scene.analysis.gravity_m_per_s2;

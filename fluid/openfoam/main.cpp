@@ -4,7 +4,7 @@
 
 #include "bridge/channel/line_options.hpp"
 #include "bridge/scene/exit_status.hpp"
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "fluid/openfoam/run_case.hpp"
 
 int main(int argc, char** argv) {

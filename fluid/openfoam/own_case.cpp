@@ -117,7 +117,7 @@ void make_what_lacks(const fs::path& folder) {
 Surroundings own_surroundings(const scene::Scene& scene) {
   Surroundings around{find_site(scene), {}};
   around.depth_m = around.site.highest_m - around.site.model.low.y();
-  const scene::Bounds& model = around.site.model;
+  const geometry::Bounds& model = around.site.model;
   const double beyond = beyond_any_mesh * model.size();
   around.outlines = outlines_up_to(model.low.x() - beyond, model.high.x() + beyond, around.site, scene);
   return around;

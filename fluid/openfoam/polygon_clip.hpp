@@ -2,12 +2,14 @@
 // How much of a mesh cell a block fills. C++17: the OpenFOAM plugin includes this.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
+
+#include "bridge/geometry/point.hpp"
 
 namespace blockweir::openfoam {
 
-using Point = Eigen::Vector2d;
+using geometry::cross;
+using geometry::Point;
 using Polygon = std::vector<Point>;
 
 /// Signed area [m2], positive for a counter-clockwise outline.
@@ -16,7 +18,7 @@ inline double area(const Polygon& polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point& p = polygon[i];
     const Point& q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    twice += p.x() * q.y() - p.y() * q.x();
+    twice += cross(p, q);
   }
   return twice / 2;
 }

@@ -77,7 +77,7 @@ std::vector<double> filled_cells(const Grid& g, const std::vector<std::vector<sc
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - lines.begin() - 1));
   };
   for (const Polygon& outline : outlines) {
-    const scene::Bounds box = scene::bounds_of(outline);
+    const geometry::Bounds box = geometry::bounds_of(outline);
     for (std::size_t j = first(g.y, box.low.y()); j < g.rows() && g.y[j] < box.high.y(); ++j) {
       for (std::size_t i = first(g.x, box.low.x()); i < g.columns() && g.x[i] < box.high.x(); ++i) {
         const std::size_t cell = j * g.columns() + i;

@@ -10,10 +10,10 @@
 namespace blockweir::openfoam {
 namespace {
 
-scene::Bounds bounds(const scene::Scene& scene) {
-  scene::Bounds all = scene::bounds_of(scene.blocks.front().vertices);
+geometry::Bounds bounds(const scene::Scene& scene) {
+  geometry::Bounds all = geometry::bounds_of(scene.blocks.front().vertices);
   for (const scene::Block& block : scene.blocks) {
-    const scene::Bounds one = scene::bounds_of(block.vertices);
+    const geometry::Bounds one = geometry::bounds_of(block.vertices);
     all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
   }
   return all;
@@ -29,13 +29,13 @@ double highest(const std::optional<scene::TimeTable>& level) {
 double highest_water(const scene::Scene& scene) {
   double level = std::max(highest(scene.water.upstream_level_m), highest(scene.water.downstream_level_m));
   for (const auto& outline : scene.openfoam.initial_water_m)
-    level = std::max(level, scene::bounds_of(outline).high.y());
+    level = std::max(level, geometry::bounds_of(outline).high.y());
   return level;
 }
 
 /// Fixed blocks with a face on the model's left or right end whose top is under water are ground. Others, and what only
 /// touches the end with its foot, are a wall.
-std::vector<int> find_ground(const scene::Scene& scene, const scene::Bounds& model, double level_m) {
+std::vector<int> find_ground(const scene::Scene& scene, const geometry::Bounds& model, double level_m) {
   std::vector<int> ground;
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     if (!scene.blocks[b].fixed) continue;
@@ -126,7 +126,7 @@ Site find_site(const scene::Scene& scene) {
   site.loose_right_m = site.structure_right_m = site.model.low.x();
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     if (site.is_ground(b)) continue;
-    const scene::Bounds block = scene::bounds_of(scene.blocks[b].vertices);
+    const geometry::Bounds block = geometry::bounds_of(scene.blocks[b].vertices);
     site.loose_left_m = std::min(site.loose_left_m, block.low.x());
     site.loose_right_m = std::max(site.loose_right_m, block.high.x());
     if (block.high.y() <= bed) continue;

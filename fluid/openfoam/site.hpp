@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "bridge/scene/outline.hpp"
+#include "bridge/geometry/outline.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::openfoam {
 
 struct Site {
-  scene::Bounds model;      ///< of all blocks
+  geometry::Bounds model;   ///< of all blocks
   double highest_m = 0;     ///< that water reaches by its levels, or is drawn to
   std::vector<int> ground;  ///< fixed blocks that go on level beyond the model's ends
   double bed_left_m = 0;    ///< top of the ground there, loose blocks on a fixed one among it; minus infinity: none

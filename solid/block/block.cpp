@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solid/geometry/polygon_moments.hpp"
+#include "bridge/geometry/polygon_moments.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -23,7 +23,7 @@ Eigen::Matrix3d elastic_matrix(const scene::Material& material, scene::Plane pla
 }
 
 /// Rows of T at (X, Y): (1, 0, -Y, X, 0, Y/2) and (0, 1, X, 0, Y, X/2); centroid terms integrate to zero.
-Inertia inertia_of(const PolygonMoments& m, double density) {
+Inertia inertia_of(const geometry::PolygonMoments& m, double density) {
   const double difference = (m.xx - m.yy) / 2;
   const double half = m.xy / 2;
   Eigen::Matrix4d M;
@@ -49,7 +49,7 @@ Retardation retardation_of(const Block& block, const scene::Material& material) 
 }
 
 Block make_block(const scene::Block& described, const scene::Material& material, scene::Plane plane) {
-  const PolygonMoments moments = polygon_moments(described.vertices);
+  const geometry::PolygonMoments moments = geometry::polygon_moments(described.vertices);
   Block block;
   block.name = described.name;
   block.centroid = moments.centroid;

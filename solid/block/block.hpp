@@ -11,7 +11,7 @@
 
 namespace blockweir::solid {
 
-using Point = Eigen::Vector2d;
+using geometry::Point;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Matrix26 = Eigen::Matrix<double, 2, 6>;

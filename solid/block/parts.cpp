@@ -5,9 +5,9 @@
 #include <limits>
 #include <map>
 
+#include "bridge/geometry/mesh.hpp"
+#include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/outline.hpp"
-#include "bridge/section/mesh.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -30,7 +30,7 @@ void couple(Parts& parts, int i, int j) {
   parts.couplings.push_back({i, j, share * a.area * b.area * a.elasticity});
 }
 
-void smooth(Parts& parts, const section::Mesh& mesh, int first, const Retardation& retardation) {
+void smooth(Parts& parts, const geometry::Mesh& mesh, int first, const Retardation& retardation) {
   std::map<std::pair<int, int>, int> side_of;  // (low node, high node): the triangle that was met first
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     parts.blocks[at(first + t)].stiffness.setZero();
@@ -40,7 +40,7 @@ void smooth(Parts& parts, const section::Mesh& mesh, int first, const Retardatio
       if (!is_first) couple(parts, first + other->second, first + t);
     }
   }
-  for (const section::BoundarySide& side : mesh.boundary) {
+  for (const geometry::BoundarySide& side : mesh.boundary) {
     Block& triangle = parts.blocks[at(first + side.triangle)];
     triangle.stiffness += triangle.area / 3 * triangle.elasticity;
   }
@@ -49,7 +49,7 @@ void smooth(Parts& parts, const section::Mesh& mesh, int first, const Retardatio
 
 void add_mesh(Parts& parts, const scene::Block& described, const scene::Material& material, scene::Plane plane,
               int block) {
-  const section::Mesh mesh = section::triangulate(described.vertices, described.mesh_size_m);
+  const geometry::Mesh mesh = geometry::triangulate(described.vertices, described.mesh_size_m);
   const int first = static_cast<int>(parts.blocks.size());
   for (const auto& corners : mesh.triangles) {
     scene::Block triangle = described;
@@ -60,7 +60,7 @@ void add_mesh(Parts& parts, const scene::Block& described, const scene::Material
     parts.triangles[at(block)].push_back(static_cast<int>(parts.blocks.size()) - 1);
   }
   smooth(parts, mesh, first, parts.blocks[at(block)].retardation);
-  for (const section::BoundarySide& side : mesh.boundary) {
+  for (const geometry::BoundarySide& side : mesh.boundary) {
     parts.outlines[at(block)].push_back({first + side.triangle, side.side, side.edge, side.s_from, side.s_to});
   }
   parts.nodes += static_cast<int>(mesh.nodes.size());

@@ -11,9 +11,7 @@ namespace blockweir::solid {
 
 constexpr double parallel_tolerance = 0.05;  // rad; edges closer in direction than this lie on each other
 
-inline double cross(const Point& a, const Point& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
+using geometry::cross;
 
 inline std::size_t next(std::size_t i, std::size_t count) {
   return i + 1 == count ? 0 : i + 1;

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "bridge/results/result_file.hpp"
-#include "solid/output/frame.hpp"
+#include "solid/watch/frame.hpp"
 
 namespace blockweir::solid::output {
 

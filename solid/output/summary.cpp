@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "bridge/scene/at.hpp"
-#include "solid/output/formulas.hpp"
-#include "solid/output/words.hpp"
+#include "solid/expect/formulas.hpp"
+#include "solid/expect/words.hpp"
 #include "solid/watch/joint_name.hpp"
 
 namespace blockweir::solid::output {
@@ -59,7 +59,7 @@ std::string doubt(const Solid& solid, const Failure& f) {
       f.level_uncertainty_m);
 }
 
-json failure(const Outcome& o) {
+json failure(const expect::Outcome& o) {
   const Failure& first = o.failure.failures().front();
   json names = json::array();
   for (const Failure& f : o.failure.failures()) {
@@ -91,7 +91,7 @@ json moving(const Solid& solid, const Moving& m) {
                            name, m.speed_m_per_s, m.travel_m)}};
 }
 
-json margin(const Outcome& o) {
+json margin(const expect::Outcome& o) {
   const auto place = [](const Margin& m) {
     return fmt::format(" joint \"{}\" at {:.4g} s", m.joint, m.time_s) +
            (std::isnan(m.level_m) ? "" : fmt::format(", level {:.5g} m", m.level_m));
@@ -124,7 +124,7 @@ json margin(const Outcome& o) {
 }
 
 /// A pool whose level at the end has not acted: a window holds the level that it begins with.
-void add_levels_not_reached(const Outcome& o, json& warnings) {
+void add_levels_not_reached(const expect::Outcome& o, json& warnings) {
   const scene::Scene& scene = o.solid.scene();
   if (scene.fluid != scene::FluidModel::hydrostatic || o.last.time_s < scene.analysis.duration_s) return;
   const auto look = [&](const char* pool, const std::optional<scene::TimeTable>& table, double acted_m) {
@@ -141,16 +141,16 @@ void add_levels_not_reached(const Outcome& o, json& warnings) {
   look("downstream", scene.water.downstream_level_m, o.last.downstream_level_m);
 }
 
-json number_check(const Outcome& outcome, const scene::Expectation& e) {
+json number_check(const expect::Outcome& outcome, const scene::Expectation& e) {
   double got = std::numeric_limits<double>::quiet_NaN();
   std::string why_none;
   try {
-    got = quantity(outcome, e);
-  } catch (const NoFigure& none) {
+    got = expect::quantity(outcome, e);
+  } catch (const expect::NoFigure& none) {
     why_none = none.what();
   }
   if (!e.word.empty()) throw std::runtime_error(fmt::format("{} is a number, and the answer a word", e.quantity));
-  const double expected = e.value ? *e.value : formula(outcome.solid.scene(), e);
+  const double expected = e.value ? *e.value : expect::formula(outcome.solid.scene(), e);
   const double error = expected == 0 ? std::abs(got) : std::abs(got / expected - 1);
   json check = {{"expected", expected},
                 {"got", got},
@@ -162,10 +162,10 @@ json number_check(const Outcome& outcome, const scene::Expectation& e) {
 }
 
 /// Right or wrong: a word has no error between.
-json word_check(const Outcome& outcome, const scene::Expectation& e) {
-  const std::string got = word(outcome, e);
+json word_check(const expect::Outcome& outcome, const scene::Expectation& e) {
+  const std::string got = expect::word(outcome, e);
   if (e.value) throw std::runtime_error(fmt::format("{} is a word, and the answer a number", e.quantity));
-  const std::string expected = e.word.empty() ? word_formula(outcome.solid.scene(), e) : e.word;
+  const std::string expected = e.word.empty() ? expect::word_formula(outcome.solid.scene(), e) : e.word;
   return {{"expected", expected},
           {"got", got},
           {"relative_error", got == expected ? 0.0 : 1.0},
@@ -181,12 +181,12 @@ json no_check(const char* trouble) {
 
 }  // namespace
 
-json checks(const Outcome& outcome) {
+json checks(const expect::Outcome& outcome) {
   json list = json::array();
   for (const scene::Expectation& e : outcome.solid.scene().expectations) {
     json check;
     try {
-      check = is_word(e.quantity) ? word_check(outcome, e) : number_check(outcome, e);
+      check = expect::is_word(e.quantity) ? word_check(outcome, e) : number_check(outcome, e);
     } catch (const std::runtime_error& error) {
       check = no_check(error.what());
     }
@@ -209,7 +209,7 @@ std::string residual_warning(const scene::Scene& scene, const Counts& counts) {
       counts.residual_m, most * scene.analysis.failure_displacement_m, most, scene.analysis.step_s);
 }
 
-json summary(const Outcome& outcome) {
+json summary(const expect::Outcome& outcome) {
   const scene::Scene& scene = outcome.solid.scene();
   const Counts counts = outcome.solid.counts();
   json text = {{"title", scene.title},

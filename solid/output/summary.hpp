@@ -4,14 +4,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "solid/output/quantities.hpp"
+#include "solid/expect/quantities.hpp"
 
 namespace blockweir::solid::output {
 
 /// The figures that the case states, each beside what the run gave.
-nlohmann::json checks(const Outcome& outcome);
+nlohmann::json checks(const expect::Outcome& outcome);
 
 /// All of the summary but what the caller times itself (keys wall_time_s, profile_s).
-nlohmann::json summary(const Outcome& outcome);
+nlohmann::json summary(const expect::Outcome& outcome);
 
 }  // namespace blockweir::solid::output

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "bridge/vtk/collection.hpp"
-#include "solid/output/frame.hpp"
+#include "solid/watch/frame.hpp"
 
 namespace blockweir::solid::output {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/check.hpp"
+#include "bridge/scene/read/check.hpp"
 
 namespace blockweir::solid {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/check.hpp"
+#include "bridge/scene/read/check.hpp"
 #include "solid/watch/joint_name.hpp"
 
 namespace blockweir::solid {

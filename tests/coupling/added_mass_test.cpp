@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_schedule
 // The solid's process against water, here the test's own, that is heavier than the block it resists.
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "bridge/schedule/run.hpp"
 #include "tests/processes.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Drawings with bytes changed, lost and put in: each is read or refused with a reason, and none crashes.
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <random>
 
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 
 namespace blockweir::scene {
 namespace {

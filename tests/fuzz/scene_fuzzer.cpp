@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "tests/fuzz/spoiler.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);

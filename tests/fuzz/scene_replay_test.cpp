@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Scenes spoiled at random, with a fixed seed: each gives a scene or a SceneError, never a crash and never a hang.
 #include <gtest/gtest.h>
 

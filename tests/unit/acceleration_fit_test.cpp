@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_output
 // The acceleration of a run from its displacements.
-#include "solid/output/acceleration_fit.hpp"
+#include "solid/watch/acceleration_fit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace blockweir::solid::output {
+namespace blockweir::solid {
 namespace {
 
 double fitted(double ringing_m) {
@@ -39,4 +39,4 @@ TEST(AccelerationFit, TwoTimesSayNothing) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid

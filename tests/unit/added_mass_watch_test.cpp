@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_process
 // Added masses of a load: the largest ratio is kept, what an explicit schedule cannot carry is refused by name.
-#include "solid/output/added_mass_watch.hpp"
+#include "solid/watch/added_mass_watch.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "solid/output/recorder.hpp"
+#include "solid/coupled_solid.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::solid::output {
+namespace blockweir::solid {
 namespace {
 
 using testing::HasSubstr;
@@ -136,8 +136,8 @@ class Recorded : public test::OwnFolder {
 
 TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
   const auto scene = two_blocks();
-  Recorder recorder(scene, folder, results::Begin::anew,
-                    {[](double, double, double) {}, [](long) {}, [](std::uint64_t, double, long) {}});
+  CoupledSolid recorder(scene, folder, results::Begin::anew,
+                        {[](double, double, double) {}, [](long) {}, [](std::uint64_t, double, long) {}});
   wire::Motion motion;
   recorder.start(load_of({}, {}));
   recorder.place(motion);
@@ -151,10 +151,10 @@ TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
 TEST_F(Recorded, ARunIsRefusedAtItsFirstLoad) {
   auto scene = two_blocks();
   scene.coupling.added_mass_guard = false;
-  Recorder recorder(scene, folder, results::Begin::anew,
-                    {[](double, double, double) {}, [](long) {}, [](std::uint64_t, double, long) {}});
+  CoupledSolid recorder(scene, folder, results::Begin::anew,
+                        {[](double, double, double) {}, [](long) {}, [](std::uint64_t, double, long) {}});
   EXPECT_THROW(recorder.start(load_of({3 * mass, 0, 0, 0, 0, 0}, {})), std::runtime_error);
 }
 
 }  // namespace
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "bridge/scene/answers.hpp"
-#include "solid/output/formulas.hpp"
-#include "solid/output/words.hpp"
+#include "solid/expect/formulas.hpp"
+#include "solid/expect/words.hpp"
 
-namespace blockweir::solid::output {
+namespace blockweir::solid::expect {
 namespace {
 
 std::vector<std::string> both(std::vector<std::string> names, const std::vector<std::string>& more) {
@@ -26,4 +26,4 @@ TEST(Answers, FormulasOfASceneAreTheSolids) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid::expect

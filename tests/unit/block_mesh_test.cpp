@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_section
+// links: bridge_geometry
 // Triangles of a block: they fill its outline, and know where they lie on it.
 #include <gtest/gtest.h>
 
-#include "bridge/section/mesh.hpp"
+#include "bridge/geometry/mesh.hpp"
 
-namespace blockweir::section {
+namespace blockweir::geometry {
 namespace {
-
-using Point = Eigen::Vector2d;
 
 double twice_area(const Point& a, const Point& b, const Point& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
@@ -72,4 +70,4 @@ TEST(BlockMesh, NoAngleIsBelowTwentyDegreesWhereTheOutlineHasNone) {
 }
 
 }  // namespace
-}  // namespace blockweir::section
+}  // namespace blockweir::geometry

@@ -3,8 +3,8 @@
 // Exact moments, the mass matrix and the shape matrix of a block.
 #include <gtest/gtest.h>
 
+#include "bridge/geometry/polygon_moments.hpp"
 #include "solid/block/panel.hpp"
-#include "solid/geometry/polygon_moments.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -20,7 +20,7 @@ const scene::Material concrete{"concrete", 50e9, 0.2, 2500};
 
 TEST(Block, MomentsOfARectangleFarFromTheOriginAreExact) {
   const std::vector<Point> r = {{1000, 500}, {1006, 500}, {1006, 508}, {1000, 508}};
-  const PolygonMoments m = polygon_moments(r);
+  const geometry::PolygonMoments m = geometry::polygon_moments(r);
   EXPECT_DOUBLE_EQ(m.area, 48);
   EXPECT_DOUBLE_EQ(m.centroid.x(), 1003);
   EXPECT_DOUBLE_EQ(m.xx, 8 * 6.0 * 6 * 6 / 12);

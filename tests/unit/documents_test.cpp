@@ -10,8 +10,8 @@
 #include <set>
 #include <sstream>
 
-#include "solid/output/formulas.hpp"
-#include "solid/output/quantities.hpp"
+#include "solid/expect/formulas.hpp"
+#include "solid/expect/quantities.hpp"
 
 namespace {
 
@@ -76,11 +76,11 @@ std::multiset<std::string> listed(const std::string& heading) {
 }
 
 TEST(Documents, AllFiguresThatCanBeExpectedAreListedOnce) {
-  namespace output = blockweir::solid::output;
-  auto quantities = output::quantity_names();
+  namespace expect = blockweir::solid::expect;
+  auto quantities = expect::quantity_names();
   quantities.insert(quantities.end(), {"invariants", "mode", "stability"});  // those that are words
   EXPECT_THAT(listed("quantity"), testing::UnorderedElementsAreArray(quantities));
-  auto formulas = output::formula_names();
+  auto formulas = expect::formula_names();
   formulas.insert(formulas.end(), {"slide-or-topple", "schedule-stability"});
   EXPECT_THAT(listed("formula"), testing::UnorderedElementsAreArray(formulas));
 }

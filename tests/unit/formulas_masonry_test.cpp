@@ -3,9 +3,9 @@
 // Limit analysis of arches against published values and geometry.
 #include <gtest/gtest.h>
 
-#include "solid/output/formulas.hpp"
+#include "solid/expect/formulas.hpp"
 
-namespace blockweir::solid::output {
+namespace blockweir::solid::expect {
 namespace {
 
 double arch_thickness(int voussoirs, double mean_radius_m, double embrace_deg) {
@@ -46,4 +46,4 @@ TEST(ArchThickness, UnderTiltedGravityIsAnError) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid::expect

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "bridge/scene/read.hpp"
-#include "solid/output/formulas.hpp"
+#include "bridge/scene/read/read.hpp"
+#include "solid/expect/formulas.hpp"
 
-namespace blockweir::solid::output {
+namespace blockweir::solid::expect {
 namespace {
 
 TEST(TopplingSlope, OfGoodmanAndBrayNeedsThePublishedFriction) {
@@ -51,4 +51,4 @@ TEST(TopplingSlope, ChangesNothingWithTheUnitOfLength) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid::expect

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: fluid_openfoam bridge_scene
+// links: fluid_openfoam bridge_scene_read
 // Which cells press on which part of an edge: ledges, berms, corners and slots of every size against the mesh, without
 // interFoam. BLOCKWEIR_CAMPAIGN=N draws N structures at random.
 #include <cstdlib>

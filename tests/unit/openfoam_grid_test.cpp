@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: fluid_openfoam bridge_scene
+// links: fluid_openfoam bridge_scene_read
 // Meshes and waters that cannot be made from a scene.
 #include "fluid/openfoam/grid.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: fluid_openfoam bridge_scene
+// links: fluid_openfoam bridge_scene_read
 // Stokes's wave against its own relations; inflow and waves that OpenFOAM's mesh cannot do.
 #include "fluid/openfoam/inflow_limits.hpp"
 #include "tests/unit/scene_sample.hpp"

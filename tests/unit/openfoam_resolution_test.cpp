@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: fluid_openfoam bridge_scene
+// links: fluid_openfoam bridge_scene_read
 // Shapes that a mesh is too coarse for are refused before interFoam starts, with the mesh that it takes.
 #include "tests/unit/openfoam_shapes.hpp"
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "fluid/openfoam/initial_water.hpp"
 #include "fluid/openfoam/looks.hpp"
 #include "fluid/openfoam/pool_cells.hpp"

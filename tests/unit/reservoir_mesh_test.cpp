@@ -7,13 +7,13 @@
 #include <map>
 #include <set>
 
-#include "bridge/scene/polygon.hpp"
+#include "bridge/geometry/polygon.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
 
-using scene::signed_area;
+using geometry::signed_area;
 
 /// A dam on a ground with a block that lies under water before it; 20 elements to a face.
 std::vector<std::vector<Point>> dam_and_sunken_block() {
@@ -40,7 +40,7 @@ PoolSection pool_at(double level_m, const std::vector<std::vector<Point>>& outli
 }
 
 double area_of(const ReservoirMesh& mesh, const std::array<std::size_t, 3>& t) {
-  return signed_area(std::vector<Point>{mesh.node[t[0]], mesh.node[t[1]], mesh.node[t[2]]});
+  return geometry::signed_area(std::vector<Point>{mesh.node[t[0]], mesh.node[t[1]], mesh.node[t[2]]});
 }
 
 TEST(ReservoirMesh, TrianglesFillThePool) {
@@ -53,7 +53,7 @@ TEST(ReservoirMesh, TrianglesFillThePool) {
     area += area_of(mesh, t);
   }
   double region = 0;
-  for (const Ring& ring : pool.region) region += signed_area(ring);
+  for (const Ring& ring : pool.region) region += geometry::signed_area(ring);
   EXPECT_NEAR(area / region, 1, 1e-12);
   EXPECT_GT(mesh.triangle.size(), 1500U);
 }
@@ -77,7 +77,7 @@ TEST(ReservoirMesh, LinearPressureHasItsGradientInEveryTriangle) {
     buoyancy += area_of(mesh, t) * gradient;
   }
   double region = 0;
-  for (const Ring& ring : pool.region) region += signed_area(ring);
+  for (const Ring& ring : pool.region) region += geometry::signed_area(ring);
   EXPECT_NEAR(buoyancy.y() / (-9810 * region), 1, 1e-12);
 }
 

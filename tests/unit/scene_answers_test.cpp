@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // A figure that the scene does not have what it speaks of is an error of the scene: each row of both tables.
 #include <fmt/format.h>
 

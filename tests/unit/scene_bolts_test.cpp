@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Bolts in a scene: both ends, stiffness, prestress and yield, and what is said of wrong ones.
 #include <gtest/gtest.h>
 

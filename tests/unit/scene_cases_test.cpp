@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // The project's own scenes and their variants are sound, and warn of nothing that is not meant.
 #include "tests/unit/scene_sample.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Cuts, sets of joints and regions that leave nothing in the section are said.
 #include "tests/unit/scene_sample.hpp"
 

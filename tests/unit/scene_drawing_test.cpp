@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // A section from a DXF drawing: layers, laws, supports, and drawings that do not serve.
 #include <gtest/gtest.h>
 
-#include "bridge/scene/polygon.hpp"
+#include "bridge/geometry/polygon.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+using namespace blockweir;
 using namespace blockweir::scene;
 using testing::HasSubstr;
 using testing::SizeIs;
@@ -79,7 +80,7 @@ TEST_F(Drawing, LinesThatMeetCloseTheOutlineAndSmallerRingsAreHoles) {
 TEST_F(Drawing, UnitsAreMetresUnlessSaid) {
   const Scene s =
       read(scene(drawing(square + entity("POINT", "supports", point(0, 0))), "", "dxf_unit_m = 0.5\n")).scene;
-  EXPECT_EQ(signed_area(s.blocks[0].vertices), 4);
+  EXPECT_EQ(geometry::signed_area(s.blocks[0].vertices), 4);
 }
 
 TEST_F(Drawing, KeysBesideItAreChecked) {

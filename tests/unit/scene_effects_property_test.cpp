@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // In random sound scenes, from 3 mm to 3 km, every statement without effect that is put in is reported, and nothing
 // else is. BLOCKWEIR_SCENES=10000 makes so many scenes; the seed of each is its number.
 #include <fmt/format.h>

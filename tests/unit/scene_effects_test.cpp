@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // What a scene states and does not get is said: an error, or a warning where it may be meant.
 #include "tests/unit/scene_sample.hpp"
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Wrong outlines, overlaps, blocks that nothing holds, loads beside their blocks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <ctime>
 
-#include "bridge/scene/polygon.hpp"
+#include "bridge/geometry/polygon.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+using namespace blockweir;
 using namespace blockweir::scene;
 using sample::errors;
 using sample::expect_error;
@@ -87,7 +88,7 @@ TEST(SceneOutline, AClockwiseOneIsMendedAndSaidSo) {
   ASSERT_THAT(read.notes, SizeIs(1));
   EXPECT_EQ(read.notes[0].text(), "s.toml:15: note: block \"a\" runs clockwise; it was taken the other way round");
   const auto& vertices = read.scene.blocks[1].vertices;
-  EXPECT_EQ(signed_area(vertices), 1.0);
+  EXPECT_EQ(geometry::signed_area(vertices), 1.0);
   EXPECT_EQ(vertices[0], Point(0, 0));
   EXPECT_EQ(vertices[1], Point(1, 0));
 }

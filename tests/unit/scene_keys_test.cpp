@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Wrong keys, types and values of a scene: each message with its line.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Lengths that a scene does not state are fractions of its structure's size, from 3 mm to 3 km.
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Loads in time: base motion, line and body loads, initial stress, records in files.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Unusual magnitudes are warned of: each row of the table, and what is unusual beside something else.
 #include <fmt/format.h>
 
 #include <map>
 #include <regex>
 
-#include "bridge/scene/magnitudes.hpp"
+#include "bridge/scene/read/magnitudes.hpp"
 #include "tests/unit/scene_sample.hpp"
 
 using namespace blockweir::scene;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Arches, walls and heaps: the blocks that they produce, and each message about what is wrong in them.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "bridge/scene/polygon.hpp"
+#include "bridge/geometry/polygon.hpp"
 #include "tests/unit/scene_sample.hpp"
 
 namespace {
 
+using namespace blockweir;
 using namespace blockweir::scene;
 
 /// A scene of nothing but what is generated; the generator's heading is line 7.
@@ -33,7 +34,7 @@ const Block& named(const std::vector<Block>& blocks, const std::string& name) {
 
 double area_of(const std::vector<Block>& blocks, bool fixed) {
   double sum = 0;
-  for (const Block& block : blocks) sum += block.fixed == fixed ? signed_area(block.vertices) : 0;
+  for (const Block& block : blocks) sum += block.fixed == fixed ? geometry::signed_area(block.vertices) : 0;
   return sum;
 }
 
@@ -46,10 +47,10 @@ TEST(SceneWall, RunningBondShiftsEveryOtherRow) {
   ASSERT_EQ(blocks.size(), 4U + 5U + 4U);
   EXPECT_NEAR(area_of(blocks, true) + area_of(blocks, false), 3 * 0.2 * 4 * 0.5, 1e-12);
   EXPECT_NEAR(area_of(blocks, true), 0.4, 1e-12);
-  EXPECT_NEAR(signed_area(named(blocks, "w2-1").vertices), 0.05, 1e-12);
-  EXPECT_NEAR(signed_area(named(blocks, "w2-2").vertices), 0.1, 1e-12);
-  EXPECT_TRUE(centroid(named(blocks, "w2-2").vertices).isApprox(Point(1.5, 2.3)));
-  EXPECT_TRUE(centroid(named(blocks, "w3-1").vertices).isApprox(Point(1.25, 2.5)));
+  EXPECT_NEAR(geometry::signed_area(named(blocks, "w2-1").vertices), 0.05, 1e-12);
+  EXPECT_NEAR(geometry::signed_area(named(blocks, "w2-2").vertices), 0.1, 1e-12);
+  EXPECT_TRUE(geometry::centroid(named(blocks, "w2-2").vertices).isApprox(Point(1.5, 2.3)));
+  EXPECT_TRUE(geometry::centroid(named(blocks, "w3-1").vertices).isApprox(Point(1.25, 2.5)));
 }
 
 TEST(SceneWall, StackedBondDoesNot) {
@@ -58,7 +59,7 @@ TEST(SceneWall, StackedBondDoesNot) {
                                 "initial_velocity_m_per_s = [1, 0]\n");
   ASSERT_EQ(blocks.size(), 12U);
   for (const Block& block : blocks) {
-    EXPECT_NEAR(signed_area(block.vertices), 0.1, 1e-12);
+    EXPECT_NEAR(geometry::signed_area(block.vertices), 0.1, 1e-12);
     EXPECT_EQ(block.initial_velocity_m_per_s, Point(1, 0));
   }
 }

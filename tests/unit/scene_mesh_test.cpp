@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // The key mesh_size_m: who has it, and what is refused.
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // --set: what it reaches, what it says when wrong, and the text and digest of the scene as it is run.
 #include <gtest/gtest.h>
 
-#include "bridge/scene/digest.hpp"
+#include "bridge/scene/read/digest.hpp"
 #include "tests/unit/scene_sample.hpp"
 
 using namespace blockweir::scene;

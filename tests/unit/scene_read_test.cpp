@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // What a sound scene says is what is read, with its defaults; and files that cannot be read.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -8,10 +8,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "bridge/scene/nearest.hpp"
-#include "bridge/scene/polygon.hpp"
+#include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/read/nearest.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+using namespace blockweir;
 using namespace blockweir::scene;
 using sample::text;
 using sample::with;
@@ -185,12 +186,12 @@ TEST(Nearest, FindsWhatWasProbablyMeant) {
 
 TEST(Polygon, AreaAndCentroidKeepTheirDigitsFarAway) {
   const std::vector<Point> square{{1e6, 1e6}, {1e6 + 2, 1e6}, {1e6 + 2, 1e6 + 1}, {1e6, 1e6 + 1}};
-  EXPECT_EQ(signed_area(square), 2);
-  EXPECT_EQ(centroid(square), Point(1e6 + 1, 1e6 + 0.5));
+  EXPECT_EQ(geometry::signed_area(square), 2);
+  EXPECT_EQ(geometry::centroid(square), Point(1e6 + 1, 1e6 + 0.5));
   const std::vector<Point> top{{0, 15}, {9.4175, 11.6361}, {4, 22}, {0, 22}};  // the upper crack's block
-  EXPECT_NEAR(signed_area(top), 53.69, 0.005);
-  EXPECT_NEAR(centroid(top).x(), 3.654, 5e-4);
-  EXPECT_NEAR(centroid(top).y(), 17.113, 5e-4);
+  EXPECT_NEAR(geometry::signed_area(top), 53.69, 0.005);
+  EXPECT_NEAR(geometry::centroid(top).x(), 3.654, 5e-4);
+  EXPECT_NEAR(geometry::centroid(top).y(), 17.113, 5e-4);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // The scene that repeats what broke a run off.
 #include "bridge/scene/repeat.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 
 namespace blockweir::scene::sample {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // A section cut into blocks by the scene: names, materials, joints, and what is refused.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "bridge/scene/polygon.hpp"
-#include "bridge/section/joint_set.hpp"
+#include "bridge/geometry/joint_set.hpp"
+#include "bridge/geometry/polygon.hpp"
 #include "tests/unit/scene_sample.hpp"
 
 using namespace blockweir::scene;
@@ -126,14 +126,14 @@ TEST(SceneSection, HolesThatOverlapOrReachOutAreRefused) {
 }
 
 TEST(JointSets, OneThatIsFarOffOrAllBridgesEnds) {
-  blockweir::section::JointSet set{.dip_deg = 0, .spacing_m = 1, .offset_m = 1e300};
-  EXPECT_LE(blockweir::section::joints_of(set, {0, 0}, {1, 1}, 0).size(), 4U);
+  blockweir::geometry::JointSet set{.dip_deg = 0, .spacing_m = 1, .offset_m = 1e300};
+  EXPECT_LE(blockweir::geometry::joints_of(set, {0, 0}, {1, 1}, 0).size(), 4U);
   set = {.dip_deg = 0, .spacing_m = 1, .persistence = 1e-320, .trace_length_m = 1};
-  EXPECT_LE(blockweir::section::joints_of(set, {0, 0}, {1, 1}, 0).size(), 4U);
+  EXPECT_LE(blockweir::geometry::joints_of(set, {0, 0}, {1, 1}, 0).size(), 4U);
 }
 
 TEST(JointSets, KeepSpacingAndPersistence) {
-  using namespace blockweir::section;
+  using namespace blockweir::geometry;
   JointSet set{.dip_deg = 30, .spacing_m = 2, .persistence = 0.6, .trace_length_m = 3, .seed = 5};
   double length = 0;
   double whole = 0;

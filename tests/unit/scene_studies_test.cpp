@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Studies in a scene: what they say, and each message about what is wrong in them.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // Time tables in their four forms, and water levels that do not suit the model.
 #include <gtest/gtest.h>
 

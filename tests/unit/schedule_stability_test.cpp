@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_output
 // The theory of explicit schedules against what their characteristic polynomials give by hand.
-#include "solid/output/schedule_stability.hpp"
+#include "solid/watch/schedule_stability.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace blockweir::solid::output {
+namespace blockweir::solid {
 namespace {
 
 using scene::Integrator;
@@ -86,4 +86,4 @@ TEST(ScheduleStability, TheGuardMayGuessTooLowByWhatTheScheduleCarries) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid

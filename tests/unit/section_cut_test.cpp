@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_section bridge_scene
+// links: bridge_geometry bridge_scene
 // Sections cut into blocks: areas, neighbours, dangling cuts, and the degenerate meetings of lines.
-#include "bridge/section/cut.hpp"
+#include "bridge/geometry/cut.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,17 +9,17 @@
 #include <numeric>
 #include <random>
 
-#include "bridge/scene/outline.hpp"
-#include "bridge/scene/polygon.hpp"
+#include "bridge/geometry/outline.hpp"
+#include "bridge/geometry/polygon.hpp"
 
-namespace blockweir::section {
+namespace blockweir::geometry {
 namespace {
 
 const Section square{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}};
 
 double area(const Cut& cut) {
   return std::accumulate(cut.pieces.begin(), cut.pieces.end(), 0.0,
-                         [](double sum, const Piece& p) { return sum + scene::signed_area(p.vertices); });
+                         [](double sum, const Piece& p) { return sum + geometry::signed_area(p.vertices); });
 }
 
 std::vector<std::size_t> corners(const Cut& cut) {
@@ -54,7 +54,7 @@ TEST(SectionCut, ThreeLinesThroughOnePointMakeSixBlocksAndNoSliver) {
   const Cut six = cut(square, {{{{0, 0}, {4, 4}}, 0}, {{{0, 2}, {4, 0}}, 1}, {{{2, 0}, {0, 4}}, 2}});
   EXPECT_EQ(six.pieces.size(), 6U);
   EXPECT_NEAR(area(six), 16, 1e-13);
-  for (const Piece& piece : six.pieces) EXPECT_GT(scene::signed_area(piece.vertices), 0.1);
+  for (const Piece& piece : six.pieces) EXPECT_GT(geometry::signed_area(piece.vertices), 0.1);
 }
 
 TEST(SectionCut, AJointAlongAnEdgeOfTheSectionChangesNothing) {
@@ -98,7 +98,7 @@ TEST(SectionCut, LinesThatAlmostMeetLeaveNoSliver) {
   const Cut four = cut(square, {{{{0, 0}, {4, 4}}, 0}, {{{0, 4}, {4, 0}}, 1}, {{{0, 1e-12}, {4, 4 + 1e-12}}, 2}});
   EXPECT_EQ(four.pieces.size(), 4U);
   EXPECT_NEAR(area(four), 16, 1e-10);
-  for (const Piece& piece : four.pieces) EXPECT_FALSE(scene::outline_fault(piece.vertices).has_value());
+  for (const Piece& piece : four.pieces) EXPECT_FALSE(geometry::outline_fault(piece.vertices).has_value());
 }
 
 TEST(SectionCut, ASlenderBlockOfOneToAThousandStays) {
@@ -119,10 +119,10 @@ TEST(SectionCut, RandomLinesFillTheSectionWithSoundBlocksThatMeetExactly) {
       EXPECT_NEAR(area(many), 16, 1e-12);
       ++whole;
     }
-    for (const Piece& piece : many.pieces) EXPECT_FALSE(scene::outline_fault(piece.vertices).has_value());
+    for (const Piece& piece : many.pieces) EXPECT_FALSE(geometry::outline_fault(piece.vertices).has_value());
   }
   EXPECT_GT(whole, 10);
 }
 
 }  // namespace
-}  // namespace blockweir::section
+}  // namespace blockweir::geometry

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bridge/scene/polygon.hpp"
+#include "bridge/geometry/polygon.hpp"
 #include "fluid/hydrostatic/sideways.hpp"
 
 namespace blockweir::hydrostatic {

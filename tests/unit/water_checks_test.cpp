@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: fluid_openfoam bridge_scene
+// links: fluid_openfoam bridge_scene_read
 // [[expect_water]]: what it needs is said before a run, and water.csv is read whatever blocks are called.
 #include "fluid/openfoam/water_checks.hpp"
 

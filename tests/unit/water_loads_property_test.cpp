@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/polygon.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 #include "solid/block/panel.hpp"
 #include "tests/water_models.hpp"
@@ -42,7 +42,7 @@ struct Resultant {
 std::vector<Resultant> expected(const Model& model) {
   std::vector<Resultant> sums(model.outlines.size());
   for (const auto& [block, a, b, pressure_a, pressure_b] : model.loaded) {
-    const Point centre = scene::centroid(model.outlines[at(block)]);
+    const Point centre = geometry::centroid(model.outlines[at(block)]);
     const Point inward(-(b - a).y(), (b - a).x());
     const auto part = [&](double share, double of_it) {  // Simpson's rule, exact for p linear and x linear
       const double p = pressure_a + share * (pressure_b - pressure_a);

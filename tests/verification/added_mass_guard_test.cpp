@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "solid/output/energy.hpp"
+#include "solid/watch/energy.hpp"
 #include "tests/verification/scenes.hpp"
 
 namespace blockweir::solid {
@@ -278,7 +278,7 @@ TEST(AddedMassGuard, NoInertiaChangesNothingAndMotionsEnergyIsTheBlocksOwn) {
   }
   EXPECT_EQ(with.states()[0].displacement, without.states()[0].displacement);
   const double speed = heavy.states()[0].velocity[0];
-  EXPECT_NEAR(output::energy_of(heavy).kinetic / (mass * speed * speed / 2), 1, 1e-6);
+  EXPECT_NEAR(energy_of(heavy).kinetic / (mass * speed * speed / 2), 1, 1e-6);
 }
 
 TEST(AddedMassGuard, WhatRestsSleepsAndWakesToTheSameMotion) {

@@ -7,7 +7,7 @@
 #include <Eigen/SparseCholesky>
 #include <cmath>
 
-#include "solid/output/point_figures.hpp"
+#include "solid/expect/point_figures.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -197,7 +197,7 @@ TEST(DamStress, ConvergesToFiniteElementsOfSecondOrder) {
     Solid solid(scene);
     solid.settle({});
     const auto along = [&](const char* axis, const Point& p) {
-      return output::point_quantities().at(axis)(solid, 1, p);
+      return expect::point_quantities().at(axis)(solid, 1, p);
     };
     double squares = 0;
     for (const auto& [across, up] : places) {
@@ -207,7 +207,7 @@ TEST(DamStress, ConvergesToFiniteElementsOfSecondOrder) {
     }
     displacement_errors.push_back(std::sqrt(squares / moved));
     squares = 0;
-    const output::StressField field(solid, 1);
+    const StressField field(solid, 1);
     for (const auto& [across, up] : inner) {
       const double error = field.stress_at(ReferenceDam::place(across, up))[1] - reference.stress_yy(across, up);
       squares += error * error / static_cast<double>(inner.size());

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_output
 // Energies of motions whose energy is known.
-#include "solid/output/energy.hpp"
+#include "solid/watch/energy.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace blockweir::solid::output {
+namespace blockweir::solid {
 namespace {
 
 scene::Scene one_block() {
@@ -80,4 +80,4 @@ TEST(Energy, WhatIsMadeOfNothingIsWarnedOf) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid

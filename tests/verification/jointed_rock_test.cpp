@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_step
+// links: solid_step bridge_scene_read
 // Dams with a mesh on rock that joints cut, many of whose contacts are redundant: the start of all formulations.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/read.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/scenes.hpp"
 

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "solid/block/corners.hpp"
-#include "solid/output/capture.hpp"
-#include "solid/output/stress_field.hpp"
 #include "solid/step/solid.hpp"
+#include "solid/watch/capture.hpp"
+#include "solid/watch/stress_field.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -135,7 +135,7 @@ TEST(Mesh, OwnWeightGivesAStressThatGrowsWithDepth) {
   solid.settle({});
   const double unit_weight = 2500 * 9.81;
   EXPECT_NEAR(stress_in_block(solid.blocks()[1], solid.states()[1].displacement)[1] / (-unit_weight * 3), 1, 1e-6);
-  const output::StressField field(solid, 1);
+  const StressField field(solid, 1);
   for (const Point& p : {Point(1, 0.1), Point(0.3, 2), Point(1.7, 4), Point(1, 5.9)}) {
     EXPECT_NEAR(field.stress_at(p)[1], -unit_weight * (6 - p.y()), 0.01 * unit_weight * 6) << p.transpose();
   }
@@ -152,11 +152,11 @@ TEST(Mesh, AFluidPressesOnTheScenesBlocksAndNotOnTriangles) {
   load.s_to.own() = {1};
   load.edge.own() = {1};
   load.block.own() = {1};
-  EXPECT_EQ(output::panels_of(load, solid).size(), 1U);
+  EXPECT_EQ(panels_of(load, solid).size(), 1U);
   ASSERT_GT(solid.blocks().size(), 2U);
   load.block.own() = {2};
   try {
-    output::panels_of(load, solid);
+    panels_of(load, solid);
     FAIL() << "a triangle was pressed on";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "the fluid process loads block 2, edge 1, which the scene does not have");

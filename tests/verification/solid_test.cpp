@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "bridge/scene/polygon.hpp"
+#include "bridge/geometry/polygon.hpp"
 #include "tests/verification/scenes.hpp"
 
 namespace blockweir::solid {
@@ -25,7 +25,7 @@ TEST(Solid, AThousandTurnsKeepAreaAndAngularMomentum) {
   EXPECT_NEAR(solid.states()[0].displacement[2] / (2 * std::numbers::pi), 1000, 1e-6);
   std::vector<Point> outline;
   for (const Point& X : solid.blocks()[0].vertices) outline.push_back(solid.placements()[0].position(X));
-  EXPECT_NEAR(scene::signed_area(outline) / solid.blocks()[0].area, 1, 1e-12);
+  EXPECT_NEAR(geometry::signed_area(outline) / solid.blocks()[0].area, 1, 1e-12);
   const Vector6 momentum = solid.blocks()[0].inertia * solid.states()[0].velocity;
   EXPECT_NEAR(momentum[2] / (solid.blocks()[0].inertia.of_turn() * 20 * std::numbers::pi), 1, 1e-10);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_step
+// links: solid_step bridge_scene_read
 // The state at time 0 of scenes whose coordinates are rounded, of soft ones, and of what finds none.
 #include <gtest/gtest.h>
 
-#include "bridge/scene/check.hpp"
+#include "bridge/scene/read/check.hpp"
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/scenes.hpp"
 

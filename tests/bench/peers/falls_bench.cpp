@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_step solid_output bridge_scene box2d::box2d
+// links: solid_step solid_output bridge_scene_read box2d::box2d
 // Walls that fall when gravity is tilted, and heaps of stones, beside Box2D in one run: wall time, energy made over
 // energy dissipated, largest overlap of two blocks at any step's end. Steps are 0.01 s on both sides; Box2D takes 16
 // velocity and 16 position iterations. Nothing sleeps.
@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "bridge/scene/read.hpp"
-#include "solid/output/energy.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "solid/step/solid.hpp"
+#include "solid/watch/energy.hpp"
 #include "tests/bench/peers/box2d_world.hpp"
 
 namespace {
@@ -144,7 +144,7 @@ Run ours(solid::Solid& solid) {
               Outline& outline = outlines.emplace_back();
               for (const Point& X : solid.blocks()[b].vertices) outline.push_back(solid.placements()[b].position(X));
             }
-            fall.look(solid::output::energy_of(solid).total(), outlines);
+            fall.look(solid::energy_of(solid).total(), outlines);
           }};
 }
 

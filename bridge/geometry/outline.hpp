@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Outlines of blocks: what makes one unfit, and what lies on it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "bridge/geometry/point.hpp"
+
+namespace blockweir::geometry {
+
+/// Axis-parallel box around points [m].
+struct Bounds {
+  Point low;
+  Point high;
+  [[nodiscard]] double size() const { return (high - low).maxCoeff(); }
+};
+/// `points` must not be empty.
+Bounds bounds_of(std::span<const Point> points);
+
+double distance_to_segment(const Point& p, const Point& from, const Point& to);
+
+/// Why an outline of at least three points encloses no area once.
+struct OutlineFault {
+  std::size_t vertex = 0;  ///< where to look
+  std::string found;       ///< follows the block's name: "has the vertex (0, 0) twice"
+  std::string expected;
+  std::string remedy;
+};
+/// The first fault; lengths below 1e-9 of the outline's size count as zero.
+std::optional<OutlineFault> outline_fault(std::span<const Point> outline);
+
+/// Whether p lies within `tolerance_m` of the area that a sound outline encloses.
+bool holds_point(std::span<const Point> outline, const Point& p, double tolerance_m);
+
+/// Whether one edge passes within `tolerance_m` of both points.
+bool on_one_edge(std::span<const Point> outline, const Point& p, const Point& q, double tolerance_m);
+
+}  // namespace blockweir::geometry

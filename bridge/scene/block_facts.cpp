@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/scene/block_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/at.hpp"
+
+namespace blockweir::scene {
+
+const Block& block_named(const Scene& scene, const std::string& name) {
+  for (const Block& block : scene.blocks) {
+    if (block.name == name) return block;
+  }
+  throw std::runtime_error(fmt::format("[[expect]] of = \"{}\" names no block", name));
+}
+
+const Joint& joint_named(const Scene& scene, const std::string& name) {
+  for (const Joint& joint : scene.joints) {
+    if (joint.name == name) return joint;
+  }
+  throw std::runtime_error(fmt::format("[[expect]] of = \"{}\" names no joint", name));
+}
+
+const Material& material_of(const Scene& scene, const Block& block) {
+  return scene.materials[at(block.material)];
+}
+
+double weight(const Scene& scene, const Block& block) {
+  return geometry::signed_area(block.vertices) * material_of(scene, block).density_kg_per_m3 *
+         scene.analysis.gravity_m_per_s2;
+}
+
+double height(const Block& block) {
+  const auto [low, high] = std::minmax_element(block.vertices.begin(), block.vertices.end(),
+                                               [](const Point& p, const Point& q) { return p.y() < q.y(); });
+  return high->y() - low->y();
+}
+
+}  // namespace blockweir::scene

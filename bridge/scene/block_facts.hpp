@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene says of a block or a joint: by name, and what follows from its outline and material.
+#pragma once
+
+#include <string>
+
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::scene {
+
+/// Throw std::runtime_error where there is none of that name.
+const Block& block_named(const Scene& scene, const std::string& name);
+const Joint& joint_named(const Scene& scene, const std::string& name);
+
+const Material& material_of(const Scene& scene, const Block& block);
+/// N per metre of thickness.
+double weight(const Scene& scene, const Block& block);
+/// m, between the highest and the lowest vertex.
+double height(const Block& block);
+
+}  // namespace blockweir::scene

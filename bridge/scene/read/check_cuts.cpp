@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts and sets of joints that leave nothing in the section that they cut.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "bridge/geometry/outline.hpp"
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/read/cuts.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+/// What all lines of a name have done: a drawing has many of one name.
+struct Effect {
+  std::size_t lines = 0;
+  std::size_t parting = 0;     ///< of them, those along which blocks touch
+  bool law = false;            ///< some joint has it
+  double longest_joint_m = 0;  ///< of those
+  const Cuts::Source* first_idle = nullptr;
+  const Cuts::Source* source = nullptr;
+  double bonded_length_m = 0;
+};
+
+bool lies_on(const Point& p, const geometry::Line& line, double tolerance_m) {
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+    if (geometry::distance_to_segment(p, line.points[i], line.points[i + 1]) <= tolerance_m) return true;
+  }
+  return false;
+}
+
+/// Middles of all straight parts of the boundaries between blocks, and the length of each boundary.
+struct Boundaries {
+  std::vector<Point> middles;
+  std::vector<double> lengths_m;
+};
+
+Boundaries boundaries_of(const Reading& reading, const geometry::Cut& cut, std::size_t first, double tolerance_m) {
+  Boundaries all;
+  const auto& blocks = reading.scene.blocks;
+  for (const geometry::Neighbours& pair : cut.neighbours) {
+    const JointTrace trace = trace_joint(blocks[first + at(pair.a)], blocks[first + at(pair.b)], tolerance_m);
+    all.lengths_m.push_back(trace.length_m);
+    for (const TracePiece& piece : trace.pieces) all.middles.emplace_back((piece.from_m + piece.to_m) / 2);
+  }
+  return all;
+}
+
+void report(Reading& reading, const Effect& effect) {
+  Problems& problems = reading.problems;
+  const Cuts::Source& source = *effect.source;
+  const char* remedy = "lead it from side to side, or to other cuts, or leave it out";
+  if (effect.parting == 0) {
+    const std::string found = source.name + " has no effect: it parts no block of the section";
+    if (source.by_chance) return problems.warning(source.place, found, "joints that part blocks", remedy);
+    return problems.error(source.place, found, "lines that part blocks", remedy);
+  }
+  if (effect.parting < effect.lines && !source.by_chance) {
+    problems.warning(effect.first_idle->place,
+                     fmt::format("{} of {} lines of {} have no effect: they part no block of the section",
+                                 effect.lines - effect.parting, effect.lines, source.name),
+                     "lines that part blocks", remedy);
+  }
+  if (!effect.law) {
+    return problems.warning(source.place,
+                            fmt::format("the law of {} has no effect: other cuts lie on it, or make up more of the "
+                                        "same boundaries",
+                                        source.name),
+                            "one law for each boundary of two blocks", "leave it out, or draw both as one cut");
+  }
+  if (!source.states_bond_length || effect.bonded_length_m <= effect.longest_joint_m * (1 + 1e-6)) return;
+  problems.error(source.bonded_length,
+                 fmt::format("bonded_length_m {} in {} is longer than its joints, {:.6g} m at most",
+                             effect.bonded_length_m, source.name, effect.longest_joint_m),
+                 "a length up to the joint's", "shorten it, or leave it out: all of the joint is then bonded");
+}
+
+}  // namespace
+
+void check_cuts(Reading& reading, const Cuts& cuts, const geometry::Cut& cut, std::size_t first_block) {
+  const bool any = std::any_of(cuts.sources.begin(), cuts.sources.end(), [](const auto& s) { return !s.name.empty(); });
+  if (!any || cut.pieces.empty() || !cut.enclosed.empty()) return;  // what encloses has been reported
+  double size_m = 0;
+  for (const geometry::Piece& piece : cut.pieces) size_m = std::max(size_m, geometry::bounds_of(piece.vertices).size());
+  const double tolerance_m = 1e-6 * size_m;
+  const Boundaries boundaries = boundaries_of(reading, cut, first_block, tolerance_m);
+  std::vector<bool> parts(cuts.joints.size(), false);
+  for (const geometry::Neighbours& pair : cut.neighbours) parts[at(pair.id)] = true;
+  for (const geometry::Line& line : cuts.lines) {
+    if (parts[at(line.id)]) continue;
+    parts[at(line.id)] = std::any_of(boundaries.middles.begin(), boundaries.middles.end(),
+                                     [&](const Point& p) { return lies_on(p, line, tolerance_m); });
+  }
+  std::map<std::string, Effect> effects;
+  for (std::size_t id = 0; id < cuts.sources.size(); ++id) {
+    const Cuts::Source& source = cuts.sources[id];
+    if (source.name.empty()) continue;
+    Effect& effect = effects[source.name];
+    if (effect.source == nullptr) effect.source = &source;
+    ++effect.lines;
+    if (parts[id]) ++effect.parting;
+    if (!parts[id] && effect.first_idle == nullptr) effect.first_idle = &source;
+    effect.bonded_length_m = cuts.joints[id].law.bonded_length_m.value_or(0);
+  }
+  for (std::size_t n = 0; n < cut.neighbours.size(); ++n) {
+    const Cuts::Source& source = cuts.sources[at(cut.neighbours[n].id)];
+    if (source.name.empty()) continue;
+    Effect& effect = effects[source.name];
+    effect.law = true;
+    effect.longest_joint_m = std::max(effect.longest_joint_m, boundaries.lengths_m[n]);
+  }
+  for (const auto& [name, effect] : effects) report(reading, effect);
+}
+
+}  // namespace blockweir::scene

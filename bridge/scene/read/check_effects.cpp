@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a sound scene states and nothing comes of: keys that another key switches off, materials of no block, water that
+// reaches nothing, a run in which nothing can happen.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bridge/geometry/outline.hpp"
+#include "bridge/scene/answers.hpp"
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/read/reading.hpp"
+#include "bridge/scene/structure_size.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+/// A key that has an effect only while the scene says something else, too.
+struct IdleKey {
+  const char* section;
+  const char* key;
+  bool (*idle)(const Scene&);
+  const char* needs;
+};
+
+bool dry(const Scene& s) {
+  return s.fluid == FluidModel::none;
+}
+bool not_still_water(const Scene& s) {
+  return s.fluid != FluidModel::hydrostatic && !dry(s);
+}
+
+constexpr IdleKey idle_keys[] = {
+    {"analysis", "spectral_radius",
+     [](const Scene& s) { return s.analysis.integrator != Integrator::generalized_alpha; },
+     "integrator = \"generalized-alpha\""},
+    {"analysis", "residual_tolerance", [](const Scene& s) { return s.analysis.kind != AnalysisKind::at_rest; },
+     "kind = \"static\""},
+    {"analysis", "mass_damping_per_s",
+     [](const Scene& s) { return s.analysis.kind != AnalysisKind::dynamic && s.analysis.mass_damping_per_s > 0; },
+     "kind = \"dynamic\""},
+    {"analysis", "gravity_tilt_deg",
+     [](const Scene& s) { return s.analysis.gravity_m_per_s2 == 0 && s.analysis.gravity_tilt_deg != 0; },
+     "gravity_m_per_s2 above 0"},
+    {"contact", "initial_penalty_n_per_m2",
+     [](const Scene& s) { return s.contact.formulation == ContactFormulation::penalty; },
+     "formulation = \"augmented-lagrangian\""},
+    {"contact", "penetration_tolerance_m",
+     [](const Scene& s) { return s.contact.formulation == ContactFormulation::penalty; },
+     "formulation = \"augmented-lagrangian\" or \"lagrange-multiplier\""},
+    {"water", "atmospheric_pressure_pa",
+     [](const Scene& s) { return !dry(s) && s.water.atmosphere == Atmosphere::none; }, "atmosphere = \"wet-faces\""},
+    {"water", "open_crack_width_m", not_still_water, "model = \"hydrostatic\" in [fluid]"},
+    {"output", "reservoir", [](const Scene& s) { return s.output.reservoir && s.fluid != FluidModel::hydrostatic; },
+     "[water], and model = \"hydrostatic\" in [fluid]"},
+};
+
+void check_idle_keys(const Reading& reading) {
+  for (const IdleKey& row : idle_keys) {
+    const toml::node* node = reading.file[row.section][row.key].node();
+    if (node == nullptr || !row.idle(reading.scene)) continue;
+    reading.problems.warning(reading.problems.at(node->source()),
+                             fmt::format("{} in [{}] has no effect in this scene", row.key, row.section), row.needs,
+                             fmt::format("leave {} out, or state what it needs", row.key));
+  }
+  const toml::node* coupling = reading.file.get("coupling");
+  if (coupling != nullptr && dry(reading.scene) && !reading.file.contains("water")) {
+    reading.problems.warning(reading.problems.at(coupling->source()),
+                             "[coupling] has no effect: the scene has no water", "[water] with a level",
+                             "add [water], or leave [coupling] out");
+  }
+}
+
+void check_materials(const Reading& reading) {
+  const toml::table* materials = reading.file["material"].as_table();
+  const Scene& scene = reading.scene;
+  for (std::size_t m = 0; m < scene.materials.size() && materials != nullptr; ++m) {
+    const std::string& name = scene.materials[m].name;
+    const auto has_it = [&](const Block& block) { return block.material == static_cast<int>(m); };
+    if (std::any_of(scene.blocks.begin(), scene.blocks.end(), has_it)) continue;
+    reading.problems.warning(reading.problems.at(materials->get(name)->source()),
+                             fmt::format("[material.{}] has no effect: no block is of it", name),
+                             "the material of some block", "name it in a block, or leave it out");
+  }
+}
+
+/// Highest value of a level over the run; for sines an upper bound.
+double highest(const TimeTable& level, double duration_s) {
+  double high = std::max(level.rows_at(0), level.rows_at(duration_s));
+  for (std::size_t i = 0; i < level.time_s.size(); ++i) {
+    if (level.time_s[i] >= 0 && level.time_s[i] <= duration_s) high = std::max(high, level.value[i]);
+  }
+  return high + (level.sine ? std::abs(level.sine->amplitude) : 0);
+}
+
+/// Pools that stay below all that can move, and cracks with uplift that no pool ever reaches.
+void check_reach_of_water(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  const auto about_water = [](const Expectation& e) {
+    const Answer* quantity = find_answer(quantities(), e.quantity);
+    return quantity != nullptr && quantity->needs == Need::water;
+  };
+  const auto& expected = scene.expectations;
+  if (scene.fluid != FluidModel::hydrostatic || std::any_of(expected.begin(), expected.end(), about_water)) return;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Block& block : scene.blocks) {
+    if (!block.fixed) lowest = std::min(lowest, geometry::bounds_of(block.vertices).low.y());
+  }
+  double level = -std::numeric_limits<double>::infinity();
+  const auto look = [&](const char* key, const std::optional<TimeTable>& pool) {
+    if (!pool) return;
+    const double high = highest(*pool, scene.analysis.duration_s);
+    level = std::max(level, high);
+    if (!std::isfinite(lowest) || high >= lowest) return;
+    reading.problems.warning(
+        reading.problems.at(reading.file["water"][key].node()->source()),
+        fmt::format("{} has no effect: it stays below {} m, and all that can move is above {} m", key, high, lowest),
+        "a level that reaches a block that can move", fmt::format("raise the level, or leave {} out", key));
+  };
+  look("upstream_level_m", scene.water.upstream_level_m);
+  look("downstream_level_m", scene.water.downstream_level_m);
+  const toml::array* stated = reading.file["joints"].as_array();
+  if (stated == nullptr) return;
+  const double touching_m = 0.5e-6 * structure_size_m(scene.blocks);
+  const std::size_t first = scene.joints.size() - std::min(stated->size(), scene.joints.size());
+  for (std::size_t j = first; j < scene.joints.size(); ++j) {
+    const toml::table* table = (*stated)[j - first].as_table();
+    const Joint& joint = scene.joints[j];
+    if (table == nullptr || !table->contains("uplift") || joint.law.uplift == Uplift::none) continue;
+    const auto trace = trace_joint(scene.blocks[at(joint.between[0])], scene.blocks[at(joint.between[1])], touching_m);
+    double foot = std::numeric_limits<double>::infinity();
+    for (const TracePiece& piece : trace.pieces) foot = std::min({foot, piece.from_m.y(), piece.to_m.y()});
+    if (!std::isfinite(foot) || level > foot) continue;
+    reading.problems.warning(
+        reading.problems.at(table->get("uplift")->source()),
+        fmt::format("uplift in [[joints]] \"{}\" has no effect: the water stays below {} m, the joint is above {} m",
+                    joint.name, level, foot),
+        "a level above the joint's lowest end", "raise the level, or set uplift = \"none\"");
+  }
+}
+
+/// Ground that shakes: a record that ends before the run, and still water that does not answer.
+void check_base_motion(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  if (!scene.base_motion) return;
+  const toml::table* stated = reading.file["base_motion"].as_table();
+  const auto look = [&](const char* key, const TimeTable& a) {
+    const toml::node* node = stated == nullptr ? nullptr : stated->get(key);
+    if (node == nullptr || a.value.size() < 2 || a.value.back() == 0 || a.time_s.back() >= scene.analysis.duration_s) {
+      return;
+    }
+    reading.problems.warning(
+        reading.problems.at(node->source()),
+        fmt::format("{} ends at {:.4g} s with {:.4g} m/s2, which then acts to the end of the run, {:.4g} s", key,
+                    a.time_s.back(), a.value.back(), scene.analysis.duration_s),
+        "a last value of 0, or rows to the end", "add a row of 0, or shorten duration_s");
+  };
+  look("acceleration_x_m_per_s2", scene.base_motion->acceleration_x_m_per_s2);
+  look("acceleration_y_m_per_s2", scene.base_motion->acceleration_y_m_per_s2);
+  if (scene.fluid != FluidModel::hydrostatic || stated == nullptr) return;
+  reading.problems.warning(reading.problems.at(stated->source()),
+                           "still water does not answer to the ground's motion: what its inertia presses with is left "
+                           "out",
+                           "model = \"openfoam\" in [fluid], or [[face_pressure]] for the hydrodynamic pressure",
+                           "take one of both, or know that the water's part is missing");
+}
+
+/// Uplift is by the pressure at a crack's mouth: full of water, one that dips has more below.
+void check_dipping_uplift(const Reading& reading) {
+  constexpr double much = 0.1;  // of the head at the mouth
+  const Scene& scene = reading.scene;
+  if (scene.fluid != FluidModel::hydrostatic || !scene.water.upstream_level_m) return;
+  const double level = highest(*scene.water.upstream_level_m, scene.analysis.duration_s);
+  const double touching_m = 0.5e-6 * structure_size_m(scene.blocks);
+  for (const Joint& joint : scene.joints) {
+    if (joint.law.uplift != Uplift::full) continue;
+    const auto trace = trace_joint(scene.blocks[at(joint.between[0])], scene.blocks[at(joint.between[1])], touching_m);
+    if (trace.pieces.empty()) continue;
+    const double head = level - trace.mouth().y();
+    const double fall = trace.mouth().y() - trace.end().y();
+    if (head <= 0 || fall <= much * head) continue;
+    reading.problems.warning(
+        reading.problems.at(0),
+        fmt::format(
+            "uplift = \"full\" in joint \"{}\" is the pressure at its mouth all along, a head of {:.4g} m; its end "
+            "lies {:.4g} m lower, where water at rest presses by as much more",
+            joint.name, head, fall),
+        "a joint that falls by less than a tenth of the head",
+        "add the rest as [[face_pressure]], or know that it is missing");
+  }
+}
+
+void check_anything_happens(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  const auto fixed = [](const Block& block) { return block.fixed; };
+  const bool asked = !scene.expectations.empty() || !scene.water_expectations.empty();
+  if (asked || !std::all_of(scene.blocks.begin(), scene.blocks.end(), fixed)) return;
+  if (dry(scene)) {
+    reading.problems.warning(reading.problems.at(0), "nothing can happen: all blocks are fixed, and there is no water",
+                             "a block that is not fixed, or [water]", "free the structure's blocks");
+    return;
+  }
+  // Such a structure "stands" at any level.
+  reading.problems.warning(reading.problems.at(0),
+                           "nothing can move: all blocks are fixed, and no [[expect]] asks for the water's loads",
+                           "a block that is not fixed, or an [[expect]]", "free the structure's blocks");
+}
+
+}  // namespace
+
+void check_effects(const Reading& reading) {
+  check_idle_keys(reading);
+  check_materials(reading);
+  check_reach_of_water(reading);
+  check_base_motion(reading);
+  check_dipping_uplift(reading);
+  check_anything_happens(reading);
+}
+
+}  // namespace blockweir::scene

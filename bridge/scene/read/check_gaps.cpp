@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces that lie side by side with a narrow gap between: blocks that seem meant to touch.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/read/block_index.hpp"
+#include "bridge/scene/read/magnitudes.hpp"
+#include "bridge/scene/structure_size.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+constexpr double narrow_ratio = 0.02;    // of the smaller block: wider ones are seen in a drawing
+constexpr double closed_ratio = 0.5e-6;  // of the structure, as the solid has it
+constexpr double beside_ratio = 0.5;     // of the smaller block: so long are faces that seem meant to touch
+
+/// Least distance of the faces of a trace, whose pieces lie along block a, from those of block b.
+double narrowest(const JointTrace& beside, const Block& b) {
+  double gap_m = std::numeric_limits<double>::infinity();
+  for (const TracePiece& piece : beside.pieces) {
+    const auto e = static_cast<std::size_t>(piece.edge_b);
+    const Point& from = b.vertices[e];
+    const Point& to = b.vertices[(e + 1) % b.vertices.size()];
+    for (const Point& p : {piece.from_m, piece.to_m})
+      gap_m = std::min(gap_m, geometry::distance_to_segment(p, from, to));
+  }
+  return gap_m;
+}
+
+}  // namespace
+
+void check_gaps(const Scene& scene, Problems& problems) {
+  // Without gravity nothing closes a gap; what begins without stress is likely thrown or dropped.
+  if (scene.analysis.gravity_m_per_s2 == 0 || scene.analysis.start == Start::unstressed) return;
+  const double touching_m = closed_ratio * structure_size_m(scene.blocks);
+  const BlockIndex index(scene.blocks);
+  for (std::size_t i = 0; i < scene.blocks.size(); ++i) {
+    const Block& a = scene.blocks[i];
+    const geometry::Bounds box = geometry::bounds_of(a.vertices);
+    const Point margin = Point::Constant(narrow_ratio * box.size());
+    for (const std::size_t j : index.meeting({box.low - margin, box.high + margin})) {
+      const Block& b = scene.blocks[j];
+      if (j == i || (a.fixed && b.fixed)) continue;
+      const double size = geometry::bounds_of(b.vertices).size();
+      if (size < box.size() || (size == box.size() && j < i)) continue;  // the smaller of two looks for the other
+      const JointTrace beside = trace_joint(a, b, margin.x());
+      if (beside.length_m < beside_ratio * box.size()) continue;
+      const double gap_m = narrowest(beside, b);
+      if (gap_m <= touching_m) continue;
+      problems.warning(
+          problems.at(std::max(a.line, b.line)),
+          fmt::format("blocks \"{}\" and \"{}\" have a gap of {:.3g} m between them near ({:.4g}, {:.4g}), "
+                      "which is unusual for a structure that begins at rest",
+                      a.name, b.name, gap_m, beside.mouth().x(), beside.mouth().y()),
+          "blocks that touch, or are farther apart", "move the vertices of one of them to the common boundary");
+    }
+  }
+}
+
+}  // namespace blockweir::scene

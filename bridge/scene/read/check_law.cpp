@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keys of a joint's law that have no effect beside its other keys.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "bridge/scene/read/reading.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+using Keys = std::initializer_list<const char*>;
+
+/// Whether this law, or another that it may follow or that may follow it, states one of the keys: a 0 is then meant.
+bool states_one(const TableReader& table, const Reading& reading, bool of_all, Keys keys) {
+  const auto in = [&](const toml::table* law) {
+    return law != nullptr && std::any_of(keys.begin(), keys.end(), [&](const char* key) { return law->contains(key); });
+  };
+  if (std::any_of(keys.begin(), keys.end(), [&](const char* key) { return table.has(key); })) return true;
+  if (in(reading.file["joint"].as_table())) return true;
+  if (!of_all) return false;
+  for (const char* list : {"joints", "cut", "joint_set"}) {
+    const toml::array* laws = reading.file[list].as_array();
+    if (laws == nullptr) continue;
+    for (const toml::node& law : *laws) {
+      if (in(law.as_table())) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool of_all) {
+  // What the law lacks is an error, unless it is stated as 0, or in [joint] for others to have: then it may be meant.
+  const auto without = [&](const char* key, const char* missing, Keys enabling) {
+    if (!table.has(key)) return;
+    const std::string found = fmt::format("{} in {} has no effect: the joint has no {}", key, table.name(), missing);
+    const std::string remedy = fmt::format("state it, or leave {} out", key);
+    const bool meant = states_one(table, reading, of_all, enabling);
+    if (!meant) return reading.problems.error(table.place(key), found, fmt::format("a {}", missing), remedy);
+    if (!of_all) reading.problems.warning(table.place(key), found, fmt::format("a {} above 0", missing), remedy);
+  };
+  const auto beside_keeping = [&](const char* key) {
+    if (!table.has(key) || !law.keeps_cohesion) return;
+    reading.problems.warning(
+        table.place(key),
+        fmt::format("{} in {} has no effect: with keeps_cohesion the bond never fails", key, table.name()),
+        "a bond that can fail", fmt::format("leave out {} or keeps_cohesion", key));
+  };
+  const bool bond = law.cohesion_pa > 0 || law.tension_strength_pa > 0;
+  const bool weakens = bond || law.residual_friction_angle_deg != law.friction_angle_deg;
+  if (!bond && law.bonded_length_m) without("bonded_length_m", "bond", {"cohesion_pa", "tension_strength_pa"});
+  if (!bond && law.keeps_cohesion) without("keeps_cohesion", "bond", {"cohesion_pa", "tension_strength_pa"});
+  if (!weakens && law.softening_slip_m > 0) {
+    without("softening_slip_m", "bond or residual friction",
+            {"cohesion_pa", "tension_strength_pa", "residual_friction_angle_deg"});
+  }
+  if (law.dilation_angle_deg == 0 && law.dilation_limit_m) {
+    without("dilation_limit_m", "dilation_angle_deg", {"dilation_angle_deg"});
+  }
+  if (table.has("residual_friction_angle_deg") && law.residual_friction_angle_deg > law.friction_angle_deg) {
+    reading.problems.warning(
+        table.place("residual_friction_angle_deg"),
+        fmt::format("residual_friction_angle_deg {} in {} is above the peak {}: the joint grows stronger as it slips",
+                    law.residual_friction_angle_deg, table.name(), law.friction_angle_deg),
+        "a residual angle up to the peak one", "exchange the two, if that is not meant");
+  }
+  if (law.softening_slip_m > 0) beside_keeping("softening_slip_m");
+  if (law.residual_friction_angle_deg != law.friction_angle_deg) beside_keeping("residual_friction_angle_deg");
+  if (bond && law.bonded_length_m == 0.0 && table.has("bonded_length_m")) {
+    reading.problems.warning(
+        table.place("bonded_length_m"),
+        fmt::format("bonded_length_m in {} is 0: its cohesion and tension strength act nowhere", table.name()),
+        "a length above 0", "lengthen it, or leave it out: all of the joint is then bonded");
+  }
+  if (law.uplift != Uplift::none && table.has("uplift")) check_uplift(table, reading);
+}
+
+void check_uplift(TableReader& table, Reading& reading) {
+  const std::string found = fmt::format("uplift in {} has no effect", table.name());
+  const auto model = reading.file["fluid"]["model"].value<std::string>();
+  if (!reading.file.contains("water")) {
+    reading.problems.error(table.place("uplift"), found + ": the scene has no water", "[water] with a level",
+                           "add [water], or leave uplift out");
+  } else if (model == "none" || model == "column") {
+    reading.problems.warning(table.place("uplift"),
+                             fmt::format("{}: model = \"{}\" in [fluid] takes no water into joints", found, *model),
+                             "model = \"hydrostatic\" or \"openfoam\"", "change the model, or set uplift = \"none\"");
+  }
+}
+
+}  // namespace blockweir::scene

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/scene/read/magnitudes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "bridge/scene/structure_size.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+constexpr bool grows_with_size = true;
+constexpr const char* law_sections[] = {"joint", "joints[]", "cut[]", "joint_set[]"};
+
+constexpr Magnitude table_of_magnitudes[] = {
+    {"material.*", "density_kg_per_m3", "kg/m3", 100, 20'000, "2.4 is t/m3 and 23.5 is kN/m3, both are 2400 kg/m3"},
+    {"material.*", "youngs_modulus_pa", "Pa", 1e6, 1e13, "25 is likely GPa: write 25e9", grows_with_size},
+    {"material.*", "poissons_ratio", "1", 0.01, 0.45, "rock and concrete have 0.1 to 0.3"},
+    {"material.*", "damping_ratio", "1", 1e-4, 0.3, "5 % is 0.05"},
+    {"analysis", "gravity_m_per_s2", "m/s2", 9, 10, "981 is cm/s2: write 9.81; more is meant in a centrifuge only"},
+    {"analysis", "gravity_tilt_deg", "deg", 0.5, 90, "is it in radians? write degrees"},
+    {"analysis", "duration_s", "s", 1e-6, 1e7, "a year is 3e7 s: a run makes each of its steps"},
+    {"analysis", "step_s", "s", 1e-9, 100, "dynamic motions of dams take milliseconds to seconds"},
+    {"analysis", "max_displacement_ratio", "1", 1e-6, 1, "1 % is 0.01"},
+    {"joint", "friction_angle_deg", "deg", 2, 80, "is it in radians? 0.6 is 34 deg"},
+    {"joint", "residual_friction_angle_deg", "deg", 2, 80, "is it in radians? 0.5 is 29 deg"},
+    {"joint", "dilation_angle_deg", "deg", 0.5, 45, "is it in radians? 0.1 is 6 deg"},
+    {"joint", "cohesion_pa", "Pa", 1000, 1e12, "300 is likely kPa: write 300e3", grows_with_size},
+    {"joint", "tension_strength_pa", "Pa", 1000, 1e12, "2 is likely MPa: write 2e6", grows_with_size},
+    {"water", "density_kg_per_m3", "kg/m3", 500, 2000, "1 is t/m3: write 1000"},
+    {"water", "atmospheric_pressure_pa", "Pa", 3e4, 1.2e5, "101.3 is kPa: write 101300"},
+    {"bolt[]", "youngs_modulus_pa", "Pa", 1e9, 1e12, "210 is GPa: write 210e9"},
+    {"bolt[]", "area_m2_per_m", "m2/m", 1e-9, 0.5, "500 is mm2: write 500e-6"},
+};
+
+/// Whether a row of [joint] goes for the other laws, too.
+std::vector<const char*> sections_of(const Magnitude& row) {
+  if (row.section == std::string("joint")) return {std::begin(law_sections), std::end(law_sections)};
+  return {row.section};
+}
+
+/// Calls see(name for messages, table) for each table that a section stands for.
+void each_table(const toml::table& file, std::string section,
+                const std::function<void(const std::string&, const toml::table&)>& see) {
+  if (section.ends_with(".*")) {
+    section.resize(section.size() - 2);
+    const toml::table* tables = file[section].as_table();
+    if (tables == nullptr) return;
+    for (const auto& [name, node] : *tables) {
+      if (node.is_table()) see(fmt::format("[{}.{}]", section, name.str()), *node.as_table());
+    }
+  } else if (section.ends_with("[]")) {
+    section.resize(section.size() - 2);
+    const toml::array* list = file[section].as_array();
+    if (list == nullptr) return;
+    for (const toml::node& node : *list) {
+      if (!node.is_table()) continue;
+      const auto name = (*node.as_table())["name"].value<std::string>();
+      see(fmt::format("[[{}]] \"{}\"", section, name.value_or("")), *node.as_table());
+    }
+  } else if (const toml::table* table = file[section].as_table()) {
+    see(fmt::format("[{}]", section), *table);
+  }
+}
+
+void check_row(const Magnitude& row, double least, const toml::table& file, Problems& problems) {
+  for (const char* section : sections_of(row)) {
+    each_table(file, section, [&](const std::string& name, const toml::table& table) {
+      const toml::node* node = table.get(row.key);
+      const auto value = node == nullptr || !node->is_number() ? std::nullopt : node->value<double>();
+      if (!value || *value == 0 || (*value >= least && *value <= row.most)) return;
+      problems.warning(problems.at(node->source()),
+                       fmt::format("{} in {} is {:.6g} {}, which is unusual", row.key, name, *value, row.unit),
+                       fmt::format("{:.3g} to {:.3g} {}", least, row.most, row.unit), row.slip);
+    });
+  }
+}
+
+/// A run of so many steps would not end.
+void check_steps(const toml::table& file, const Scene& scene, Problems& problems) {
+  constexpr double most = 1e8;
+  const double steps = scene.analysis.duration_s / scene.analysis.step_s;
+  if (steps <= most) return;
+  const toml::node* stated = file["analysis"]["duration_s"].node();
+  if (stated == nullptr) stated = file["analysis"]["step_s"].node();
+  constexpr double countable = 1e15;
+  if (steps > countable) {
+    return problems.error(problems.at(stated->source()),
+                          fmt::format("duration_s {:.3g} in steps of {:.3g} s takes {:.2g} steps",
+                                      scene.analysis.duration_s, scene.analysis.step_s, steps),
+                          fmt::format("at most {:.0e} steps", countable), "shorten duration_s, or lengthen step_s");
+  }
+  problems.warning(problems.at(stated->source()),
+                   fmt::format("duration_s {:.3g} in steps of {:.3g} s takes {:.2g} steps, which is unusual",
+                               scene.analysis.duration_s, scene.analysis.step_s, steps),
+                   fmt::format("at most {:.0e} steps", most), "shorten duration_s, or lengthen step_s");
+}
+
+void check_size(const Scene& scene, double size_m, Problems& problems) {
+  constexpr double least_m = 1e-3;
+  constexpr double most_m = 5000;
+  if (size_m >= least_m && size_m <= most_m) return;
+  problems.warning(problems.at(scene.blocks.front().line),
+                   fmt::format("the structure is {:.4g} m large, which is unusual", size_m),
+                   fmt::format("{} to {} m", least_m, most_m),
+                   size_m > most_m ? "are its coordinates in millimetres? write metres"
+                                   : "are its coordinates in kilometres? write metres");
+}
+
+void check_crack_width(const toml::table& file, const Scene& scene, double size_m, Problems& problems) {
+  constexpr double most_ratio = 0.05;
+  const toml::node* node = file["water"]["open_crack_width_m"].node();
+  if (node == nullptr || scene.water.open_crack_width_m <= most_ratio * size_m) return;
+  problems.warning(problems.at(node->source()),
+                   fmt::format("open_crack_width_m is {:.3g} m in a structure of {:.3g} m, which is unusual: water in "
+                               "narrower gaps is left out",
+                               scene.water.open_crack_width_m, size_m),
+                   fmt::format("up to {:.2g} m, 1/20 of the structure's size", most_ratio * size_m),
+                   "narrow it, or leave it out");
+}
+
+void check_shaking(const toml::table& file, const Scene& scene, Problems& problems) {
+  constexpr double most = 30;  // m/s2, three times gravity
+  if (!scene.base_motion) return;
+  for (const auto& [key, table] : {std::pair{"acceleration_x_m_per_s2", &scene.base_motion->acceleration_x_m_per_s2},
+                                   {"acceleration_y_m_per_s2", &scene.base_motion->acceleration_y_m_per_s2}}) {
+    double largest = table->sine ? std::abs(table->sine->amplitude) : 0;
+    for (const double value : table->value) largest = std::max(largest, std::abs(value));
+    if (largest <= most) continue;
+    problems.warning(problems.at(file["base_motion"][key].node()->source()),
+                     fmt::format("{} in [base_motion] reaches {:.4g} m/s2, which is unusual", key, largest),
+                     fmt::format("up to {} m/s2", most), "981 is cm/s2: give scale = 0.01 beside the record");
+  }
+}
+
+}  // namespace
+
+std::span<const Magnitude> magnitudes() {
+  return table_of_magnitudes;
+}
+
+void check_magnitudes(const toml::table& file, const Scene& scene, Problems& problems) {
+  const double size_m = structure_size_m(scene.blocks);
+  for (const Magnitude& row : table_of_magnitudes) {
+    const double shrunk = row.grows_with_size ? std::min(1.0, size_m / 10) : 1;
+    check_row(row, shrunk * row.least, file, problems);
+  }
+  check_steps(file, scene, problems);
+  check_size(scene, size_m, problems);
+  check_crack_width(file, scene, size_m, problems);
+  check_shaking(file, scene, problems);
+  check_levels(file, scene, problems);
+  check_gaps(scene, problems);
+}
+
+}  // namespace blockweir::scene

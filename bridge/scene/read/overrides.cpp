@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values that the command line sets over those of the file: --set analysis.step_s=0.001.
+#include "bridge/scene/read/overrides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <sstream>
+
+#include "bridge/scene/read/nearest.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+constexpr std::size_t longest_path = 20;
+
+/// One "dotted.key=value". Its place in messages is the argument itself.
+struct Override {
+  std::string argument;
+  std::vector<std::string> path;
+  std::string value;
+};
+
+Override split(const std::string& argument) {
+  Override split{.argument = "--set " + argument};
+  const auto equals = argument.find('=');
+  if (equals == std::string::npos) return split;
+  std::istringstream words(argument.substr(0, equals));
+  for (std::string word; std::getline(words, word, '.');) split.path.push_back(word);
+  split.value = argument.substr(equals + 1);
+  return split;
+}
+
+bool well_formed(const Override& o) {
+  return !o.path.empty() && o.path.size() <= longest_path &&
+         std::none_of(o.path.begin(), o.path.end(), [](const std::string& word) { return word.empty(); });
+}
+
+/// {value = ...}: as TOML, or as a text where that is none. The argument stays with it as its source.
+toml::table parse_value(const Override& o) {
+  const auto is_sound = [](const toml::table& table) { return table.size() == 1 && table.contains("value"); };
+  try {
+    if (o.value.find_first_of("\r\n") == std::string::npos) {
+      toml::table table = toml::parse("value = " + o.value, o.argument);
+      if (is_sound(table)) return table;
+    }
+  } catch (const toml::parse_error&) {
+    // A bare word, as shells leave of a quoted one.
+  }
+  toml::table table = toml::parse("value = ''", o.argument);
+  *table["value"].as_string() = o.value;
+  return table;
+}
+
+toml::key key_of(const std::string& word, const Override& o) {
+  return toml::key(word, toml::source_region{{1, 1}, {1, 1}, std::make_shared<const std::string>(o.argument)});
+}
+
+/// An entry of a list of sections by its name, else by its index; null where there is none.
+toml::table* entry(toml::array& list, const std::string& word) {
+  for (auto& node : list) {
+    toml::table* table = node.as_table();
+    if (table != nullptr && (*table)["name"].value<std::string>() == word) return table;
+  }
+  std::size_t index = 0;
+  const char* end = word.data() + word.size();
+  const auto [stopped, failed] = std::from_chars(word.data(), end, index);
+  return failed == std::errc() && stopped == end && index < list.size() ? list[index].as_table() : nullptr;
+}
+
+std::vector<std::string> names_in(const toml::array& list) {
+  std::vector<std::string> names;
+  for (const auto& node : list) {
+    const toml::table* table = node.as_table();
+    if (const auto name = table != nullptr ? (*table)["name"].value<std::string>() : std::nullopt)
+      names.push_back(*name);
+  }
+  return names;
+}
+
+class Descent {
+ public:
+  Descent(toml::table& file, const Override& o, Problems& problems) : here_(&file), override_(o), problems_(problems) {}
+
+  /// The table that holds the last word of the path; sections that are absent are made. Null and reported if there
+  /// is no way.
+  toml::table* to_last() {
+    const auto& path = override_.path;
+    for (std::size_t i = 0; here_ != nullptr && i + 1 < path.size(); ++i) {
+      if (!here_->contains(path[i])) here_->insert(key_of(path[i], override_), toml::table{});
+      toml::node& next = *here_->get(path[i]);
+      if (toml::array* list = next.as_array(); list != nullptr && i + 2 < path.size()) {
+        enter(*list, path[i], path[i + 1]);
+        ++i;
+      } else if (next.is_table()) {
+        here_ = next.as_table();
+      } else {
+        refuse(fmt::format("\"{}\" has no keys", path[i]), "section.key=value, or list.name.key=value", "");
+      }
+    }
+    return here_;
+  }
+
+ private:
+  void enter(toml::array& list, const std::string& section, const std::string& word) {
+    here_ = entry(list, word);
+    if (here_ != nullptr) return;
+    const auto names = names_in(list);
+    refuse(fmt::format("no [[{}]] is \"{}\"", section, word),
+           fmt::format("an index below {} or {}", list.size(), one_of(names)), did_you_mean(word, names));
+  }
+  void refuse(std::string found, std::string expected, std::string remedy) {
+    problems_.error({override_.argument, 0}, std::move(found), std::move(expected), std::move(remedy));
+    here_ = nullptr;
+  }
+
+  toml::table* here_;
+  const Override& override_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+void apply_overrides(toml::table& file, const std::vector<std::string>& overrides, Problems& problems) {
+  for (const std::string& argument : overrides) {
+    const Override o = split(argument);
+    if (!well_formed(o)) {
+      problems.error({o.argument, 0}, "this names no key", "section.key=value",
+                     "write for example --set analysis.step_s=0.001 or --set block.top.fixed=true");
+      continue;
+    }
+    toml::table value = parse_value(o);
+    if (toml::table* table = Descent(file, o, problems).to_last()) {
+      // Moved, not copied: a copy of a node forgets its source.
+      value.get("value")->visit(
+          [&](auto& node) { table->insert_or_assign(key_of(o.path.back(), o), std::move(node)); });
+    }
+  }
+}
+
+}  // namespace blockweir::scene

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values that the command line sets over those of the file: --set analysis.step_s=0.001.
+#pragma once
+
+#include <toml++/toml.h>
+#include <string>
+#include <vector>
+
+#include "bridge/scene/read/problems.hpp"
+
+namespace blockweir::scene {
+
+/// Each override is "dotted.key=value", the value in TOML's syntax or a bare word; entries of a list of tables
+/// are named by their index or their name (block.top.fixed=true).
+void apply_overrides(toml::table& file, const std::vector<std::string>& overrides, Problems& problems);
+
+}  // namespace blockweir::scene

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a TOML file to a Scene. Every problem of the file is collected before it is reported.
+#include "bridge/scene/read/read.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "bridge/scene/read/check.hpp"
+#include "bridge/scene/read/digest.hpp"
+#include "bridge/scene/read/key_depth.hpp"
+#include "bridge/scene/read/magnitudes.hpp"
+#include "bridge/scene/read/nearest.hpp"
+#include "bridge/scene/read/overrides.hpp"
+#include "bridge/scene/read/reading.hpp"
+#include "bridge/scene/read/section_drawing.hpp"
+#include "bridge/scene/read/time_record.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+constexpr std::uintmax_t largest_file = 16U << 20U;
+constexpr int deepest_sound_key = 20;
+
+[[noreturn]] void refuse(const std::string& file, int line, std::string found, std::string expected,
+                         std::string remedy) {
+  throw SceneError(
+      {{Diagnostic::Severity::error, file, line, std::move(found), std::move(expected), std::move(remedy)}});
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  namespace fs = std::filesystem;
+  constexpr const char* expected = "a scene file, or a folder that holds scene.toml";
+  const auto refuse_file = [&](const char* found, const char* remedy) {
+    refuse(file.string(), 0, found, expected, remedy);
+  };
+  std::error_code failed;
+  if (!fs::exists(file, failed)) refuse_file("there is no such file", "check the path");
+  if (!fs::is_regular_file(file, failed)) refuse_file("this is not a file", "check the path");
+  if (fs::file_size(file, failed) > largest_file) refuse_file("the file is larger than 16 MB", "check the path");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) refuse_file("the file cannot be read", "check its permissions");
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) refuse_file("the file cannot be read to its end", "check the disk");
+  return text;
+}
+
+toml::table parse(const std::string& text, const std::string& name) {
+  if (const DeepKey key = deepest_key(text); key.parts > deepest_sound_key) {
+    refuse(name, key.line, fmt::format("a key of {} parts", key.parts), "keys like [material.concrete]",
+           "take out the dots that do not belong");
+  }
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    refuse(name, static_cast<int>(error.source().begin.line), fmt::format("a syntax error: {}", error.description()),
+           "TOML (toml.io)", "correct the line; texts stand in quotes, lists in [ ], sections on lines of their own");
+  }
+}
+
+void read_sections(Reading& reading) {
+  for (const auto read : {read_heading, read_analysis, read_materials, read_default_joint}) read(reading);
+  const std::size_t before = reading.problems.count();
+  for (const auto read : {read_section, read_arches, read_walls, read_heaps, read_blocks, read_supports}) read(reading);
+  const bool structure_sound = reading.problems.count() == before;
+  for (const auto read : {read_joints, read_point_loads, read_face_pressures, read_line_loads, read_body_loads,
+                          read_bolts, read_base_motion, read_water, read_fluid, read_contact, read_coupling,
+                          read_output, read_expectations, read_water_expectations, read_variants, read_studies}) {
+    read(reading);
+  }
+  reject_unknown_sections(reading);
+  resolve_lengths(reading);
+  check_overlaps(reading.scene, reading.problems);
+  // A wrong block or support would be followed by an error for each block that it holds.
+  if (structure_sound) check_held(reading.scene, reading.problems);
+  if (reading.problems.count() > 0) return;
+  check_effects(reading);
+  check_magnitudes(reading.file, reading.scene, reading.problems);
+}
+
+}  // namespace
+
+void refuse_warnings(const std::vector<Diagnostic>& warnings) {
+  if (warnings.empty()) return;
+  std::vector<Diagnostic> errors = warnings;
+  for (Diagnostic& d : errors) d.severity = Diagnostic::Severity::error;
+  throw SceneError(std::move(errors));
+}
+
+ReadScene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+  toml::table file = parse(text, name);
+  Problems problems(name);
+  ReadScene result;
+  Scene& scene = result.scene;
+  scene.file = name;
+  scene.text = text;
+  if (!overrides.empty()) apply_overrides(file, overrides, problems);
+  const std::size_t before = problems.count();
+  const auto folder = std::filesystem::path(name).parent_path();
+  const bool drawn = take_drawing(file, folder, problems);
+  const bool recorded = take_records(file, folder, problems);
+  if (problems.count() > before) throw SceneError(problems.errors());
+  if (drawn || recorded || !overrides.empty()) {
+    std::ostringstream merged;
+    merged << file << '\n';
+    scene.text = merged.str();
+  }
+  scene.digest = digest(scene.text);
+  Reading reading{file, problems, scene};
+  read_sections(reading);
+  if (problems.count() > 0) throw SceneError(problems.errors());
+  result.notes = problems.notes();
+  result.warnings = problems.warnings();
+  for (const Diagnostic& warning : result.warnings) scene.warnings.push_back(warning.message());
+  return result;
+}
+
+ReadScene read(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  std::error_code failed;
+  const std::filesystem::path file = std::filesystem::is_directory(path, failed) ? path / "scene.toml" : path;
+  return read_text(text_of(file), file.string(), overrides);
+}
+
+ReadScene read_variant(const std::filesystem::path& path, const std::string& name,
+                       const std::vector<std::string>& overrides) {
+  if (name.empty()) return read(path, overrides);
+  const Scene scene = read(path).scene;
+  std::vector<std::string> names;
+  for (const Variant& variant : scene.variants) {
+    names.push_back(variant.name);
+    if (variant.name != name) continue;
+    std::vector<std::string> all = variant.set;
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return read(path, all);
+  }
+  refuse(scene.file.string(), 0, fmt::format("there is no variant \"{}\"", name),
+         names.empty() ? "a scene with a [[variant]]" : one_of(names), did_you_mean(name, names));
+}
+
+}  // namespace blockweir::scene

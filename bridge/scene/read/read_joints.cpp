@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joints: the law of all, and the pairs of blocks that differ.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "bridge/scene/read/nearest.hpp"
+#include "bridge/scene/read/reading.hpp"
+#include "bridge/scene/structure_size.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+std::array<int, 2> read_between(TableReader& table, Reading& reading) {
+  std::array<int, 2> between{-1, -1};
+  std::vector<std::string> words;
+  if (!table.texts("between", words, 2)) return between;
+  for (std::size_t i = 0; i < 2; ++i) {
+    between[i] = reading.blocks.find(words[i]);
+    if (between[i] >= 0) continue;
+    reading.problems.error(table.place("between", i),
+                           fmt::format("between in {} names no block: \"{}\"", table.name(), words[i]),
+                           one_of(reading.blocks.list()), did_you_mean(words[i], reading.blocks.list()));
+  }
+  if (between[0] >= 0 && between[0] == between[1]) {
+    reading.problems.error(table.place("between"),
+                           fmt::format("{} joins block \"{}\" to itself", table.name(), words[0]),
+                           "two different blocks", "name the block on its other side");
+  }
+  return between;
+}
+
+void note_tension_beyond_apex(TableReader& table, const JointLaw& law, Problems& problems) {
+  const double apex = law.cohesion_pa / std::tan(law.friction_angle_deg * std::numbers::pi / 180);
+  if (law.tension_strength_pa <= apex) return;
+  problems.note(table.place("tension_strength_pa"),
+                fmt::format("in {} the joint bears no shear under a tension above {:.6g} Pa, cohesion over "
+                            "tan(friction angle); tension_strength_pa is {:.6g}",
+                            table.name(), apex, law.tension_strength_pa),
+                "a bond under such a tension breaks with the first shear; give it cohesion_pa");
+}
+
+/// Slip works N tan(friction) and lifts N by tan(dilation): more of that would make energy.
+void refuse_dilation_beyond_friction(TableReader& table, const char* key, const JointLaw& law, Problems& problems) {
+  const bool by_residual = law.residual_friction_angle_deg < law.friction_angle_deg;
+  const double friction_deg = by_residual ? law.residual_friction_angle_deg : law.friction_angle_deg;
+  if (law.dilation_angle_deg <= friction_deg) return;
+  problems.error(table.place(key),
+                 fmt::format("dilation_angle_deg in {} is {:.6g}, above {} = {:.6g}: slip would make energy",
+                             table.name(), law.dilation_angle_deg,
+                             by_residual ? "residual_friction_angle_deg" : "friction_angle_deg", friction_deg),
+                 "a dilation angle of at most the friction angle, peak and residual (associated flow has equal ones)",
+                 fmt::format("set dilation_angle_deg to at most {:.6g}, or the friction angle to at least {:.6g}",
+                             friction_deg, law.dilation_angle_deg));
+}
+
+}  // namespace
+
+void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residual_given) {
+  const Range angle{[](double degrees) { return degrees >= 0 && degrees < 90; },
+                    "an angle of at least 0 and below 90 degrees"};
+  const char* stated = nullptr;  // the last key of friction and dilation
+  if (table.number("friction_angle_deg", law.friction_angle_deg, angle)) stated = "friction_angle_deg";
+  if (table.number("residual_friction_angle_deg", law.residual_friction_angle_deg, angle)) {
+    stated = "residual_friction_angle_deg";
+    residual_given = true;
+  }
+  if (!residual_given) law.residual_friction_angle_deg = law.friction_angle_deg;
+  table.number("cohesion_pa", law.cohesion_pa, not_negative());
+  if (table.number("tension_strength_pa", law.tension_strength_pa, not_negative())) {
+    note_tension_beyond_apex(table, law, reading.problems);
+  }
+  table.number("bonded_length_m", law.bonded_length_m, not_negative());
+  table.flag("keeps_cohesion", law.keeps_cohesion);
+  table.number("softening_slip_m", law.softening_slip_m, not_negative());
+  if (table.number("dilation_angle_deg", law.dilation_angle_deg, angle)) stated = "dilation_angle_deg";
+  if (stated != nullptr) refuse_dilation_beyond_friction(table, stated, law, reading.problems);
+  table.number("dilation_limit_m", law.dilation_limit_m, not_negative());
+  table.choice<Uplift>("uplift", law.uplift,
+                       {{"none", Uplift::none}, {"triangular", Uplift::triangular}, {"full", Uplift::full}});
+}
+
+void read_default_joint(Reading& reading) {
+  TableReader table(reading.problems, reading.section("joint"), "[joint]");
+  read_law(table, reading.scene.default_joint, reading, reading.residual_given);
+  check_law(table, reading.scene.default_joint, reading, /*of_all=*/true);
+}
+
+void read_joints(Reading& reading) {
+  std::set<std::string> names;
+  std::set<std::array<int, 2>> pairs;
+  for (const Joint& cut : reading.scene.joints) {
+    names.insert(cut.name);
+    const auto [low, high] = std::minmax(cut.between[0], cut.between[1]);
+    pairs.insert({low, high});
+  }
+  const double touching_m = 0.5e-6 * structure_size_m(reading.scene.blocks);  // as the solid has it
+  reading.each("joints", [&](TableReader& table) {
+    Joint joint{.law = reading.scene.default_joint};
+    table.text("name", joint.name, true);
+    joint.between = read_between(table, reading);
+    bool own_residual = reading.residual_given;
+    read_law(table, joint.law, reading, own_residual);
+    check_law(table, joint.law, reading, /*of_all=*/false);
+    check_joint(table, reading, joint, touching_m);
+    const auto [low, high] = std::minmax(joint.between[0], joint.between[1]);
+    if (!names.insert(joint.name).second && !joint.name.empty()) {
+      reading.problems.error(table.place("name"), fmt::format("a second joint is called \"{}\"", joint.name),
+                             "names that differ", "rename one of them");
+    }
+    if (low >= 0 && !pairs.insert({low, high}).second) {
+      reading.problems.error(table.place("between"),
+                             fmt::format("{} is a second joint of its two blocks", table.name()),
+                             "one joint for each pair of blocks", "leave one of the two out");
+    }
+    reading.scene.joints.push_back(std::move(joint));
+  });
+}
+
+}  // namespace blockweir::scene

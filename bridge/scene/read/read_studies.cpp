@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Studies: which runs of the scene are to be made, and what is to come out.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bridge/scene/answers.hpp"
+#include "bridge/scene/read/reading.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+/// Studies of all kinds by their names, and what `of` may name.
+struct Known {
+  Names studies{"study"};
+  Names parts{"block, joint or arch"};
+};
+
+void require_own_name(TableReader& table, Reading& reading, Known& known, const std::string& name) {
+  if (name.empty() || known.studies.add(name)) return;
+  reading.problems.error(table.place("name"), fmt::format("a second study is called \"{}\"", name), "names that differ",
+                         "rename one of them");
+}
+
+/// What all kinds have in common; the quantity is that of the kind. False when `of` names nothing.
+bool read_study(TableReader& table, Reading& reading, Known& known, Study& study) {
+  Expectation& e = study.expected;
+  table.text("name", study.name, true);
+  table.texts_if_any("set", study.set);
+  table.word("formula", e.formula, formula_names());
+  table.text("of", e.of);
+  table.text("source", e.source);
+  require_own_name(table, reading, known, study.name);
+  return e.of.empty() || table.reference("of", known.parts) >= 0;
+}
+
+void read_limit(TableReader& table, Reading& reading, Known& known) {
+  LimitStudy study;
+  const bool named = read_study(table, reading, known, study);
+  table.text("key", study.key, true);
+  table.text("outcome", study.outcome);
+  table.number("value", study.expected.value);
+  require_one_answer(table, reading);
+  if (named) check_answer(table, reading, study.expected);
+  table.number("tolerance", study.expected.tolerance, positive());
+  study.width = study.expected.tolerance / 4;
+  table.number("width", study.width, positive());
+  const bool begins = table.number("from", study.from, any_number(), true);
+  const bool ends = table.number("to", study.to, any_number(), true);
+  if (begins && ends && study.from == study.to) {
+    reading.problems.error(table.place("to"),
+                           fmt::format("{} looks for a limit from {} to {}", table.name(), study.from, study.to),
+                           "two values, with the limit between them", "move one of them");
+  }
+  reading.scene.studies.limits.push_back(std::move(study));
+}
+
+void read_order(TableReader& table, Reading& reading, Known& known) {
+  OrderStudy study;
+  const bool named = read_study(table, reading, known, study);
+  table.text("key", study.key, true);
+  table.numbers("values", study.values, positive(), 3);
+  table.word("quantity", study.expected.quantity, quantity_names(), true);
+  table.number("value", study.expected.value);
+  require_one_answer(table, reading);
+  if (named) check_answer(table, reading, study.expected);
+  table.number("order", study.order, any_number(), true);
+  table.number("tolerance", study.order_tolerance, positive());
+  reading.scene.studies.orders.push_back(std::move(study));
+}
+
+void read_map(TableReader& table, Reading& reading, Known& known) {
+  MapStudy study;
+  const bool named = read_study(table, reading, known, study);
+  study.expected.quantity = "mode";
+  table.word("quantity", study.expected.quantity, quantity_names());
+  table.text("x_key", study.axes[0].key, true);
+  table.settings("x_values", study.axes[0].values);
+  table.text("y_key", study.axes[1].key, true);
+  table.settings("y_values", study.axes[1].values);
+  table.number("value", study.expected.value);
+  table.text("word", study.expected.word);
+  require_one_answer(table, reading);
+  if (named) check_answer(table, reading, study.expected);
+  table.number("tolerance", study.expected.tolerance, positive());
+  table.integer("may_refuse", study.may_refuse, 0);
+  table.number("longest_s", study.longest_s, positive());
+  reading.scene.studies.maps.push_back(std::move(study));
+}
+
+void read_bench(TableReader& table, Reading& reading, Known& known) {
+  Bench bench;
+  table.text("name", bench.name, true);
+  table.texts_if_any("set", bench.set);
+  table.text("key", bench.sweep.key, true);
+  table.settings("values", bench.sweep.values);
+  require_own_name(table, reading, known, bench.name);
+  reading.scene.studies.benches.push_back(std::move(bench));
+}
+
+}  // namespace
+
+void read_studies(Reading& reading) {
+  Known known;
+  for (const Block& block : reading.scene.blocks) known.parts.add(block.name);
+  for (const Joint& joint : reading.scene.joints) known.parts.add(joint.name);
+  for (const Arch& arch : reading.scene.arches) known.parts.add(arch.name);
+  reading.each("limit", [&](TableReader& table) { read_limit(table, reading, known); });
+  reading.each("order", [&](TableReader& table) { read_order(table, reading, known); });
+  reading.each("map", [&](TableReader& table) { read_map(table, reading, known); });
+  reading.each("bench", [&](TableReader& table) { read_bench(table, reading, known); });
+}
+
+}  // namespace blockweir::scene

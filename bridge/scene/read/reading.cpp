@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the sections of a scene file, and those that are none.
+#include "bridge/scene/read/reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bridge/scene/read/nearest.hpp"
+
+namespace blockweir::scene {
+
+const toml::table* Reading::section(const char* name) {
+  sections.emplace_back(name);
+  const toml::node* node = file.get(name);
+  if (node != nullptr && !node->is_table()) {
+    problems.error(problems.at(node->source()), fmt::format("{} is not a section", name), fmt::format("[{}]", name),
+                   fmt::format("write its keys under a line [{}]", name));
+  }
+  return node != nullptr ? node->as_table() : nullptr;
+}
+
+std::vector<const toml::table*> Reading::entries(const char* name) {
+  sections.emplace_back(name);
+  const toml::node* node = file.get(name);
+  if (node == nullptr) return {};
+  const toml::array* list = node->as_array();
+  if (list == nullptr || (!list->empty() && !list->is_array_of_tables())) {
+    problems.error(problems.at(node->source()), fmt::format("{} is not a list of sections", name),
+                   fmt::format("[[{}]]", name), fmt::format("write each one under a line [[{}]]", name));
+    return {};
+  }
+  std::vector<const toml::table*> tables;
+  for (const auto& entry : *list) tables.push_back(entry.as_table());
+  return tables;
+}
+
+std::string Reading::entry_name(const char* name, const toml::table& table) {
+  const auto own = table["name"].value<std::string>();
+  return own ? fmt::format("[[{}]] \"{}\"", name, *own) : fmt::format("[[{}]]", name);
+}
+
+const Block* Reading::sound_block(int index) const {
+  if (index < 0) return nullptr;
+  const Block& block = scene.blocks[static_cast<std::size_t>(index)];
+  return block.vertices.empty() ? nullptr : &block;
+}
+
+void read_heading(Reading& reading) {
+  for (auto [key, into] : {std::pair{"title", &reading.scene.title}, std::pair{"note", &reading.scene.note}}) {
+    reading.sections.emplace_back(key);
+    const toml::node* node = reading.file.get(key);
+    if (node == nullptr) continue;
+    const auto text = node->is_string() ? node->value<std::string>() : std::nullopt;
+    if (text) {
+      *into = *text;
+    } else {
+      reading.problems.error(reading.problems.at(node->source()), fmt::format("{} is not a text", key),
+                             "a text in quotes", fmt::format("put the {} in quotes", key));
+    }
+  }
+}
+
+void reject_unknown_sections(Reading& reading) {
+  for (const auto& [key, node] : reading.file) {
+    const std::string word(key.str());
+    const auto& known = reading.sections;
+    if (reading.problems.full()) return;
+    if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+    reading.problems.error(reading.problems.at(key.source()),
+                           fmt::format("unknown {} \"{}\"", node.is_value() ? "key" : "section", word), one_of(known),
+                           did_you_mean(word, known));
+  }
+}
+
+}  // namespace blockweir::scene

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads one TOML table key by key: types, ranges, defaults, and which keys nobody asked for.
+#include "bridge/scene/read/table_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "bridge/scene/read/key_advice.hpp"
+#include "bridge/scene/read/nearest.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+constexpr std::size_t most_vertices = 10'000;
+constexpr double farthest_m = 1e7;  // beyond it, round-off in the coordinates is no longer small against a block
+
+std::string shown(const toml::node& node) {
+  if (node.is_table()) return "a table";
+  if (const toml::array* list = node.as_array()) return fmt::format("a list of {}", list->size());
+  std::ostringstream stream;
+  node.visit([&](const auto& value) {
+    if constexpr (toml::is_value<decltype(value)>) stream << value;
+  });
+  std::string text = stream.str();
+  if (text.size() > 40) text = text.substr(0, 37) + "...";
+  return text;
+}
+
+std::optional<Point> point_of(const toml::node& node) {
+  const toml::array* pair = node.as_array();
+  if (pair == nullptr || pair->size() != 2) return std::nullopt;
+  const auto x = finite_number((*pair)[0]);
+  const auto y = finite_number((*pair)[1]);
+  if (!x || !y || std::max(std::abs(*x), std::abs(*y)) > farthest_m) return std::nullopt;
+  return Point(*x, *y);
+}
+
+}  // namespace
+
+std::optional<double> finite_number(const toml::node& node) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+Range any_number() {
+  return {[](double) { return true; }, "a finite number"};
+}
+Range positive() {
+  return {[](double x) { return x > 0; }, "a number above 0"};
+}
+Range not_negative() {
+  return {[](double x) { return x >= 0; }, "a number of at least 0"};
+}
+
+TableReader::TableReader(Problems& problems, const toml::table* table, std::string name)
+    : problems_(problems), table_(table), name_(std::move(name)) {}
+
+TableReader::~TableReader() {
+  if (table_ == nullptr) return;
+  for (const auto& [key, node] : *table_) {
+    const std::string word(key.str());
+    if (problems_.full()) return;
+    if (std::find(asked_.begin(), asked_.end(), word) != asked_.end()) continue;
+    const KeyAdvice advice = key_advice(word, asked_);
+    problems_.error(problems_.at(key.source()), fmt::format("unknown key \"{}\" in {}", word, name_), advice.expected,
+                    advice.remedy);
+  }
+}
+
+Place TableReader::place() const {
+  return present() ? problems_.at(table_->source()) : problems_.at(0);
+}
+
+Place TableReader::place(const char* key) const {
+  return has(key) ? problems_.at(table_->get(key)->source()) : place();
+}
+
+Place TableReader::place(const char* key, std::size_t entry) const {
+  const toml::array* list = has(key) ? table_->get(key)->as_array() : nullptr;
+  return list != nullptr && entry < list->size() ? problems_.at((*list)[entry].source()) : place(key);
+}
+
+const toml::node* TableReader::ask(const char* key, bool required, const std::string& expected) {
+  asked_.emplace_back(key);
+  const toml::node* node = table_ != nullptr ? table_->get(key) : nullptr;
+  if (node == nullptr && required) {
+    problems_.error(place(), fmt::format("{} has no \"{}\"", name_, key), expected, fmt::format("add {} = ...", key));
+  }
+  return node;
+}
+
+bool TableReader::wrong(const char* key, const toml::node& node, const std::string& expected,
+                        const std::string& remedy) {
+  problems_.error(problems_.at(node.source()), fmt::format("{} in {} is {}", key, name_, shown(node)), expected,
+                  remedy.empty() ? fmt::format("correct {}", key) : remedy);
+  return false;
+}
+
+bool TableReader::not_one_of(const char* key, const std::string& word, const std::vector<std::string>& known) {
+  problems_.error(place(key), fmt::format("{} in {} is \"{}\"", key, name_, word), one_of(known),
+                  did_you_mean(word, known));
+  return false;
+}
+
+bool TableReader::number(const char* key, double& into, const Range& range, bool required) {
+  const toml::node* node = ask(key, required, range.words);
+  if (node == nullptr) return false;
+  const auto value = finite_number(*node);
+  if (!value || !range.holds(*value)) return wrong(key, *node, range.words);
+  into = *value;
+  return true;
+}
+
+bool TableReader::number(const char* key, std::optional<double>& into, const Range& range) {
+  double value = 0;
+  if (!number(key, value, range)) return false;
+  into = value;
+  return true;
+}
+
+bool TableReader::numbers(const char* key, std::vector<double>& into, const Range& range, std::size_t least) {
+  const std::string words = fmt::format("a list of at least {}, each {}", least, range.words);
+  const toml::node* node = ask(key, true, words);
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() < least) return wrong(key, *node, words);
+  for (const auto& entry : *list) {
+    const auto value = finite_number(entry);
+    if (!value || !range.holds(*value)) return wrong(key, entry, range.words);
+    into.push_back(*value);
+  }
+  return true;
+}
+
+bool TableReader::settings(const char* key, std::vector<std::string>& into) {
+  constexpr const char* words = "a list of at least 1, each a finite number, true, false or a text";
+  const toml::node* node = ask(key, true, words);
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->empty()) return wrong(key, *node, words);
+  for (const auto& entry : *list) {
+    if (const auto number = finite_number(entry)) {
+      const std::string brief = fmt::format("{:g}", *number);  // 1e+13, not 10000000000000
+      into.push_back(std::strtod(brief.c_str(), nullptr) == *number ? brief : fmt::format("{}", *number));
+    } else if (entry.is_string()) {
+      into.push_back(*entry.value<std::string>());
+    } else if (entry.is_boolean()) {
+      into.emplace_back(*entry.value<bool>() ? "true" : "false");
+    } else {
+      return wrong(key, entry, words);
+    }
+  }
+  return true;
+}
+
+bool TableReader::integer(const char* key, int& into, int least) {
+  constexpr int most = 1'000'000;
+  const std::string words = fmt::format("a whole number from {} to {}", least, most);
+  const toml::node* node = ask(key, false, words);
+  if (node == nullptr) return false;
+  const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+  if (!value || *value < least || *value > most) return wrong(key, *node, words);
+  into = static_cast<int>(*value);
+  return true;
+}
+
+bool TableReader::flag(const char* key, bool& into) {
+  const toml::node* node = ask(key, false, "true or false");
+  if (node == nullptr) return false;
+  if (!node->is_boolean()) return wrong(key, *node, "true or false");
+  into = *node->value<bool>();
+  return true;
+}
+
+bool TableReader::text(const char* key, std::string& into, bool required) {
+  const std::string words = required ? "a text that is not empty, in quotes" : "a text in quotes";
+  const toml::node* node = ask(key, required, words);
+  if (node == nullptr) return false;
+  const auto value = node->is_string() ? node->value<std::string>() : std::nullopt;
+  if (!value || (required && value->empty())) return wrong(key, *node, words);
+  into = *value;
+  return true;
+}
+
+bool TableReader::word(const char* key, std::string& into, const std::vector<std::string>& known, bool required) {
+  if (!text(key, into, required)) return false;
+  return std::find(known.begin(), known.end(), into) != known.end() || not_one_of(key, into, known);
+}
+
+bool TableReader::texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count) {
+  const std::string words = count ? fmt::format("a list of {} names", *count) : "a list of texts";
+  const toml::node* node = ask(key, true, words);
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != count.value_or(list->size()) || !list->is_homogeneous<std::string>())
+    return wrong(key, *node, words);
+  for (const auto& entry : *list) into.push_back(*entry.value<std::string>());
+  return true;
+}
+
+bool TableReader::texts_if_any(const char* key, std::vector<std::string>& into) {
+  asked_.emplace_back(key);
+  if (!has(key)) return false;
+  texts(key, into);
+  return true;
+}
+
+bool TableReader::stress(const char* key, std::optional<Eigen::Vector3d>& into) {
+  constexpr const char* words = "three finite numbers [xx, yy, xy]";
+  const toml::node* node = ask(key, false, words);
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != 3) return wrong(key, *node, words);
+  Eigen::Vector3d read;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = finite_number((*list)[i]);
+    if (!value) return wrong(key, (*list)[i], words);
+    read[static_cast<Eigen::Index>(i)] = *value;
+  }
+  into = read;
+  return true;
+}
+
+bool TableReader::point(const char* key, Point& into, bool required) {
+  constexpr const char* words = "a pair of numbers [x, y] within 1e7";
+  const toml::node* node = ask(key, required, words);
+  if (node == nullptr) return false;
+  const auto value = point_of(*node);
+  if (!value) return wrong(key, *node, words);
+  into = *value;
+  return true;
+}
+
+bool TableReader::vector(const char* key, Eigen::Vector2d& into) {
+  constexpr const char* words = "two finite numbers [x, y]";
+  const toml::node* node = ask(key, false, words);
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != 2) return wrong(key, *node, words);
+  const auto x = finite_number((*list)[0]);
+  const auto y = finite_number((*list)[1]);
+  if (!x || !y) return wrong(key, *node, words);
+  into = {*x, *y};
+  return true;
+}
+
+bool TableReader::points(const char* key, std::vector<Point>& into, std::size_t least) {
+  const toml::node* node = ask(key, true, "a list of points [[x, y], ...]");
+  return node != nullptr && points_of(key, *node, into, least);
+}
+
+const toml::table* TableReader::table(const char* key) {
+  const toml::node* node = ask(key, false, "");
+  if (node == nullptr || node->is_table()) return node == nullptr ? nullptr : node->as_table();
+  wrong(key, *node, "a table { key = value, ... }");
+  return nullptr;
+}
+
+bool TableReader::outlines(const char* key, std::vector<std::vector<Point>>& into) {
+  const toml::node* node = ask(key, false, "");
+  if (node == nullptr) return false;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) return wrong(key, *node, "a list of outlines [[[x, y], ...], ...]");
+  for (const auto& entry : *list) {
+    if (!points_of(key, entry, into.emplace_back(), 3)) return false;
+  }
+  return true;
+}
+
+bool TableReader::points_of(const char* key, const toml::node& node, std::vector<Point>& into, std::size_t least) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->size() < least || list->size() > most_vertices) {
+    return wrong(key, node, fmt::format("a list of {} to {} points [[x, y], ...]", least, most_vertices));
+  }
+  std::vector<Point> read;
+  for (const auto& entry : *list) {
+    const auto p = point_of(entry);
+    if (!p) return wrong(key, entry, "a pair of numbers [x, y] in metres, within 1e7");
+    read.push_back(*p);
+  }
+  into = std::move(read);
+  return true;
+}
+
+int TableReader::reference(const char* key, const Names& names, bool required) {
+  std::string word;
+  if (!text(key, word, required) || word.empty()) return -1;
+  const int index = names.find(word);
+  if (index >= 0) return index;
+  problems_.error(place(key), fmt::format("{} in {} names no {}: \"{}\"", key, name_, names.kind(), word),
+                  one_of(names.list()), did_you_mean(word, names.list()));
+  return -1;
+}
+
+}  // namespace blockweir::scene

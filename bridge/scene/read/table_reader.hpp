@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads one TOML table key by key: types, ranges, defaults, and which keys nobody asked for.
+#pragma once
+
+#include <toml++/toml.h>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bridge/scene/names.hpp"
+#include "bridge/scene/read/problems.hpp"
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::scene {
+
+/// What a number has to be, as a test and in words.
+struct Range {
+  std::function<bool(double)> holds;
+  const char* words;
+};
+Range any_number();
+Range positive();
+Range not_negative();
+
+/// A value that is wrong is reported and leaves `into` as it was; so does a key that is absent, unless required.
+class TableReader {
+ public:
+  /// `table` may be null (absent): all keys then take their defaults. `name` is how messages call it: "[analysis]".
+  TableReader(Problems& problems, const toml::table* table, std::string name);
+  /// Reports the keys that were never asked for.
+  ~TableReader();
+  TableReader(const TableReader&) = delete;
+  TableReader& operator=(const TableReader&) = delete;
+
+  [[nodiscard]] bool present() const { return table_ != nullptr; }
+  [[nodiscard]] bool has(const char* key) const { return table_ != nullptr && table_->contains(key); }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] Place place() const;
+  [[nodiscard]] Place place(const char* key) const;
+  /// Of one entry of a list.
+  [[nodiscard]] Place place(const char* key, std::size_t entry) const;
+
+  bool number(const char* key, double& into, const Range& range = any_number(), bool required = false);
+  bool number(const char* key, std::optional<double>& into, const Range& range = any_number());
+  /// At least `least` numbers, required.
+  bool numbers(const char* key, std::vector<double>& into, const Range& range = any_number(), std::size_t least = 1);
+  /// At least one number, flag or text, required; as --set takes them.
+  bool settings(const char* key, std::vector<std::string>& into);
+  bool integer(const char* key, int& into, int least);
+  bool flag(const char* key, bool& into);
+  bool text(const char* key, std::string& into, bool required = false);
+  /// One of the known words; may be absent, unless it is required.
+  bool word(const char* key, std::string& into, const std::vector<std::string>& known, bool required = false);
+  /// A list of `count` texts; without it, of any number but none.
+  bool texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count = {});
+  /// The same where the key may be absent; false when it is.
+  bool texts_if_any(const char* key, std::vector<std::string>& into);
+  /// Components xx, yy and xy.
+  bool stress(const char* key, std::optional<Eigen::Vector3d>& into);
+  /// Components along x and y, of any size.
+  bool vector(const char* key, Eigen::Vector2d& into);
+  bool point(const char* key, Point& into, bool required = false);
+  /// `least` (an outline: 3) to 10,000 points; empty when one is wrong.
+  bool points(const char* key, std::vector<Point>& into, std::size_t least = 3);
+  /// A list of outlines; may be absent.
+  bool outlines(const char* key, std::vector<std::vector<Point>>& into);
+  /// A table of its own; null when it is wrong or absent.
+  const toml::table* table(const char* key);
+  /// `duration_s` is where a ramp without `to` ends.
+  bool time_table(const char* key, std::optional<TimeTable>& into, double duration_s);
+  /// An index into `names`; -1 when it is wrong or absent.
+  int reference(const char* key, const Names& names, bool required = true);
+
+  /// One of the given words.
+  template <class Enum>
+  void choice(const char* key, Enum& into, const std::vector<std::pair<const char*, Enum>>& words) {
+    std::string word;
+    if (!text(key, word)) return;
+    std::vector<std::string> known;
+    for (const auto& [name, value] : words) {
+      known.emplace_back(name);
+      if (word != name) continue;
+      into = value;
+      return;
+    }
+    not_one_of(key, word, known);
+  }
+
+ private:
+  const toml::node* ask(const char* key, bool required, const std::string& expected);
+  bool wrong(const char* key, const toml::node& node, const std::string& expected, const std::string& remedy = "");
+  bool not_one_of(const char* key, const std::string& word, const std::vector<std::string>& known);
+  bool points_of(const char* key, const toml::node& node, std::vector<Point>& into, std::size_t least);
+  bool rows(const char* key, TimeTable& into);
+  bool ramp(TimeTable& into, double duration_s);
+  bool wave(TimeTable& into);
+
+  Problems& problems_;
+  const toml::table* table_;
+  std::string name_;
+  std::vector<std::string> asked_;
+};
+
+/// The value where the node is a finite number.
+std::optional<double> finite_number(const toml::node& node);
+
+}  // namespace blockweir::scene

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A record is a text file of rows: numbers between commas, semicolons or blanks. Lines that begin with # or % are
+// remarks, and the first other line may be a heading.
+#include "bridge/scene/read/time_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/algorithm/string.hpp>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+#include "bridge/scene/read/table_reader.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+constexpr std::size_t most_rows = 100'000;
+
+/// Which numbers of a row say what.
+struct Layout {
+  std::string file;
+  int column = 2;                ///< of the value, the first being 1
+  std::optional<double> step_s;  ///< between rows; without it the first column is the time
+  bool column_stated = false;
+  double scale = 1;
+};
+
+/// What is wrong with a record, and how it should be.
+struct Fault {
+  std::string found;
+  const char* expected;
+};
+
+std::vector<std::string> fields_of(std::string line) {
+  boost::trim(line);
+  const bool marked = line.find_first_of(",;") != std::string::npos;
+  std::vector<std::string> fields;
+  boost::split(fields, line, boost::is_any_of(marked ? ",;" : " \t"),
+               marked ? boost::token_compress_off : boost::token_compress_on);
+  for (std::string& field : fields) boost::trim(field);
+  return fields;
+}
+
+std::optional<double> number_of(const std::string& field) {
+  const char* begin = field.data() + (field.starts_with('+') ? 1 : 0);
+  const char* end = field.data() + field.size();
+  double value = 0;
+  const auto [stopped, failed] = std::from_chars(begin, end, value);
+  if (failed != std::errc() || stopped != end || begin == end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+bool is_heading(const std::vector<std::string>& fields) {
+  return std::none_of(fields.begin(), fields.end(), [](const std::string& field) { return number_of(field); });
+}
+
+/// Rows (time, value) of the record; throws a Fault.
+std::vector<std::array<double, 2>> rows_of(std::istream& stream, const Layout& layout) {
+  std::vector<std::array<double, 2>> rows;
+  const auto value_at = static_cast<std::size_t>(layout.column - 1);
+  bool heading_allowed = true;
+  int line_number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++line_number;
+    boost::trim(line);
+    if (line.empty() || line[0] == '#' || line[0] == '%') continue;
+    const auto fields = fields_of(line);
+    if (std::exchange(heading_allowed, false) && is_heading(fields)) continue;
+    if (line.find(',') != std::string::npos && line.find(';') != std::string::npos) {
+      throw Fault{fmt::format("line {} has commas and semicolons", line_number),
+                  "one of both between numbers, and decimal points"};
+    }
+    if (layout.step_s && !layout.column_stated && fields.size() > 1) {
+      throw Fault{
+          fmt::format("line {} has {} numbers, of which step_s makes the first the value", line_number, fields.size()),
+          "one number a row where step_s is given, or `column`; without step_s the first column is the time"};
+    }
+    const auto number = [&](std::size_t column) {
+      const auto value = column < fields.size() ? number_of(fields[column]) : std::nullopt;
+      if (value) return *value;
+      throw Fault{column < fields.size()
+                      ? fmt::format("\"{}\" at line {} is not a number", fields[column].substr(0, 40), line_number)
+                      : fmt::format("line {} has no column {}", line_number, column + 1),
+                  "rows of finite numbers, between commas, semicolons or blanks"};
+    };
+    const double time = layout.step_s ? static_cast<double>(rows.size()) * *layout.step_s : number(0);
+    if (!rows.empty() && time <= rows.back()[0]) {
+      throw Fault{fmt::format("time goes from {} s to {} s at line {}", rows.back()[0], time, line_number),
+                  "times that increase from row to row"};
+    }
+    rows.push_back({time, layout.scale * number(value_at)});
+    if (!std::isfinite(rows.back()[1])) {
+      throw Fault{fmt::format("the value at line {} is too large once scaled", line_number), "finite numbers"};
+    }
+    if (rows.size() > most_rows) throw Fault{fmt::format("more than {} rows", most_rows), "a shorter record"};
+  }
+  if (rows.size() < 2) throw Fault{fmt::format("{} rows", rows.size()), "two rows or more"};
+  return rows;
+}
+
+void take_record(toml::table& described, const std::filesystem::path& folder, Problems& problems) {
+  const Place place = problems.at(described.get("file")->source());
+  Layout layout;
+  {
+    TableReader table(problems, &described, "a record in a file");
+    if (!table.text("file", layout.file, true)) return;
+    double step = 0;
+    if (table.number("step_s", step, positive())) layout.step_s = step, layout.column = 1;
+    layout.column_stated = table.integer("column", layout.column, 1);
+    table.number("scale", layout.scale);
+  }
+  const auto refuse = [&](const std::string& found, const char* expected) {
+    problems.error(place, fmt::format("the record {}: {}", layout.file, found), expected,
+                   "check the path and the file");
+  };
+  std::error_code failed;
+  std::ifstream stream(folder / layout.file);
+  if (!std::filesystem::is_regular_file(folder / layout.file, failed) || !stream) {
+    return refuse("it cannot be read", "a file of rows, its path from the scene's folder");
+  }
+  try {
+    toml::array table;
+    for (const auto& [time, value] : rows_of(stream, layout)) table.push_back(toml::array{time, value});
+    for (const char* key : {"file", "column", "step_s", "scale"}) described.erase(key);
+    described.insert("table", std::move(table));
+  } catch (const Fault& fault) {
+    refuse(fault.found, fault.expected);
+  }
+}
+
+}  // namespace
+
+bool take_records(toml::table& file, const std::filesystem::path& folder, Problems& problems) {
+  bool taken = false;
+  for (auto&& [key, node] : file) {
+    if (toml::table* table = node.as_table()) {
+      const bool record = table->is_inline() && table->contains("file");
+      if (record) take_record(*table, folder, problems);
+      taken = record || take_records(*table, folder, problems) || taken;
+    } else if (toml::array* list = node.as_array()) {
+      for (auto& entry : *list) {
+        if (toml::table* section = entry.as_table()) taken = take_records(*section, folder, problems) || taken;
+      }
+    }
+  }
+  return taken;
+}
+
+}  // namespace blockweir::scene

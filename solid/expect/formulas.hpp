@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Closed answers that a case can be held against, computed from the scene itself so that they follow its values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::solid::expect {
+
+/// Names that [[expect]] formula may take.
+std::vector<std::string> formula_names();
+
+/// The value of `expectation.formula` for this scene; `of` names the joint or block it speaks of. Throws
+/// std::runtime_error when the scene has no such thing. Per metre of thickness, SI.
+double formula(const scene::Scene& scene, const scene::Expectation& expectation);
+
+}  // namespace blockweir::solid::expect

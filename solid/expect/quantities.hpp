@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figures of a finished run that [[expect]] can name.
+#pragma once
+
+#include <stdexcept>
+
+#include "solid/expect/time_series.hpp"
+#include "solid/watch/acceleration_fit.hpp"
+#include "solid/watch/added_mass_watch.hpp"
+#include "solid/watch/energy.hpp"
+#include "solid/watch/failure_watch.hpp"
+#include "solid/watch/frame.hpp"
+#include "solid/watch/interface_energy.hpp"
+#include "solid/watch/margins.hpp"
+#include "solid/watch/skips.hpp"
+
+namespace blockweir::solid::expect {
+
+/// What of a run its figures are taken from.
+struct Outcome {
+  const Solid& solid;
+  const Frame& first;  ///< at time 0
+  const Frame& last;
+  const FailureWatch& failure;
+  const Margins& margins;
+  const AccelerationFit& acceleration;
+  const TimeSeries& series;
+  const EnergyWatch& energy;
+  const AddedMassWatch& added_mass;
+  const InterfaceEnergy& interface_energy;
+  const Frames& frames;
+  double largest_penetration_m = 0;    ///< over the whole run
+  std::optional<double> breached_s{};  ///< since when open water has passed the structure
+};
+
+std::vector<std::string> quantity_names();
+
+/// The run does not hold what a figure asks for; what() says why, as "no impact: the run ends before it".
+struct NoFigure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// NaN (a failure level of a dam that stands) or NoFigure when the run has no such figure.
+double quantity(const Outcome& outcome, const scene::Expectation& expectation);
+
+}  // namespace blockweir::solid::expect

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/watch/added_mass_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "solid/watch/schedule_stability.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+constexpr double guarded_limit = 100;  // beyond it round-off and the estimate's error have no room left
+constexpr double solver_error = 1e-3;  // a fluid's own, by which a mode without inertia may fall below zero
+
+void require_inertia(const Block& block, const MassRatio& ratio) {
+  if (ratio.smallest >= -solver_error * std::max(1.0, ratio.largest)) return;
+  throw std::runtime_error(
+      fmt::format("the added mass on block \"{}\" is {:.3g} of its own in one mode; expected none below 0: the fluid "
+                  "process is at fault",
+                  block.name, ratio.smallest));
+}
+
+void require_stable(const Block& block, double ratio, double largest, bool guarded) {
+  if (ratio <= largest) return;
+  const std::string found =
+      fmt::format("block \"{}\" has to push water {:.3g} times as heavy as itself", block.name, ratio);
+  if (!guarded) {
+    throw std::runtime_error(
+        found + fmt::format("; without the added-mass guard the exchange is unstable above {:.3g}, whatever "
+                            "the step; set [coupling] added_mass_guard = true",
+                            largest));
+  }
+  throw std::runtime_error(
+      fmt::format("{}; the added-mass guard holds up to {}; make the block thicker or heavier, or join it with another",
+                  found, largest));
+}
+
+Eigen::Matrix3d symmetric(const std::array<double, 6>& m) {
+  const auto& [xx, xy, xr, yy, yr, rr] = m;
+  return (Eigen::Matrix3d() << xx, xy, xr, xy, yy, yr, xr, yr, rr).finished();
+}
+
+}  // namespace
+
+AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
+  const scene::Scene& scene = solid.scene();
+  if (load.added_mass.empty() || scene.analysis.kind != scene::AnalysisKind::dynamic) return {};
+  if (load.added_mass.size() != solid.described()) {
+    throw std::runtime_error(fmt::format("the fluid process says added masses of {} blocks, the scene has {}",
+                                         load.added_mass.size(), solid.described()));
+  }
+  const scene::Coupling& coupling = scene.coupling;
+  if (!limit_) {
+    limit_ = coupling.added_mass_limit   ? *coupling.added_mass_limit
+             : coupling.added_mass_guard ? guarded_limit
+                                         : largest_stable_ratio(scene);
+  }
+  AddedMasses masses;
+  for (std::size_t b = 0; b < load.added_mass.size(); ++b) {
+    masses.push_back(symmetric(load.added_mass[b]));
+    const Block& block = solid.blocks()[b];
+    if (block.fixed) continue;
+    const MassRatio ratio = mass_ratio(block, masses.back());
+    require_inertia(block, ratio);
+    if (ratio.largest > ratio_) {
+      ratio_ = ratio.largest;
+      block_ = block.name;
+    }
+    require_stable(block, ratio.largest, *limit_, coupling.added_mass_guard);
+  }
+  return masses;
+}
+
+}  // namespace blockweir::solid
