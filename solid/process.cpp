@@ -8,18 +8,22 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bridge/process/sides.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/peak_memory.hpp"
 #include "bridge/results/saving.hpp"
+#include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/schedule/hello.hpp"
-#include "bridge/schedule/processes.hpp"
 #include "bridge/schedule/run.hpp"
 #include "solid/coupled_solid.hpp"
 
-namespace blockweir::schedule {
+namespace blockweir::process {
 namespace {
+
+using schedule::Exchanges;
+using schedule::FluidReport;
 
 using Clock = std::chrono::steady_clock;
 
@@ -175,26 +179,26 @@ FluidReport run_process(SolidProcess process) {
   try {
     if (alone) {
       started_s = since(start);
-      exchanges = run_solid(nullptr, scene, checkpoints, first, recorder);
+      exchanges = schedule::run_solid(nullptr, scene, checkpoints, first, recorder);
     } else if (process.make_fluid) {
-      const std::unique_ptr<FluidSide> fluid = process.make_fluid(scene, process.folder);
+      const std::unique_ptr<schedule::FluidSide> fluid = process.make_fluid(scene, process.folder);
       checkpoint::Checkpoints its_own(process.folder, scene::name(scene.fluid), scene.digest, 0);
-      FluidTurn turn(*fluid, its_own, first);
-      LocalFluid here(turn, within_s);
+      schedule::FluidTurn turn(*fluid, its_own, first);
+      schedule::LocalFluid here(turn, within_s);
       started_s = since(start);
-      exchanges = run_solid(&here, scene, checkpoints, first, recorder);
+      exchanges = schedule::run_solid(&here, scene, checkpoints, first, recorder);
       report = turn.report();
     } else {
       process.line.partner = fmt::format("fluid process ({})", scene::name(scene.fluid));
       process.line.timeout_s = scene.coupling.timeout_s;
       process.line.open_timeout_s = scene.coupling.open_timeout_s;
       channel.emplace(process.line);
-      channel->handshake(hello(scene, "solid", first));
+      channel->handshake(schedule::hello(scene, "solid", first));
       reports.tell(&*channel);
       started_s = since(start);
       waited_before_s = channel->waited_s();
-      RemoteFluid there(*channel);
-      exchanges = run_solid(&there, scene, checkpoints, first, recorder);
+      schedule::RemoteFluid there(*channel);
+      exchanges = schedule::run_solid(&there, scene, checkpoints, first, recorder);
     }
   } catch (const std::exception& error) {
     finish(error.what());
@@ -204,4 +208,4 @@ FluidReport run_process(SolidProcess process) {
   return report;
 }
 
-}  // namespace blockweir::schedule
+}  // namespace blockweir::process

@@ -16,7 +16,7 @@
 #include <sstream>
 #include <string>
 
-#include "bridge/schedule/processes.hpp"
+#include "bridge/process/sides.hpp"
 
 namespace blockweir::test {
 
@@ -66,9 +66,9 @@ inline Verdict run_scene(const std::string& scene, const std::filesystem::path& 
     ::setrlimit(RLIMIT_CPU, &processor);
     int status = 0;
     try {
-      schedule::run_process({.scene = (folder / "scene.toml").string(),
-                             .folder = folder.string(),
-                             .make_fluid = schedule::make_hydrostatic});
+      process::run_process({.scene = (folder / "scene.toml").string(),
+                            .folder = folder.string(),
+                            .make_fluid = process::make_hydrostatic});
     } catch (const std::exception& error) {
       const std::string text = error.what();
       status = ::write(log, text.data(), text.size()) < 0 ? 3 : 2;

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // blockweir-inproc: the solid and the reference fluid in one process. What they say to each other, and all results, are
 // those of two.
-#include "bridge/scene/exit_status.hpp"
-#include "bridge/schedule/process_options.hpp"
+#include "bridge/process/exit_status.hpp"
+#include "bridge/process/solid_options.hpp"
 
 int main(int argc, char** argv) {
   using namespace blockweir;
-  schedule::SolidProcess solid{.make_fluid = schedule::make_hydrostatic};
+  process::SolidProcess solid{.make_fluid = process::make_hydrostatic};
   std::string report;
   CLI::App app{"blockweir-inproc: the blocks of a scene and the still water on them, in one process"};
-  schedule::add_solid_options(app, solid);
+  process::add_solid_options(app, solid);
   app.add_option("--report", report, "file for the fluid's times and counts (JSON)");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return scene::exit_status("blockweir-inproc", [&] {
-    const schedule::FluidReport said = schedule::run_process(solid);
+  return process::exit_status("blockweir-inproc", [&] {
+    const schedule::FluidReport said = process::run_process(solid);
     if (!report.empty()) schedule::write_report(report, said);
     return 0;
   });

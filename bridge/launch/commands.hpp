@@ -1,31 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The programs of a run, and the files through which they and the launcher know each other.
+// The commands of blockweir: one file each, and one line each in the table below.
 #pragma once
 
-#include <filesystem>
-#include <vector>
-
-#include "bridge/launch/supervisor.hpp"
-#include "bridge/scene/scene.hpp"
+#include <CLI/CLI.hpp>
+#include <array>
+#include <functional>
 
 namespace blockweir::launch {
 
-struct Processes {
-  std::filesystem::path folder;  ///< of the run
-  std::string endpoint;          ///< where they meet
-  std::uint64_t first = 0;       ///< checkpoint to go on from; 0: from the start
-  bool inproc = false;           ///< the reference fluid within the solid's process
+/// What a command does once its options are read; returns the exit status.
+using Work = std::function<int()>;
+
+// Each adds its options to `app`.
+Work bench_command(CLI::App& app);
+Work case_command(CLI::App& app);
+Work check_command(CLI::App& app);
+Work compare_command(CLI::App& app);
+Work cut_command(CLI::App& app);
+Work keys_command(CLI::App& app);
+Work plot_command(CLI::App& app);
+Work profile_command(CLI::App& app);
+Work resume_command(CLI::App& app);
+Work run_command(CLI::App& app);
+Work stress_command(CLI::App& app);
+Work study_command(CLI::App& app);
+Work test_command(CLI::App& app);
+Work validate_command(CLI::App& app);
+
+struct Command {
+  const char* name;
+  const char* about;
+  Work (*make)(CLI::App& app);
 };
 
-/// The run's own copy of its scene.
-[[nodiscard]] std::filesystem::path scene_of(const std::filesystem::path& folder);
-/// Where a fluid says what the summary needs.
-[[nodiscard]] std::filesystem::path report_of(const std::filesystem::path& folder);
-
-/// Throws std::invalid_argument where `inproc` is asked for a fluid that needs a process of its own.
-void require_fit(const scene::Scene& scene, bool inproc);
-
-/// The solid's first.
-[[nodiscard]] std::vector<Command> commands_of(const scene::Scene& scene, const Processes& processes);
+/// In the order in which --help lists them.
+inline constexpr std::array commands = {
+    Command{"run", "run a scene and say how it ends", run_command},
+    Command{"resume", "go on with a run that was stopped, from its last checkpoint", resume_command},
+    Command{"check", "say all that is wrong with a scene, without running it", check_command},
+    Command{"cut", "draw the blocks of a scene, without running it", cut_command},
+    Command{"case", "write OpenFOAM's case of a scene, without running it", case_command},
+    Command{"plot", "draw the figures of a run", plot_command},
+    Command{"profile", "say and draw where the time of a run went", profile_command},
+    Command{"study", "make the runs of a scene's studies and compare", study_command},
+    Command{"validate", "run every case that has an answer and compare", validate_command},
+    Command{"compare", "the three contact formulations on the same scenes, side by side", compare_command},
+    Command{"bench", "wall time against error, over the settings that cases name", bench_command},
+    Command{"stress", "maps of stability: each cell right, refused, or wrong", stress_command},
+    Command{"keys", "make keys for a line between two machines", keys_command},
+    Command{"test", "set up, build and run every test (in a source tree: ./blockweir test)", test_command},
+};
 
 }  // namespace blockweir::launch

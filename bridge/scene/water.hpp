@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bridge/geometry/point.hpp"
+#include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/time_table.hpp"
 
 namespace blockweir::scene {
@@ -31,23 +32,6 @@ struct Water {
   bool skip_unchanged = true;  ///< still water keeps its pressures while neither a level nor a block has moved
   bool operator==(const Water&) const = default;
 };
-
-enum class FluidModel { none, hydrostatic, openfoam, column };
-
-/// As messages call it.
-inline const char* name(FluidModel model) {
-  switch (model) {
-    case FluidModel::hydrostatic:
-      return "hydrostatic";
-    case FluidModel::openfoam:
-      return "OpenFOAM";
-    case FluidModel::column:
-      return "column";
-    case FluidModel::none:
-      break;
-  }
-  return "none";
-}
 
 /// Once an OpenFOAM run has begun: whether the fractions of a pool follow its table at once, nobody touches the water,
 /// or it comes in at the mesh's end.

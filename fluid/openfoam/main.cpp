@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bridge/channel/line_options.hpp"
-#include "bridge/scene/exit_status.hpp"
+#include "bridge/process/exit_status.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "fluid/openfoam/run_case.hpp"
 
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return scene::exit_status("blockweir-openfoam", [&] {
+  return process::exit_status("blockweir-openfoam", [&] {
     const scene::Scene scene = scene::read(scene_path, overrides).scene;
     return openfoam::run_case(scene, options);
   });

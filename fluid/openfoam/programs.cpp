@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "bridge/launch/supervisor.hpp"
+#include "bridge/process/supervisor.hpp"
 
 namespace blockweir::openfoam {
 namespace {
@@ -85,9 +85,9 @@ fs::path find_plugin() {
 }
 
 void run_program(const std::string& name, std::vector<std::string> words, const fs::path& folder) {
-  launch::Command command{name, std::move(words)};
+  process::Command command{name, std::move(words)};
   command.output = folder / ("log." + name);
-  const launch::Supervised end = launch::supervise({command}, folder, grace_s, [] { return true; });
+  const process::Supervised end = process::supervise({command}, folder, grace_s, [] { return true; });
   if (end.interrupted) throw std::runtime_error("asked to stop");
   if (!end.all_fine()) {
     throw std::runtime_error(fmt::format("{}: {} (see {})", name, cause(command.output, end.ends.front().exit_code),
@@ -97,9 +97,9 @@ void run_program(const std::string& name, std::vector<std::string> words, const 
 
 std::optional<std::string> entry(const fs::path& folder, const std::string& file, const std::string& name) {
   const std::string program = "foamDictionary";
-  launch::Command command{program, {program, folder / file, "-case", folder, "-entry", name, "-value"}};
+  process::Command command{program, {program, folder / file, "-case", folder, "-entry", name, "-value"}};
   command.output = folder / ("log." + program);
-  const launch::Supervised end = launch::supervise({command}, folder, grace_s, [] { return true; });
+  const process::Supervised end = process::supervise({command}, folder, grace_s, [] { return true; });
   if (end.interrupted) throw std::runtime_error("asked to stop");
   if (end.all_fine()) return last_line(command.output);
   const std::string trouble = cause(command.output, end.ends.front().exit_code);

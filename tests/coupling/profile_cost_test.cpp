@@ -6,8 +6,8 @@
 
 #include <array>
 
+#include "bridge/process/sides.hpp"
 #include "bridge/results/stopwatch.hpp"
-#include "bridge/schedule/processes.hpp"
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -36,11 +36,11 @@ class ProfileCost : public Processes {
   double time_of_a_run(const std::string& scene) {
     fs::remove_all(folder / "o");
     const double start_s = seconds_of_processor();
-    schedule::run_process({.scene = cases + scene,
-                           .folder = folder / "o",
-                           .overrides = {"analysis.duration_s=4"},
-                           .progress_fd = silence_,
-                           .make_fluid = schedule::make_hydrostatic});
+    process::run_process({.scene = cases + scene,
+                          .folder = folder / "o",
+                          .overrides = {"analysis.duration_s=4"},
+                          .progress_fd = silence_,
+                          .make_fluid = process::make_hydrostatic});
     return seconds_of_processor() - start_s;
   }
 

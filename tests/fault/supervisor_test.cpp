@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_launch
+// links: bridge_process
 // What a command started and left behind does not outlive the call: mpirun may end before its ranks do. What is said
 // of a run that breaks off is its cause, not what we have done about it.
-#include "bridge/launch/supervisor.hpp"
-#include "bridge/launch/trouble.hpp"
+#include "bridge/process/supervisor.hpp"
+#include "bridge/process/trouble.hpp"
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -12,17 +12,17 @@ namespace {
 class Supervisor : public Processes {
  protected:
   /// Runs `line` in a shell in this test's folder.
-  [[nodiscard]] launch::Supervised run(const std::string& line, double grace_s) const {
-    return launch::supervise({in_shell("sh", line)}, folder, grace_s, [] { return true; });
+  [[nodiscard]] process::Supervised run(const std::string& line, double grace_s) const {
+    return process::supervise({in_shell("sh", line)}, folder, grace_s, [] { return true; });
   }
   /// What is said of two at once, of which the second does as `line` says and the first gives it up with a last word.
   [[nodiscard]] std::string trouble_with(const std::string& line) const {
     const auto first =
         in_shell("solid", "while [ ! -e begun ]; do sleep 0.01; done; echo \"the last word\" >&2; exit 1");
-    return launch::first_trouble(launch::supervise({first, in_shell("fluid", line)}, folder, 0.2, [] { return true; }),
-                                 folder);
+    return process::first_trouble(
+        process::supervise({first, in_shell("fluid", line)}, folder, 0.2, [] { return true; }), folder);
   }
-  [[nodiscard]] launch::Command in_shell(const std::string& name, const std::string& line) const {
+  [[nodiscard]] process::Command in_shell(const std::string& name, const std::string& line) const {
     return {name, {"sh", "-c", "cd " + folder.string() + " && " + line}};
   }
 };

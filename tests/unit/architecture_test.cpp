@@ -70,6 +70,33 @@ TEST(Architecture, ArrowsRunOneWay) {
   }
 }
 
+/// Else a fluid would need gnuplot, and a picture a solver.
+TEST(Architecture, OnlyTheLauncherKnowsStudiesAndPictures) {
+  const std::vector<std::string> order = {"bridge/picture", "bridge/study", "bridge/launch"};
+  const auto rank = [&](const std::string& folder) { return std::find(order.begin(), order.end(), folder); };
+  for (const Source& source : sources()) {
+    for (const std::string& to : source.includes) {
+      if (rank(to) == order.end()) continue;
+      EXPECT_TRUE(rank(source.folder) != order.end() && rank(to) <= rank(source.folder))
+          << source.path << " includes " << to;
+    }
+  }
+}
+
+TEST(Architecture, TheReadmeHasEveryFolderOfSourcesOnItsMap) {
+  std::ifstream stream(root / "README.md");
+  std::set<std::string> on_the_map;
+  for (std::string line; std::getline(stream, line);) {
+    for (const char* top : {"| bridge/", "| solid/", "| fluid/"}) {
+      if (line.rfind(top, 0) == 0) on_the_map.insert(line.substr(2, line.find(' ', 2) - 2));
+    }
+  }
+  std::set<std::string> in_the_tree;
+  for (const Source& source : sources()) in_the_tree.insert(source.folder);
+  for (const char* inner : {"solid", "fluid/openfoam/plugin"}) in_the_tree.erase(inner);
+  EXPECT_EQ(on_the_map, in_the_tree);
+}
+
 TEST(Architecture, NoFoldersIncludeEachOther) {
   std::map<std::string, std::set<std::string>> arrows;
   for (const Source& source : sources()) {

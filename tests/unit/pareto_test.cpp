@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_launch
+// links: bridge_study
 // Which runs nobody betters.
-#include "bridge/launch/pareto.hpp"
+#include "bridge/study/pareto.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace {
 
-using namespace blockweir::launch;
+using namespace blockweir::study;
 
 Point at(double time_s, double error) {
   return {"", "", time_s, error};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_launch
+// links: bridge_process
 // What a run says of its way in a pipe.
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 
 #include <string>
 
-#include "bridge/launch/progress.hpp"
+#include "bridge/process/progress.hpp"
 
-namespace blockweir::launch {
+namespace blockweir::process {
 namespace {
 
 class ProgressLines : public testing::Test {
@@ -51,4 +51,4 @@ TEST_F(ProgressLines, AStructureThatSettlesHasNotBegun) {
 }
 
 }  // namespace
-}  // namespace blockweir::launch
+}  // namespace blockweir::process

@@ -7,6 +7,7 @@
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/answers.hpp"
+#include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/reading.hpp"
 
 namespace blockweir::scene {
@@ -127,8 +128,7 @@ void read_coupling(Reading& reading) {
     reading.problems.error(table.place("schedule"), "a schedule in a static analysis", "schedule = \"serial\"",
                            "leave schedule out: without time the sides take turns");
   }
-  // interFoam makes its mesh before it comes, and may have many steps to make in a window.
-  if (reading.scene.fluid == FluidModel::openfoam) c.timeout_s = 120;
+  c.timeout_s = fluid_entry(reading.scene.fluid).timeout_s;
   table.number("timeout_s", c.timeout_s, positive());
   c.open_timeout_s = c.timeout_s;
   table.flag("skip_exchanges", c.skip_exchanges);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bridge/geometry/outline.hpp"
+#include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/reading.hpp"
 
 namespace blockweir::scene {
@@ -101,11 +102,9 @@ void read_fluid(Reading& reading) {
   const bool water = reading.scene.fluid == FluidModel::hydrostatic;
   TableReader table(reading.problems, reading.section("fluid"), "[fluid]");
   FluidModel& model = reading.scene.fluid;
-  table.choice<FluidModel>("model", model,
-                           {{"none", FluidModel::none},
-                            {"hydrostatic", FluidModel::hydrostatic},
-                            {"openfoam", FluidModel::openfoam},
-                            {"column", FluidModel::column}});
+  std::vector<std::pair<const char*, FluidModel>> models;
+  for (const FluidEntry& entry : fluid_models) models.emplace_back(entry.key, entry.model);
+  table.choice<FluidModel>("model", model, models);
   if (model != FluidModel::none && !water) {
     reading.problems.error(table.place("model"), "a fluid, but no [water]", "[water] with a level",
                            "add [water], or set model = \"none\"");

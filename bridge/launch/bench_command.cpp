@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "bridge/launch/commands.hpp"
+#include "bridge/study/bench.hpp"
+
+namespace blockweir::launch {
+
+Work bench_command(CLI::App& app) {
+  const auto options = std::make_shared<study::BenchOptions>();
+  app.add_option("cases", options->cases, "case folders (default: all that have a [[bench]])");
+  app.add_option("--out", options->out, "folder for the table and the pictures (default: runs/bench)");
+  app.add_flag("--short", options->brief, "two values a curve, each run once");
+  app.add_option("--set", options->overrides, "key=value over the scenes' own");
+  return [options] { return study::bench(*options); };
+}
+
+}  // namespace blockweir::launch

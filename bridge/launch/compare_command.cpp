@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "bridge/launch/commands.hpp"
+#include "bridge/study/compare.hpp"
+
+namespace blockweir::launch {
+
+Work compare_command(CLI::App& app) {
+  const auto options = std::make_shared<study::CompareOptions>();
+  app.add_option("cases", options->cases, "case folders (default: five of them)");
+  app.add_option("--json", options->json, "file for the table as JSON");
+  app.add_option("--set", options->overrides, "key=value over the scenes' own");
+  return [options] { return study::compare(*options); };
+}
+
+}  // namespace blockweir::launch

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "bridge/channel/keys.hpp"
+#include "bridge/launch/commands.hpp"
+
+namespace blockweir::launch {
+
+Work keys_command(CLI::App& app) {
+  const auto folder = std::make_shared<std::string>();
+  app.add_option("folder", *folder, "where to put them: FOLDER/solid and FOLDER/fluid")->required();
+  return [folder] {
+    channel::make_keys(*folder);
+    fmt::print("{0}/solid is for the solid's machine, {0}/fluid for the fluid's: --keys FOLDER for each program\n",
+               *folder);
+    return 0;
+  };
+}
+
+}  // namespace blockweir::launch

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "bridge/launch/commands.hpp"
+#include "bridge/study/validate.hpp"
+
+namespace blockweir::launch {
+
+Work validate_command(CLI::App& app) {
+  const auto options = std::make_shared<study::ValidateOptions>();
+  app.add_option("cases", options->cases, "case folders (default: all)");
+  app.add_option("--json", options->json, "file for the table as JSON");
+  app.add_option("--set", options->overrides, "key=value over the scenes' own");
+  app.add_flag("--sweep", options->sweep, "for penalties 5e6, 1e9, 1e12 and steps 1e-2, 1e-3 s");
+  return [options] { return study::validate(*options); };
+}
+
+}  // namespace blockweir::launch

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/picture/cut.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bridge/geometry/outline.hpp"
+#include "bridge/geometry/polygon.hpp"
+#include "bridge/picture/gnuplot.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/scene/read/read.hpp"
+
+namespace blockweir::picture {
+namespace {
+
+constexpr std::size_t most_names = 150;  // more would cover each other
+
+std::string terminal_for(const std::filesystem::path& file) {
+  if (file.extension() == ".png") return "pngcairo";
+  if (file.extension() == ".svg") return "svg";
+  throw std::invalid_argument(fmt::format("--out {}: expected a name that ends in .png or .svg", file.string()));
+}
+
+geometry::Bounds bounds_of_all(const scene::Scene& scene) {
+  geometry::Bounds all = geometry::bounds_of(scene.blocks.front().vertices);
+  for (const scene::Block& block : scene.blocks) {
+    const geometry::Bounds one = geometry::bounds_of(block.vertices);
+    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
+  }
+  return all;
+}
+
+std::string style_of(const scene::Block& block) {
+  constexpr const char* colours[] = {"#c9c9c4", "#d9c8a9", "#b7c7b0", "#c6b7cc", "#b5c4d4", "#dcbdb2"};
+  return fmt::format("fc rgb '{}' fillstyle solid border lc rgb '#303030' lw 1",
+                     block.fixed ? "#8d7f6d" : colours[static_cast<std::size_t>(block.material) % std::size(colours)]);
+}
+
+void draw(const scene::Scene& scene, const std::filesystem::path& out) {
+  const geometry::Bounds all = bounds_of_all(scene);
+  const scene::Point span = all.high - all.low;
+  const scene::Point edge = scene::Point::Constant(0.03 * all.size());
+  const double aspect = std::clamp(span.y() / span.x(), 0.2, 3.0);
+  std::string script = fmt::format(
+      "set terminal {} size 1200,{:.0f}\nset output {}\nset title {}\nset size ratio -1\nunset key\n"
+      "set tics out nomirror\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
+      terminal_for(out), 80 + 1120 * aspect, gnuplot_path(out), gnuplot_text(scene.title), all.low.x() - edge.x(),
+      all.high.x() + edge.x(), all.low.y() - edge.y(), all.high.y() + edge.y());
+  int number = 0;
+  for (const scene::Block& block : scene.blocks) {
+    script += gnuplot_polygon(++number, block.vertices, style_of(block));
+    if (scene.blocks.size() > most_names) continue;
+    const scene::Point middle = geometry::centroid(block.vertices);
+    script += fmt::format("set label {} {} at {},{} center front font ',8'\n", number, gnuplot_text(block.name),
+                          middle.x(), middle.y());
+  }
+  gnuplot(script + "plot NaN notitle\n");
+}
+
+}  // namespace
+
+void cut(const CutOptions& options) {
+  terminal_for(options.out);
+  results::require_writable_file("--out", options.out);
+  const scene::ReadScene read = scene::read(options.scene, options.overrides);
+  for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
+  const scene::Scene& scene = read.scene;
+  draw(scene, options.out);
+  std::vector<double> areas;
+  for (const scene::Block& block : scene.blocks) areas.push_back(geometry::signed_area(block.vertices));
+  const auto [smallest, largest] = std::minmax_element(areas.begin(), areas.end());
+  const auto fixed = std::count_if(scene.blocks.begin(), scene.blocks.end(), [](const auto& b) { return b.fixed; });
+  fmt::print("{} blocks ({} fixed) of {:.4g} to {:.4g} m2, {} joints; drawn in {}\n", areas.size(), fixed, *smallest,
+             *largest, scene.joints.size(), options.out.string());
+}
+
+}  // namespace blockweir::picture

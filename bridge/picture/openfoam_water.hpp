@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The water of an OpenFOAM run, read from interFoam's own results for pictures.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace blockweir::picture {
+
+/// Water in one cell: a box [m], how much of it is water, and its speed [m/s].
+struct WaterBox {
+  double left = 0;
+  double right = 0;
+  double bottom = 0;
+  double top = 0;
+  double share = 1;
+  double speed = 0;
+};
+
+/// Results of the case in `run`/openfoam, by time.
+class OpenFoamWater {
+ public:
+  /// Empty where the run has none.
+  explicit OpenFoamWater(const std::filesystem::path& run);
+
+  [[nodiscard]] bool empty() const { return times_.empty(); }
+
+  /// At the stored time nearest to time_s; what cannot be read is left out.
+  [[nodiscard]] std::vector<WaterBox> boxes(double time_s) const;
+
+ private:
+  struct StoredTime {
+    double time_s = 0;
+    std::filesystem::path folder;
+  };
+  std::vector<StoredTime> times_;
+  std::vector<double> x_;  ///< column lines [m]
+  std::vector<double> y_;  ///< row lines [m]
+};
+
+}  // namespace blockweir::picture

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/picture/plot_snapshots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+#include "bridge/picture/gnuplot.hpp"
+#include "bridge/picture/openfoam_water.hpp"
+
+namespace blockweir::picture {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::vector<json> read_frames(const fs::path& file) {
+  std::ifstream stream(file);
+  std::vector<json> frames;
+  for (std::string line; std::getline(stream, line);) {
+    json frame = json::parse(line, nullptr, /*allow_exceptions=*/false);
+    if (frame.is_object()) frames.push_back(std::move(frame));  // a killed run may leave half a line
+  }
+  if (frames.empty())
+    throw std::invalid_argument(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
+  return frames;
+}
+
+struct View {
+  double left = 1e300;
+  double right = -1e300;
+  double bottom = 1e300;
+  double top = -1e300;
+
+  void include(double x, double y) {
+    left = std::min(left, x);
+    right = std::max(right, x);
+    bottom = std::min(bottom, y);
+    top = std::max(top, y);
+  }
+};
+
+/// Around what moves, in all frames, with some ground below and some water beside it; and around fixed walls that stand
+/// higher than `water_m`.
+View view_of(const std::vector<json>& frames, double water_m) {
+  View view;
+  for (const json& block : frames.front()["blocks"]) {
+    double top = -1e300;
+    for (const json& p : block["outline"]) top = std::max(top, p[1].get<double>());
+    if (top <= water_m) continue;
+    for (const json& p : block["outline"]) view.include(p[0], p[1]);
+  }
+  for (const json& frame : frames) {
+    for (const json& block : frame["blocks"]) {
+      if (block["fixed"].get<bool>()) continue;
+      for (const json& p : block["outline"]) view.include(p[0], p[1]);
+    }
+    for (const char* pool : {"upstream_level_m", "downstream_level_m"}) {
+      if (frame[pool].is_number()) view.include(view.left, frame[pool]);
+    }
+  }
+  const double size = std::max(view.right - view.left, view.top - view.bottom);
+  return {view.left - 0.35 * size, view.right + 0.2 * size, view.bottom - 0.12 * size, view.top + 0.08 * size};
+}
+
+/// What of the outline is in view: gnuplot does not fill to the view's corners where a polygon reaches beyond them.
+std::string polygon(int& number, const json& outline, const View& view, const char* style) {
+  namespace bg = boost::geometry;
+  using Corner = bg::model::d2::point_xy<double>;
+  const bg::model::box<Corner> seen({view.left, view.bottom}, {view.right, view.top});
+  bg::model::polygon<Corner> whole;
+  for (const json& p : outline) bg::append(whole.outer(), Corner(p[0].get<double>(), p[1].get<double>()));
+  bg::correct(whole);
+  std::vector<bg::model::polygon<Corner>> pieces;
+  bg::intersection(whole, seen, pieces);
+  std::string text;
+  for (const auto& piece : pieces) {
+    std::vector<Eigen::Vector2d> points;
+    for (const Corner& p : piece.outer()) points.emplace_back(p.x(), p.y());
+    text += gnuplot_polygon(++number, points, style);
+  }
+  return text;
+}
+
+/// Where the water of a frame presses, cracks apart.
+struct WetPoints {
+  View all;
+  double foot_left =
+      1e300;  ///< the lowest point at the left end of all, and at the right: beyond them the bed is level
+  double foot_right = 1e300;
+
+  explicit WetPoints(const json& frame) {
+    const auto visit = [&](const auto& look) {
+      for (const json& panel : frame["panels"]) {
+        const bool in_crack = panel.at(6) != 0;
+        if (in_crack) continue;
+        look(panel[0].get<double>(), panel[1].get<double>());
+        look(panel[2].get<double>(), panel[3].get<double>());
+      }
+    };
+    visit([&](double x, double y) { all.include(x, y); });
+    const double near = 1e-6 * (all.right - all.left);
+    visit([&](double x, double y) {
+      if (x <= all.left + near) foot_left = std::min(foot_left, y);
+      if (x >= all.right - near) foot_right = std::min(foot_right, y);
+    });
+  }
+  [[nodiscard]] bool none() const { return all.right < all.left; }
+};
+
+/// The pool up to its level, from the view's edge to the crest and down to the lowest wet point; the blocks are drawn
+/// over it. Beyond the last wet point it stands on a level bed.
+std::string pool(int& number, const json& frame, const View& view, const char* key) {
+  if (!frame[key].is_number()) return "";
+  double crest_x = 0;
+  double crest_y = -1e300;
+  for (const json& block : frame["blocks"]) {
+    for (const json& p : block["outline"]) {
+      if (block["fixed"].get<bool>() || p[1].get<double>() <= crest_y + 1e-3) continue;
+      crest_x = p[0];
+      crest_y = p[1];
+    }
+  }
+  if (crest_y == -1e300) return "";
+  const WetPoints wet(frame);
+  const bool upstream = std::string(key) == "upstream_level_m";
+  const double level = frame[key];
+  const auto water = [&](double from, double to, double bottom) {
+    if (from >= to || bottom >= level) return std::string();
+    return fmt::format("set object {} rectangle from {},{} to {},{} fc rgb '#9fc5e8' fillstyle solid noborder behind\n",
+                       ++number, from, std::max(bottom, view.bottom), to, level);
+  };
+  if (wet.none()) return upstream ? water(view.left, crest_x, view.bottom) : water(crest_x, view.right, view.bottom);
+  if (!upstream) {
+    const bool one_bed = wet.foot_right == wet.all.bottom;
+    const double end = one_bed ? view.right : std::max(crest_x, std::min(wet.all.right, view.right));
+    return water(crest_x, end, wet.all.bottom) + water(end, view.right, wet.foot_right);
+  }
+  // One pool alone ends where its last wet panel does.
+  const double inner = frame["downstream_level_m"].is_number() ? crest_x : wet.all.right;
+  const bool one_bed = wet.foot_left == wet.all.bottom;
+  const double end = one_bed ? view.left : std::min(inner, std::max(wet.all.left, view.left));
+  return water(view.left, end, wet.foot_left) + water(end, inner, wet.all.bottom);
+}
+
+/// The larger principal stress of meshed blocks: red where tension, blue where compression, by `largest`.
+std::string stress(int& number, const json& frame, const View& view, double& largest) {
+  std::string text;
+  const json triangles = frame.value("triangles", json::array());
+  for (const json& t : triangles) largest = std::max(largest, std::abs(t[6].get<double>()));
+  for (const json& t : triangles) {
+    const double share = largest > 0 ? t[6].get<double>() / largest : 0;
+    const auto pale = static_cast<int>(std::lround(255 * (1 - std::min(1.0, std::abs(share)))));
+    const std::string colour =
+        share > 0 ? fmt::format("#ff{0:02x}{0:02x}", pale) : fmt::format("#{0:02x}{0:02x}ff", pale);
+    const json corners = {{t[0], t[1]}, {t[2], t[3]}, {t[4], t[5]}};
+    text += polygon(number, corners, view,
+                    fmt::format("fc rgb '{0}' fillstyle solid border lc rgb '{0}' lw 0.5", colour).c_str());
+  }
+  return text;
+}
+
+std::string bolts(const json& frame) {
+  std::string text = "unset arrow\n";
+  const json drawn = frame.value("bolts", json::array());
+  for (const json& b : drawn) {
+    text += fmt::format("set arrow from {},{} to {},{} nohead lw 3 lc rgb '#b03060' front\n", b[0].get<double>(),
+                        b[1].get<double>(), b[2].get<double>(), b[3].get<double>());
+  }
+  return text;
+}
+
+constexpr double fastest_shown = 12;  // m/s; faster water is as dark
+
+/// Boxes of moving water as a data block: edges and colour, the darker the faster.
+std::string flow(const std::vector<WaterBox>& boxes, const View& view, double fastest) {
+  std::string text = "$water << E\n";
+  constexpr double overlap = 0.15;  // of a box: no seams between neighbours
+  for (const WaterBox& b : boxes) {
+    if (b.right < view.left || b.left > view.right || b.top < view.bottom || b.bottom > view.top) continue;
+    const double share = std::min(1.0, b.speed / std::max(fastest, 1.0));
+    const auto mix = [&](double slow, double fast) {
+      return static_cast<int>(255 + b.share * (slow + share * (fast - slow) - 255));
+    };
+    const double dx = overlap * (b.right - b.left);
+    const double dy = overlap * (b.top - b.bottom);
+    text += fmt::format("{} {} {} {} {} {} {}\n", (b.left + b.right) / 2, (b.bottom + b.top) / 2,
+                        std::max(view.left, b.left - dx), std::min(view.right, b.right + dx),
+                        std::max(view.bottom, b.bottom - dy), std::min(view.top, b.top + dy),
+                        mix(0x9f, 0x0b) * 65536 + mix(0xc5, 0x3d) * 256 + mix(0xe8, 0x91));
+  }
+  return text + "E\n";
+}
+
+std::string moment(const json& frame, const View& view, bool contacts, const std::string& water = "") {
+  int number = 0;
+  std::string text = "unset object\n" + water;
+  const std::string layer = water.empty() ? "" : " front";  // over the water's boxes
+  if (water.empty()) {
+    text += pool(number, frame, view, "upstream_level_m");
+    text += pool(number, frame, view, "downstream_level_m");
+  }
+  for (const json& block : frame["blocks"]) {
+    const bool fixed = block["fixed"].get<bool>();
+    const std::string style = fixed ? "fc rgb '#8d7f6d' fillstyle solid border lc rgb '#5b5146' lw 1"
+                                    : "fc rgb '#c9c9c4' fillstyle solid border lc rgb '#303030' lw 1.5";
+    text += polygon(number, block["outline"], view, (style + layer).c_str());
+  }
+  double largest = 0;
+  text += stress(number, frame, view, largest);
+  text += bolts(frame);
+  const std::string scale =
+      largest > 0 ? fmt::format(", larger principal stress: blue -{0:.3g} MPa, red +{0:.3g} MPa", largest / 1e6) : "";
+  const std::string level = frame["upstream_level_m"].is_number()
+                                ? fmt::format(", level {:.2f} m", frame["upstream_level_m"].get<double>())
+                                : "";
+  text += fmt::format("set title \"{:.2f} s{}{}\"\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
+                      frame["time_s"].get<double>(), level, scale, view.left, view.right, view.bottom, view.top);
+  if (!water.empty()) {
+    return text + "plot $water using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder lc rgb variable notitle\n";
+  }
+  std::string points;
+  for (const json& c : frame["contacts"]) {
+    const int state = c[2];
+    if (contacts && state > 0) points += fmt::format("{} {} {}\n", c[0].get<double>(), c[1].get<double>(), state);
+  }
+  if (points.empty()) return text + "plot NaN notitle\n";
+  text += fmt::format("$contacts << E\n{}E\n", points);
+  return text +
+         "plot $contacts using 1:2:($3 == 2 ? 0xd00000 : 0x1a7f37) with points pt 7 ps 1 lc rgb variable notitle\n";
+}
+
+/// Six moments from just before the failure to the end, or over the whole run when nothing fails.
+std::vector<std::size_t> chosen(const std::vector<json>& frames, const json& summary) {
+  double from = frames.front()["time_s"];
+  const double to = frames.back()["time_s"];
+  if (summary.contains("failure")) from = std::min(summary["failure"]["time_s"].get<double>(), to);
+  std::vector<std::size_t> picks;
+  for (int k = 0; k < 6; ++k) {
+    const double due = from + (to - from) * k / 5;
+    const auto next = std::lower_bound(frames.begin(), frames.end(), due,
+                                       [](const json& f, double t) { return f["time_s"].get<double>() < t; });
+    const auto pick = std::min<std::size_t>(static_cast<std::size_t>(next - frames.begin()), frames.size() - 1);
+    if (picks.empty() || picks.back() != pick) picks.push_back(pick);
+  }
+  return picks;
+}
+
+}  // namespace
+
+std::string snapshot_script(const fs::path& run, const json& summary, const std::string& terminal,
+                            const std::string& ending, bool animated) {
+  const std::vector<json> frames = read_frames(run / "frames.jsonl");
+  const auto picks = chosen(frames, summary);
+  const OpenFoamWater water(run);
+  double highest = water.empty() ? 1e300 : -1e300;
+  for (const WaterBox& box : water.boxes(0)) highest = std::max(highest, box.top);
+  const View view = view_of(frames, highest);
+  const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.3, 2.0);
+  std::string script = "reset\nset size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\n";
+  const auto begin = [&](const char* name, double width, double height) {
+    script += fmt::format("set terminal {} size {:.0f},{:.0f}\nset output {}\n", terminal, width, height,
+                          gnuplot_path(run / (name + ending)));
+  };
+  const auto flow_at = [&](const json& frame) {
+    return water.empty() ? "" : flow(water.boxes(frame["time_s"]), view, fastest_shown);
+  };
+  const int columns = 3;
+  const int rows = static_cast<int>((picks.size() + 2) / 3);
+  begin("snapshots", 1350, 60 + rows * (60 + 430 * aspect));
+  script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns,
+                        gnuplot_text(summary.value("title", std::string("section"))));
+  for (const std::size_t pick : picks) script += moment(frames[pick], view, true, flow_at(frames[pick]));
+  script += "unset multiplot\n";
+  begin("picture", 1000, 80 + 940 * aspect);
+  const json& one = frames[picks[picks.size() * 2 / 3]];
+  script += moment(one, view, false, flow_at(one));
+  if (!animated) return script;
+  constexpr double playback_s = 0.1;  // a frame
+  script += fmt::format("set terminal gif animate delay {:.0f} loop 0 size 900,{:.0f}\nset output {}\n",
+                        100 * playback_s, 80 + 840 * aspect, gnuplot_path(run / "animation.gif"));
+  for (const json& frame : frames) script += moment(frame, view, false, flow_at(frame));
+  return script;
+}
+
+}  // namespace blockweir::picture

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/process/fluid_program.hpp"
+
+#include <fmt/format.h>
+
+#include "bridge/channel/line_options.hpp"
+#include "bridge/process/exit_status.hpp"
+#include "bridge/scene/fluid_models.hpp"
+#include "bridge/scene/read/read.hpp"
+#include "bridge/schedule/hello.hpp"
+#include "bridge/schedule/run.hpp"
+
+namespace blockweir::process {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string folder;
+  std::string report;
+  std::vector<std::string> overrides;
+  std::uint64_t resume = 0;
+  channel::Options line{.side = channel::Side::connects, .partner = "solid process"};
+};
+
+int run(Options& options, const scene::FluidEntry& entry, const FluidMaker& make) {
+  const scene::Scene scene = scene::read(options.scene, options.overrides).scene;
+  require_fluid(scene, entry.model);
+  const auto fluid = make(scene, options.folder);
+  channel::catch_stop_signals();
+  options.line.timeout_s = scene.coupling.timeout_s;
+  options.line.open_timeout_s = scene.coupling.open_timeout_s;
+  channel::Channel channel(options.line);
+  channel.handshake(schedule::hello(scene, entry.role, options.resume));
+  checkpoint::Checkpoints checkpoints(options.folder, entry.role, scene.digest, 0);
+  const schedule::FluidReport said = schedule::run_fluid(channel, checkpoints, options.resume, *fluid);
+  if (!options.report.empty()) schedule::write_report(options.report, said);
+  return 0;
+}
+
+}  // namespace
+
+void require_fluid(const scene::Scene& scene, scene::FluidModel model) {
+  if (scene.fluid == model) return;
+  throw std::invalid_argument(
+      fmt::format("the scene's fluid is \"{}\", not \"{}\"", scene::name(scene.fluid), scene::name(model)));
+}
+
+int run_fluid_program(int argc, char** argv, scene::FluidModel model, const std::string& about,
+                      const FluidMaker& make) {
+  const scene::FluidEntry& entry = scene::fluid_entry(model);
+  Options options;
+  CLI::App app{fmt::format("{}: {}", entry.program, about)};
+  app.add_option("scene", options.scene, "scene file or case folder")->required();
+  channel::add_line_options(app, options.line)->required();
+  app.add_option("--out", options.folder, "folder for checkpoints and pictures");
+  app.add_option("--set", options.overrides, "key=value over the scene's own; the same for both processes");
+  app.add_option("--resume", options.resume, "number of the checkpoint in --out to go on from; the same for both");
+  app.add_option("--report", options.report, "file for this process's times and counts (JSON)");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return exit_status(entry.program, [&] { return run(options, entry, make); });
+}
+
+}  // namespace blockweir::process

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A fluid that answers over the line as a program of its own: all of it but the fluid.
+#pragma once
+
+#include <string>
+
+#include "bridge/process/sides.hpp"
+
+namespace blockweir::process {
+
+/// main() of the fluid `model`, which `make` makes from the scene and the folder of --out (empty: none was given).
+/// Returns the exit status.
+int run_fluid_program(int argc, char** argv, scene::FluidModel model, const std::string& about, const FluidMaker& make);
+
+}  // namespace blockweir::process

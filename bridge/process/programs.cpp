@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/process/programs.hpp"
+
+#include <fmt/format.h>
+
+#include "bridge/scene/fluid_models.hpp"
+
+namespace blockweir::process {
+namespace {
+
+namespace fs = std::filesystem;
+using scene::FluidModel;
+
+/// Programs stand beside this one, wherever it was installed.
+fs::path program(const char* name) {
+  return fs::read_symlink("/proc/self/exe").parent_path() / name;
+}
+
+}  // namespace
+
+fs::path scene_of(const fs::path& folder) {
+  return folder / "scene.toml";
+}
+
+fs::path report_of(const fs::path& folder) {
+  return folder / "fluid.json";
+}
+
+void require_fit(const scene::Scene& scene, bool inproc) {
+  if (!inproc || scene.fluid == FluidModel::hydrostatic || scene.fluid == FluidModel::none) return;
+  throw std::invalid_argument(
+      fmt::format("--inproc: found model = \"{}\" in [fluid]; only \"hydrostatic\" runs in the solid's process, leave "
+                  "--inproc away",
+                  scene::name(scene.fluid)));
+}
+
+std::vector<Command> commands_of(const scene::Scene& scene, const Processes& processes) {
+  const scene::FluidEntry& fluid = scene::fluid_entry(scene.fluid);
+  const fs::path report = report_of(processes.folder);
+  std::vector<Command> commands;
+  const auto add = [&](const char* name, const char* file, const std::vector<std::string>& more) {
+    Command& command = commands.emplace_back(Command{name, {program(file), scene_of(processes.folder)}});
+    command.words.insert(command.words.end(), more.begin(), more.end());
+    if (processes.first > 0) command.words.insert(command.words.end(), {"--resume", std::to_string(processes.first)});
+  };
+  if (processes.inproc && fluid.program != nullptr) {
+    add("solid", "blockweir-inproc", {"--out", processes.folder, "--report", report});
+    return commands;
+  }
+  add("solid", "blockweir-solid", {"--out", processes.folder});
+  if (fluid.program == nullptr) return commands;
+  commands.back().words.insert(commands.back().words.end(), {"--endpoint", processes.endpoint});
+  add(fluid.role, fluid.program,
+      {"--endpoint", processes.endpoint, "--out", processes.folder / fluid.folder, "--report", report});
+  if (fluid.reads_files) {
+    commands.back().words.insert(commands.back().words.end(),
+                                 {"--scene-folder", fs::absolute(scene.file).parent_path()});
+  }
+  return commands;
+}
+
+}  // namespace blockweir::process

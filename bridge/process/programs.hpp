@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The programs of a run, and the files through which they and the launcher know each other.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "bridge/process/supervisor.hpp"
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::process {
+
+struct Processes {
+  std::filesystem::path folder;  ///< of the run
+  std::string endpoint;          ///< where they meet
+  std::uint64_t first = 0;       ///< checkpoint to go on from; 0: from the start
+  bool inproc = false;           ///< the reference fluid within the solid's process
+};
+
+/// The run's own copy of its scene.
+[[nodiscard]] std::filesystem::path scene_of(const std::filesystem::path& folder);
+/// Where a fluid says what the summary needs.
+[[nodiscard]] std::filesystem::path report_of(const std::filesystem::path& folder);
+
+/// Throws std::invalid_argument where `inproc` is asked for a fluid that needs a process of its own.
+void require_fit(const scene::Scene& scene, bool inproc);
+
+/// The solid's first.
+[[nodiscard]] std::vector<Command> commands_of(const scene::Scene& scene, const Processes& processes);
+
+}  // namespace blockweir::process

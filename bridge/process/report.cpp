@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run's summary says, for people.
+#include <fmt/format.h>
+
+#include "bridge/process/former_run.hpp"
+#include "bridge/process/run.hpp"
+#include "bridge/results/figure.hpp"
+
+namespace blockweir::process {
+
+using nlohmann::json;
+
+std::string report(const RunResult& result) {
+  const json& s = result.summary;
+  std::string text;
+  const std::string outcome = s.value("outcome", "stopped");
+  const auto number = [](const json& value) {
+    return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : "none";
+  };
+  if (outcome == "fails") {
+    const json& f = s["failure"];
+    text += fmt::format("FAILS   {}\n", f["text"].get<std::string>());
+    if (f["level_m"].is_number()) {
+      const std::string pool = f.value("pool", "upstream") == "downstream" ? " (downstream pool)" : "";
+      const std::string head =
+          f["head_m"].is_number() ? fmt::format(", {} m above the joint that failed", number(f["head_m"])) : "";
+      text += fmt::format("        at a level of {} m{}{}, after {} s\n", number(f["level_m"]), pool, head,
+                          number(f["time_s"]));
+    } else {
+      text += fmt::format("        after {} s\n", number(f["time_s"]));
+    }
+    if (f.contains("doubt")) text += fmt::format("        {}\n", f["doubt"].get<std::string>());
+  } else if (outcome == "moving") {
+    text += fmt::format("MOVING  {}\n        {}\n", s["moving"]["text"].get<std::string>(),
+                        s["margin"]["text"].get<std::string>());
+  } else if (outcome == "stands") {
+    text += fmt::format("STANDS  {}\n", s["margin"]["text"].get<std::string>());
+  } else {
+    text += fmt::format("STOPPED {}\n", s.value("stopped", ""));
+  }
+  if (s.contains("rest")) text += fmt::format("STATIC  {}\n", s["rest"]["text"].get<std::string>());
+  if (s.contains("breach")) {
+    text +=
+        fmt::format("BREACH  after {} s: {}\n", number(s["breach"]["time_s"]), s["breach"]["text"].get<std::string>());
+  }
+  if (s.contains("added_mass")) text += fmt::format("{}\n", s["added_mass"]["text"].get<std::string>());
+  for (const json& warning : s.value("warnings", json::array())) {
+    text += fmt::format("WARNING {}\n", warning.get<std::string>());
+  }
+  for (const json& check : s.value("checks", json::array())) {
+    if (check.contains("trouble")) {
+      text += fmt::format("OUT     {}: {}\n", check["name"].get<std::string>(), check["trouble"].get<std::string>());
+      continue;
+    }
+    text += fmt::format("{}  {}: expected {}, got {}, off by {} (tolerance {}){}\n",
+                        check["passed"].get<bool>() ? "ok    " : "OUT   ", check["name"].get<std::string>(),
+                        results::figure(check["expected"]), results::figure(check["got"]),
+                        number(check["relative_error"]), number(check["tolerance"]),
+                        check.contains("why_none") ? ": " + check["why_none"].get<std::string>() : "");
+  }
+  for (const json& skip : s.value("skips", json::array())) text += fmt::format("skipped {}\n", skip.get<std::string>());
+  const json simulated = s.value("simulated_s", json());
+  text += fmt::format("time    {} s of wall time{}\n", number(s["wall_time_s"]),
+                      simulated.is_null() ? "" : fmt::format(" for {} s simulated", number(simulated)));
+  const std::string folder = result.folder.string();
+  text += fmt::format("results {} {}\n", folder,
+                      has_frames(result.folder)
+                          ? fmt::format("(blocks.pvd opens in ParaView; \"blockweir plot {}\" draws figures)", folder)
+                          : "(without a frame; solid.log has the solid's own words)");
+  return text;
+}
+
+}  // namespace blockweir::process

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/process/run.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+
+#include "bridge/checkpoint/checkpoints.hpp"
+#include "bridge/process/former_run.hpp"
+#include "bridge/process/programs.hpp"
+#include "bridge/process/progress.hpp"
+#include "bridge/process/supervisor.hpp"
+#include "bridge/process/temporary_folder.hpp"
+#include "bridge/process/trouble.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/folder_lock.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/scene/fluid_models.hpp"
+#include "bridge/scene/read/read.hpp"
+
+namespace blockweir::process {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+constexpr double grace_s = 5;
+
+fs::path results_folder(const RunOptions& options) {
+  if (!options.out.empty()) {
+    if (fs::exists(options.out / results::FolderLock::file))
+      results::FolderLock{options.out};  // whose first files are few
+    if (is_anothers(options.out)) {
+      throw std::invalid_argument(
+          fmt::format("--out {}: not empty and not a former run; choose another folder", options.out.string()));
+    }
+    return options.out;
+  }
+  const fs::path given = fs::weakly_canonical(options.scene);
+  const bool folder = fs::is_directory(given) || given.filename() == "scene.toml";
+  const fs::path name = fs::is_directory(given) ? given.filename()
+                        : folder                ? given.parent_path().filename()
+                                                : given.stem();
+  fs::path out = fs::path("runs") / name;
+  for (int n = 2; fs::exists(out); ++n) out = fs::path("runs") / fmt::format("{}-{}", name.string(), n);
+  return out;
+}
+
+json read_json(const fs::path& path) {
+  std::ifstream stream(path);
+  return stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
+}
+
+/// The last checkpoint that all processes of the run can go on from; 0: there is none. Still water remembers nothing,
+/// but for its own pictures.
+std::uint64_t resumable_window(const fs::path& folder, const scene::Scene& scene) {
+  std::vector<std::uint64_t> all = checkpoint::windows(folder, "solid");
+  const auto keep = [&](const std::vector<std::uint64_t>& theirs) {
+    std::erase_if(all, [&](std::uint64_t w) { return !std::binary_search(theirs.begin(), theirs.end(), w); });
+  };
+  const scene::FluidEntry& fluid = scene::fluid_entry(scene.fluid);
+  if (fluid.remembers || scene.output.reservoir) keep(checkpoint::windows(folder / fluid.folder, fluid.role));
+  return all.empty() ? 0 : all.back();
+}
+
+void complete_summary(const fs::path& folder, RunResult& result, double wall_s) {
+  json& summary = result.summary;
+  summary = read_json(folder / "summary.json");
+  if (!summary.is_object()) summary = json::object();
+  if (!result.trouble.empty()) {
+    summary["outcome"] = "stopped";
+    summary["stopped"] = result.trouble;
+  }
+  summary["wall_time_s"] = wall_s;
+  const json fluid = read_json(report_of(folder));
+  if (fluid.is_object()) {
+    for (const auto& [phase, seconds] : fluid["seconds"].items()) summary["profile_s"]["fluid_" + phase] = seconds;
+    for (const auto& [what, count] : fluid["counts"].items()) summary["counts"]["fluid_" + what] = count;
+    if (fluid.contains("checks")) {
+      for (const json& check : fluid["checks"]) summary["checks"].push_back(check);
+    }
+    for (const json& skip : fluid.value("skips", json::array())) summary["skips"].push_back(skip);
+    for (const json& warning : fluid.value("warnings", json::array())) summary["warnings"].push_back(warning);
+    if (fluid.contains("peak_memory_mb")) summary["peak_memory_mb"]["fluid"] = fluid["peak_memory_mb"];
+    fs::remove(report_of(folder));
+  }
+  try {
+    results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
+  } catch (const std::exception&) {
+    if (result.trouble.empty()) throw;  // else the first trouble is the one to read
+  }
+}
+
+bool is_refusal(const Supervised& supervised) {
+  return !supervised.interrupted && !supervised.overdue &&
+         std::all_of(supervised.ends.begin(), supervised.ends.end(), [](const ChildEnd& end) {
+           return end.exit_code == 0 || (end.exit_code <= 2 && !end.last_line.empty());
+         });
+}
+
+/// A run that has come to its end has no checkpoint, and needs none.
+void refuse_finished(const fs::path& folder) {
+  const json summary = read_json(folder / "summary.json");
+  const std::string outcome = summary.is_object() ? summary.value("outcome", "stopped") : "stopped";
+  if (outcome == "stopped") return;
+  throw std::invalid_argument(
+      fmt::format("{}: found a run that is complete, its outcome is \"{}\"; nothing is left to resume; \"blockweir run "
+                  "{} --set analysis.duration_s=...\" makes a longer one",
+                  folder.string(), outcome, scene_of(folder).string()));
+}
+
+/// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
+/// scene.
+RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool inproc, bool quiet,
+             double longest_s) {
+  const auto start = std::chrono::steady_clock::now();
+  const StopsLater until_the_summary_stands;
+  RunResult result;
+  result.folder = folder;
+  const TemporaryFolder socket_folder;
+  const std::string endpoint = "ipc://" + (socket_folder.path() / "line").string();
+  int pipe_ends[2];
+  if (::pipe2(pipe_ends, O_CLOEXEC | O_NONBLOCK) != 0) throw std::runtime_error("cannot open a pipe");
+  std::vector<Command> commands = commands_of(scene, {folder, endpoint, first, inproc});
+  commands.front().words.insert(commands.front().words.end(), {"--progress-fd", std::to_string(pipe_ends[1])});
+  commands.front().inherited_fd = pipe_ends[1];
+  Progress progress(pipe_ends[0], scene.analysis.duration_s, quiet);
+  const Supervised supervised = supervise(
+      commands, folder, grace_s, [&] { return progress.update(); }, longest_s);
+  progress.finish();
+  ::close(pipe_ends[0]);
+  ::close(pipe_ends[1]);
+
+  result.trouble = first_trouble(supervised, folder);
+  if (!result.trouble.empty() && resumable_window(folder, scene) > 0) {
+    result.trouble += fmt::format("; \"blockweir resume {}\" goes on", folder.string());
+  }
+  result.refused = !result.trouble.empty() && is_refusal(supervised);
+  result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
+  if (result.exit_code == 0) forget_checkpoints(folder);
+  complete_summary(folder, result, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  return result;
+}
+
+}  // namespace
+
+RunResult run(const RunOptions& options) {
+  const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
+  require_fit(read.scene, options.inproc);
+  if (options.strict) scene::refuse_warnings(read.warnings);
+  for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
+  if (!options.quiet) {
+    for (const auto& warning : read.warnings) fmt::print(stderr, "{}\n", warning.text());
+  }
+  const fs::path folder = results_folder(options);
+  results::make_folder(folder);
+  const results::FolderLock lock(folder);
+  forget_former_run(folder, read.scene);
+  results::replace_file(scene_of(folder), read.scene.text);
+  return go(read.scene, folder, 0, options.inproc, options.quiet, options.longest_s);
+}
+
+RunResult resume(const ResumeOptions& options) {
+  if (!is_run(options.folder)) {
+    throw std::invalid_argument(
+        fmt::format("{}: found no scene.toml and solid.log of a run; expected the folder that a run has written",
+                    options.folder.string()));
+  }
+  const results::FolderLock lock(options.folder);
+  const scene::Scene scene = scene::read(scene_of(options.folder), {}).scene;
+  require_fit(scene, options.inproc);
+  const std::uint64_t first = resumable_window(options.folder, scene);
+  if (first == 0) {
+    refuse_finished(options.folder);
+    throw std::invalid_argument(fmt::format(
+        "{}: no checkpoint that all its processes have; run it anew, with a shorter [output] checkpoint_every_s",
+        options.folder.string()));
+  }
+  return go(scene, options.folder, first, options.inproc, options.quiet, /*longest_s=*/0);
+}
+
+}  // namespace blockweir::process

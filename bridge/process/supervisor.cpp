@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/process/supervisor.hpp"
+
+extern "C" {  // glibc 2.36 forgets to say so itself
+#include <sys/pidfd.h>
+}
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "bridge/process/process_state.hpp"
+
+namespace blockweir::process {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+volatile std::sig_atomic_t stop_signals = 0;
+extern "C" void count_stop(int /*signal*/) {
+  stop_signals = stop_signals + 1;
+}
+
+sigset_t stop_set() {
+  sigset_t both;
+  sigemptyset(&both);
+  sigaddset(&both, SIGINT);
+  sigaddset(&both, SIGTERM);
+  return both;
+}
+
+/// Counts SIGINT and SIGTERM for as long as it lives. They come only while somebody waits with `outside()` as mask, so
+/// that none is missed between a look at the count and the wait.
+class StopSignals {
+ public:
+  StopSignals() {
+    stop_signals = 0;
+    const sigset_t ours = stop_set();
+    ::sigprocmask(SIG_BLOCK, &ours, &before_);
+    outside_ = before_;
+    sigdelset(&outside_, SIGINT);
+    sigdelset(&outside_, SIGTERM);
+    struct sigaction action = {};
+    action.sa_handler = count_stop;
+    sigemptyset(&action.sa_mask);
+    ::sigaction(SIGINT, &action, &old_int_);
+    ::sigaction(SIGTERM, &action, &old_term_);
+  }
+  ~StopSignals() {
+    ::sigaction(SIGINT, &old_int_, nullptr);
+    ::sigaction(SIGTERM, &old_term_, nullptr);
+    ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+  }
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+  [[nodiscard]] const sigset_t& outside() const { return outside_; }
+
+ private:
+  sigset_t before_{};
+  sigset_t outside_{};
+  struct sigaction old_int_ {};
+  struct sigaction old_term_ {};
+};
+
+[[noreturn]] void become(const Command& command, const std::filesystem::path& log, const StopSignals& signals,
+                         pid_t parent) {
+  ::sigprocmask(SIG_SETMASK, &signals.outside(), nullptr);
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) ::_exit(127);  // gone before we said so
+  ::setpgid(0, 0);                          // Ctrl-C reaches us alone; we pass it on in order
+  const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file >= 0) ::dup2(file, STDERR_FILENO);
+  if (file >= 0 && !command.output.empty()) ::dup2(file, STDOUT_FILENO);
+  if (command.inherited_fd >= 0) ::fcntl(command.inherited_fd, F_SETFD, 0);
+  std::vector<char*> words;
+  for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  ::execvp(words[0], words.data());
+  const std::string text = "cannot start " + command.words[0] + ": " + std::strerror(errno) + "\n";
+  (void)!::write(STDERR_FILENO, text.data(), text.size());
+  ::_exit(127);
+}
+
+std::string last_line(const std::filesystem::path& log) {
+  std::ifstream stream(log);
+  std::string last;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+int exit_code(int status) {
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// Takes over what our children leave behind when they end: mpirun may be gone before its last rank is.
+class Reaper {
+ public:
+  Reaper() {
+    ::prctl(PR_GET_CHILD_SUBREAPER, &before_);
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  }
+  ~Reaper() { ::prctl(PR_SET_CHILD_SUBREAPER, before_); }
+  Reaper(const Reaper&) = delete;
+  Reaper& operator=(const Reaper&) = delete;
+  /// Returns when nothing is left; what has not ended by itself after `patience_s` is killed.
+  static void reap(double patience_s) {
+    for (const auto begin = Clock::now(); ::waitpid(-1, nullptr, WNOHANG) >= 0;) {
+      if (std::chrono::duration<double>(Clock::now() - begin).count() > patience_s) kill_children();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+
+ private:
+  static void kill_children() {
+    std::ifstream children("/proc/self/task/" + std::to_string(::getpid()) + "/children");  // the leader gets them
+    for (pid_t pid = 0; children >> pid;) ::kill(pid, SIGKILL);
+  }
+  int before_ = 0;
+};
+
+struct Child {
+  std::string name;
+  std::filesystem::path log;
+  pid_t pid = -1;
+  int end = -1;  ///< a descriptor that becomes readable when the process has ended
+  bool running = false;
+  bool told = false;     ///< by a signal of ours
+  bool stopped = false;  ///< when another failed
+};
+
+struct Children {
+  std::vector<Child> all{};
+
+  Children() = default;
+  Children(const Children&) = delete;
+  Children& operator=(const Children&) = delete;
+  ~Children() {
+    for (const Child& child : all) {
+      if (child.end >= 0) ::close(child.end);
+    }
+  }
+  [[nodiscard]] bool running() const {
+    return std::any_of(all.begin(), all.end(), [](const Child& c) { return c.running; });
+  }
+  void signal(int number) {
+    for (Child& child : all) signal(child, number);
+  }
+  /// The one that leads; it tells the others.
+  void signal_first(int number) { signal(all.front(), number); }
+  /// Those that are stopped are asked to end and woken, so that they can.
+  void wake() {
+    for (Child& child : all) {
+      if (!child.running || child.stopped) continue;
+      const std::vector<pid_t> family = family_of(child.pid);
+      if (!is_stopped(family)) continue;
+      child.stopped = true;
+      signal(child, SIGTERM);
+      for (const pid_t pid : family) ::kill(pid, SIGCONT);
+    }
+  }
+  /// Until a child ends, a signal comes, or 50 ms have passed; adds those that have ended to `result`.
+  void wait(const StopSignals& signals, Supervised& result) {
+    std::vector<pollfd> watched;
+    for (const Child& child : all) {
+      if (child.running) watched.push_back({child.end, POLLIN, 0});
+    }
+    const timespec longest{0, 50'000'000};
+    ::ppoll(watched.data(), watched.size(), &longest, &signals.outside());
+    for (Child& child : all) {
+      int status = 0;
+      if (!child.running || ::waitpid(child.pid, &status, WNOHANG) != child.pid) continue;
+      child.running = false;
+      result.ends.push_back({child.name, exit_code(status), child.told, child.stopped, last_line(child.log)});
+    }
+  }
+
+ private:
+  static void signal(Child& child, int number) {
+    if (!child.running) return;
+    child.told = true;
+    ::kill(child.pid, number);
+  }
+};
+
+}  // namespace
+
+StopsLater::StopsLater() {
+  const sigset_t both = stop_set();
+  ::sigprocmask(SIG_BLOCK, &both, &before_);
+}
+
+StopsLater::~StopsLater() {
+  const sigset_t both = stop_set();
+  const timespec now{};
+  while (::sigtimedwait(&both, nullptr, &now) > 0) {
+  }
+  ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+}
+
+bool Supervised::all_fine() const {
+  return !interrupted && std::all_of(ends.begin(), ends.end(), [](const ChildEnd& end) { return end.exit_code == 0; });
+}
+
+Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
+                     const std::function<bool()>& tick, double longest_s) {
+  const auto begin = Clock::now();
+  const auto since = [](Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); };
+  const StopSignals signals;
+  const Reaper reaper;
+  const pid_t we = ::getpid();
+  const pid_t parent = ::getppid();
+  Children children;
+  for (const Command& command : commands) {
+    Child& child = children.all.emplace_back();
+    child.name = command.name;
+    child.log = command.output.empty() ? log_folder / (command.name + ".log") : command.output;
+    child.pid = ::fork();
+    if (child.pid == 0) become(command, child.log, signals, we);
+    if (child.pid > 0) child.end = ::pidfd_open(child.pid, 0);
+    if (child.end < 0) {
+      const std::string reason = std::strerror(errno);
+      child.running = child.pid > 0;
+      children.signal(SIGKILL);
+      throw std::runtime_error("cannot start " + command.name + ": " + reason);
+    }
+    child.running = true;
+  }
+
+  Supervised result;
+  Clock::time_point trouble = Clock::time_point::max();
+  int sent = 0;   // 0 nothing, 1 SIGTERM, 2 SIGKILL
+  int heard = 0;  // of the stop signals to us
+  while (children.running()) {
+    children.wait(signals, result);
+    const bool in_touch = tick();
+    const auto now = Clock::now();
+    if (const int asked = stop_signals; asked > heard) {
+      const bool once = std::exchange(heard, asked) == 0 && asked == 1;
+      const bool alone = ::getppid() != parent;  // nobody will ask a second time
+      result.interrupted = true;
+      if (once && in_touch && !alone) {
+        children.signal_first(SIGTERM);
+      } else {
+        children.signal(SIGTERM);
+        trouble = now;
+        sent = 1;
+      }
+    }
+    if (longest_s > 0 && !result.overdue && since(begin) > longest_s) {
+      result.overdue = true;
+      children.signal(SIGKILL);
+    }
+    if (trouble == Clock::time_point::max() && !result.ends.empty() && !result.all_fine()) trouble = now;
+    if (trouble == Clock::time_point::max()) continue;
+    children.wake();
+    const double waited = since(trouble);
+    if (sent < 1 && waited > grace_s) children.signal(SIGTERM), sent = 1;
+    if (sent < 2 && waited > 2 * grace_s) children.signal(SIGKILL), sent = 2;
+  }
+  Reaper::reap(grace_s);
+  const auto done = [](const ChildEnd& end) { return end.exit_code == 0; };
+  if (std::all_of(result.ends.begin(), result.ends.end(), done)) result.interrupted = false;  // asked too late
+  return result;
+}
+
+}  // namespace blockweir::process

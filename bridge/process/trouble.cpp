@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/process/trouble.hpp"
+
+#include <fmt/format.h>
+
+#include "bridge/process/former_run.hpp"
+
+namespace blockweir::process {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Then the logs, too, have no place for a last word.
+bool is_full(const fs::path& folder) {
+  std::error_code unknown;
+  const fs::space_info space = fs::space(folder, unknown);
+  return !unknown && space.available < 4096;
+}
+
+bool is_echo(const ChildEnd& end) {
+  return end.last_line.find("see its own message for the cause") != std::string::npos;
+}
+
+/// The first that failed by itself, or the first after it that is no echo; null where none did.
+const ChildEnd* cause_of(const Supervised& supervised) {
+  const ChildEnd* cause = nullptr;
+  for (const ChildEnd& end : supervised.ends) {
+    if (end.exit_code == 0 || end.by_us) continue;
+    if (cause == nullptr || (is_echo(*cause) && !end.last_line.empty())) cause = &end;
+  }
+  return cause;
+}
+
+}  // namespace
+
+std::string first_trouble(const Supervised& supervised, const fs::path& folder) {
+  if (supervised.interrupted) {
+    return has_frames(folder) ? "stopped on request; the results so far stand"
+                              : "stopped on request before its first frame";
+  }
+  if (supervised.overdue) return "still running when its time was over";
+  for (const ChildEnd& end : supervised.ends) {
+    // A process that was killed says nothing itself.
+    if (end.exit_code > 128 && !end.by_us) {
+      return fmt::format("the {} process was ended by signal {}", end.name, end.exit_code - 128);
+    }
+  }
+  for (const ChildEnd& end : supervised.ends) {
+    if (end.stopped) {
+      return fmt::format("the {} process was stopped (SIGSTOP) and answered no more for [coupling] timeout_s",
+                         end.name);
+    }
+  }
+  const ChildEnd* cause = cause_of(supervised);
+  if (cause == nullptr) return "";
+  if (!cause->last_line.empty()) return cause->last_line;
+  return fmt::format("the {} process ended with {}{}", cause->name, cause->exit_code,
+                     is_full(folder) ? ": is the disk full, or the folder not writable?" : "");
+}
+
+}  // namespace blockweir::process

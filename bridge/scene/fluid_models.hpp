@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fluids that a scene can have: one row each.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+namespace blockweir::scene {
+
+enum class FluidModel { none, hydrostatic, openfoam, column };
+
+struct FluidEntry {
+  FluidModel model;
+  const char* key;                ///< [fluid] model = "key"
+  const char* name;               ///< in messages
+  const char* program = nullptr;  ///< that computes it; null: none is needed
+  const char* role = "";          ///< as which it greets the solid, and by which its log and checkpoints are named
+  const char* folder = "";        ///< of its own within the run's
+  bool remembers = false;         ///< its pressures depend on what has been: it goes on from a checkpoint of its own
+  bool reads_files = false;       ///< that the scene names, beside the scene's text
+  double timeout_s = 20;          ///< for which the solid waits for a sign of life, by default
+};
+
+inline constexpr std::array fluid_models = {
+    FluidEntry{.model = FluidModel::none, .key = "none", .name = "none"},
+    FluidEntry{.model = FluidModel::hydrostatic,
+               .key = "hydrostatic",
+               .name = "hydrostatic",
+               .program = "blockweir-hydrostatic",
+               .role = "hydrostatic"},
+    FluidEntry{.model = FluidModel::openfoam,
+               .key = "openfoam",
+               .name = "OpenFOAM",
+               .program = "blockweir-openfoam",
+               .role = "openfoam",
+               .folder = "openfoam",
+               .remembers = true,
+               .reads_files = true,
+               .timeout_s = 120},  // interFoam makes its mesh before it comes, and may have many steps in a window
+    FluidEntry{.model = FluidModel::column,
+               .key = "column",
+               .name = "column",
+               .program = "blockweir-column",
+               .role = "column",
+               .remembers = true},
+};
+
+constexpr const FluidEntry& fluid_entry(FluidModel model) {
+  return *std::find_if(fluid_models.begin(), fluid_models.end(), [&](const FluidEntry& e) { return e.model == model; });
+}
+
+/// As messages call it.
+constexpr const char* name(FluidModel model) {
+  return fluid_entry(model).name;
+}
+
+}  // namespace blockweir::scene

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/study/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "bridge/process/run.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/scene/read/read.hpp"
+#include "bridge/study/bench_figure.hpp"
+#include "bridge/study/cases_folder.hpp"
+#include "bridge/study/study.hpp"
+
+namespace blockweir::study {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using process::run;
+using process::RunResult;
+using process::TemporaryFolder;
+using Clock = std::chrono::steady_clock;
+
+/// A point before it has been measured.
+struct Setting {
+  std::string curve;
+  std::string key_and_value;
+  Settings all;  ///< with what holds for the curve
+  bool inproc = false;
+};
+
+/// The same scene, launched otherwise: no setting that a scene could take over.
+constexpr const char* one_process = "--inproc";
+
+struct Case {
+  fs::path scene;
+  std::vector<Setting> settings;  ///< the first is the scene as it stands
+};
+
+void add_curve(Case& bench, const std::string& name, const Settings& set, scene::Sweep sweep, bool brief) {
+  if (brief && sweep.values.size() > 2) sweep.values = {sweep.values.front(), sweep.values.back()};
+  for (const std::string& value : sweep.values) {
+    const std::string key_and_value = sweep.key + "=" + value;
+    bench.settings.push_back({name, key_and_value, joined(set, {key_and_value})});
+  }
+}
+
+bool is_first(const scene::Scene& scene, const scene::Expectation& expected) {
+  if (scene.expectations.empty()) return false;
+  const scene::Expectation& first = scene.expectations.front();
+  return expected.quantity == first.quantity && expected.of == first.of;
+}
+
+std::string in_words(const std::string& curve, const std::string& setting) {
+  return setting.empty() ? curve : fmt::format("{}, {}", curve, setting);
+}
+
+/// Curves of the scene: its [[bench]], and each [[order]] of its first figure. Every setting is checked.
+Case case_of(const fs::path& path, const Settings& overrides, bool brief) {
+  const scene::Scene scene = scene::read(path, overrides).scene;
+  Case bench{.scene = path, .settings = {{"as it stands", "", {}}}};
+  for (const scene::Bench& b : scene.studies.benches) add_curve(bench, b.name, b.set, b.sweep, brief);
+  if (bench.settings.size() == 1) return bench;
+  for (const scene::OrderStudy& order : scene.studies.orders) {
+    if (!is_first(scene, order.expected)) continue;
+    scene::Sweep sweep{order.key, {}};
+    for (const double value : order.values) sweep.values.push_back(fmt::format("{}", value));
+    add_curve(bench, order.name, order.set, sweep, brief);
+  }
+  if (scene.fluid == scene::FluidModel::hydrostatic)
+    bench.settings.push_back({"still water within the solid's process", one_process, {}, true});
+  for (Setting& setting : bench.settings) {
+    setting.all = joined(overrides, setting.all);
+    const scene::Scene set = scene::read(path, setting.all).scene;
+    if (!set.expectations.empty() || !set.water_expectations.empty()) continue;
+    throw std::invalid_argument(fmt::format("{}, {}: no figure whose error could be measured; add an [[expect]]",
+                                            path.string(), in_words(setting.curve, setting.key_and_value)));
+  }
+  return bench;
+}
+
+std::vector<Case> chosen(const BenchOptions& options) {
+  std::vector<Case> all;
+  for (const fs::path& path : options.cases.empty() ? all_cases() : options.cases) {
+    Case bench = case_of(path, options.overrides, options.brief);
+    if (bench.settings.size() > 1) {
+      all.push_back(std::move(bench));
+    } else if (!options.cases.empty()) {
+      throw std::invalid_argument(fmt::format("{} has no [[bench]]", path.string()));
+    }
+  }
+  return all;
+}
+
+/// Runs a case's settings, as `blockweir run` does.
+class Runs {
+ public:
+  explicit Runs(const Case& bench) : bench_(bench) {}
+
+  [[nodiscard]] RunResult of(std::size_t i) const {
+    RunResult result = run({.scene = bench_.scene,
+                            .out = scratch_.path() / "run",
+                            .overrides = bench_.settings[i].all,
+                            .inproc = bench_.settings[i].inproc,
+                            .quiet = true});
+    if (result.exit_code == 130) throw Interrupted();
+    return result;
+  }
+
+  /// Median over an odd number of pairs of the wall time of setting i over that of the scene as it stands, by turns.
+  [[nodiscard]] double beside_the_scene(std::size_t i, std::size_t pairs) const {
+    const auto time_s = [&](std::size_t k) {
+      const RunResult result = of(k);
+      if (!result.trouble.empty()) throw std::runtime_error(result.trouble);
+      return result.summary.at("wall_time_s").get<double>();
+    };
+    std::vector<double> ratios(pairs);
+    for (double& ratio : ratios) {
+      const double stands_s = time_s(0);
+      ratio = time_s(i) / stands_s;
+    }
+    std::sort(ratios.begin(), ratios.end());
+    return ratios[pairs / 2];
+  }
+
+ private:
+  const Case& bench_;
+  TemporaryFolder scratch_;
+};
+
+/// The runs of a case, all of them by turns, so that what else the machine does falls on all alike: three turns, and
+/// of short runs up to nine. Long runs lie between those of a turn: what seems better than the scene as it stands is
+/// run again, by turns with it alone.
+class Measured {
+ public:
+  Measured(const Case& bench, bool brief) {
+    const Runs runs(bench);
+    for (const Setting& setting : bench.settings)
+      points.push_back({setting.curve, setting.key_and_value, std::numeric_limits<double>::infinity(), 0});
+    std::vector<std::string> troubles(points.size());
+    if (!brief) (void)runs.of(0);  // the first run after others finds programs and files cold
+    const auto begin = Clock::now();
+    const auto is_short = [&] { return Clock::now() - begin < std::chrono::seconds(30); };
+    for (int turn = 0; turn < (brief ? 1 : 3) || (!brief && turn < 9 && is_short()); ++turn) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!troubles[i].empty()) continue;
+        const RunResult result = runs.of(i);
+        troubles[i] = result.trouble.empty() ? take(points[i], result.summary) : result.trouble;
+      }
+    }
+    for (std::size_t i = 1; i < points.size() && troubles.front().empty(); ++i) {
+      if (!troubles[i].empty() || (points[i].setting != one_process && !betters(points[i], points.front()))) continue;
+      points[i].beside = runs.beside_the_scene(i, brief ? 1 : 7);
+    }
+    for (std::size_t i = points.size(); i-- > 0;) {
+      if (troubles[i].empty()) continue;
+      failed.push_back({points[i].curve, points[i].setting, troubles[i]});
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
+  struct Failed {
+    std::string curve;
+    std::string setting;
+    std::string trouble;
+  };
+  std::vector<Point> points;
+  std::vector<Failed> failed;
+  std::string figure;
+
+ private:
+  /// What is wrong with the figure, else nothing.
+  std::string take(Point& point, const json& summary) {
+    const json& check = summary["checks"].at(0);
+    figure = check["name"].get<std::string>();
+    if (!check["relative_error"].is_number()) return fmt::format("the run has no {}", figure);
+    point.error = check["relative_error"].get<double>();
+    point.time_s = std::min(point.time_s, summary["wall_time_s"].get<double>());
+    return "";
+  }
+};
+
+/// Those that better the scene as it stands beside it: the fastest and the most accurate of them.
+std::vector<Point> better_ones(const std::vector<Point>& points) {
+  const auto beside = [](double ratio, double error) { return Point{.time_s = ratio, .error = error}; };
+  std::vector<Point> better;
+  for (const Point& p : points) {
+    if (p.setting != one_process && p.beside > 0 && betters(beside(p.beside, p.error), beside(1, points.front().error)))
+      better.push_back(p);
+  }
+  if (better.empty()) return {};
+  const auto fastest = std::min_element(better.begin(), better.end(),
+                                        [](const Point& a, const Point& b) { return a.beside < b.beside; });
+  const auto finest =
+      std::min_element(better.begin(), better.end(), [](const Point& a, const Point& b) { return a.error < b.error; });
+  return fastest == finest ? std::vector{*fastest} : std::vector{*fastest, *finest};
+}
+
+json as_json(const Point& p) {
+  json row = {{"curve", p.curve}, {"setting", p.setting}, {"relative_error", p.error}, {"wall_time_s", p.time_s}};
+  if (p.beside > 0) row["wall_time_beside"] = p.beside;
+  return row;
+}
+
+/// Prints the case's rows and draws it; what is said of it at the end comes back under "verdict".
+json told(const Case& bench, const Measured& measured, const fs::path& out) {
+  const std::string name = case_name(bench.scene);
+  const std::vector<std::size_t> best = front(measured.points);
+  json row = {{"case", name}, {"figure", measured.figure}, {"points", json::array()}, {"failed", json::array()}};
+  fmt::print("{}: {}\n", name, measured.figure);
+  for (std::size_t i = 0; i < measured.points.size(); ++i) {
+    const Point& p = measured.points[i];
+    const bool on_front = std::find(best.begin(), best.end(), i) != best.end();
+    fmt::print("  {:<74} error {:>9.2e}  {:>8.3f} s{}\n", in_words(p.curve, p.setting), p.error, p.time_s,
+               on_front ? "  *" : "");
+    row["points"].push_back(as_json(p));
+    row["points"].back()["on_front"] = on_front;
+  }
+  for (const auto& f : measured.failed) {
+    fmt::print("  {}, {}: {}\n", f.curve, f.setting, f.trouble);
+    row["failed"].push_back({{"curve", f.curve}, {"setting", f.setting}, {"trouble", f.trouble}});
+  }
+  std::fflush(stdout);
+  if (measured.points.empty() || !measured.points.front().setting.empty()) {
+    row["verdict"] = fmt::format("{} as it stands does not run", name);
+    return row;
+  }
+  const Point& stands = measured.points.front();
+  std::string verdict = fmt::format("{} as it stands: error {:.2g} in {:.3f} s, ", name, stands.error, stands.time_s);
+  row["bettered_by"] = json::array();
+  for (const Point& p : better_ones(measured.points)) {
+    verdict += fmt::format("{}\n    {}: error {:.2g} in {:.2g} of its time",
+                           row["bettered_by"].empty() ? "NOT on the front:" : "", in_words(p.curve, p.setting), p.error,
+                           p.beside);
+    row["bettered_by"].push_back(as_json(p));
+  }
+  if (row["bettered_by"].empty()) verdict += "on the front";
+  for (const Point& p : measured.points) {
+    if (p.setting == one_process) verdict += fmt::format("\n    {}: {:.2g} of its time", one_process, p.beside);
+  }
+  row["verdict"] = verdict;
+  draw_bench(out / (name + ".png"), name, measured.figure, measured.points);
+  return row;
+}
+
+}  // namespace
+
+std::size_t bench_settings(const fs::path& scene, const Settings& overrides) {
+  return case_of(scene, overrides, false).settings.size() - 1;
+}
+
+int bench(const BenchOptions& options) {
+  const std::vector<Case> cases = chosen(options);
+  results::make_folder(options.out);
+  json rows = json::array();
+  try {
+    for (const Case& one : cases) rows.push_back(told(one, Measured(one, options.brief), options.out));
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "stopped on request\n");
+    return 130;
+  }
+  bool sound = true;
+  for (json& row : rows) {
+    fmt::print("{}\n", row["verdict"].get<std::string>());
+    sound = sound && row["failed"].empty();
+    row.erase("verdict");
+  }
+  const fs::path table = options.out / "bench.json";
+  results::replace_file(table, rows.dump(2) + "\n");
+  fmt::print("{} cases; {}\n", rows.size(), table.string());
+  return sound ? 0 : 1;
+}
+
+}  // namespace blockweir::study

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture of a bench.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bridge/study/pareto.hpp"
+
+namespace blockweir::study {
+
+/// Error over wall time, both logarithmic: a line a curve, the Pareto front, the scene as it stands as a star.
+void draw_bench(const std::filesystem::path& file, const std::string& title, const std::string& figure,
+                const std::vector<Point>& points);
+
+}  // namespace blockweir::study

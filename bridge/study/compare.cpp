@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/study/compare.hpp"
+
+#include <fmt/format.h>
+
+#include "bridge/process/run.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/study/cases_folder.hpp"
+#include "bridge/study/study.hpp"
+
+namespace blockweir::study {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using process::run;
+using process::RunOptions;
+using process::RunResult;
+using process::TemporaryFolder;
+
+constexpr std::array formulations = {"penalty", "lagrange-multiplier", "augmented-lagrangian"};
+constexpr std::array usual_cases = {"incline", "column", "monolith-slides", "cracked-dam-upper", "cracked-dam-lower"};
+
+std::vector<fs::path> chosen(const CompareOptions& options) {
+  if (!options.cases.empty()) return options.cases;
+  std::vector<fs::path> cases;
+  for (const char* name : usual_cases) cases.push_back(cases_folder() / name);
+  return cases;
+}
+
+RunResult uninterrupted(const RunOptions& options) {
+  RunResult result = run(options);
+  if (result.exit_code == 130) throw Interrupted();
+  return result;
+}
+
+/// Twice: what a run takes, and then with the condition numbers, which take far longer than the run.
+json measured(RunOptions options) {
+  const RunResult timed = uninterrupted(options);
+  if (timed.exit_code != 0) return {{"trouble", timed.trouble}};
+  options.overrides.emplace_back("contact.measure_condition=true");
+  const RunResult conditioned = uninterrupted(options);
+  if (conditioned.exit_code != 0) return {{"trouble", "with contact.measure_condition: " + conditioned.trouble}};
+  json summary = timed.summary;
+  summary["largest_condition_number"] = conditioned.summary.value("largest_condition_number", json());
+  fs::remove_all(options.out);
+  return summary;
+}
+
+std::string number(const json& value, const char* format) {
+  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "none";
+}
+
+/// Prints a row for each figure, and adds it to `rows`; false where there is none.
+bool add_rows(const std::string& name, const char* formulation, const json& s, json& rows) {
+  if (s.contains("trouble")) {
+    fmt::print("{:<20} {:<21} {}\n", name, formulation, s["trouble"].get<std::string>());
+    rows.push_back({{"case", name}, {"formulation", formulation}, {"trouble", s["trouble"]}});
+    return false;
+  }
+  for (const json& check : s["checks"]) {
+    fmt::print("{:<20} {:<21} {:<28} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8} {:>8}\n", name, formulation,
+               check["name"].get<std::string>(), number(check["relative_error"], "{:.2e}"),
+               number(s["largest_penetration_m"], "{:.2e}"), number(s["largest_condition_number"], "{:.2e}"),
+               s["counts"]["iterations"].get<long>(), s["counts"]["steps"].get<long>(),
+               s["counts"]["substituted_steps"].get<long>(), number(s["wall_time_s"], "{:.3g}"));
+    rows.push_back({{"case", name},
+                    {"formulation", formulation},
+                    {"name", check["name"]},
+                    {"expected", check["expected"]},
+                    {"got", check["got"]},
+                    {"relative_error", check["relative_error"]},
+                    {"largest_penetration_m", s["largest_penetration_m"]},
+                    {"largest_condition_number", s["largest_condition_number"]},
+                    {"iterations", s["counts"]["iterations"]},
+                    {"multiplier_sweeps", s["counts"]["multiplier_sweeps"]},
+                    {"steps", s["counts"]["steps"]},
+                    {"substituted_steps", s["counts"]["substituted_steps"]},
+                    {"wall_time_s", s["wall_time_s"]}});
+  }
+  return true;
+}
+
+}  // namespace
+
+int compare(const CompareOptions& options) {
+  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  const TemporaryFolder scratch;
+  json rows = json::array();
+  bool sound = true;
+  fmt::print("{:<20} {:<21} {:<28} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8} {:>8}\n", "case", "formulation", "quantity",
+             "error", "penetration", "condition", "systems", "steps", "retried", "time s");
+  try {
+    for (const fs::path& scene : chosen(options)) {
+      for (const char* formulation : formulations) {
+        RunOptions one{.scene = scene, .out = scratch.path() / "run", .overrides = options.overrides, .quiet = true};
+        one.overrides.push_back(fmt::format("contact.formulation={}", formulation));
+        sound &= add_rows(case_name(scene), formulation, measured(one), rows);
+        std::fflush(stdout);
+      }
+    }
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "stopped on request\n");
+    return 130;
+  }
+  if (!options.json.empty()) results::replace_file(options.json, rows.dump(2) + "\n");
+  return sound ? 0 : 1;
+}
+
+}  // namespace blockweir::study

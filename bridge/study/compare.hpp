@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// blockweir compare: the three contact formulations on the same scenes, side by side.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace blockweir::study {
+
+struct CompareOptions {
+  std::vector<std::filesystem::path> cases;  ///< empty: a few of the cases folder
+  std::filesystem::path json;                ///< empty: none
+  std::vector<std::string> overrides;
+};
+
+/// Prints a row for each scene, formulation and figure: error, largest penetration, condition number, solved systems,
+/// steps, wall time. Returns 1 when a run failed; a figure that is out of tolerance is a result here.
+int compare(const CompareOptions& options);
+
+}  // namespace blockweir::study

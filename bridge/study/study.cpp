@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/study/study.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "bridge/picture/gnuplot.hpp"
+#include "bridge/process/run.hpp"
+#include "bridge/results/figure.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/scene/read/nearest.hpp"
+#include "bridge/scene/read/read.hpp"
+
+namespace blockweir::study {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using picture::gnuplot;
+using picture::gnuplot_path;
+using picture::gnuplot_text;
+using process::RunOptions;
+using process::RunResult;
+using results::figure;
+
+/// The scene's [[expect]] replaced by this one; texts in JSON's quotes are texts in TOML's.
+std::string only_expectation(const scene::Expectation& e) {
+  std::string entry = fmt::format("quantity={}", json(e.quantity).dump());
+  if (e.value) entry += fmt::format(",value={}", *e.value);
+  for (const auto& [key, text] : {std::pair{"word", e.word}, {"formula", e.formula}, {"of", e.of}}) {
+    if (!text.empty()) entry += fmt::format(",{}={}", key, json(text).dump());
+  }
+  entry += fmt::format(",tolerance={}", e.tolerance);
+  return "expect=[{" + entry + "}]";
+}
+
+/// A study's name as that of a file.
+std::string file_name(std::string name) {
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+  }
+  return name;
+}
+
+void draw(const fs::path& file, const std::string& title, const std::string& figure) {
+  gnuplot(fmt::format("set terminal pngcairo font 'sans,12' size 800,600\nset output {}\nset title {}\n{}",
+                      gnuplot_path(file), gnuplot_text(title), figure));
+  fmt::print("{}\n", file.string());
+}
+
+/// Orders over the same key, beside each other.
+void draw_orders(const std::vector<std::pair<std::string, StudyResult>>& orders, const fs::path& folder) {
+  const bool one_key = std::all_of(orders.begin(), orders.end(),
+                                   [&](const auto& order) { return order.second.key == orders.front().second.key; });
+  if (orders.size() > 1 && one_key) draw(folder / "orders.png", "orders", orders_figure(orders));
+}
+
+StudyTask chosen(const std::vector<StudyTask>& tasks, const std::string& name) {
+  std::vector<std::string> names;
+  for (const StudyTask& task : tasks) {
+    if (task.name == name) return task;
+    names.push_back(task.name);
+  }
+  const std::string near = scene::nearest(name, names);
+  throw std::invalid_argument(fmt::format("the scene has no study \"{}\"; it has {}{}", name,
+                                          names.empty() ? "none" : scene::one_of(names),
+                                          near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
+}
+
+}  // namespace
+
+StudyRuns::StudyRuns(fs::path scene, Settings overrides, Listener heard)
+    : scene_(std::move(scene)), overrides_(std::move(overrides)), heard_(std::move(heard)) {}
+
+Attempt StudyRuns::attempt(const Settings& settings, const scene::Expectation& expected, double longest_s) {
+  Attempt attempt;
+  RunOptions options{.scene = scene_,
+                     .out = scratch_.path() / "run",
+                     .overrides = joined(overrides_, settings),
+                     .quiet = true,
+                     .longest_s = longest_s};
+  options.overrides.push_back(only_expectation(expected));
+  try {
+    const RunResult result = process::run(options);
+    if (result.exit_code == 130) throw Interrupted();
+    attempt = {result.summary, result.trouble, result.refused, result.summary["wall_time_s"].get<double>()};
+    const json checks = result.summary.value("checks", json::array());
+    if (attempt.trouble.empty() && !checks.empty()) attempt.trouble = checks[0].value("trouble", "");
+  } catch (const scene::SceneError& error) {
+    attempt = {.trouble = error.what(), .refused = true};
+  }
+  wall_time_s_ += attempt.wall_time_s;
+  heard_(fmt::format("{}", fmt::join(settings, ", ")),
+         attempt.trouble.empty() ? outcome_word(attempt.summary) : attempt.trouble);
+  return attempt;
+}
+
+json StudyRuns::run(const Settings& settings, const scene::Expectation& expected) {
+  Attempt attempt = this->attempt(settings, expected, /*longest_s=*/0);
+  if (attempt.trouble.empty()) return std::move(attempt.summary);
+  throw std::runtime_error(fmt::format("{}: {}", fmt::join(settings, ", "), attempt.trouble));
+}
+
+Settings joined(Settings first, const Settings& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+std::string outcome_word(const json& summary) {
+  const std::string outcome = summary.value("outcome", "stopped");
+  return outcome == "fails" ? summary["failure"]["mode"].get<std::string>() : outcome;
+}
+
+std::string setting(const std::string& key, double value) {
+  return fmt::format("{}={}", key, value);
+}
+
+std::vector<StudyTask> study_tasks(const fs::path& scene, const Settings& overrides) {
+  const scene::Studies studies = scene::read(scene, overrides).scene.studies;
+  std::vector<StudyTask> tasks;
+  for (const auto& limit : studies.limits) tasks.push_back(limit_task(limit));
+  for (const auto& order : studies.orders) tasks.push_back(order_task(order));
+  for (const auto& map : studies.maps) tasks.push_back(map_task(map));
+  for (const StudyTask& task : tasks) {
+    for (const Settings& extreme : task.extremes) scene::read(scene, joined(joined(task.set, overrides), extreme));
+  }
+  return tasks;
+}
+
+StudyResult go(const StudyTask& task, const fs::path& scene, const Settings& overrides,
+               const StudyRuns::Listener& heard) {
+  StudyRuns runs(scene, joined(task.set, overrides), heard);
+  StudyResult result;
+  try {
+    result = task.go(runs);
+  } catch (const std::runtime_error& error) {
+    result.check = {
+        {"name", "none"},       {"expected", nullptr}, {"got", nullptr},         {"relative_error", nullptr},
+        {"tolerance", nullptr}, {"passed", false},     {"trouble", error.what()}};
+  }
+  result.check["wall_time_s"] = runs.wall_time_s();
+  return result;
+}
+
+StudyResult perform(const StudyTask& task, const fs::path& scene, const Settings& overrides, const fs::path& out) {
+  int count = 0;
+  const auto tell = [&](const std::string& settings, const std::string& outcome) {
+    fmt::print(stderr, "{}, run {}: {}: {}\n", task.name, ++count, settings, outcome);
+  };
+  StudyResult result = go(task, scene, overrides, tell);
+  const json& check = result.check;
+  fmt::print("{}\n{}", task.name, result.text);
+  if (check.contains("trouble")) {
+    fmt::print("STOPPED {}\n", check["trouble"].get<std::string>());
+    return result;
+  }
+  fmt::print("{} {}: expected {}, got {}, off by {} (tolerance {})\n", check["passed"].get<bool>() ? "ok " : "OUT",
+             check["name"].get<std::string>(), figure(check["expected"]), figure(check["got"]),
+             figure(check["relative_error"]), figure(check["tolerance"]));
+  std::fflush(stdout);
+  if (out.empty()) return result;
+  const fs::path file = out / file_name(task.name);
+  const json table = {{"name", task.name}, {"check", check}, {"runs", result.runs}};
+  results::replace_file(file.string() + ".json", table.dump(2) + "\n");
+  fmt::print("{}.json\n", file.string());
+  draw(file.string() + ".png", task.name, result.figure);
+  return result;
+}
+
+int perform_all(const StudyOptions& options) {
+  std::vector<StudyTask> tasks = study_tasks(options.scene, options.overrides);
+  if (!options.name.empty()) tasks = {chosen(tasks, options.name)};
+  if (tasks.empty()) throw std::invalid_argument("the scene has no study: [[limit]], [[order]] or [[map]]");
+  if (!options.out.empty()) results::make_folder(options.out);
+  bool sound = true;
+  std::vector<std::pair<std::string, StudyResult>> orders;
+  try {
+    for (const StudyTask& task : tasks) {
+      StudyResult result = perform(task, options.scene, options.overrides, options.out);
+      sound = sound && result.check["passed"].get<bool>();
+      if (!result.key.empty() && !result.check.contains("trouble")) orders.emplace_back(task.name, std::move(result));
+    }
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "stopped on request\n");
+    return 130;
+  }
+  if (!options.out.empty()) draw_orders(orders, options.out);
+  return sound ? 0 : 1;
+}
+
+}  // namespace blockweir::study

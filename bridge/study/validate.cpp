@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/study/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bridge/process/run.hpp"
+#include "bridge/process/temporary_folder.hpp"
+#include "bridge/results/figure.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/scene/read/read.hpp"
+#include "bridge/study/cases_folder.hpp"
+#include "bridge/study/study.hpp"
+
+namespace blockweir::study {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using process::RunOptions;
+using process::RunResult;
+using process::TemporaryFolder;
+using results::figure;
+
+/// One run of a case: as it is, or one of its variants, with a point of the sweep.
+struct Trial {
+  std::string label;  ///< for the table
+  RunOptions run;
+};
+
+std::vector<Trial> trials(const fs::path& path, const ValidateOptions& options) {
+  std::vector<Trial> all;
+  std::vector<std::string> variants{""};
+  for (const auto& variant : scene::read(path).scene.variants) variants.push_back(variant.name);
+  for (const std::string& variant : variants) {
+    Trial trial{case_name(path) + (variant.empty() ? "" : ", " + variant),
+                {.scene = path, .variant = variant, .overrides = options.overrides, .quiet = true}};
+    if (!options.sweep) {
+      all.push_back(trial);
+      continue;
+    }
+    for (const char* penalty : {"5e6", "1e9", "1e12"}) {
+      for (const char* step : {"1e-2", "1e-3"}) {
+        Trial& point = all.emplace_back(trial);
+        point.label += fmt::format(" p={} dt={}", penalty, step);
+        point.run.overrides.push_back(fmt::format("contact.initial_penalty_n_per_m2={}", penalty));
+        point.run.overrides.push_back(fmt::format("analysis.step_s={}", step));
+      }
+    }
+  }
+  return all;
+}
+
+/// The table: printed row by row, kept for --json.
+class Table {
+ public:
+  Table() {
+    fmt::print("{:<58} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8}\n", "case", "quantity", "expected", "got", "error",
+               "tolerance", "time s");
+  }
+  /// A figure of `label`; `sound`: whether its run went to its end.
+  void add(const std::string& label, json check, double wall_time_s, bool sound) {
+    const bool passed = sound && check["passed"].get<bool>();
+    all_passed_ = all_passed_ && passed;
+    const json& error = check["relative_error"];
+    fmt::print("{:<58} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8.3g}{}\n", label, check["name"].get<std::string>(),
+               figure(check["expected"]), figure(check["got"]),
+               error.is_number() ? fmt::format("{:.2e}", error.get<double>()) : "none", figure(check["tolerance"]),
+               wall_time_s, passed ? "" : "  OUT");
+    std::fflush(stdout);
+    check["case"] = label;
+    check["wall_time_s"] = wall_time_s;
+    rows_.push_back(std::move(check));
+  }
+  void trouble(const std::string& label, const std::string& text) {
+    all_passed_ = false;
+    fmt::print("{:<58} {}\n", label, text);
+  }
+  [[nodiscard]] const json& rows() const { return rows_; }
+  [[nodiscard]] bool all_passed() const { return all_passed_; }
+
+ private:
+  json rows_ = json::array();
+  bool all_passed_ = true;
+};
+
+void add_trial(Table& table, const Trial& trial) {
+  const RunResult result = run(trial.run);
+  if (result.exit_code == 130) throw Interrupted();
+  if (result.exit_code != 0) table.trouble(trial.label, result.trouble);
+  for (const json& check : result.summary.value("checks", json::array())) {
+    table.add(trial.label, check, result.summary["wall_time_s"].get<double>(), result.exit_code == 0);
+  }
+  fs::remove_all(result.folder);
+}
+
+void add_study(Table& table, const std::string& label, const StudyTask& task, const fs::path& path,
+               const Settings& overrides) {
+  const StudyResult result = go(task, path, overrides, [](const std::string&, const std::string&) {});
+  if (result.check.contains("trouble")) return table.trouble(label, result.check["trouble"].get<std::string>());
+  table.add(label, result.check, result.check["wall_time_s"].get<double>(), true);
+}
+
+}  // namespace
+
+int validate(const ValidateOptions& options) {
+  struct Case {
+    fs::path path;
+    std::vector<Trial> trials;
+    std::vector<StudyTask> studies;
+  };
+  std::vector<Case> all;  // a wrong scene is found before anything runs
+  for (const fs::path& path : options.cases.empty() ? all_cases() : options.cases) {
+    all.push_back({path, trials(path, options), {}});
+    if (!options.sweep) all.back().studies = study_tasks(path, options.overrides);
+  }
+  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  const TemporaryFolder scratch;
+  Table table;
+  try {
+    for (Case& one : all) {
+      for (Trial& trial : one.trials) {
+        trial.run.out = scratch.path() / "run";
+        add_trial(table, trial);
+      }
+      for (const StudyTask& task : one.studies) {
+        add_study(table, fmt::format("{}, {}", case_name(one.path), task.name), task, one.path, options.overrides);
+      }
+    }
+  } catch (const Interrupted&) {
+    return 130;
+  }
+  if (table.rows().empty()) {
+    fmt::print("no case states a figure\n");
+    return 1;
+  }
+  if (!options.json.empty()) results::replace_file(options.json, table.rows().dump(2) + "\n");
+  fmt::print("{} figures, {}\n", table.rows().size(),
+             table.all_passed() ? "all within tolerance" : "NOT all within tolerance");
+  return table.all_passed() ? 0 : 1;
+}
+
+}  // namespace blockweir::study
