@@ -13,6 +13,7 @@
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/peak_memory.hpp"
 #include "bridge/results/saving.hpp"
+#include "bridge/results/seconds.hpp"
 #include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/schedule/hello.hpp"
@@ -99,10 +100,6 @@ class Reports {
   bool silent_ = false;
 };
 
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// Of this process's threads so far, its loading among it.
 double processor_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -170,7 +167,7 @@ FluidReport run_process(SolidProcess process) {
       profile["wire"] = channel->wire_s();
       exchange_s = channel->waited_s() - waited_before_s + channel->packed_s() + channel->wire_s();
     }
-    recorder.finish({{"wall_time_s", since(start)},
+    recorder.finish({{"wall_time_s", seconds_since(start)},
                      {"profile_s", profile},
                      {"counts", {{"exchanges", exchanges.said}, {"skipped_exchanges", exchanges.skipped}}},
                      {"peak_memory_mb", {{"solid", results::peak_memory_mb()}}}},
@@ -178,14 +175,14 @@ FluidReport run_process(SolidProcess process) {
   };
   try {
     if (alone) {
-      started_s = since(start);
+      started_s = seconds_since(start);
       exchanges = schedule::run_solid(nullptr, scene, checkpoints, first, recorder);
     } else if (process.make_fluid) {
       const std::unique_ptr<schedule::FluidSide> fluid = process.make_fluid(scene, process.folder);
       checkpoint::Checkpoints its_own(process.folder, scene::name(scene.fluid), scene.digest, 0);
       schedule::FluidTurn turn(*fluid, its_own, first);
       schedule::LocalFluid here(turn, within_s);
-      started_s = since(start);
+      started_s = seconds_since(start);
       exchanges = schedule::run_solid(&here, scene, checkpoints, first, recorder);
       report = turn.report();
     } else {
@@ -195,7 +192,7 @@ FluidReport run_process(SolidProcess process) {
       channel.emplace(process.line);
       channel->handshake(schedule::hello(scene, "solid", first));
       reports.tell(&*channel);
-      started_s = since(start);
+      started_s = seconds_since(start);
       waited_before_s = channel->waited_s();
       schedule::RemoteFluid there(*channel);
       exchanges = schedule::run_solid(&there, scene, checkpoints, first, recorder);

@@ -17,16 +17,13 @@
 #include "bridge/channel/socket.hpp"
 #include "bridge/channel/undisturbed.hpp"
 #include "bridge/channel/visitors.hpp"
+#include "bridge/results/seconds.hpp"
 #include "bridge/wire/codec.hpp"
 
 namespace blockweir::channel {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that arrived just before a poll
 constexpr double spin_s = 1e-3;       // answers on some ten thousand panels come within this: no sleep, no wake-up
@@ -74,9 +71,9 @@ struct Channel::Line {
     }
     send_part(frame, zmq::send_flags::none);
     parts.clear();
-    packed_s += std::chrono::duration<double>(packed - start).count();
+    packed_s += seconds_between(start, packed);
     last_sent = Clock::now();
-    wire_s += std::chrono::duration<double>(last_sent - packed).count();
+    wire_s += seconds_between(packed, last_sent);
   }
 
   void send_part(zmq::message_t& frame, zmq::send_flags flags) {

@@ -10,6 +10,7 @@
 
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/seconds.hpp"
 #include "bridge/wire/checksum.hpp"
 
 namespace blockweir::checkpoint {
@@ -41,7 +42,7 @@ fs::path Checkpoints::file(std::uint64_t window) const {
 }
 
 bool Checkpoints::due() const {
-  return every_s_ > 0 && std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count() >= every_s_;
+  return every_s_ > 0 && seconds_since(last_) >= every_s_;
 }
 
 void Checkpoints::write(std::uint64_t window, const std::string& state) {

@@ -20,6 +20,7 @@
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/seconds.hpp"
 #include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/read.hpp"
 
@@ -142,7 +143,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   result.refused = !result.trouble.empty() && is_refusal(supervised);
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
   if (result.exit_code == 0) forget_checkpoints(folder);
-  complete_summary(folder, result, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  complete_summary(folder, result, seconds_since(start));
   return result;
 }
 

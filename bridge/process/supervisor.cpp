@@ -22,6 +22,7 @@ extern "C" {  // glibc 2.36 forgets to say so itself
 #include <utility>
 
 #include "bridge/process/process_state.hpp"
+#include "bridge/results/seconds.hpp"
 
 namespace blockweir::process {
 namespace {
@@ -119,7 +120,7 @@ class Reaper {
   /// Returns when nothing is left; what has not ended by itself after `patience_s` is killed.
   static void reap(double patience_s) {
     for (const auto begin = Clock::now(); ::waitpid(-1, nullptr, WNOHANG) >= 0;) {
-      if (std::chrono::duration<double>(Clock::now() - begin).count() > patience_s) kill_children();
+      if (seconds_since(begin) > patience_s) kill_children();
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
   }
@@ -218,7 +219,6 @@ bool Supervised::all_fine() const {
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
                      const std::function<bool()>& tick, double longest_s) {
   const auto begin = Clock::now();
-  const auto since = [](Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); };
   const StopSignals signals;
   const Reaper reaper;
   const pid_t we = ::getpid();
@@ -260,14 +260,14 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
         sent = 1;
       }
     }
-    if (longest_s > 0 && !result.overdue && since(begin) > longest_s) {
+    if (longest_s > 0 && !result.overdue && seconds_since(begin) > longest_s) {
       result.overdue = true;
       children.signal(SIGKILL);
     }
     if (trouble == Clock::time_point::max() && !result.ends.empty() && !result.all_fine()) trouble = now;
     if (trouble == Clock::time_point::max()) continue;
     children.wake();
-    const double waited = since(trouble);
+    const double waited = seconds_since(trouble);
     if (sent < 1 && waited > grace_s) children.signal(SIGTERM), sent = 1;
     if (sent < 2 && waited > 2 * grace_s) children.signal(SIGKILL), sent = 2;
   }

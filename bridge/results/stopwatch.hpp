@@ -5,13 +5,15 @@
 #include <chrono>
 #include <utility>
 
+#include "bridge/results/seconds.hpp"
+
 namespace blockweir {
 
 class Stopwatch {
  public:
   explicit Stopwatch(double& sum_s) : sum_(sum_s), weight_(weight), start_(now()) {}
   ~Stopwatch() {
-    if (weight_ > 0) sum_ += weight_ * std::chrono::duration<double>(now() - start_).count();
+    if (weight_ > 0) sum_ += weight_ * seconds_between(start_, now());
   }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;

@@ -76,6 +76,7 @@ inline bool comes_in(const OpenFoam& o) {
 /// [fluid] model = "column": water in a pipe of constant width that ends at the edge of a block, for schedules to be
 /// measured by. fluid/column says its equations.
 struct Column {
+  static constexpr double gravity_m_per_s2 = 9.81;  ///< the scene's own may be off so that blocks do not fall
   int block = -1;
   int edge = -1;
   double length_m = 0;

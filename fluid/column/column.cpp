@@ -4,19 +4,14 @@
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/wire/placement.hpp"
+#include "bridge/wire/way_in_window.hpp"
 
 namespace blockweir::column {
-namespace {
-
-constexpr double gravity = 9.81;  // m/s2; the scene's own may be off so that blocks do not fall
-
-}  // namespace
-
 Column::Column(const scene::Scene& scene)
     : column_(scene.column),
       inertia_(scene.water.density_kg_per_m3 * column_.length_m),
-      restoring_(scene.water.density_kg_per_m3 * gravity * column_.rise_ratio),
-      head_pa_(scene.water.density_kg_per_m3 * gravity * column_.head_m),
+      restoring_(scene.water.density_kg_per_m3 * scene::Column::gravity_m_per_s2 * column_.rise_ratio),
+      head_pa_(scene.water.density_kg_per_m3 * scene::Column::gravity_m_per_s2 * column_.head_m),
       blocks_(scene.blocks.size()) {
   const auto& outline = scene.blocks[static_cast<std::size_t>(column_.block)].vertices;
   const auto edge = static_cast<std::size_t>(column_.edge);
@@ -55,7 +50,7 @@ double Column::with_cushion(const Way& end, double window_s) {
   double before = edge_.x;
   for (int i = 1; i <= steps && dt > 0; ++i) {
     const double part = static_cast<double>(i) / steps;
-    const double x = edge_.x + part * (from + part * (3 * way - 2 * from - to + part * (from + to - 2 * way)));
+    const double x = wire::way_in_window(edge_.x, way, from, to, part);
     const double push = stiffness * (before + x) / 2;
     const double half = dt / 2;
     const double v = (inertia_ * water_.v + dt * (push - total * (water_.x + half * water_.v / 2))) /

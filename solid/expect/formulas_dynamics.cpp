@@ -135,7 +135,7 @@ double bar_free_end_speed(const Scene& s, const std::string& of) {
 /// Two masses on springs, the block and the water of its column: way of the block along the pipe at the run's end.
 /// Without a cushion they are one. M x'' + K x = f from rest in the middle, but for the block's first velocity.
 double column_displacement(const Scene& s, const std::string& of) {
-  constexpr double gravity = 9.81;  // as fluid/column has it
+  constexpr double gravity = scene::Column::gravity_m_per_s2;
   const scene::Block& b = block_named(s, of);
   const scene::Column& c = s.column;
   const auto edge = static_cast<std::size_t>(c.edge);

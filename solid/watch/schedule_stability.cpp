@@ -78,7 +78,7 @@ State window(const Oscillator& o, State s) {
 }  // namespace
 
 Oscillator oscillator_of(const scene::Scene& scene, const std::string& block) {
-  constexpr double gravity = 9.81;  // as fluid/column has it
+  constexpr double gravity = scene::Column::gravity_m_per_s2;
   const scene::Column& c = scene.column;
   const scene::Block& b = block_named(scene, block);
   if (scene.fluid != scene::FluidModel::column || c.cushion_pa_per_m ||

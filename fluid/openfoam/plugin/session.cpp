@@ -10,7 +10,9 @@
 #include <fstream>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "bridge/results/seconds.hpp"
 #include "bridge/results/stopwatch.hpp"
+#include "bridge/wire/way_in_window.hpp"
 
 namespace blockweir::openfoam {
 
@@ -43,8 +45,7 @@ std::vector<Pose> set_out_from(const wire::Motion& end, const std::vector<Pose>&
   return start;
 }
 
-/// On the cubic that leaves and arrives with the solid's own velocities: with straight pieces, all of a window's
-/// acceleration would fall into its first step, and none into the pressures of its end.
+/// On the cubic that leaves and arrives with the solid's own velocities.
 void on_the_way(const Course& c, double part, std::vector<Pose>& into) {
   into.resize(c.end.size());
   for (std::size_t b = 0; b < into.size(); ++b) {
@@ -52,13 +53,9 @@ void on_the_way(const Course& c, double part, std::vector<Pose>& into) {
       const double way = c.end[b][k] - c.start[b][k];
       const double from = c.duration_s * c.start_velocity[b][k];
       const double to = c.duration_s * c.end_velocity[b][k];
-      into[b][k] = c.start[b][k] + part * (from + part * (3 * way - 2 * from - to + part * (from + to - 2 * way)));
+      into[b][k] = wire::way_in_window(c.start[b][k], way, from, to, part);
     }
   }
-}
-
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 }  // namespace
@@ -189,7 +186,7 @@ void Session::end_step() {
 
 /// Pressures of now are said, the blocks' next places are heard: at once again, while nothing happens until then.
 void Session::exchange() {
-  if (windows_ > 0) steps_s_ += since(begun_) - (mapping_s_ - mapped_before_s_);
+  if (windows_ > 0) steps_s_ += seconds_since(begun_) - (mapping_s_ - mapped_before_s_);
   sample();
   for (;;) {
     say();
