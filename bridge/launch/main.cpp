@@ -164,7 +164,7 @@ int run_command(int argc, char** argv) {
   if (run_cmd->parsed() || resume_cmd->parsed()) {
     static const launch::StopsLater until_it_is_reported;  // what has ended by itself was not stopped
     const launch::RunResult result = run_cmd->parsed() ? launch::run(run) : launch::resume(resume);
-    if (!result.trouble.empty()) fmt::print(stderr, "blockweir: {}\n", result.trouble);
+    if (!result.trouble.empty()) fmt::print(stderr, "blockweir: {}\n", launch::trouble_text(result));
     fmt::print("{}", launch::report(result));
     return result.exit_code;
   }
