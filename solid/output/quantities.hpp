@@ -11,6 +11,7 @@
 #include "solid/output/interface_energy.hpp"
 #include "solid/output/skips.hpp"
 #include "solid/output/time_series.hpp"
+#include "solid/watch/edge_tension.hpp"
 #include "solid/watch/failure_watch.hpp"
 #include "solid/watch/margins.hpp"
 
@@ -23,6 +24,7 @@ struct Outcome {
   const Frame& last;
   const FailureWatch& failure;
   const Margins& margins;
+  const EdgeTension& edge_tension;
   const AccelerationFit& acceleration;
   const TimeSeries& series;
   const EnergyWatch& energy;
