@@ -139,14 +139,17 @@ void CoupledSolid::watch_interface(const wire::Load& load, const wire::Motion& t
   }
   interface_energy_.look(panels_of(load, solid_), told, {from_s, to_s}, kinetic);
   if (!interface_energy_.growth() || scene.coupling.on_energy_gain == scene::EnergyGain::report) return;
-  throw std::runtime_error(interface_energy_.trouble(added_mass_.ratio()));
+  throw SolveError(interface_energy_.trouble(added_mass_.ratio()));
 }
 
 void CoupledSolid::observe(const wire::Load& load, double time_s) {
   const Stopwatch watch(watch_s_);
   const Levels levels{load.upstream_level_m, load.downstream_level_m};
   failure_.look(time_s, levels);
-  if (failure_.failures().empty()) margins_.look(solid_, time_s, levels.higher_m());
+  if (failure_.failures().empty()) {
+    margins_.look(solid_, time_s, levels.higher_m());
+    edge_tension_.look(solid_, time_s, levels.higher_m());
+  }
   acceleration_.add(time_s, solid_.states(), solid_.base().displacement(time_s));
   series_.look(solid_, water_.at(time_s), time_s);
   energy_.look(solid_);
@@ -231,6 +234,7 @@ void CoupledSolid::finish(const nlohmann::json& extra, const std::string& stoppe
                                 .last = frame_,
                                 .failure = failure_,
                                 .margins = margins_,
+                                .edge_tension = edge_tension_,
                                 .acceleration = acceleration_,
                                 .series = series_,
                                 .energy = energy_,

@@ -36,9 +36,9 @@ class CoupledSolid final : public schedule::SolidSide {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(solid_, water_, failure_, margins_, acceleration_, series_, energy_, added_mass_, interface_energy_,
-            history_, frame_log_, vtk_, first_, frame_, last_load_, next_history_s_, next_frame_s_, recorded_s_,
-            largest_penetration_m_, breached_s_, frames_, step_s_, map_s_, watch_s_, output_s_);
+    archive(solid_, water_, failure_, margins_, edge_tension_, acceleration_, series_, energy_, added_mass_,
+            interface_energy_, history_, frame_log_, vtk_, first_, frame_, last_load_, next_history_s_, next_frame_s_,
+            recorded_s_, largest_penetration_m_, breached_s_, frames_, step_s_, map_s_, watch_s_, output_s_);
   }
 
   /// Writes summary.json; `extra` is merged into it. When `stopped` is not empty the run ended early, for that reason.
@@ -58,7 +58,8 @@ class CoupledSolid final : public schedule::SolidSide {
   Solid solid_;
   WaterCourse water_;
   FailureWatch failure_;
-  Margins margins_;  ///< while nothing has failed
+  Margins margins_;           ///< while nothing has failed
+  EdgeTension edge_tension_;  ///< likewise
   AccelerationFit acceleration_;
   expect::TimeSeries series_;
   EnergyWatch energy_;

@@ -157,7 +157,7 @@ FluidReport run_process(SolidProcess process) {
   double started_s = 0;
   double waited_before_s = 0;
   double within_s = 0;  // in a fluid of this process
-  const auto finish = [&](const std::string& stopped) {
+  const auto finish = [&](const std::string& stopped, bool ends_here_again = false) {
     nlohmann::json profile = {{"start_up", started_s}};
     double exchange_s = within_s;
     if (process.make_fluid) profile["wait_for_fluid"] = within_s;
@@ -167,11 +167,12 @@ FluidReport run_process(SolidProcess process) {
       profile["wire"] = channel->wire_s();
       exchange_s = channel->waited_s() - waited_before_s + channel->packed_s() + channel->wire_s();
     }
-    recorder.finish({{"wall_time_s", seconds_since(start)},
-                     {"profile_s", profile},
-                     {"counts", {{"exchanges", exchanges.said}, {"skipped_exchanges", exchanges.skipped}}},
-                     {"peak_memory_mb", {{"solid", results::peak_memory_mb()}}}},
-                    stopped, skips_of(exchanges, alone, process.make_fluid != nullptr, exchange_s, own_start_s));
+    nlohmann::json own = {{"wall_time_s", seconds_since(start)},
+                          {"profile_s", profile},
+                          {"counts", {{"exchanges", exchanges.said}, {"skipped_exchanges", exchanges.skipped}}},
+                          {"peak_memory_mb", {{"solid", results::peak_memory_mb()}}}};
+    if (ends_here_again) own["ends_here_again"] = true;
+    recorder.finish(own, stopped, skips_of(exchanges, alone, process.make_fluid != nullptr, exchange_s, own_start_s));
   };
   try {
     if (alone) {
@@ -197,6 +198,9 @@ FluidReport run_process(SolidProcess process) {
       schedule::RemoteFluid there(*channel);
       exchanges = schedule::run_solid(&there, scene, checkpoints, first, recorder);
     }
+  } catch (const solid::SolveError& error) {
+    finish(error.what(), /*ends_here_again=*/true);
+    throw;
   } catch (const std::exception& error) {
     finish(error.what());
     throw;

@@ -6,6 +6,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/process/run.hpp"
+#include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/study/bench.hpp"
@@ -14,27 +15,30 @@
 namespace blockweir::launch {
 namespace {
 
-/// What a scene and its variants are warned of, each text once.
-std::vector<scene::Diagnostic> all_warnings(const scene::ReadScene& read, const std::filesystem::path& path,
-                                            const std::vector<std::string>& overrides) {
-  std::vector<scene::Diagnostic> all = read.warnings;
-  for (const auto& variant : read.scene.variants) {
-    for (scene::Diagnostic warning : scene::read_variant(path, variant.name, overrides).warnings) {
-      const auto same = [&](const scene::Diagnostic& other) { return other.message() == warning.message(); };
-      if (std::any_of(read.warnings.begin(), read.warnings.end(), same)) continue;
-      warning.found = fmt::format("variant \"{}\": {}", variant.name, warning.found);
-      all.push_back(std::move(warning));
-    }
+/// Adds what the variant is warned of beyond the scene itself.
+void add_warnings(const scene::ReadScene& read, const scene::Variant& variant, std::vector<scene::Diagnostic> warnings,
+                  std::vector<scene::Diagnostic>& all) {
+  for (scene::Diagnostic& warning : warnings) {
+    const auto same = [&](const scene::Diagnostic& other) { return other.message() == warning.message(); };
+    if (std::any_of(read.warnings.begin(), read.warnings.end(), same)) continue;
+    if (warning.line != variant.line) warning.found = fmt::format("variant \"{}\": {}", variant.name, warning.found);
+    all.push_back(std::move(warning));
   }
-  return all;
 }
 
 int check(const std::filesystem::path& path, const std::vector<std::string>& overrides, bool strict) {
   const scene::ReadScene read = scene::read(path, overrides);
-  const std::vector<scene::Diagnostic> warnings = all_warnings(read, path, overrides);
+  std::vector<scene::Diagnostic> warnings = read.warnings;
+  std::size_t studies = 0;
+  scene::Gathered wrong;  // of variants and studies: each is a scene of its own
+  for (const scene::Variant& variant : read.scene.variants) {
+    wrong.from(
+        [&] { add_warnings(read, variant, scene::read_variant(path, variant.name, overrides).warnings, warnings); });
+  }
+  wrong.from([&] { studies = study::study_tasks(path, overrides).size(); });
+  wrong.from([&] { study::bench_settings(path, overrides); });
+  wrong.report();
   if (strict) scene::refuse_warnings(warnings);
-  const std::size_t studies = study::study_tasks(path, overrides).size();
-  study::bench_settings(path, overrides);
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
   for (const auto& warning : warnings) fmt::print(stderr, "{}\n", warning.text());
   const scene::Scene& s = read.scene;

@@ -11,7 +11,7 @@ namespace blockweir::launch {
 namespace {
 
 int tell(const process::RunResult& result) {
-  if (!result.trouble.empty()) fmt::print(stderr, "blockweir: {}\n", result.trouble);
+  if (!result.trouble.empty()) fmt::print(stderr, "blockweir: {}\n", process::trouble_text(result));
   fmt::print("{}", process::report(result));
   return result.exit_code;
 }

@@ -36,7 +36,7 @@ std::string report(const RunResult& result) {
   } else if (outcome == "stands") {
     text += fmt::format("STANDS  {}\n", s["margin"]["text"].get<std::string>());
   } else {
-    text += fmt::format("STOPPED {}\n", s.value("stopped", ""));
+    text += fmt::format("STOPPED {}{}\n", s.value("stopped", ""), result.advice.empty() ? "" : "; " + result.advice);
   }
   if (s.contains("rest")) text += fmt::format("STATIC  {}\n", s["rest"]["text"].get<std::string>());
   if (s.contains("breach")) {

@@ -103,6 +103,12 @@ bool is_refusal(const Supervised& supervised) {
          });
 }
 
+/// Has the solid refused to go on, so that a resumed run would come to the same end?
+bool ends_there_again(const fs::path& folder) {
+  const json summary = read_json(folder / "summary.json");
+  return summary.is_object() && summary.value("ends_here_again", false);
+}
+
 /// A run that has come to its end has no checkpoint, and needs none.
 void refuse_finished(const fs::path& folder) {
   const json summary = read_json(folder / "summary.json");
@@ -112,6 +118,16 @@ void refuse_finished(const fs::path& folder) {
       fmt::format("{}: found a run that is complete, its outcome is \"{}\"; nothing is left to resume; \"blockweir run "
                   "{} --set analysis.duration_s=...\" makes a longer one",
                   folder.string(), outcome, scene_of(folder).string()));
+}
+
+[[noreturn]] void refuse_without_checkpoint(const fs::path& folder) {
+  const json summary = read_json(folder / "summary.json");
+  const std::string why = summary.is_object() ? summary.value("stopped", "") : "";
+  throw std::invalid_argument(fmt::format("{}: no checkpoint that all its processes have{}; {}", folder.string(),
+                                          why.empty() ? "" : fmt::format(", the run ended with \"{}\"", why),
+                                          ends_there_again(folder)
+                                              ? "it would end so again: change the scene, and run it anew"
+                                              : "run it anew, with a shorter [output] checkpoint_every_s"));
 }
 
 /// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
@@ -137,8 +153,8 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   ::close(pipe_ends[1]);
 
   result.trouble = first_trouble(supervised, folder);
-  if (!result.trouble.empty() && resumable_window(folder, scene) > 0) {
-    result.trouble += fmt::format("; \"blockweir resume {}\" goes on", folder.string());
+  if (!result.trouble.empty() && resumable_window(folder, scene) > 0 && !ends_there_again(folder)) {
+    result.advice = fmt::format("\"blockweir resume {}\" goes on", folder.string());
   }
   result.refused = !result.trouble.empty() && is_refusal(supervised);
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
@@ -148,6 +164,10 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
 }
 
 }  // namespace
+
+std::string trouble_text(const RunResult& result) {
+  return result.trouble + (result.advice.empty() ? "" : "; " + result.advice);
+}
 
 RunResult run(const RunOptions& options) {
   const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
@@ -177,9 +197,7 @@ RunResult resume(const ResumeOptions& options) {
   const std::uint64_t first = resumable_window(options.folder, scene);
   if (first == 0) {
     refuse_finished(options.folder);
-    throw std::invalid_argument(fmt::format(
-        "{}: no checkpoint that all its processes have; run it anew, with a shorter [output] checkpoint_every_s",
-        options.folder.string()));
+    refuse_without_checkpoint(options.folder);
   }
   return go(scene, options.folder, first, options.inproc, options.quiet, /*longest_s=*/0);
 }

@@ -31,6 +31,7 @@ struct RunResult {
   std::filesystem::path folder;
   nlohmann::json summary;
   std::string trouble;   ///< one line, when it failed
+  std::string advice;    ///< how it may go on, where it can; its folder has to last
   bool refused = false;  ///< when it failed: all processes ended by themselves, and said why
 };
 
@@ -40,6 +41,9 @@ RunResult run(const RunOptions& options);
 
 /// Goes on with a run from its last checkpoint. Throws std::invalid_argument where there is none.
 RunResult resume(const ResumeOptions& options);
+
+/// Its trouble with the advice; empty where it went well.
+std::string trouble_text(const RunResult& result);
 
 /// What a person wants to know of a finished run.
 std::string report(const RunResult& result);

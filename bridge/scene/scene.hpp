@@ -219,6 +219,7 @@ struct Expectation {
 struct Variant {
   std::string name;
   std::vector<std::string> set;  ///< "dotted.key=value", as --set takes them
+  int line = 0;                  ///< where the scene file states it
   bool operator==(const Variant&) const = default;
 };
 
@@ -227,6 +228,7 @@ struct Study {
   std::string name;
   std::vector<std::string> set;  ///< holds in all runs of the study, as --set takes it
   Expectation expected;          ///< the answer; what it speaks of and what its tolerance means depends on the kind
+  int line = 0;                  ///< where the scene file states it
   bool operator==(const Study&) const = default;
 };
 
@@ -269,6 +271,7 @@ struct Bench {
   std::string name;
   std::vector<std::string> set;  ///< holds in all its runs, as --set takes it
   Sweep sweep;
+  int line = 0;  ///< where the scene file states it
   bool operator==(const Bench&) const = default;
 };
 

@@ -8,7 +8,8 @@
 namespace blockweir::schedule {
 
 void write_report(const std::filesystem::path& file, const FluidReport& report) {
-  nlohmann::json text = {{"seconds", report.seconds}, {"counts", report.counts}, {"skips", report.skips}};
+  nlohmann::json text = {
+      {"seconds", report.seconds}, {"counts", report.counts}, {"skips", report.skips}, {"warnings", report.warnings}};
   if (report.peak_memory_mb > 0) text["peak_memory_mb"] = report.peak_memory_mb;
   results::replace_file(file, text.dump(2) + "\n");
 }

@@ -10,6 +10,8 @@
 #include "bridge/process/run.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/scene/read/entry.hpp"
+#include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/bench_figure.hpp"
 #include "bridge/study/cases_folder.hpp"
@@ -29,7 +31,8 @@ using Clock = std::chrono::steady_clock;
 struct Setting {
   std::string curve;
   std::string key_and_value;
-  Settings all;  ///< with what holds for the curve
+  scene::SettingEntry entry;  ///< that states it, with what holds for the curve
+  Settings all{};             ///< with those of the command line
   bool inproc = false;
 };
 
@@ -41,11 +44,16 @@ struct Case {
   std::vector<Setting> settings;  ///< the first is the scene as it stands
 };
 
-void add_curve(Case& bench, const std::string& name, const Settings& set, scene::Sweep sweep, bool brief) {
+/// `kind`: [[bench]] or [[order]].
+template <class Curve>
+void add_curve(Case& bench, const char* kind, const Curve& curve, scene::Sweep sweep, bool brief) {
   if (brief && sweep.values.size() > 2) sweep.values = {sweep.values.front(), sweep.values.back()};
   for (const std::string& value : sweep.values) {
     const std::string key_and_value = sweep.key + "=" + value;
-    bench.settings.push_back({name, key_and_value, joined(set, {key_and_value})});
+    bench.settings.push_back(
+        {curve.name,
+         key_and_value,
+         {fmt::format("{} \"{}\"", kind, curve.name), curve.line, joined(curve.set, {key_and_value})}});
   }
 }
 
@@ -63,23 +71,28 @@ std::string in_words(const std::string& curve, const std::string& setting) {
 Case case_of(const fs::path& path, const Settings& overrides, bool brief) {
   const scene::Scene scene = scene::read(path, overrides).scene;
   Case bench{.scene = path, .settings = {{"as it stands", "", {}}}};
-  for (const scene::Bench& b : scene.studies.benches) add_curve(bench, b.name, b.set, b.sweep, brief);
+  for (const scene::Bench& b : scene.studies.benches) add_curve(bench, "[[bench]]", b, b.sweep, brief);
   if (bench.settings.size() == 1) return bench;
   for (const scene::OrderStudy& order : scene.studies.orders) {
     if (!is_first(scene, order.expected)) continue;
     scene::Sweep sweep{order.key, {}};
     for (const double value : order.values) sweep.values.push_back(fmt::format("{}", value));
-    add_curve(bench, order.name, order.set, sweep, brief);
+    add_curve(bench, "[[order]]", order, sweep, brief);
   }
   if (scene.fluid == scene::FluidModel::hydrostatic)
-    bench.settings.push_back({"still water within the solid's process", one_process, {}, true});
-  for (Setting& setting : bench.settings) {
-    setting.all = joined(overrides, setting.all);
-    const scene::Scene set = scene::read(path, setting.all).scene;
-    if (!set.expectations.empty() || !set.water_expectations.empty()) continue;
-    throw std::invalid_argument(fmt::format("{}, {}: no figure whose error could be measured; add an [[expect]]",
-                                            path.string(), in_words(setting.curve, setting.key_and_value)));
+    bench.settings.push_back({"still water within the solid's process", one_process, {}, {}, true});
+  scene::Gathered wrong;
+  if (scene.expectations.empty() && scene.water_expectations.empty()) {
+    const scene::Bench& first = scene.studies.benches.front();
+    wrong.add({scene::Diagnostic::Severity::error, scene.file.string(), first.line,
+               fmt::format("[[bench]] \"{}\" finds no figure whose error could be measured", first.name),
+               "a scene with an [[expect]]", "add one"});
   }
+  for (Setting& setting : bench.settings) {
+    setting.all = joined(overrides, setting.entry.settings);
+    wrong.from([&] { scene::read_entry(path, setting.entry, setting.all); });
+  }
+  wrong.report();
   return bench;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "bridge/process/run.hpp"
+#include "bridge/results/figure.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/study/cases_folder.hpp"
@@ -18,6 +19,7 @@ using process::run;
 using process::RunOptions;
 using process::RunResult;
 using process::TemporaryFolder;
+using results::figure;
 
 constexpr std::array formulations = {"penalty", "lagrange-multiplier", "augmented-lagrangian"};
 constexpr std::array usual_cases = {"incline", "column", "monolith-slides", "cracked-dam-upper", "cracked-dam-lower"};
@@ -52,6 +54,26 @@ std::string number(const json& value, const char* format) {
   return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "none";
 }
 
+constexpr const char* row_format = "{:<20} {:<21} {:<28} {:>16} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8} {:>8}\n";
+
+/// What a run is compared by: the figures that the scene states, or where it states none how the run ends.
+json figures(const json& s) {
+  if (!s["checks"].empty()) return s["checks"];
+  const auto figure_of = [](const char* name, const json& got) {
+    return json{{"name", name}, {"expected", nullptr}, {"got", got}, {"relative_error", nullptr}};
+  };
+  json list = {figure_of("outcome", outcome_word(s)), figure_of("largest_displacement_m", s["largest_displacement_m"])};
+  if (s.contains("failure")) {
+    for (const char* name : {"level_m", "time_s"}) {
+      if (s["failure"][name].is_null()) continue;  // without water
+      list.push_back(figure_of(fmt::format("failure_{}", name).c_str(), s["failure"][name]));
+    }
+  } else if (s.contains("margin") && s["margin"].contains("sliding_factor")) {
+    list.push_back(figure_of("sliding_factor", s["margin"]["sliding_factor"]));
+  }
+  return list;
+}
+
 /// Prints a row for each figure, and adds it to `rows`; false where there is none.
 bool add_rows(const std::string& name, const char* formulation, const json& s, json& rows) {
   if (s.contains("trouble")) {
@@ -59,12 +81,12 @@ bool add_rows(const std::string& name, const char* formulation, const json& s, j
     rows.push_back({{"case", name}, {"formulation", formulation}, {"trouble", s["trouble"]}});
     return false;
   }
-  for (const json& check : s["checks"]) {
-    fmt::print("{:<20} {:<21} {:<28} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8} {:>8}\n", name, formulation,
-               check["name"].get<std::string>(), number(check["relative_error"], "{:.2e}"),
-               number(s["largest_penetration_m"], "{:.2e}"), number(s["largest_condition_number"], "{:.2e}"),
-               s["counts"]["iterations"].get<long>(), s["counts"]["steps"].get<long>(),
-               s["counts"]["substituted_steps"].get<long>(), number(s["wall_time_s"], "{:.3g}"));
+  for (const json& check : figures(s)) {
+    fmt::print(row_format, name, formulation, check["name"].get<std::string>(), figure(check["got"]),
+               number(check["relative_error"], "{:.2e}"), number(s["largest_penetration_m"], "{:.2e}"),
+               number(s["largest_condition_number"], "{:.2e}"), s["counts"]["iterations"].get<long>(),
+               s["counts"]["steps"].get<long>(), s["counts"]["substituted_steps"].get<long>(),
+               number(s["wall_time_s"], "{:.3g}"));
     rows.push_back({{"case", name},
                     {"formulation", formulation},
                     {"name", check["name"]},
@@ -89,8 +111,8 @@ int compare(const CompareOptions& options) {
   const TemporaryFolder scratch;
   json rows = json::array();
   bool sound = true;
-  fmt::print("{:<20} {:<21} {:<28} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8} {:>8}\n", "case", "formulation", "quantity",
-             "error", "penetration", "condition", "systems", "steps", "retried", "time s");
+  fmt::print(row_format, "case", "formulation", "quantity", "got", "error", "penetration", "condition", "systems",
+             "steps", "retried", "time s");
   try {
     for (const fs::path& scene : chosen(options)) {
       for (const char* formulation : formulations) {

@@ -95,6 +95,8 @@ StudyResult find_limit(const scene::LimitStudy& study, StudyRuns& runs) {
 
 StudyTask limit_task(const scene::LimitStudy& study) {
   return {.name = study.name,
+          .kind = "[[limit]]",
+          .line = study.line,
           .set = study.set,
           .extremes = {{setting(study.key, study.from)}, {setting(study.key, study.to)}},
           .go = [study](StudyRuns& runs) { return find_limit(study, runs); }};

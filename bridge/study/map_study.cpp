@@ -114,7 +114,7 @@ StudyResult draw_map(const scene::MapStudy& study, StudyRuns& runs) {
 }  // namespace
 
 StudyTask map_task(const scene::MapStudy& study) {
-  StudyTask task{.name = study.name, .set = study.set};
+  StudyTask task{.name = study.name, .kind = "[[map]]", .line = study.line, .set = study.set};
   const auto& [x, y] = study.axes;
   for (const std::string& column : x.values) {
     if (study.may_refuse > 0) break;  // a scene that is not sound is a way to refuse

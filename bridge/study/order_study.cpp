@@ -96,7 +96,7 @@ std::string orders_figure(const std::vector<std::pair<std::string, StudyResult>>
 }
 
 StudyTask order_task(const scene::OrderStudy& study) {
-  StudyTask task{.name = study.name, .set = study.set};
+  StudyTask task{.name = study.name, .kind = "[[order]]", .line = study.line, .set = study.set};
   for (const double value : study.values) task.extremes.push_back({setting(study.key, value)});
   task.go = [study](StudyRuns& runs) { return find_order(study, runs); };
   return task;

@@ -57,7 +57,7 @@ std::vector<Map> maps_of(const fs::path& scene, bool brief) {
   for (scene::MapStudy map : scene::read(scene).scene.studies.maps) {
     if (brief) map.axes = {thinned(map.axes[0]), thinned(map.axes[1])};
     maps.push_back({scene, map_task(map)});
-    for (const Settings& cell : maps.back().task.extremes) scene::read(scene, joined(map.set, cell));
+    for (const Settings& cell : maps.back().task.extremes) require_sound(maps.back().task, scene, {}, cell);
   }
   if (maps.empty()) throw std::invalid_argument(fmt::format("{} has no [[map]]", scene.string()));
   return maps;

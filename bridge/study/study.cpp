@@ -12,6 +12,8 @@
 #include "bridge/results/figure.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/scene/read/entry.hpp"
+#include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/read.hpp"
 
@@ -73,18 +75,19 @@ StudyTask chosen(const std::vector<StudyTask>& tasks, const std::string& name) {
 
 }  // namespace
 
-StudyRuns::StudyRuns(fs::path scene, Settings overrides, Listener heard)
-    : scene_(std::move(scene)), overrides_(std::move(overrides)), heard_(std::move(heard)) {}
+StudyRuns::StudyRuns(const StudyTask& task, fs::path scene, Settings overrides, Listener heard)
+    : task_(task), scene_(std::move(scene)), overrides_(std::move(overrides)), heard_(std::move(heard)) {}
 
 Attempt StudyRuns::attempt(const Settings& settings, const scene::Expectation& expected, double longest_s) {
   Attempt attempt;
   RunOptions options{.scene = scene_,
                      .out = scratch_.path() / "run",
-                     .overrides = joined(overrides_, settings),
+                     .overrides = joined(joined(task_.set, overrides_), settings),
                      .quiet = true,
                      .longest_s = longest_s};
   options.overrides.push_back(only_expectation(expected));
   try {
+    require_sound(task_, scene_, overrides_, settings);
     const RunResult result = process::run(options);
     if (result.exit_code == 130) throw Interrupted();
     attempt = {result.summary, result.trouble, result.refused, result.summary["wall_time_s"].get<double>()};
@@ -119,21 +122,30 @@ std::string setting(const std::string& key, double value) {
   return fmt::format("{}={}", key, value);
 }
 
+void require_sound(const StudyTask& task, const fs::path& scene, const Settings& overrides, const Settings& settings) {
+  scene::read_entry(scene, {fmt::format("{} \"{}\"", task.kind, task.name), task.line, joined(task.set, settings)},
+                    joined(joined(task.set, overrides), settings));
+}
+
 std::vector<StudyTask> study_tasks(const fs::path& scene, const Settings& overrides) {
   const scene::Studies studies = scene::read(scene, overrides).scene.studies;
   std::vector<StudyTask> tasks;
   for (const auto& limit : studies.limits) tasks.push_back(limit_task(limit));
   for (const auto& order : studies.orders) tasks.push_back(order_task(order));
   for (const auto& map : studies.maps) tasks.push_back(map_task(map));
+  scene::Gathered wrong;
   for (const StudyTask& task : tasks) {
-    for (const Settings& extreme : task.extremes) scene::read(scene, joined(joined(task.set, overrides), extreme));
+    for (const Settings& extreme : task.extremes) {
+      wrong.from([&] { require_sound(task, scene, overrides, extreme); });
+    }
   }
+  wrong.report();
   return tasks;
 }
 
 StudyResult go(const StudyTask& task, const fs::path& scene, const Settings& overrides,
                const StudyRuns::Listener& heard) {
-  StudyRuns runs(scene, joined(task.set, overrides), heard);
+  StudyRuns runs(task, scene, overrides, heard);
   StudyResult result;
   try {
     result = task.go(runs);

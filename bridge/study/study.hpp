@@ -35,12 +35,15 @@ struct Attempt {
   double wall_time_s = 0;
 };
 
+/// A study that is ready to go.
+struct StudyTask;
+
 /// Makes the runs of a study; each forgets the one before.
 class StudyRuns {
  public:
   using Listener = std::function<void(const std::string& settings, const std::string& outcome)>;
-  /// `overrides` hold in all runs; `heard` is told of each.
-  StudyRuns(std::filesystem::path scene, Settings overrides, Listener heard);
+  /// `overrides` of the command line go over what the study sets; `heard` is told of each run.
+  StudyRuns(const StudyTask& task, std::filesystem::path scene, Settings overrides, Listener heard);
 
   /// The scene with `settings`, whose only check is `expected`, ended when it takes longer. Throws Interrupted.
   Attempt attempt(const Settings& settings, const scene::Expectation& expected, double longest_s);
@@ -51,6 +54,7 @@ class StudyRuns {
   [[nodiscard]] double wall_time_s() const { return wall_time_s_; }
 
  private:
+  const StudyTask& task_;
   std::filesystem::path scene_;
   Settings overrides_;
   Listener heard_;
@@ -58,13 +62,18 @@ class StudyRuns {
   double wall_time_s_ = 0;
 };
 
-/// A study that is ready to go.
 struct StudyTask {
   std::string name;
+  const char* kind;                ///< [[limit]], [[order]] or [[map]]
+  int line = 0;                    ///< where the scene file states it
   Settings set;                    ///< holds in all its runs
   std::vector<Settings> extremes;  ///< settings that the scene has to be sound with
   std::function<StudyResult(StudyRuns&)> go;
 };
+
+/// The scene with settings of one of its runs, checked. Throws scene::SceneError that names the study.
+void require_sound(const StudyTask& task, const std::filesystem::path& scene, const Settings& overrides,
+                   const Settings& settings);
 
 StudyTask limit_task(const scene::LimitStudy& study);
 StudyTask order_task(const scene::OrderStudy& study);

@@ -69,7 +69,8 @@ std::string dry_end(const scene::Scene& scene, const char* side, const GroundEnd
 
 }  // namespace
 
-HydrostaticModel::HydrostaticModel(const scene::Scene& scene) : scene_(scene), cracks_(find_cracks(scene)) {
+HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
+    : scene_(scene), cracks_(find_cracks(scene)), crack_ends_(scene, cracks_) {
   structure_.open_crack_width_m = scene.water.open_crack_width_m;
   check_width(scene);
   structure_.ground = find_ground_ends(scene);
@@ -148,6 +149,7 @@ schedule::FluidReport HydrostaticModel::report() const {
   const GroundEnds& ground = structure_.ground;
   if (ground.left && scene_.water.upstream_level_m) report.skips.push_back(dry_end(scene_, "left", *ground.left));
   if (ground.right && scene_.water.downstream_level_m) report.skips.push_back(dry_end(scene_, "right", *ground.right));
+  if (const std::string warning = crack_ends_.warning(); !warning.empty()) report.warnings.push_back(warning);
   if (!scene_.output.reservoir) report.skips.emplace_back("the reservoir's mesh: its pictures are not asked for");
   return report;
 }
@@ -186,17 +188,19 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, wire::Load
   if (cracks_.empty()) return;
   const std::vector<WetInterval> open_water = wet_intervals(open);
   const double weight = scene_.water.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2;
-  for (const Crack& crack : cracks_) {
-    const auto pressure = [&](const CrackPart& part, const Point& outline_point, double level_m) {
+  for (std::size_t k = 0; k < cracks_.size(); ++k) {
+    const Crack& crack = cracks_[k];
+    const auto end_of = [&](bool upstream, const CrackPart& part, const Point& outline_point) {
       const auto b = at(part.block_a);
-      const double y = wire::place(centroids_[b], last_motion_.displacement[b], outline_point).y();
-      return std::isnan(level_m) ? 0.0 : weight * std::max(0.0, level_m - y);
+      const double level_m = upstream ? last_upstream_m_ : last_downstream_m_;
+      const Point place = wire::place(centroids_[b], last_motion_.displacement[b], outline_point);
+      const double pressure_pa = std::isnan(level_m) ? 0.0 : weight * std::max(0.0, level_m - place.y());
+      crack_ends_.look(k, {upstream, place, pressure_pa}, structure_.outlines, open_water);
+      return pressure_pa;
     };
-    const CrackPart& first = crack.parts.front();
-    const CrackPart& last = crack.parts.back();
-    add_crack_elements(crack, pressure(first, first.trace.mouth(), last_upstream_m_),
-                       pressure(last, last.trace.end(), last_downstream_m_), scene_.water.elements_per_face, open_water,
-                       load);
+    const double mouth_pa = end_of(true, crack.parts.front(), crack.parts.front().trace.mouth());
+    const double end_pa = end_of(false, crack.parts.back(), crack.parts.back().trace.end());
+    add_crack_elements(crack, mouth_pa, end_pa, scene_.water.elements_per_face, open_water, load);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bridge/schedule/sides.hpp"
+#include "fluid/hydrostatic/crack_ends.hpp"
 #include "fluid/hydrostatic/cracks.hpp"
 #include "fluid/hydrostatic/interface_mesh.hpp"
 #include "fluid/hydrostatic/pools.hpp"
@@ -49,6 +50,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   const scene::Scene& scene_;
   std::vector<Point> centroids_;
   std::vector<Crack> cracks_;
+  CrackEnds crack_ends_;
   Structure structure_;  ///< current
   Pools pools_;
   std::vector<PoolSection> sections_;

@@ -7,6 +7,7 @@
 #include "solid/expect/time_series.hpp"
 #include "solid/watch/acceleration_fit.hpp"
 #include "solid/watch/added_mass_watch.hpp"
+#include "solid/watch/edge_tension.hpp"
 #include "solid/watch/energy.hpp"
 #include "solid/watch/failure_watch.hpp"
 #include "solid/watch/frame.hpp"
@@ -23,6 +24,7 @@ struct Outcome {
   const Frame& last;
   const FailureWatch& failure;
   const Margins& margins;
+  const EdgeTension& edge_tension;
   const AccelerationFit& acceleration;
   const TimeSeries& series;
   const EnergyWatch& energy;

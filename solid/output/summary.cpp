@@ -10,6 +10,7 @@
 #include "bridge/scene/at.hpp"
 #include "solid/expect/formulas.hpp"
 #include "solid/expect/words.hpp"
+#include "solid/output/new_contacts.hpp"
 #include "solid/watch/joint_name.hpp"
 
 namespace blockweir::solid::output {
@@ -254,11 +255,9 @@ json summary(const expect::Outcome& outcome) {
                                                added.block(), guarded ? "guarded" : "no guard")}};
   }
   text["energy_gain"] = outcome.energy.gain();
-  if (const std::string warning = outcome.energy.warning(outcome.solid); !warning.empty()) {
-    text["warnings"].push_back(warning);
-  }
-  if (const std::string warning = residual_warning(scene, counts); !warning.empty()) {
-    text["warnings"].push_back(warning);
+  for (const std::string& warning : {outcome.energy.warning(outcome.solid), residual_warning(scene, counts),
+                                     outcome.edge_tension.warning(), new_contacts_warning(outcome)}) {
+    if (!warning.empty()) text["warnings"].push_back(warning);
   }
   const InterfaceEnergy& exchanged = outcome.interface_energy;
   if (exchanged.looked()) {

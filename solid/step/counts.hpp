@@ -7,7 +7,8 @@
 
 namespace blockweir::solid {
 
-/// The step could not be solved however small it was made, or a value was not a number.
+/// The solid cannot go on: no step could be solved however small, a value is not a number, or the exchange with the
+/// water is unstable. From a checkpoint the run would end here again.
 struct SolveError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -20,6 +20,9 @@ class HeldVelocities : StepPart {
   /// rate of what leads.
   void settle(IslandEquations& island, double dt);
 
+  /// Of a base that moves, as velocities that it holds become: the step's mean, or that of its end.
+  [[nodiscard]] Point base_velocity(double dt) const;
+
  private:
   void settle_solved(IslandEquations& island, double dt);
   void settle_swept(IslandEquations& island, double dt);

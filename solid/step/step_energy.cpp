@@ -43,6 +43,17 @@ void StepEnergy::balance(IslandEquations& s, double dt) {
   }
 }
 
+Point StepEnergy::momentum(const IslandEquations& s) const {
+  Point sum = Point::Zero();
+  for (const int block : s.island.blocks) {
+    const auto b = at(block);
+    const Vector6 own = trial_.inertia(b) * state_.blocks[b].velocity;
+    sum += own.head<2>();
+    if (model_.blocks[b].is_part()) sum += own.segment<2>(2) + own.tail<2>();  // one for each corner
+  }
+  return sum;
+}
+
 Point StepEnergy::push_of_base(const StepIslands& islands) const {
   Point push = Point::Zero();
   for (const IslandEquations& s : islands) {

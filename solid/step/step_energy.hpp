@@ -15,6 +15,8 @@ class StepEnergy : StepPart {
 
   /// Of a base that moves, on all islands that are awake.
   [[nodiscard]] Point push_of_base(const StepIslands& islands) const;
+  /// Of an island's blocks that move.
+  [[nodiscard]] Point momentum(const IslandEquations& island) const;
   /// What loads give an island's blocks in the step, less what strain, bolts and springs take up.
   void balance(IslandEquations& island, double dt);
   /// What a step has made of nothing is taken back from the velocities. Contact forces act along the directions of the

@@ -22,7 +22,8 @@ bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
     if (model_.blocks[b].fixed) state_.blocks[b].velocity.head<2>() = model_.base.velocity(end_s);
   }
-  if (model_.base.moves_supports() && !mode.settles) {
+  const bool led = model_.base.moves_supports() && !mode.settles;
+  if (led) {
     const Point moved = model_.base.displacement(end_s) - model_.base.displacement(end_s - dt);
     state_.energy.lead(StepEnergy(step_).push_of_base(islands_), moved, !trial_.scheme.second_order());
   }
@@ -32,7 +33,13 @@ bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
     if (island.found == Found::asleep) continue;
     accept_motion(island, dt);
     if (!mode.settles) energy.balance(island, dt);
-    if (formulation_->holds_exactly()) HeldVelocities(step_).settle(island, dt);
+    if (formulation_->holds_exactly()) {
+      HeldVelocities held(step_);
+      const Point before = led ? energy.momentum(island) : Point::Zero();
+      held.settle(island, dt);
+      // What takes the blocks along pushes them at its own velocity.
+      if (led) state_.energy.give((energy.momentum(island) - before).dot(held.base_velocity(dt)));
+    }
     if (!water_.of_meshes()) energy.take_back(island);
     if (state_.guard.acts()) state_.energy.give(-water_.taken_by_water(island));
     any_slips = formulation_->accept(trial_.now(), island.held()) || any_slips;

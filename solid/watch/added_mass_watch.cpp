@@ -27,12 +27,12 @@ void require_stable(const Block& block, double ratio, double largest, bool guard
   const std::string found =
       fmt::format("block \"{}\" has to push water {:.3g} times as heavy as itself", block.name, ratio);
   if (!guarded) {
-    throw std::runtime_error(
-        found + fmt::format("; without the added-mass guard the exchange is unstable above {:.3g}, whatever "
-                            "the step; set [coupling] added_mass_guard = true",
-                            largest));
+    throw SolveError(found +
+                     fmt::format("; without the added-mass guard the exchange is unstable above {:.3g}, whatever "
+                                 "the step; set [coupling] added_mass_guard = true",
+                                 largest));
   }
-  throw std::runtime_error(
+  throw SolveError(
       fmt::format("{}; the added-mass guard holds up to {}; make the block thicker or heavier, or join it with another",
                   found, largest));
 }

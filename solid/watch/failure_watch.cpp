@@ -92,6 +92,17 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
   return failed;
 }
 
+/// What turns about its toe has moments to balance: a column of height h and breadth b, whose middle is accelerated by
+/// a, resists with m a (2/3) (h^2 + b^2)/h, and a rise dh of the level gives rho g head dh head/2.
+double turning_lever(const Solid& solid, const Failure& failure) {
+  Eigen::AlignedBox2d box;
+  for (const int b : failure.blocks) {
+    for (const Point& X : solid.blocks()[at(b)].vertices) box.extend(solid.placements()[at(b)].position(X));
+  }
+  const double lever = 4.0 / 3 * box.sizes().squaredNorm() / (box.sizes().y() * failure.head_m);
+  return std::max(1.0, lever);
+}
+
 }  // namespace
 
 FailureWatch::FailureWatch(const Solid& solid)
@@ -166,13 +177,14 @@ void FailureWatch::look(double time_s, const Levels& levels) {
   judge();
   const double far = solid_.scene().analysis.failure_displacement_m;
   const double passed_s = solid_.time_s() - seen_s_;
+  const Point base_moved = solid_.base().displacement(solid_.time_s()) - solid_.base().displacement(seen_s_);
   const int stood_at_start = solid_.starts_at_rest() ? a_spell : -a_spell;  // what sets out rings at first
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     Watched& block = watched_[b];
     if (solid_.blocks()[b].fixed || guided_[b] || block.failed) continue;
     const Vector6& displacement = solid_.states()[b].displacement;
     Point velocity = Point::Zero();
-    if (passed_s > 0) velocity = (displacement - block.seen).head<2>() / passed_s;
+    if (passed_s > 0) velocity = ((displacement - block.seen).head<2>() - base_moved) / passed_s;
     block.stood = !begun_ ? stood_at_start : !stands_[b] ? 0 : std::min(block.stood + 1, a_spell);
     if (!begun_ || slow_[b] || block.stood == a_spell) {
       block.time_s = time_s;
@@ -211,7 +223,10 @@ std::optional<Moving> FailureWatch::moving() const {
   std::vector<bool> free(watched_.size());
   for (std::size_t b = 0; b < free.size(); ++b) free[b] = !solid_.blocks()[b].fixed && !guided_[b];
   const std::vector<bool> held = only_strain(solid_, free);
-  const double begins = 1e-4 * solid_.scene().analysis.gravity_m_per_s2;
+  // Without gravity loads are to be held against the earth's, as lengths and speeds that follow it.
+  constexpr double earth = 9.81;
+  const double gravity = solid_.scene().analysis.gravity_m_per_s2;
+  const double begins = 1e-4 * (gravity > 0 ? gravity : earth);
   std::optional<Moving> fastest;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const Watched& block = watched_[b];
@@ -275,7 +290,9 @@ void FailureWatch::add_uncertainty(const Watched& last, Failure& failure) const 
   Point inertia = Point::Zero();
   for (const int k : failure.blocks) inertia += solid_.blocks()[at(k)].mass_per_m() * watched_[at(k)].acceleration;
   const double per_m = scene.water.density_kg_per_m3 * scene.analysis.gravity_m_per_s2 * failure.head_m;
-  const double held_back_m = per_m > 0 ? inertia.norm() / per_m : 0;
+  const bool turns = failure.mode.find("overturning") != std::string::npos;
+  const double lever = turns ? turning_lever(solid_, failure) : 1;
+  const double held_back_m = per_m > 0 ? lever * inertia.norm() / per_m : 0;
   const double stuck_m = std::abs(last.last.of(failure.downstream) - last.levels.of(failure.downstream));
   failure.level_uncertainty_m = failure.window_rise_m + rate * unseen_s + std::max(stuck_m, held_back_m);
 }

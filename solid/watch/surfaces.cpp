@@ -58,17 +58,50 @@ class Connections {
       edges_[at(b)].emplace_back(a, pair);
     }
     grounded_ = reached({});
+    part_structures();
   }
 
   /// Without these joints some block that the ground holds has no connection to it.
   [[nodiscard]] bool parted_by(const std::set<Pair>& joints) const { return reached(joints) < grounded_; }
 
+  /// The joints of each structure apart: what meets on the ground alone stands, and fails, by itself.
+  [[nodiscard]] std::vector<std::set<Pair>> by_structure(const std::set<Pair>& joints) const {
+    std::map<int, std::set<Pair>> apart;
+    for (const Pair& pair : joints) apart[std::max(structure_of(pair.first), structure_of(pair.second))].insert(pair);
+    std::vector<std::set<Pair>> all;
+    for (auto& [structure, own] : apart) all.push_back(std::move(own));
+    return all;
+  }
+
  private:
+  [[nodiscard]] int structure_of(int block) const {
+    const int n = node(block);
+    return n == ground() ? -1 : structure_[at(n)];
+  }
+  [[nodiscard]] int ground() const { return static_cast<int>(edges_.size()) - 1; }
+  /// Numbers what hangs together without the ground.
+  void part_structures() {
+    structure_.assign(edges_.size() - 1, -1);
+    for (std::size_t first = 0; first < structure_.size(); ++first) {
+      if (structure_[first] >= 0) continue;
+      std::vector<std::size_t> open = {first};
+      structure_[first] = static_cast<int>(first);
+      while (!open.empty()) {
+        const std::size_t from = open.back();
+        open.pop_back();
+        for (const auto& [to, pair] : edges_[from]) {
+          if (to == ground() || structure_[at(to)] >= 0) continue;
+          structure_[at(to)] = static_cast<int>(first);
+          open.push_back(at(to));
+        }
+      }
+    }
+  }
   [[nodiscard]] int node(int block) const {
     const auto& supports = solid_.scene().supports;
     const auto holds = [&](const scene::Support& s) { return s.block == block; };
-    const bool ground = solid_.blocks()[at(block)].fixed || std::any_of(supports.begin(), supports.end(), holds);
-    return ground ? static_cast<int>(edges_.size()) - 1 : block;
+    const bool held = solid_.blocks()[at(block)].fixed || std::any_of(supports.begin(), supports.end(), holds);
+    return held ? ground() : block;
   }
   /// Number of blocks that the ground is connected to.
   [[nodiscard]] std::size_t reached(const std::set<Pair>& without) const {
@@ -91,6 +124,7 @@ class Connections {
 
   const Solid& solid_;
   std::vector<std::vector<std::pair<int, Pair>>> edges_;
+  std::vector<int> structure_;  ///< of each block, by the first block in it
   std::size_t grounded_ = 0;
 };
 
@@ -158,7 +192,12 @@ Surfaces::Surfaces(const Solid& solid) {
     if (!is_point(at_points, tolerance_m)) pairs.push_back(pair);
   }
   const Connections connections(solid, pairs);
-  std::vector<std::set<Pair>> candidates = in_one_line(solid, points);
+  std::vector<std::set<Pair>> candidates;
+  for (const std::set<Pair>& line : in_one_line(solid, points)) {
+    for (std::set<Pair>& joints : connections.by_structure(line)) {
+      if (joints.size() > 1) candidates.push_back(std::move(joints));
+    }
+  }
   // What is bent, as the base of a dam with its toe in the ground, slides on none of its faces alone.
   for (const Pair& pair : pairs) {
     if (line_through(points.at(pair), Point::Zero(), tolerance_m)) candidates.push_back({pair});

@@ -165,6 +165,19 @@ TEST_F(Resume, AsksForTheFolderOfARunWithACheckpoint) {
   EXPECT_THAT(text("out"), HasSubstr("o: no checkpoint that all its processes have"));
 }
 
+/// A piston that pushes three times its weight of water without the guard: the exchange makes energy.
+TEST_F(Resume, IsNotAdvisedWhereTheRunWouldEndSoAgain) {
+  EXPECT_EQ(shell(command("piston-column", "o",
+                          " --set coupling.added_mass_guard=false --set coupling.added_mass_limit=10"
+                          " --set analysis.integrator=shi --set output.checkpoint_every_s=0.0001")),
+            1);
+  ASSERT_TRUE(fs::exists(folder / "o/checkpoint")) << text("out");
+  EXPECT_THAT(text("out"), testing::Not(HasSubstr("goes on")));
+  fs::remove_all(folder / "o/checkpoint");
+  EXPECT_EQ(shell(programs + "/blockweir resume o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("it would end so again: change the scene"));
+}
+
 TEST_F(Resume, RefusesWhatHasChangedSince) {
   const pid_t run = start(command("cracked-dam-upper", "o"), "log");
   ASSERT_TRUE(under_way("o"));

@@ -32,6 +32,18 @@ class Compare : public Processes {
   }
 };
 
+/// Where no figure is stated, runs are held against each other by how they end.
+TEST_F(Compare, TellsHowASceneWithoutFiguresEnds) {
+  ASSERT_EQ(shell(programs + "/blockweir compare " + cases + "incline --set expect=[] --json table.json"), 0)
+      << text("out");
+  const auto rows = nlohmann::json::parse(text("table.json"), nullptr, false);
+  ASSERT_EQ(rows.size(), 9U) << text("out");
+  for (const auto& row : rows) {
+    if (row["name"] == "outcome") EXPECT_EQ(row["got"], "sliding");
+    if (row["name"] == "largest_displacement_m") EXPECT_NEAR(row["got"].get<double>(), 0.906407, 1e-5);
+  }
+}
+
 TEST_F(Compare, EndsAtCtrlC) {
   const pid_t compare = start_compare();
   ASSERT_TRUE(run_under_way("[analysis]"));

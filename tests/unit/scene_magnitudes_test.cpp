@@ -77,6 +77,26 @@ TEST(SceneMagnitudes, EachLawOfAJointIsLookedAt) {
                  {"friction_angle_deg in [joint] is 0.6 deg, which is unusual", "expected 2 to 80 deg", "radians"});
 }
 
+/// Of a dry scene: still water wants level ground.
+TEST(SceneMagnitudes, ATiltIsUsualToEitherSide) {
+  const std::string dry = text.substr(0, text.find("[water]"));
+  const auto tilted = [&](const char* tilt) {
+    return warnings(with("step_s = 0.01", std::string("step_s = 0.01\ngravity_tilt_deg = ") + tilt, dry));
+  };
+  EXPECT_THAT(tilted("-5"), IsEmpty());
+  EXPECT_THAT(tilted("-0.2"), Contains(HasSubstr("gravity_tilt_deg in [analysis] is -0.2 deg, which is unusual")));
+}
+
+TEST(SceneMagnitudes, ANumberWithoutAUnitIsToldWithoutOne) {
+  expect_warning(with("step_s = 0.01", "step_s = 0.01\nmax_displacement_ratio = 1e-9"), 6,
+                 {"max_displacement_ratio in [analysis] is 1e-09, which is unusual; expected 1e-06 to 1; 1 % is 0.01"});
+}
+
+TEST(SceneMagnitudes, AWrongNumberIsToldAsItWasWritten) {
+  sample::expect_error(with("poissons_ratio = 0.2", "poissons_ratio = 0.6"), 10,
+                       {"poissons_ratio in [material.concrete] is 0.6; expected"});
+}
+
 TEST(SceneMagnitudes, NothingAtAllIsUsual) {
   EXPECT_THAT(warnings(with("friction_angle_deg = 30", "friction_angle_deg = 0\ncohesion_pa = 0",
                             with("poissons_ratio = 0.2", "poissons_ratio = 0"))),

@@ -59,6 +59,35 @@ TEST(Energy, StrainHoldsTheWorkOfALoad) {
   EXPECT_EQ(watch.gain(), 0);
 }
 
+/// What takes blocks along gives them all that they have, whether they stick on it or are held at a point.
+TEST(Energy, AMovingBaseMakesNoneOfNothing) {
+  for (const auto integrator : {scene::Integrator::shi, scene::Integrator::generalized_alpha}) {
+    for (const bool held : {false, true}) {
+      auto scene = one_block();
+      scene.analysis.integrator = integrator;
+      scene.blocks.push_back({.name = "ground", .vertices = {{-5, -1}, {5, -1}, {5, 0}, {-5, 0}}, .fixed = true});
+      scene.base_motion.emplace();
+      scene.base_motion->form = scene::BaseForm::support;
+      scene.base_motion->acceleration_x_m_per_s2.sine = {4, 2 * std::acos(-1.0), 0};
+      if (held) {
+        const auto still = scene::TimeTable::constant(0);
+        scene.supports.push_back(
+            {.block = 0, .point_m = Point(0, 0), .displacement_x_m = still, .displacement_y_m = still});
+      }
+      Solid solid(scene);
+      solid.settle({});
+      EnergyWatch watch;
+      watch.look(solid);
+      for (int n = 0; n < 200; ++n) {
+        solid.advance(n * 0.01, (n + 1) * 0.01, {});
+        watch.look(solid);
+      }
+      EXPECT_GT(solid.states()[0].displacement.x(), 0.5);
+      EXPECT_LT(watch.gain(), 1e-4) << static_cast<int>(integrator) << (held ? ", held" : "");
+    }
+  }
+}
+
 /// Two runs stand for one that makes energy, as no scene does.
 TEST(Energy, WhatIsMadeOfNothingIsWarnedOf) {
   auto scene = one_block();

@@ -53,6 +53,35 @@ TEST(Margins, TellNoFactorOfABaseWithItsToeInTheGround) {
   EXPECT_FALSE(margins_of(keyed).any_surface());
 }
 
+/// A broad dam, and a slender one beside it on the same level ground, whose resultant is the nearer to an end.
+TEST(Margins, AreToldOfEachStructureApart) {
+  auto scene = empty_scene();
+  add(scene, {{-20, -5}, {80, -5}, {80, 0}, {-20, 0}}, true);
+  add(scene, {{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+  add(scene, {{40, 0}, {44, 0}, {44, 8}, {40, 8}});
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 40;
+  scene.analysis.gravity_tilt_deg = 10;
+  scene.analysis.rigid = scene::Rigid::all;
+  const Margins margins = margins_of(scene);
+  ASSERT_TRUE(margins.overturning());
+  EXPECT_NEAR(margins.overturning()->value, 0.5 - std::tan(10 * degree), 1e-6);
+  EXPECT_EQ(margins.overturning()->joint.find("in one line"), std::string::npos) << margins.overturning()->joint;
+}
+
+/// What stands side by side and touches is one structure on one base.
+TEST(Margins, AreToldOfALineWhereBlocksTouchEachOther) {
+  auto scene = empty_scene();
+  add(scene, {{-20, -5}, {80, -5}, {80, 0}, {-20, 0}}, true);
+  add(scene, {{0, 0}, {5, 0}, {5, 10}, {0, 10}});
+  add(scene, {{5, 0}, {10, 0}, {10, 10}, {5, 10}});
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 40;
+  scene.analysis.gravity_tilt_deg = 10;
+  scene.analysis.rigid = scene::Rigid::all;
+  const Margins margins = margins_of(scene);
+  ASSERT_TRUE(margins.sliding());
+  EXPECT_NE(margins.sliding()->joint.find("in one line"), std::string::npos) << margins.sliding()->joint;
+}
+
 /// Rock that touches the dam in the one point under its heel.
 TEST(Margins, AreToldWhereACornerOfTheRockTouchesTheHeel) {
   auto scene = empty_scene();

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "solid/watch/failure_watch.hpp"
 #include "solid/watch/surfaces.hpp"
 #include "tests/verification/scenes.hpp"
 
@@ -54,6 +55,22 @@ TEST(Mobility, WhatSlidesOrTurnsHasAMotionOfItsOwnAndSoHasWhatItCarries) {
     EXPECT_EQ(held[2], push < 2.0 / 3);
     EXPECT_FALSE(held[3]);
     EXPECT_TRUE(held[4] && held[5]);
+  }
+}
+
+/// Nothing holds it, nothing pushes it.
+TEST(Mobility, WithoutGravityWhatLiesStillIsNotMoving) {
+  auto scene = empty_scene();
+  scene.analysis.gravity_m_per_s2 = 0;
+  add_box(scene, 0, 0, 1, 1);
+  for (const double speed_m_per_s : {0.0, 0.1}) {
+    scene.blocks[0].initial_velocity_m_per_s = {speed_m_per_s, 0};
+    Solid solid(scene);
+    FailureWatch watch(solid);
+    watch.look(0, {});
+    run(solid, 0.05);
+    watch.look(0.05, {});
+    EXPECT_EQ(watch.moving().has_value(), speed_m_per_s > 0);
   }
 }
 

@@ -19,13 +19,13 @@ constexpr const char* law_sections[] = {"joint", "joints[]", "cut[]", "joint_set
 constexpr Magnitude table_of_magnitudes[] = {
     {"material.*", "density_kg_per_m3", "kg/m3", 100, 20'000, "2.4 is t/m3 and 23.5 is kN/m3, both are 2400 kg/m3"},
     {"material.*", "youngs_modulus_pa", "Pa", 1e6, 1e13, "25 is likely GPa: write 25e9", grows_with_size},
-    {"material.*", "poissons_ratio", "1", 0.01, 0.45, "rock and concrete have 0.1 to 0.3"},
-    {"material.*", "damping_ratio", "1", 1e-4, 0.3, "5 % is 0.05"},
+    {"material.*", "poissons_ratio", "", 0.01, 0.45, "rock and concrete have 0.1 to 0.3"},
+    {"material.*", "damping_ratio", "", 1e-4, 0.3, "5 % is 0.05"},
     {"analysis", "gravity_m_per_s2", "m/s2", 9, 10, "981 is cm/s2: write 9.81; more is meant in a centrifuge only"},
     {"analysis", "gravity_tilt_deg", "deg", 0.5, 90, "is it in radians? write degrees"},
     {"analysis", "duration_s", "s", 1e-6, 1e7, "a year is 3e7 s: a run makes each of its steps"},
     {"analysis", "step_s", "s", 1e-9, 100, "dynamic motions of dams take milliseconds to seconds"},
-    {"analysis", "max_displacement_ratio", "1", 1e-6, 1, "1 % is 0.01"},
+    {"analysis", "max_displacement_ratio", "", 1e-6, 1, "1 % is 0.01"},
     {"joint", "friction_angle_deg", "deg", 2, 80, "is it in radians? 0.6 is 34 deg"},
     {"joint", "residual_friction_angle_deg", "deg", 2, 80, "is it in radians? 0.5 is 29 deg"},
     {"joint", "dilation_angle_deg", "deg", 0.5, 45, "is it in radians? 0.1 is 6 deg"},
@@ -68,14 +68,16 @@ void each_table(const toml::table& file, std::string section,
 }
 
 void check_row(const Magnitude& row, double least, const toml::table& file, Problems& problems) {
+  const std::string unit = *row.unit == '\0' ? "" : std::string(" ") + row.unit;
   for (const char* section : sections_of(row)) {
     each_table(file, section, [&](const std::string& name, const toml::table& table) {
       const toml::node* node = table.get(row.key);
       const auto value = node == nullptr || !node->is_number() ? std::nullopt : node->value<double>();
-      if (!value || *value == 0 || (*value >= least && *value <= row.most)) return;
+      const double size = std::abs(value.value_or(0));  // a tilt may be to either side
+      if (size == 0 || (size >= least && size <= row.most)) return;
       problems.warning(problems.at(node->source()),
-                       fmt::format("{} in {} is {:.6g} {}, which is unusual", row.key, name, *value, row.unit),
-                       fmt::format("{:.3g} to {:.3g} {}", least, row.most, row.unit), row.slip);
+                       fmt::format("{} in {} is {:.6g}{}, which is unusual", row.key, name, *value, unit),
+                       fmt::format("{:.3g} to {:.3g}{}", least, row.most, unit), row.slip);
     });
   }
 }

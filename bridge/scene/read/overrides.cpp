@@ -24,7 +24,7 @@ struct Override {
 };
 
 Override split(const std::string& argument) {
-  Override split{.argument = "--set " + argument};
+  Override split{.argument = override_place(argument)};
   const auto equals = argument.find('=');
   if (equals == std::string::npos) return split;
   std::istringstream words(argument.substr(0, equals));
@@ -122,6 +122,10 @@ class Descent {
 };
 
 }  // namespace
+
+std::string override_place(const std::string& argument) {
+  return "--set " + argument;
+}
 
 void apply_overrides(toml::table& file, const std::vector<std::string>& overrides, Problems& problems) {
   for (const std::string& argument : overrides) {

@@ -10,6 +10,9 @@
 
 namespace blockweir::scene {
 
+/// The place of what an override states, as messages call it.
+std::string override_place(const std::string& argument);
+
 /// Each override is "dotted.key=value", the value in TOML's syntax or a bare word; entries of a list of tables
 /// are named by their index or their name (block.top.fixed=true).
 void apply_overrides(toml::table& file, const std::vector<std::string>& overrides, Problems& problems);

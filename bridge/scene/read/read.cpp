@@ -10,6 +10,7 @@
 
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/read/digest.hpp"
+#include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/key_depth.hpp"
 #include "bridge/scene/read/magnitudes.hpp"
 #include "bridge/scene/read/nearest.hpp"
@@ -117,9 +118,13 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   return result;
 }
 
-ReadScene read(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+std::filesystem::path scene_file(const std::filesystem::path& path) {
   std::error_code failed;
-  const std::filesystem::path file = std::filesystem::is_directory(path, failed) ? path / "scene.toml" : path;
+  return std::filesystem::is_directory(path, failed) ? path / "scene.toml" : path;
+}
+
+ReadScene read(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  const std::filesystem::path file = scene_file(path);
   return read_text(text_of(file), file.string(), overrides);
 }
 
@@ -133,7 +138,7 @@ ReadScene read_variant(const std::filesystem::path& path, const std::string& nam
     if (variant.name != name) continue;
     std::vector<std::string> all = variant.set;
     all.insert(all.end(), overrides.begin(), overrides.end());
-    return read(path, all);
+    return read_entry(path, {fmt::format("[[variant]] \"{}\"", name), variant.line, variant.set}, all);
   }
   refuse(scene.file.string(), 0, fmt::format("there is no variant \"{}\"", name),
          names.empty() ? "a scene with a [[variant]]" : one_of(names), did_you_mean(name, names));

@@ -20,6 +20,9 @@ struct ReadScene {
 /// Throws SceneError with the warnings as errors, if there are any: --strict.
 void refuse_warnings(const std::vector<Diagnostic>& warnings);
 
+/// The file that `path` means: a file, or a case's folder (which then holds scene.toml).
+std::filesystem::path scene_file(const std::filesystem::path& path);
+
 /// Reads and checks a scene. `path` is a file or a case's folder (which then holds scene.toml).
 /// `overrides` are "dotted.key=value" in TOML syntax, as `--set` gives them.
 /// Throws SceneError with everything that is wrong at once.

@@ -185,7 +185,7 @@ void read_expectations(Reading& reading) {
 void read_variants(Reading& reading) {
   Names names("variant");
   reading.each("variant", [&](TableReader& table) {
-    Variant variant;
+    Variant variant{.line = table.place().line};
     table.text("name", variant.name, true);
     table.texts("set", variant.set);
     if (!variant.name.empty() && !names.add(variant.name)) {

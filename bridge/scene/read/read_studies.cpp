@@ -25,6 +25,7 @@ void require_own_name(TableReader& table, Reading& reading, Known& known, const 
 /// What all kinds have in common; the quantity is that of the kind. False when `of` names nothing.
 bool read_study(TableReader& table, Reading& reading, Known& known, Study& study) {
   Expectation& e = study.expected;
+  study.line = table.place().line;
   table.text("name", study.name, true);
   table.texts_if_any("set", study.set);
   table.word("formula", e.formula, formula_names());
@@ -89,7 +90,7 @@ void read_map(TableReader& table, Reading& reading, Known& known) {
 }
 
 void read_bench(TableReader& table, Reading& reading, Known& known) {
-  Bench bench;
+  Bench bench{.line = table.place().line};
   table.text("name", bench.name, true);
   table.texts_if_any("set", bench.set);
   table.text("key", bench.sweep.key, true);

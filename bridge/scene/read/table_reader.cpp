@@ -21,6 +21,8 @@ constexpr double farthest_m = 1e7;  // beyond it, round-off in the coordinates i
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (const toml::array* list = node.as_array()) return fmt::format("a list of {}", list->size());
+  if (const auto number = node.as_floating_point())
+    return fmt::format("{}", number->get());  // 0.6, not 17 digits of it
   std::ostringstream stream;
   node.visit([&](const auto& value) {
     if constexpr (toml::is_value<decltype(value)>) stream << value;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/scene/read/entry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bridge/scene/read/overrides.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+/// Settings reach the reader as the command line's do: what stands at one of them stands at the entry.
+bool move_to(const SettingEntry& entry, const std::string& file, Diagnostic& d) {
+  const auto& settings = entry.settings;
+  const auto stated = std::find_if(settings.begin(), settings.end(),
+                                   [&](const std::string& setting) { return d.file == override_place(setting); });
+  if (stated == settings.end()) return false;
+  d.file = file;
+  d.line = entry.line;
+  d.found = fmt::format("{} sets {}: {}", entry.name, *stated, d.found);
+  return true;
+}
+
+}  // namespace
+
+ReadScene read_entry(const std::filesystem::path& path, const SettingEntry& entry,
+                     const std::vector<std::string>& all) {
+  const std::string file = scene_file(path).string();
+  try {
+    ReadScene result = scene::read(path, all);
+    for (Diagnostic& warning : result.warnings) move_to(entry, file, warning);
+    return result;
+  } catch (const SceneError& error) {
+    std::vector<Diagnostic> errors = error.diagnostics();
+    for (Diagnostic& d : errors) {
+      if (!move_to(entry, file, d)) d.found = fmt::format("with {}: {}", entry.name, d.found);
+    }
+    throw SceneError(std::move(errors));
+  }
+}
+
+}  // namespace blockweir::scene

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/hydrostatic/crack_ends.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bridge/scene/at.hpp"
+
+namespace blockweir::hydrostatic {
+namespace {
+
+double distance(const Point& p, const Point& from, const Point& to) {
+  const Point along = to - from;
+  const double share = along.isZero(0) ? 0 : std::clamp(along.dot(p - from) / along.squaredNorm(), 0.0, 1.0);
+  return (from + share * along - p).norm();
+}
+
+bool lies_on(const Crack& crack, const Point& p, double near_m) {
+  return std::any_of(crack.parts.begin(), crack.parts.end(), [&](const CrackPart& part) {
+    return std::any_of(part.trace.pieces.begin(), part.trace.pieces.end(),
+                       [&](const scene::TracePiece& piece) { return distance(p, piece.from_m, piece.to_m) <= near_m; });
+  });
+}
+
+std::string name_of(const scene::Scene& scene, const CrackPart& part) {
+  for (const scene::Joint& joint : scene.joints) {
+    if (std::minmax(joint.between[0], joint.between[1]) == std::minmax(part.block_a, part.block_b)) return joint.name;
+  }
+  return scene.blocks[at(part.block_a)].name + " on " + scene.blocks[at(part.block_b)].name;
+}
+
+}  // namespace
+
+CrackEnds::CrackEnds(const scene::Scene& scene, const std::vector<Crack>& cracks)
+    : scene_(scene), on_another_(cracks.size()) {
+  constexpr std::size_t most = 1'000;  // more are a network, and take long to look at
+  if (cracks.size() > most) {
+    on_another_.assign(cracks.size(), {true, true});
+    return;
+  }
+  const double near_m = scene.water.open_crack_width_m;
+  for (std::size_t k = 0; k < cracks.size(); ++k) {
+    names_.push_back(name_of(scene, cracks[k].parts.front()));
+    const Point mouth = cracks[k].parts.front().trace.mouth();
+    const Point end = cracks[k].parts.back().trace.end();
+    for (std::size_t other = 0; other < cracks.size(); ++other) {
+      if (other == k) continue;
+      on_another_[k].mouth = on_another_[k].mouth || lies_on(cracks[other], mouth, near_m);
+      on_another_[k].end = on_another_[k].end || lies_on(cracks[other], end, near_m);
+    }
+  }
+}
+
+void CrackEnds::look(std::size_t k, const End& end, const std::vector<std::vector<Point>>& outlines,
+                     const std::vector<WetInterval>& open_water) {
+  constexpr double widths = 4;  // of a crack that carries open water: it ends so far from an acute corner
+  if (end.pressure_pa <= driest_.pressure_pa || (end.upstream ? on_another_[k].mouth : on_another_[k].end)) return;
+  const double near_m = widths * scene_.water.open_crack_width_m;
+  const bool reached = std::any_of(open_water.begin(), open_water.end(), [&](const WetInterval& wet) {
+    const auto& outline = outlines[at(wet.block)];
+    const Point& from = outline[at(wet.edge)];
+    const Point along = outline[(at(wet.edge) + 1) % outline.size()] - from;
+    return distance(end.place, from + wet.s_from * along, from + wet.s_to * along) <= near_m;
+  });
+  if (reached) return;
+  driest_ = end;
+  crack_ = k;
+}
+
+std::string CrackEnds::warning() const {
+  if (driest_.pressure_pa <= 0) return {};
+  const char* pool = driest_.upstream ? "upstream" : "downstream";
+  return fmt::format(
+      "no open water reaches the {0} end of joint \"{1}\" at ({2:.4g}, {3:.4g}) m, which has the pressure of the {0} "
+      "pool there, {4:.4g} Pa, all the same; expected a joint that ends in that pool; where its ground is dry state "
+      "uplift = \"none\" for it in [[joints]]",
+      pool, names_[crack_], driest_.place.x(), driest_.place.y(), driest_.pressure_pa);
+}
+
+}  // namespace blockweir::hydrostatic

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: fluid_hydrostatic
+// A crack's end that no open water reaches is told of where it has a pool's pressure.
+#include "fluid/hydrostatic/crack_ends.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace blockweir::hydrostatic {
+namespace {
+
+/// Two boxes of 4 x 2 m on ground; the second one's base, on the land side, is called "dry".
+scene::Scene two_on_ground() {
+  scene::Scene scene;
+  scene.water.open_crack_width_m = 0.01;
+  scene.blocks.push_back({.name = "ground", .vertices = {{-10, -1}, {20, -1}, {20, 0}, {-10, 0}}, .fixed = true});
+  scene.blocks.push_back({.name = "dam", .vertices = {{0, 0}, {4, 0}, {4, 2}, {0, 2}}});
+  scene.blocks.push_back({.name = "house", .vertices = {{8, 0}, {12, 0}, {12, 2}, {8, 2}}});
+  scene.joints.push_back({.name = "wet", .between = {0, 1}, .law = {.uplift = scene::Uplift::triangular}});
+  scene.joints.push_back({.name = "dry", .between = {0, 2}, .law = {.uplift = scene::Uplift::triangular}});
+  return scene;
+}
+
+TEST(CrackEnds, AreToldOfWhereNoWaterReachesThem) {
+  const scene::Scene scene = two_on_ground();
+  const std::vector<Crack> cracks = find_cracks(scene);
+  ASSERT_EQ(cracks.size(), 2U);
+  std::vector<std::vector<Point>> outlines;
+  for (const scene::Block& block : scene.blocks) outlines.push_back(block.vertices);
+  const std::vector<WetInterval> water = {{.block = 1, .edge = 3, .s_from = 0.5, .s_to = 1}};  // the dam's lower metre
+  CrackEnds ends(scene, cracks);
+  ends.look(0, {true, Point(0, 0), 9810}, outlines, water);
+  EXPECT_EQ(ends.warning(), "");
+  ends.look(1, {true, Point(8, 0), 9810}, outlines, water);
+  EXPECT_THAT(ends.warning(), testing::AllOf(testing::HasSubstr("upstream end of joint \"dry\" at (8, 0) m"),
+                                             testing::HasSubstr("9810 Pa, all the same"),
+                                             testing::HasSubstr("state uplift = \"none\"")));
+}
+
+/// Its water may come by the other crack.
+TEST(CrackEnds, OnAnotherCrackAreNotJudged) {
+  scene::Scene scene = two_on_ground();
+  scene.blocks[2].vertices = {{4, 0}, {8, 0}, {8, 2}, {4, 2}};
+  scene.joints[1].law.uplift = scene::Uplift::full;  // else both are one crack
+  const std::vector<Crack> cracks = find_cracks(scene);
+  ASSERT_EQ(cracks.size(), 2U);
+  CrackEnds ends(scene, cracks);
+  ends.look(1, {true, Point(4, 0), 9810}, {}, {});
+  EXPECT_EQ(ends.warning(), "");
+}
+
+}  // namespace
+}  // namespace blockweir::hydrostatic

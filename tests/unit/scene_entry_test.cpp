@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_scene_read
+// What is wrong with settings that a scene states itself: told at the file and line of the entry that states them.
+#include "bridge/scene/read/entry.hpp"
+#include "bridge/scene/read/gathered.hpp"
+#include "tests/unit/scene_sample.hpp"
+
+namespace {
+
+using namespace blockweir::scene;
+
+class SceneEntries : public sample::SceneFolder {
+ protected:
+  /// The sample with a variant at line 56.
+  [[nodiscard]] std::filesystem::path with_variant(const std::string& set) const {
+    return write("s.toml", sample::text + "[[variant]]\nname = 'v'\nset = [" + set + "]\n");
+  }
+  static std::string error_of_variant(const std::filesystem::path& file,
+                                      const std::vector<std::string>& overrides = {}) {
+    Gathered wrong;
+    wrong.from([&] { read_variant(file, "v", overrides); });
+    try {
+      wrong.report();
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(SceneEntries, AWrongKeyOfAVariantIsToldAtItsLine) {
+  EXPECT_THAT(error_of_variant(with_variant("'analysis.stp_s=0.1'")),
+              testing::AllOf(testing::HasSubstr("s.toml:56: error: [[variant]] \"v\" sets analysis.stp_s=0.1: unknown "
+                                                "key \"stp_s\" in [analysis]"),
+                             testing::HasSubstr("did you mean \"step_s\"?")));
+}
+
+TEST_F(SceneEntries, ASettingThatNamesNoKeyIsToldAtItsLine) {
+  EXPECT_THAT(error_of_variant(with_variant("'nokey'")),
+              testing::HasSubstr("s.toml:56: error: [[variant]] \"v\" sets nokey: this names no key"));
+}
+
+TEST_F(SceneEntries, WhatAVariantMakesWrongElsewhereNamesTheVariantToo) {
+  EXPECT_THAT(error_of_variant(with_variant("'analysis.duration_s=0.015'")),
+              testing::ContainsRegex("s.toml:[0-9]+: error: with \\[\\[variant\\]\\] \"v\": "));
+}
+
+TEST_F(SceneEntries, WhatTheCommandLineSetsOverAVariantStaysItsOwn) {
+  EXPECT_THAT(error_of_variant(with_variant("'analysis.step_s=0.1'"), {"analysis.stp_s=1"}),
+              testing::StartsWith("--set analysis.stp_s=1: error: "));
+}
+
+TEST_F(SceneEntries, AWarningOfWhatAVariantSetsIsToldAtItsLine) {
+  const auto read = read_variant(with_variant("'analysis.gravity_m_per_s2=981'"), "v");
+  ASSERT_THAT(read.warnings, testing::SizeIs(1));
+  EXPECT_EQ(read.warnings[0].line, 56);
+}
+
+TEST_F(SceneEntries, ErrorsOfSeveralReadingsAreGatheredEachOnce) {
+  const auto file = with_variant("'nokey'");
+  Gathered wrong;
+  for (int i = 0; i < 2; ++i) wrong.from([&] { read_variant(file, "v"); });
+  wrong.from([&] { read(file, {"other"}); });
+  try {
+    wrong.report();
+    FAIL() << "errors were expected";
+  } catch (const SceneError& error) {
+    EXPECT_THAT(error.diagnostics(), testing::SizeIs(2));
+  }
+}
+
+}  // namespace
