@@ -60,7 +60,7 @@ TEST_F(Said, CheckWarnsOfVariantsToo) {
   EXPECT_EQ(shell(programs + "/blockweir check s.toml --strict --set material.m.density_kg_per_m3=2400"), 2);
   EXPECT_THAT(
       text("out"),
-      HasSubstr("s.toml:19: error: [[variant]] \"slippery\" sets joint.friction_angle_deg=0.6: friction_angle_deg "
+      HasSubstr("s.toml:16: error: [[variant]] \"slippery\" sets joint.friction_angle_deg=0.6: friction_angle_deg "
                 "in [joint] is 0.6 deg"));
 }
 
