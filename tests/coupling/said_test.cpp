@@ -58,7 +58,10 @@ TEST_F(Said, StrictMakesAnErrorOfAWarning) {
 TEST_F(Said, CheckWarnsOfVariantsToo) {
   scene(block + "[[variant]]\nname = \"slippery\"\nset = [\"joint.friction_angle_deg=0.6\"]\n");
   EXPECT_EQ(shell(programs + "/blockweir check s.toml --strict --set material.m.density_kg_per_m3=2400"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("variant \"slippery\": friction_angle_deg in [joint] is 0.6 deg"));
+  EXPECT_THAT(
+      text("out"),
+      HasSubstr("s.toml:16: error: [[variant]] \"slippery\" sets joint.friction_angle_deg=0.6: friction_angle_deg "
+                "in [joint] is 0.6 deg"));
 }
 
 TEST_F(Said, CheckNamesTheLengthsThatFollowTheStructure) {
