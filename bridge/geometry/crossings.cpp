@@ -6,11 +6,6 @@
 namespace blockweir::geometry {
 namespace {
 
-struct Segment {
-  Point from;
-  Point to;
-};
-
 /// On which side of the segment's line a point lies, by the sign.
 double side(const Segment& s, const Point& p) {
   return cross(Point(s.to - s.from), Point(p - s.from));

@@ -13,11 +13,6 @@
 namespace blockweir::geometry {
 namespace {
 
-struct Segment {
-  Point from;
-  Point to;
-};
-
 Segment edge(std::span<const Point> outline, std::size_t i) {
   return {outline[i], outline[(i + 1) % outline.size()]};
 }

@@ -7,6 +7,11 @@ namespace blockweir::geometry {
 
 using Point = Eigen::Vector2d;  ///< m; x downstream, y up
 
+struct Segment {
+  Point from;
+  Point to;
+};
+
 /// Positive where b lies counter-clockwise of a.
 inline double cross(const Point& a, const Point& b) {
   return a.x() * b.y() - a.y() * b.x();

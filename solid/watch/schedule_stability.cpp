@@ -14,7 +14,7 @@ namespace blockweir::solid {
 namespace {
 
 /// What a window starts from.
-struct State {
+struct WindowStart {
   double x = 0;
   double v = 0;
   double a = 0;
@@ -22,7 +22,7 @@ struct State {
   std::array<double, 3> force{};     ///< of the water at the last exchanges, the last first
   std::array<double, 3> answered{};  ///< acceleration that it answers
 };
-constexpr int size = sizeof(State) / sizeof(double);
+constexpr int size = sizeof(WindowStart) / sizeof(double);
 
 /// Lagrange's factors `ahead` windows after the last exchange.
 std::array<double, 3> weights(scene::LoadInWindow load, double ahead) {
@@ -32,7 +32,7 @@ std::array<double, 3> weights(scene::LoadInWindow load, double ahead) {
 }
 
 /// The water answers where the block of `from` will be `ahead_s` later.
-void exchange(const Oscillator& o, const State& from, double ahead_s, State& s) {
+void exchange(const Oscillator& o, const WindowStart& from, double ahead_s, WindowStart& s) {
   const double x = from.x + ahead_s * from.v + ahead_s * ahead_s / 2 * from.a;
   const double v = from.v + ahead_s * from.a;
   s.force = {0, s.force[0], s.force[1]};
@@ -41,7 +41,7 @@ void exchange(const Oscillator& o, const State& from, double ahead_s, State& s) 
   s.told = v;
 }
 
-void step(const Oscillator& o, double ahead, State& s) {
+void step(const Oscillator& o, double ahead, WindowStart& s) {
   const double h = o.window_s;
   const auto w = weights(o.load, ahead);
   double force = 0;
@@ -56,8 +56,8 @@ void step(const Oscillator& o, double ahead, State& s) {
   s.a = a;
 }
 
-State window(const Oscillator& o, State s) {
-  const State before = s;
+WindowStart window(const Oscillator& o, WindowStart s) {
+  const WindowStart before = s;
   switch (o.schedule) {
     case scene::Schedule::serial:
       exchange(o, before, 0, s);
@@ -124,7 +124,7 @@ double schedule_growth(const Oscillator& o) {
   for (int i = 0; i < size; ++i) {
     std::array<double, size> unit{};
     unit[static_cast<std::size_t>(i)] = 1;
-    const auto after = std::bit_cast<std::array<double, size>>(window(o, std::bit_cast<State>(unit)));
+    const auto after = std::bit_cast<std::array<double, size>>(window(o, std::bit_cast<WindowStart>(unit)));
     map.col(i) = Eigen::Map<const Eigen::Vector<double, size>>(after.data());
   }
   return std::abs(dominant_eigenvalue(map));
