@@ -144,7 +144,7 @@ FluidReport run_process(SolidProcess process) {
   checkpoint::Checkpoints checkpoints(process.folder, "solid", scene.digest, scene.output.checkpoint_every_s);
   if (first == 0) checkpoint::forget(process.folder);
   Reports reports(process.progress_fd, scene.analysis.duration_s);
-  solid::CoupledSolid recorder(
+  solid::CoupledSolid coupled(
       scene, process.folder, first == 0 ? results::Begin::anew : results::Begin::where_it_stopped,
       {.run = [&](double time_s, double level_m, double moved_m) { reports.run(time_s, level_m, moved_m); },
        .settling = [&](long solutions) { reports.settling(solutions); },
@@ -172,19 +172,19 @@ FluidReport run_process(SolidProcess process) {
                           {"counts", {{"exchanges", exchanges.said}, {"skipped_exchanges", exchanges.skipped}}},
                           {"peak_memory_mb", {{"solid", results::peak_memory_mb()}}}};
     if (ends_here_again) own["ends_here_again"] = true;
-    recorder.finish(own, stopped, skips_of(exchanges, alone, process.make_fluid != nullptr, exchange_s, own_start_s));
+    coupled.finish(own, stopped, skips_of(exchanges, alone, process.make_fluid != nullptr, exchange_s, own_start_s));
   };
   try {
     if (alone) {
       started_s = seconds_since(start);
-      exchanges = schedule::run_solid(nullptr, scene, checkpoints, first, recorder);
+      exchanges = schedule::run_solid(nullptr, scene, checkpoints, first, coupled);
     } else if (process.make_fluid) {
       const std::unique_ptr<schedule::FluidSide> fluid = process.make_fluid(scene, process.folder);
       checkpoint::Checkpoints its_own(process.folder, scene::name(scene.fluid), scene.digest, 0);
       schedule::FluidTurn turn(*fluid, its_own, first);
       schedule::LocalFluid here(turn, within_s);
       started_s = seconds_since(start);
-      exchanges = schedule::run_solid(&here, scene, checkpoints, first, recorder);
+      exchanges = schedule::run_solid(&here, scene, checkpoints, first, coupled);
       report = turn.report();
     } else {
       process.line.partner = fmt::format("fluid process ({})", scene::name(scene.fluid));
@@ -196,7 +196,7 @@ FluidReport run_process(SolidProcess process) {
       started_s = seconds_since(start);
       waited_before_s = channel->waited_s();
       schedule::RemoteFluid there(*channel);
-      exchanges = schedule::run_solid(&there, scene, checkpoints, first, recorder);
+      exchanges = schedule::run_solid(&there, scene, checkpoints, first, coupled);
     }
   } catch (const solid::SolveError& error) {
     finish(error.what(), /*ends_here_again=*/true);

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
-#include "bridge/process/run.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
@@ -14,6 +13,12 @@
 
 namespace blockweir::launch {
 namespace {
+
+struct Options {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;
+  bool strict = false;
+};
 
 /// Adds what the variant is warned of beyond the scene itself.
 void add_warnings(const scene::ReadScene& read, const scene::Variant& variant, std::vector<scene::Diagnostic> warnings,
@@ -26,7 +31,8 @@ void add_warnings(const scene::ReadScene& read, const scene::Variant& variant, s
   }
 }
 
-int check(const std::filesystem::path& path, const std::vector<std::string>& overrides, bool strict) {
+int check(const Options& options) {
+  const auto& [path, overrides, strict] = options;
   const scene::ReadScene read = scene::read(path, overrides);
   std::vector<scene::Diagnostic> warnings = read.warnings;
   std::size_t studies = 0;
@@ -59,11 +65,11 @@ int check(const std::filesystem::path& path, const std::vector<std::string>& ove
 }  // namespace
 
 Work check_command(CLI::App& app) {
-  const auto options = std::make_shared<process::RunOptions>();
+  const auto options = std::make_shared<Options>();
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--set", options->overrides, "key=value over the scene's own");
   app.add_flag("--strict", options->strict, "warnings are errors");
-  return [options] { return check(options->scene, options->overrides, options->strict); };
+  return [options] { return check(*options); };
 }
 
 }  // namespace blockweir::launch

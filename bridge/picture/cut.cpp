@@ -9,6 +9,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/results/folder.hpp"
+#include "bridge/scene/block_facts.hpp"
 #include "bridge/scene/read/read.hpp"
 
 namespace blockweir::picture {
@@ -22,15 +23,6 @@ std::string terminal_for(const std::filesystem::path& file) {
   throw std::invalid_argument(fmt::format("--out {}: expected a name that ends in .png or .svg", file.string()));
 }
 
-geometry::Bounds bounds_of_all(const scene::Scene& scene) {
-  geometry::Bounds all = geometry::bounds_of(scene.blocks.front().vertices);
-  for (const scene::Block& block : scene.blocks) {
-    const geometry::Bounds one = geometry::bounds_of(block.vertices);
-    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
-  }
-  return all;
-}
-
 std::string style_of(const scene::Block& block) {
   constexpr const char* colours[] = {"#c9c9c4", "#d9c8a9", "#b7c7b0", "#c6b7cc", "#b5c4d4", "#dcbdb2"};
   return fmt::format("fc rgb '{}' fillstyle solid border lc rgb '#303030' lw 1",
@@ -38,7 +30,7 @@ std::string style_of(const scene::Block& block) {
 }
 
 void draw(const scene::Scene& scene, const std::filesystem::path& out) {
-  const geometry::Bounds all = bounds_of_all(scene);
+  const geometry::Bounds all = scene::bounds_of(scene);
   const scene::Point span = all.high - all.low;
   const scene::Point edge = scene::Point::Constant(0.03 * all.size());
   const double aspect = std::clamp(span.y() / span.x(), 0.2, 3.0);

@@ -8,6 +8,9 @@
 
 namespace blockweir::process {
 
+/// Throws std::invalid_argument where the scene has another fluid.
+void require_fluid(const scene::Scene& scene, scene::FluidModel model);
+
 /// main() of the fluid `model`, which `make` makes from the scene and the folder of --out (empty: none was given).
 /// Returns the exit status.
 int run_fluid_program(int argc, char** argv, scene::FluidModel model, const std::string& about, const FluidMaker& make);

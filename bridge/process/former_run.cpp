@@ -6,6 +6,7 @@
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/results/folder_lock.hpp"
+#include "bridge/scene/fluid_models.hpp"
 
 namespace blockweir::process {
 
@@ -31,15 +32,17 @@ bool is_anothers(const fs::path& folder) {
 }
 
 void forget_checkpoints(const fs::path& folder) {
-  checkpoint::forget(folder);
-  checkpoint::forget(folder / "openfoam");
+  for (const scene::FluidEntry& fluid : scene::fluid_models) checkpoint::forget(folder / fluid.folder);
 }
 
 void forget_former_run(const fs::path& folder, const scene::Scene& scene) {
   // Not the scene nor solid.log, by which the folder is known, even if this run is stopped right here.
-  for (const char* file : {"summary.json", "history.csv", "frames.jsonl", "repeat.toml", "blocks.pvd", "reservoir.pvd",
-                           "hydrostatic.log", "column.log", "openfoam.log", "animation.gif"}) {
+  for (const char* file :
+       {"summary.json", "history.csv", "frames.jsonl", "repeat.toml", "blocks.pvd", "reservoir.pvd", "animation.gif"}) {
     fs::remove(folder / file);
+  }
+  for (const scene::FluidEntry& fluid : scene::fluid_models) {
+    if (fluid.program != nullptr) fs::remove(folder / (fluid.role + std::string(".log")));
   }
   for (const char* picture : {"displacements", "velocities", "rotations", "level", "snapshots", "picture", "profile"}) {
     for (const char* ending : {".png", ".svg"}) fs::remove(folder / (std::string(picture) + ending));

@@ -40,4 +40,13 @@ double height(const Block& block) {
   return high->y() - low->y();
 }
 
+geometry::Bounds bounds_of(const Scene& scene) {
+  geometry::Bounds all = geometry::bounds_of(scene.blocks.front().vertices);
+  for (const Block& block : scene.blocks) {
+    const geometry::Bounds one = geometry::bounds_of(block.vertices);
+    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
+  }
+  return all;
+}
+
 }  // namespace blockweir::scene

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene says of a block or a joint: by name, and what follows from its outline and material.
+// What a scene says of its blocks and joints: by name, and what follows from outlines and materials.
 #pragma once
 
 #include <string>
 
+#include "bridge/geometry/outline.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::scene {
@@ -17,5 +18,8 @@ const Material& material_of(const Scene& scene, const Block& block);
 double weight(const Scene& scene, const Block& block);
 /// m, between the highest and the lowest vertex.
 double height(const Block& block);
+
+/// Box around all blocks, of which there must be one [m].
+geometry::Bounds bounds_of(const Scene& scene);
 
 }  // namespace blockweir::scene

@@ -7,6 +7,7 @@
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/block_facts.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
@@ -76,11 +77,7 @@ double bed_length(double end_m, double bed_m, const scene::Scene& scene, double 
 GroundEnds find_ground_ends(const scene::Scene& scene) {
   const std::optional<bool> wets_ends = scene.water.wets_ends;
   if (scene.blocks.empty() || wets_ends.value_or(false)) return {};
-  geometry::Bounds model = geometry::bounds_of(scene.blocks.front().vertices);
-  for (const scene::Block& block : scene.blocks) {
-    const geometry::Bounds one = geometry::bounds_of(block.vertices);
-    model = {model.low.cwiseMin(one.low), model.high.cwiseMax(one.high)};
-  }
+  const geometry::Bounds model = scene::bounds_of(scene);
   const double near = 1e-6 * model.size();
   const double dry = std::min(model.high.y(),
                               std::max(highest(scene.water.upstream_level_m), highest(scene.water.downstream_level_m)));

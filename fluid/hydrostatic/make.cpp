@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/process/sides.hpp"
+#include "bridge/process/fluid_program.hpp"
 #include "bridge/results/folder.hpp"
 #include "fluid/hydrostatic/reservoir_output.hpp"
 

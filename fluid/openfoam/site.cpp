@@ -5,19 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "bridge/scene/block_facts.hpp"
 #include "fluid/hydrostatic/ground_ends.hpp"
 
 namespace blockweir::openfoam {
 namespace {
-
-geometry::Bounds bounds(const scene::Scene& scene) {
-  geometry::Bounds all = geometry::bounds_of(scene.blocks.front().vertices);
-  for (const scene::Block& block : scene.blocks) {
-    const geometry::Bounds one = geometry::bounds_of(block.vertices);
-    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
-  }
-  return all;
-}
 
 /// Of the times at which it is stated, and of what a sine adds.
 double highest(const std::optional<scene::TimeTable>& level) {
@@ -115,7 +107,7 @@ bool Site::is_ground(std::size_t block) const {
 
 Site find_site(const scene::Scene& scene) {
   Site site;
-  site.model = bounds(scene);
+  site.model = scene::bounds_of(scene);
   site.highest_m = highest_water(scene);
   site.ground = find_ground(scene, site.model, site.highest_m);
   const hydrostatic::GroundEnds ends = hydrostatic::find_ground_ends(scene);

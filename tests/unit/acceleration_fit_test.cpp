@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_watch
 // The acceleration of a run from its displacements.
 #include "solid/watch/acceleration_fit.hpp"
 

@@ -136,13 +136,13 @@ class Recorded : public test::OwnFolder {
 
 TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
   const auto scene = two_blocks();
-  CoupledSolid recorder(scene, folder, results::Begin::anew,
-                        {[](double, double, double) {}, [](long) {}, [](std::uint64_t, double, long) {}});
+  CoupledSolid coupled(scene, folder, results::Begin::anew,
+                       {[](double, double, double) {}, [](long) {}, [](std::uint64_t, double, long) {}});
   wire::Motion motion;
-  recorder.start(load_of({}, {}));
-  recorder.place(motion);
-  recorder.advance(load_of({1.32 * mass, 0, 0, 0, 0, 0}, {}), motion, 0, 0.01);
-  recorder.finish(nlohmann::json::object(), "", {});
+  coupled.start(load_of({}, {}));
+  coupled.place(motion);
+  coupled.advance(load_of({1.32 * mass, 0, 0, 0, 0, 0}, {}), motion, 0, 0.01);
+  coupled.finish(nlohmann::json::object(), "", {});
   EXPECT_EQ(summary()["added_mass"]["text"], "added mass 1.32 of block \"gate\"'s own (guarded)");
   EXPECT_EQ(summary()["added_mass"]["block"], "gate");
   EXPECT_EQ(summary()["added_mass"]["guarded"], true);
@@ -151,9 +151,9 @@ TEST_F(Recorded, TheSummarySaysTheRatioInOneLine) {
 TEST_F(Recorded, ARunIsRefusedAtItsFirstLoad) {
   auto scene = two_blocks();
   scene.coupling.added_mass_guard = false;
-  CoupledSolid recorder(scene, folder, results::Begin::anew,
-                        {[](double, double, double) {}, [](long) {}, [](std::uint64_t, double, long) {}});
-  EXPECT_THROW(recorder.start(load_of({3 * mass, 0, 0, 0, 0, 0}, {})), std::runtime_error);
+  CoupledSolid coupled(scene, folder, results::Begin::anew,
+                       {[](double, double, double) {}, [](long) {}, [](std::uint64_t, double, long) {}});
+  EXPECT_THROW(coupled.start(load_of({3 * mass, 0, 0, 0, 0, 0}, {})), std::runtime_error);
 }
 
 }  // namespace

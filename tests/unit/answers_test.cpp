@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_expect
 // The names that a scene may expect are those that the solid knows.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_expect
 // What "Write your own fluid in a page" lists is there; all figures that [[expect]] knows are listed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_expect
 // Limit analysis of arches against published values and geometry.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_expect bridge_scene_read
 // Limit equilibrium of toppling columns against the published example and against a single block.
 #include <gtest/gtest.h>
 

@@ -21,6 +21,17 @@ TEST(Model, MeasuresWhatCanMove) {
   EXPECT_EQ(model.described(), 3U);
 }
 
+/// Steps that corners pass over let blocks into each other: none where nothing strains, the ground least of all.
+TEST(Model, RigidBlocksOnTheGroundGiveNoWayUnderTheirWeight) {
+  scene::Scene scene = stones(2);
+  Model straining(scene);
+  EXPECT_GT(straining.give_under_weight_m(), 0);
+  scene.analysis.rigid = scene::Rigid::all;
+  Model rigid(scene);
+  rigid.make_rigid({});
+  EXPECT_EQ(rigid.give_under_weight_m(), 0);
+}
+
 TEST(Model, APseudoStepLeavesInertiaATenThousandthOfTheModulus) {
   const scene::Scene scene = stones();
   const Model model(scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_watch
 // The theory of explicit schedules against what their characteristic polynomials give by hand.
 #include "solid/watch/schedule_stability.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_watch
 // Blocks against water that answers their acceleration one window late, as an explicit schedule has it: exact answers
 // with the guard, growth without.
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_expect
 // A gravity dam's displacements and stresses by the solid's meshes against finite elements of second order that share
 // no code with it: triangles of six nodes on a regular grid, solved by Eigen.
 #include <gtest/gtest.h>

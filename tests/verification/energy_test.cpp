@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_watch
 // Energies of motions whose energy is known.
 #include "solid/watch/energy.hpp"
 

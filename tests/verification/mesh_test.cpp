@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_output
+// links: solid_watch
 // Blocks with a mesh against closed answers: rigid motion, uniform strain, contact through the mesh, spinning.
 #include <gtest/gtest.h>
 
