@@ -23,7 +23,7 @@ struct Short {
 inline const std::vector<Short>& short_versions() {
   static const std::vector<Short> all{
       {"accelerated-wall", "", {"fluid.cells_in_depth=10", "analysis.duration_s=1"}},
-      {"breach", "", {"fluid.cells_in_depth=10", "analysis.duration_s=2"}},
+      {"breach"},  // as README has it, to its end
       {"caisson",  // slips by 2 cm
        "",
        {"fluid.cells_in_depth=10", "analysis.stop_at_failure=true", "expect.1.tolerance=0.05"}},
