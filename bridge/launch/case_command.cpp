@@ -13,14 +13,14 @@
 namespace blockweir::launch {
 namespace {
 
-struct Options {
+struct CaseOptions {
   std::filesystem::path scene;
   std::filesystem::path out = "case";
   std::vector<std::string> overrides;
 };
 
 /// Becomes blockweir-openfoam --case-only, which says the rest; throws std::runtime_error when that is missing.
-[[noreturn]] void write_case(const Options& options) {
+[[noreturn]] void write_case(const CaseOptions& options) {
   const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "blockweir-openfoam";
   std::vector<std::string> words = {program, options.scene, "--out", options.out, "--case-only"};
   for (const std::string& set : options.overrides) words.insert(words.end(), {"--set", set});
@@ -34,7 +34,7 @@ struct Options {
 }  // namespace
 
 Work case_command(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CaseOptions>();
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--out", options->out, "folder for the case (default: case)");
   app.add_option("--set", options->overrides, "key=value over the scene's own");

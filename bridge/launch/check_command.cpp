@@ -14,7 +14,7 @@
 namespace blockweir::launch {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;
   bool strict = false;
@@ -31,7 +31,7 @@ void add_warnings(const scene::ReadScene& read, const scene::Variant& variant, s
   }
 }
 
-int check(const Options& options) {
+int check(const CheckOptions& options) {
   const auto& [path, overrides, strict] = options;
   const scene::ReadScene read = scene::read(path, overrides);
   std::vector<scene::Diagnostic> warnings = read.warnings;
@@ -65,7 +65,7 @@ int check(const Options& options) {
 }  // namespace
 
 Work check_command(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--set", options->overrides, "key=value over the scene's own");
   app.add_flag("--strict", options->strict, "warnings are errors");

@@ -98,8 +98,10 @@ json margin(const expect::Outcome& o) {
            (std::isnan(m.level_m) ? "" : fmt::format(", level {:.5g} m", m.level_m));
   };
   json found;
-  std::string text = o.margins.any_surface() ? "no surface that runs through carries shear"
-                                             : "no joint, and no joints in one line, run through: no margin is told";
+  std::string text = o.margins.buttressed()
+                         ? "no sliding factor: what lies before a surface that carries shear holds it"
+                     : o.margins.any_surface() ? "no surface that runs through carries shear"
+                                               : "no joint, and no joints in one line, run through: no margin is told";
   if (const auto& m = o.margins.sliding()) {
     found = {{"sliding_factor", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
     text = fmt::format("lowest sliding factor {:.4g} on", m->value) + place(*m);
@@ -255,8 +257,9 @@ json summary(const expect::Outcome& outcome) {
                                                added.block(), guarded ? "guarded" : "no guard")}};
   }
   text["energy_gain"] = outcome.energy.gain();
-  for (const std::string& warning : {outcome.energy.warning(outcome.solid), residual_warning(scene, counts),
-                                     outcome.edge_tension.warning(), new_contacts_warning(outcome)}) {
+  for (const std::string& warning :
+       {outcome.energy.warning(outcome.solid), residual_warning(scene, counts), outcome.edge_tension.warning(),
+        new_contacts_warning(outcome), outcome.added_mass.warning(scene.coupling)}) {
     if (!warning.empty()) text["warnings"].push_back(warning);
   }
   const InterfaceEnergy& exchanged = outcome.interface_energy;

@@ -57,6 +57,8 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
              : coupling.added_mass_guard ? guarded_limit
                                          : largest_stable_ratio(scene);
   }
+  // What lands traps water for a moment. Growth is watched then (InterfaceEnergy); to refuse the run would lose it.
+  const bool on_the_way = load.time_s > 0 && coupling.added_mass_guard && !coupling.added_mass_limit;
   AddedMasses masses;
   for (std::size_t b = 0; b < load.added_mass.size(); ++b) {
     masses.push_back(symmetric(load.added_mass[b]));
@@ -68,9 +70,18 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
       ratio_ = ratio.largest;
       block_ = block.name;
     }
-    require_stable(block, ratio.largest, *limit_, coupling.added_mass_guard);
+    if (!on_the_way) require_stable(block, ratio.largest, *limit_, coupling.added_mass_guard);
   }
   return masses;
+}
+
+std::string AddedMassWatch::warning(const scene::Coupling& coupling) const {
+  if (!coupling.added_mass_guard || coupling.added_mass_limit || ratio_ <= guarded_limit) return {};
+  return fmt::format(
+      "block \"{}\" had to push water {:.3g} times as heavy as itself on its way, as one that lands does; expected at "
+      "most "
+      "{}, to which the added-mass guard is tried; see \"interface_energy\" for what the exchange has made",
+      block_, ratio_, guarded_limit);
 }
 
 }  // namespace blockweir::solid

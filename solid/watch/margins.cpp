@@ -24,12 +24,13 @@ class SurfaceSum {
   [[nodiscard]] double length_m() const { return (high_ - low_).norm(); }
   [[nodiscard]] Point across() const { return perpendicular(Point(high_ - low_)) / length_m(); }
 
-  /// `force`: on the block above the line.
-  void add(const Strength& law, const Point& force, const Point& place) {
+  /// `force`: on the block above the line; `pushed`: the part of it that is normal to the contact's own edge.
+  void add(const Strength& law, const Point& force, const Point& pushed, const Point& place) {
     const double pressed = across().dot(force);
     cohesion_ += law.cohesion;
     friction_ += law.friction * pressed;
     shear_ += cross(across(), force);
+    buttress_ += cross(across(), pushed);
     normal_ += pressed;
     pressed_or_pulled_ += force.norm();
     moment_ += pressed * place;
@@ -38,6 +39,10 @@ class SurfaceSum {
   [[nodiscard]] double strength() const { return std::max(0.0, cohesion_ + friction_); }
   [[nodiscard]] bool is_sheared() const {
     return std::abs(shear_) > negligible * (std::abs(strength()) + std::abs(normal_));
+  }
+  /// Does a face askew to the line, as level ground before the toe of a base that dips downstream, resist the slide?
+  [[nodiscard]] bool is_buttressed() const {
+    return buttress_ * shear_ > 0 && std::abs(buttress_) > seen * std::abs(shear_);
   }
   [[nodiscard]] bool is_pressed() const { return normal_ > negligible * pressed_or_pulled_; }
   [[nodiscard]] double sliding_factor() const { return strength() / std::abs(shear_); }
@@ -50,24 +55,27 @@ class SurfaceSum {
 
  private:
   static constexpr double negligible = 1e-6;
+  static constexpr double seen = 1e-2;  // what strains turn faces by resists less
   Point low_ = Point::Constant(std::numeric_limits<double>::infinity());
   Point high_ = -low_;
   double cohesion_ = 0;
   double friction_ = 0;
   double shear_ = 0;
+  double buttress_ = 0;  ///< of the shear, what faces askew to the line push
   double normal_ = 0;
   double pressed_or_pulled_ = 0;  ///< sum of the forces' sizes
   Point moment_ = Point::Zero();  ///< sum of normal force times place
 };
 
-/// Force on the block whose centre lies farther to this side.
-Point force_on_side(const Solid& solid, const ContactPoint& c, const Point& side) {
+/// Force on the block whose centre lies farther to this side, and the part of it that is normal to the edge.
+std::pair<Point, Point> force_on_side(const Solid& solid, const ContactPoint& c, const Point& side) {
   const Placement& edge = solid.placements()[at(c.edge_part)];
   const Point t = edge.vector(c.edge_to - c.edge_from).normalized();
-  const Point on_vertex = c.force.x() * Point(t.y(), -t.x()) + c.force.y() * t;
+  const Point pushed = c.force.x() * Point(t.y(), -t.x());
+  const Point on_vertex = pushed + c.force.y() * t;
   const auto& blocks = solid.placements();
   const Point between = blocks[at(c.vertex_block)].centre() - blocks[at(c.edge_block)].centre();
-  return side.dot(between) > 0 ? on_vertex : Point(-on_vertex);
+  return side.dot(between) > 0 ? std::pair(on_vertex, pushed) : std::pair<Point, Point>(-on_vertex, -pushed);
 }
 
 }  // namespace
@@ -84,8 +92,8 @@ void Margins::look(const Solid& solid, double time_s, double level_m) {
     for (const int surface : surfaces_->of(c.pair())) {
       SurfaceSum& sum = sums[at(surface)];
       if (is_point(sum)) continue;
-      sum.add(solid.laws()[c.law].strength(c.bond, c.bond_length), force_on_side(solid, c, sum.across()),
-              solid.place(c));
+      const auto [force, pushed] = force_on_side(solid, c, sum.across());
+      sum.add(solid.laws()[c.law].strength(c.bond, c.bond_length), force, pushed, solid.place(c));
     }
   }
   for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -93,7 +101,13 @@ void Margins::look(const Solid& solid, double time_s, double level_m) {
       if (lowest && lowest->value <= value) return;
       lowest = Margin{value, time_s, level_m, surfaces_->names()[i]};
     };
-    if (sums[i].is_sheared()) keep_lowest(sliding_, sums[i].sliding_factor());
+    if (sums[i].is_sheared()) {
+      if (sums[i].is_buttressed()) {
+        buttressed_ = true;
+      } else {
+        keep_lowest(sliding_, sums[i].sliding_factor());
+      }
+    }
     if (sums[i].is_pressed()) keep_lowest(overturning_, sums[i].end_distance());
   }
 }

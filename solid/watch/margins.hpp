@@ -28,23 +28,27 @@ class Margins {
   /// Looks at the state at `time_s`, reached under this level of the higher pool.
   void look(const Solid& solid, double time_s, double level_m);
 
-  /// Lowest ratio of shear strength to shear force. None where no surface carries shear.
+  /// Lowest ratio of shear strength to shear force. None where no surface carries shear, or all that do are buttressed.
   [[nodiscard]] const std::optional<Margin>& sliding() const { return sliding_; }
   /// Shortest way of the normal forces' resultant to an end of its surface, over the surface's length: 1/2 in the
   /// middle, 0 where the block overturns. None without surfaces.
   [[nodiscard]] const std::optional<Margin>& overturning() const { return overturning_; }
+  /// Some surface that carried shear had a face before it that resisted the slide, as ground before a toe: its own
+  /// strength over that shear is no factor of safety.
+  [[nodiscard]] bool buttressed() const { return buttressed_; }
   /// Some surface runs through.
   [[nodiscard]] bool any_surface() const { return surfaces_ && !surfaces_->names().empty(); }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(surfaces_, sliding_, overturning_);
+    archive(surfaces_, sliding_, overturning_, buttressed_);
   }
 
  private:
   std::optional<Surfaces> surfaces_;  ///< of the first look
   std::optional<Margin> sliding_;
   std::optional<Margin> overturning_;
+  bool buttressed_ = false;
 };
 
 }  // namespace blockweir::solid

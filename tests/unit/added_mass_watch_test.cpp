@@ -116,6 +116,21 @@ TEST(AddedMassWatch, TheGuardHasALimitToo) {
                 "100;"));
 }
 
+/// Water is trapped under what lands: once a run is on its way that is told at its end, and growth is watched.
+TEST(AddedMassWatch, TheGuardsLimitIsForTheStart) {
+  auto scene = two_blocks();
+  const Solid solid(scene);
+  AddedMassWatch watch;
+  wire::Load load = load_of({}, {132 * mass, 0, 0, 0, 0, 0});
+  load.time_s = 0.5;
+  watch.look(load, solid);
+  EXPECT_THAT(watch.warning(scene.coupling), HasSubstr("block \"wall\" had to push water 132 times as heavy"));
+  scene.coupling.added_mass_limit = 120;  // of the scene's own it holds all along
+  const Solid limited(scene);
+  AddedMassWatch other;
+  EXPECT_THROW(other.look(load, limited), SolveError);
+}
+
 TEST(AddedMassWatch, WhatIsNoInertiaIsRefused) {
   EXPECT_THAT(refusal(two_blocks(), load_of({0.1 * mass, 0.3 * mass, 0, 0.1 * mass, 0, 0}, {})),
               HasSubstr("the added mass on block \"gate\" is -0.2 of its own in one mode"));

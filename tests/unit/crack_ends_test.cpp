@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "fluid/hydrostatic/hydrostatic_model.hpp"
+
 namespace blockweir::hydrostatic {
 namespace {
 
@@ -47,6 +49,23 @@ TEST(CrackEnds, OnAnotherCrackAreNotJudged) {
   CrackEnds ends(scene, cracks);
   ends.look(1, {true, Point(4, 0), 9810}, {}, {});
   EXPECT_EQ(ends.warning(), "");
+}
+
+/// A dam that has slid over its ground's end takes its crack with it.
+TEST(CrackEnds, OfBlocksThatHaveFallenAreNotJudged) {
+  for (const double fallen_m : {0.0, 10.0}) {
+    scene::Scene scene = two_on_ground();
+    scene.joints.erase(scene.joints.begin());
+    scene.water.upstream_level_m = scene::TimeTable::constant(1);
+    HydrostaticModel model(scene);
+    wire::Motion motion;
+    motion.displacement.own().resize(scene.blocks.size());
+    motion.velocity.own().resize(scene.blocks.size());
+    motion.displacement.own()[0][1] = motion.displacement.own()[2][1] = -fallen_m;
+    wire::Load load;
+    model.advance(motion, 0, load);
+    EXPECT_EQ(model.report().warnings.empty(), fallen_m > 0) << fallen_m;
+  }
 }
 
 }  // namespace

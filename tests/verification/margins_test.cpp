@@ -46,6 +46,18 @@ TEST(Margins, CountForcesAlongTheBaseWhereItsEndsMeetOtherFaces) {
   }
 }
 
+/// Level ground before the toe of a base that dips downstream resists: the base alone would have 0.9 and less.
+TEST(Margins, TellNoFactorOfABaseThatTheGroundBeforeItsToeHolds) {
+  for (const double fall : {1.0, 2.0}) {
+    auto scene = dam_on({{-20, -10}, {30, -10}, {30, -fall}, {10, -fall}, {0, 0}, {-20, 0}}, {10, -fall});
+    scene.analysis.gravity_tilt_deg = 37;
+    const Margins margins = margins_of(scene);
+    EXPECT_TRUE(margins.any_surface());
+    EXPECT_TRUE(margins.buttressed()) << fall;
+    EXPECT_FALSE(margins.sliding()) << fall << ": " << margins.sliding()->value;
+  }
+}
+
 TEST(Margins, TellNoFactorOfABaseWithItsToeInTheGround) {
   const auto scene = dam_on({{-20, -5}, {30, -5}, {30, 2}, {10, 2}, {10, 0}, {-20, 0}}, {10, 0});
   auto keyed = scene;
