@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace blockweir::solid {
@@ -34,9 +36,55 @@ struct RuledForce {
   bool slips = false;
 };
 
-/// `flexibility`: d (gap, slip) / d (normal, shear), symmetric and positive, compliance not among it; `apart`: what gap
-/// and slip would be without the forces [m]. Of Coulomb's law one point has at least one solution, for friction that
-/// does not jam; where it jams the shear is left out.
-RuledForce forces_of(const ForceRule& rule, const Eigen::Matrix2d& flexibility, const Eigen::Vector2d& apart);
+/// The forces that fulfil a rule at one point, found time and again: what does not depend on gap and slip is computed
+/// once.
+class PointForces {
+ public:
+  PointForces() = default;
+  /// `flexibility`: d (gap, slip) / d (normal, shear), symmetric and positive, the rule's compliance not among it.
+  PointForces(const ForceRule& rule, const Eigen::Matrix2d& flexibility);
+
+  /// `gap`, `slip`: what they would be without the forces [m]. Of Coulomb's law one point has at least one solution,
+  /// for friction that does not jam; where it jams the shear is left out.
+  [[nodiscard]] RuledForce at(double gap, double slip) const {
+    if (may_open_ && gap >= opening_[slip > 0 ? 0 : 1] * slip) return {};
+    const double free_normal = -(stiffness_[0] * gap + stiffness_[1] * slip);
+    const double normal = within(free_normal);
+    const double shear = normal == free_normal ? -(stiffness_[1] * gap + stiffness_[2] * slip)
+                                               : -(slip + gap_by_shear_ * normal) * shear_per_slip_;
+    if (std::abs(shear) <= std::max(0.0, cohesion_ + friction_ * normal)) return {{normal, shear}, false};
+    return at_bound(gap, slip, shear > 0);
+  }
+
+ private:
+  /// Shear of one sign at its bound.
+  struct Slipping {
+    double opening = 0;          ///< d gap / d slip
+    double gap_by_cohesion = 0;  ///< of the gap that the contact resists, gap - opening * slip
+    double normal_per_gap = 0;   ///< that closes it; 0: none does
+  };
+
+  [[nodiscard]] double within(double normal) const { return std::min(std::max(normal, least_normal_), most_normal_); }
+  [[nodiscard]] RuledForce at_bound(double gap, double slip, bool positive) const;
+  [[nodiscard]] bool slips(double gap, double slip, bool positive, RuledForce& found) const;
+
+  std::array<double, 3> stiffness_ = {0, 0, 0};  ///< gap, both, slip
+  double gap_by_normal_ = 0;
+  double gap_by_shear_ = 0;
+  double slip_by_shear_ = 0;
+  double shear_per_slip_ = 0;
+  double friction_ = 0;
+  double cohesion_ = 0;
+  double least_normal_ = 0;
+  double most_normal_ = 0;
+  std::array<double, 2> opening_ = {0, 0};
+  std::array<Slipping, 2> slipping_;
+  bool may_open_ = true;
+};
+
+/// Of a point that is asked once.
+inline RuledForce forces_of(const ForceRule& rule, const Eigen::Matrix2d& flexibility, const Eigen::Vector2d& apart) {
+  return PointForces(rule, flexibility).at(apart[0], apart[1]);
+}
 
 }  // namespace blockweir::solid

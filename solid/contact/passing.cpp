@@ -28,7 +28,8 @@ bool ContactSearch::within(const std::vector<Point>& vertices, std::size_t v, co
   return touches || encloses(edges, p) || pierces(vertices, v, edges, edge, coincidence_);
 }
 
-bool ContactSearch::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts) {
+bool ContactSearch::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                            const std::function<bool(int)>& of_interest) {
   const auto presses_already = [&](const ContactPoint& passing) {
     return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
       return c.state != ContactState::open && c.vertex_block == passing.vertex_block && c.vertex == passing.vertex &&
@@ -44,6 +45,7 @@ bool ContactSearch::entered(const std::vector<Placement>& placements, const std:
   };
   const std::size_t before = entered_.size();
   for (const ContactPoint& c : passing_) {
+    if (!of_interest(c.vertex_block) && !of_interest(c.edge_block)) continue;
     if (c.gap < -give_) continue;  // behind the edge's line all along
     const auto& vertices = outline(c.vertex_block, outlines_[0]);
     const auto& edges = outline(c.edge_block, outlines_[1]);
@@ -52,9 +54,7 @@ bool ContactSearch::entered(const std::vector<Placement>& placements, const std:
     entered_.push_back(c);
     entered_.back().gap = cross(vertices[at(c.vertex)] - edges[at(c.edge)], span.normalized());
   }
-  if (entered_.size() > before) return true;
-  entered_.clear();
-  return false;
+  return entered_.size() > before;
 }
 
 }  // namespace blockweir::solid

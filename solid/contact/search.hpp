@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -44,8 +45,13 @@ class ContactSearch {
 
   /// Has a step to these placements taken a corner that was let pass into the block that it met? If so, the next search
   /// from the same start keeps its contact. What one of `contacts`, as the step has them, holds on another edge of that
-  /// block has not, however far its spring lets it in.
-  [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts);
+  /// block has not, however far its spring lets it in. Of blocks that are
+  /// `of_interest`.
+  [[nodiscard]] bool entered(
+      const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+      const std::function<bool(int block)>& of_interest = [](int) { return true; });
+  /// The step is made: the next one begins with none that have.
+  void forget_entered() { entered_.clear(); }
 
   [[nodiscard]] long broad_searches() const { return broad_searches_; }
 

@@ -3,30 +3,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace blockweir::solid {
 
-void ForceSweeps::begin(const Eigen::VectorXd& displacement) {
+void ForceSweeps::begin(const Eigen::VectorXd& displacement, std::size_t rows) {
   rows_.clear();
+  rows_.reserve(rows);
   entries_.clear();
   displacement_ = displacement;
 }
 
-void ForceSweeps::add_end(bool second, Eigen::Index first, const Eigen::Matrix2Xd& motions,
-                          const Eigen::MatrixX2d& responses) {
-  Row& row = rows_.back();
-  row.ends[second ? 1 : 0] = {first, motions.cols(), entries_.size()};
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    for (Eigen::Index i = 0; i < motions.cols(); ++i) entries_.push_back(motions(axis, i));
+void ForceSweeps::begin_sweeps() {
+  for (Row& row : rows_) {
+    row.forces = PointForces(row.rule, row.flexibility);
+    row.force_before = row.force;
   }
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    for (Eigen::Index i = 0; i < motions.cols(); ++i) entries_.push_back(responses(i, axis));
-  }
-  row.flexibility += motions * responses;
+  displacement_before_ = displacement_;
+  momentum_ = 1;
+  least_m_ = std::numeric_limits<double>::infinity();
+}
+
+void ForceSweeps::displace(const Eigen::VectorXd& displacement) {
+  displacement_ = displacement;
+  begin_sweeps();
 }
 
 void ForceSweeps::let_act() {
   for (const Row& row : rows_) act(row, row.force[0], row.force[1]);
+  begin_sweeps();
 }
 
 namespace {
@@ -75,34 +80,62 @@ Eigen::Vector2d ForceSweeps::apart(const Row& row) const {
 }
 
 /// In scalars: a pair that has just been written one by one is read slowly as one.
-double ForceSweeps::sweep(double share) {
-  double largest = 0;
+void ForceSweeps::visit(Row& row, Progress& progress) {
+  const Eigen::Matrix2d& W = row.flexibility;
+  const double normal = row.force[0];
+  const double shear = row.force[1];
+  const Eigen::Vector2d now = apart(row);
+  const RuledForce found =
+      row.forces.at(now[0] - W(0, 0) * normal - W(0, 1) * shear, now[1] - W(1, 0) * normal - W(1, 1) * shear);
+  const double more_normal = found.force[0] - normal;
+  const double more_shear = found.force[1] - shear;
+  row.slips = found.slips;
+  if (more_normal == 0 && more_shear == 0) return;
+  row.force[0] = found.force[0];
+  row.force[1] = found.force[1];
+  act(row, more_normal, more_shear);
+  progress.ahead -= W(0, 0) * more_normal * (found.force[0] - row.force_before[0]) +
+                    W(1, 1) * more_shear * (found.force[1] - row.force_before[1]);
+  progress.largest_m = std::max({progress.largest_m, std::abs(W(0, 0) * more_normal + W(0, 1) * more_shear),
+                                 std::abs(W(1, 0) * more_normal + W(1, 1) * more_shear)});
+}
+
+/// All forces, and what they displace, by so much of what the last sweep has changed.
+void ForceSweeps::go_on(double beyond) {
   for (Row& row : rows_) {
-    const Eigen::Matrix2d& W = row.flexibility;
-    const double normal = row.force[0];
-    const double shear = row.force[1];
-    const Eigen::Vector2d now = apart(row);
-    const Eigen::Vector2d without(now[0] - W(0, 0) * normal - W(0, 1) * shear,
-                                  now[1] - W(1, 0) * normal - W(1, 1) * shear);
-    const RuledForce found = forces_of(row.rule, W, without);
-    const double more_normal = share * (found.force[0] - normal);
-    const double more_shear = share * (found.force[1] - shear);
-    row.slips = found.slips;
-    if (more_normal == 0 && more_shear == 0) continue;
-    row.force[0] = share == 1 ? found.force[0] : normal + more_normal;
-    row.force[1] = share == 1 ? found.force[1] : shear + more_shear;
-    act(row, more_normal, more_shear);
-    largest = std::max({largest, std::abs(W(0, 0) * more_normal + W(0, 1) * more_shear),
-                        std::abs(W(1, 0) * more_normal + W(1, 1) * more_shear)});
+    const Eigen::Vector2d now = row.force;
+    row.force += beyond * (now - row.force_before);
+    row.force_before = now;
   }
-  return largest;
+  for (Eigen::Index i = 0; i < displacement_.size(); ++i) {
+    const double now = displacement_[i];
+    displacement_[i] += beyond * (now - displacement_before_[i]);
+    displacement_before_[i] = now;
+  }
+}
+
+/// Acceleration begins anew where it turns back (O'Donoghue and Candes 2015), or where forces begin to grow: friction
+/// makes the problem unsymmetric.
+double ForceSweeps::sweep() {
+  constexpr double grows = 2;  // above the least since it began
+  const double next = (1 + std::sqrt(1 + 4 * momentum_ * momentum_)) / 2;
+  go_on((momentum_ - 1) / next);
+  momentum_ = next;
+  Progress progress;
+  for (Row& row : rows_) visit(row, progress);
+  least_m_ = std::min(least_m_, progress.largest_m);
+  if (progress.ahead > 0 || progress.largest_m > grows * least_m_) {
+    momentum_ = 1;
+    least_m_ = progress.largest_m;
+  }
+  return progress.largest_m;
 }
 
 double ForceSweeps::residual() const {
   double largest = 0;
   for (const Row& row : rows_) {
     const Eigen::Vector2d without = apart(row) - row.flexibility * row.force;
-    const Eigen::Vector2d change = forces_of(row.rule, row.flexibility, without).force - row.force;
+    const Eigen::Vector2d change = row.forces.at(without[0], without[1]).force - row.force;
     largest = std::max(largest, (row.flexibility * change).cwiseAbs().maxCoeff());
   }
   return largest;

@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "bridge/scene/at.hpp"
 #include "solid/contact/force_rule.hpp"
 
 namespace blockweir::solid {
@@ -25,23 +26,27 @@ class ForceSweeps {
     Eigen::Vector2d apart = Eigen::Vector2d::Zero();        ///< gap and slip without a displacement [m]
     Eigen::Vector2d force = Eigen::Vector2d::Zero();
     ForceRule rule{};
-    bool slips = false;  ///< shear is at its bound
+    Eigen::Vector2d force_before = Eigen::Vector2d::Zero();  ///< as the sweep before left it
+    bool slips = false;                                      ///< shear is at its bound
+    PointForces forces{};                                    ///< by the rule, as sweeps have them
   };
 
-  /// No rows, and displacements that there are without forces.
-  void begin(const Eigen::VectorXd& displacement);
+  /// No rows, but room for so many, and displacements that there are without forces.
+  void begin(const Eigen::VectorXd& displacement, std::size_t rows);
   Row& add_row() { return rows_.emplace_back(); }
   /// One end of the last row. Rows of `motions`: d (gap, slip) / d unknowns; columns of `responses`: displacements by
   /// unit forces.
-  void add_end(bool second, Eigen::Index first, const Eigen::Matrix2Xd& motions, const Eigen::MatrixX2d& responses);
-  /// Displacements by the forces that rows have.
+  template <class Motions, class Responses>
+  void add_end(bool second, Eigen::Index first, const Eigen::MatrixBase<Motions>& motions,
+               const Eigen::MatrixBase<Responses>& responses);
+  /// Rows are all there, with their rules: displacements by the forces that they have.
   void let_act();
-  /// Rows stay, displacements begin anew.
-  void displace(const Eigen::VectorXd& displacement) { displacement_ = displacement; }
+  /// The same rows sweep other displacements, with rules that may be others.
+  void displace(const Eigen::VectorXd& displacement);
 
-  /// Forces go that share of their way; admissible ones stay so. Largest change of a gap or slip by a row's own forces
-  /// [m].
-  double sweep(double share = 1);
+  /// Each force once, from forces that go on as the last sweep changed them (Nesterov's acceleration), or that stand
+  /// where that would lead away. Largest change of a gap or slip by a row's own forces [m].
+  double sweep();
   /// By how much gaps and slips are off their laws [m].
   [[nodiscard]] double residual() const;
   [[nodiscard]] Eigen::Vector2d apart(const Row& row) const;
@@ -51,11 +56,37 @@ class ForceSweeps {
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
  private:
+  struct Progress {
+    double largest_m = 0;  ///< change of a gap or slip
+    double ahead = 0;      ///< above zero: the sweep has taken back what acceleration had gone ahead
+  };
+  void begin_sweeps();
+  void go_on(double beyond);
+  void visit(Row& row, Progress& progress);
   void act(const Row& row, double normal, double shear);
 
   std::vector<Row> rows_;
   std::vector<double> entries_;
   Eigen::VectorXd displacement_;
+  Eigen::VectorXd displacement_before_;  ///< as the sweep before left them
+  double momentum_ = 1;
+  double least_m_ = 0;  ///< that a sweep has changed since acceleration began
 };
+
+template <class Motions, class Responses>
+void ForceSweeps::add_end(bool second, Eigen::Index first, const Eigen::MatrixBase<Motions>& motions,
+                          const Eigen::MatrixBase<Responses>& responses) {
+  Row& row = rows_.back();
+  row.ends[second ? 1 : 0] = {first, motions.cols(), entries_.size()};
+  entries_.resize(entries_.size() + at(4 * motions.cols()));
+  double* to = entries_.data() + row.ends[second ? 1 : 0].first_entry;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    for (Eigen::Index i = 0; i < motions.cols(); ++i) *to++ = motions(axis, i);
+  }
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    for (Eigen::Index i = 0; i < motions.cols(); ++i) *to++ = responses(i, axis);
+  }
+  row.flexibility += motions * responses;
+}
 
 }  // namespace blockweir::solid

@@ -125,22 +125,25 @@ void StepEnergy::look_at_links(const IslandEquations& s, const std::vector<int>&
   }
 }
 
-void StepEnergy::take_back(IslandEquations& s) {
-  if (!trial_.scheme.damps || model_.base.moves_supports()) return;
+/// About the group's first block, so that sums do not depend on what else the island has.
+Eigen::Matrix<double, 6, 3> StepEnergy::rigid_of(const IslandEquations& s, const std::vector<int>& group_of,
+                                                 std::size_t k) const {
+  const auto b = at(s.island.blocks[k]);
+  return rigid_motions(model_.blocks[b], trial_.placement[b],
+                       trial_.placement[at(s.island.blocks[at(group_of[k])])].centre());
+}
+
+/// None where no block has made any.
+std::vector<StepEnergy::Group> StepEnergy::makers(const IslandEquations& s, std::vector<int>& group_of) const {
+  if (!trial_.scheme.damps || model_.base.moves_supports()) return {};
   const auto has_made = [&](int b) {
     const Made made = made_by(at(b));
     return state_.energy.owed(at(b)) > 0 || made.energy > made.round_off;
   };
-  if (std::none_of(s.island.blocks.begin(), s.island.blocks.end(), has_made)) return;
-  const std::vector<int> group_of = groups_of(s);
+  if (std::none_of(s.island.blocks.begin(), s.island.blocks.end(), has_made)) return {};
+  group_of = groups_of(s);
   std::vector<Group> groups(group_of.size());
   look_at_links(s, group_of, groups);
-  // About the group's first block, so that sums do not depend on what else the island has.
-  const auto rigid_of = [&](std::size_t k) {
-    const auto b = at(s.island.blocks[k]);
-    return rigid_motions(model_.blocks[b], trial_.placement[b],
-                         trial_.placement[at(s.island.blocks[at(group_of[k])])].centre());
-  };
   for (std::size_t k = 0; k < group_of.size(); ++k) {
     Group& group = groups[at(group_of[k])];
     if (!group.watched()) continue;
@@ -150,18 +153,33 @@ void StepEnergy::take_back(IslandEquations& s) {
     group.kinetic += made.kinetic;
     group.round_off += made.round_off;
     if (group.anchored) continue;
-    const Eigen::Matrix<double, 6, 3> rigid = rigid_of(k);
+    const Eigen::Matrix<double, 6, 3> rigid = rigid_of(s, group_of, k);
     const Matrix6 M = trial_.inertia(b);
     group.momentum += rigid.transpose() * (M * state_.blocks[b].velocity);
     group.mass += rigid.transpose() * M * rigid;
   }
   for (Group& group : groups) group.settle();
+  return groups;
+}
+
+bool StepEnergy::affords(const IslandEquations& s) const {
+  constexpr double much = 1e-2;  // of the motion: less is the integrator's own error
+  std::vector<int> group_of;
+  const std::vector<Group> groups = makers(s, group_of);
+  return std::all_of(groups.begin(), groups.end(),
+                     [](const Group& group) { return !group.may_let_go || group.owed <= much * group.kinetic; });
+}
+
+void StepEnergy::take_back(IslandEquations& s) {
+  std::vector<int> group_of;
+  const std::vector<Group> groups = makers(s, group_of);
+  if (groups.empty()) return;
   for (std::size_t k = 0; k < group_of.size(); ++k) {
     const Group& group = groups[at(group_of[k])];
     const auto b = at(s.island.blocks[k]);
     if (group.watched()) state_.energy.owe(b, at(group_of[k]) == k ? group.owed : 0, model_.blocks.size());
     if (group.left == 1) continue;
-    const Vector6 carried = rigid_of(k) * group.together;
+    const Vector6 carried = rigid_of(s, group_of, k) * group.together;
     state_.blocks[b].velocity = carried + group.left * (state_.blocks[b].velocity - carried);
   }
 }

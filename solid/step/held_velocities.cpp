@@ -3,21 +3,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bridge/scene/at.hpp"
+#include "solid/step/sweep_rows.hpp"
 
 namespace blockweir::solid {
 
 void HeldVelocities::settle(IslandEquations& s, double dt) {
-  s.found == Found::by_sweeps ? settle_swept(s, dt) : settle_solved(s, dt);
+  if (s.found == Found::by_sweeps) return settle_by_impulses(s, dt);
+  std::vector<Vector6> before;
+  for (const int block : s.island.blocks) before.push_back(state_.blocks[at(block)].velocity);
+  if (settle_solved(s, dt)) return;
+  for (std::size_t k = 0; k < before.size(); ++k) state_.blocks[at(s.island.blocks[k])].velocity = before[k];
+  set_rows(s);
+  settle_by_impulses(s, dt);
 }
 
-void HeldVelocities::settle_solved(IslandEquations& s, double dt) {
+/// False where friction cannot have what that takes.
+bool HeldVelocities::settle_solved(IslandEquations& s, double dt) {
   constexpr double unheard_m_per_s = 1e-9;
   const auto rests = [this](int b) {
     return trial_.increment[at(b)].isZero(0) && state_.blocks[at(b)].velocity.isZero(0);
   };
-  if (!model_.base.moves_supports() && std::all_of(s.island.blocks.begin(), s.island.blocks.end(), rests)) return;
+  if (!model_.base.moves_supports() && std::all_of(s.island.blocks.begin(), s.island.blocks.end(), rests)) {
+    return true;
+  }
   const auto lacks = [&](const Interaction& a, bool second) -> Eigen::Vector2d {
     if (a.block(second) < 0) return Eigen::Vector2d::Zero();
     const auto b = at(a.block(second));
@@ -26,6 +37,7 @@ void HeldVelocities::settle_solved(IslandEquations& s, double dt) {
            (mean - trial_.rate(b, trial_.placement[b], state_.blocks[b].velocity));
   };
   double loudest = 0;
+  double landing = 0;  // faster than a fall through the step: an impact
   std::vector<Eigen::Vector2d> missing(s.actions.size(), Eigen::Vector2d::Zero());
   for (std::size_t k = 0; k < s.actions.size(); ++k) {
     const Interaction& a = s.actions[k];
@@ -37,29 +49,82 @@ void HeldVelocities::settle_solved(IslandEquations& s, double dt) {
     for (int axis = 0; axis < 2; ++axis) {
       if (a.held[axis] > 0) loudest = std::max(loudest, std::abs(along[axis]));
     }
+    if (k < s.island.contacts.size() && a.held.x() > 0) landing = std::max(landing, std::abs(along.x()));
   }
-  if (loudest > unheard_m_per_s) project(s, missing);
+  if (loudest <= unheard_m_per_s) return true;
+  return project(s, missing) && (landing <= trial_.fall_m() / dt || friction_has(s, missing, dt));
 }
 
-/// `missing`: of each action, weighted by what holds.
-void HeldVelocities::project(IslandEquations& s, const std::vector<Eigen::Vector2d>& missing) {
+/// `missing`: of each action, weighted by what holds. False where there is no solution.
+bool HeldVelocities::project(IslandEquations& s, const std::vector<Eigen::Vector2d>& missing) {
   s.set_block_matrices();
   s.residual.setZero();
   for (std::size_t k = 0; k < s.actions.size(); ++k) {
     Interaction& a = s.actions[k];
     a.stiffness = a.held_stiffness(opening_slope(s, k));
     s.add_stiffness(a);
-    a.force = missing[k];
+    const Point acting = std::exchange(a.force, missing[k]);
     for (const bool second : {false, true}) {
       if (!trial_.moves(a.block(second))) continue;
       const auto b = at(a.block(second));
       const Vector6 push = trial_.placement[b].generalized((second ? -1 : 1) * a.pull(), a.at(second));
       s.unknowns->add(s.local(static_cast<int>(b)), push, s.residual);
     }
+    a.force = acting;
   }
-  if (!s.solve(/*symmetric=*/true)) return;
+  if (!s.solve(/*symmetric=*/true)) return false;
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
     state_.blocks[at(s.island.blocks[k])].velocity += s.unknowns->take_own(static_cast<int>(k), s.correction);
+  }
+  return true;
+}
+
+/// The step's force gives a block that lands from nothing to twice the impulse that stops it, by where in the step that
+/// is; what settles its velocity is the rest. Friction goes by the whole.
+bool HeldVelocities::friction_has(const IslandEquations& s, const std::vector<Eigen::Vector2d>& missing,
+                                  double dt) const {
+  constexpr double least = 1e-2;  // of the normal impulse: less is how blocks ring by their strains
+  const Trial now = trial_.now();
+  for (std::size_t k = 0; k < s.island.contacts.size(); ++k) {
+    const Interaction& a = s.actions[k];
+    if (a.held.x() == 0 || opening_slope(s, k) != 0) continue;
+    Eigen::Vector2d parting = Eigen::Vector2d::Zero();
+    for (const bool second : {false, true}) {
+      if (!trial_.moves(a.block(second))) continue;
+      const auto b = at(a.block(second));
+      const Vector6 change =
+          trial_.rate(b, trial_.placement[b], s.unknowns->take_own(s.local(a.block(second)), s.correction));
+      parting += (second ? -1 : 1) * (a.shape(trial_.placement[b], second) * change);
+    }
+    const Eigen::Vector2d acted = impulse_per_force(dt) * a.force;
+    const Eigen::Vector2d impulse = acted + missing[k] - a.stiffness * parting;
+    const int index = s.island.contacts[k];
+    const ForceRule rule = formulation_->ruled_contact(now, index, state_.contacts[at(index)]).rule;
+    const double bound = impulse_per_force(dt) * rule.cohesion + rule.friction * std::max(0.0, impulse.x());
+    const double too_much = std::abs(impulse.y()) - bound;
+    const bool slips = a.held.y() == 0;
+    if ((slips ? std::abs(too_much) : too_much) > least * rule.friction * std::abs(acted.x())) return false;
+  }
+  return true;
+}
+
+/// As sweeps have them, of an island that was solved.
+void HeldVelocities::set_rows(IslandEquations& s) {
+  const Trial now = trial_.now();
+  SweepRows rows(step_);
+  s.residual.setZero();
+  if (!rows.begin(s)) return;
+  for (std::size_t i = 0; i < s.actions.size(); ++i) {
+    const Interaction& a = s.actions[i];
+    Ruled ruled;
+    if (i < s.island.contacts.size()) {
+      const int k = s.island.contacts[i];
+      ruled = formulation_->ruled_contact(now, k, state_.contacts[at(k)]);
+    } else if (i < s.island.contacts.size() + s.island.supports.size()) {
+      const int k = s.island.supports[i - s.island.contacts.size()];
+      ruled = formulation_->ruled_support(now, k, state_.supports[at(k)]);
+    }
+    rows.add(s, ruled, a, a.force);
   }
 }
 
@@ -76,10 +141,11 @@ Eigen::Vector2d HeldVelocities::rate_of_fixed(const Interaction& action, double 
   return rate;
 }
 
-/// Velocities along held directions become those of what holds them, as settle_solved() has it.
-void HeldVelocities::settle_swept(IslandEquations& s, double dt) {
-  constexpr int most = 20;
+/// Velocities along held directions become those of what holds them. Of a contact all that it gives its blocks in the
+/// step is bounded by its friction (Moreau 1999): the impulse of its force, and what settles the velocity.
+void HeldVelocities::settle_by_impulses(IslandEquations& s, double dt) {
   constexpr double unheard_m_per_s = 1e-9;
+  const int most = s.unknowns->total > large_island ? 20 : 1000;
   Eigen::VectorXd& beyond = s.correction;  // what velocities have beyond those that are due
   beyond.setZero();
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
@@ -93,15 +159,18 @@ void HeldVelocities::settle_swept(IslandEquations& s, double dt) {
   auto& rows = s.sweeps.rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ForceSweeps::Row& row = rows[i];
-    const bool held = !row.rule.opens || !row.force.isZero(0);
-    const bool bolt = i >= s.actions.size() - s.bolts.size();
-    const bool sticks = held && !row.slips;
     row.apart = rate_of_fixed(s.actions[i], dt);
-    if (!to_mean() && i >= s.island.contacts.size() && !bolt) row.apart -= led_rate(s, i, dt);
-    const double opening = i < s.island.contacts.size() ? opening_slope(s, i) : 0;
-    row.rule = {.opens = false, .opening = {opening, opening}};
-    row.rule.least_normal = -(row.rule.most_normal = held && !bolt ? ForceRule::unbounded : 0);
-    row.rule.cohesion = sticks && !bolt ? ForceRule::unbounded : 0;
+    if (i < s.island.contacts.size()) {
+      rule_of_contact(row, opening_slope(s, i), dt);
+      continue;
+    }
+    const bool bolt = i >= s.actions.size() - s.bolts.size();
+    if (!to_mean() && !bolt) row.apart -= led_rate(s, i, dt);
+    const ForceRule held{.cohesion = row.rule.cohesion,
+                         .least_normal = -row.rule.most_normal,
+                         .most_normal = row.rule.most_normal,
+                         .opens = false};
+    row.rule = bolt ? ForceRule{.most_normal = 0, .opens = false} : held;
     row.force.setZero();
   }
   s.sweeps.displace(beyond);
@@ -111,6 +180,31 @@ void HeldVelocities::settle_swept(IslandEquations& s, double dt) {
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
     state_.blocks[at(s.island.blocks[k])].velocity += s.unknowns->take_own(static_cast<int>(k), change);
   }
+}
+
+/// Of a closed contact neither gap nor slip goes on, as far as it can press and friction has the impulse. One that
+/// dilates as it slips opens by that, and its friction has no part in it.
+void HeldVelocities::rule_of_contact(ForceSweeps::Row& row, double opening, double dt) const {
+  const bool held = !row.rule.opens || !row.force.isZero(0);
+  ForceRule rule{.opens = false};
+  if (opening != 0 || !held) {
+    rule.least_normal = -(rule.most_normal = held ? ForceRule::unbounded : 0);
+    rule.opening = {opening, opening};
+    rule.cohesion = held && !row.slips ? ForceRule::unbounded : 0;
+    row.force.setZero();
+  } else {
+    rule.friction = row.rule.friction;
+    rule.cohesion = impulse_per_force(dt) * row.rule.cohesion;
+    rule.opens = row.rule.opens;
+    if (!rule.opens) rule.least_normal = -ForceRule::unbounded;
+    row.force *= impulse_per_force(dt);
+  }
+  row.rule = rule;
+}
+
+/// Of the step's matrix: what sweeps of velocities have in place of forces.
+double HeldVelocities::impulse_per_force(double dt) const {
+  return trial_.scheme.mass_factor(dt) * dt;
 }
 
 double HeldVelocities::opening_slope(const IslandEquations& s, std::size_t action) const {

@@ -14,19 +14,24 @@ class HeldVelocities : StepPart {
   explicit HeldVelocities(Step& step) : StepPart(step) {}
 
   /// Velocities along held directions (closed contacts, sticking ones along the edge too, supports) become those of
-  /// what holds them; the velocities get the smallest change, in the metric of the step's matrix, that does so.
-  /// Friction of a slipping contact has no part in it: with that coupling the projection could grow what it should
-  /// remove. Where the scene's integrator is Shi's, of first order, they become the step's mean instead, which needs no
-  /// rate of what leads.
+  /// what holds them; the velocities get the smallest change, in the metric of the step's matrix, that does so. Where
+  /// that takes friction that contacts do not have, as at an impact, all impulses of the step fulfil Coulomb's law.
+  /// Where the scene's integrator is Shi's, of first order, they become the step's mean instead, which needs no rate of
+  /// what leads.
   void settle(IslandEquations& island, double dt);
 
   /// Of a base that moves, as velocities that it holds become: the step's mean, or that of its end.
   [[nodiscard]] Point base_velocity(double dt) const;
 
  private:
-  void settle_solved(IslandEquations& island, double dt);
-  void settle_swept(IslandEquations& island, double dt);
-  void project(IslandEquations& island, const std::vector<Eigen::Vector2d>& missing);
+  bool settle_solved(IslandEquations& island, double dt);
+  bool project(IslandEquations& island, const std::vector<Eigen::Vector2d>& missing);
+  [[nodiscard]] bool friction_has(const IslandEquations& island, const std::vector<Eigen::Vector2d>& missing,
+                                  double dt) const;
+  void set_rows(IslandEquations& island);
+  void settle_by_impulses(IslandEquations& island, double dt);
+  void rule_of_contact(ForceSweeps::Row& row, double opening, double dt) const;
+  [[nodiscard]] double impulse_per_force(double dt) const;
   [[nodiscard]] bool to_mean() const {
     return model_.scene.analysis.integrator == scene::Integrator::shi || !trial_.scheme.damps;
   }

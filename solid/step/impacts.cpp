@@ -34,6 +34,7 @@ Outcome StepsWithImpacts::make(const Stretch& stretch) {
   if (state_.smooth_steps >= State::smooth_steps_before_restart) {
     const Outcome smooth = time_step_.try_all(stretch, {.scheme = model_.scheme, .smooth_only = true});
     made_by_shi_ = smooth != Outcome::made;
+    if (smooth == Outcome::made) ++state_.smooth_steps;
     if (smooth == Outcome::made || smooth == Outcome::too_far) return smooth;
     state_.smooth_steps = 0;
   }

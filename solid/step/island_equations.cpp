@@ -42,10 +42,14 @@ IslandEquations::IslandEquations(Step& step, const WaterInertia& water, const st
       unknowns(std::move(its)),
       residual(unknowns->total),
       correction(unknowns->total),
-      system(make_linear_system(*unknowns, island.couples)),
       water_(water),
       numbers_(numbers),
       saddle_(*unknowns) {}
+
+LinearSystem& IslandEquations::system() const {
+  if (!system_) system_ = make_linear_system(*unknowns, island.couples);
+  return *system_;
+}
 
 double IslandEquations::unbalanced() {
   const Stopwatch watch(profile_.assembly);

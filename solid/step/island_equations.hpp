@@ -38,8 +38,11 @@ class IslandEquations : StepPart {
   Eigen::VectorXd residual;
   Eigen::VectorXd uncertain;  ///< round-off of the residual at nodes
   Eigen::VectorXd correction;
-  std::unique_ptr<LinearSystem> system;
-  ForceSweeps sweeps;  ///< where Newton's method does not find the states
+  ForceSweeps sweeps;               ///< where Newton's method does not find the states
+  std::vector<Matrix6> compliance;  ///< of each block alone, for sweeps
+
+  /// Made when it is first asked for: what is swept needs none.
+  [[nodiscard]] LinearSystem& system() const;
 
   /// Residual at the trial; returns the largest unbalanced force, less what round-off explains. What contacts, supports
   /// and bolts do is kept for the matrix, which only a residual that is too large asks for.
@@ -64,6 +67,11 @@ class IslandEquations : StepPart {
 
   [[nodiscard]] Held held() { return {island.contacts, state_.contacts, island.supports, state_.supports}; }
   [[nodiscard]] int local(int block) const { return numbers_[static_cast<std::size_t>(block)]; }
+  /// Is a block one of the island's?
+  [[nodiscard]] bool has(int block) const {
+    const auto k = static_cast<std::size_t>(local(block));
+    return k < island.blocks.size() && island.blocks[k] == block;
+  }
 
  private:
   /// A force that is solved for, of a contact or a support: what a unit of it exerts (normal, shear).
@@ -92,6 +100,7 @@ class IslandEquations : StepPart {
 
   const WaterInertia& water_;
   const std::vector<int>& numbers_;
+  mutable std::unique_ptr<LinearSystem> system_;
   bool symmetric_ = true;  ///< are the actions' stiffnesses?
   SaddlePoint saddle_;     ///< instead of the system while there are unknown forces
   std::vector<UnknownForce> unknown_forces_;

@@ -26,8 +26,8 @@ void IslandEquations::add_own(System& to) const {
 }
 
 void IslandEquations::set_block_matrices() {
-  system->set_zero();
-  add_own(*system);
+  system().set_zero();
+  add_own(system());
 }
 
 /// What a contact or support adds to the matrix: J^T C J on the diagonal of each block, -J^T C J between the two.
@@ -38,7 +38,7 @@ void IslandEquations::add_stiffness_to(System& to, const Interaction& action) co
 }
 
 void IslandEquations::add_stiffness(const Interaction& action) {
-  add_stiffness_to(*system, action);
+  add_stiffness_to(system(), action);
 }
 
 /// In the columns of one of both blocks.
@@ -64,7 +64,7 @@ void IslandEquations::assemble() {
   }
   for_each(island.blocks.size(), [&](std::size_t k) {
     for (const Incidence::End& end : incidence.of(k)) {
-      add_columns(*system, actions[at(end.interaction)], end.second);
+      add_columns(system(), actions[at(end.interaction)], end.second);
     }
   });
 }
@@ -106,11 +106,11 @@ bool IslandEquations::solve_linearized() {
   if (unknown_forces_.empty()) assemble();
   const Stopwatch watch(profile_.solve);
   if (unknown_forces_.empty()) {
-    const SolutionTimes before = system->times();
+    const SolutionTimes before = system().times();
     if (!solve(symmetric_)) return false;
-    profile_.factorization += system->times().factorization - before.factorization;
-    profile_.refinement += system->times().refinement - before.refinement;
-    ++(system->reused() ? counts_.reused_factorizations : counts_.factorizations);
+    profile_.factorization += system().times().factorization - before.factorization;
+    profile_.refinement += system().times().refinement - before.refinement;
+    ++(system().reused() ? counts_.reused_factorizations : counts_.factorizations);
   } else {
     if (!saddle_.solve(residual, correction, forces_)) return false;
     correct_forces();
@@ -119,20 +119,20 @@ bool IslandEquations::solve_linearized() {
   if (step_.meanwhile) step_.meanwhile();
   if (model_.scene.contact.measure_condition) {
     counts_.condition_number = std::max(counts_.condition_number,
-                                        condition_number(unknown_forces_.empty() ? system->dense() : saddle_.dense()));
+                                        condition_number(unknown_forces_.empty() ? system().dense() : saddle_.dense()));
   }
   return true;
 }
 
 bool IslandEquations::solve(bool symmetric) {
-  if (!model_.scene.analysis.reuse_factors) system->forget_factors();
-  if (!system->solve(symmetric, residual, correction)) return false;
+  if (!model_.scene.analysis.reuse_factors) system().forget_factors();
+  if (!system().solve(symmetric, residual, correction)) return false;
   water_.correct(*this, correction);
   return correction.allFinite();
 }
 
 Eigen::VectorXd IslandEquations::solve_again(const Eigen::VectorXd& force) const {
-  Eigen::VectorXd d = system->solve_again(force);
+  Eigen::VectorXd d = system().solve_again(force);
   water_.correct(*this, d);
   return d;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/step/newton.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bridge/results/stopwatch.hpp"
@@ -42,7 +43,11 @@ bool Newton::find(IslandEquations& s, const StepMode& mode) {
                                                          : model_.scene.contact.max_iterations;
   // Where it has failed, its next turn is a short one.
   const int large = may_sweep(step_, mode) ? few_unknowns : large_island;
-  const int most = unknowns > large && state_.whole_law.after_failure() ? 20 : model_.scene.contact.max_iterations;
+  // Of what falls, sweeps come as near sooner.
+  const int first_turn = may_sweep(step_, mode) && unknowns > few_unknowns && trial_.falls()
+                             ? std::min(40, model_.scene.contact.max_iterations)
+                             : model_.scene.contact.max_iterations;
+  const int most = unknowns > large && state_.whole_law.after_failure() ? 20 : first_turn;
   const double tolerance = formulation_->settings().force_tolerance_n;
   constexpr double close = 0.3;  // of what multipliers will still move: they need no closer equilibrium
   const Held held = s.held();

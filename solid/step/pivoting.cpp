@@ -57,7 +57,7 @@ bool Pivoting::release_contacts(IslandEquations& s, Released& released) {
   released.moves_by.resize(s.unknowns->total, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     pull.col(i) = pulls[at(i)];
-    released.moves_by.col(i) = s.system->solve_again(pulls[at(i)]);
+    released.moves_by.col(i) = s.system().solve_again(pulls[at(i)]);
   }
   released.contacts.apart = Eigen::VectorXd::Map(apart.data(), n) + pull.transpose() * s.correction;
   released.contacts.flexibility = pull.transpose() * released.moves_by;

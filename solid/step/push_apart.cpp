@@ -3,8 +3,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 #include "bridge/scene/at.hpp"
+#include "solid/contact/outline.hpp"
 #include "solid/solve/least_push.hpp"
 
 namespace blockweir::solid {
@@ -13,17 +15,35 @@ EdgeFrame PushApart::frame_now(const ContactPoint& c) const {
   return edge_frame(trial_.at_start(), c);
 }
 
-/// Gap of a contact where its blocks are now: what rounded coordinates left at the start and what its slip has opened
-/// are no part of it, nor what its spring gives way.
-/// A vertex farther beside the edge than behind it is not in its block.
-double PushApart::gap_now(const ContactPoint& c) const {
+/// Where a contact's blocks are now. What rounded coordinates left at the start and what its slip has opened are no
+/// part of the gap, nor what its spring gives way. Of a vertex that has slid past its edge the end of the edge is
+/// looked at: that may be in the vertex's block.
+PushApart::Meeting PushApart::meeting_now(const ContactPoint& c) const {
   const EdgeFrame edge = frame_now(c);
-  const Point along = state_.place(c) - state_.placements[at(c.edge_part)].position(c.edge_from);
-  const double gap =
-      edge.n.dot(along) - c.gap_at_start - model_.laws[c.law].dilation_m(c.slip_m) - formulation_->gap_under_force_m(c);
-  const double s = edge.t.dot(along);
-  const double beside = std::max(-s, s - edge.length);
-  return beside > std::max(-gap, 2e-7 * model_.size_m) ? std::max(gap, beside) : gap;
+  const Placement& of_edge = state_.placements[at(c.edge_part)];
+  const Point from = of_edge.position(c.edge_from);
+  const Point vertex = state_.place(c);
+  const double s = edge.t.dot(vertex - from);
+  const bool beside = std::max(-s, s - edge.length) > 2e-7 * model_.size_m;
+  Meeting meeting = beside ? turned_round(c, s < 0 ? from : of_edge.position(c.edge_to))
+                           : Meeting{c.vertex_block, c.edge_block, vertex, edge.n, edge.n.dot(vertex - from)};
+  meeting.gap -= c.gap_at_start + model_.laws[c.law].dilation_m(c.slip_m) + formulation_->gap_under_force_m(c);
+  return meeting;
+}
+
+/// The end of a contact's edge, and the face at its vertex that this is least behind.
+PushApart::Meeting PushApart::turned_round(const ContactPoint& c, const Point& end) const {
+  const auto& outline = model_.parts.outlines[at(c.vertex_block)];
+  Meeting meeting{c.edge_block, c.vertex_block, end, {}, -std::numeric_limits<double>::infinity()};
+  for (const std::size_t side : {previous(at(c.vertex), outline.size()), at(c.vertex)}) {
+    const Placement& placement = state_.placements[at(outline[side].part)];
+    const Point from = placement.position(model_.parts.vertex(outline[side]));
+    const Point t = (placement.position(model_.parts.end(outline[side])) - from).normalized();
+    const Point n(t.y(), -t.x());
+    const double gap = n.dot(end - from);
+    if (gap > meeting.gap) meeting.gap = gap, meeting.normal = n;
+  }
+  return meeting;
 }
 
 bool PushApart::push(const IslandEquations& s) {
@@ -34,13 +54,13 @@ bool PushApart::push(const IslandEquations& s) {
   const auto was_left = [&](int k) { return state_.contacts[at(k)].overlap_m < -settings.lasting_overlap_m; };
   if (s.found != Found::by_sweeps && std::none_of(s.island.contacts.begin(), s.island.contacts.end(), was_left))
     return false;
-  const auto overlaps = [&](int k) { return gap_now(state_.contacts[at(k)]) < -settings.lasting_overlap_m; };
+  const auto overlaps = [&](int k) { return meeting_now(state_.contacts[at(k)]).gap < -settings.lasting_overlap_m; };
   const auto any = [&] { return std::any_of(s.island.contacts.begin(), s.island.contacts.end(), overlaps); };
   int pushes = 0;
   while (pushes < most && any()) push_once(s), ++pushes;
   for (const int k : s.island.contacts) {
     ContactPoint& c = state_.contacts[at(k)];
-    const double gap = gap_now(c);
+    const double gap = meeting_now(c).gap;
     c.overlap_m = std::min(0.0, gap);
     c.gap = gap + model_.laws[c.law].dilation_m(c.slip_m) + formulation_->gap_under_force_m(c);
     counts_.overlap_m = std::max(counts_.overlap_m, -c.overlap_m);
@@ -70,16 +90,16 @@ void PushApart::push_once(const IslandEquations& s) {
   std::vector<Overlap> overlaps;
 
   for (const int k : s.island.contacts) {
-    const ContactPoint& c = state_.contacts[at(k)];
-    const Point n = frame_now(c).n;
-    Overlap& o = overlaps.emplace_back(gap_now(c));
+    const Meeting m = meeting_now(state_.contacts[at(k)]);
+    const Point& n = m.normal;
+    Overlap& o = overlaps.emplace_back(m.gap);
     for (const bool second : {false, true}) {
-      const int b = second ? c.edge_block : c.vertex_block;
-      const double turns = n.dot(perpendicular(state_.place(c) - state_.placements[at(b)].centre()));
+      const int b = second ? m.face_block : m.corner_block;
+      const double turns = n.dot(perpendicular(m.corner - state_.placements[at(b)].centre()));
       o.ends[second ? 1 : 0] = {number(b), (second ? -1 : 1) * Eigen::Vector3d(n.x(), n.y(), turns)};
     }
   }
-  LeastPush push(std::move(mass), std::move(overlaps));
+  LeastPush push(mass, overlaps);
 
   push.solve(formulation_->settings().lasting_overlap_m);
   // What sticks does so where it has been pushed to.

@@ -16,9 +16,19 @@ class PushApart : StepPart {
   bool push(const IslandEquations& island);
 
  private:
+  /// A corner of one block and the face of another that it is in, or next to.
+  struct Meeting {
+    int corner_block;
+    int face_block;
+    Point corner;  ///< m
+    Point normal;  ///< of the face, out of its block
+    double gap;    ///< m
+  };
+
   void push_once(const IslandEquations& island);
   [[nodiscard]] EdgeFrame frame_now(const ContactPoint& c) const;
-  [[nodiscard]] double gap_now(const ContactPoint& c) const;
+  [[nodiscard]] Meeting meeting_now(const ContactPoint& c) const;
+  [[nodiscard]] Meeting turned_round(const ContactPoint& c, const Point& end) const;
   void displace(std::size_t block, const Eigen::Vector3d& by);
 };
 

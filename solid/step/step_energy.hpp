@@ -23,6 +23,8 @@ class StepEnergy : StepPart {
   /// step's end, and points turn on their way there: a block that topples would gain by an error of the step's first
   /// order. Where nothing anchors a group its momenta stay. Most steps make nothing: then nothing is grouped.
   void take_back(IslandEquations& island);
+  /// Or is more to be taken than all motion that is left?
+  [[nodiscard]] bool affords(const IslandEquations& island) const;
 
  private:
   struct Group;
@@ -33,6 +35,9 @@ class StepEnergy : StepPart {
     double kinetic = 0;
   };
   [[nodiscard]] Made made_by(std::size_t b) const;
+  [[nodiscard]] std::vector<Group> makers(const IslandEquations& island, std::vector<int>& group_of) const;
+  [[nodiscard]] Eigen::Matrix<double, 6, 3> rigid_of(const IslandEquations& island, const std::vector<int>& group_of,
+                                                     std::size_t block) const;
   [[nodiscard]] std::vector<int> groups_of(const IslandEquations& island) const;
   [[nodiscard]] bool touches(int contact) const;
   void look_at_links(const IslandEquations& island, const std::vector<int>& group_of, std::vector<Group>& groups) const;

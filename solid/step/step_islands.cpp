@@ -30,7 +30,7 @@ void StepIslands::prepare() {
   links_ = std::move(now);
   make();
   if (stand && kept_.size() == all_.size()) {
-    for (std::size_t i = 0; i < all_.size(); ++i) all_[i].system->restore(kept_[i]);
+    for (std::size_t i = 0; i < all_.size(); ++i) all_[i].system().restore(kept_[i]);
   }
   kept_.clear();
 }
@@ -101,7 +101,7 @@ std::vector<KeptFactors> StepIslands::kept_factors() const {
   if (!model_.scene.analysis.reuse_factors) return {};
   if (all_.empty()) return kept_;
   std::vector<KeptFactors> kept;
-  for (const IslandEquations& s : all_) kept.push_back(s.system->kept_factors());
+  for (const IslandEquations& s : all_) kept.push_back(s.system().kept_factors());
   return kept;
 }
 

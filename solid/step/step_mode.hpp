@@ -45,7 +45,9 @@ struct StepMode {
 enum class Found {
   nothing,
   asleep,     ///< what it had
+  corners,    ///< that were let pass have gone into a block: contacts are lacking
   by_newton,  ///< states in equilibrium, to round-off
+  finished,   ///< the same, from where sweeps had come near
   by_sweeps   ///< to within the time integrator's error
 };
 

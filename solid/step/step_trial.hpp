@@ -31,7 +31,9 @@ class StepTrial {
   std::vector<Placement> placement;   ///< with the increment
   std::vector<Point> node_increment;  ///< of meshes [m]
   std::vector<Vector6> balance;       ///< all forces but inertia
-  std::vector<double> round_off;      ///< what is uncertain of the balance [N per metre]
+  /// That sweeps begin with, of each contact [N per metre]; empty: with those that act.
+  std::vector<Eigen::Vector2d> first_force;
+  std::vector<double> round_off;  ///< what is uncertain of the balance [N per metre]
 
   /// Which blocks slide: their strains are damped where the material does not say how.
   void find_sliding_blocks();
@@ -61,6 +63,8 @@ class StepTrial {
   [[nodiscard]] double retardation_s(std::size_t b) const { return model_.blocks[b].retardation.of(slides_[b]); }
   /// Twice that of a fall from rest through the step: a measure of what the integrator is off by [m].
   [[nodiscard]] double fall_m() const { return model_.scene.analysis.gravity_m_per_s2 * dt * dt; }
+  /// Is any block faster than that?
+  [[nodiscard]] bool falls() const { return state_.fastest_m_per_s() * dt > fall_m(); }
   /// Largest displacement of any vertex [m].
   [[nodiscard]] double largest_increment() const;
   /// Do blocks move, one of them so far, or turn by more than a step may?

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/step/swept_equilibrium.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
-#include "solid/block/parallel.hpp"
 #include "solid/contact/bonds.hpp"
 #include "solid/step/equilibrium.hpp"
+#include "solid/step/sweep_rows.hpp"
 #include "solid/step/temporarily.hpp"
 #include "solid/step/undo.hpp"
 
@@ -36,17 +35,21 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   const bool begins = !state_.whole_law.after_failure();
   const double closely = begins || s.unknowns->total <= few_unknowns ? 1e-4 : 1;
   const double enough_m = closely * std::min(2e-8 * model_.size_m, 1e-4 * trial_.fall_m());
+  const bool begins_near = !trial_.first_force.empty();
   constexpr int most_rounds = 20;  // bonds break a few at a time
   double left_m = 0;
   for (int round = 1;; ++round) {
-    if (!linearize(s)) return Found::nothing;
+    if (!linearize(s, round == 1)) return Found::nothing;
     const double visits = most_visits / static_cast<double>(s.sweeps.rows().size());
-    const double most = !begins ? std::clamp(visits, least_sweeps, most_sweeps) : most_sweeps;
-    left_m = sweep(s, static_cast<int>(round == 1 ? most : most / 4), enough_m);
+    const double most = begins ? most_sweeps : std::clamp(visits, least_sweeps, most_sweeps);
+    left_m = sweep(s, static_cast<int>(most * (round > 1 ? 0.25 : begins_near ? 0.5 : 1)), enough_m);
     s.correction = s.sweeps.displacement();
     if (!s.correction.allFinite()) return Found::nothing;
     s.move(1);
     take_forces(s);
+    if (round == 1 && state_.search.entered(trial_.placement, state_.contacts, [&](int b) { return s.has(b); })) {
+      return Found::corners;
+    }
     const bool broken = break_bonds(model_.laws, formulation_->settings().force_tolerance_n, model_.blocks,
                                     s.island.contacts, state_.contacts);
     if (round >= rounds && (!broken || round >= most_rounds)) break;
@@ -57,7 +60,7 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   if (near && (small || !state_.finish.skips())) {
     const bool exact = or_undone(step_, s, mode, [&] { return finish(s, mode); });
     if (!small) exact ? state_.finish.succeeded() : state_.finish.failed();
-    if (exact) return Found::by_newton;
+    if (exact) return Found::finished;
   }
   // Off by more than a fall through the step, a structure that stands would be thrown.
   if (left_m > trial_.fall_m() && !mode.roughly) return Found::nothing;
@@ -78,20 +81,16 @@ bool SweptEquilibrium::finish(IslandEquations& s, const StepMode& mode) {
   return find_by_newton(step_, s, mode);
 }
 
-/// What the last sweep still moved. Where steep friction makes forces go to and fro, they go half the way.
+/// What the last sweep still moved.
 double SweptEquilibrium::sweep(IslandEquations& s, int most, double enough_m) {
-  constexpr int look = 20;  // sweeps after which less should be left
   const Stopwatch watch(profile_.sweeps);
   double left_m = 0;
-  double looked_m = std::numeric_limits<double>::infinity();
-  double share = 1;
+  double before_m = std::numeric_limits<double>::infinity();  // acceleration turns: two sweeps are to be near
   for (int sweep = 1; sweep <= most; ++sweep) {
     ++counts_.sweeps;
-    left_m = s.sweeps.sweep(share);
-    if (left_m <= enough_m) break;
-    if (sweep % look != 0) continue;
-    share = left_m < looked_m ? 1 : 0.5;
-    looked_m = left_m;
+    left_m = s.sweeps.sweep();
+    if (std::max(left_m, before_m) <= enough_m) break;
+    before_m = left_m;
   }
   return left_m;
 }
@@ -115,86 +114,32 @@ void SweptEquilibrium::start_again(const IslandEquations& s) {
 }
 
 /// Gaps and slips about the trial, and what forces do to them.
-bool SweptEquilibrium::linearize(IslandEquations& s) {
+bool SweptEquilibrium::linearize(IslandEquations& s, bool first_round) {
   const Stopwatch watch(profile_.assembly);
   s.balance_alone();
   s.find_residual({});
-  const bool shared = s.unknowns->shared();
-  if (shared) {
-    s.set_block_matrices();
-    if (!s.solve(/*symmetric=*/true)) return false;
-  } else {
-    for_each(s.island.blocks.size(), [&](std::size_t k) {
-      const auto first = s.unknowns->first[k];
-      if (s.unknowns->count[k] == 3) {
-        s.correction.segment<3>(first) =
-            trial_.matrix[at(s.island.blocks[k])].topLeftCorner<3, 3>().llt().solve(s.residual.segment<3>(first));
-      } else {
-        s.correction.segment<6>(first) =
-            trial_.matrix[at(s.island.blocks[k])].llt().solve(s.residual.segment<6>(first));
-      }
-    });
-  }
-  s.sweeps.begin(s.correction);
+  SweepRows rows(step_);
+  if (!rows.begin(s)) return false;
   const Trial now = trial_.now();
   for (const int k : s.island.contacts) {
     const ContactPoint& c = state_.contacts[at(k)];
     const Ruled ruled = formulation_->ruled_contact(now, k, c);
     const EdgeFrame edge = edge_frame(now, c);
-    add_row(s, ruled, interaction_of(c, edge, ruled.apart.y()), c.state == ContactState::open ? Point(0, 0) : c.force);
+    rows.add(s, ruled, interaction_of(c, edge, ruled.apart.y()),
+             first_round && !trial_.first_force.empty() ? trial_.first_force[at(k)]
+             : c.state == ContactState::open            ? Point(0, 0)
+                                                        : c.force);
   }
   for (const int k : s.island.supports) {
     const Support& support = state_.supports[at(k)];
-    add_row(s, formulation_->ruled_support(now, k, support), interaction_of(support), support.force);
+    rows.add(s, formulation_->ruled_support(now, k, support), interaction_of(support), support.force);
   }
   for (const int k : s.bolts) {
     const Interaction action = interaction_of(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s));
-    add_row(s, ruled_bolt(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s)), action, action.force);
+    rows.add(s, ruled_bolt(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s)), action, action.force);
   }
   s.sweeps.let_act();
   return true;
-}
-
-void SweptEquilibrium::add_row(IslandEquations& s, const Ruled& ruled, const Interaction& action,
-                               const Eigen::Vector2d& force) {
-  ForceSweeps::Row& row = s.sweeps.add_row();
-  row.apart = ruled.apart;
-  row.rule = ruled.rule;
-  row.force = force;
-  for (const bool second : {false, true}) {
-    const int block = action.block(second);
-    if (!trial_.moves(block)) continue;
-    const Matrix26 shape = (second ? -1 : 1) * action.shape(trial_.placement[at(block)], second);
-    const auto k = at(s.local(block));
-    const auto first = s.unknowns->first[k];
-    if (s.unknowns->shared()) {
-      add_end_of_mesh(s, second, static_cast<int>(k), shape);
-    } else if (s.unknowns->count[k] == 3) {
-      const Eigen::Matrix<double, 2, 3> motions = shape.leftCols<3>();
-      s.sweeps.add_end(second, first, motions,
-                       trial_.matrix[at(block)].topLeftCorner<3, 3>().llt().solve(motions.transpose()));
-    } else {
-      s.sweeps.add_end(second, first, shape, trial_.matrix[at(block)].llt().solve(shape.transpose()));
-    }
-  }
-}
-
-/// Unknowns that blocks share: those of all the blocks that move with this one.
-void SweptEquilibrium::add_end_of_mesh(IslandEquations& s, bool second, int k, const Matrix26& shape) {
-  Eigen::Matrix2Xd motions = Eigen::Matrix2Xd::Zero(2, s.unknowns->total);
-  Eigen::MatrixX2d responses(s.unknowns->total, 2);
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    Eigen::VectorXd pull = Eigen::VectorXd::Zero(s.unknowns->total);
-    s.unknowns->add(k, shape.row(axis).transpose(), pull);
-    motions.row(axis) = pull.transpose();
-    responses.col(axis) = s.solve_again(pull);
-  }
-  Eigen::Index first = 0;
-  Eigen::Index last = s.unknowns->total - 1;
-  while (first < last && responses.row(first).isZero(0)) ++first;
-  while (last > first && responses.row(last).isZero(0)) --last;
-  const Eigen::Index count = last - first + 1;
-  s.sweeps.add_end(second, first, motions.middleCols(first, count), responses.middleRows(first, count));
 }
 
 /// Forces found act at the trial, with their states.

@@ -19,9 +19,7 @@ class SweptEquilibrium : StepPart {
   double sweep(IslandEquations& island, int most, double enough_m);
   bool finish(IslandEquations& island, const StepMode& mode);
   void start_again(const IslandEquations& island);
-  bool linearize(IslandEquations& island);
-  void add_row(IslandEquations& island, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force);
-  void add_end_of_mesh(IslandEquations& island, bool second, int block, const Matrix26& shape);
+  bool linearize(IslandEquations& island, bool first_round);
   void take_forces(IslandEquations& island);
 };
 

@@ -18,6 +18,11 @@ constexpr double lasting_overlap = 5e-5;
 }  // namespace
 
 Outcome TimeStep::attempt(const Stretch& stretch, const StepMode& mode) {
+  tried_.clear();
+  return attempt_again(stretch, mode);
+}
+
+Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
   const Stopwatch::Sample sample(timed());
   if (model_.is(scene::AnalysisKind::quasi_static)) state_.stop();
   const long touching = mode.smooth_only ? state_.touching_contacts() : 0;
@@ -28,6 +33,7 @@ Outcome TimeStep::attempt(const Stretch& stretch, const StepMode& mode) {
   const long state_changes_before = formulation_->state_changes();
   if (searched || islands_.empty()) islands_.prepare();
   begin(stretch, mode);
+  begin_with_forces_tried();
   const bool solved = solve(mode);
   const double moved = trial_.largest_increment();
   Outcome outcome = Outcome::made;
@@ -35,21 +41,31 @@ Outcome TimeStep::attempt(const Stretch& stretch, const StepMode& mode) {
     outcome = Outcome::not_found;
   } else if (trial_.goes_too_far(moved)) {
     outcome = Outcome::too_far;
-  } else if (mode.smooth_only && contacts_change()) {
+  } else if (mode.smooth_only && (contacts_change() || !affords_motion(stretch.dt))) {
     outcome = Outcome::contacts_change;
   }
-  const bool made = outcome == Outcome::made;
-  const bool seen = !made || (state_.search.covers(moved) &&
-                              (moved == 0 || !state_.search.entered(trial_.placement, state_.contacts)));
-  if (!made || !seen) {
+  const bool seen = has_seen(outcome == Outcome::made, moved);
+  if (outcome != Outcome::made || !seen) {
+    if (!seen && any_swept()) tried_ = state_.contacts;
     for (IslandEquations& s : islands_) formulation_->undo(s.held());
     state_.contacts_stand = seen;
-    return seen ? outcome : attempt(stretch, mode);
+    return seen ? outcome : attempt_again(stretch, mode);
   }
   const bool otherwise = accept(stretch, mode);
   state_.contacts_stand = moved == 0 && formulation_->state_changes() == state_changes_before && !otherwise;
   require_finite(step_, stretch.end_s);
   return Outcome::made;
+}
+
+/// Did the search know all contacts that the step has met?
+bool TimeStep::has_seen(bool made, double moved_m) {
+  if (any_found(Found::corners)) return false;
+  if (!made) return true;
+  if (!state_.search.covers(moved_m)) return false;
+  if (moved_m == 0) return true;
+  if (state_.search.entered(trial_.placement, state_.contacts)) return false;
+  state_.search.forget_entered();
+  return true;
 }
 
 /// What acts in the step, and what its blocks and supports begin with.
@@ -82,12 +98,27 @@ void TimeStep::begin_contacts(const StepMode& mode) {
   }
 }
 
+/// Where the step is tried again with contacts that it lacked, sweeps go on from the forces that they had found.
+void TimeStep::begin_with_forces_tried() {
+  trial_.first_force.clear();
+  if (tried_.empty()) return;
+  auto was = tried_.begin();
+  for (const ContactPoint& c : state_.contacts) {
+    const auto same = std::find_if(was, tried_.end(), [&](const ContactPoint& t) { return t.same_key(c); });
+    if (same != tried_.end()) was = same;
+    const bool acts = same != tried_.end() && same->state != ContactState::open;
+    trial_.first_force.push_back(acts ? same->force : Eigen::Vector2d(0, 0));
+  }
+}
+
 /// Equilibrium of all islands, each by itself.
 bool TimeStep::solve(const StepMode& mode) {
   const bool sweeps = may_sweep(step_, mode);
-  const bool newton = !sweeps || !state_.whole_law.skips();
+  const bool newton = !sweeps || (trial_.first_force.empty() && !state_.whole_law.skips());
   bool solved = true;
   bool all_by_newton = true;
+  const bool falls =
+      sweeps && trial_.falls();  // what sweeps have come near to is then no sign that Newton's method would
   for (IslandEquations& island : islands_) {
     island.found = Found::nothing;
     if (may_sleep(island, mode)) {
@@ -98,17 +129,21 @@ bool TimeStep::solve(const StepMode& mode) {
     ++counts_.solved_islands;
     start_where_it_rests(island);
     if (solved) island.found = find_equilibrium(step_, island, mode, newton);
-    solved = solved && island.found != Found::nothing;
-    all_by_newton = all_by_newton && island.found == Found::by_newton;
+    solved = solved && island.found != Found::nothing && island.found != Found::corners;
+    all_by_newton = all_by_newton && (island.found == Found::by_newton || (island.found == Found::finished && !falls));
   }
-  if (sweeps && (newton || all_by_newton)) {
+  if (sweeps && (newton || (all_by_newton && !falls))) {
     all_by_newton ? state_.whole_law.succeeded() : state_.whole_law.failed();
   }
   return solved;
 }
 
+bool TimeStep::any_found(Found what) const {
+  return std::any_of(islands_.begin(), islands_.end(), [&](const auto& s) { return s.found == what; });
+}
+
 bool TimeStep::any_swept() const {
-  return std::any_of(islands_.begin(), islands_.end(), [](const auto& s) { return s.found == Found::by_sweeps; });
+  return any_found(Found::by_sweeps) || any_found(Found::corners);
 }
 
 void TimeStep::begin_anew() {

@@ -29,6 +29,10 @@ class TimeStep : StepPart {
 
  private:
   [[nodiscard]] double timed() const;
+  Outcome attempt_again(const Stretch& stretch, const StepMode& mode);
+  void begin_with_forces_tried();
+  [[nodiscard]] bool has_seen(bool made, double moved_m);
+  [[nodiscard]] bool any_found(Found what) const;
   Outcome try_far_from_laws(const Stretch& stretch, const StepMode& mode);
   bool find_contacts();
   void begin(const Stretch& stretch, const StepMode& mode);
@@ -36,6 +40,7 @@ class TimeStep : StepPart {
   void start_where_it_rests(const IslandEquations& island);
   bool solve(const StepMode& mode);
   bool accept(const Stretch& stretch, const StepMode& mode);
+  [[nodiscard]] bool affords_motion(double dt);
   void accept_motion(IslandEquations& island, double dt);
   void act_by_end_rates(std::size_t b, double dt);
   [[nodiscard]] bool may_sleep(const IslandEquations& island, const StepMode& mode) const;
@@ -43,6 +48,7 @@ class TimeStep : StepPart {
 
   WaterInertia& water_;
   StepIslands islands_;
+  std::vector<ContactPoint> tried_;  ///< contacts as swept in a try that lacked others
 };
 
 }  // namespace blockweir::solid

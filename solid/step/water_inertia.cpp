@@ -134,7 +134,7 @@ void WaterInertia::correct(const IslandEquations& s, Eigen::VectorXd& x) const {
   const Eigen::MatrixXd U = mean_motions(s, S);
   if (U.cols() == 0) return;
   Eigen::MatrixXd X(U.rows(), U.cols());
-  for (Eigen::Index i = 0; i < U.cols(); ++i) X.col(i) = s.system->solve_again(U.col(i));
+  for (Eigen::Index i = 0; i < U.cols(); ++i) X.col(i) = s.system().solve_again(U.col(i));
   const Eigen::MatrixXd core = Eigen::MatrixXd::Identity(U.cols(), U.cols()) + S * (U.transpose() * X);
   x -= X * core.partialPivLu().solve(S * (U.transpose() * x));
 }

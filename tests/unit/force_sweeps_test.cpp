@@ -13,7 +13,7 @@ constexpr Eigen::Index weights = 5;
 /// Of unit masses that move up and down; gravity has moved each by -1.
 ForceSweeps stack() {
   ForceSweeps sweeps;
-  sweeps.begin(Eigen::VectorXd::Constant(weights, -1));
+  sweeps.begin(Eigen::VectorXd::Constant(weights, -1), weights);
   for (Eigen::Index k = 0; k < weights; ++k) {
     sweeps.add_row();
     Eigen::Matrix2Xd up = Eigen::Matrix2Xd::Zero(2, 1);
@@ -24,6 +24,7 @@ ForceSweeps stack() {
     if (k > 0) sweeps.add_end(true, k - 1, -up, -response);
     sweeps.rows().back().flexibility(1, 1) = 1;  // what slips is of no interest
   }
+  sweeps.let_act();
   return sweeps;
 }
 

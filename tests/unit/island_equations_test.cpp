@@ -28,7 +28,7 @@ TEST(IslandEquations, TheMatrixIsTheDerivativeOfTheResidual) {
   sample.step.trial.go_to(1, in);
   s.unbalanced();
   ASSERT_TRUE(s.solve_linearized());
-  const Eigen::MatrixXd matrix = s.system->dense();
+  const Eigen::MatrixXd matrix = s.system().dense();
   constexpr double little = 1e-9;
   for (int i = 0; i < 3; ++i) {
     Vector6 other = in;

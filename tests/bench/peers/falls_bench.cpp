@@ -17,12 +17,14 @@
 #include "solid/step/solid.hpp"
 #include "solid/watch/energy.hpp"
 #include "tests/bench/peers/box2d_world.hpp"
+#include "tests/overlap.hpp"
 
 namespace {
 
 using namespace blockweir;
 using scene::Point;
-using Outline = std::vector<Point>;
+using test::largest_overlap_m;
+using test::Outline;
 
 constexpr double step_s = 0.01;
 
@@ -72,41 +74,6 @@ double seconds(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// How far two convex outlines are in each other: the least shift that parts them [m], 0 where they do not meet.
-double overlap_m(const Outline& a, const Outline& b) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Outline* of : {&a, &b}) {
-    const Outline& other = of == &a ? b : a;
-    for (std::size_t i = 0; i < of->size(); ++i) {
-      const Point from = (*of)[i];
-      const Point along = ((*of)[(i + 1) % of->size()] - from).normalized();
-      double deepest = -std::numeric_limits<double>::infinity();
-      for (const Point& p : other) deepest = std::max(deepest, peers::cross(along, p - from));
-      least = std::min(least, deepest);
-    }
-  }
-  return std::max(0.0, least);
-}
-
-double largest_overlap_m(const std::vector<Outline>& outlines) {
-  double largest = 0;
-  std::vector<std::pair<Point, Point>> boxes;
-  for (const Outline& outline : outlines) {
-    Point low = outline[0];
-    Point high = outline[0];
-    for (const Point& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    boxes.emplace_back(low, high);
-  }
-  for (std::size_t i = 0; i < outlines.size(); ++i) {
-    for (std::size_t j = i + 1; j < outlines.size(); ++j) {
-      const bool apart = (boxes[i].first.array() > boxes[j].second.array()).any() ||
-                         (boxes[j].first.array() > boxes[i].second.array()).any();
-      if (!apart) largest = std::max(largest, overlap_m(outlines[i], outlines[j]));
-    }
-  }
-  return largest;
 }
 
 /// What a fall is judged by, from its energies and places after each step.

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/step/sweep_rows.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "bridge/scene/at.hpp"
+#include "solid/block/parallel.hpp"
+
+namespace blockweir::solid {
+
+bool SweepRows::begin(IslandEquations& s) {
+  const bool shared = s.unknowns->shared();
+  if (shared) {
+    s.set_block_matrices();
+    if (!s.solve(/*symmetric=*/true)) return false;
+  } else {
+    s.compliance.resize(s.island.blocks.size());
+    for_each(s.island.blocks.size(), [&](std::size_t k) {
+      const Matrix6& matrix = trial_.matrix[at(s.island.blocks[k])];
+      const auto first = s.unknowns->first[k];
+      if (s.unknowns->count[k] == 3) {
+        auto inverse = s.compliance[k].topLeftCorner<3, 3>();
+        inverse = matrix.topLeftCorner<3, 3>().inverse();
+        s.correction.segment<3>(first) = inverse * s.residual.segment<3>(first);
+      } else {
+        s.compliance[k] = matrix.llt().solve(Matrix6::Identity());
+        s.correction.segment<6>(first) = s.compliance[k] * s.residual.segment<6>(first);
+      }
+    });
+  }
+  s.sweeps.begin(s.correction, s.island.contacts.size() + s.island.supports.size() + s.bolts.size());
+  return true;
+}
+
+void SweepRows::add(IslandEquations& s, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force) {
+  ForceSweeps::Row& row = s.sweeps.add_row();
+  row.apart = ruled.apart;
+  row.rule = ruled.rule;
+  row.force = force;
+  for (const bool second : {false, true}) {
+    const int block = action.block(second);
+    if (!trial_.moves(block)) continue;
+    const Matrix26 shape = (second ? -1 : 1) * action.shape(trial_.placement[at(block)], second);
+    const auto k = at(s.local(block));
+    const auto first = s.unknowns->first[k];
+    if (s.unknowns->shared()) {
+      add_end_of_mesh(s, second, static_cast<int>(k), shape);
+    } else if (s.unknowns->count[k] == 3) {
+      const Eigen::Matrix<double, 2, 3> motions = shape.leftCols<3>();
+      const Eigen::Matrix<double, 3, 2> responses = s.compliance[k].topLeftCorner<3, 3>() * motions.transpose();
+      s.sweeps.add_end(second, first, motions, responses);
+    } else {
+      const Eigen::Matrix<double, 6, 2> responses = s.compliance[k] * shape.transpose();
+      s.sweeps.add_end(second, first, shape, responses);
+    }
+  }
+}
+
+/// Unknowns that blocks share: those of all the blocks that move with this one.
+void SweepRows::add_end_of_mesh(IslandEquations& s, bool second, int k, const Matrix26& shape) {
+  Eigen::Matrix2Xd motions = Eigen::Matrix2Xd::Zero(2, s.unknowns->total);
+  Eigen::MatrixX2d responses(s.unknowns->total, 2);
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    Eigen::VectorXd pull = Eigen::VectorXd::Zero(s.unknowns->total);
+    s.unknowns->add(k, shape.row(axis).transpose(), pull);
+    motions.row(axis) = pull.transpose();
+    responses.col(axis) = s.solve_again(pull);
+  }
+  Eigen::Index first = 0;
+  Eigen::Index last = s.unknowns->total - 1;
+  while (first < last && responses.row(first).isZero(0)) ++first;
+  while (last > first && responses.row(last).isZero(0)) --last;
+  const Eigen::Index count = last - first + 1;
+  s.sweeps.add_end(second, first, motions.middleCols(first, count), responses.middleRows(first, count));
+}
+
+}  // namespace blockweir::solid

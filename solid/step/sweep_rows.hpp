@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What sweeps work on: of each contact, support and bolt of an island how its forces move the blocks that it joins.
+#pragma once
+
+#include "solid/step/island_equations.hpp"
+
+namespace blockweir::solid {
+
+class SweepRows : StepPart {
+ public:
+  explicit SweepRows(Step& step) : StepPart(step) {}
+
+  /// No rows yet; displacements are those by the island's residual, each block by itself. False where a mesh has no
+  /// solution.
+  bool begin(IslandEquations& island);
+  void add(IslandEquations& island, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force);
+
+ private:
+  void add_end_of_mesh(IslandEquations& island, bool second, int block, const Matrix26& shape);
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_step solid_watch bridge_scene_read
+// Walls that fall and heaps make no energy, and no block is in another, by measures that are the test's own.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "bridge/scene/read/read.hpp"
+#include "solid/step/solid.hpp"
+#include "solid/watch/energy.hpp"
+#include "tests/overlap.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+scene::Scene scene_of(const std::string& blocks, double tilt_deg, double friction_deg) {
+  return scene::read_text(fmt::format(R"([analysis]
+duration_s = 2
+step_s = 0.01
+start = "unstressed"
+rigid = "all"
+max_displacement_ratio = 0.05
+gravity_tilt_deg = {}
+[material.stone]
+youngs_modulus_pa = 10e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2200
+[joint]
+friction_angle_deg = {}
+{})",
+                                      tilt_deg, friction_deg, blocks),
+                          "collapse")
+      .scene;
+}
+
+scene::Scene random_collapse(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> share(0, 1);
+  const double friction_deg = 15 + 30 * share(random);
+  if (seed % 3 == 0) {
+    const int stones = 10 + static_cast<int>(30 * share(random));
+    return scene_of(fmt::format("[[heap]]\nname = \"s\"\nmaterial = \"stone\"\nwidth_m = {}\nsize_m = 0.9\n"
+                                "blocks = {}\nseed = {}\n",
+                                std::sqrt(stones), stones, seed),
+                    0, friction_deg);
+  }
+  const int rows = 4 + static_cast<int>(10 * share(random));
+  const int columns = 2 + static_cast<int>(3 * share(random));
+  return scene_of(fmt::format(R"([[block]]
+name = "ground"
+material = "stone"
+fixed = true
+vertices_m = [[-60, -2], [60, -2], [60, 0], [-60, 0]]
+[[wall]]
+name = "b"
+material = "stone"
+rows = {}
+columns = {}
+brick_length_m = {}
+brick_height_m = 0.5
+bond = "running"
+)",
+                              rows, columns, 0.6 + share(random)),
+                  10 + 20 * share(random), friction_deg);
+}
+
+struct Fall {
+  double made_over_dissipated = 0;  ///< of a wall that stands: over what a drop of all by a tenth of a metre would give
+  double overlap_m = 0;
+};
+
+Fall watched(const scene::Scene& scene) {
+  Solid solid(scene);
+  Fall fall;
+  const double first = energy_of(solid).total();
+  double last = first;
+  double made = 0;
+  const double dt = scene.analysis.step_s;
+  for (long n = 0; static_cast<double>(n) * dt < scene.analysis.duration_s; ++n) {
+    solid.advance(static_cast<double>(n) * dt, static_cast<double>(n + 1) * dt, {});
+    const double now = energy_of(solid).total();
+    made += std::max(0.0, now - last);
+    last = now;
+    std::vector<test::Outline> outlines;
+    for (std::size_t b = 0; b < solid.blocks().size(); ++b) {
+      test::Outline& outline = outlines.emplace_back();
+      for (const Point& X : solid.blocks()[b].vertices) outline.push_back(solid.placements()[b].position(X));
+    }
+    fall.overlap_m = std::max(fall.overlap_m, test::largest_overlap_m(outlines));
+  }
+  double weight = 0;
+  for (const Block& block : solid.blocks()) weight += block.fixed ? 0 : block.mass_per_m() * 9.81;
+  fall.made_over_dissipated = made / std::max(first - last + made, 0.1 * weight);
+  return fall;
+}
+
+/// BLOCKWEIR_CAMPAIGN=N: so many in place of a few.
+TEST(Collapse, OfRandomWallsAndHeapsMakesNoEnergyAndNoOverlap) {
+  const char* asked = std::getenv("BLOCKWEIR_CAMPAIGN");
+  const unsigned seeds = asked != nullptr ? static_cast<unsigned>(std::stoul(asked)) : 6;
+  Fall worst;
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    const Fall fall = watched(random_collapse(seed));
+    EXPECT_LE(fall.made_over_dissipated, 1e-5) << "seed " << seed;
+    EXPECT_LE(fall.overlap_m, 1e-6) << "seed " << seed;
+    worst.made_over_dissipated = std::max(worst.made_over_dissipated, fall.made_over_dissipated);
+    worst.overlap_m = std::max(worst.overlap_m, fall.overlap_m);
+  }
+  fmt::print("{} falls: made over dissipated up to {:.1e}, overlap up to {:.1e} m\n", seeds, worst.made_over_dissipated,
+             worst.overlap_m);
+}
+
+}  // namespace
+}  // namespace blockweir::solid
