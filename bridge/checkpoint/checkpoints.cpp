@@ -63,7 +63,10 @@ bool Checkpoints::has(std::uint64_t window) const {
 std::string Checkpoints::read(std::uint64_t window) const {
   const fs::path path = file(window);
   const auto refuse = [&](const std::string& found) {
-    throw std::runtime_error(fmt::format("{}: {}; resume from another checkpoint, or run anew", path.string(), found));
+    const std::vector<std::uint64_t> all = windows(folder_, role_);
+    const bool others = std::any_of(all.begin(), all.end(), [&](std::uint64_t other) { return other < window; });
+    throw std::runtime_error(fmt::format("{}: {}; {}run anew", path.string(), found,
+                                         others ? "delete it to go on from the checkpoint before it, or " : ""));
   };
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse("no such checkpoint");

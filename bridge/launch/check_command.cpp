@@ -48,9 +48,10 @@ int check(const CheckOptions& options) {
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
   for (const auto& warning : warnings) fmt::print(stderr, "{}\n", warning.text());
   const scene::Scene& s = read.scene;
-  fmt::print("{}: sound; {} blocks, {} joints, {} variants, {} studies, {} s in steps of {} s{}\n", s.file.string(),
-             s.blocks.size(), s.joints.size(), s.variants.size(), studies, s.analysis.duration_s, s.analysis.step_s,
-             warnings.empty() ? "" : fmt::format("; {} warning{}", warnings.size(), warnings.size() == 1 ? "" : "s"));
+  fmt::print(
+      "{}: sound{}; {} blocks, {} joints, {} variants, {} studies, {} s in steps of {} s\n", s.file.string(),
+      warnings.empty() ? "" : fmt::format(", with {} warning{}", warnings.size(), warnings.size() == 1 ? "" : "s"),
+      s.blocks.size(), s.joints.size(), s.variants.size(), studies, s.analysis.duration_s, s.analysis.step_s);
   fmt::print(
       "structure of {:.4g} m: failure_displacement_m = {:.3g}, rest_speed_m_per_s = {:.3g}, penetration_tolerance_m = "
       "{:.3g}{}\n",

@@ -3,11 +3,21 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "bridge/process/run.hpp"
 #include "bridge/process/supervisor.hpp"
 
 namespace blockweir::launch {
+
+/// Do both streams lead to one terminal, file or pipe?
+inline bool errors_stand_in_the_output() {
+  struct stat out = {};
+  struct stat err = {};
+  return ::fstat(STDOUT_FILENO, &out) == 0 && ::fstat(STDERR_FILENO, &err) == 0 && out.st_dev == err.st_dev &&
+         out.st_ino == err.st_ino;
+}
 
 /// Makes a run, says how it ended and returns the exit status. What has ended by itself was not stopped: a signal that
 /// comes until the program's end is too late.
@@ -15,7 +25,10 @@ template <class Run>
 int told(Run run) {
   static const process::StopsLater until_it_is_reported;
   const process::RunResult result = run();
-  if (!result.trouble.empty()) fmt::print(stderr, "blockweir: {}\n", process::trouble_text(result));
+  // The report has it, too.
+  if (!result.trouble.empty() && !errors_stand_in_the_output()) {
+    fmt::print(stderr, "blockweir: {}\n", process::trouble_text(result));
+  }
   fmt::print("{}", process::report(result));
   return result.exit_code;
 }

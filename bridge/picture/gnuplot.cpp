@@ -12,8 +12,8 @@
 namespace blockweir::picture {
 
 void gnuplot(const std::string& script) {
-  std::signal(SIGPIPE, SIG_IGN);  // a missing program shows in its exit status
-  std::FILE* pipe = ::popen("gnuplot", "w");
+  std::signal(SIGPIPE, SIG_IGN);                          // a missing program shows in its exit status
+  std::FILE* pipe = ::popen("gnuplot 2>/dev/null", "w");  // it warns of each curve that is level
   if (pipe == nullptr) throw std::runtime_error("cannot start gnuplot");
   std::fwrite(script.data(), 1, script.size(), pipe);
   const int status = ::pclose(pipe);

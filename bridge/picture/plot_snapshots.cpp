@@ -10,11 +10,13 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/picture/openfoam_water.hpp"
+#include "bridge/picture/still_pools.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -33,20 +35,6 @@ std::vector<json> read_frames(const fs::path& file) {
     throw std::invalid_argument(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
   return frames;
 }
-
-struct View {
-  double left = 1e300;
-  double right = -1e300;
-  double bottom = 1e300;
-  double top = -1e300;
-
-  void include(double x, double y) {
-    left = std::min(left, x);
-    right = std::max(right, x);
-    bottom = std::min(bottom, y);
-    top = std::max(top, y);
-  }
-};
 
 /// Around what moves, in all frames, with some ground below and some water beside it; and around fixed walls that stand
 /// higher than `water_m`.
@@ -90,65 +78,12 @@ std::string polygon(int& number, const json& outline, const View& view, const ch
   return text;
 }
 
-/// Where the water of a frame presses, cracks apart.
-struct WetPoints {
-  View all;
-  double foot_left =
-      1e300;  ///< the lowest point at the left end of all, and at the right: beyond them the bed is level
-  double foot_right = 1e300;
-
-  explicit WetPoints(const json& frame) {
-    const auto visit = [&](const auto& look) {
-      for (const json& panel : frame["panels"]) {
-        const bool in_crack = panel.at(6) != 0;
-        if (in_crack) continue;
-        look(panel[0].get<double>(), panel[1].get<double>());
-        look(panel[2].get<double>(), panel[3].get<double>());
-      }
-    };
-    visit([&](double x, double y) { all.include(x, y); });
-    const double near = 1e-6 * (all.right - all.left);
-    visit([&](double x, double y) {
-      if (x <= all.left + near) foot_left = std::min(foot_left, y);
-      if (x >= all.right - near) foot_right = std::min(foot_right, y);
-    });
+std::string pools(int& number, const json& frame, const View& view) {
+  std::string text;
+  for (const auto& pool : still_pools(frame, view)) {
+    text += gnuplot_polygon(++number, pool, "fc rgb '#9fc5e8' fillstyle solid border lc rgb '#9fc5e8' behind");
   }
-  [[nodiscard]] bool none() const { return all.right < all.left; }
-};
-
-/// The pool up to its level, from the view's edge to the crest and down to the lowest wet point; the blocks are drawn
-/// over it. Beyond the last wet point it stands on a level bed.
-std::string pool(int& number, const json& frame, const View& view, const char* key) {
-  if (!frame[key].is_number()) return "";
-  double crest_x = 0;
-  double crest_y = -1e300;
-  for (const json& block : frame["blocks"]) {
-    for (const json& p : block["outline"]) {
-      if (block["fixed"].get<bool>() || p[1].get<double>() <= crest_y + 1e-3) continue;
-      crest_x = p[0];
-      crest_y = p[1];
-    }
-  }
-  if (crest_y == -1e300) return "";
-  const WetPoints wet(frame);
-  const bool upstream = std::string(key) == "upstream_level_m";
-  const double level = frame[key];
-  const auto water = [&](double from, double to, double bottom) {
-    if (from >= to || bottom >= level) return std::string();
-    return fmt::format("set object {} rectangle from {},{} to {},{} fc rgb '#9fc5e8' fillstyle solid noborder behind\n",
-                       ++number, from, std::max(bottom, view.bottom), to, level);
-  };
-  if (wet.none()) return upstream ? water(view.left, crest_x, view.bottom) : water(crest_x, view.right, view.bottom);
-  if (!upstream) {
-    const bool one_bed = wet.foot_right == wet.all.bottom;
-    const double end = one_bed ? view.right : std::max(crest_x, std::min(wet.all.right, view.right));
-    return water(crest_x, end, wet.all.bottom) + water(end, view.right, wet.foot_right);
-  }
-  // One pool alone ends where its last wet panel does.
-  const double inner = frame["downstream_level_m"].is_number() ? crest_x : wet.all.right;
-  const bool one_bed = wet.foot_left == wet.all.bottom;
-  const double end = one_bed ? view.left : std::min(inner, std::max(wet.all.left, view.left));
-  return water(view.left, end, wet.foot_left) + water(end, inner, wet.all.bottom);
+  return text;
 }
 
 /// The larger principal stress of meshed blocks: red where tension, blue where compression, by `largest`.
@@ -200,14 +135,14 @@ std::string flow(const std::vector<WaterBox>& boxes, const View& view, double fa
   return text + "E\n";
 }
 
-std::string moment(const json& frame, const View& view, bool contacts, const std::string& water = "") {
+/// `breached_s`: from then on still water has no place; infinite where it keeps its own.
+std::string moment(const json& frame, const View& view, double breached_s, bool contacts,
+                   const std::string& water = "") {
   int number = 0;
+  const bool breached = frame["time_s"].get<double>() >= breached_s && water.empty();
   std::string text = "unset object\n" + water;
   const std::string layer = water.empty() ? "" : " front";  // over the water's boxes
-  if (water.empty()) {
-    text += pool(number, frame, view, "upstream_level_m");
-    text += pool(number, frame, view, "downstream_level_m");
-  }
+  if (water.empty() && !breached) text += pools(number, frame, view);
   for (const json& block : frame["blocks"]) {
     const bool fixed = block["fixed"].get<bool>();
     const std::string style = fixed ? "fc rgb '#8d7f6d' fillstyle solid border lc rgb '#5b5146' lw 1"
@@ -219,9 +154,11 @@ std::string moment(const json& frame, const View& view, bool contacts, const std
   text += bolts(frame);
   const std::string scale =
       largest > 0 ? fmt::format(", larger principal stress: blue -{0:.3g} MPa, red +{0:.3g} MPa", largest / 1e6) : "";
-  const std::string level = frame["upstream_level_m"].is_number()
-                                ? fmt::format(", level {:.2f} m", frame["upstream_level_m"].get<double>())
-                                : "";
+  std::string level;
+  if (frame["upstream_level_m"].is_number()) {
+    level = fmt::format(", level {:.2f} m", frame["upstream_level_m"].get<double>());
+  }
+  if (breached) level = fmt::format(", breached at {:.2f} s", breached_s);
   text += fmt::format("set title \"{:.2f} s{}{}\"\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
                       frame["time_s"].get<double>(), level, scale, view.left, view.right, view.bottom, view.top);
   if (!water.empty()) {
@@ -265,7 +202,11 @@ std::string snapshot_script(const fs::path& run, const json& summary, const std:
   for (const WaterBox& box : water.boxes(0)) highest = std::max(highest, box.top);
   const View view = view_of(frames, highest);
   const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.3, 2.0);
-  std::string script = "reset\nset size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\n";
+  std::string script =
+      "reset\nset size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\n"
+      "set xlabel 'x [m]'\nset ylabel 'y [m]'\n";
+  const double breached_s =
+      summary.contains("breach") ? summary["breach"]["time_s"].get<double>() : std::numeric_limits<double>::infinity();
   const auto begin = [&](const char* name, double width, double height) {
     script += fmt::format("set terminal {} size {:.0f},{:.0f}\nset output {}\n", terminal, width, height,
                           gnuplot_path(run / (name + ending)));
@@ -273,21 +214,22 @@ std::string snapshot_script(const fs::path& run, const json& summary, const std:
   const auto flow_at = [&](const json& frame) {
     return water.empty() ? "" : flow(water.boxes(frame["time_s"]), view, fastest_shown);
   };
+  const std::string legend = water.empty() ? " (contacts: green stick, red slip)" : "";
   const int columns = 3;
   const int rows = static_cast<int>((picks.size() + 2) / 3);
   begin("snapshots", 1350, 60 + rows * (60 + 430 * aspect));
   script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns,
-                        gnuplot_text(summary.value("title", std::string("section"))));
-  for (const std::size_t pick : picks) script += moment(frames[pick], view, true, flow_at(frames[pick]));
+                        gnuplot_text(summary.value("title", std::string("section")) + legend));
+  for (const std::size_t pick : picks) script += moment(frames[pick], view, breached_s, true, flow_at(frames[pick]));
   script += "unset multiplot\n";
   begin("picture", 1000, 80 + 940 * aspect);
   const json& one = frames[picks[picks.size() * 2 / 3]];
-  script += moment(one, view, false, flow_at(one));
+  script += moment(one, view, breached_s, false, flow_at(one));
   if (!animated) return script;
   constexpr double playback_s = 0.1;  // a frame
   script += fmt::format("set terminal gif animate delay {:.0f} loop 0 size 900,{:.0f}\nset output {}\n",
                         100 * playback_s, 80 + 840 * aspect, gnuplot_path(run / "animation.gif"));
-  for (const json& frame : frames) script += moment(frame, view, false, flow_at(frame));
+  for (const json& frame : frames) script += moment(frame, view, breached_s, false, flow_at(frame));
   return script;
 }
 

@@ -36,7 +36,10 @@ std::string report(const RunResult& result) {
   } else if (outcome == "stands") {
     text += fmt::format("STANDS  {}\n", s["margin"]["text"].get<std::string>());
   } else {
-    text += fmt::format("STOPPED {}{}\n", s.value("stopped", ""), result.advice.empty() ? "" : "; " + result.advice);
+    const std::string why = s.value("stopped", "");
+    const std::string_view word = "stopped ";
+    text += fmt::format("STOPPED {}{}\n", why.starts_with(word) ? why.substr(word.size()) : why,
+                        result.advice.empty() ? "" : "; " + result.advice);
   }
   if (s.contains("rest")) text += fmt::format("STATIC  {}\n", s["rest"]["text"].get<std::string>());
   if (s.contains("breach")) {
@@ -52,11 +55,12 @@ std::string report(const RunResult& result) {
       text += fmt::format("OUT     {}: {}\n", check["name"].get<std::string>(), check["trouble"].get<std::string>());
       continue;
     }
-    text += fmt::format("{}  {}: expected {}, got {}, off by {} (tolerance {}){}\n",
-                        check["passed"].get<bool>() ? "ok    " : "OUT   ", check["name"].get<std::string>(),
-                        results::figure(check["expected"]), results::figure(check["got"]),
-                        number(check["relative_error"]), number(check["tolerance"]),
-                        check.contains("why_none") ? ": " + check["why_none"].get<std::string>() : "");
+    const std::string got = check.contains("why_none") ? check["why_none"].get<std::string>()
+                                                       : fmt::format("got {}, off by {}", results::figure(check["got"]),
+                                                                     number(check["relative_error"]));
+    text += fmt::format("{}  {}: expected {}, {} (tolerance {})\n", check["passed"].get<bool>() ? "ok    " : "OUT   ",
+                        check["name"].get<std::string>(), results::figure(check["expected"]), got,
+                        number(check["tolerance"]));
   }
   for (const json& skip : s.value("skips", json::array())) text += fmt::format("skipped {}\n", skip.get<std::string>());
   const json simulated = s.value("simulated_s", json());

@@ -153,10 +153,12 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   ::close(pipe_ends[1]);
 
   result.trouble = first_trouble(supervised, folder);
-  if (!result.trouble.empty() && resumable_window(folder, scene) > 0 && !ends_there_again(folder)) {
+  result.refused = !result.trouble.empty() && is_refusal(supervised);
+  const std::uint64_t last = resumable_window(folder, scene);
+  const bool refused_to_resume = result.refused && first > 0 && last == first;  // as where a checkpoint is damaged
+  if (!result.trouble.empty() && last > 0 && !refused_to_resume && !ends_there_again(folder)) {
     result.advice = fmt::format("\"blockweir resume {}\" goes on", folder.string());
   }
-  result.refused = !result.trouble.empty() && is_refusal(supervised);
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
   if (result.exit_code == 0) forget_checkpoints(folder);
   complete_summary(folder, result, seconds_since(start));

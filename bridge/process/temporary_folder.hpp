@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A private folder, gone with its object.
+// A private folder, gone with its object, or when the next one is made after its process was killed.
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "bridge/results/folder_lock.hpp"
 
 namespace blockweir::process {
 
@@ -17,6 +20,7 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
+  std::optional<results::FolderLock> lock_;  ///< tells the folders of the living from those of the dead
 };
 
 }  // namespace blockweir::process

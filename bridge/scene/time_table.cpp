@@ -16,6 +16,23 @@ double TimeTable::at(double time) const {
   return rows_at(time) + sine->amplitude * std::sin(sine->angular_frequency * time + sine->phase);
 }
 
+double TimeTable::at(const TimeSpan& step) const {
+  constexpr double round_off = 1e-6;  // of the step: a row so near to its end is at its end
+  const double margin = round_off * (step.to_s - step.from_s);
+  const auto first = std::upper_bound(time_s.begin(), time_s.end(), step.from_s + margin);
+  const auto last = std::lower_bound(first, time_s.end(), step.to_s - margin);
+  if (first == last) return at(step.to_s);
+  double sum = 0;
+  double from = step.from_s;
+  const auto add_until = [&](double to) {  // linear, or constant, from row to row
+    sum += (to - from) * rows_at((from + to) / 2);
+    from = to;
+  };
+  std::for_each(first, last, add_until);
+  add_until(step.to_s);
+  return sum / (step.to_s - step.from_s) + at(step.to_s) - rows_at(step.to_s);
+}
+
 double TimeTable::constant_until(double time) const {
   if (sine) return time;
   const double now = rows_at(time);

@@ -15,6 +15,14 @@ struct Sine {
   bool operator==(const Sine&) const = default;
 };
 
+/// Of a step; an instant is one, too.
+struct TimeSpan {
+  TimeSpan(double instant_s) : from_s(instant_s), to_s(instant_s) {}
+  TimeSpan(double from, double to) : from_s(from), to_s(to) {}
+  double from_s;
+  double to_s;
+};
+
 /// Piecewise function of time, held constant before the first and after the last row; a sine may go on top of it.
 /// Linear between rows, or stepwise: a row's value then holds until the next row's time.
 struct TimeTable {
@@ -26,6 +34,9 @@ struct TimeTable {
   static TimeTable constant(double value);
 
   [[nodiscard]] double at(double time_s) const;
+  /// What acts in a step: the value at its end, or the rows' mean over it where some lie within, so that what comes and
+  /// goes between two steps' ends keeps its impulse.
+  [[nodiscard]] double at(const TimeSpan& step) const;
   /// The value stays what it is at `time_s` at all later times before this one; `time_s` itself where it changes.
   [[nodiscard]] double constant_until(double time_s) const;
   [[nodiscard]] double rows_at(double time_s) const;  ///< without the sine

@@ -68,8 +68,11 @@ StudyResult find_limit(const scene::LimitStudy& study, StudyRuns& runs) {
   double high = study.to;
   const bool at_low = has_outcome(low);
   if (has_outcome(high) == at_low) {
-    throw std::runtime_error(fmt::format("no limit of {} from {} to {}: both ends {} the outcome \"{}\"", study.key,
-                                         low, high, at_low ? "have" : "have not", study.outcome));
+    const auto end = [&](std::size_t run) { return result.runs[run]["outcome"].get<std::string>(); };
+    throw std::runtime_error(fmt::format(
+        "no limit of {} found: the outcome is \"{}\" at {:.6g} and \"{}\" at {:.6g}; expected \"{}\" at one "
+        "of both alone; move from or to",
+        study.key, end(0), low, end(1), high, study.outcome));
   }
   constexpr int most_halvings = 60;
   const auto width = [&] { return std::abs(high - low) / std::max(std::abs(low), std::abs(high)); };

@@ -111,10 +111,20 @@ void HydrostaticModel::press(wire::Load& load) {
   sections_.clear();
   load.upstream_level_m = last_upstream_m_;
   load.downstream_level_m = last_downstream_m_;
-  const Pools::State water = pools_.find(structure_, last_upstream_m_, last_downstream_m_);
+  const double ground_m = ground_displacement().y();
+  const Pools::State water = pools_.find(structure_, last_upstream_m_ + ground_m, last_downstream_m_ + ground_m);
   load.breached = water.breached;
   for (const WaterBody& body : water.bodies) add_body(body, load);
   add_cracks(water.bodies, load);
+}
+
+/// Ground that moves as a support takes its water along: levels count from where the scene draws it.
+Point HydrostaticModel::ground_displacement() const {
+  if (!scene_.base_motion || scene_.base_motion->form != scene::BaseForm::support) return Point::Zero();
+  const auto ground = std::find_if(scene_.blocks.begin(), scene_.blocks.end(), [](const auto& b) { return b.fixed; });
+  if (ground == scene_.blocks.end()) return Point::Zero();
+  const auto& displacement = last_motion_.displacement[static_cast<std::size_t>(ground - scene_.blocks.begin())];
+  return {displacement[0], displacement[1]};
 }
 
 std::string HydrostaticModel::state() const {
@@ -188,14 +198,15 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, wire::Load
   if (cracks_.empty()) return;
   const std::vector<WetInterval> open_water = wet_intervals(open);
   const double weight = scene_.water.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2;
+  const Point ground_m = ground_displacement();
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
     const Crack& crack = cracks_[k];
     const auto end_of = [&](bool upstream, const CrackPart& part, const Point& outline_point) {
       const auto b = at(part.block_a);
-      const double level_m = upstream ? last_upstream_m_ : last_downstream_m_;
+      const double level_m = (upstream ? last_upstream_m_ : last_downstream_m_) + ground_m.y();
       const Point place = wire::place(centroids_[b], last_motion_.displacement[b], outline_point);
       const double pressure_pa = std::isnan(level_m) ? 0.0 : weight * std::max(0.0, level_m - place.y());
-      const bool stands = (place - outline_point).norm() <= scene_.water.open_crack_width_m;
+      const bool stands = (place - outline_point - ground_m).norm() <= scene_.water.open_crack_width_m;
       if (stands) crack_ends_.look(k, {upstream, place, pressure_pa}, structure_.outlines, open_water);
       return pressure_pa;
     };

@@ -46,6 +46,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   void place(const wire::Motion& motion);
   void add_body(const WaterBody& body, wire::Load& load);
   void add_cracks(const std::vector<WaterBody>& open, wire::Load& load);
+  [[nodiscard]] Point ground_displacement() const;
 
   const scene::Scene& scene_;
   std::vector<Point> centroids_;

@@ -60,12 +60,12 @@ BaseMotion::BaseMotion(const scene::Scene& scene) : shakes_(scene.base_motion.ha
   axes_ = {BaseAxis(scene.base_motion->acceleration_x_m_per_s2), BaseAxis(scene.base_motion->acceleration_y_m_per_s2)};
 }
 
-Point BaseMotion::acceleration(double time_s) const {
-  return {axes_[0].acceleration(time_s), axes_[1].acceleration(time_s)};
+Point BaseMotion::acceleration(const scene::TimeSpan& step) const {
+  return {axes_[0].acceleration(step), axes_[1].acceleration(step)};
 }
 
-Point BaseMotion::inertia(double time_s) const {
-  return shakes_ && !moves_supports_ ? acceleration(time_s) : Point::Zero();
+Point BaseMotion::inertia(const scene::TimeSpan& step) const {
+  return shakes_ && !moves_supports_ ? acceleration(step) : Point::Zero();
 }
 
 Point BaseMotion::displacement(double time_s) const {

@@ -15,7 +15,7 @@ class BaseAxis {
   BaseAxis() = default;
   explicit BaseAxis(const scene::TimeTable& acceleration);
 
-  [[nodiscard]] double acceleration(double time_s) const { return acceleration_.at(time_s); }
+  [[nodiscard]] double acceleration(const scene::TimeSpan& step) const { return acceleration_.at(step); }
   [[nodiscard]] double velocity(double time_s) const;
   [[nodiscard]] double displacement(double time_s) const;
 
@@ -41,9 +41,9 @@ class BaseMotion {
  public:
   explicit BaseMotion(const scene::Scene& scene);
 
-  [[nodiscard]] Point acceleration(double time_s) const;
+  [[nodiscard]] Point acceleration(const scene::TimeSpan& step) const;
   /// Of the inertia force's frame, zero where supports move instead [m/s2].
-  [[nodiscard]] Point inertia(double time_s) const;
+  [[nodiscard]] Point inertia(const scene::TimeSpan& step) const;
   /// Of fixed blocks and held points, zero where an inertia force stands for their motion.
   [[nodiscard]] Point displacement(double time_s) const;
   [[nodiscard]] Point velocity(double time_s) const;

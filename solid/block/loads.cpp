@@ -53,8 +53,8 @@ Loads::Loads(const scene::Scene& scene, const Parts& parts) : parts_(parts), sce
   }
 }
 
-void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::vector<Placement>& placements,
-                     std::vector<Vector6>& forces, bool base_moves) const {
+void Loads::evaluate(const scene::TimeSpan& step, const std::vector<Panel>& water,
+                     const std::vector<Placement>& placements, std::vector<Vector6>& forces, bool base_moves) const {
   forces = constant_;
   std::vector<Panel> pieces;
   const auto add_panel = [&](const Panel& whole, scene::NodalRule rule) {
@@ -67,13 +67,13 @@ void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::
     }
   };
   for (const PointForce& point : points_) {
-    const Point force(point.load->force_x_n_per_m.at(time_s), point.load->force_y_n_per_m.at(time_s));
+    const Point force(point.load->force_x_n_per_m.at(step), point.load->force_y_n_per_m.at(step));
     forces[at(point.at.part)] += placements[at(point.at.part)].shape(point.at.material).transpose() * force;
   }
   for (const Face& face : faces_) {
     Panel panel = face.panel;
-    panel.pressure_from_pa = face.load->pressure_from_pa.at(time_s);
-    panel.pressure_to_pa = face.load->pressure_to_pa.at(time_s);
+    panel.pressure_from_pa = face.load->pressure_from_pa.at(step);
+    panel.pressure_to_pa = face.load->pressure_to_pa.at(step);
     // A panel runs along its edge; stated the other way round, its length would point the traction outward.
     if (panel.s_from > panel.s_to) {
       std::swap(panel.s_from, panel.s_to);
@@ -82,19 +82,20 @@ void Loads::evaluate(double time_s, const std::vector<Panel>& water, const std::
     add_panel(panel, scene::NodalRule::consistent);
   }
   for (const Panel& panel : water) add_panel(panel, scene_.water.nodal_rule);
-  add_lines(time_s, placements, forces);
-  add_bodies(time_s, forces);
-  if (base_moves) add_base(time_s, forces);
+  add_lines(step, placements, forces);
+  add_bodies(step, forces);
+  if (base_moves) add_base(step, forces);
 }
 
 /// In each component f_i = L (2 q_i + q_j)/6, L as the scene draws it.
-void Loads::add_lines(double time_s, const std::vector<Placement>& placements, std::vector<Vector6>& forces) const {
+void Loads::add_lines(const scene::TimeSpan& step, const std::vector<Placement>& placements,
+                      std::vector<Vector6>& forces) const {
   std::vector<Panel> pieces;
   for (const Line& line : lines_) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       Panel whole = line.panel;
-      whole.pressure_from_pa = line.load->force_from_n_per_m2[axis].at(time_s);
-      whole.pressure_to_pa = line.load->force_to_n_per_m2[axis].at(time_s);
+      whole.pressure_from_pa = line.load->force_from_n_per_m2[axis].at(step);
+      whole.pressure_to_pa = line.load->force_to_n_per_m2[axis].at(step);
       if (whole.s_from > whole.s_to) {
         std::swap(whole.s_from, whole.s_to);
         std::swap(whole.pressure_from_pa, whole.pressure_to_pa);
@@ -116,13 +117,13 @@ void Loads::add_lines(double time_s, const std::vector<Placement>& placements, s
 }
 
 /// A uniform force on the volume acts at the centroid and strains nothing.
-void Loads::add_bodies(double time_s, std::vector<Vector6>& forces) const {
+void Loads::add_bodies(const scene::TimeSpan& step, std::vector<Vector6>& forces) const {
   const auto add = [&](int part, const scene::BodyLoad& load, const Point& value) {
     const Block& block = parts_.blocks[at(part)];
     forces[at(part)].head<2>() += (load.per_mass ? block.mass_per_m() : block.area) * value;
   };
   for (const auto& load : scene_.body_loads) {
-    const Point value(load.value[0].at(time_s), load.value[1].at(time_s));
+    const Point value(load.value[0].at(step), load.value[1].at(step));
     for (const int b : load.blocks) {
       add(b, load, value);
       for (const int triangle : parts_.triangles[at(b)]) add(triangle, load, value);
@@ -130,8 +131,8 @@ void Loads::add_bodies(double time_s, std::vector<Vector6>& forces) const {
   }
 }
 
-void Loads::add_base(double time_s, std::vector<Vector6>& forces) const {
-  const Point inertia = base_.inertia(time_s);
+void Loads::add_base(const scene::TimeSpan& step, std::vector<Vector6>& forces) const {
+  const Point inertia = base_.inertia(step);
   if (inertia.isZero(0)) return;
   for (std::size_t b = 0; b < forces.size(); ++b) forces[b].head<2>() -= parts_.blocks[b].mass_per_m() * inertia;
 }

@@ -16,9 +16,9 @@ class Loads {
 
   /// Weight and initial stress of a part.
   [[nodiscard]] const Vector6& constant(std::size_t part) const { return constant_[part]; }
-  /// External generalized forces [N per metre, N] on every part at `time_s`, with the water's panels on the scene's
+  /// External generalized forces [N per metre, N] on every part in a step, with the water's panels on the scene's
   /// blocks; directions follow the placements given. `base_moves`: else weight and first loads act on a base at rest.
-  void evaluate(double time_s, const std::vector<Panel>& water, const std::vector<Placement>& placements,
+  void evaluate(const scene::TimeSpan& step, const std::vector<Panel>& water, const std::vector<Placement>& placements,
                 std::vector<Vector6>& forces, bool base_moves = false) const;
 
  private:
@@ -34,9 +34,10 @@ class Loads {
     Panel panel;  ///< where it acts; without pressure
     const scene::LineLoad* load;
   };
-  void add_lines(double time_s, const std::vector<Placement>& placements, std::vector<Vector6>& forces) const;
-  void add_bodies(double time_s, std::vector<Vector6>& forces) const;
-  void add_base(double time_s, std::vector<Vector6>& forces) const;
+  void add_lines(const scene::TimeSpan& step, const std::vector<Placement>& placements,
+                 std::vector<Vector6>& forces) const;
+  void add_bodies(const scene::TimeSpan& step, std::vector<Vector6>& forces) const;
+  void add_base(const scene::TimeSpan& step, std::vector<Vector6>& forces) const;
 
   const Parts& parts_;
   const scene::Scene& scene_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which law holds between which two blocks.
+// Which law holds between which two blocks, and on which edge.
 #pragma once
 
 #include <algorithm>
@@ -60,6 +60,10 @@ class JointLaws {
     const auto found = by_pair_.find(key(block_a, block_b));
     return found == by_pair_.end() ? 0 : found->second;
   }
+  /// Of blocks that have none between them, as those that meet where one slides past a crossing: the law of the cut
+  /// that made an edge, told by the middle of a side of the block's outline in the scene. 0 where none did.
+  [[nodiscard]] int of_cut(int block, const geometry::Point& middle) const;
+  [[nodiscard]] bool any_cut() const { return !cut_edges_.empty(); }
   [[nodiscard]] bool dilate() const {
     return std::any_of(laws_.begin(), laws_.end(), [](const JointProperties& law) { return law.dilation > 0; });
   }
@@ -71,8 +75,18 @@ class JointLaws {
     const auto high = static_cast<std::uint64_t>(a < b ? b : a);
     return low << 32U | high;
   }
+  /// A part of a block's outline along a cut.
+  struct CutEdge {
+    geometry::Point from_m;
+    geometry::Point to_m;
+    int law = 0;
+  };
+  void add_cuts(const scene::Scene& scene);
+
   std::vector<JointProperties> laws_;
   std::unordered_map<std::uint64_t, int> by_pair_;
+  std::unordered_map<int, std::vector<CutEdge>> cut_edges_;  ///< by block
+  double touching_m_ = 0;
 };
 
 }  // namespace blockweir::solid

@@ -49,6 +49,23 @@ ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double s
   for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
   opened_.assign(corners_.size(), 0);
   opened_at_pairs_ = opened_;
+  if (laws.any_cut()) find_cuts();
+}
+
+void ContactSearch::find_cuts() {
+  cut_laws_.resize(corners_.size());
+  for (std::size_t b = 0; b < corners_.size(); ++b) {
+    for (const OutlineSide& side : parts_.outlines[b]) {
+      const Point middle = parts_.blocks[at(side.part)].centroid + (parts_.vertex(side) + parts_.end(side)) / 2;
+      cut_laws_[b].push_back(laws_.of_cut(static_cast<int>(b), middle));
+    }
+  }
+}
+
+/// Of the two blocks, else of the cut along whose edge the vertex slides.
+int ContactSearch::law_on(int vertex_block, int edge_block, std::size_t edge) const {
+  const int own = laws_.between(vertex_block, edge_block);
+  return own != 0 || cut_laws_.empty() ? own : cut_laws_[at(edge_block)][edge];
 }
 
 bool ContactSearch::rounds_to(double rounding_m) {
@@ -153,7 +170,7 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       contact.edge_part = at_edge.part;
       contact.edge_from = parts_.vertex(at_edge);
       contact.edge_to = parts_.end(at_edge);
-      contact.law = laws_.between(vertex_block, edge_block);
+      contact.law = law_on(vertex_block, edge_block, e);
       contact.gap = gap;
       contact.anchor = s / edge_length;
       contact.separation = gap * n;

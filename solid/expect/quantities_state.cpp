@@ -14,7 +14,8 @@ namespace {
 
 template <double Failure::*Member>
 double of_first_failure(const Outcome& o, const std::string&) {
-  return o.failure.failures().empty() ? nan : o.failure.failures().front().*Member;
+  if (o.failure.failures().empty()) throw NoFigure("no failure");
+  return o.failure.failures().front().*Member;
 }
 
 /// Against the base.

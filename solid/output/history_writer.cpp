@@ -40,6 +40,13 @@ std::string header(const scene::Scene& scene) {
   return text;
 }
 
+/// Without the round-off of its sum of windows: 13.2, not 13.200000000000001.
+void add_time(double time_s, std::string& row) {
+  constexpr int digits = 15;
+  std::array<char, 32> text{};
+  row.append(text.data(), std::to_chars(text.begin(), text.end(), time_s, std::chars_format::general, digits).ptr);
+}
+
 }  // namespace
 
 HistoryWriter::HistoryWriter(const std::filesystem::path& folder, const scene::Scene& scene, results::Begin begin)
@@ -56,7 +63,7 @@ void HistoryWriter::write(const Frame& frame) {
     std::array<char, 32> text{};  // of a double there are 24 characters at most
     row.append(text.data(), std::to_chars(text.begin(), text.end(), value).ptr);
   };
-  add(frame.time_s);
+  add_time(frame.time_s, row);
   for (const double v : {frame.upstream_level_m, frame.downstream_level_m, frame.largest_displacement_m,
                          frame.kinetic_energy_j_per_m, frame.strain_energy_j_per_m, frame.potential_energy_j_per_m}) {
     add(v);

@@ -32,11 +32,10 @@ std::string new_contacts_warning(const expect::Outcome& o) {
   std::set<std::pair<int, int>> known;
   for (const ContactRow& c : o.first.contacts) known.insert(pair_of(c));
   std::set<std::pair<int, int>> met;
-  for (const ContactRow& c : o.last.contacts) {
-    const bool pressed = c.state != static_cast<int>(ContactState::open);
-    if (pressed && c.joint < 0 && !known.contains(pair_of(c)) && other_joint(scene, pair_of(c)) != nullptr) {
-      met.insert(pair_of(c));
-    }
+  for (const ContactPoint& c : o.solid.contacts()) {
+    constexpr int default_law = 0;  // not that of a cut, along whose edge a block slides
+    if (c.state == ContactState::open || c.law != default_law || known.contains(c.pair())) continue;
+    if (other_joint(scene, c.pair()) != nullptr) met.insert(c.pair());
   }
   if (met.empty()) return {};
   const std::pair<int, int> first = *met.begin();

@@ -11,6 +11,7 @@
 #include "solid/expect/formulas.hpp"
 #include "solid/expect/words.hpp"
 #include "solid/output/new_contacts.hpp"
+#include "solid/output/water_on_crest.hpp"
 #include "solid/watch/joint_name.hpp"
 
 namespace blockweir::solid::output {
@@ -259,7 +260,7 @@ json summary(const expect::Outcome& outcome) {
   text["energy_gain"] = outcome.energy.gain();
   for (const std::string& warning :
        {outcome.energy.warning(outcome.solid), residual_warning(scene, counts), outcome.edge_tension.warning(),
-        new_contacts_warning(outcome), outcome.added_mass.warning(scene.coupling)}) {
+        new_contacts_warning(outcome), water_on_crest_warning(outcome), outcome.added_mass.warning(scene.coupling)}) {
     if (!warning.empty()) text["warnings"].push_back(warning);
   }
   const InterfaceEnergy& exchanged = outcome.interface_energy;

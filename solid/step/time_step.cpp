@@ -75,7 +75,9 @@ void TimeStep::begin(const Stretch& stretch, const StepMode& mode) {
   trial_.set_matrices(stretch.dt, mode.scheme);
   // The base moves from time 0 on: before, weight and first loads settle on a base at rest.
   const bool base_moves = !mode.settles || model_.is(scene::AnalysisKind::at_rest);
-  model_.loads.evaluate(stretch.end_s, stretch.water, state_.placements, trial_.external, base_moves);
+  const bool has_time = model_.is(scene::AnalysisKind::dynamic) && !mode.settles;
+  const scene::TimeSpan span(has_time ? stretch.end_s - stretch.dt : stretch.end_s, stretch.end_s);
+  model_.loads.evaluate(span, stretch.water, state_.placements, trial_.external, base_moves);
   if (state_.guard.acts()) water_.begin_step(stretch.dt);
   require_finite_loads(step_, stretch.end_s);
   trial_.begin();

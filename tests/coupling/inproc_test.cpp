@@ -53,7 +53,7 @@ TEST_F(Inproc, IsStoppedAndGoesOnEitherWay) {
     ASSERT_TRUE(under_way("parts"));
     kill(run, SIGINT);
     ASSERT_EQ(end_of(run, 20), 130) << text("log");
-    EXPECT_THAT(text("log"), HasSubstr("stopped on request; the results so far stand; \"blockweir resume parts\""));
+    EXPECT_THAT(text("log"), HasSubstr("STOPPED on request; the results so far stand; \"blockweir resume parts\""));
     ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet" + how), 0) << text("out");
     expect_same("whole", "parts");
     fs::remove_all(folder / "parts");

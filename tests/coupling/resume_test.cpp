@@ -26,7 +26,7 @@ class Resume : public SameResults {
     kill(run, SIGINT);
     ASSERT_EQ(end_of(run, 20), 130) << text("log");
     EXPECT_THAT(text("log"),
-                HasSubstr("stopped on request; the results so far stand; \"blockweir resume parts\" goes on"));
+                HasSubstr("STOPPED on request; the results so far stand; \"blockweir resume parts\" goes on"));
     EXPECT_LT(text("parts/history.csv").size(), text("whole/history.csv").size());
     ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
     expect_same();

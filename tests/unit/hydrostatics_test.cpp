@@ -198,5 +198,31 @@ TEST(HydrostaticModel, KeepsWhatHasNotMovedAndSaysTheSamePressures) {
   EXPECT_EQ(repeats.report().skips.size(), 1U);
 }
 
+/// Ground that a support's motion lifts and moves aside takes its water along; the level is told from it.
+TEST(HydrostaticModel, WaterRidesWithTheGround) {
+  auto scene = scene_of({{{-20, -1}, {20, -1}, {20, 0}, {-20, 0}}, {{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, 7);
+  scene.blocks[0].fixed = true;
+  scene.base_motion.emplace().form = scene::BaseForm::support;
+  const auto force_x = [&](double up_m) {
+    HydrostaticModel model(scene);
+    wire::Motion motion;
+    motion.displacement.own().assign(2, {0.5, up_m, 0, 0, 0, 0});
+    wire::Load load;
+    model.advance(motion, 0, load);
+    EXPECT_EQ(load.upstream_level_m, 7);
+    double force = 0;
+    for (std::size_t i = 0; i < load.block.size(); ++i) {
+      if (load.block[i] != 1) continue;
+      const double length = 10 * std::abs(load.s_to[i] - load.s_from[i]);
+      force += length * (load.pressure_from_pa[i] + load.pressure_to_pa[i]) / 2;
+    }
+    return force;
+  };
+  EXPECT_NEAR(force_x(-1.3) / (9810 * 7 * 7 / 2.0), 1, 1e-9);
+  EXPECT_NEAR(force_x(2) / (9810 * 7 * 7 / 2.0), 1, 1e-9);
+  scene.base_motion->form = scene::BaseForm::inertia;
+  EXPECT_NEAR(force_x(2) / (9810 * 5 * 5 / 2.0), 1, 1e-9);
+}
+
 }  // namespace
 }  // namespace blockweir::hydrostatic

@@ -143,5 +143,34 @@ TEST(Loads, ADashpotFollowsAMovingBase) {
   }
 }
 
+/// A force of 8 ms between the ends of two steps of 10 ms: the block has its impulse.
+TEST(Loads, APulseShorterThanAStepIsNotMissed) {
+  auto scene = free_block();
+  scene::PointLoad load{.block = 0, .point_m = Point(1, 0.5)};
+  load.force_x_n_per_m = {.time_s = {0, 0.501, 0.509}, .value = {0, 1e6, 0}, .stepwise = true};
+  load.force_y_n_per_m = scene::TimeTable::constant(0);
+  scene.point_loads.push_back(load);
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 1);
+  EXPECT_NEAR(solid.states()[0].velocity[0], 1e6 * 0.008 / 5000, 1e-9);
+}
+
+/// Ground that shakes by rows of 5 ms in steps of 10 ms: a block on it is left behind by what it gains.
+TEST(Loads, ARecordFinerThanTheStepIsNotSampled) {
+  auto scene = free_block();
+  scene.base_motion.emplace();
+  auto& record = scene.base_motion->acceleration_x_m_per_s2;
+  record = {};
+  for (int row = 0; row <= 200; ++row) {
+    record.time_s.push_back(0.005 * row);
+    record.value.push_back(row % 2 == 0 ? 0 : 2);
+  }
+  Solid solid(scene);
+  solid.settle({});
+  run(solid, 1);
+  EXPECT_NEAR(solid.states()[0].velocity[0], -1, 1e-9);
+}
+
 }  // namespace
 }  // namespace blockweir::solid

@@ -165,6 +165,12 @@ void check_base_motion(const Reading& reading) {
                            "out",
                            "model = \"openfoam\" in [fluid], or [[face_pressure]] for the hydrodynamic pressure",
                            "take one of both, or know that the water's part is missing");
+  const bool grounded = std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const Block& b) { return b.fixed; });
+  const bool lifts = scene.base_motion->form == BaseForm::support && stated->contains("acceleration_y_m_per_s2");
+  if (grounded || !lifts) return;
+  reading.problems.warning(
+      reading.problems.at(stated->source()), "the water does not rise and fall with the ground: no block is fixed",
+      "a fixed block, whose motion the levels follow", "state form = \"inertia\", or add the ground");
 }
 
 /// Uplift is by the pressure at a crack's mouth: full of water, one that dips has more below.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Levels that no reservoir has, faster than a wave or higher on the downstream side, and those that a run does not come
-// to.
+// to or does not see.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "bridge/geometry/outline.hpp"
+#include "bridge/scene/read/check_sampling.hpp"
 #include "bridge/scene/read/magnitudes.hpp"
 
 namespace blockweir::scene {
@@ -66,6 +67,18 @@ void check_end(const char* key, const TimeTable& level, const toml::table& file,
       "levels within the run", "lengthen duration_s, or raise the level faster");
 }
 
+/// Still water has the level that a window begins with.
+void check_windows(const char* key, const TimeTable& level, const toml::table& file, const Scene& scene,
+                   Problems& problems) {
+  if (scene.analysis.kind == AnalysisKind::at_rest) return;
+  const Coupling& coupling = scene.coupling;
+  const bool grow = coupling.longest_window_s > coupling.window_s;
+  check_sampling(std::string(key) + " in [water]", problems.at(file["water"][key].node()->source()), level,
+                 {grow ? "[coupling] longest_window_s" : "[coupling] window_s",
+                  grow ? coupling.longest_window_s : coupling.window_s, scene.analysis.duration_s},
+                 problems);
+}
+
 }  // namespace
 
 void check_levels(const toml::table& file, const Scene& scene, Problems& problems) {
@@ -78,7 +91,9 @@ void check_levels(const toml::table& file, const Scene& scene, Problems& problem
     if (!*level) continue;
     check_rate(key, **level, file, scene, bottom_m, problems);
     // OpenFOAM's mesh is as high as the table, whenever it comes there.
-    if (scene.fluid == FluidModel::hydrostatic) check_end(key, **level, file, scene, problems);
+    if (scene.fluid != FluidModel::hydrostatic) continue;
+    check_end(key, **level, file, scene, problems);
+    check_windows(key, **level, file, scene, problems);
   }
   if (!up || !down) return;
   std::vector<double> times = corners(*up, scene.analysis.duration_s);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 
 #include "bridge/scene/structure_size.hpp"
@@ -16,25 +17,32 @@ namespace {
 constexpr bool grows_with_size = true;
 constexpr const char* law_sections[] = {"joint", "joints[]", "cut[]", "joint_set[]"};
 
+constexpr Unit percent = {"percent", 0.01};
+constexpr Unit radians = {"radians", 180 / std::numbers::pi};
+constexpr Unit kilopascals = {"kPa", 1e3};
+constexpr Unit megapascals = {"MPa", 1e6};
+constexpr Unit gigapascals = {"GPa", 1e9};
+constexpr Unit tonnes = {"t/m3", 1000};
+
 constexpr Magnitude table_of_magnitudes[] = {
-    {"material.*", "density_kg_per_m3", "kg/m3", 100, 20'000, "2.4 is t/m3 and 23.5 is kN/m3, both are 2400 kg/m3"},
-    {"material.*", "youngs_modulus_pa", "Pa", 1e6, 1e13, "25 is likely GPa: write 25e9", grows_with_size},
-    {"material.*", "poissons_ratio", "", 0.01, 0.45, "rock and concrete have 0.1 to 0.3"},
-    {"material.*", "damping_ratio", "", 1e-4, 0.3, "5 % is 0.05"},
-    {"analysis", "gravity_m_per_s2", "m/s2", 9, 10, "981 is cm/s2: write 9.81; more is meant in a centrifuge only"},
-    {"analysis", "gravity_tilt_deg", "deg", 0.5, 90, "is it in radians? write degrees"},
-    {"analysis", "duration_s", "s", 1e-6, 1e7, "a year is 3e7 s: a run makes each of its steps"},
-    {"analysis", "step_s", "s", 1e-9, 100, "dynamic motions of dams take milliseconds to seconds"},
-    {"analysis", "max_displacement_ratio", "", 1e-6, 1, "1 % is 0.01"},
-    {"joint", "friction_angle_deg", "deg", 2, 80, "is it in radians? 0.6 is 34 deg"},
-    {"joint", "residual_friction_angle_deg", "deg", 2, 80, "is it in radians? 0.5 is 29 deg"},
-    {"joint", "dilation_angle_deg", "deg", 0.5, 45, "is it in radians? 0.1 is 6 deg"},
-    {"joint", "cohesion_pa", "Pa", 1000, 1e12, "300 is likely kPa: write 300e3", grows_with_size},
-    {"joint", "tension_strength_pa", "Pa", 1000, 1e12, "2 is likely MPa: write 2e6", grows_with_size},
-    {"water", "density_kg_per_m3", "kg/m3", 500, 2000, "1 is t/m3: write 1000"},
-    {"water", "atmospheric_pressure_pa", "Pa", 3e4, 1.2e5, "101.3 is kPa: write 101300"},
-    {"bolt[]", "youngs_modulus_pa", "Pa", 1e9, 1e12, "210 is GPa: write 210e9"},
-    {"bolt[]", "area_m2_per_m", "m2/m", 1e-9, 0.5, "500 is mm2: write 500e-6"},
+    {"material.*", "density_kg_per_m3", "kg/m3", 100, 20'000, {tonnes, {"kN/m3", 1000 / 9.81}}},
+    {"material.*", "youngs_modulus_pa", "Pa", 1e6, 1e13, {gigapascals, megapascals, kilopascals}, "", grows_with_size},
+    {"material.*", "poissons_ratio", "", 0.01, 0.45, {percent}, "rock and concrete have 0.1 to 0.3"},
+    {"material.*", "damping_ratio", "", 1e-4, 0.3, {percent}, "5 % is 0.05"},
+    {"analysis", "gravity_m_per_s2", "m/s2", 9, 10, {{"cm/s2", 0.01}}, "more is meant in a centrifuge only"},
+    {"analysis", "gravity_tilt_deg", "deg", 0.5, 90, {radians}},
+    {"analysis", "duration_s", "s", 1e-6, 1e7, {}, "a year is 3e7 s: a run makes each of its steps"},
+    {"analysis", "step_s", "s", 1e-9, 100, {}, "dynamic motions of dams take milliseconds to seconds"},
+    {"analysis", "max_displacement_ratio", "", 1e-6, 1, {percent}, "1 % is 0.01"},
+    {"joint", "friction_angle_deg", "deg", 2, 80, {radians}},
+    {"joint", "residual_friction_angle_deg", "deg", 2, 80, {radians}},
+    {"joint", "dilation_angle_deg", "deg", 0.5, 45, {radians}},
+    {"joint", "cohesion_pa", "Pa", 1000, 1e12, {kilopascals, megapascals}, "", grows_with_size},
+    {"joint", "tension_strength_pa", "Pa", 1000, 1e12, {megapascals, kilopascals}, "", grows_with_size},
+    {"water", "density_kg_per_m3", "kg/m3", 500, 2000, {tonnes, {"kN/m3", 1000 / 9.81}}},
+    {"water", "atmospheric_pressure_pa", "Pa", 3e4, 1.2e5, {kilopascals, {"hPa", 100}, {"bar", 1e5}}},
+    {"bolt[]", "youngs_modulus_pa", "Pa", 1e9, 1e12, {gigapascals, megapascals}},
+    {"bolt[]", "area_m2_per_m", "m2/m", 1e-9, 0.5, {{"mm2", 1e-6}, {"cm2", 1e-4}}},
 };
 
 /// Whether a row of [joint] goes for the other laws, too.
@@ -77,7 +85,7 @@ void check_row(const Magnitude& row, double least, const toml::table& file, Prob
       if (size == 0 || (size >= least && size <= row.most)) return;
       problems.warning(problems.at(node->source()),
                        fmt::format("{} in {} is {:.6g}{}, which is unusual", row.key, name, *value, unit),
-                       fmt::format("{:.3g} to {:.3g}{}", least, row.most, unit), row.slip);
+                       fmt::format("{:.3g} to {:.3g}{}", least, row.most, unit), likely_meaning(row, *value));
     });
   }
 }
@@ -139,10 +147,31 @@ void check_shaking(const toml::table& file, const Scene& scene, Problems& proble
   }
 }
 
+/// 30 in GPa is 30e9, 2.4 in t/m3 is 2400.
+std::string in_own_unit(double value, double size) {
+  constexpr double long_number = 1e5;
+  const double power = std::round(std::log10(size));
+  const bool by_power = std::abs(value * size) >= long_number && std::pow(10, power) == size;
+  return by_power ? fmt::format("{:.6g}e{:.0f}", value, power) : fmt::format("{:.4g}", value * size);
+}
+
 }  // namespace
 
 std::span<const Magnitude> magnitudes() {
   return table_of_magnitudes;
+}
+
+std::string likely_meaning(const Magnitude& row, double value) {
+  std::string text;
+  for (const Unit& unit : row.units) {
+    if (unit.name == nullptr || std::abs(value) * unit.size < row.least || std::abs(value) * unit.size > row.most) {
+      continue;
+    }
+    text = fmt::format("if it is in {}, write {}", unit.name, in_own_unit(value, unit.size));
+    break;
+  }
+  if (text.empty()) return *row.remark == '\0' ? "check its unit" : row.remark;
+  return *row.remark == '\0' ? text : fmt::format("{}; {}", text, row.remark);
 }
 
 void check_magnitudes(const toml::table& file, const Scene& scene, Problems& problems) {
@@ -155,6 +184,7 @@ void check_magnitudes(const toml::table& file, const Scene& scene, Problems& pro
   check_size(scene, size_m, problems);
   check_crack_width(file, scene, size_m, problems);
   check_shaking(file, scene, problems);
+  check_proportions(file, scene, problems);
   check_levels(file, scene, problems);
   check_gaps(scene, problems);
 }

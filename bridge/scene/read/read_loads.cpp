@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bridge/geometry/outline.hpp"
+#include "bridge/scene/read/check_sampling.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/reading.hpp"
 
@@ -34,18 +35,31 @@ void read_point_on_block(TableReader& table, Reading& reading, int& index, Point
       "a point in the block or on its outline", "move the point or name the block that it is on");
 }
 
+enum class Course { load, displacement };
+
+/// A quantity over time, which the run is to see in its steps: in a dynamic analysis they take up loads' means.
+bool read_course(TableReader& table, const char* key, std::optional<TimeTable>& into, Reading& reading,
+                 Course course = Course::load) {
+  const Analysis& analysis = reading.scene.analysis;
+  if (!table.time_table(key, into, analysis.duration_s)) return false;
+  if (analysis.kind == AnalysisKind::at_rest) return true;
+  const bool means = course == Course::load && analysis.kind == AnalysisKind::dynamic;
+  check_sampling(fmt::format("{} in {}", key, table.name()), table.place(key), *into,
+                 {"[analysis] step_s", analysis.step_s, analysis.duration_s, means}, reading.problems);
+  return true;
+}
+
 void reject(TableReader& table, Problems& problems, const char* found, const char* expected, const char* remedy) {
   problems.error(table.place(), fmt::format("{} {}", table.name(), found), expected, remedy);
 }
 
 void read_force(TableReader& table, Reading& reading, PointLoad& load) {
-  const double duration = reading.scene.analysis.duration_s;
   Point force = Point::Zero();
   std::optional<TimeTable> x;
   std::optional<TimeTable> y;
   table.vector("force_n_per_m", force);
-  table.time_table("force_x_n_per_m", x, duration);
-  table.time_table("force_y_n_per_m", y, duration);
+  read_course(table, "force_x_n_per_m", x, reading);
+  read_course(table, "force_y_n_per_m", y, reading);
   const bool both = table.has("force_n_per_m");
   const bool parts = table.has("force_x_n_per_m") || table.has("force_y_n_per_m");
   if (both == parts) {
@@ -78,14 +92,14 @@ void read_face(TableReader& table, Reading& reading, Load& load) {
 }
 
 /// A component of a line load: uniform, or its values at both ends. False when it is stated in half or twice.
-bool read_ends(TableReader& table, double duration, const char* uniform_key, const char* from_key, const char* to_key,
+bool read_ends(TableReader& table, Reading& reading, const char* uniform_key, const char* from_key, const char* to_key,
                TimeTable& at_from, TimeTable& at_to) {
   std::optional<TimeTable> uniform;
   std::optional<TimeTable> from;
   std::optional<TimeTable> to;
-  table.time_table(uniform_key, uniform, duration);
-  table.time_table(from_key, from, duration);
-  table.time_table(to_key, to, duration);
+  read_course(table, uniform_key, uniform, reading);
+  read_course(table, from_key, from, reading);
+  read_course(table, to_key, to, reading);
   at_from = from.value_or(uniform.value_or(TimeTable::constant(0)));
   at_to = to.value_or(uniform.value_or(TimeTable::constant(0)));
   return table.has(from_key) == table.has(to_key) && !(table.has(uniform_key) && table.has(from_key));
@@ -119,12 +133,11 @@ std::vector<int> read_loaded_blocks(TableReader& table, Reading& reading) {
 }  // namespace
 
 void read_supports(Reading& reading) {
-  const double duration = reading.scene.analysis.duration_s;
   reading.each("support", [&](TableReader& table) {
     Support support;
     read_point_on_block(table, reading, support.block, support.point_m);
-    table.time_table("displacement_x_m", support.displacement_x_m, duration);
-    table.time_table("displacement_y_m", support.displacement_y_m, duration);
+    read_course(table, "displacement_x_m", support.displacement_x_m, reading, Course::displacement);
+    read_course(table, "displacement_y_m", support.displacement_y_m, reading, Course::displacement);
     if (!table.has("displacement_x_m") && !table.has("displacement_y_m")) {
       reject(table, reading.problems, "holds nothing", "displacement_x_m, displacement_y_m or both",
              "write displacement_y_m = 0 to hold the point in y");
@@ -143,16 +156,15 @@ void read_point_loads(Reading& reading) {
 }
 
 void read_face_pressures(Reading& reading) {
-  const double duration = reading.scene.analysis.duration_s;
   reading.each("face_pressure", [&](TableReader& table) {
     FacePressure load;
     read_face(table, reading, load);
     std::optional<TimeTable> uniform;
     std::optional<TimeTable> from;
     std::optional<TimeTable> to;
-    table.time_table("pressure_pa", uniform, duration);
-    table.time_table("pressure_from_pa", from, duration);
-    table.time_table("pressure_to_pa", to, duration);
+    read_course(table, "pressure_pa", uniform, reading);
+    read_course(table, "pressure_from_pa", from, reading);
+    read_course(table, "pressure_to_pa", to, reading);
     const int ends = table.has("pressure_from_pa") + table.has("pressure_to_pa");
     if (table.has("pressure_pa") ? ends != 0 : ends != 2) {
       reject(table, reading.problems, "does not state one pressure",
@@ -165,13 +177,12 @@ void read_face_pressures(Reading& reading) {
 }
 
 void read_line_loads(Reading& reading) {
-  const double duration = reading.scene.analysis.duration_s;
   reading.each("line_load", [&](TableReader& table) {
     LineLoad load;
     read_face(table, reading, load);
-    const bool x = read_ends(table, duration, "force_x_n_per_m2", "force_from_x_n_per_m2", "force_to_x_n_per_m2",
+    const bool x = read_ends(table, reading, "force_x_n_per_m2", "force_from_x_n_per_m2", "force_to_x_n_per_m2",
                              load.force_from_n_per_m2[0], load.force_to_n_per_m2[0]);
-    const bool y = read_ends(table, duration, "force_y_n_per_m2", "force_from_y_n_per_m2", "force_to_y_n_per_m2",
+    const bool y = read_ends(table, reading, "force_y_n_per_m2", "force_from_y_n_per_m2", "force_to_y_n_per_m2",
                              load.force_from_n_per_m2[1], load.force_to_n_per_m2[1]);
     const bool any = table.has("force_x_n_per_m2") || table.has("force_y_n_per_m2") ||
                      table.has("force_from_x_n_per_m2") || table.has("force_from_y_n_per_m2");
@@ -185,15 +196,14 @@ void read_line_loads(Reading& reading) {
 }
 
 void read_body_loads(Reading& reading) {
-  const double duration = reading.scene.analysis.duration_s;
   reading.each("body_load", [&](TableReader& table) {
     BodyLoad load{.blocks = read_loaded_blocks(table, reading)};
     std::optional<TimeTable> acceleration[2];
     std::optional<TimeTable> force[2];
-    table.time_table("acceleration_x_m_per_s2", acceleration[0], duration);
-    table.time_table("acceleration_y_m_per_s2", acceleration[1], duration);
-    table.time_table("force_x_n_per_m3", force[0], duration);
-    table.time_table("force_y_n_per_m3", force[1], duration);
+    read_course(table, "acceleration_x_m_per_s2", acceleration[0], reading);
+    read_course(table, "acceleration_y_m_per_s2", acceleration[1], reading);
+    read_course(table, "force_x_n_per_m3", force[0], reading);
+    read_course(table, "force_y_n_per_m3", force[1], reading);
     load.per_mass = table.has("acceleration_x_m_per_s2") || table.has("acceleration_y_m_per_s2");
     if (load.per_mass == (table.has("force_x_n_per_m3") || table.has("force_y_n_per_m3"))) {
       reject(table, reading.problems, load.per_mass ? "states both acceleration and force" : "has no load",
@@ -209,13 +219,12 @@ void read_body_loads(Reading& reading) {
 
 void read_base_motion(Reading& reading) {
   TableReader table(reading.problems, reading.section("base_motion"), "[base_motion]");
-  const double duration = reading.scene.analysis.duration_s;
   BaseMotion base;
   std::optional<TimeTable> x;
   std::optional<TimeTable> y;
   table.choice<BaseForm>("form", base.form, {{"inertia", BaseForm::inertia}, {"support", BaseForm::support}});
-  table.time_table("acceleration_x_m_per_s2", x, duration);
-  table.time_table("acceleration_y_m_per_s2", y, duration);
+  read_course(table, "acceleration_x_m_per_s2", x, reading);
+  read_course(table, "acceleration_y_m_per_s2", y, reading);
   if (!table.present()) return;
   if (!table.has("acceleration_x_m_per_s2") && !table.has("acceleration_y_m_per_s2")) {
     reject(table, reading.problems, "moves nothing", "acceleration_x_m_per_s2, acceleration_y_m_per_s2 or both",

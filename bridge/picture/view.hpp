@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a picture shows of the section [m].
+#pragma once
+
+#include <algorithm>
+
+namespace blockweir::picture {
+
+struct View {
+  double left = 1e300;
+  double right = -1e300;
+  double bottom = 1e300;
+  double top = -1e300;
+
+  void include(double x, double y) {
+    left = std::min(left, x);
+    right = std::max(right, x);
+    bottom = std::min(bottom, y);
+    top = std::max(top, y);
+  }
+};
+
+}  // namespace blockweir::picture

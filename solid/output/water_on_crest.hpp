@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Still water above a crest: what stands on the crest is left out where one pool alone is above it.
+#pragma once
+
+#include <string>
+
+#include "solid/expect/quantities.hpp"
+
+namespace blockweir::solid::output {
+
+/// Empty where no level that decided, that of the failure or else the highest, was above the crest.
+std::string water_on_crest_warning(const expect::Outcome& outcome);
+
+}  // namespace blockweir::solid::output

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The script ./blockweir where nothing is built yet: what needs no build is told without one.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "tests/own_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A source tree with as much of it as the script reads.
+class Launcher : public blockweir::test::OwnFolder {
+ protected:
+  Launcher() {
+    const fs::path source = BLOCKWEIR_SOURCE;
+    fs::create_directories(folder / "bridge/launch");
+    for (const char* file : {"blockweir", "CMakeLists.txt", "bridge/launch/commands.hpp"}) {
+      fs::copy_file(source / file, folder / file);
+    }
+  }
+  [[nodiscard]] std::string output_of(const std::string& options) const {
+    std::FILE* pipe = ::popen(((folder / "blockweir").string() + " " + options + " 2>&1").c_str(), "r");
+    std::string text;
+    std::array<char, 4096> part;
+    while (const std::size_t read = std::fread(part.data(), 1, part.size(), pipe)) text.append(part.data(), read);
+    EXPECT_EQ(::pclose(pipe), 0);
+    return text;
+  }
+};
+
+TEST_F(Launcher, HelpListsTheCommandsAndBuildsNothing) {
+  for (const char* options : {"--help", "-h", ""}) {
+    EXPECT_THAT(output_of(options), testing::AllOf(testing::HasSubstr("run        run a scene and say how it ends"),
+                                                   testing::HasSubstr("test       set up, build and run every test")));
+  }
+  EXPECT_FALSE(fs::exists(folder / "build"));
+}
+
+TEST_F(Launcher, TheVersionNeedsNoBuild) {
+  EXPECT_THAT(output_of("--version"), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_FALSE(fs::exists(folder / "build"));
+}
+
+}  // namespace

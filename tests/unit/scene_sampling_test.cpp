@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_scene_read
+// Courses in time that go on between two looks of the run: what it would not see is warned of.
+#include "tests/unit/scene_sample.hpp"
+
+using namespace blockweir::scene;
+using sample::expect_warning;
+using sample::text;
+using sample::warnings;
+using sample::with;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+namespace {
+
+/// The sample in windows of half a second.
+std::string with_level(const std::string& level) {
+  return with("{ table = [[0, 1], [2, 3]] }", level, with("window_s = 0.02", "window_s = 0.5"));
+}
+
+TEST(SceneSampling, ALevelThatPeaksBetweenTwoWindows) {
+  expect_warning(with_level("{ table = [[0, 1], [0.6, 1], [0.8, 1.5], [0.98, 1]] }"), 45,
+                 {"upstream_level_m in [water] is 1.5 at 0.8 s, which the run does not see", "at 0.5 s and 1 s",
+                  "shorten [coupling] window_s"});
+  expect_warning(with_level("{ steps = [[0, 1], [0.6, 1.5], [0.9, 1]] }"), 45, {"is 1.5 at 0.6 s"});
+}
+
+TEST(SceneSampling, RowsThatAWindowBeginsWithOrRisesThroughAreSeen) {
+  EXPECT_THAT(warnings(with_level("{ table = [[0, 1], [0.5, 1.5], [1, 1]] }")), IsEmpty());
+  EXPECT_THAT(warnings(with_level("{ table = [[0, 1], [0.6, 1.2], [2, 3]] }")), IsEmpty());
+  EXPECT_THAT(warnings(with_level("{ steps = [[0, 1], [0.6, 1.5], [1.2, 1]] }")), IsEmpty());
+}
+
+TEST(SceneSampling, ASineThatIsFasterThanTenLooks) {
+  expect_warning(with_level("{ sine = 0.5, frequency_hz = 1, mean = 2 }"), 45,
+                 {"a period of upstream_level_m in [water] takes 1 s, 2 times [coupling] window_s", "to 0.1 s"});
+  const std::string pulse = "force_x_n_per_m = { sine = 100, frequency_hz = 25 }\nforce_y_n_per_m = 0";
+  EXPECT_THAT(warnings(with("force_n_per_m = [100, -200]", pulse)),
+              Contains(HasSubstr("a period of force_x_n_per_m in [[point_load]] takes 0.04 s, 4 times [analysis] "
+                                 "step_s, 0.01 s: its course is not followed")));
+}
+
+/// Steps of a dynamic analysis take up the rows' mean; one that looks for rest has no impulse.
+TEST(SceneSampling, ALoadThatComesAndGoesWithinAStep) {
+  const std::string pulse =
+      "force_x_n_per_m = { table = [[0, 0], [0.101, 0], [0.105, 9], [0.109, 0]] }\n"
+      "force_y_n_per_m = 0";
+  const std::string pushed = with("force_n_per_m = [100, -200]", pulse);
+  EXPECT_THAT(warnings(pushed), IsEmpty());
+  EXPECT_THAT(warnings(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"quasi-static\"", pushed)),
+              Contains(HasSubstr("force_x_n_per_m in [[point_load]] is 9 at 0.105 s, which the run does not see")));
+  EXPECT_THAT(warnings(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"static\"", pushed)),
+              Not(Contains(HasSubstr("does not see"))));
+}
+
+TEST(SceneSampling, ASupportThatIsMovedToAndFroWithinAStep) {
+  EXPECT_THAT(warnings(with("displacement_x_m = 0",
+                            "displacement_x_m = { table = [[0, 0], [0.101, 0], [0.105, 0.01], [0.109, 0]] }")),
+              Contains(HasSubstr("displacement_x_m in [[support]] is 0.01 at 0.105 s, which the run does not see")));
+}
+
+}  // namespace
