@@ -150,6 +150,35 @@ void draw_anchored(Random& random, RandomStructure& one) {
   for (Stack& stack : one.stacks) stack.bolts = s.bolts;
 }
 
+/// Friction alone, as a bond would break before the anchor yields; the anchor stretches on the way to its yield.
+void draw_stretching(Random& random, RandomStructure& one) {
+  draw_monolith(random, one);
+  Structure& s = one.structure;
+  Stack& whole = one.stacks.front();
+  whole.law.cohesion_pa = whole.law.tension_pa = 0;
+  s.joints.front().law = whole.law;
+  // Along the base and into it, so that it stretches whether the dam slides or turns.
+  const bool low = random.chance(0.3);
+  const Vec along = (whole.heel_m - whole.toe_m).normalized();
+  const double steep = low ? 0 : random.between(0.9, 1.3);  // flat ones at the crest would hold it as the foot slides
+  const Vec way = std::cos(steep) * along + std::sin(steep) * Vec(-along.y(), along.x());
+  const Vec head = low ? Vec(whole.heel_m + 0.1 * (whole.face_top_m - whole.heel_m))
+                       : Vec((whole.face_top_m + whole.back_top_m) / 2);
+  const Vec foot = head + 1.5 * one.height_m * way;
+  const double yield = whole.weight_n_per_m * random.between(0.05, 0.3);
+  const double prestress = random.chance(0.5) ? 0 : yield * random.between(0, 0.9);
+  // With its short lever a low one lets the dam lean as a failure does before it yields.
+  const double stretch_m = one.height_m * random.between_orders(1e-6, low ? 3e-5 : 3e-4);
+  s.bolts = {{.name = "anchor",
+              .body = s.bodies.back().name,
+              .from_m = head,
+              .to_m = foot,
+              .stiffness_n_per_m2 = (yield - prestress) / stretch_m,
+              .prestress_n_per_m = prestress,
+              .yield_n_per_m = yield}};
+  whole.bolts = s.bolts;
+}
+
 /// Bed of rock from a joint below the heel to where its bedding comes to the surface.
 void draw_on_rock(Random& random, RandomStructure& one) {
   Section section = random_section(random, random.between_orders(0.3, 300));
@@ -257,6 +286,10 @@ RandomStructure lifts(std::uint64_t seed) {
 
 RandomStructure anchored(std::uint64_t seed) {
   return drawn(seed, "anchored", draw_anchored);
+}
+
+RandomStructure stretching(std::uint64_t seed) {
+  return drawn(seed, "stretching", draw_stretching);
 }
 
 RandomStructure on_rock(std::uint64_t seed) {
