@@ -9,6 +9,7 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "solid/contact/outline.hpp"
+#include "solid/watch/energy_debt.hpp"
 #include "solid/watch/failure_mode.hpp"
 #include "solid/watch/joint_name.hpp"
 #include "solid/watch/mobility.hpp"
@@ -149,12 +150,12 @@ double FailureWatch::travel(std::size_t b) const {
 void FailureWatch::judge() {
   constexpr double straining = 100;  // times the speed of rest: what still counts as calm
   const double rest = solid_.scene().analysis.rest_speed_m_per_s;
-  std::vector<bool> moves(watched_.size());
+  std::vector<bool> moves = in_debt(solid_);
   bool any_moves = false;
   bool calm = true;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const double fastest = solid_.blocks()[b].fixed ? 0 : speed(b);
-    moves[b] = fastest > rest;
+    moves[b] = moves[b] || fastest > rest;
     any_moves = any_moves || (moves[b] && !watched_[b].failed && !guided_[b]);
     calm = calm && fastest <= straining * rest;
   }

@@ -132,6 +132,33 @@ void draw_lifts(Random& random, RandomStructure& one) {
   }
 }
 
+/// Upright lifts that friction alone holds on each other; the lowest has cohesion on the ground and no tension
+/// strength.
+void draw_loose_lifts(Random& random, RandomStructure& one) {
+  Structure& s = one.structure;
+  one.height_m = random_height(random);
+  const double width = one.height_m * random.between(0.3, 0.5);
+  s.density_kg_per_m3 = random.between(2000, 2700);
+  s.others = {.friction_deg = 60};
+  s.bodies = {ground_under({.height = one.height_m, .base = width})};
+  const std::size_t count = 2 + random.below(4);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double low = one.height_m * static_cast<double>(k) / static_cast<double>(count);
+    const double high = one.height_m * static_cast<double>(k + 1) / static_cast<double>(count);
+    const std::string name = "lift" + std::to_string(k);
+    Law law = s.others;
+    if (k == 0) {
+      law.cohesion_pa = random.between(0.05, 0.5) * s.density_kg_per_m3 * gravity * one.height_m;
+      law.uplift = random.of(std::vector{Uplift::none, Uplift::triangular, Uplift::full});
+    }
+    const std::string joint = k == 0 ? "base" : "joint" + std::to_string(k);
+    s.joints.push_back({joint, s.bodies.back().name, name, law});
+    s.bodies.push_back({name, {Vec(0, low), Vec(width, low), Vec(width, high), Vec(0, high)}});
+    one.stacks.push_back(stack_of(joint, Vec(0, low), Vec(width, low), Vec(0, one.height_m), Vec(width, one.height_m),
+                                  law, s.density_kg_per_m3, none_m));
+  }
+}
+
 /// From the middle of the crest into the ground between heel and toe, with a pull that does not change.
 void draw_anchored(Random& random, RandomStructure& one) {
   random.chance(0.5) ? draw_monolith(random, one) : draw_lifts(random, one);
@@ -286,6 +313,10 @@ RandomStructure lifts(std::uint64_t seed) {
 
 RandomStructure anchored(std::uint64_t seed) {
   return drawn(seed, "anchored", draw_anchored);
+}
+
+RandomStructure loose_lifts(std::uint64_t seed) {
+  return drawn(seed, "loose_lifts", draw_loose_lifts);
 }
 
 RandomStructure stretching(std::uint64_t seed) {

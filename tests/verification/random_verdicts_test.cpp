@@ -37,6 +37,16 @@ TEST_F(RandomVerdicts, WhatABoltTiesFailsAtTheLevelOfItsYield) {
   });
 }
 
+/// As a heel opens, its bond is lost and the lifts spring: they are on the move from then on, however slowly.
+TEST_F(RandomVerdicts, LiftsThatStrainTurnAtTheLevelAtWhichTheirHeelOpens) {
+  each({loose_lifts}, 8, [&](const RandomStructure& one) {
+    Trial trial = slowly(one);
+    trial.filling.rigid = "none";
+    trial.filling.integrator = "shi";
+    return wrong(trial, run(trial));
+  });
+}
+
 TEST_F(RandomVerdicts, RockSlidesWithItsDamAtTheLevelOfLimitAnalysis) {
   each({on_rock}, 3, [&](const RandomStructure& one) {
     const Trial trial = slowly(one);
