@@ -240,6 +240,18 @@ std::optional<Moving> FailureWatch::moving() const {
   return fastest;
 }
 
+/// No water reaches anything that can move: the level has nothing to do with a failure.
+bool FailureWatch::all_is_dry(double level_m) const {
+  for (std::size_t b = 0; b < watched_.size(); ++b) {
+    if (solid_.blocks()[b].fixed) continue;
+    const Placement then(solid_.blocks()[b].centroid, watched_[b].displacement);
+    for (const Point& X : solid_.blocks()[b].vertices) {
+      if (then.position(X).y() < level_m) return false;
+    }
+  }
+  return true;
+}
+
 Failure FailureWatch::describe(std::size_t b) const {
   std::vector<Vector6> displacement;
   std::vector<double> times;
@@ -263,6 +275,7 @@ Failure FailureWatch::describe(std::size_t b) const {
                   .window_rise_m = nan,
                   .travel_m = travel(b),
                   .mode = "falling"};
+  if (all_is_dry(failure.level_m)) failure.level_m = nan;
   const Mode mode = mode_of(moved, body, pairs);
   const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns, downstream);
   if (joint.name.empty()) return failure;
