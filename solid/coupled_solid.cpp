@@ -80,6 +80,7 @@ void CoupledSolid::start(const wire::Load& load) {
       solid_.settle(water_.at(load.time_s));
     }
   });
+  interface_energy_.begin();
   observe(load, 0);
   last_load_ = load;
   unrecorded_ = 0;
@@ -146,7 +147,9 @@ void CoupledSolid::observe(const wire::Load& load, double time_s) {
   const Stopwatch watch(watch_s_);
   const Levels levels{load.upstream_level_m, load.downstream_level_m};
   failure_.look(time_s, levels);
-  if (failure_.failures().empty()) {
+  // A static analysis seeks its states of rest beyond what the start has come to, which is only near to one.
+  const bool sought = solid_.scene().analysis.kind != scene::AnalysisKind::at_rest || time_s > 0;
+  if (failure_.failures().empty() && sought) {
     margins_.look(solid_, time_s, levels.higher_m());
     edge_tension_.look(solid_, time_s, levels.higher_m());
   }

@@ -24,7 +24,8 @@ std::string report(const RunResult& result) {
       const std::string pool = f.value("pool", "upstream") == "downstream" ? " (downstream pool)" : "";
       const std::string head =
           f["head_m"].is_number() ? fmt::format(", {} m above the joint that failed", number(f["head_m"])) : "";
-      text += fmt::format("        at a level of {} m{}{}, after {} s\n", number(f["level_m"]), pool, head,
+      text += fmt::format("        at a level of {}{} m{}{}, after {} s\n",
+                          f.value("level_is_bound", false) ? "at most " : "", number(f["level_m"]), pool, head,
                           number(f["time_s"]));
     } else {
       text += fmt::format("        after {} s\n", number(f["time_s"]));

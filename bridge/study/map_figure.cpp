@@ -21,11 +21,12 @@ struct Word {
   char letter;
   const char* colour;
 };
-constexpr std::array<Word, 14> outcomes{{{"stands", '.', "#73a946"},
+constexpr std::array<Word, 15> outcomes{{{"stands", '.', "#73a946"},
                                          {"moving", 'm', "#ad7fa8"},
                                          {"sliding", 's', "#3465a4"},
                                          {"overturning", 'o', "#e08e0b"},
                                          {"sliding and overturning", 'b', "#a0408a"},
+                                         {"lifting", 'l', "#06989a"},
                                          {"falling", 'f', "#555753"},
                                          {"stable", '-', "#73a946"},
                                          {"grows", 'g', "#e08e0b"},

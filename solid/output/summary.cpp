@@ -33,7 +33,8 @@ std::string named(const Solid& solid, const std::vector<int>& blocks) {
 std::string failure_text(const Solid& solid, const Failure& f) {
   const bool one = f.blocks.size() == 1;
   std::string text = fmt::format("{} {} by {}", named(solid, f.blocks), one ? "fails" : "fail together", f.mode);
-  if (!f.joint.empty()) text += fmt::format(" on joint \"{}\"", f.joint);
+  const bool leaves = f.mode == "lifting" || f.mode == "falling";
+  if (!f.joint.empty()) text += fmt::format(" {} joint \"{}\"", leaves ? "off" : "on", f.joint);
   return text;
 }
 
@@ -41,9 +42,9 @@ std::string failure_text(const Solid& solid, const Failure& f) {
 std::string doubt(const Solid& solid, const Failure& f) {
   if (std::isnan(f.level_m)) return {};
   if (f.bound && solid.scene().analysis.kind == scene::AnalysisKind::at_rest) {
-    return "the level of failure is at most this; try lower ones, or let the level rise in a dynamic analysis";
+    return "a static analysis looks at one level: try lower ones, or let the level rise in a dynamic analysis";
   }
-  if (f.bound) return "it moves from the start: the level of failure is at most this; begin with a lower one";
+  if (f.bound) return "it moves from the start: begin with a lower level";
   constexpr double exact = 1e-3;  // of the head
   if (!(f.level_uncertainty_m > exact * f.head_m)) return {};
   if (f.window_rise_m > f.level_uncertainty_m / 2) {
@@ -71,6 +72,7 @@ json failure(const expect::Outcome& o) {
   json found = {{"level_m", first.level_m},
                 {"pool", first.downstream ? "downstream" : "upstream"},
                 {"head_m", first.head_m},
+                {"level_is_bound", first.bound},
                 {"level_uncertainty_m", first.level_uncertainty_m},
                 {"time_s", first.time_s},
                 {"mode", first.mode},
@@ -108,9 +110,14 @@ json margin(const expect::Outcome& o) {
     text = fmt::format("lowest sliding factor {:.4g} on", m->value) + place(*m);
   }
   if (const auto& m = o.margins.overturning()) {
-    found["overturning"] = {
-        {"end_distance", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
-    text += fmt::format("; resultant nearest to an end (0: overturns): {:.4g} of the length of", m->value) + place(*m);
+    found["overturning"] = {{"end_distance", m->value},
+                            {"end", m->end},
+                            {"joint", m->joint},
+                            {"level_m", m->level_m},
+                            {"time_s", m->time_s}};
+    text += fmt::format("; resultant nearest to an end (0: overturns): {:.4g} of the length from the {} end of",
+                        m->value, m->end) +
+            place(*m);
   }
   const ContactRow* slipped = nullptr;
   for (const ContactRow& c : o.last.contacts) {

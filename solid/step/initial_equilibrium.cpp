@@ -40,6 +40,23 @@ std::vector<bool> unanchored(const Model& model, const State& state) {
   return waiting;
 }
 
+namespace {
+
+/// What a vertex may move as bolts stretch on their way to equilibrium [m]: they bear no more than their yield, or the
+/// weight. What they pull at an angle or with a short lever moves farther than they stretch.
+double moved_by_bolts_m(const Model& model, const State& state) {
+  constexpr double farther = 4;
+  double most = 0;
+  for (const Bolt& bolt : state.bolts) {
+    const scene::Bolt& d = *bolt.described;
+    const double tension = d.yield_n_per_m.value_or(d.prestress_n_per_m + model.weight_n_per_m);
+    most = std::max(most, farther * (tension - d.prestress_n_per_m) / d.stiffness_n_per_m2);
+  }
+  return most;
+}
+
+}  // namespace
+
 bool InitialEquilibrium::settle(const std::vector<Panel>& water) {
   const Stretch pseudo_step{model_.pseudo_step_s(), model_.settling_time_s(), water};
   const std::vector<bool> fixed = trial_.frozen;
@@ -150,8 +167,9 @@ void InitialEquilibrium::hold(const Stretch& pseudo_step, const StepMode& mode, 
 bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode) {
   constexpr int most_steps = 200;
   const Standing held = state_;
-  // What moves by more at once than the blocks' own strains have moved it is on its way.
-  const double far_m = std::max(1e-4 * model_.size_m, state_.largest_displacement_m(model_));
+  // What moves by more at once than the blocks' own strains have moved it, or bolts let it, is on its way.
+  const double far_m =
+      std::max({1e-4 * model_.size_m, state_.largest_displacement_m(model_), moved_by_bolts_m(model_, state_)});
   const double at_rest_m = 1e-12 * model_.size_m;
   const double shortest = 1e-4 * pseudo_step.dt;
   const double moving = 1e-4 * model_.scene.analysis.gravity_m_per_s2;

@@ -9,7 +9,7 @@
 namespace blockweir::solid {
 namespace {
 
-constexpr double most_gain = 1e-3;   // of the energy that the run had, before it is warned of
+constexpr double most_gain = 1e-3;   // of the energy that the run had or a failure has, before it is warned of
 constexpr double least_lift = 1e-9;  // of the model's size: what lifts it by less is round-off
 
 }  // namespace
@@ -47,11 +47,14 @@ void EnergyWatch::look(const Solid& solid) {
 }
 
 std::string EnergyWatch::warning(const Solid& solid) const {
-  if (!(gain() > most_gain)) return {};
+  // What only strains and settles has next to no energy: it is held against what its weight gives as it fails.
+  const double failing = solid.weight_n_per_m() * solid.scene().analysis.failure_displacement_m;
+  const double made = made_ / std::max(scale_, failing);
+  if (!(made > most_gain)) return {};
   return fmt::format(
       "the steps have made {:.3g} of the energy that the run had ({:.3g} J per metre) of nothing: what moves is not to "
       "be trusted; expected at most {:.3g}; shorten [analysis] step_s (now {:.3g}){}",
-      gain(), made_, most_gain, solid.scene().analysis.step_s,
+      made, made_, most_gain, solid.scene().analysis.step_s,
       solid.scene().analysis.integrator == scene::Integrator::shi ? "" : ", or take integrator = \"shi\"");
 }
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "bridge/geometry/point.hpp"
 #include "bridge/scene/at.hpp"
 
 namespace blockweir::solid {
@@ -18,23 +20,52 @@ double radius(const Solid& solid, const std::vector<int>& blocks) {
   return box.diagonal().norm() / 2;
 }
 
+/// Contacts at which the body meets what it leaves; 1 where the vertex is the body's, -1 where the edge is.
+template <class Look>
+void each_left(const Solid& solid, const MovingBody& body, Look look) {
+  for (const ContactPoint& c : solid.contacts()) {
+    for (const auto& [inside, outside] : body.left) {
+      if (c.vertex_block == inside && c.edge_block == outside) look(c, 1);
+      if (c.edge_block == inside && c.vertex_block == outside) look(c, -1);
+    }
+  }
+}
+
+/// Out of the joint, into the body.
+Point way_out(const Solid& solid, const ContactPoint& c, int of_body) {
+  const Placement& edge = solid.placements()[at(c.edge_part)];
+  return -of_body * perpendicular(edge.vector(c.edge_to - c.edge_from)).normalized();
+}
+
+/// Do all contacts at which the body had stood open, each by more than any slips?
+bool leaves_straight(const MovedSince& moved, const MovingBody& body) {
+  constexpr double touched = 0.1;  // of what has opened: the gap before
+  bool any = false;
+  bool any_closed = false;
+  double least = std::numeric_limits<double>::infinity();
+  double slip = 0;
+  each_left(moved.solid(), body, [&](const ContactPoint& c, int of_body) {
+    const Point away = way_out(moved.solid(), c, of_body);
+    const Point apart = of_body * moved.apart(c);
+    const double opening = away.dot(apart);
+    any_closed = any_closed || c.state != ContactState::open;
+    slip = std::max(slip, std::abs(geometry::cross(away, apart)));
+    if (c.gap - opening > touched * opening) return;
+    any = true;
+    least = std::min(least, opening);
+  });
+  return any && !any_closed && least > slip;
+}
+
 /// Does the body, by turning about where it presses, open a joint behind it? What strains or rings may turn, too, but
 /// opens none; and what slides away from a wall opens that by its slip.
 bool opens_by_turning(const MovedSince& moved, const MovingBody& body, const PairMotions& pairs, double turn) {
   constexpr double opened = 0.2;  // of the turn times the joint's length, however slender the body
   const Solid& solid = moved.solid();
-  const auto each_left = [&](const auto& look) {  // 1 where the contact's vertex is the body's, -1 where its edge is
-    for (const ContactPoint& c : solid.contacts()) {
-      for (const auto& [inside, outside] : body.left) {
-        if (c.vertex_block == inside && c.edge_block == outside) look(c, 1);
-        if (c.edge_block == inside && c.vertex_block == outside) look(c, -1);
-      }
-    }
-  };
   double pressed = 0;
   Point place = Point::Zero();  // where the body presses, and its slip there, weighted by how much
   Point slip = Point::Zero();
-  each_left([&](const ContactPoint& c, int of_body) {
+  each_left(solid, body, [&](const ContactPoint& c, int of_body) {
     if (c.state == ContactState::open) return;
     pressed += c.force.x();
     place += c.force.x() * solid.place(c);
@@ -47,9 +78,8 @@ bool opens_by_turning(const MovedSince& moved, const MovingBody& body, const Pai
   for (const auto& [inside, outside] : body.left) joint.extend(pairs.at(std::minmax(inside, outside)).points);
   const double least = opened * std::abs(turn) * joint.diagonal().norm();
   bool opens = false;
-  each_left([&](const ContactPoint& c, int of_body) {
-    const Placement& edge = solid.placements()[at(c.edge_part)];
-    const Point away = -of_body * perpendicular(edge.vector(c.edge_to - c.edge_from)).normalized();
+  each_left(solid, body, [&](const ContactPoint& c, int of_body) {
+    const Point away = way_out(solid, c, of_body);
     const double beyond_slip = away.dot(of_body * moved.apart(c)) - std::max(0.0, away.dot(slip));
     const double by_turning = turn * away.dot(perpendicular(solid.place(c) - place));
     opens = opens || std::min({c.gap, beyond_slip, by_turning}) >= least;
@@ -66,22 +96,26 @@ Mode mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions&
   double travel = 0;
   double mass = 0;
   double turned = 0;
-  double ahead = 0;
+  Point way = Point::Zero();
   for (const int b : body.blocks) {
     const double m = moved.solid().blocks()[at(b)].mass_per_m();
     travel = std::max(travel, moved.farthest(b));
     mass += m;
     turned += m * moved.turned(b);
-    ahead += m * moved(b, Point::Zero()).x();
+    way += m * moved(b, Point::Zero());
   }
   const double turn = turned / mass;
   double slip = 0;
   for (const auto& [inside, outside] : body.left) slip = std::max(slip, pairs.at(std::minmax(inside, outside)).slip);
   const double by_turn = std::abs(turn) * radius(moved.solid(), body.blocks);
   // What slides faster than its head follows leans back: it falls over no edge.
-  const bool leans_back = turn * ahead > 0 && slip > by_turn;
+  const bool leans_back = turn * way.x() > 0 && slip > by_turn;
   const bool turning = by_turn > turns * travel && !leans_back;
-  return {turning && opens_by_turning(moved, body, pairs, turn), slip > slides * travel};
+  const Point gravity = moved.solid().scene().analysis.gravity();
+  return {.turns = turning && opens_by_turning(moved, body, pairs, turn),
+          .slides = slip > slides * travel,
+          .leaves = !turning && leaves_straight(moved, body),
+          .up = gravity.isZero(0) ? way.y() > 0 : way.dot(gravity) < 0};
 }
 
 }  // namespace blockweir::solid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a body that fails leaves what stays: it slides, turns over an edge, or both.
+// How a body that fails leaves what stays: it slides, turns over an edge, or both; or it lifts off, or drops, straight.
 #pragma once
 
 #include <string>
@@ -11,8 +11,11 @@ namespace blockweir::solid {
 struct Mode {
   bool turns = false;
   bool slides = false;
+  bool leaves = false;  ///< its joints open all along, by more than they slip
+  bool up = false;      ///< against gravity
 
   [[nodiscard]] std::string word() const {
+    if (leaves) return up ? "lifting" : "falling";
     return !turns ? "sliding" : slides ? "sliding and overturning" : "overturning";
   }
 };

@@ -9,6 +9,7 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "solid/contact/outline.hpp"
+#include "solid/watch/energy_debt.hpp"
 #include "solid/watch/failure_mode.hpp"
 #include "solid/watch/joint_name.hpp"
 #include "solid/watch/mobility.hpp"
@@ -149,12 +150,12 @@ double FailureWatch::travel(std::size_t b) const {
 void FailureWatch::judge() {
   constexpr double straining = 100;  // times the speed of rest: what still counts as calm
   const double rest = solid_.scene().analysis.rest_speed_m_per_s;
-  std::vector<bool> moves(watched_.size());
+  std::vector<bool> moves = in_debt(solid_);
   bool any_moves = false;
   bool calm = true;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const double fastest = solid_.blocks()[b].fixed ? 0 : speed(b);
-    moves[b] = fastest > rest;
+    moves[b] = moves[b] || fastest > rest;
     any_moves = any_moves || (moves[b] && !watched_[b].failed && !guided_[b]);
     calm = calm && fastest <= straining * rest;
   }
@@ -239,6 +240,18 @@ std::optional<Moving> FailureWatch::moving() const {
   return fastest;
 }
 
+/// No water reaches anything that can move: the level has nothing to do with a failure.
+bool FailureWatch::all_is_dry(double level_m) const {
+  for (std::size_t b = 0; b < watched_.size(); ++b) {
+    if (solid_.blocks()[b].fixed) continue;
+    const Placement then(solid_.blocks()[b].centroid, watched_[b].displacement);
+    for (const Point& X : solid_.blocks()[b].vertices) {
+      if (then.position(X).y() < level_m) return false;
+    }
+  }
+  return true;
+}
+
 Failure FailureWatch::describe(std::size_t b) const {
   std::vector<Vector6> displacement;
   std::vector<double> times;
@@ -262,6 +275,7 @@ Failure FailureWatch::describe(std::size_t b) const {
                   .window_rise_m = nan,
                   .travel_m = travel(b),
                   .mode = "falling"};
+  if (all_is_dry(failure.level_m)) failure.level_m = nan;
   const Mode mode = mode_of(moved, body, pairs);
   const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns, downstream);
   if (joint.name.empty()) return failure;

@@ -32,7 +32,7 @@ struct Levels {
 struct Failure {
   std::vector<int> blocks;  ///< in the scene's order
   double time_s = 0;        ///< when it last stood
-  double level_m = 0;       ///< of the higher pool then; NaN without a pool
+  double level_m = 0;       ///< of the higher pool then; NaN without a pool, or below all that can move
   bool downstream = false;  ///< that is the downstream one
   double head_m = 0;        ///< of it above the end of the joint that failed on its side; NaN without a pool
   bool bound = false;       ///< it has not stood at any lower level: that of failure is at most this
@@ -41,7 +41,7 @@ struct Failure {
   double level_uncertainty_m = 0;
   double window_rise_m = 0;  ///< the first part of it
   double travel_m = 0;       ///< when the failure was certain
-  std::string mode;          ///< "sliding", "overturning", "sliding and overturning" or "falling"
+  std::string mode;          ///< "sliding", "overturning", "sliding and overturning", "lifting" or "falling"
   std::string joint;         ///< what the body moves against; empty when it falls free
 
   template <class Archive>
@@ -101,6 +101,7 @@ class FailureWatch {
   void judge();
   [[nodiscard]] double speed(std::size_t block) const;
   [[nodiscard]] double travel(std::size_t block) const;
+  [[nodiscard]] bool all_is_dry(double level_m) const;
   [[nodiscard]] Failure describe(std::size_t block) const;
   void add_uncertainty(const Watched& last, Failure& failure) const;
 

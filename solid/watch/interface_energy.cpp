@@ -26,6 +26,13 @@ double resting_energy(const Solid& solid) {
 
 InterfaceEnergy::InterfaceEnergy(const Solid& solid) : solid_(solid), least_(resting_energy(solid)), scale_(least_) {}
 
+void InterfaceEnergy::begin() {
+  told_.clear();
+  for (std::size_t b = 0; b < solid_.described(); ++b) {
+    told_.emplace_back(solid_.states()[b].displacement.head<3>());
+  }
+}
+
 void InterfaceEnergy::look(const std::vector<Panel>& panels, const wire::Motion& told, const Window& window,
                            double kinetic_j_per_m) {
   const std::size_t n = solid_.described();
@@ -39,7 +46,9 @@ void InterfaceEnergy::look(const std::vector<Panel>& panels, const wire::Motion&
   auto forces = water_forces(panels, solid_.blocks(), placements, n, solid_.scene().water.nodal_rule);
   const double before = solid_work_;
   solid_work_ = solid_.water_work().sum_j_per_m();
-  if (windows_++ > 0) {
+  if (windows_++ == 0) {
+    ways = told_;  // the first motion was told before the blocks settled
+  } else {
     for (std::size_t b = 0; b < n; ++b) now_.given += (forces[b] + forces_[b]).dot(ways[b] - told_[b]) / 2;
   }
   forces_.swap(forces);

@@ -26,6 +26,8 @@ class InterfaceEnergy {
     double from_s;
     double to_s;
   };
+  /// The blocks have settled: what they moved until then is not counted.
+  void begin();
   /// A window has been made under the panels that answer `told`; kinetic energy with that of the added masses.
   void look(const std::vector<Panel>& panels, const wire::Motion& told, const Window& window, double kinetic_j_per_m);
 

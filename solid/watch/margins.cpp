@@ -47,13 +47,22 @@ class SurfaceSum {
   [[nodiscard]] bool is_pressed() const { return normal_ > negligible * pressed_or_pulled_; }
   [[nodiscard]] double sliding_factor() const { return strength() / std::abs(shear_); }
   /// Of the resultant from the nearer end, over the surface's length; negative outside.
-  [[nodiscard]] double end_distance() const {
+  [[nodiscard]] double end_distance() const { return std::min(from_left(), 1 - from_left()); }
+  [[nodiscard]] const char* nearer_end(bool wet) const {
+    constexpr double upright = 1e-3;
     const Point along = high_ - low_;
-    const double s = along.dot(moment_ / normal_ - low_) / along.squaredNorm();
-    return std::min(s, 1 - s);
+    const bool at_low = from_left() < 0.5;
+    if (std::abs(along.x()) < upright * along.norm()) return at_low == (along.y() > 0) ? "lower" : "upper";
+    if (at_low) return wet ? "upstream" : "left";
+    return wet ? "downstream" : "right";
   }
 
  private:
+  [[nodiscard]] double from_left() const {
+    const Point along = high_ - low_;
+    return along.dot(moment_ / normal_ - low_) / along.squaredNorm();
+  }
+
   static constexpr double negligible = 1e-6;
   static constexpr double seen = 1e-2;  // what strains turn faces by resists less
   Point low_ = Point::Constant(std::numeric_limits<double>::infinity());
@@ -97,9 +106,9 @@ void Margins::look(const Solid& solid, double time_s, double level_m) {
     }
   }
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    const auto keep_lowest = [&](std::optional<Margin>& lowest, double value) {
+    const auto keep_lowest = [&](std::optional<Margin>& lowest, double value, const char* end = "") {
       if (lowest && lowest->value <= value) return;
-      lowest = Margin{value, time_s, level_m, surfaces_->names()[i]};
+      lowest = Margin{value, time_s, level_m, surfaces_->names()[i], end};
     };
     if (sums[i].is_sheared()) {
       if (sums[i].is_buttressed()) {
@@ -108,7 +117,9 @@ void Margins::look(const Solid& solid, double time_s, double level_m) {
         keep_lowest(sliding_, sums[i].sliding_factor());
       }
     }
-    if (sums[i].is_pressed()) keep_lowest(overturning_, sums[i].end_distance());
+    if (sums[i].is_pressed()) {
+      keep_lowest(overturning_, sums[i].end_distance(), sums[i].nearer_end(!std::isnan(level_m)));
+    }
   }
 }
 

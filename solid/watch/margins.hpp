@@ -16,10 +16,12 @@ struct Margin {
   double time_s = 0;
   double level_m = 0;  ///< NaN without a pool
   std::string joint;   ///< or joints in one line
+  std::string end;     ///< of a resultant: the nearer end, "upstream", "downstream" ("left", "right" without water),
+                       ///< "lower", "upper"
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(value, time_s, level_m, joint);
+    archive(value, time_s, level_m, joint, end);
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -20,10 +21,11 @@ constexpr double free_motion = 1e-6;  ///< square of the largest violation of a 
 struct Hold {
   int of = 0;  ///< body
   int on = 0;
-  Point at;             ///< m
-  Point direction;      ///< of unit length
-  bool both = true;     ///< holds to both sides; else velocities of `of` against `on` along `direction` are free
-  double radius_m = 0;  ///< of the smaller of the two blocks
+  Point at;                    ///< m
+  Point direction;             ///< of unit length
+  bool both = true;            ///< holds to both sides; else velocities of `of` against `on` along `direction` are free
+  double radius_m = 0;         ///< of the smaller of the two blocks
+  const Bolt* bolt = nullptr;  ///< that holds here
 };
 
 /// Bodies: blocks joined so far. Whatever stands is one of them.
@@ -113,7 +115,68 @@ void hold(const Solid& solid, const ContactPoint& c, std::vector<Hold>& holds) {
   }
 }
 
-/// Holds of contacts and supports at which what moves is involved, by blocks; -1 for the ground.
+/// A bolt below its yield stops its stretch.
+void hold(const Solid& solid, const Bolt& bolt, std::vector<Hold>& holds) {
+  if (bolt.acting.state != BoltState::elastic) return;
+  const auto end = [&](std::size_t k) -> Point {
+    const int part = bolt.part[k];
+    if (part >= 0) return solid.placements()[at(part)].position(bolt.material[k]);
+    return bolt.material[k] + solid.base().displacement(solid.time_s());
+  };
+  const auto [a, b] = bolt.described->blocks;
+  const std::size_t held = a >= 0 ? 0 : 1;
+  const Point along = (end(0) - end(1)).normalized();
+  const int of = bolt.described->blocks[held];
+  holds.push_back({of, held == 0 ? b : a, end(held), along, true, solid.blocks()[at(of)].radius, &bolt});
+}
+
+/// Rate of the six unknowns, against the base.
+Vector6 rate(const Solid& solid, int part) {
+  Vector6 velocity = solid.velocity(at(part));
+  velocity.head<2>() -= solid.base().velocity(solid.time_s());
+  return velocity;
+}
+
+/// Rate at which the bolt stretches [m/s].
+double stretch_rate(const Solid& solid, const Bolt& bolt, const Point& along) {
+  std::array<Point, 2> velocity{Point::Zero(), Point::Zero()};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const int part = bolt.part[k];
+    if (part >= 0) velocity[k] = solid.placements()[at(part)].shape(bolt.material[k]) * rate(solid, part);
+  }
+  return along.dot(velocity[0] - velocity[1]);
+}
+
+/// Bolts support what they can stop: going on at the rates that they have, the group's would store more than its
+/// kinetic energy before a vertex has come as far as a failure.
+bool bolts_support(const Solid& solid, const std::vector<Hold>& group, int standing) {
+  std::set<int> blocks;
+  std::map<const Bolt*, double> rates;
+  for (const Hold& h : group) {
+    blocks.insert({h.of, h.on});
+    if (h.bolt != nullptr) rates[h.bolt] = stretch_rate(solid, *h.bolt, h.direction);
+  }
+  blocks.erase(standing);
+  double kinetic = 0;  // J/m
+  double fastest = 0;  // m/s
+  for (const int b : blocks) {
+    const Block& block = solid.blocks()[at(b)];
+    const Vector6 velocity = rate(solid, b);
+    kinetic += velocity.dot(block.inertia * velocity) / 2;
+    for (const Point& X : block.vertices) {
+      fastest = std::max(fastest, (solid.placements()[at(b)].shape(X) * velocity).norm());
+    }
+  }
+  if (fastest == 0) return true;
+  const double passed_s = solid.scene().analysis.failure_displacement_m / fastest;
+  double stored = 0;  // J/m
+  for (const auto& [bolt, rate_m_per_s] : rates) {
+    stored += bolt->described->stiffness_n_per_m2 * std::pow(rate_m_per_s * passed_s, 2) / 2;
+  }
+  return kinetic < stored;
+}
+
+/// Holds of contacts, supports and bolts at which what moves is involved, by blocks; -1 for the ground.
 std::vector<Hold> holds_of(const Solid& solid, const std::vector<bool>& moves) {
   std::vector<Hold> holds;
   for (const ContactPoint& c : solid.contacts()) {
@@ -125,6 +188,10 @@ std::vector<Hold> holds_of(const Solid& solid, const std::vector<bool>& moves) {
     const Point place = solid.placements()[at(s.block)].position(s.point_m - block.centroid);
     if (s.displacement_x_m) holds.push_back({s.block, -1, place, Point::UnitX(), true, block.radius});
     if (s.displacement_y_m) holds.push_back({s.block, -1, place, Point::UnitY(), true, block.radius});
+  }
+  for (const Bolt& bolt : solid.bolts()) {
+    const auto [a, b] = bolt.described->blocks;
+    if ((a >= 0 && moves[at(a)]) || (b >= 0 && moves[at(b)])) hold(solid, bolt, holds);
   }
   return holds;
 }
@@ -140,6 +207,16 @@ std::vector<std::vector<Hold>> groups_of(const std::vector<Hold>& holds, std::si
   std::vector<std::vector<Hold>> list;
   for (auto& [body, group] : groups) list.push_back(std::move(group));
   return list;
+}
+
+/// Leaves out bolts that cannot stop what moves.
+void leave_out_bolts(const Solid& solid, int standing, std::vector<Hold>& holds) {
+  std::vector<Hold> kept;
+  for (std::vector<Hold>& group : groups_of(holds, solid.described(), standing)) {
+    if (!bolts_support(solid, group, standing)) std::erase_if(group, [](const Hold& h) { return h.bolt != nullptr; });
+    kept.insert(kept.end(), group.begin(), group.end());
+  }
+  holds = std::move(kept);
 }
 
 /// Joins each two bodies that have no rigid motion against each other; true while there are any.
@@ -161,7 +238,7 @@ bool join_pairs(std::vector<Hold>& holds, Bodies& bodies) {
 
 /// Names bodies instead of blocks, and leaves out what two parts of one body hold.
 void rename(std::vector<Hold>& holds, Bodies& bodies) {
-  for (Hold& h : holds) h = {bodies.of(h.of), bodies.of(h.on), h.at, h.direction, h.both, h.radius_m};
+  for (Hold& h : holds) h.of = bodies.of(h.of), h.on = bodies.of(h.on);
   std::erase_if(holds, [](const Hold& h) { return h.of == h.on; });
 }
 
@@ -177,6 +254,7 @@ std::vector<bool> only_strain(const Solid& solid, const std::vector<bool>& moves
     if (!moves[at(h.of)]) h.of = standing;
     if (h.on < 0 || !moves[at(h.on)]) h.on = standing;
   }
+  if (!solid.bolts().empty()) leave_out_bolts(solid, standing, holds);
   while (join_pairs(holds, bodies)) rename(holds, bodies);
   for (const std::vector<Hold>& group : groups_of(holds, moves.size(), bodies.of(standing))) {
     std::set<int> together;

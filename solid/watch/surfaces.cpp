@@ -172,6 +172,49 @@ std::vector<std::set<Pair>> in_one_line(const Solid& solid, const std::map<Pair,
   return groups;
 }
 
+/// Joints in one line, apart where a gap is wider than a joint beside it and no block spans it: the springings of an
+/// arch have no common resultant.
+std::vector<std::set<Pair>> parted_by_gaps(const Solid& solid, const std::map<Pair, std::vector<Point>>& points,
+                                           const std::set<Pair>& line) {
+  struct Stretch {
+    double from_m;
+    double to_m;
+    Pair pair;
+  };
+  std::vector<Point> all;
+  for (const Pair& pair : line) all.insert(all.end(), points.at(pair).begin(), points.at(pair).end());
+  const Point& first = all.front();
+  const Point along = (*std::max_element(all.begin(), all.end(),
+                                         [&](const Point& a, const Point& b) {
+                                           return (a - first).squaredNorm() < (b - first).squaredNorm();
+                                         }) -
+                       first)
+                          .normalized();
+  std::vector<Stretch> stretches;
+  for (const Pair& pair : line) {
+    const auto [low, high] = std::minmax_element(points.at(pair).begin(), points.at(pair).end(),
+                                                 [&](const Point& a, const Point& b) { return along.dot(a - b) < 0; });
+    stretches.push_back({along.dot(*low - first), along.dot(*high - first), pair});
+  }
+  std::sort(stretches.begin(), stretches.end(), [](const auto& a, const auto& b) { return a.from_m < b.from_m; });
+  std::vector<std::set<Pair>> parts;
+  std::set<int> blocks;  // of the last part, that can move
+  double end_m = 0;
+  double length_m = 0;  // of the joint that ends there
+  for (const Stretch& s : stretches) {
+    const bool spanned = blocks.contains(s.pair.first) || blocks.contains(s.pair.second);
+    const double own_m = s.to_m - s.from_m;
+    if (parts.empty() || (!spanned && s.from_m - end_m > std::min(length_m, own_m)))
+      parts.emplace_back(), blocks.clear();
+    parts.back().insert(s.pair);
+    for (const int b : {s.pair.first, s.pair.second}) {
+      if (!solid.blocks()[at(b)].fixed) blocks.insert(b);
+    }
+    if (parts.back().size() == 1 || s.to_m > end_m) end_m = s.to_m, length_m = own_m;
+  }
+  return parts;
+}
+
 std::string name_of(const Solid& solid, const std::set<Pair>& joints) {
   const Pair& first = *joints.begin();
   const std::string own = joint_name(solid, first.first, first.second);
@@ -194,8 +237,10 @@ Surfaces::Surfaces(const Solid& solid) {
   const Connections connections(solid, pairs);
   std::vector<std::set<Pair>> candidates;
   for (const std::set<Pair>& line : in_one_line(solid, points)) {
-    for (std::set<Pair>& joints : connections.by_structure(line)) {
-      if (joints.size() > 1) candidates.push_back(std::move(joints));
+    for (const std::set<Pair>& own : connections.by_structure(line)) {
+      for (std::set<Pair>& joints : parted_by_gaps(solid, points, own)) {
+        if (joints.size() > 1) candidates.push_back(std::move(joints));
+      }
     }
   }
   // What is bent, as the base of a dam with its toe in the ground, slides on none of its faces alone.

@@ -39,6 +39,15 @@ TEST_F(InterfaceEnergy, ARunThatGrowsIsStoppedWithItsWindowCauseAndRemedy) {
   EXPECT_LT(found["window"].get<int>(), 10);
 }
 
+/// What blocks move as they settle is before the first exchange.
+TEST_F(InterfaceEnergy, ADamAtRestHasMadeNone) {
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases +
+                  "monolith-overturns --inproc --out r --quiet --set water.upstream_level_m=5 --set "
+                  "analysis.duration_s=1 --set analysis.rigid=none"),
+            0);
+  EXPECT_LT(std::abs(energy()["made_j_per_m"].get<double>()), 1e-6);
+}
+
 TEST_F(InterfaceEnergy, OrReportsItWhereTheSceneAsksForThat) {
   EXPECT_EQ(run(unguarded + " --set coupling.on_energy_gain=report"), 0) << text("out");
   EXPECT_TRUE(energy()["grows"].get<bool>());

@@ -132,6 +132,33 @@ void draw_lifts(Random& random, RandomStructure& one) {
   }
 }
 
+/// Upright lifts that friction alone holds on each other; the lowest has cohesion on the ground and no tension
+/// strength.
+void draw_loose_lifts(Random& random, RandomStructure& one) {
+  Structure& s = one.structure;
+  one.height_m = random_height(random);
+  const double width = one.height_m * random.between(0.3, 0.5);
+  s.density_kg_per_m3 = random.between(2000, 2700);
+  s.others = {.friction_deg = 60};
+  s.bodies = {ground_under({.height = one.height_m, .base = width})};
+  const std::size_t count = 2 + random.below(4);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double low = one.height_m * static_cast<double>(k) / static_cast<double>(count);
+    const double high = one.height_m * static_cast<double>(k + 1) / static_cast<double>(count);
+    const std::string name = "lift" + std::to_string(k);
+    Law law = s.others;
+    if (k == 0) {
+      law.cohesion_pa = random.between(0.05, 0.5) * s.density_kg_per_m3 * gravity * one.height_m;
+      law.uplift = random.of(std::vector{Uplift::none, Uplift::triangular, Uplift::full});
+    }
+    const std::string joint = k == 0 ? "base" : "joint" + std::to_string(k);
+    s.joints.push_back({joint, s.bodies.back().name, name, law});
+    s.bodies.push_back({name, {Vec(0, low), Vec(width, low), Vec(width, high), Vec(0, high)}});
+    one.stacks.push_back(stack_of(joint, Vec(0, low), Vec(width, low), Vec(0, one.height_m), Vec(width, one.height_m),
+                                  law, s.density_kg_per_m3, none_m));
+  }
+}
+
 /// From the middle of the crest into the ground between heel and toe, with a pull that does not change.
 void draw_anchored(Random& random, RandomStructure& one) {
   random.chance(0.5) ? draw_monolith(random, one) : draw_lifts(random, one);
@@ -148,6 +175,35 @@ void draw_anchored(Random& random, RandomStructure& one) {
               .prestress_n_per_m = yield,
               .yield_n_per_m = yield}};
   for (Stack& stack : one.stacks) stack.bolts = s.bolts;
+}
+
+/// Friction alone, as a bond would break before the anchor yields; the anchor stretches on the way to its yield.
+void draw_stretching(Random& random, RandomStructure& one) {
+  draw_monolith(random, one);
+  Structure& s = one.structure;
+  Stack& whole = one.stacks.front();
+  whole.law.cohesion_pa = whole.law.tension_pa = 0;
+  s.joints.front().law = whole.law;
+  // Along the base and into it, so that it stretches whether the dam slides or turns.
+  const bool low = random.chance(0.3);
+  const Vec along = (whole.heel_m - whole.toe_m).normalized();
+  const double steep = low ? 0 : random.between(0.9, 1.3);  // flat ones at the crest would hold it as the foot slides
+  const Vec way = std::cos(steep) * along + std::sin(steep) * Vec(-along.y(), along.x());
+  const Vec head = low ? Vec(whole.heel_m + 0.1 * (whole.face_top_m - whole.heel_m))
+                       : Vec((whole.face_top_m + whole.back_top_m) / 2);
+  const Vec foot = head + 1.5 * one.height_m * way;
+  const double yield = whole.weight_n_per_m * random.between(0.05, 0.3);
+  const double prestress = random.chance(0.5) ? 0 : yield * random.between(0, 0.9);
+  // With its short lever a low one lets the dam lean as a failure does before it yields.
+  const double stretch_m = one.height_m * random.between_orders(1e-6, low ? 3e-5 : 3e-4);
+  s.bolts = {{.name = "anchor",
+              .body = s.bodies.back().name,
+              .from_m = head,
+              .to_m = foot,
+              .stiffness_n_per_m2 = (yield - prestress) / stretch_m,
+              .prestress_n_per_m = prestress,
+              .yield_n_per_m = yield}};
+  whole.bolts = s.bolts;
 }
 
 /// Bed of rock from a joint below the heel to where its bedding comes to the surface.
@@ -257,6 +313,14 @@ RandomStructure lifts(std::uint64_t seed) {
 
 RandomStructure anchored(std::uint64_t seed) {
   return drawn(seed, "anchored", draw_anchored);
+}
+
+RandomStructure loose_lifts(std::uint64_t seed) {
+  return drawn(seed, "loose_lifts", draw_loose_lifts);
+}
+
+RandomStructure stretching(std::uint64_t seed) {
+  return drawn(seed, "stretching", draw_stretching);
 }
 
 RandomStructure on_rock(std::uint64_t seed) {

@@ -42,8 +42,12 @@ struct RandomStructure {
 RandomStructure monolith(std::uint64_t seed);
 /// Two to eight lifts that are bonded but for one joint.
 RandomStructure lifts(std::uint64_t seed);
-/// One of these, held down by a bolt that yields.
+/// An upright wall of lifts without bonds on a base with cohesion.
+RandomStructure loose_lifts(std::uint64_t seed);
+/// A monolith or bonded lifts, held down by a bolt that yields.
 RandomStructure anchored(std::uint64_t seed);
+/// A monolith without a bond, tied by a bolt that stretches before it yields.
+RandomStructure stretching(std::uint64_t seed);
 /// A dam on a bed of rock that can slide with it.
 RandomStructure on_rock(std::uint64_t seed);
 /// Rows of bricks, without cohesion.

@@ -124,7 +124,8 @@ TEST(SceneEffects, UpliftThatTheWaterNeverReachesIsAWarning) {
 
 TEST(SceneEffects, ALevelBelowAllThatCanMoveIsAWarning) {
   expect_warning(with("[fluid]", "downstream_level_m = -0.5\n[fluid]"), 46,
-                 {"downstream_level_m has no effect: it stays below -0.5 m", "leave downstream_level_m out"});
+                 {"downstream_level_m has no effect until a block has moved down to it: it stays below -0.5 m",
+                  "leave downstream_level_m out"});
 }
 
 TEST(SceneEffects, LoadsSupportsAndBoltsOnFixedBlocksAreErrors) {

@@ -128,6 +128,30 @@ TEST(Bolts, AnAnchorHoldsABlockOnAnInclineFromTheForceOfTheFormulaOn) {
   }
 }
 
+/// Held along a plane of 30 degrees with 20 degrees of friction by a bolt that must stretch by a hundredth of the
+/// block.
+TEST(Bolts, ASoftBoltIsInEquilibriumFromTheStart) {
+  const double a = std::numbers::pi / 6;
+  const Point t(std::cos(a), -std::sin(a));
+  const Point n(std::sin(a), std::cos(a));
+  const auto at = [&](double s, double h) -> Point { return s * t + h * n; };
+  const double needed = weight * (std::sin(a) - std::cos(a) * std::tan(std::numbers::pi / 9));
+  scene::Scene scene;
+  scene.materials.push_back({"concrete", 50e9, 0.2, 2500});
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 20;
+  scene.blocks.push_back({.name = "plane", .vertices = {at(-2, -1), at(4, -1), at(4, 0), at(-2, 0)}, .fixed = true});
+  scene.blocks.push_back({.name = "block", .vertices = {at(0, 0), at(2, 0), at(2, 0.5), at(0, 0.5)}});
+  scene.bolts.push_back({.name = "anchor",
+                         .blocks = {1, -1},
+                         .from_m = at(0, 0.1),
+                         .to_m = at(-1, 0.1),
+                         .stiffness_n_per_m2 = needed / 0.01});
+  Solid solid(scene);
+  solid.settle({});
+  EXPECT_TRUE(solid.starts_at_rest());
+  EXPECT_NEAR(solid.bolts()[0].acting.tension_n_per_m, needed, 1e-6 * needed);
+}
+
 TEST(Bolts, ABoltBetweenTwoBlocksPullsBoth) {
   scene::Scene scene;
   scene.materials.push_back({"concrete", 50e9, 0.2, 2500});

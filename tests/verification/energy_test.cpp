@@ -20,6 +20,20 @@ scene::Scene one_block() {
   return scene;
 }
 
+/// A block at rest settles by next to nothing: a thousandth of that is no energy to be warned of.
+TEST(Energy, WhatIsMadeOfLittleIsHeldAgainstAFailure) {
+  auto scene = one_block();
+  scene.analysis.failure_displacement_m = 0.01;
+  Solid solid(scene);
+  EnergyWatch watch;
+  watch.look(solid);
+  solid.advance(0, 1e-3, {});           // falls by 10 um, which the work of its weight explains
+  scene.analysis.gravity_m_per_s2 = 0;  // told so, the fall has made its energy of nothing
+  watch.look(solid);
+  EXPECT_GT(watch.gain(), 1e-3);
+  EXPECT_EQ(watch.warning(solid), "");
+}
+
 TEST(Energy, AFallTurnsWeightIntoMotion) {
   auto scene = one_block();
   scene.blocks[0].initial_velocity_m_per_s = Point(3, 0);

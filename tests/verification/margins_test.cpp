@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "tests/verification/scenes.hpp"
@@ -43,6 +44,36 @@ TEST(Margins, CountForcesAlongTheBaseWhereItsEndsMeetOtherFaces) {
     const double dip = std::atan(rise / 10);
     const double factor = std::tan(40 * degree) / std::tan(25 * degree - dip);
     EXPECT_NEAR(margins.sliding()->value / factor, 1, 1e-6) << rise;
+  }
+}
+
+/// Two legs apart and a beam on both, which parts stand in one line; with the beam in two, half on each leg.
+TEST(Margins, ALineWithAGapThatNoBlockSpansIsNoSurface) {
+  for (const bool spanned : {true, false}) {
+    auto scene = empty_scene();
+    add(scene, {{-5, -5}, {15, -5}, {15, 0}, {-5, 0}}, true);
+    add(scene, {{0, 0}, {1, 0}, {1, 4}, {0, 4}});
+    add(scene, {{9, 0}, {10, 0}, {10, 4}, {9, 4}});
+    if (spanned) {
+      add(scene, {{0, 4}, {10, 4}, {10, 5}, {0, 5}});
+    } else {
+      add(scene, {{0, 4}, {1, 4}, {5, 4.5}, {5, 5}, {0, 5}});
+      add(scene, {{9, 4}, {10, 4}, {10, 5}, {5, 5}, {5, 4.5}});
+    }
+    Solid solid(scene);
+    const std::vector<std::string> names = Surfaces(solid).names();
+    const auto in_line = [](const std::string& name) { return name.find("in one line") != std::string::npos; };
+    EXPECT_EQ(std::count_if(names.begin(), names.end(), in_line), spanned ? 1 : 0);
+  }
+}
+
+TEST(Margins, TellTheEndThatTheResultantIsNearestTo) {
+  for (const double tilt_deg : {-10.0, 10.0}) {
+    auto scene = dam_on({{-20, -5}, {30, -5}, {30, 0}, {-20, 0}}, {4, 0});
+    scene.analysis.gravity_tilt_deg = tilt_deg;
+    const Margins margins = margins_of(scene);
+    ASSERT_TRUE(margins.overturning());
+    EXPECT_EQ(margins.overturning()->end, tilt_deg > 0 ? "downstream" : "upstream");
   }
 }
 

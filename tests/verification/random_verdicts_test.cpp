@@ -29,6 +29,24 @@ TEST_F(RandomVerdicts, WhatMovesAsOneFailsAtTheLevelOfLimitEquilibrium) {
   });
 }
 
+/// A body that moves as its bolt stretches is held until the bolt yields.
+TEST_F(RandomVerdicts, WhatABoltTiesFailsAtTheLevelOfItsYield) {
+  each({stretching}, 8, [&](const RandomStructure& one) {
+    const Trial trial = slowly(one);
+    return wrong(trial, run(trial));
+  });
+}
+
+/// As a heel opens, its bond is lost and the lifts spring: they are on the move from then on, however slowly.
+TEST_F(RandomVerdicts, LiftsThatStrainTurnAtTheLevelAtWhichTheirHeelOpens) {
+  each({loose_lifts}, 8, [&](const RandomStructure& one) {
+    Trial trial = slowly(one);
+    trial.filling.rigid = "none";
+    trial.filling.integrator = "shi";
+    return wrong(trial, run(trial));
+  });
+}
+
 TEST_F(RandomVerdicts, RockSlidesWithItsDamAtTheLevelOfLimitAnalysis) {
   each({on_rock}, 3, [&](const RandomStructure& one) {
     const Trial trial = slowly(one);
@@ -70,7 +88,7 @@ TEST_F(RandomVerdicts, FastFillingsSayHowFarTheirLevelMayBeOff) {
     const Trial trial = fast(one);
     return wrong(trial, run(trial), {.stated = 0.25, .modes_apart = 1.3});
   };
-  each(that_move_as_one, 3, look);
+  each({monolith, lifts, anchored, stretching}, 3, look);
   // Once wrong: steps by rules of second order that found no states were refused, and what swept steps opened kept its
   // bond.
   for (const std::uint64_t seed : {42, 88, 194}) EXPECT_EQ(look(monolith(seed)), "") << "monolith " << seed;

@@ -114,10 +114,12 @@ void check_reach_of_water(const Reading& reading) {
     const double high = highest(*pool, scene.analysis.duration_s);
     level = std::max(level, high);
     if (!std::isfinite(lowest) || high >= lowest) return;
-    reading.problems.warning(
-        reading.problems.at(reading.file["water"][key].node()->source()),
-        fmt::format("{} has no effect: it stays below {} m, and all that can move is above {} m", key, high, lowest),
-        "a level that reaches a block that can move", fmt::format("raise the level, or leave {} out", key));
+    reading.problems.warning(reading.problems.at(reading.file["water"][key].node()->source()),
+                             fmt::format("{} has no effect until a block has moved down to it: it stays below {} m, "
+                                         "and all that can move is above {} m",
+                                         key, high, lowest),
+                             "a level that reaches a block that can move",
+                             fmt::format("raise the level, or leave {} out", key));
   };
   look("upstream_level_m", scene.water.upstream_level_m);
   look("downstream_level_m", scene.water.downstream_level_m);
