@@ -13,7 +13,7 @@
 namespace blockweir::solid::limit {
 namespace {
 
-constexpr double largest = 1e6;  // a factor beyond is none
+constexpr double largest_factor_told = 1e6;  // a factor beyond is none
 
 bool any_moves(const scene::Scene& scene) {
   return std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const auto& block) { return !block.fixed; });
@@ -40,7 +40,7 @@ class LimitAnalysis::Program {
   int add_factor(const Wrenches& live) {
     LinearProgram::Entries entries;
     for (std::size_t b = 0; b < live.size(); ++b) append(static_cast<int>(b), scaled(live[b]), entries);
-    return lp_.add_variable(0, largest, entries, /*objective=*/1);
+    return lp_.add_variable(0, largest_factor_told, entries, /*objective=*/1);
   }
   int add_shortage() {
     LinearProgram::Entries entries;
@@ -154,7 +154,7 @@ LargestFactor LimitAnalysis::largest_factor(const Wrenches& dead, const Wrenches
   const int factor = program.add_factor(live);
   if (!program.solve()) return {};
   LargestFactor found{.bearing = Bearing::fails_at_a_factor, .factor = program.value(factor)};
-  if (found.factor >= largest) return {.bearing = Bearing::bears_any};
+  if (found.factor >= largest_factor_told) return {.bearing = Bearing::bears_any};
   found.mechanism = program.mechanism();
   normalize(found.mechanism);
   const double of_mechanism =

@@ -7,7 +7,7 @@
 namespace blockweir::solid::limit {
 namespace {
 
-constexpr double exact = 1e-12;  // relative, of levels above the empty reservoir's
+constexpr double level_width = 1e-12;  // over the rise from the empty reservoir
 
 /// Where `power` changes its sign between a level that it is negative at and one that it is positive at.
 double root(const std::function<double(double)>& power, double low_m, double high_m, double at_low, double at_high) {
@@ -24,12 +24,13 @@ LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, con
                        const LevelRange& range) {
   constexpr int most_programs = 100;
   LimitLevel found{.level_m = range.full_m};
-  const Wrenches empty = combined(dead, 1, water(range.empty_m));
+  const Wrenches tailwater = water(range.empty_m);
+  const Wrenches empty = combined(dead, 1, tailwater);
   if (!structure.bears(empty)) return found;
-  const auto reservoir_at = [&](double level_m) { return combined(water(level_m), -1, water(range.empty_m)); };
+  const auto reservoir_at = [&](double level_m) { return combined(water(level_m), -1, tailwater); };
   while (++found.programs < most_programs) {
     found.at_it = structure.largest_factor(empty, reservoir_at(found.level_m));
-    const bool bears = found.at_it.bearing == Bearing::bears_any || found.at_it.factor >= 1 - exact;
+    const bool bears = found.at_it.bearing == Bearing::bears_any || found.at_it.factor >= 1 - level_width;
     if (bears) break;
     const Twists& mechanism = found.at_it.mechanism;
     const double needed = structure.resistance(mechanism) - power(empty, mechanism);
@@ -37,7 +38,7 @@ LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, con
     const double at_high = excess(found.level_m);
     if (at_high <= 0 || needed < 0) break;  // but for round-off it is the level
     const double next = root(excess, range.empty_m, found.level_m, -needed, at_high);
-    const bool settled = found.level_m - next <= exact * (found.level_m - range.empty_m);
+    const bool settled = found.level_m - next <= level_width * (found.level_m - range.empty_m);
     found.level_m = next;
     if (settled) break;
   }
