@@ -12,4 +12,8 @@ namespace blockweir::process {
 /// std::invalid_argument for a scene that has no such level, and std::runtime_error where no answer is found.
 nlohmann::json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
 
+/// By which factor the strength of its joints can be divided until it fails under the loads and levels of the run's
+/// end, found likewise, and the forces on the joints that run through. Throws as above.
+nlohmann::json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
+
 }  // namespace blockweir::process
