@@ -42,7 +42,7 @@ std::vector<Point> displaced(const std::vector<Point>& outline, const Eigen::Vec
 }
 
 /// The box around what can move, and as much of the ground as a third of its size beside it.
-Bounds view_of(const scene::Scene& scene) {
+Bounds view_around(const scene::Scene& scene) {
   std::vector<Point> movable;
   for (const scene::Block& block : scene.blocks) {
     if (!block.fixed) movable.insert(movable.end(), block.vertices.begin(), block.vertices.end());
@@ -68,7 +68,7 @@ std::string reservoir(const Bounds& view, const scene::Scene& scene, double leve
 
 void draw_mechanism(const scene::Scene& scene, const json& mechanism, const std::optional<double>& level_m,
                     const std::filesystem::path& out) {
-  const Bounds view = view_of(scene);
+  const Bounds view = view_around(scene);
   const Point span = view.high - view.low;
   const double aspect = std::clamp(span.y() / span.x(), 0.3, 2.0);
   std::string script = fmt::format(

@@ -16,6 +16,7 @@ struct AskOptions {
   std::filesystem::path out{};  ///< folder for the answer; empty: runs/CASE-QUESTION
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
+  bool quiet = false;  ///< nothing of what the reader mends or warns of
 };
 
 struct Asked {

@@ -52,7 +52,7 @@ std::string limit_text(const json& found) {
   return text;
 }
 
-std::string told(const json& answer) {
+std::string level_report(const json& answer) {
   std::string text = fmt::format("BLOCKS  {}\n", blocks_text(answer));
   if (answer.contains("rigid_blocks")) text += fmt::format("RIGID   {}\n", level_text(answer["rigid_blocks"]));
   text += fmt::format("LIMIT   {}\n", limit_text(answer["limit_analysis"]));
@@ -77,7 +77,7 @@ int tell_level(const LevelOptions& options) {
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
   const process::Asked asked = process::ask("level", options);
   const json& limit = asked.answer["limit_analysis"];
-  fmt::print("{}", told(asked.answer));
+  fmt::print("{}", level_report(asked.answer));
   if (limit.contains("mechanism")) {
     const auto picture = asked.folder / "mechanism.png";
     picture::draw_mechanism(asked.scene, limit["mechanism"], limit["level_m"].get<double>(), picture);
