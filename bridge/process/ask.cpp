@@ -66,6 +66,7 @@ Asked ask(const std::string& question, const AskOptions& options) {
     std::error_code kept;
     fs::remove(scene_of(asked.folder), kept);
     fs::remove(asked.folder / "limit.log", kept);
+    fs::remove(asked.folder / results::FolderLock::file, kept);
     fs::remove(asked.folder, kept);  // where it is empty
     throw;
   }
