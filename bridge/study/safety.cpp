@@ -71,8 +71,8 @@ std::string factors_text(const json& cases) {
                                              : "NO");
   }
   return text +
-         "factor: c and tan(phi) of all joints divided by it, the blocks just stand; limit: by\n"
-         "limit analysis, an upper bound\n";
+         "factor: c and tan(phi) of all joints divided by it, the blocks just stand\n"
+         "limit:  the same by limit analysis, an upper bound\n";
 }
 
 /// Forces of a metre of thickness.
