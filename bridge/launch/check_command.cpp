@@ -9,6 +9,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/study/bench.hpp"
+#include "bridge/study/safety.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::launch {
@@ -36,10 +37,13 @@ int check(const CheckOptions& options) {
   const scene::ReadScene read = scene::read(path, overrides);
   std::vector<scene::Diagnostic> warnings = read.warnings;
   std::size_t studies = 0;
-  scene::Gathered wrong;  // of variants and studies: each is a scene of its own
+  scene::Gathered wrong;  // of variants, load cases and studies: each is a scene of its own
   for (const scene::Variant& variant : read.scene.variants) {
     wrong.from(
         [&] { add_warnings(read, variant, scene::read_variant(path, variant.name, overrides).warnings, warnings); });
+  }
+  for (const scene::LoadCase& load_case : read.load_cases) {
+    wrong.from([&] { study::require_sound(load_case, path, overrides); });
   }
   wrong.from([&] { studies = study::study_tasks(path, overrides).size(); });
   wrong.from([&] { study::bench_settings(path, overrides); });

@@ -18,10 +18,12 @@ Work check_command(CLI::App& app);
 Work compare_command(CLI::App& app);
 Work cut_command(CLI::App& app);
 Work keys_command(CLI::App& app);
+Work level_command(CLI::App& app);
 Work plot_command(CLI::App& app);
 Work profile_command(CLI::App& app);
 Work resume_command(CLI::App& app);
 Work run_command(CLI::App& app);
+Work safety_command(CLI::App& app);
 Work stress_command(CLI::App& app);
 Work study_command(CLI::App& app);
 Work test_command(CLI::App& app);
@@ -37,6 +39,8 @@ struct Command {
 inline constexpr std::array commands = {
     Command{"run", "run a scene and say how it ends", run_command},
     Command{"resume", "go on with a run that was stopped, from its last checkpoint", resume_command},
+    Command{"level", "the water level at which a scene fails, by its blocks and by limit analysis", level_command},
+    Command{"safety", "the factor on strength of a scene and its load cases, and its joints", safety_command},
     Command{"check", "say all that is wrong with a scene, without running it", check_command},
     Command{"cut", "draw the blocks of a scene, without running it", cut_command},
     Command{"case", "write OpenFOAM's case of a scene, without running it", case_command},

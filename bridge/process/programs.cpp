@@ -18,6 +18,12 @@ fs::path program(const char* name) {
 
 }  // namespace
 
+std::string case_name(const fs::path& scene) {
+  const fs::path given = fs::weakly_canonical(scene);
+  if (fs::is_directory(given)) return given.filename();
+  return given.filename() == "scene.toml" ? given.parent_path().filename() : given.stem();
+}
+
 fs::path scene_of(const fs::path& folder) {
   return folder / "scene.toml";
 }
@@ -32,6 +38,10 @@ void require_fit(const scene::Scene& scene, bool inproc) {
       fmt::format("--inproc: found model = \"{}\" in [fluid]; only \"hydrostatic\" runs in the solid's process, leave "
                   "--inproc away",
                   scene::name(scene.fluid)));
+}
+
+Command limit_command(const fs::path& folder, const std::string& question, const fs::path& answer) {
+  return {"limit", {program("blockweir-limit"), question, scene_of(folder), "--answer", answer}};
 }
 
 std::vector<Command> commands_of(const scene::Scene& scene, const Processes& processes) {

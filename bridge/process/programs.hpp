@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "bridge/process/supervisor.hpp"
@@ -17,6 +18,9 @@ struct Processes {
   bool inproc = false;           ///< the reference fluid within the solid's process
 };
 
+/// What results of a scene are called by: its folder, or its file where that is not scene.toml.
+[[nodiscard]] std::string case_name(const std::filesystem::path& scene);
+
 /// The run's own copy of its scene.
 [[nodiscard]] std::filesystem::path scene_of(const std::filesystem::path& folder);
 /// Where a fluid says what the summary needs.
@@ -24,6 +28,10 @@ struct Processes {
 
 /// Throws std::invalid_argument where `inproc` is asked for a fluid that needs a process of its own.
 void require_fit(const scene::Scene& scene, bool inproc);
+
+/// Answers `question` about the scene in `folder` into the file `answer` (JSON).
+[[nodiscard]] Command limit_command(const std::filesystem::path& folder, const std::string& question,
+                                    const std::filesystem::path& answer);
 
 /// The solid's first.
 [[nodiscard]] std::vector<Command> commands_of(const scene::Scene& scene, const Processes& processes);

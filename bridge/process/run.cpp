@@ -41,13 +41,9 @@ fs::path results_folder(const RunOptions& options) {
     }
     return options.out;
   }
-  const fs::path given = fs::weakly_canonical(options.scene);
-  const bool folder = fs::is_directory(given) || given.filename() == "scene.toml";
-  const fs::path name = fs::is_directory(given) ? given.filename()
-                        : folder                ? given.parent_path().filename()
-                                                : given.stem();
+  const std::string name = case_name(options.scene);
   fs::path out = fs::path("runs") / name;
-  for (int n = 2; fs::exists(out); ++n) out = fs::path("runs") / fmt::format("{}-{}", name.string(), n);
+  for (int n = 2; fs::exists(out); ++n) out = fs::path("runs") / fmt::format("{}-{}", name, n);
   return out;
 }
 

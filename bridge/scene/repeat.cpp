@@ -33,8 +33,8 @@ void dry(toml::table& file) {
 std::string repeat_text(const Scene& scene, double duration_s, const std::vector<FacePressure>& in_place_of_water) {
   toml::table file = toml::parse(scene.text);
   file["analysis"].as_table()->insert_or_assign("duration_s", duration_s);
-  for (const char* section :
-       {"water", "fluid", "coupling", "expect", "expect_water", "variant", "limit", "order", "map", "bench"}) {
+  for (const char* section : {"water", "fluid", "coupling", "expect", "expect_water", "variant", "load_case", "limit",
+                              "order", "map", "bench"}) {
     file.erase(section);
   }
   dry(file);

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "bridge/scene/diagnostic.hpp"
+#include "bridge/scene/load_case.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::scene {
 
 struct ReadScene {
   Scene scene;
+  std::vector<LoadCase> load_cases;
   std::vector<Diagnostic> notes;     ///< what was mended on the way
   std::vector<Diagnostic> warnings;  ///< what has no effect, or an unusual magnitude; their messages are the scene's
 };

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "bridge/launch/commands.hpp"
+#include "bridge/study/level.hpp"
+
+namespace blockweir::launch {
+
+Work level_command(CLI::App& app) {
+  const auto options = std::make_shared<study::LevelOptions>();
+  app.add_option("scene", options->scene, "scene file or case folder")->required();
+  app.add_option("--out", options->out, "folder for the answer and its picture (default: runs/CASE-level)");
+  app.add_option("--json", options->json, "file for the answer, too");
+  app.add_option("--variant", options->variant, "name of one of the scene's variants");
+  app.add_option("--set", options->overrides, "key=value over the scene's own");
+  return [options] { return study::tell_level(*options); };
+}
+
+}  // namespace blockweir::launch

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "bridge/launch/commands.hpp"
+#include "bridge/study/safety.hpp"
+
+namespace blockweir::launch {
+
+Work safety_command(CLI::App& app) {
+  const auto options = std::make_shared<study::SafetyOptions>();
+  app.add_option("scene", options->scene, "scene file or case folder")->required();
+  app.add_option("--out", options->out,
+                 "folder for the answers, one within it for each load case (default: runs/CASE-safety)");
+  app.add_option("--json", options->json, "file for the answer, too");
+  app.add_option("--set", options->overrides, "key=value over the scene's own");
+  return [options] { return study::tell_safety(*options); };
+}
+
+}  // namespace blockweir::launch

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// blockweir-limit: at which level, and by which factor on strength, the blocks of a scene fail, without a run.
+#include <CLI/CLI.hpp>
+
+#include "bridge/process/answers.hpp"
+#include "bridge/process/exit_status.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/scene/read/read.hpp"
+
+int main(int argc, char** argv) {
+  using namespace blockweir;
+  std::string question;
+  std::string scene;
+  std::string answer;
+  CLI::App app{"blockweir-limit: at which level, and by which factor on strength, a scene fails"};
+  app.add_option("question", question, "level or safety")->required()->check(CLI::IsMember({"level", "safety"}));
+  app.add_option("scene", scene, "scene file or case folder")->required();
+  app.add_option("--answer", answer, "file for the answer (JSON)")->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return process::exit_status("blockweir-limit", [&] {
+    const auto answer_to = question == "level" ? process::level_answer : process::safety_answer;
+    const nlohmann::json found = answer_to(scene::read(scene).scene, process::make_hydrostatic);
+    results::replace_file(answer, found.dump(2) + "\n");
+    return 0;
+  });
+}

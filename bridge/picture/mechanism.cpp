@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/picture/mechanism.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+
+#include "bridge/geometry/outline.hpp"
+#include "bridge/geometry/polygon.hpp"
+#include "bridge/picture/gnuplot.hpp"
+#include "bridge/scene/block_facts.hpp"
+#include "bridge/scene/structure_size.hpp"
+
+namespace blockweir::picture {
+namespace {
+
+using geometry::Bounds;
+using nlohmann::json;
+using scene::Point;
+
+constexpr double drawn_ratio = 0.06;  // displacement of the fastest vertex, over the structure's size
+
+/// Velocity x and y of the centroid and spin, by the block's name.
+std::map<std::string, Eigen::Vector3d> motions_of(const json& mechanism) {
+  std::map<std::string, Eigen::Vector3d> motions;
+  for (const json& block : mechanism["blocks"]) {
+    motions[block["name"]] = Eigen::Vector3d(block["velocity_x"].get<double>(), block["velocity_y"].get<double>(),
+                                             block["spin_per_m"].get<double>());
+  }
+  return motions;
+}
+
+/// Turned by the exact angle, so that what is drawn keeps its shape.
+std::vector<Point> displaced(const std::vector<Point>& outline, const Eigen::Vector3d& motion, double by) {
+  const Point centre = geometry::centroid(outline);
+  const Eigen::Rotation2Dd turn(by * motion.z());
+  std::vector<Point> moved;
+  for (const Point& p : outline) moved.push_back(centre + by * motion.head<2>() + turn * (p - centre));
+  return moved;
+}
+
+/// The box around what can move, and as much of the ground as a third of its size beside it.
+Bounds view_around(const scene::Scene& scene) {
+  std::vector<Point> movable;
+  for (const scene::Block& block : scene.blocks) {
+    if (!block.fixed) movable.insert(movable.end(), block.vertices.begin(), block.vertices.end());
+  }
+  Bounds view = geometry::bounds_of(movable);
+  const Point margin = Point::Constant(view.size() / 3);
+  return {view.low - margin, view.high + margin};
+}
+
+std::string reservoir(const Bounds& view, const scene::Scene& scene, double level_m) {
+  double face = view.high.x();
+  for (const scene::Block& block : scene.blocks) {
+    if (block.fixed) continue;
+    for (const Point& p : block.vertices) face = std::min(face, p.x());
+  }
+  return fmt::format(
+      "set arrow from {},{} to {},{} nohead lc rgb '#1f6fb4' lw 2 front\n"
+      "set label \"{:.6g} m\" at {},{} offset 0.5,0.6 tc rgb '#1f6fb4' front\n",
+      view.low.x(), level_m, face, level_m, level_m, view.low.x(), level_m);
+}
+
+}  // namespace
+
+void draw_mechanism(const scene::Scene& scene, const json& mechanism, const std::optional<double>& level_m,
+                    const std::filesystem::path& out) {
+  const Bounds view = view_around(scene);
+  const Point span = view.high - view.low;
+  const double aspect = std::clamp(span.y() / span.x(), 0.3, 2.0);
+  std::string script = fmt::format(
+      "set terminal pngcairo font 'sans,11' size 900,{:.0f}\nset output {}\nset title {}\nset size ratio -1\n"
+      "unset key\nset tics out nomirror\nset xlabel 'x (m)'\nset ylabel 'elevation (m)'\nset xrange [{}:{}]\n"
+      "set yrange [{}:{}]\n",
+      100 + 800 * aspect, gnuplot_path(out), gnuplot_text(mechanism["text"].get<std::string>()), view.low.x(),
+      view.high.x(), view.low.y(), view.high.y());
+  const std::map<std::string, Eigen::Vector3d> motions = motions_of(mechanism);
+  const double by = drawn_ratio * scene::structure_size_m(scene.blocks);
+  int number = 0;
+  for (const scene::Block& block : scene.blocks) {
+    if (motions.contains(block.name)) continue;
+    script += gnuplot_polygon(
+        ++number, block.vertices,
+        fmt::format("fc rgb '{}' fillstyle solid border lc rgb '#303030' lw 1", block.fixed ? "#8d7f6d" : "#c9c9c4"));
+  }
+  for (const scene::Block& block : scene.blocks) {
+    const auto motion = motions.find(block.name);
+    if (motion == motions.end()) continue;
+    script += gnuplot_polygon(++number, displaced(block.vertices, motion->second, by),
+                              "fc rgb '#d98c5f' fillstyle solid 0.8 border lc rgb '#303030' lw 1");
+    script += gnuplot_polygon(++number, block.vertices, "fs empty border lc rgb '#303030' lw 1 dt 2 front");
+  }
+  if (level_m) script += reservoir(view, scene, *level_m);
+  gnuplot(script + "plot NaN notitle\n");
+}
+
+}  // namespace blockweir::picture

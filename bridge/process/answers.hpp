@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene is asked without a run of its own: the solid answers, on still water. Defined by solid.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "bridge/process/sides.hpp"
+
+namespace blockweir::process {
+
+/// At which level of the reservoir it fails, by the blocks' own equilibrium and by limit analysis. Throws
+/// std::invalid_argument for a scene that has no such level, and std::runtime_error where no answer is found.
+nlohmann::json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
+
+/// By which factor the strength of its joints can be divided until it fails under the loads and levels of the run's
+/// end, found likewise, and the forces on the joints that run through. Throws as above.
+nlohmann::json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
+
+}  // namespace blockweir::process

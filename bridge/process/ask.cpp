@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/process/ask.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "bridge/process/programs.hpp"
+#include "bridge/process/trouble.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/folder_lock.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/scene/read/read.hpp"
+
+namespace blockweir::process {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Nothing that no answer has written is lost.
+void require_own(const fs::path& folder) {
+  std::error_code unreadable;
+  if (!fs::exists(folder, unreadable) || fs::is_empty(folder, unreadable)) return;
+  if (fs::exists(scene_of(folder), unreadable) && fs::exists(folder / "limit.log", unreadable)) return;
+  throw std::invalid_argument(
+      fmt::format("--out {}: found a folder that holds something else; expected a new one, or that "
+                  "of an earlier answer; choose another folder",
+                  folder.string()));
+}
+
+/// Has blockweir-limit answer into `folder`, which holds nothing of an earlier answer then.
+nlohmann::json answer_in(const fs::path& folder, const std::string& question, const scene::Scene& scene) {
+  constexpr double grace_s = 5;
+  const results::FolderLock lock(folder);
+  const fs::path file = folder / (question + ".json");
+  fs::remove(file);
+  fs::remove(folder / "mechanism.png");
+  results::replace_file(scene_of(folder), scene.text);
+  const StopsLater until_it_is_answered;
+  const Supervised supervised =
+      supervise({limit_command(folder, question, file)}, folder, grace_s, [] { return true; });
+  if (supervised.interrupted) throw std::runtime_error("stopped on request");
+  const std::string trouble = first_trouble(supervised, folder);
+  if (!trouble.empty() && supervised.ends.front().exit_code == 2) throw std::invalid_argument(trouble);
+  if (!trouble.empty()) throw std::runtime_error(trouble);
+  std::ifstream stream(file);
+  return nlohmann::json::parse(stream);
+}
+
+}  // namespace
+
+Asked ask(const std::string& question, const AskOptions& options) {
+  scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
+  for (const auto* told : {&read.notes, &read.warnings}) {
+    for (const auto& line : *told) {
+      if (!options.quiet) fmt::print(stderr, "{}\n", line.text());
+    }
+  }
+  Asked asked{.folder = options.out, .scene = std::move(read.scene)};
+  if (asked.folder.empty()) asked.folder = fs::path("runs") / (case_name(options.scene) + "-" + question);
+  require_own(asked.folder);
+  results::make_folder(asked.folder);
+  try {
+    asked.answer = answer_in(asked.folder, question, asked.scene);
+  } catch (...) {  // nothing half-written stays
+    std::error_code kept;
+    fs::remove(scene_of(asked.folder), kept);
+    fs::remove(asked.folder / "limit.log", kept);
+    fs::remove(asked.folder / results::FolderLock::file, kept);
+    fs::remove(asked.folder, kept);  // where it is empty
+    throw;
+  }
+  return asked;
+}
+
+}  // namespace blockweir::process

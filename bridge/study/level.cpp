@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/study/level.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "bridge/picture/mechanism.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+
+namespace blockweir::study {
+namespace {
+
+using nlohmann::json;
+
+/// A level and the head over the joint that fails, in nine digits.
+std::string level_text(const json& found) {
+  const std::string outcome = found["outcome"];
+  if (outcome == "does not stand empty") return "does not stand even with an empty reservoir";
+  if (outcome == "stands") {
+    return fmt::format("stands at every level up to {:.9g} m", found["highest_level_m"].get<double>());
+  }
+  std::string text = fmt::format("fails at a level of {:.9g} m", found["level_m"].get<double>());
+  if (found.contains("head_m") && found["head_m"].is_number()) {
+    text += fmt::format(", {:.9g} m above the joint", found["head_m"].get<double>());
+  }
+  return text;
+}
+
+std::string blocks_text(const json& found) {
+  std::string text = level_text(found);
+  if (!found.contains("mode")) return text;
+  const auto blocks = found["blocks"].get<std::vector<std::string>>();
+  constexpr std::size_t most = 4;
+  const auto shown = std::vector(blocks.begin(), blocks.begin() + std::min(most, blocks.size()));
+  text += fmt::format("\n        {} of {}", found["mode"].get<std::string>(), fmt::join(shown, ", "));
+  if (blocks.size() > most) text += fmt::format(" and {} more", blocks.size() - most);
+  const std::string joint = found["joint"];
+  return joint.empty() ? text : text + fmt::format(" on joint \"{}\"", joint);
+}
+
+std::string limit_text(const json& found) {
+  std::string text = level_text(found);
+  if (found.contains("load_factor")) {
+    text += fmt::format("\n        it bears {:.6g} times the reservoir's forces at the highest",
+                        found["load_factor"].get<double>());
+  }
+  if (found.contains("mechanism")) text += "\n        " + found["mechanism"]["text"].get<std::string>();
+  if (found.contains("gap")) {
+    text += fmt::format("\n        forces and mechanism agree to {:.1g} (gap)", found["gap"].get<double>());
+  }
+  return text;
+}
+
+std::string level_report(const json& answer) {
+  std::string text = fmt::format("BLOCKS  {}\n", blocks_text(answer));
+  if (answer.contains("rigid_blocks")) text += fmt::format("RIGID   {}\n", level_text(answer["rigid_blocks"]));
+  text += fmt::format("LIMIT   {}\n", limit_text(answer["limit_analysis"]));
+  if (answer.contains("formula")) {
+    const json& formula = answer["formula"];
+    text += fmt::format("FORMULA {:.9g} m, {:.9g} m above joint \"{}\" ({})\n", formula["level_m"].get<double>(),
+                        formula["head_m"].get<double>(), formula["joint"].get<std::string>(),
+                        formula["name"].get<std::string>());
+  }
+  const json& difference = answer["difference"];
+  text += "differ  ";
+  if (difference.contains("level_m")) {
+    text += fmt::format("blocks less limit analysis {:.3g} m, {:.2g} of the rise\n        ",
+                        difference["level_m"].get<double>(), difference["relative"].get<double>());
+  }
+  return text + fmt::format("reason: {}\n", difference["reason"].get<std::string>());
+}
+
+}  // namespace
+
+int tell_level(const LevelOptions& options) {
+  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  const process::Asked asked = process::ask("level", options);
+  const json& limit = asked.answer["limit_analysis"];
+  fmt::print("{}", level_report(asked.answer));
+  if (limit.contains("mechanism")) {
+    const auto picture = asked.folder / "mechanism.png";
+    picture::draw_mechanism(asked.scene, limit["mechanism"], limit["level_m"].get<double>(), picture);
+    fmt::print("picture {}\n", picture.string());
+  }
+  if (!options.json.empty()) results::replace_file(options.json, asked.answer.dump(2) + "\n");
+  return 0;
+}
+
+}  // namespace blockweir::study

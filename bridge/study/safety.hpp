@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// blockweir safety: the factor on strength of a scene and of its load cases.
+#pragma once
+
+#include <filesystem>
+
+#include "bridge/process/ask.hpp"
+#include "bridge/scene/load_case.hpp"
+
+namespace blockweir::study {
+
+struct SafetyOptions : process::AskOptions {
+  std::filesystem::path json;  ///< file for the answers; empty: none beside that in the folder
+};
+
+/// The scene as a load case sets it, checked. Throws scene::SceneError that names the load case.
+void require_sound(const scene::LoadCase& load_case, const std::filesystem::path& scene,
+                   const std::vector<std::string>& overrides);
+
+/// Tells the factor of the scene as it stands and of each load case, by the blocks' own equilibrium and by limit
+/// analysis, with the joints that run through, and draws the mechanisms. Returns 0: a factor that is too low is a
+/// result.
+int tell_safety(const SafetyOptions& options);
+
+}  // namespace blockweir::study

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/answer_parts.hpp"
+
+#include <algorithm>
+
+namespace blockweir::solid {
+
+nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit::Twists& mechanism) {
+  const limit::MechanismWords words = limit::words_of(structure, mechanism);
+  nlohmann::json moving = nlohmann::json::array();
+  for (const std::size_t b : words.moving) {
+    moving.push_back({{"name", structure.scene().blocks[b].name},
+                      {"velocity_x", mechanism[b].x()},
+                      {"velocity_y", mechanism[b].y()},
+                      {"spin_per_m", mechanism[b].z()}});
+  }
+  return {{"text", words.text}, {"mode", words.mode}, {"joints", words.joints}, {"blocks", moving}};
+}
+
+bool has_bonds(const scene::Scene& scene) {
+  const auto bonds = [](const scene::JointLaw& law) {
+    return law.cohesion_pa > 0 || law.tension_strength_pa > 0 ||
+           law.friction_angle_deg != law.residual_friction_angle_deg;
+  };
+  return bonds(scene.default_joint) ||
+         std::any_of(scene.joints.begin(), scene.joints.end(), [&](const auto& joint) { return bonds(joint.law); });
+}
+
+bool strains(const scene::Scene& scene) {
+  return scene.analysis.rigid != scene::Rigid::all &&
+         std::any_of(scene.blocks.begin(), scene.blocks.end(),
+                     [](const scene::Block& block) { return !block.fixed && !block.rigid; });
+}
+
+scene::Scene with_rigid_blocks(scene::Scene scene) {
+  scene.analysis.rigid = scene::Rigid::all;
+  for (scene::Block& block : scene.blocks) block.mesh_size_m = 0;
+  return scene;
+}
+
+}  // namespace blockweir::solid

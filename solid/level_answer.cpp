@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The level at which a scene fails, found by the blocks' own equilibrium and by limit analysis, and what these two
+// differ by.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bridge/process/answers.hpp"
+#include "bridge/scene/at.hpp"
+#include "solid/answer_parts.hpp"
+#include "solid/expect/formula_parts.hpp"
+#include "solid/expect/formulas.hpp"
+#include "solid/limit/limit_level.hpp"
+#include "solid/limit/loads.hpp"
+#include "solid/static_level.hpp"
+
+namespace blockweir::process {
+namespace {
+
+using nlohmann::json;
+using solid::StaticLevel;
+using solid::StillWater;
+using solid::limit::Filled;
+namespace limit = solid::limit;
+
+/// What is the same for all outcomes, and the level where it fails.
+json outcome_json(Filled outcome, double level_m) {
+  switch (outcome) {
+    case Filled::does_not_stand_empty:
+      return {{"outcome", "does not stand empty"}, {"level_m", nullptr}};
+    case Filled::stands_full:
+      return {{"outcome", "stands"}, {"level_m", nullptr}, {"highest_level_m", level_m}};
+    default:
+      return {{"outcome", "fails"}, {"level_m", level_m}};
+  }
+}
+
+json limit_json(const limit::LimitAnalysis& structure, const limit::LimitLevel& found) {
+  json answer = outcome_json(found.outcome, found.level_m);
+  answer["programs"] = found.programs;
+  if (found.outcome == Filled::does_not_stand_empty) return answer;
+  if (found.at_it.bearing != limit::Bearing::fails_at_a_factor) return answer;
+  answer["gap"] = found.at_it.gap;
+  if (found.outcome == Filled::stands_full) {
+    answer["load_factor"] = found.at_it.factor;
+    return answer;
+  }
+  const limit::MechanismWords words = limit::words_of(structure, found.at_it.mechanism);
+  if (words.mouth_m) answer["head_m"] = found.level_m - words.mouth_m->y();
+  answer["mechanism"] = solid::mechanism_json(structure, found.at_it.mechanism);
+  return answer;
+}
+
+json blocks_json(const scene::Scene& scene, const StaticLevel& found) {
+  json answer = outcome_json(found.outcome, found.level_m);
+  if (found.outcome != Filled::fails) return answer;
+  answer["level_width_m"] = found.width_m;
+  if (!found.failure) return answer;
+  const solid::Failure& failure = *found.failure;
+  json names = json::array();
+  for (const int b : failure.blocks) names.push_back(scene.blocks[at(b)].name);
+  answer.update({{"mode", failure.mode},
+                 {"joint", failure.joint},
+                 {"blocks", names},
+                 {"head_m", failure.head_m + (found.level_m - failure.level_m)}});
+  return answer;
+}
+
+/// Of the first head of failure that the scene expects by a formula; null where there is none.
+json formula_json(const scene::Scene& scene) {
+  for (const scene::Expectation& e : scene.expectations) {
+    if (e.quantity != "failure_head_m" || e.formula.empty()) continue;
+    const double head_m = solid::expect::formula(scene, e);
+    return {{"name", e.formula},
+            {"joint", e.of},
+            {"head_m", head_m},
+            {"level_m", solid::expect::plane_joint(scene, e.of).mouth.y() + head_m}};
+  }
+  return nullptr;
+}
+
+/// The levels of one scene.
+struct Levels {
+  const scene::Scene& scene;
+  double empty_m = 0;
+  limit::LimitLevel limit;
+  StaticLevel blocks;
+  std::optional<StaticLevel> rigid;  ///< of the same blocks without strain, where they strain
+
+  /// Of a level to that of limit analysis, over the rise from the empty reservoir.
+  [[nodiscard]] double off(const StaticLevel& found) const {
+    return (found.level_m - limit.level_m) / (limit.level_m - empty_m);
+  }
+  [[nodiscard]] bool agrees(const StaticLevel& found) const {
+    constexpr double same = 1e-8;
+    return found.outcome == limit.outcome && (found.outcome != Filled::fails || std::abs(off(found)) <= same);
+  }
+  /// Why the blocks' level is not that of limit analysis.
+  [[nodiscard]] std::string reason() const {
+    if (agrees(blocks)) return "none: the two agree";
+    if (rigid && agrees(*rigid)) return "deformation: blocks that do not strain fail at the level of limit analysis";
+    if (solid::has_bonds(scene)) {
+      return "history of joint forces: bonds break one after the other, and limit analysis lets all act at once";
+    }
+    if (blocks.outcome == Filled::fails && off(blocks) < 0) {
+      return "friction without dilation: limit analysis takes joints to open as they slip, and is an upper bound";
+    }
+    return "none is known: limit analysis is an upper bound of rigid blocks";
+  }
+};
+
+json difference_json(const Levels& levels) {
+  json answer = {{"reason", levels.reason()}};
+  if (levels.blocks.outcome == Filled::fails && levels.limit.outcome == Filled::fails) {
+    answer["level_m"] = levels.blocks.level_m - levels.limit.level_m;
+    answer["relative"] = levels.off(levels.blocks);
+  }
+  return answer;
+}
+
+}  // namespace
+
+json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
+  StillWater water(scene, make_fluid);
+  const limit::LimitAnalysis structure(scene);
+  const limit::Wrenches dead =
+      limit::combined(limit::weights_of(scene), 1, limit::stated_loads_of(scene, scene.analysis.duration_s));
+  const auto water_at = [&](double level_m) { return limit::water_forces(scene, water.at(level_m)); };
+  Levels levels{.scene = scene,
+                .empty_m = water.range().empty_m,
+                .limit = limit::limit_level(structure, dead, water_at, water.range()),
+                .blocks = solid::static_level(scene, water)};
+  if (solid::strains(scene)) levels.rigid = solid::static_level(solid::with_rigid_blocks(scene), water);
+  json answer = blocks_json(scene, levels.blocks);
+  answer["limit_analysis"] = limit_json(structure, levels.limit);
+  if (levels.rigid) answer["rigid_blocks"] = blocks_json(scene, *levels.rigid);
+  answer["difference"] = difference_json(levels);
+  if (const json formula = formula_json(scene); !formula.is_null()) answer["formula"] = formula;
+  return answer;
+}
+
+}  // namespace blockweir::process

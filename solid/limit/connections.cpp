@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/limit/connections.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "bridge/geometry/outline.hpp"
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/read/check.hpp"
+#include "bridge/scene/structure_size.hpp"
+#include "solid/limit/linear_program.hpp"
+
+namespace blockweir::solid::limit {
+namespace {
+
+using geometry::Bounds;
+
+/// Pairs whose boxes touch, the lower index first.
+std::vector<std::pair<int, int>> neighbours(const scene::Scene& scene, double touching_m) {
+  std::vector<Bounds> boxes;
+  std::vector<int> by_left;
+  for (const scene::Block& block : scene.blocks) {
+    by_left.push_back(static_cast<int>(boxes.size()));
+    boxes.push_back(geometry::bounds_of(block.vertices));
+  }
+  std::sort(by_left.begin(), by_left.end(), [&](int i, int j) { return boxes[at(i)].low.x() < boxes[at(j)].low.x(); });
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0; i < by_left.size(); ++i) {
+    const Bounds& one = boxes[at(by_left[i])];
+    for (std::size_t j = i + 1; j < by_left.size(); ++j) {
+      const Bounds& other = boxes[at(by_left[j])];
+      if (other.low.x() > one.high.x() + touching_m) break;
+      if (other.low.y() > one.high.y() + touching_m || one.low.y() > other.high.y() + touching_m) continue;
+      pairs.push_back(std::minmax(by_left[i], by_left[j]));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/// `bonded`: the share of the joint's length that has cohesion and tension strength.
+Face face_of(const scene::TracePiece& piece, int a, int b, int joint, const scene::JointLaw& law, double bonded) {
+  Face face{.a = a, .b = b, .joint = joint, .from_m = piece.from_m, .to_m = piece.to_m};
+  const Point along = face.along();
+  // Outlines run counter-clockwise: what lies to the right of an edge is out of its block.
+  const Point forwards = piece.s_from_a < piece.s_to_a ? along : Point(-along);
+  face.normal = Point(forwards.y(), -forwards.x());
+  face.friction = std::tan(law.friction_angle_deg * std::numbers::pi / 180);
+  face.cohesion_n_per_m = law.cohesion_pa * bonded * face.length_m();
+  face.tension_n_per_m = law.tension_strength_pa * bonded * face.length_m();
+  if (face.friction > 0) face.tension_n_per_m = std::min(face.tension_n_per_m, face.cohesion_n_per_m / face.friction);
+  return face;
+}
+
+}  // namespace
+
+std::vector<Face> faces_of(const scene::Scene& scene) {
+  const double touching_m = scene::rounding_ratio * scene::structure_size_m(scene.blocks);
+  std::map<std::pair<int, int>, int> joints;
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    joints[std::minmax(scene.joints[j].between[0], scene.joints[j].between[1])] = static_cast<int>(j);
+  }
+  std::vector<Face> faces;
+  for (const auto& [a, b] : neighbours(scene, touching_m)) {
+    if (scene.blocks[at(a)].fixed && scene.blocks[at(b)].fixed) continue;
+    const scene::JointTrace trace = scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], touching_m);
+    const auto found = joints.find({a, b});
+    const int joint = found == joints.end() ? -1 : found->second;
+    const scene::JointLaw& law = joint < 0 ? scene.default_joint : scene.joints[at(joint)].law;
+    const double bonded = law.bonded_length_m ? std::min(1.0, *law.bonded_length_m / trace.length_m) : 1;
+    for (const scene::TracePiece& piece : trace.pieces) faces.push_back(face_of(piece, a, b, joint, law, bonded));
+  }
+  return faces;
+}
+
+std::vector<Tie> ties_of(const scene::Scene& scene) {
+  std::vector<Tie> ties;
+  const auto is_fixed = [&](int block) { return block < 0 || scene.blocks[at(block)].fixed; };
+  for (const scene::Support& support : scene.supports) {
+    const auto hold = [&](const Point& direction) {
+      ties.push_back({.a = support.block,
+                      .at_a_m = support.point_m,
+                      .at_b_m = support.point_m,
+                      .direction = direction,
+                      .low_n_per_m = -infinite,
+                      .high_n_per_m = infinite});
+    };
+    if (support.displacement_x_m) hold(Point::UnitX());
+    if (support.displacement_y_m) hold(Point::UnitY());
+  }
+  for (const scene::Bolt& bolt : scene.bolts) {
+    Tie tie{.a = bolt.blocks[0],
+            .b = bolt.blocks[1],
+            .at_a_m = bolt.from_m,
+            .at_b_m = bolt.to_m,
+            .direction = (bolt.to_m - bolt.from_m).normalized(),
+            .high_n_per_m = bolt.yield_n_per_m.value_or(infinite)};
+    if (bolt.takes_compression) tie.low_n_per_m = -tie.high_n_per_m;
+    if (tie.a < 0) {
+      std::swap(tie.a, tie.b);
+      std::swap(tie.at_a_m, tie.at_b_m);
+      tie.direction = -tie.direction;
+    }
+    ties.push_back(tie);
+  }
+  std::erase_if(ties, [&](const Tie& tie) { return is_fixed(tie.a) && is_fixed(tie.b); });
+  return ties;
+}
+
+}  // namespace blockweir::solid::limit

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds rigid blocks: straight faces between two of them, and ties, which are bolts and held points.
+#pragma once
+
+#include <vector>
+
+#include "bridge/scene/scene.hpp"
+#include "solid/limit/wrench.hpp"
+
+namespace blockweir::solid::limit {
+
+/// A straight piece of the common boundary of two blocks, in the scene's outline.
+struct Face {
+  int a = 0;  ///< blocks
+  int b = 0;
+  int joint = -1;  ///< index into Scene::joints; -1: the default law
+  Point from_m;
+  Point to_m;
+  Point normal;                 ///< out of a
+  double friction = 0;          ///< tan(phi)
+  double cohesion_n_per_m = 0;  ///< c L, L what is bonded of it
+  double tension_n_per_m = 0;   ///< T L, not beyond the apex of Mohr-Coulomb's cone
+
+  [[nodiscard]] double length_m() const { return (to_m - from_m).norm(); }
+  [[nodiscard]] Point along() const { return (to_m - from_m).normalized(); }
+};
+
+/// A force between two points along a fixed direction.
+struct Tie {
+  int a = 0;   ///< block
+  int b = -1;  ///< block; -1: the ground
+  Point at_a_m;
+  Point at_b_m;
+  Point direction;         ///< of the force on a
+  double low_n_per_m = 0;  ///< bounds of the force, may be infinite
+  double high_n_per_m = 0;
+};
+
+/// Of all pairs of blocks of which one at least is not fixed.
+std::vector<Face> faces_of(const scene::Scene& scene);
+std::vector<Tie> ties_of(const scene::Scene& scene);
+
+}  // namespace blockweir::solid::limit

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/limit/limit_analysis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/structure_size.hpp"
+#include "solid/limit/linear_program.hpp"
+#include "solid/limit/loads.hpp"
+
+namespace blockweir::solid::limit {
+namespace {
+
+constexpr double largest_factor_told = 1e6;  // a factor beyond is none
+
+bool any_moves(const scene::Scene& scene) {
+  return std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const auto& block) { return !block.fixed; });
+}
+
+}  // namespace
+
+/// Balance and strength, forces in units of the weight and moments in that times the size.
+class LimitAnalysis::Program {
+ public:
+  Program(const LimitAnalysis& structure, const Wrenches& dead, double reduction)
+      : structure_(structure), rows_(dead.size(), 0) {
+    for (std::size_t b = 0; b < dead.size(); ++b) {
+      if (structure.scene_.blocks[b].fixed) continue;
+      const Wrench load = scaled(dead[b]);
+      rows_[b] = lp_.add_equation(-load[0]);
+      lp_.add_equation(-load[1]);
+      lp_.add_equation(-load[2]);
+    }
+    for (const Face& face : structure.faces_) add(face, reduction);
+    for (const Tie& tie : structure.ties_) add(tie);
+  }
+
+  int add_factor(const Wrenches& live) {
+    LinearProgram::Entries entries;
+    for (std::size_t b = 0; b < live.size(); ++b) append(static_cast<int>(b), scaled(live[b]), entries);
+    return lp_.add_variable(0, largest_factor_told, entries, /*objective=*/1);
+  }
+  int add_shortage() {
+    LinearProgram::Entries entries;
+    for (const Strength& s : strengths_) entries.insert(entries.end(), {{s.forth, -1}, {s.back, -1}});
+    return lp_.add_variable(0, infinite, entries, /*objective=*/-1);
+  }
+  bool solve() { return lp_.maximize() == ProgramStatus::optimal; }
+
+  [[nodiscard]] double value(int variable) const { return lp_.value(variable); }
+  /// The balance's duals: the motion on which live loads have power.
+  [[nodiscard]] Twists mechanism() const {
+    Twists twists(rows_.size(), Twist::Zero());
+    for (std::size_t b = 0; b < rows_.size(); ++b) {
+      if (rows_[b] == 0) continue;
+      twists[b] = {lp_.dual(rows_[b]), lp_.dual(rows_[b] + 1), lp_.dual(rows_[b] + 2) / structure_.size_m_};
+    }
+    return twists;
+  }
+  /// Sum over the faces of what each lacks per unit of strength times that strength.
+  [[nodiscard]] double priced_strength() const {
+    double sum = 0;
+    for (const Strength& s : strengths_) {
+      const double normal = lp_.value(s.normal[0]) + lp_.value(s.normal[1]);
+      sum += (lp_.dual(s.forth) + lp_.dual(s.back)) * (s.cohesion + s.friction * normal);
+    }
+    return sum;
+  }
+
+ private:
+  struct Strength {
+    int forth;  ///< rows of shear along the face and against it
+    int back;
+    std::array<int, 2> normal;  ///< variables
+    double cohesion;
+    double friction;
+  };
+
+  [[nodiscard]] Wrench scaled(const Wrench& w) const {
+    return Wrench(w[0], w[1], w[2] / structure_.size_m_) / structure_.weight_n_per_m_;
+  }
+  void append(int block, const Wrench& load, LinearProgram::Entries& entries) const {
+    if (block < 0 || rows_[at(block)] == 0) return;
+    for (int k = 0; k < 3; ++k) entries.emplace_back(rows_[at(block)] + k, load[k]);
+  }
+  /// A unit force on the block.
+  void append(int block, const Point& direction, const Point& place, LinearProgram::Entries& entries) const {
+    if (block < 0) return;
+    Wrench load = wrench_of(direction, place, structure_.centroids_[at(block)]);
+    load[2] /= structure_.size_m_;
+    append(block, load, entries);
+  }
+
+  void add(const Face& face, double reduction) {
+    const double cohesion = face.cohesion_n_per_m / structure_.weight_n_per_m_;
+    const double tension = face.tension_n_per_m / 2 / structure_.weight_n_per_m_;
+    Strength strength{.forth = lp_.add_upper_bound(cohesion / reduction),
+                      .back = lp_.add_upper_bound(cohesion / reduction),
+                      .normal = {},
+                      .cohesion = cohesion,
+                      .friction = face.friction};
+    const auto on_both = [&](const Point& on_b, const Point& place) {
+      LinearProgram::Entries entries;
+      append(face.b, on_b, place, entries);
+      append(face.a, -on_b, place, entries);
+      return entries;
+    };
+    int end = 0;
+    for (const Point& place : {face.from_m, face.to_m}) {
+      LinearProgram::Entries entries = on_both(face.normal, place);
+      entries.insert(entries.end(),
+                     {{strength.forth, -face.friction / reduction}, {strength.back, -face.friction / reduction}});
+      strength.normal[at(end++)] = lp_.add_variable(-tension, infinite, entries);
+    }
+    LinearProgram::Entries shear = on_both(face.along(), face.from_m);
+    shear.insert(shear.end(), {{strength.forth, 1}, {strength.back, -1}});
+    lp_.add_variable(-infinite, infinite, shear);
+    strengths_.push_back(strength);
+  }
+  void add(const Tie& tie) {
+    LinearProgram::Entries entries;
+    append(tie.a, tie.direction, tie.at_a_m, entries);
+    append(tie.b, -tie.direction, tie.at_b_m, entries);
+    const double weight = structure_.weight_n_per_m_;
+    lp_.add_variable(tie.low_n_per_m / weight, tie.high_n_per_m / weight, entries);
+  }
+
+  const LimitAnalysis& structure_;
+  std::vector<int> rows_;  ///< first of the three of each block; 0: it is fixed
+  std::vector<Strength> strengths_;
+  LinearProgram lp_;
+};
+
+LimitAnalysis::LimitAnalysis(const scene::Scene& scene)
+    : scene_(scene),
+      centroids_(centroids_of(scene)),
+      faces_(faces_of(scene)),
+      ties_(ties_of(scene)),
+      size_m_(scene::structure_size_m(scene.blocks)) {
+  if (!any_moves(scene)) {
+    throw std::invalid_argument("limit analysis: all blocks are fixed; expected one that can move, set fixed = false");
+  }
+  const Wrenches weights = weights_of(scene);
+  for (std::size_t b = 0; b < weights.size(); ++b) {
+    if (!scene.blocks[b].fixed) weight_n_per_m_ += weights[b].head<2>().norm();
+  }
+  if (weight_n_per_m_ == 0) weight_n_per_m_ = 1;
+}
+
+LargestFactor LimitAnalysis::largest_factor(const Wrenches& dead, const Wrenches& live) const {
+  Program program(*this, dead, /*reduction=*/1);
+  const int factor = program.add_factor(live);
+  if (!program.solve()) return {};
+  LargestFactor found{.bearing = Bearing::fails_at_a_factor, .factor = program.value(factor)};
+  if (found.factor >= largest_factor_told) return {.bearing = Bearing::bears_any};
+  found.mechanism = program.mechanism();
+  normalize(found.mechanism);
+  const double of_mechanism =
+      (resistance(found.mechanism) - power(dead, found.mechanism)) / power(live, found.mechanism);
+  found.gap = std::abs(of_mechanism - found.factor) / std::max(std::abs(of_mechanism), std::abs(found.factor));
+  return found;
+}
+
+bool LimitAnalysis::bears(const Wrenches& loads) const {
+  const Wrenches nothing(loads.size(), Wrench::Zero());
+  return largest_factor(loads, nothing).bearing == Bearing::bears_any;
+}
+
+std::optional<Shortage> LimitAnalysis::shortage(const Wrenches& loads, double reduction) const {
+  Program program(*this, loads, reduction);
+  const int ratio = program.add_shortage();
+  if (!program.solve()) return std::nullopt;
+  Shortage found{.ratio = program.value(ratio),
+                 .per_reduction = program.priced_strength() / (reduction * reduction),
+                 .mechanism = program.mechanism()};
+  if (found.ratio > 0) normalize(found.mechanism);
+  return found;
+}
+
+/// Sup of -(N_1 w_1 + N_2 w_2 + S g) over admissible forces, w the openings of the ends and g the slip.
+double LimitAnalysis::resistance(const Twists& mechanism, double reduction) const {
+  double sum = 0;
+  for (const Face& face : faces_) {
+    const double slip = std::abs(face.along().dot(jump(face, mechanism, face.from_m)));
+    sum += face.cohesion_n_per_m / reduction * slip;
+    for (const Point& end : {face.from_m, face.to_m}) {
+      const double opening = face.normal.dot(jump(face, mechanism, end));
+      sum += face.tension_n_per_m / 2 * std::max(0.0, opening - face.friction / reduction * slip);
+    }
+  }
+  for (const Tie& tie : ties_) {
+    const double stretch =
+        tie.direction.dot(velocity(tie.b, mechanism, tie.at_b_m) - velocity(tie.a, mechanism, tie.at_a_m));
+    const double force = stretch > 0 ? tie.high_n_per_m : tie.low_n_per_m;
+    if (std::isfinite(force)) sum += force * stretch;  // what cannot yield does not stretch
+  }
+  return sum;
+}
+
+Point LimitAnalysis::velocity(int block, const Twists& mechanism, const Point& place) const {
+  return block < 0 ? Point::Zero().eval() : velocity_at(mechanism[at(block)], place, centroids_[at(block)]);
+}
+
+Point LimitAnalysis::jump(const Face& face, const Twists& mechanism, const Point& place) const {
+  return velocity(face.b, mechanism, place) - velocity(face.a, mechanism, place);
+}
+
+void LimitAnalysis::normalize(Twists& mechanism) const {
+  double fastest = 0;
+  for (std::size_t b = 0; b < mechanism.size(); ++b) {
+    for (const Point& vertex : scene_.blocks[b].vertices) {
+      fastest = std::max(fastest, velocity_at(mechanism[b], vertex, centroids_[b]).norm());
+    }
+  }
+  if (fastest == 0) return;
+  for (Twist& twist : mechanism) twist /= fastest;
+}
+
+}  // namespace blockweir::solid::limit

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/limit/limit_level.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+namespace blockweir::solid::limit {
+namespace {
+
+constexpr double level_width = 1e-12;  // over the rise from the empty reservoir
+
+/// Where `power` changes its sign between a level that it is negative at and one that it is positive at.
+double root(const std::function<double(double)>& power, double low_m, double high_m, double at_low, double at_high) {
+  std::uintmax_t most = 200;
+  const boost::math::tools::eps_tolerance<double> to_round_off(50);
+  const auto [below, above] =
+      boost::math::tools::toms748_solve(power, low_m, high_m, at_low, at_high, to_round_off, most);
+  return (below + above) / 2;
+}
+
+}  // namespace
+
+LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, const WaterAtLevel& water,
+                       const LevelRange& range) {
+  constexpr int most_programs = 100;
+  LimitLevel found{.level_m = range.full_m};
+  const Wrenches tailwater = water(range.empty_m);
+  const Wrenches empty = combined(dead, 1, tailwater);
+  if (!structure.bears(empty)) return found;
+  const auto reservoir_at = [&](double level_m) { return combined(water(level_m), -1, tailwater); };
+  while (++found.programs < most_programs) {
+    found.at_it = structure.largest_factor(empty, reservoir_at(found.level_m));
+    const bool bears = found.at_it.bearing == Bearing::bears_any || found.at_it.factor >= 1 - level_width;
+    if (bears) break;
+    const Twists& mechanism = found.at_it.mechanism;
+    const double needed = structure.resistance(mechanism) - power(empty, mechanism);
+    const auto excess = [&](double level_m) { return power(reservoir_at(level_m), mechanism) - needed; };
+    const double at_high = excess(found.level_m);
+    if (at_high <= 0 || needed < 0) break;  // but for round-off it is the level
+    const double next = root(excess, range.empty_m, found.level_m, -needed, at_high);
+    const bool settled = found.level_m - next <= level_width * (found.level_m - range.empty_m);
+    found.level_m = next;
+    if (settled) break;
+  }
+  const bool failed = found.programs > 1 || found.at_it.factor < 1;
+  found.outcome = failed && found.at_it.bearing == Bearing::fails_at_a_factor ? Filled::fails : Filled::stands_full;
+  return found;
+}
+
+}  // namespace blockweir::solid::limit

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A linear program that is written down row by row and column by column, and solved by the simplex method (GLPK).
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+struct glp_prob;
+
+namespace blockweir::solid::limit {
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+
+enum class ProgramStatus { optimal, infeasible, unbounded };
+
+/// Variables and rows should be of the order of one: tolerances are absolute there, 1e-10.
+class LinearProgram {
+ public:
+  using Entries = std::vector<std::pair<int, double>>;  ///< row and coefficient
+
+  LinearProgram();
+
+  /// Each returns the new row's number.
+  int add_equation(double right_side);
+  int add_upper_bound(double right_side);
+  /// Bounds may be infinite; entries of the same row are summed. Returns the new variable's number.
+  int add_variable(double low, double high, Entries entries, double objective = 0);
+
+  /// Throws std::runtime_error where the simplex method comes to no end.
+  ProgramStatus maximize();
+
+  [[nodiscard]] double value(int variable) const;
+  /// Change of the objective with the row's right side.
+  [[nodiscard]] double dual(int row) const;
+
+ private:
+  std::unique_ptr<glp_prob, void (*)(glp_prob*)> program_;
+};
+
+}  // namespace blockweir::solid::limit

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The blocks of a scene, at rest or not: static analyses one after the other under still water that follows them.
+#pragma once
+
+#include <string>
+
+#include "solid/step/solid.hpp"
+#include "solid/still_water.hpp"
+#include "solid/watch/failure_watch.hpp"
+
+namespace blockweir::solid {
+
+class StaticBlocks {
+ public:
+  /// `water`: null where there is none. Both must outlive it.
+  StaticBlocks(const scene::Scene& scene, StillWater* water);
+
+  /// From the scene's outline: lets weight and loads settle. Throws SolveError where they find no equilibrium at all.
+  bool begin(double level_m);
+  /// Goes on from where the blocks are; pressures follow them until they move no more. What goes farther than this
+  /// share of the scene's failure_displacement_m does not rest.
+  bool rests_at(double level_m, double share);
+
+  /// Of a StaticBlocks of the same scene.
+  [[nodiscard]] std::string state() const;
+  void restore(const std::string& state);
+
+  [[nodiscard]] const Solid& solid() const { return solid_; }
+  /// On the blocks where they are; nothing without water.
+  const wire::Load& pressures(double level_m);
+  Levels levels(double level_m);
+
+ private:
+  scene::Scene scene_;  ///< as its analyses are made
+  double far_m_;        ///< its own failure displacement
+  Solid solid_;
+  StillWater* water_;
+  wire::Motion motion_;
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The level at which the blocks themselves lose their equilibrium: static analysis under a level that rises, with the
+// scene's own contact laws and the memory of their joints; where one level finds no rest, the rise to it is halved.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "solid/still_water.hpp"
+#include "solid/watch/failure_watch.hpp"
+
+namespace blockweir::solid {
+
+struct StaticLevel {
+  limit::Filled outcome = limit::Filled::does_not_stand_empty;
+  double level_m = 0;              ///< where it fails, the middle of the bracket; else that of the full reservoir
+  double width_m = 0;              ///< of the bracket
+  std::optional<Failure> failure;  ///< how; none where no block went far
+};
+
+/// `width`: of the bracket at the end, over the rise from the empty reservoir.
+StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width = 1e-10);
+
+}  // namespace blockweir::solid

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/still_water.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace blockweir::solid {
+namespace {
+
+/// The same scene with a reservoir that rises by a metre a second from empty to full.
+scene::Scene filled(scene::Scene scene, const limit::LevelRange& range) {
+  if (scene.analysis.gravity_tilt_deg != 0) {
+    throw std::invalid_argument(
+        "gravity_tilt_deg of [analysis] is not 0; expected gravity along the y axis where there is water; turn the "
+        "blocks instead");
+  }
+  if (scene.fluid == scene::FluidModel::column) {
+    throw std::invalid_argument(
+        "model = \"column\" in [fluid]; expected a reservoir with a level; state [water] without that model");
+  }
+  scene::Water& water = scene.water;
+  if (scene.fluid == scene::FluidModel::none && water.nodal_rule == scene::NodalRule::consistent) {
+    water.elements_per_face = 1;
+  }
+  scene.fluid = scene::FluidModel::hydrostatic;
+  if (water.downstream_level_m) {
+    water.downstream_level_m = scene::TimeTable::constant(water.downstream_level_m->at(scene.analysis.duration_s));
+  }
+  water.upstream_level_m =
+      scene::TimeTable{.time_s = {0, range.full_m - range.empty_m}, .value = {range.empty_m, range.full_m}};
+  scene.output.reservoir = false;
+  return scene;
+}
+
+}  // namespace
+
+StillWater::StillWater(const scene::Scene& scene, const process::FluidMaker& make)
+    : range_(limit::level_range(scene)), scene_(filled(scene, range_)), fluid_(make(scene_, {})) {}
+
+const wire::Load& StillWater::at(double level_m, const wire::Motion& motion) {
+  fluid_->advance(motion, level_m - range_.empty_m, load_);
+  return load_;
+}
+
+const wire::Load& StillWater::at(double level_m) {
+  wire::Motion drawn;
+  drawn.displacement.assign(scene_.blocks.size(), {});
+  drawn.velocity.assign(scene_.blocks.size(), {});
+  return at(level_m, drawn);
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/watch/joint_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bridge/geometry/outline.hpp"
+#include "bridge/scene/at.hpp"
+#include "solid/watch/surface_sum.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+/// Along the joint, from the normal force and where it acts.
+void add_stresses(double r, JointRow& row) {
+  const double mean = row.normal_n_per_m / row.length_m;
+  if (r >= 1.0 / 3 && r <= 2.0 / 3) {
+    row.toe_stress_pa = -mean * (1 + 6 * (0.5 - r));
+    row.heel_stress_pa = -mean * (1 - 6 * (0.5 - r));
+    return;
+  }
+  const double from_the_pressed_end = std::min(r, 1 - r);
+  if (from_the_pressed_end <= 0) {
+    row.cracked_length_m = row.length_m;  // the resultant is beyond the end: nothing is pressed but the end
+    return;
+  }
+  const double pressed_m = 3 * from_the_pressed_end * row.length_m;
+  row.cracked_length_m = row.length_m - pressed_m;
+  (r < 0.5 ? row.toe_stress_pa : row.heel_stress_pa) = -2 * row.normal_n_per_m / pressed_m;
+}
+
+/// Blocks that a panel in a crack lies between: its own, and the one whose outline its middle is on.
+std::optional<std::pair<int, int>> pair_of(const scene::Scene& scene, int block, const Point& middle, double near_m) {
+  for (const scene::Joint& joint : scene.joints) {
+    if (joint.between[0] != block && joint.between[1] != block) continue;
+    const int other = joint.between[0] == block ? joint.between[1] : joint.between[0];
+    const auto& outline = scene.blocks[at(other)].vertices;
+    for (std::size_t e = 0; e < outline.size(); ++e) {
+      if (geometry::distance_to_segment(middle, outline[e], outline[(e + 1) % outline.size()]) > near_m) continue;
+      return std::minmax(block, other);
+    }
+  }
+  return std::nullopt;
+}
+
+/// Half of what presses both faces of each surface apart: cracks are pressed alike on both.
+std::vector<double> uplifts(const Solid& solid, const Surfaces& surfaces, const std::vector<SurfaceSum>& sums,
+                            const wire::Load& water) {
+  std::vector<double> uplift(sums.size(), 0);
+  for (std::size_t i = water.cracks_from; i < water.block.size(); ++i) {
+    const auto& outline = solid.scene().blocks[water.block[i]].vertices;
+    const Point& a = outline[water.edge[i]];
+    const Point span = outline[(water.edge[i] + 1) % outline.size()] - a;
+    const Point middle = a + (water.s_from[i] + water.s_to[i]) / 2 * span;
+    const auto pair = pair_of(solid.scene(), static_cast<int>(water.block[i]), middle, 1e-6 * solid.size_m());
+    if (!pair) continue;
+    const Point force = (water.pressure_from_pa[i] + water.pressure_to_pa[i]) / 2 * (water.s_to[i] - water.s_from[i]) *
+                        perpendicular(span);
+    for (const int surface : surfaces.of(*pair)) {
+      uplift[at(surface)] += std::abs(sums[at(surface)].across().dot(force)) / 2;
+    }
+  }
+  return uplift;
+}
+
+}  // namespace
+
+std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water) {
+  const Surfaces surfaces(solid);
+  const std::vector<SurfaceSum> sums = surface_sums(solid, surfaces);
+  const std::vector<double> uplift = uplifts(solid, surfaces, sums, water);
+  std::vector<JointRow> rows;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const SurfaceSum& sum = sums[i];
+    JointRow row{.name = surfaces.names()[i],
+                 .length_m = sum.length_m(),
+                 .normal_n_per_m = sum.normal_n_per_m(),
+                 .shear_n_per_m = std::abs(sum.shear_n_per_m()),
+                 .uplift_n_per_m = uplift[i]};
+    if (sum.is_sheared() && !sum.is_buttressed()) row.sliding_factor = sum.sliding_factor();
+    if (sum.is_pressed()) {
+      const double r = sum.resultant_from_downstream();
+      row.resultant_from_downstream = r;
+      row.moment_n = row.normal_n_per_m * (0.5 - r) * row.length_m;
+      add_stresses(r, row);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Forces and stresses on the surfaces that run through, as an engineer checks them by hand.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bridge/wire/message.hpp"
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid {
+
+/// Of a joint, or of joints in one line. Stresses are those of the gravity method without tension,
+///   N/L (1 +- 6 (1/2 - r)), beyond the middle third 2 N/(3 r L) on the 3 r L that is pressed,
+/// r the resultant's way from the downstream end over the length.
+struct JointRow {
+  std::string name;
+  double length_m = 0;
+  double normal_n_per_m = 0;  ///< effective: what the water in the joint presses is not in it; compression positive
+  double shear_n_per_m = 0;   ///< size
+  double uplift_n_per_m = 0;  ///< of the water in the joint, away from it
+  double moment_n = 0;        ///< of the normal force about the middle, positive where it presses downstream of it
+  std::optional<double> sliding_factor;             ///< strength over shear; none without shear
+  std::optional<double> resultant_from_downstream;  ///< over the length; none without pressure
+  double cracked_length_m = 0;
+  double heel_stress_pa = 0;  ///< at the upstream end; tension positive
+  double toe_stress_pa = 0;   ///< at the downstream end
+};
+
+/// `water`: what presses on the blocks now.
+std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water);
+
+}  // namespace blockweir::solid

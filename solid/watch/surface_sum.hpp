@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Forces of contacts, summed over a surface that runs through.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "solid/contact/outline.hpp"
+#include "solid/watch/surfaces.hpp"
+
+namespace blockweir::solid {
+
+/// What the contacts of one surface bear together, along the line from end to end: where some press on other faces
+/// there, as a heel on level ground beside its dipping base, forces count by their parts along that line.
+class SurfaceSum {
+ public:
+  /// First of all contacts: how far they reach.
+  void reach(const Point& place) {
+    const auto before = [](const Point& p, const Point& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
+    if (before(place, low_)) low_ = place;
+    if (before(high_, place)) high_ = place;
+  }
+  [[nodiscard]] const Point& upstream_end() const { return low_; }
+  [[nodiscard]] const Point& downstream_end() const { return high_; }
+  [[nodiscard]] double length_m() const { return (high_ - low_).norm(); }
+  [[nodiscard]] Point across() const { return perpendicular(Point(high_ - low_)) / length_m(); }
+
+  /// `force`: on the block above the line; `pushed`: the part of it that is normal to the contact's own edge.
+  void add(const Strength& law, const Point& force, const Point& pushed, const Point& place) {
+    const double pressed = across().dot(force);
+    cohesion_ += law.cohesion;
+    friction_ += law.friction * pressed;
+    shear_ += cross(across(), force);
+    buttress_ += cross(across(), pushed);
+    normal_ += pressed;
+    pressed_or_pulled_ += force.norm();
+    moment_ += pressed * place;
+  }
+
+  [[nodiscard]] double strength() const { return std::max(0.0, cohesion_ + friction_); }
+  [[nodiscard]] bool is_sheared() const {
+    return std::abs(shear_) > negligible * (std::abs(strength()) + std::abs(normal_));
+  }
+  /// Does a face askew to the line, as level ground before the toe of a base that dips downstream, resist the slide?
+  [[nodiscard]] bool is_buttressed() const {
+    return buttress_ * shear_ > 0 && std::abs(buttress_) > seen * std::abs(shear_);
+  }
+  [[nodiscard]] bool is_pressed() const { return normal_ > negligible * pressed_or_pulled_; }
+  [[nodiscard]] double normal_n_per_m() const { return normal_; }
+  [[nodiscard]] double shear_n_per_m() const { return shear_; }
+  [[nodiscard]] double sliding_factor() const { return strength() / std::abs(shear_); }
+  /// Of the resultant from the nearer end, over the surface's length; negative outside.
+  [[nodiscard]] double end_distance() const {
+    const double s = resultant_from_downstream();
+    return std::min(s, 1 - s);
+  }
+  /// Which end that is, in an engineer's words; `wet`: water stands upstream, on the left.
+  [[nodiscard]] const char* nearer_end(bool wet) const {
+    constexpr double upright = 1e-3;
+    const Point along = high_ - low_;
+    const bool at_low = resultant_from_downstream() > 0.5;
+    if (std::abs(along.x()) < upright * along.norm()) return at_low == (along.y() > 0) ? "lower" : "upper";
+    if (at_low) return wet ? "upstream" : "left";
+    return wet ? "downstream" : "right";
+  }
+  /// From the downstream end, over the surface's length.
+  [[nodiscard]] double resultant_from_downstream() const {
+    const Point along = high_ - low_;
+    return along.dot(high_ - moment_ / normal_) / along.squaredNorm();
+  }
+
+ private:
+  static constexpr double negligible = 1e-6;
+  static constexpr double seen = 1e-2;  // what strains turn faces by resists less
+  Point low_ = Point::Constant(std::numeric_limits<double>::infinity());
+  Point high_ = -low_;
+  double cohesion_ = 0;
+  double friction_ = 0;
+  double shear_ = 0;
+  double buttress_ = 0;  ///< of the shear, what faces askew to the line push
+  double normal_ = 0;
+  double pressed_or_pulled_ = 0;  ///< sum of the forces' sizes
+  Point moment_ = Point::Zero();  ///< sum of normal force times place
+};
+
+/// Of each surface, by its index.
+std::vector<SurfaceSum> surface_sums(const Solid& solid, const Surfaces& surfaces);
+
+}  // namespace blockweir::solid

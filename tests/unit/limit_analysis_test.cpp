@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_limit bridge_scene_read
+// Limit analysis against hand values and published figures.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bridge/scene/read/read.hpp"
+#include "solid/limit/limit_level.hpp"
+#include "solid/limit/limit_strength.hpp"
+#include "solid/limit/loads.hpp"
+#include "solid/limit/mechanism_words.hpp"
+
+namespace {
+
+using namespace blockweir;
+using namespace blockweir::solid::limit;
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+scene::Scene read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return scene::read_text(text, "test.toml", overrides).scene;
+}
+
+/// A block b x h on level ground that is pushed by g in x.
+std::string pushed_block(double breadth, double height, double friction_deg, const std::string& law = "") {
+  return fmt::format(R"(
+[analysis]
+duration_s = 1
+[material.stone]
+youngs_modulus_pa = 1e10
+poissons_ratio = 0.2
+density_kg_per_m3 = 2000
+[joint]
+friction_angle_deg = {2}
+{3}
+[[block]]
+name = "ground"
+material = "stone"
+fixed = true
+vertices_m = [[-5, -1], [15, -1], [15, 0], [-5, 0]]
+[[block]]
+name = "block"
+material = "stone"
+vertices_m = [[0, 0], [{0}, 0], [{0}, {1}], [0, {1}]]
+[[body_load]]
+blocks = ["block"]
+acceleration_x_m_per_s2 = 9.81
+)",
+                     breadth, height, friction_deg, law);
+}
+
+LargestFactor push(const scene::Scene& scene) {
+  return LimitAnalysis(scene).largest_factor(weights_of(scene), stated_loads_of(scene, scene.analysis.duration_s));
+}
+
+TEST(LimitAnalysis, ABlockSlidesOrTurnsWhicheverComesFirst) {
+  for (const auto& [breadth, height, friction_deg] :
+       {std::tuple{2.0, 1.0, 30.0}, {1.0, 2.0, 40.0}, {0.3, 7.0, 10.0}, {1.0, 1.0, 44.9}, {1.0, 1.0, 45.1}}) {
+    const scene::Scene scene = read(pushed_block(breadth, height, friction_deg));
+    const LargestFactor found = push(scene);
+    const double mu = std::tan(radians(friction_deg));
+    EXPECT_NEAR(found.factor, std::min(mu, breadth / height), 1e-12);
+    EXPECT_LT(found.gap, 1e-10);
+    const MechanismWords words = words_of(LimitAnalysis(scene), found.mechanism);
+    EXPECT_EQ(words.mode, mu < breadth / height ? "sliding" : "overturning") << words.text;
+  }
+}
+
+/// T L/2 at the heel holds a block of width b by T b^2/2.
+TEST(LimitAnalysis, CohesionAndTensionStrengthHoldByTheirOwnArms) {
+  const double weight = 2000 * 9.81 * 2 * 1;
+  const LargestFactor slides = push(read(pushed_block(2, 1, 20, "cohesion_pa = 5e3")));
+  EXPECT_NEAR(slides.factor, std::tan(radians(20)) + 5e3 * 2 / weight, 1e-12);
+  const LargestFactor turns = push(read(pushed_block(1, 2, 60, "cohesion_pa = 20e3\ntension_strength_pa = 6e3")));
+  EXPECT_NEAR(turns.factor, (weight * 0.5 + 6e3 / 2 * 1) / (weight * 1), 1e-12);
+  EXPECT_LT(turns.gap, 1e-10);
+}
+
+TEST(LimitAnalysis, WhatNothingCanMoveBearsAnyFactor) {
+  const scene::Scene scene = read(pushed_block(1, 1, 30));
+  const LimitAnalysis structure(scene);
+  const Wrenches down(scene.blocks.size(), Wrench(0, -1, 0));
+  EXPECT_EQ(structure.largest_factor(weights_of(scene), down).bearing, Bearing::bears_any);
+  const Wrenches up(scene.blocks.size(), Wrench(0, 1e9, 0));
+  EXPECT_FALSE(structure.bears(up));
+}
+
+/// Ferris and Tin-Loi 2001, walls 1 to 3: 0.64286, 0.58000, 0.40369 with associated flow.
+TEST(LimitAnalysis, MasonryWallsOfFerrisAndTinLoi) {
+  const std::string text_of_case = std::string(BLOCKWEIR_SOURCE) + "/cases/masonry-walls";
+  for (const auto& [load, expected] : {std::pair{0, 0.64286}, {1, 0.58000}, {2, 0.40369}}) {
+    scene::Scene scene = scene::read(text_of_case).scene;
+    for (std::size_t i = 0; i < scene.body_loads.size(); ++i) {
+      const bool pushed = static_cast<int>(i) == load;
+      scene.body_loads[i].value[0] = scene::TimeTable::constant(pushed ? scene.analysis.gravity_m_per_s2 : 0);
+    }
+    const LargestFactor found = push(scene);
+    EXPECT_NEAR(found.factor, expected, 1e-5);
+    EXPECT_LT(found.gap, 1e-8);
+  }
+}
+
+TEST(LimitAnalysis, StrengthOfAnInclineIsTheSlopesAndBelowOneWhereItSlides) {
+  for (const auto& [slope_deg, friction_deg] : {std::pair{20.0, 30.0}, {30.0, 20.0}, {10.0, 60.0}}) {
+    const scene::Scene scene = read(pushed_block(4, 0.5, friction_deg, ""),
+                                    {fmt::format("analysis.gravity_tilt_deg={}", slope_deg), "body_load=[]"});
+    const LimitStrength found = limit_strength(LimitAnalysis(scene), weights_of(scene));
+    EXPECT_EQ(found.bearing, Bearing::fails_at_a_factor);
+    EXPECT_NEAR(found.factor / (std::tan(radians(friction_deg)) / std::tan(radians(slope_deg))), 1, 1e-8);
+    EXPECT_LT(found.gap, 1e-8);
+  }
+}
+
+TEST(LimitAnalysis, NoStrengthHelpsWhatOverturnsAndNoneIsNeededOnLevelGround) {
+  const scene::Scene turns = read(pushed_block(0.5, 4, 30), {"analysis.gravity_tilt_deg=20", "body_load=[]"});
+  EXPECT_EQ(limit_strength(LimitAnalysis(turns), weights_of(turns)).bearing, Bearing::bears_none);
+  const scene::Scene level = read(pushed_block(1, 1, 30), {"body_load=[]"});
+  EXPECT_EQ(limit_strength(LimitAnalysis(level), weights_of(level)).bearing, Bearing::bears_any);
+}
+
+/// Water on the left of a block b x h: slides at sqrt(2 W mu/(rho g)), turns at cbrt(3 W b/(rho g)).
+TEST(LimitAnalysis, TheLevelOfAWallUnderWater) {
+  for (const auto& [breadth, friction_deg] : {std::pair{6.0, 15.0}, {2.0, 60.0}}) {
+    const scene::Scene scene = read(pushed_block(breadth, 10, friction_deg), {"body_load=[]"});
+    const double water = 9810;
+    const auto at_level = [&](double level_m) {
+      const double head = std::max(0.0, level_m);
+      Wrenches forces(scene.blocks.size(), Wrench::Zero());
+      forces[1] = wrench_of({water * head * head / 2, 0}, {0, head / 3}, {breadth / 2, 5});
+      return forces;
+    };
+    const LimitLevel found = limit_level(LimitAnalysis(scene), weights_of(scene), at_level, {-1, 10});
+    const double weight = 2000 * 9.81 * breadth * 10;
+    const double slides = std::sqrt(2 * weight * std::tan(radians(friction_deg)) / water);
+    const double turns = std::cbrt(3 * weight * breadth / water);
+    ASSERT_EQ(found.outcome, Filled::fails);
+    EXPECT_NEAR(found.level_m, std::min(slides, turns), 1e-11);
+    EXPECT_LE(found.programs, 3);
+    EXPECT_LT(found.at_it.gap, 1e-8);
+  }
+}
+
+TEST(LimitAnalysis, AStructureThatDoesNotStandEmptyOrFailsAtNoLevelIsAnAnswer) {
+  const scene::Scene slides = read(pushed_block(4, 1, 10), {"analysis.gravity_tilt_deg=20", "body_load=[]"});
+  const auto none = [&](double) { return Wrenches(slides.blocks.size(), Wrench::Zero()); };
+  EXPECT_EQ(limit_level(LimitAnalysis(slides), weights_of(slides), none, {0, 1}).outcome, Filled::does_not_stand_empty);
+  const scene::Scene stands = read(pushed_block(4, 1, 30), {"body_load=[]"});
+  EXPECT_EQ(limit_level(LimitAnalysis(stands), weights_of(stands), none, {0, 1}).outcome, Filled::stands_full);
+}
+
+}  // namespace

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: blockweir_independent solid_process fluid_hydrostatic nlohmann_json::nlohmann_json
+// Structures drawn at random: the level that is found without a run, by rigid blocks and by limit analysis, against
+// limit equilibrium and limit analysis that share no code with the program.
+#include <fstream>
+
+#include "bridge/process/answers.hpp"
+#include "bridge/scene/read/read.hpp"
+#include "tests/verification/random_trials.hpp"
+
+namespace blockweir::test {
+namespace {
+
+class RandomLevels : public RandomTrials {
+ protected:
+  /// Without strain; the reservoir stands on the left.
+  [[nodiscard]] nlohmann::json level_of(const RandomStructure& one) const {
+    const Structure structure = one.structure.reservoir_right ? mirrored(one.structure) : one.structure;
+    const Filling filling{.rigid = "all", .duration_s = 1, .levels = {{0, one.level_m}}};
+    const std::string text = scene_text(structure, filling);
+    std::ofstream(folder / "scene.toml") << text;  // for BLOCKWEIR_KEEP
+    const scene::Scene scene = scene::read_text(text, "scene.toml").scene;
+    return process::level_answer(scene, process::make_hydrostatic);
+  }
+  /// What is wrong with a level; empty where nothing is.
+  static std::string wrong_level(const char* whose, const nlohmann::json& found, double level_m) {
+    if (!found["level_m"].is_number()) {
+      return fmt::format("{}: {}, {:.9g} m is right; ", whose, found["outcome"].get<std::string>(), level_m);
+    }
+    const double off = found["level_m"].get<double>() / level_m - 1;
+    constexpr double allowed = 1e-6;
+    return std::abs(off) <= allowed ? "" : fmt::format("{}: off by {:.3g}; ", whose, off);
+  }
+};
+
+TEST_F(RandomLevels, RigidBlocksLimitAnalysisAndHandFormulaAgree) {
+  each({monolith, lifts, anchored}, 12, [this](const RandomStructure& one) {
+    const nlohmann::json answer = level_of(one);
+    std::string all = wrong_level("limit analysis", answer["limit_analysis"], one.level_m) +
+                      wrong_level("blocks", answer, one.level_m);
+    const double gap = answer["limit_analysis"].value("gap", 1.0);
+    if (!(gap <= 1e-8)) all += fmt::format("gap {:.3g}; ", gap);
+    return all;
+  });
+}
+
+TEST_F(RandomLevels, LimitAnalysisOfJointedDamsIsTheIndependentOne) {
+  each({on_rock, bricks, voronoi}, 4, [this](const RandomStructure& one) {
+    const nlohmann::json answer = level_of(one);
+    const nlohmann::json& limit = answer["limit_analysis"];
+    // Cells without cohesion may need the water's push: those that slide upstream stand between two levels.
+    if (limit["outcome"] == "does not stand empty" && answer["outcome"] == limit["outcome"]) return std::string();
+    return wrong_level("limit analysis", limit, one.level_m);
+  });
+}
+
+}  // namespace
+}  // namespace blockweir::test
