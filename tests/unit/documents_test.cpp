@@ -65,7 +65,7 @@ TEST(Documents, AFluidOfOnesOwnFindsAllThatItIsTold) {
 
 /// In the first column of the table that begins with this heading.
 std::multiset<std::string> listed(const std::string& heading) {
-  const std::string all = text_of(root / "bridge/README.md");
+  const std::string all = text_of(root / "bridge/scene/KEYS.md");
   const auto from = all.find("| " + heading + " | of |");
   std::istringstream rows(all.substr(from, all.find("\n\n", from) - from));
   std::multiset<std::string> names;
