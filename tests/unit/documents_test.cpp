@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_expect
-// What "Write your own fluid in a page" lists is there; all figures that [[expect]] knows are listed.
+// What "Write your own fluid in a page" lists is there; all figures that [[expect]] knows are listed; every case is in the
+// gallery.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -83,6 +84,21 @@ TEST(Documents, AllFiguresThatCanBeExpectedAreListedOnce) {
   auto formulas = expect::formula_names();
   formulas.insert(formulas.end(), {"slide-or-topple", "schedule-stability"});
   EXPECT_THAT(listed("formula"), testing::UnorderedElementsAreArray(formulas));
+}
+
+TEST(Documents, TheGalleryShowsEveryCaseOnce) {
+  std::multiset<std::string> shown;
+  const std::string gallery = text_of(root / "cases/README.md");
+  const std::regex entry("\\*\\*\\[([a-z-]+)\\]\\(([a-z-]+)/README\\.md\\)\\*\\*");
+  for (std::sregex_iterator i(gallery.begin(), gallery.end(), entry), end; i != end; ++i) {
+    EXPECT_EQ((*i)[1], (*i)[2]);
+    shown.insert((*i)[1]);
+  }
+  std::multiset<std::string> folders;
+  for (const auto& folder : fs::directory_iterator(root / "cases")) {
+    if (folder.is_directory()) folders.insert(folder.path().filename());
+  }
+  EXPECT_EQ(shown, folders);
 }
 
 }  // namespace
