@@ -99,7 +99,7 @@ fs::path find_plugin() {
   }
   throw std::runtime_error(fmt::format(
       "OpenFOAM's plugin libblockweirOpenFOAM.so is neither in {} nor in ../lib beside it: this blockweir was built "
-      "without OpenFOAM's headers; fluid/README.md says how to get them",
+      "without OpenFOAM's headers; fluid/openfoam/README.md says how to get them",
       here.string()));
 }
 

@@ -43,7 +43,7 @@ std::vector<std::string> quoted(const std::string& text) {
 }
 
 TEST(Documents, AFluidOfOnesOwnFindsAllThatItIsTold) {
-  const std::string page = section("fluid/README.md", "Write your own fluid in a page");
+  const std::string page = section("fluid/column/README.md", "Write your own fluid in a page");
   ASSERT_FALSE(page.empty());
   std::string sources;
   int files = 0;
