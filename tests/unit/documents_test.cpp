@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_expect
-// What "Write your own fluid in a page" lists is there; all figures that [[expect]] knows are listed; every case is in the
-// gallery.
+// What "Write your own fluid in a page" lists is there; all figures that [[expect]] knows are listed; every case is in
+// the gallery, and every link leads somewhere.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -99,6 +99,49 @@ TEST(Documents, TheGalleryShowsEveryCaseOnce) {
     if (folder.is_directory()) folders.insert(folder.path().filename());
   }
   EXPECT_EQ(shown, folders);
+}
+
+std::vector<fs::path> documents() {
+  std::vector<fs::path> all;
+  for (const auto& file : fs::directory_iterator(root)) {
+    if (file.path().extension() == ".md") all.push_back(file.path());
+  }
+  for (const char* top : {"bridge", "solid", "fluid", "cases", "tests"}) {
+    for (const auto& file : fs::recursive_directory_iterator(root / top)) {
+      if (file.path().extension() == ".md") all.push_back(file.path());
+    }
+  }
+  return all;
+}
+
+/// The names that a page's headings have as targets of links.
+std::set<std::string> anchors_of(const std::string& text) {
+  std::set<std::string> all;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("#")) continue;
+    std::string anchor;
+    for (const char c : line.substr(line.find(' ') + 1)) {
+      if (c == ' ') anchor += '-';
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_')
+        anchor += static_cast<char>(std::tolower(c));
+    }
+    all.insert(anchor);
+  }
+  return all;
+}
+
+TEST(Documents, EveryLinkLeadsSomewhere) {
+  const std::regex link("\\]\\(([^)# ]*)(#([^) ]+))?\\)");
+  for (const fs::path& page : documents()) {
+    const std::string text = text_of(page);
+    for (std::sregex_iterator i(text.begin(), text.end(), link), end; i != end; ++i) {
+      if ((*i)[1].str().starts_with("http")) continue;
+      const fs::path target = (*i)[1].length() == 0 ? page : page.parent_path() / (*i)[1].str();
+      EXPECT_TRUE(fs::exists(target)) << page << ": " << (*i)[0];
+      if ((*i)[3].matched) EXPECT_EQ(anchors_of(text_of(target)).count((*i)[3]), 1U) << page << ": " << (*i)[0];
+    }
+  }
 }
 
 }  // namespace
