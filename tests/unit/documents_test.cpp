@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "bridge/scene/water_quantities.hpp"
 #include "solid/expect/formulas.hpp"
 #include "solid/expect/quantities.hpp"
 
@@ -64,10 +65,10 @@ TEST(Documents, AFluidOfOnesOwnFindsAllThatItIsTold) {
   }
 }
 
-/// In the first column of the table that begins with this heading.
+/// In the first column of the table whose heading begins so.
 std::multiset<std::string> listed(const std::string& heading) {
   const std::string all = text_of(root / "bridge/scene/KEYS.md");
-  const auto from = all.find("| " + heading + " | of |");
+  const auto from = all.find("| " + heading + " |");
   std::istringstream rows(all.substr(from, all.find("\n\n", from) - from));
   std::multiset<std::string> names;
   for (std::string row; std::getline(rows, row);) {
@@ -80,10 +81,13 @@ TEST(Documents, AllFiguresThatCanBeExpectedAreListedOnce) {
   namespace expect = blockweir::solid::expect;
   auto quantities = expect::quantity_names();
   quantities.insert(quantities.end(), {"invariants", "mode", "stability"});  // those that are words
-  EXPECT_THAT(listed("quantity"), testing::UnorderedElementsAreArray(quantities));
+  EXPECT_THAT(listed("quantity | of"), testing::UnorderedElementsAreArray(quantities));
   auto formulas = expect::formula_names();
   formulas.insert(formulas.end(), {"slide-or-topple", "schedule-stability"});
-  EXPECT_THAT(listed("formula"), testing::UnorderedElementsAreArray(formulas));
+  EXPECT_THAT(listed("formula | of"), testing::UnorderedElementsAreArray(formulas));
+  std::vector<std::string> of_water;
+  for (const auto& quantity : blockweir::scene::water_quantities) of_water.emplace_back(quantity.name);
+  EXPECT_THAT(listed("figure of the water | needs"), testing::UnorderedElementsAreArray(of_water));
 }
 
 TEST(Documents, TheGalleryShowsEveryCaseOnce) {
