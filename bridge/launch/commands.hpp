@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace blockweir::launch {
 
@@ -16,9 +18,11 @@ Work bench_command(CLI::App& app);
 Work case_command(CLI::App& app);
 Work check_command(CLI::App& app);
 Work compare_command(CLI::App& app);
+Work completion_command(CLI::App& app);
 Work cut_command(CLI::App& app);
 Work keys_command(CLI::App& app);
 Work level_command(CLI::App& app);
+Work man_command(CLI::App& app);
 Work plot_command(CLI::App& app);
 Work profile_command(CLI::App& app);
 Work resume_command(CLI::App& app);
@@ -53,6 +57,21 @@ inline constexpr std::array commands = {
     Command{"stress", "maps of stability: each cell right, refused, or wrong", stress_command},
     Command{"keys", "make keys for a line between two machines", keys_command},
     Command{"test", "set up, build and run every test (in a source tree: ./blockweir test)", test_command},
+    Command{"completion", "print what a shell needs to complete commands and options", completion_command},
+    Command{"man", "print the manual page (blockweir man | man -l -)", man_command},
 };
+
+/// Makes each command a subcommand of `app`; returns them with what they do.
+std::vector<std::pair<const CLI::App*, Work>> add_commands(CLI::App& app);
+
+/// What add_commands() has made.
+std::vector<const CLI::App*> commands_of(const CLI::App& app);
+
+/// Options that begin with --; and those that are told by their place.
+std::vector<const CLI::Option*> named_options(const CLI::App& app);
+std::vector<const CLI::Option*> positional_options(const CLI::App& app);
+
+/// False for a flag.
+bool takes_value(const CLI::Option& option);
 
 }  // namespace blockweir::launch

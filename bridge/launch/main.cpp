@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bridge/launch/commands.hpp"
+#include "bridge/launch/version.hpp"
 #include "bridge/process/exit_status.hpp"
 #include "bridge/scene/read/nearest.hpp"
 
@@ -25,13 +26,9 @@ void refuse_unknown_command(int argc, char** argv) {
 
 int run_command(int argc, char** argv) {
   CLI::App app{"blockweir: structures of blocks that stand in water"};
-  app.set_version_flag("--version", BLOCKWEIR_VERSION);
+  app.set_version_flag("--version", launch::version, "version, commit, compiler and the OpenFOAM that is found");
   app.require_subcommand(1);
-  std::vector<std::pair<const CLI::App*, launch::Work>> works;
-  for (const launch::Command& command : launch::commands) {
-    CLI::App* own = app.add_subcommand(command.name, command.about);
-    works.emplace_back(own, command.make(*own));
-  }
+  const auto works = launch::add_commands(app);
   refuse_unknown_command(argc, argv);
   try {
     app.parse(argc, argv);

@@ -5,6 +5,7 @@
 #include "bridge/channel/line_options.hpp"
 #include "bridge/process/exit_status.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "fluid/openfoam/programs.hpp"
 #include "fluid/openfoam/run_case.hpp"
 
 int main(int argc, char** argv) {
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
   app.add_option("--scene-folder", options.scene_folder, "where the scene's paths start, for a copy of its file");
   app.add_option("--report", options.report, "file for this process's times and the checks of the water (JSON)");
   app.add_option("--resume", options.resume, "number of the checkpoint in --out to go on from; the same for both");
+  app.set_version_flag("--version", openfoam::openfoam_version, "the OpenFOAM that is found");
   app.add_flag("--case-only", options.case_only, "write the case, and run nothing");
   try {
     app.parse(argc, argv);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
@@ -73,6 +74,24 @@ void find_openfoam() {
   ::setenv("WM_PROJECT_VERSION", "v1912", 0);
 }
 
+std::string openfoam_version() {
+  if (!on_path("interFoam")) return "none: interFoam is not on the PATH";
+  find_openfoam();
+  std::string number = "of an unknown version";
+  std::FILE* help = ::popen("interFoam -help 2>/dev/null", "r");
+  if (help == nullptr) return number;
+  char line[256];
+  while (std::fgets(line, sizeof line, help) !=
+         nullptr) {  // Using: OpenFOAM- (1912) - visit ...; or OpenFOAM-8 (see ...
+    const std::string words = line;
+    const std::size_t from = words.find_first_of("0123456789");
+    if (!words.starts_with("Using: ") || from == std::string::npos) continue;
+    number = words.substr(from, words.find_first_not_of("0123456789.", from) - from);
+  }
+  ::pclose(help);
+  return number;
+}
+
 fs::path find_plugin() {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   for (const fs::path& folder : {here, here.parent_path() / "lib"}) {
@@ -80,7 +99,7 @@ fs::path find_plugin() {
   }
   throw std::runtime_error(fmt::format(
       "OpenFOAM's plugin libblockweirOpenFOAM.so is neither in {} nor in ../lib beside it: this blockweir was built "
-      "without OpenFOAM's headers; fluid/README.md says how to get them",
+      "without OpenFOAM's headers; fluid/openfoam/README.md says how to get them",
       here.string()));
 }
 

@@ -13,6 +13,9 @@ namespace blockweir::openfoam {
 /// programs are told where their settings are.
 void find_openfoam();
 
+/// The version that interFoam states, "1912", or "none: " and why: one line.
+std::string openfoam_version();
+
 /// The library that interFoam loads: beside this program in a build tree, in ../lib of an installation. Throws
 /// std::runtime_error where it is in neither.
 std::filesystem::path find_plugin();

@@ -78,7 +78,7 @@ Block make_block(const scene::Block& block, const scene::Material& material, sce
 
 /// 2 zeta / omega, omega the lowest natural frequency at which the free block strains; zeta is the material's. Where
 /// the material states none, a block that slides has one of 0.5: friction is not conservative, and strains that it
-/// couples would flutter (solid/README.md).
+/// couples would flutter (solid/NUMERICS.md).
 Retardation retardation_of(const Block& block, const scene::Material& material);
 
 /// Stress (xx, yy, xy) [Pa] in the block's own frame from its strains.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_wire cppzmq nlohmann_json::nlohmann_json
-// What goes wrong on the line itself: who notices, when, what is printed, what is left. bridge/README.md has the table.
+// What goes wrong on the line itself: who notices, when, what is printed, what is left. bridge/channel/README.md has
+// the table.
 #include <limits>
 #include <map>
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_expect
-// What "Write your own fluid in a page" lists is there; all figures that [[expect]] knows are listed.
+// What "Write your own fluid in a page" lists is there; all figures that [[expect]] knows are listed; every case is in
+// the gallery, and every link leads somewhere.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "bridge/scene/water_quantities.hpp"
 #include "solid/expect/formulas.hpp"
 #include "solid/expect/quantities.hpp"
 
@@ -42,7 +44,7 @@ std::vector<std::string> quoted(const std::string& text) {
 }
 
 TEST(Documents, AFluidOfOnesOwnFindsAllThatItIsTold) {
-  const std::string page = section("fluid/README.md", "Write your own fluid in a page");
+  const std::string page = section("fluid/column/README.md", "Write your own fluid in a page");
   ASSERT_FALSE(page.empty());
   std::string sources;
   int files = 0;
@@ -63,10 +65,10 @@ TEST(Documents, AFluidOfOnesOwnFindsAllThatItIsTold) {
   }
 }
 
-/// In the first column of the table that begins with this heading.
+/// In the first column of the table whose heading begins so.
 std::multiset<std::string> listed(const std::string& heading) {
-  const std::string all = text_of(root / "bridge/README.md");
-  const auto from = all.find("| " + heading + " | of |");
+  const std::string all = text_of(root / "bridge/scene/KEYS.md");
+  const auto from = all.find("| " + heading + " |");
   std::istringstream rows(all.substr(from, all.find("\n\n", from) - from));
   std::multiset<std::string> names;
   for (std::string row; std::getline(rows, row);) {
@@ -79,10 +81,72 @@ TEST(Documents, AllFiguresThatCanBeExpectedAreListedOnce) {
   namespace expect = blockweir::solid::expect;
   auto quantities = expect::quantity_names();
   quantities.insert(quantities.end(), {"invariants", "mode", "stability"});  // those that are words
-  EXPECT_THAT(listed("quantity"), testing::UnorderedElementsAreArray(quantities));
+  EXPECT_THAT(listed("quantity | of"), testing::UnorderedElementsAreArray(quantities));
   auto formulas = expect::formula_names();
   formulas.insert(formulas.end(), {"slide-or-topple", "schedule-stability"});
-  EXPECT_THAT(listed("formula"), testing::UnorderedElementsAreArray(formulas));
+  EXPECT_THAT(listed("formula | of"), testing::UnorderedElementsAreArray(formulas));
+  std::vector<std::string> of_water;
+  for (const auto& quantity : blockweir::scene::water_quantities) of_water.emplace_back(quantity.name);
+  EXPECT_THAT(listed("figure of the water | needs"), testing::UnorderedElementsAreArray(of_water));
+}
+
+TEST(Documents, TheGalleryShowsEveryCaseOnce) {
+  std::multiset<std::string> shown;
+  const std::string gallery = text_of(root / "cases/README.md");
+  const std::regex entry(
+      "!\\[[a-z-]+\\]\\([a-z-]+/[a-z]+\\.png\\) \\| \\*\\*\\[([a-z-]+)\\]\\(([a-z-]+)/README\\.md\\)\\*\\*");
+  for (std::sregex_iterator i(gallery.begin(), gallery.end(), entry), end; i != end; ++i) {
+    EXPECT_EQ((*i)[1], (*i)[2]);
+    shown.insert((*i)[1]);
+  }
+  std::multiset<std::string> folders;
+  for (const auto& folder : fs::directory_iterator(root / "cases")) {
+    if (folder.is_directory()) folders.insert(folder.path().filename());
+  }
+  EXPECT_EQ(shown, folders);
+}
+
+std::vector<fs::path> documents() {
+  std::vector<fs::path> all;
+  for (const auto& file : fs::directory_iterator(root)) {
+    if (file.path().extension() == ".md") all.push_back(file.path());
+  }
+  for (const char* top : {"bridge", "solid", "fluid", "cases", "tests"}) {
+    for (const auto& file : fs::recursive_directory_iterator(root / top)) {
+      if (file.path().extension() == ".md") all.push_back(file.path());
+    }
+  }
+  return all;
+}
+
+/// The names that a page's headings have as targets of links.
+std::set<std::string> anchors_of(const std::string& text) {
+  std::set<std::string> all;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("#")) continue;
+    std::string anchor;
+    for (const char c : line.substr(line.find(' ') + 1)) {
+      if (c == ' ') anchor += '-';
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_')
+        anchor += static_cast<char>(std::tolower(c));
+    }
+    all.insert(anchor);
+  }
+  return all;
+}
+
+TEST(Documents, EveryLinkLeadsSomewhere) {
+  const std::regex link("\\]\\(([^)# ]*)(#([^) ]+))?\\)");
+  for (const fs::path& page : documents()) {
+    const std::string text = text_of(page);
+    for (std::sregex_iterator i(text.begin(), text.end(), link), end; i != end; ++i) {
+      if ((*i)[1].str().starts_with("http")) continue;
+      const fs::path target = (*i)[1].length() == 0 ? page : page.parent_path() / (*i)[1].str();
+      EXPECT_TRUE(fs::exists(target)) << page << ": " << (*i)[0];
+      if ((*i)[3].matched) EXPECT_EQ(anchors_of(text_of(target)).count((*i)[3]), 1U) << page << ": " << (*i)[0];
+    }
+  }
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ Place TableReader::place(const char* key, std::size_t entry) const {
 }
 
 const toml::node* TableReader::ask(const char* key, bool required, const std::string& expected) {
-  asked_.emplace_back(key);
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.emplace_back(key);
   const toml::node* node = table_ != nullptr ? table_->get(key) : nullptr;
   if (node == nullptr && required) {
     problems_.error(place(), fmt::format("{} has no \"{}\"", name_, key), expected, fmt::format("add {} = ...", key));

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/launch/version.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "bridge/process/supervisor.hpp"
+#include "bridge/process/temporary_folder.hpp"
+#include "commit.hpp"
+
+namespace blockweir::launch {
+namespace {
+
+#ifdef __clang__
+constexpr const char* compiler = "clang " __clang_version__;
+#else
+constexpr const char* compiler = "GCC " __VERSION__;
+#endif
+
+/// Its own program knows which OpenFOAM it runs, or why none; it stands beside this one.
+std::string openfoam() {
+  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "blockweir-openfoam";
+  if (!std::filesystem::exists(program)) return "none: blockweir-openfoam is not installed";
+  const process::TemporaryFolder folder;
+  process::Command command{"openfoam", {program.string(), "--version"}};
+  command.output = folder.path() / "version";
+  process::supervise(
+      {command}, folder.path(), 1, [] { return true; }, 10);
+  std::string line;
+  std::getline(std::ifstream(command.output), line);
+  return line;
+}
+
+}  // namespace
+
+std::string version() {
+  return fmt::format("blockweir {}\ncommit    {}\ncompiler  {}\nOpenFOAM  {}", BLOCKWEIR_VERSION, BLOCKWEIR_COMMIT,
+                     compiler, openfoam());
+}
+
+}  // namespace blockweir::launch

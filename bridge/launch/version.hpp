@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What blockweir --version prints.
+#pragma once
+
+#include <string>
+
+namespace blockweir::launch {
+
+/// Version, commit, compiler, and the OpenFOAM that blockweir-openfoam finds: a line each.
+std::string version();
+
+}  // namespace blockweir::launch
