@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/watch/energy_debt.hpp"
 
-#include <algorithm>
-
 #include "bridge/scene/at.hpp"
 #include "solid/solve/islands.hpp"
 
@@ -10,6 +8,7 @@ namespace blockweir::solid {
 
 std::vector<bool> in_debt(const Solid& solid) {
   const auto& blocks = solid.blocks();
+  const double rest = solid.scene().analysis.rest_speed_m_per_s;
   std::vector<bool> marked(blocks.size());
   bool any = false;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -29,8 +28,13 @@ std::vector<bool> in_debt(const Solid& solid) {
       for (const int t : triangles[b]) links.emplace_back(static_cast<int>(b), t);
     }
     for (const Island& group : find_islands(fixed, links, {})) {
-      const bool owes = std::any_of(group.blocks.begin(), group.blocks.end(), [&](int b) { return marked[at(b)]; });
-      for (const int b : group.blocks) marked[at(b)] = owes;
+      double owed = 0;
+      double mass = 0;
+      for (const int b : group.blocks) {
+        owed += solid.energy_balance().owed(at(b));
+        if (!blocks[at(b)].meshed) mass += blocks[at(b)].mass_per_m();
+      }
+      for (const int b : group.blocks) marked[at(b)] = owed > mass * rest * rest / 2;
     }
   }
   marked.resize(solid.described());

@@ -9,7 +9,8 @@
 
 namespace blockweir::solid {
 
-/// Of the scene's blocks, those in a group in contact that owes energy.
+/// Of the scene's blocks, those in a group in contact that owes more than it would have at the speed of rest: with that
+/// it would be seen to move.
 std::vector<bool> in_debt(const Solid& solid);
 
 }  // namespace blockweir::solid

@@ -146,16 +146,26 @@ double FailureWatch::travel(std::size_t b) const {
   return farthest;
 }
 
+/// Something pushes it that nothing balances.
+bool FailureWatch::sets_out(std::size_t b) const {
+  // Without gravity loads are to be held against the earth's, as lengths and speeds that follow it.
+  constexpr double earth = 9.81;
+  const double gravity = solid_.scene().analysis.gravity_m_per_s2;
+  const double begins = 1e-4 * (gravity > 0 ? gravity : earth);
+  return solid_.states()[b].acceleration.head<2>().norm() >= begins;
+}
+
 /// Which blocks stand.
 void FailureWatch::judge() {
   constexpr double straining = 100;  // times the speed of rest: what still counts as calm
   const double rest = solid_.scene().analysis.rest_speed_m_per_s;
-  std::vector<bool> moves = in_debt(solid_);
+  const std::vector<bool> owes = in_debt(solid_);
+  std::vector<bool> moves(watched_.size());
   bool any_moves = false;
   bool calm = true;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const double fastest = solid_.blocks()[b].fixed ? 0 : speed(b);
-    moves[b] = moves[b] || fastest > rest;
+    moves[b] = fastest > rest || (owes[b] && sets_out(b));
     any_moves = any_moves || (moves[b] && !watched_[b].failed && !guided_[b]);
     calm = calm && fastest <= straining * rest;
   }
@@ -224,16 +234,12 @@ std::optional<Moving> FailureWatch::moving() const {
   std::vector<bool> free(watched_.size());
   for (std::size_t b = 0; b < free.size(); ++b) free[b] = !solid_.blocks()[b].fixed && !guided_[b];
   const std::vector<bool> held = only_strain(solid_, free);
-  // Without gravity loads are to be held against the earth's, as lengths and speeds that follow it.
-  constexpr double earth = 9.81;
-  const double gravity = solid_.scene().analysis.gravity_m_per_s2;
-  const double begins = 1e-4 * (gravity > 0 ? gravity : earth);
   std::optional<Moving> fastest;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const Watched& block = watched_[b];
     if (!free[b] || block.failed || (!slow_[b] && block.stood == a_spell)) continue;
     // A slow one may have begun to move.
-    if (slow_[b] && (held[b] || solid_.states()[b].acceleration.head<2>().norm() < begins)) continue;
+    if (slow_[b] && (held[b] || !sets_out(b))) continue;
     const double fast = speed(b);
     if (!fastest || fast > fastest->speed_m_per_s) fastest = {static_cast<int>(b), fast, travel(b)};
   }

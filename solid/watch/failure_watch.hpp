@@ -101,6 +101,7 @@ class FailureWatch {
   void judge();
   [[nodiscard]] double speed(std::size_t block) const;
   [[nodiscard]] double travel(std::size_t block) const;
+  [[nodiscard]] bool sets_out(std::size_t block) const;
   [[nodiscard]] bool all_is_dry(double level_m) const;
   [[nodiscard]] Failure describe(std::size_t block) const;
   void add_uncertainty(const Watched& last, Failure& failure) const;
