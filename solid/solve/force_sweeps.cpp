@@ -7,7 +7,8 @@
 
 namespace blockweir::solid {
 
-void ForceSweeps::begin(const Eigen::VectorXd& displacement, std::size_t rows) {
+void ForceSweeps::begin(const Eigen::VectorXd& displacement, std::size_t rows, bool accelerates) {
+  accelerates_ = accelerates;
   rows_.clear();
   rows_.reserve(rows);
   entries_.clear();
@@ -120,7 +121,7 @@ double ForceSweeps::sweep() {
   constexpr double grows = 2;  // above the least since it began
   const double next = (1 + std::sqrt(1 + 4 * momentum_ * momentum_)) / 2;
   go_on((momentum_ - 1) / next);
-  momentum_ = next;
+  if (accelerates_) momentum_ = next;
   Progress progress;
   for (Row& row : rows_) visit(row, progress);
   least_m_ = std::min(least_m_, progress.largest_m);

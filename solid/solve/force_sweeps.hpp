@@ -32,7 +32,8 @@ class ForceSweeps {
   };
 
   /// No rows, but room for so many, and displacements that there are without forces.
-  void begin(const Eigen::VectorXd& displacement, std::size_t rows);
+  /// Where blocks share unknowns sweeps are not accelerated: it threw a meshed dam on jointed rock.
+  void begin(const Eigen::VectorXd& displacement, std::size_t rows, bool accelerates = true);
   Row& add_row() { return rows_.emplace_back(); }
   /// One end of the last row. Rows of `motions`: d (gap, slip) / d unknowns; columns of `responses`: displacements by
   /// unit forces.
@@ -70,6 +71,7 @@ class ForceSweeps {
   Eigen::VectorXd displacement_;
   Eigen::VectorXd displacement_before_;  ///< as the sweep before left them
   double momentum_ = 1;
+  bool accelerates_ = true;
   double least_m_ = 0;  ///< that a sweep has changed since acceleration began
 };
 

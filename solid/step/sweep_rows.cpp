@@ -29,7 +29,7 @@ bool SweepRows::begin(IslandEquations& s) {
       }
     });
   }
-  s.sweeps.begin(s.correction, s.island.contacts.size() + s.island.supports.size() + s.bolts.size());
+  s.sweeps.begin(s.correction, s.island.contacts.size() + s.island.supports.size() + s.bolts.size(), !shared);
   return true;
 }
 
