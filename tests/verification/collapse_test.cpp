@@ -9,63 +9,26 @@
 #include <random>
 #include <string>
 
-#include "bridge/scene/read/read.hpp"
 #include "solid/step/solid.hpp"
 #include "solid/watch/energy.hpp"
+#include "tests/collapse_scenes.hpp"
 #include "tests/overlap.hpp"
 
 namespace blockweir::solid {
 namespace {
 
-scene::Scene scene_of(const std::string& blocks, double tilt_deg, double friction_deg) {
-  return scene::read_text(fmt::format(R"([analysis]
-duration_s = 2
-step_s = 0.01
-start = "unstressed"
-rigid = "all"
-max_displacement_ratio = 0.05
-gravity_tilt_deg = {}
-[material.stone]
-youngs_modulus_pa = 10e9
-poissons_ratio = 0.2
-density_kg_per_m3 = 2200
-[joint]
-friction_angle_deg = {}
-{})",
-                                      tilt_deg, friction_deg, blocks),
-                          "collapse")
-      .scene;
-}
-
 scene::Scene random_collapse(unsigned seed) {
+  constexpr double duration_s = 2;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> share(0, 1);
   const double friction_deg = 15 + 30 * share(random);
   if (seed % 3 == 0) {
-    const int stones = 10 + static_cast<int>(30 * share(random));
-    return scene_of(fmt::format("[[heap]]\nname = \"s\"\nmaterial = \"stone\"\nwidth_m = {}\nsize_m = 0.9\n"
-                                "blocks = {}\nseed = {}\n",
-                                std::sqrt(stones), stones, seed),
-                    0, friction_deg);
+    return test::collapse(test::heap(10 + static_cast<int>(30 * share(random)), seed), duration_s, 0, friction_deg);
   }
   const int rows = 4 + static_cast<int>(10 * share(random));
   const int columns = 2 + static_cast<int>(3 * share(random));
-  return scene_of(fmt::format(R"([[block]]
-name = "ground"
-material = "stone"
-fixed = true
-vertices_m = [[-60, -2], [60, -2], [60, 0], [-60, 0]]
-[[wall]]
-name = "b"
-material = "stone"
-rows = {}
-columns = {}
-brick_length_m = {}
-brick_height_m = 0.5
-bond = "running"
-)",
-                              rows, columns, 0.6 + share(random)),
-                  10 + 20 * share(random), friction_deg);
+  const double brick_length_m = 0.6 + share(random);
+  return test::collapse(test::wall(rows, columns, brick_length_m), duration_s, 10 + 20 * share(random), friction_deg);
 }
 
 struct Fall {

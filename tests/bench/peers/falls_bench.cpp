@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "bridge/scene/read/read.hpp"
 #include "solid/step/solid.hpp"
 #include "solid/watch/energy.hpp"
 #include "tests/bench/peers/box2d_world.hpp"
+#include "tests/collapse_scenes.hpp"
 #include "tests/overlap.hpp"
 
 namespace {
@@ -27,48 +27,6 @@ using test::largest_overlap_m;
 using test::Outline;
 
 constexpr double step_s = 0.01;
-
-std::string materials() {
-  return R"([material.stone]
-youngs_modulus_pa = 10e9
-poissons_ratio = 0.2
-density_kg_per_m3 = 2200
-[joint]
-friction_angle_deg = 30
-)";
-}
-
-std::string analysis(const std::string& more) {
-  return "[analysis]\nduration_s = 3\nstep_s = 0.01\nstart = \"unstressed\"\nrigid = \"all\"\n"
-         "max_displacement_ratio = 0.05\n" +
-         more + materials();
-}
-
-scene::Scene tilted_wall(int rows, int columns) {
-  const std::string text = fmt::format(R"([[block]]
-name = "ground"
-material = "stone"
-fixed = true
-vertices_m = [[-60, -2], [60, -2], [60, 0], [-60, 0]]
-[[wall]]
-name = "b"
-material = "stone"
-rows = {}
-columns = {}
-brick_length_m = 1
-brick_height_m = 0.5
-bond = "running"
-)",
-                                       rows, columns);
-  return scene::read_text(analysis("gravity_tilt_deg = 20\n") + text, "wall").scene;
-}
-
-scene::Scene heap(int stones) {
-  const std::string text =
-      fmt::format("[[heap]]\nname = \"s\"\nmaterial = \"stone\"\nwidth_m = {}\nsize_m = 0.9\nblocks = {}\nseed = 1\n",
-                  std::sqrt(stones), stones);
-  return scene::read_text(analysis("") + text, "heap").scene;
-}
 
 double seconds(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -178,7 +136,10 @@ int main() {
   fmt::print("{:<16} {:<10} {:>10} {:>8} {:>16} {:>14}\n", "scene", "program", "wall [ms]", "/ Box2D",
              "made/dissipated", "overlap [m]");
   for (const auto& [rows, columns] : {std::pair{10, 2}, {20, 3}, {30, 4}, {40, 10}}) {
-    compare(fmt::format("wall {}x{}", rows, columns), tilted_wall(rows, columns), rows < 40 ? 2 : 1);
+    compare(fmt::format("wall {}x{}", rows, columns), test::collapse(test::wall(rows, columns, 1), 3, 20, 30),
+            rows < 40 ? 2 : 1);
   }
-  for (const int stones : {25, 100, 400}) compare(fmt::format("heap {}", stones), heap(stones), stones < 400 ? 2 : 1);
+  for (const int stones : {25, 100, 400}) {
+    compare(fmt::format("heap {}", stones), test::collapse(test::heap(stones, 1), 3, 0, 30), stones < 400 ? 2 : 1);
+  }
 }
