@@ -22,7 +22,9 @@ void ForceSweeps::begin_sweeps() {
   }
   displacement_before_ = displacement_;
   momentum_ = 1;
-  least_m_ = std::numeric_limits<double>::infinity();
+  nearest_m_ = least_m_ = std::numeric_limits<double>::infinity();
+  in_vain_ = 0;
+  part_ = 1;
 }
 
 void ForceSweeps::displace(const Eigen::VectorXd& displacement) {
@@ -88,15 +90,15 @@ void ForceSweeps::visit(Row& row, Progress& progress) {
   const Eigen::Vector2d now = apart(row);
   const RuledForce found =
       row.forces.at(now[0] - W(0, 0) * normal - W(0, 1) * shear, now[1] - W(1, 0) * normal - W(1, 1) * shear);
-  const double more_normal = found.force[0] - normal;
-  const double more_shear = found.force[1] - shear;
+  const double more_normal = part_ * (found.force[0] - normal);
+  const double more_shear = part_ * (found.force[1] - shear);
   row.slips = found.slips;
   if (more_normal == 0 && more_shear == 0) return;
-  row.force[0] = found.force[0];
-  row.force[1] = found.force[1];
+  row.force[0] = part_ == 1 ? found.force[0] : normal + more_normal;
+  row.force[1] = part_ == 1 ? found.force[1] : shear + more_shear;
   act(row, more_normal, more_shear);
-  progress.ahead -= W(0, 0) * more_normal * (found.force[0] - row.force_before[0]) +
-                    W(1, 1) * more_shear * (found.force[1] - row.force_before[1]);
+  progress.ahead -= W(0, 0) * more_normal * (row.force[0] - row.force_before[0]) +
+                    W(1, 1) * more_shear * (row.force[1] - row.force_before[1]);
   progress.largest_m = std::max({progress.largest_m, std::abs(W(0, 0) * more_normal + W(0, 1) * more_shear),
                                  std::abs(W(1, 0) * more_normal + W(1, 1) * more_shear)});
 }
@@ -115,10 +117,21 @@ void ForceSweeps::go_on(double beyond) {
   }
 }
 
+double ForceSweeps::sweep() {
+  constexpr int patience = 50;
+  constexpr double part = 0.7;
+  if (part_ == 1 && in_vain_ >= patience) {
+    part_ = part;
+    nearest_m_ = std::numeric_limits<double>::infinity();
+  }
+  return last_m_ = part_ == 1 ? sweep_ahead() : sweep_part_way();
+}
+
 /// Acceleration begins anew where it turns back (O'Donoghue and Candes 2015), or where forces begin to grow: friction
 /// makes the problem unsymmetric.
-double ForceSweeps::sweep() {
-  constexpr double grows = 2;  // above the least since it began
+double ForceSweeps::sweep_ahead() {
+  constexpr double grows = 2;     // above the least since it began
+  constexpr double nearer = 0.9;  // of the nearest
   const double next = (1 + std::sqrt(1 + 4 * momentum_ * momentum_)) / 2;
   go_on((momentum_ - 1) / next);
   if (accelerates_) momentum_ = next;
@@ -129,7 +142,36 @@ double ForceSweeps::sweep() {
     momentum_ = 1;
     least_m_ = progress.largest_m;
   }
+  ++in_vain_;
+  if (progress.largest_m < nearer * nearest_m_) {
+    nearest_m_ = progress.largest_m;
+    in_vain_ = 0;
+  }
   return progress.largest_m;
+}
+
+/// Where friction jams blocks, forces that go all of their way run in circles.
+double ForceSweeps::sweep_part_way() {
+  Progress progress;
+  for (Row& row : rows_) visit(row, progress);
+  const double left_m = progress.largest_m / part_;
+  if (left_m < nearest_m_) {
+    nearest_m_ = left_m;
+    keep();
+  }
+  return left_m;
+}
+
+void ForceSweeps::keep() {
+  displacement_before_ = displacement_;
+  for (Row& row : rows_) row.force_before = row.force;
+}
+
+double ForceSweeps::take_nearest() {
+  if (part_ == 1 || !(nearest_m_ < last_m_)) return last_m_;
+  displacement_ = displacement_before_;
+  for (Row& row : rows_) row.force = row.force_before;
+  return nearest_m_;
 }
 
 double ForceSweeps::residual() const {

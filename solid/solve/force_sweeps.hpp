@@ -26,7 +26,7 @@ class ForceSweeps {
     Eigen::Vector2d apart = Eigen::Vector2d::Zero();        ///< gap and slip without a displacement [m]
     Eigen::Vector2d force = Eigen::Vector2d::Zero();
     ForceRule rule{};
-    Eigen::Vector2d force_before = Eigen::Vector2d::Zero();  ///< as the sweep before left it
+    Eigen::Vector2d force_before = Eigen::Vector2d::Zero();  ///< as the sweep before left it, or the nearest
     bool slips = false;                                      ///< shear is at its bound
     PointForces forces{};                                    ///< by the rule, as sweeps have them
   };
@@ -46,8 +46,12 @@ class ForceSweeps {
   void displace(const Eigen::VectorXd& displacement);
 
   /// Each force once, from forces that go on as the last sweep changed them (Nesterov's acceleration), or that stand
-  /// where that would lead away. Largest change of a gap or slip by a row's own forces [m].
+  /// where that would lead away. Where that has long come no nearer, each force goes a part of the way. Largest change
+  /// of a gap or slip by a row's own forces [m].
   double sweep();
+  /// After sweeps of parts of the way, which come and go: forces and displacements as the nearest of them left them.
+  /// What that left [m]; that of the last sweep where none was such.
+  double take_nearest();
   /// By how much gaps and slips are off their laws [m].
   [[nodiscard]] double residual() const;
   [[nodiscard]] Eigen::Vector2d apart(const Row& row) const;
@@ -62,17 +66,24 @@ class ForceSweeps {
     double ahead = 0;      ///< above zero: the sweep has taken back what acceleration had gone ahead
   };
   void begin_sweeps();
+  double sweep_ahead();
+  double sweep_part_way();
   void go_on(double beyond);
+  void keep();
   void visit(Row& row, Progress& progress);
   void act(const Row& row, double normal, double shear);
 
   std::vector<Row> rows_;
   std::vector<double> entries_;
   Eigen::VectorXd displacement_;
-  Eigen::VectorXd displacement_before_;  ///< as the sweep before left them
+  Eigen::VectorXd displacement_before_;  ///< as the sweep before left them, or the nearest of those part of the way
   double momentum_ = 1;
   bool accelerates_ = true;
-  double least_m_ = 0;  ///< that a sweep has changed since acceleration began
+  double least_m_ = 0;    ///< that a sweep has changed since acceleration began
+  double nearest_m_ = 0;  ///< that any has
+  double last_m_ = 0;
+  int in_vain_ = 0;  ///< sweeps that came no nearer
+  double part_ = 1;  ///< of its way that a force goes
 };
 
 template <class Motions, class Responses>

@@ -21,17 +21,30 @@ struct StepEnergy::Group {
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< and angular momentum
   Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
   Eigen::Vector3d together = Eigen::Vector3d::Zero();  ///< rigid motion with these momenta, where nothing anchors it
+  Eigen::Vector3d kept = Eigen::Vector3d::Zero();      ///< of it
   double left = 1;                                     ///< of all other motion
-  double owed = 0;                                     ///< what that motion had not [J per metre]
+  double owed = 0;                                     ///< what there was not [J per metre]
 
   /// What only springs and hinges hold moves as its integrator has it.
   [[nodiscard]] bool watched() const { return !led && (may_let_go || !held); }
+  [[nodiscard]] bool gives() const { return left != 1 || kept != together; }
+
+  /// From motion within the group; then from its spin: forces act where the step ends, and keep angular momentum but to
+  /// the order of the step.
   void settle() {
+    constexpr double most_spin = 1e-2;  // in a step
     if (!watched() || made <= round_off) return;
-    if (!anchored) together = mass.ldlt().solve(momentum);
-    const double within = kinetic - together.dot(momentum) / 2;
+    if (!anchored) kept = together = mass.ldlt().solve(momentum);
+    const double within = std::max(0.0, kinetic - together.dot(momentum) / 2);
     if (within > 0) left = std::sqrt(std::max(0.0, 1 - made / within));
-    owed = std::max(0.0, made - std::max(0.0, within));
+    owed = std::max(0.0, made - within);
+    if (anchored || owed == 0) return;
+    const Eigen::Vector3d carried(momentum[0] / mass(0, 0), momentum[1] / mass(1, 1), 0);
+    const double spin = (together.dot(momentum) - carried.dot(momentum)) / 2;
+    if (!(spin > 0)) return;
+    const double given = std::min(owed, most_spin * spin);
+    kept = carried + std::sqrt(1 - given / spin) * (together - carried);
+    owed -= given;
   }
 };
 
@@ -178,9 +191,10 @@ void StepEnergy::take_back(IslandEquations& s) {
     const Group& group = groups[at(group_of[k])];
     const auto b = at(s.island.blocks[k]);
     if (group.watched()) state_.energy.owe(b, at(group_of[k]) == k ? group.owed : 0, model_.blocks.size());
-    if (group.left == 1) continue;
-    const Vector6 carried = rigid_of(s, group_of, k) * group.together;
-    state_.blocks[b].velocity = carried + group.left * (state_.blocks[b].velocity - carried);
+    if (!group.gives()) continue;
+    const Eigen::Matrix<double, 6, 3> rigid = rigid_of(s, group_of, k);
+    Vector6& velocity = state_.blocks[b].velocity;
+    velocity = rigid * group.kept + group.left * (velocity - rigid * group.together);
   }
 }
 

@@ -81,7 +81,7 @@ bool SweptEquilibrium::finish(IslandEquations& s, const StepMode& mode) {
   return find_by_newton(step_, s, mode);
 }
 
-/// What the last sweep still moved.
+/// What the last sweep, or the nearest to forces that stand, still moved.
 double SweptEquilibrium::sweep(IslandEquations& s, int most, double enough_m) {
   const Stopwatch watch(profile_.sweeps);
   double left_m = 0;
@@ -92,7 +92,7 @@ double SweptEquilibrium::sweep(IslandEquations& s, int most, double enough_m) {
     if (std::max(left_m, before_m) <= enough_m) break;
     before_m = left_m;
   }
-  return left_m;
+  return s.sweeps.take_nearest();
 }
 
 /// The trial goes on as blocks move.
