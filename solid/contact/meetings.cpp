@@ -124,6 +124,7 @@ double ContactSearch::nearness(const ContactPoint& c) const {
 void ContactSearch::keep_one_of_each_meeting() {
   std::vector<std::size_t> kept_for(found_.size());  // by each: itself, or what it was dropped for
   for (std::size_t i = 0; i < kept_for.size(); ++i) kept_for[i] = i;
+  std::vector<std::size_t> mirrored_out;
   const auto drop_for = [&](std::size_t dropped, std::size_t kept) {
     kept_for[dropped] = kept;
     if (inherited_[dropped] == 0 || inherited_[kept] != 0 || found_[dropped].state == ContactState::open) return;
@@ -141,7 +142,7 @@ void ContactSearch::keep_one_of_each_meeting() {
       const bool same = b.vertex_block == a.vertex_block && b.vertex == a.vertex && b.edge_block == a.edge_block;
       const bool mirrored = b.vertex_block == a.edge_block && b.vertex == wi && b.edge_block == a.vertex_block;
       if (!(same || mirrored) || met_vertex(b) < 0) continue;
-      if (mirrored && (met_vertex(b) != a.vertex || bound_overlap(a, b))) continue;
+      if (mirrored && (met_vertex(b) != a.vertex || bound_overlap(a, b) || presses_too(a) || presses_too(b))) continue;
       // Faces that lie on each other outrank a mere meeting of corners; then memory; then the entrance edge.
       const auto rank = [&](std::size_t k) {
         const ContactPoint& c = found_[k];
@@ -149,7 +150,9 @@ void ContactSearch::keep_one_of_each_meeting() {
                                did_enter(c), nearness(c));
       };
       if (same) a.length = b.length = a.length + b.length;  // two edges of one face, which go on from each other
-      if (rank(j) > rank(i)) {
+      const bool second = rank(j) > rank(i);
+      if (mirrored) mirrored_out.push_back(second ? i : j);
+      if (second) {
         drop_for(i, j);
         break;
       }
@@ -157,6 +160,10 @@ void ContactSearch::keep_one_of_each_meeting() {
     }
   }
   let_pass(kept_for);
+  stood_for_.clear();
+  for (const std::size_t i : mirrored_out) {
+    if (kept_for[i] < found_.size() && found_[i].gap >= -coincidence_) stood_for_.push_back(found_[i]);
+  }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < found_.size(); ++i) {
     if (kept_for[i] == i) found_[kept++] = found_[i];

@@ -28,6 +28,16 @@ bool ContactSearch::within(const std::vector<Point>& vertices, std::size_t v, co
   return touches || encloses(edges, p) || pierces(vertices, v, edges, edge, coincidence_);
 }
 
+/// Where the block is now, in `corners`.
+const std::vector<Point>& ContactSearch::outline(const std::vector<Placement>& placements, int block,
+                                                 std::vector<Point>& corners) const {
+  corners.clear();
+  for (const OutlineSide& side : parts_.outlines[at(block)]) {
+    corners.push_back(placements[at(side.part)].position(parts_.vertex(side)));
+  }
+  return corners;
+}
+
 bool ContactSearch::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
                             const std::function<bool(int)>& of_interest) {
   const auto presses_already = [&](const ContactPoint& passing) {
@@ -36,25 +46,40 @@ bool ContactSearch::entered(const std::vector<Placement>& placements, const std:
              c.edge_block == passing.edge_block;
     });
   };
-  const auto outline = [&](int block, std::vector<Point>& corners) -> const std::vector<Point>& {
-    corners.clear();
-    for (const OutlineSide& side : parts_.outlines[static_cast<std::size_t>(block)]) {
-      corners.push_back(placements[static_cast<std::size_t>(side.part)].position(parts_.vertex(side)));
-    }
-    return corners;
-  };
   const std::size_t before = entered_.size();
   for (const ContactPoint& c : passing_) {
     if (!of_interest(c.vertex_block) && !of_interest(c.edge_block)) continue;
     if (c.gap < -give_) continue;  // behind the edge's line all along
-    const auto& vertices = outline(c.vertex_block, outlines_[0]);
-    const auto& edges = outline(c.edge_block, outlines_[1]);
+    const auto& vertices = outline(placements, c.vertex_block, outlines_[0]);
+    const auto& edges = outline(placements, c.edge_block, outlines_[1]);
     if (!within(vertices, at(c.vertex), edges, at(c.edge)) || presses_already(c)) continue;
     const Point span = edges[next(at(c.edge), edges.size())] - edges[at(c.edge)];
     entered_.push_back(c);
     entered_.back().gap = cross(vertices[at(c.vertex)] - edges[at(c.edge)], span.normalized());
   }
   return entered_.size() > before;
+}
+
+bool ContactSearch::presses_too(const ContactPoint& c) const {
+  return std::any_of(turned_on_.begin(), turned_on_.end(), [&](const ContactPoint& t) { return t.same_key(c); });
+}
+
+bool ContactSearch::turned_on(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts) {
+  const auto meeting_presses = [&](const ContactPoint& left_out) {
+    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
+      return c.state != ContactState::open && c.pair() == left_out.pair() && c.vertex_block == left_out.edge_block;
+    });
+  };
+  const std::size_t before = turned_on_.size();
+  for (const ContactPoint& c : stood_for_) {
+    if (presses_too(c) || !meeting_presses(c)) continue;
+    const Point vertex = outline(placements, c.vertex_block, outlines_[0])[at(c.vertex)];
+    const auto& edges = outline(placements, c.edge_block, outlines_[1]);
+    const Point& from = edges[at(c.edge)];
+    const double gap = cross(vertex - from, (edges[next(at(c.edge), edges.size())] - from).normalized());
+    if (gap < -give_ && encloses(edges, vertex)) turned_on_.push_back(c);
+  }
+  return turned_on_.size() > before;
 }
 
 }  // namespace blockweir::solid

@@ -44,20 +44,24 @@ class ContactSearch {
   [[nodiscard]] bool covers(double moved_m);
 
   /// Has a step to these placements taken a corner that was let pass into the block that it met? If so, the next search
-  /// from the same start keeps its contact. What one of `contacts`, as the step has them, holds on another edge of that
-  /// block has not, however far its spring lets it in. Of blocks that are
+  /// from the same start keeps its contact. What one of `contacts`, as the step has
+  /// them, holds on another edge of that block has not, however far its spring lets it in. Of blocks that are
   /// `of_interest`.
   [[nodiscard]] bool entered(
       const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
       const std::function<bool(int block)>& of_interest = [](int) { return true; });
+  /// Has it turned two faces onto each other at corners of which one pressed, and the other was left out for it? If so,
+  /// the next search from the same start keeps both.
+  [[nodiscard]] bool turned_on(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts);
   /// The step is made: the next one begins with none that have.
-  void forget_entered() { entered_.clear(); }
+  void forget_entered() { entered_.clear(), turned_on_.clear(); }
 
   [[nodiscard]] long broad_searches() const { return broad_searches_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(corners_at_pairs_, pairs_, broad_searches_, reach_, passing_, coincidence_, opened_at_pairs_, parted_);
+    archive(corners_at_pairs_, pairs_, broad_searches_, reach_, passing_, stood_for_, coincidence_, opened_at_pairs_,
+            parted_);
   }
 
  private:
@@ -89,6 +93,9 @@ class ContactSearch {
   [[nodiscard]] bool within(const std::vector<Point>& vertices, std::size_t v, const std::vector<Point>& edges,
                             std::size_t edge) const;
   [[nodiscard]] bool did_enter(const ContactPoint& c) const;
+  const std::vector<Point>& outline(const std::vector<Placement>& placements, int block,
+                                    std::vector<Point>& corners) const;
+  [[nodiscard]] bool presses_too(const ContactPoint& c) const;
   [[nodiscard]] Point apart(const std::vector<Placement>& placements, const ContactPoint& c) const;
   void inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old);
   void count_from_start(ContactPoint& c) const;
@@ -110,8 +117,10 @@ class ContactSearch {
   std::vector<char> inherited_;
   std::vector<ContactPoint> passing_;           ///< corners that may pass each other, left out
   std::vector<ContactPoint> passed_;            ///< those of the search before
+  std::vector<ContactPoint> stood_for_;         ///< left out for what their corner has on the other block's edge
   std::array<std::vector<Point>, 2> outlines_;  ///< of such corners' blocks
-  std::vector<ContactPoint> entered_;           ///< of them, those that did not in the step at hand
+  std::vector<ContactPoint> entered_;           ///< of passing ones, those that did not in the step at hand
+  std::vector<ContactPoint> turned_on_;         ///< of those stood for, the ones that press too in it
   // Of joints that dilate; empty where none does.
   std::vector<std::pair<std::pair<int, int>, double>> openings_;  ///< of pairs, at which their faces still touch [m]
   std::vector<double> opened_;                                    ///< the largest of each block

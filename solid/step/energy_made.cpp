@@ -38,7 +38,7 @@ struct StepEnergy::Group {
     const double within = std::max(0.0, kinetic - together.dot(momentum) / 2);
     if (within > 0) left = std::sqrt(std::max(0.0, 1 - made / within));
     owed = std::max(0.0, made - within);
-    if (anchored || owed == 0) return;
+    if (anchored || !may_let_go || owed == 0) return;
     const Eigen::Vector3d carried(momentum[0] / mass(0, 0), momentum[1] / mass(1, 1), 0);
     const double spin = (together.dot(momentum) - carried.dot(momentum)) / 2;
     if (!(spin > 0)) return;

@@ -35,14 +35,13 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   const bool begins = !state_.whole_law.after_failure();
   const double closely = begins || s.unknowns->total <= few_unknowns ? 1e-4 : 1;
   const double enough_m = closely * std::min(2e-8 * model_.size_m, 1e-4 * trial_.fall_m());
-  const bool begins_near = !trial_.first_force.empty();
   constexpr int most_rounds = 20;  // bonds break a few at a time
   double left_m = 0;
   for (int round = 1;; ++round) {
     if (!linearize(s, round == 1)) return Found::nothing;
     const double visits = most_visits / static_cast<double>(s.sweeps.rows().size());
     const double most = begins ? most_sweeps : std::clamp(visits, least_sweeps, most_sweeps);
-    left_m = sweep(s, static_cast<int>(most * (round > 1 ? 0.25 : begins_near ? 0.5 : 1)), enough_m);
+    left_m = sweep(s, static_cast<int>(most * (round > 1 ? 0.7 : 0.3)), enough_m);
     s.correction = s.sweeps.displacement();
     if (!s.correction.allFinite()) return Found::nothing;
     s.move(1);

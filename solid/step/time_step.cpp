@@ -44,7 +44,7 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
   } else if (mode.smooth_only && (contacts_change() || !affords_motion(stretch.dt))) {
     outcome = Outcome::contacts_change;
   }
-  const bool seen = has_seen(outcome == Outcome::made, moved);
+  const bool seen = has_seen(outcome == Outcome::made, moved, mode);
   if (outcome != Outcome::made || !seen) {
     if (!seen && any_swept()) tried_ = state_.contacts;
     for (IslandEquations& s : islands_) formulation_->undo(s.held());
@@ -58,12 +58,13 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
 }
 
 /// Did the search know all contacts that the step has met?
-bool TimeStep::has_seen(bool made, double moved_m) {
+bool TimeStep::has_seen(bool made, double moved_m, const StepMode& mode) {
   if (any_found(Found::corners)) return false;
   if (!made) return true;
   if (!state_.search.covers(moved_m)) return false;
   if (moved_m == 0) return true;
   if (state_.search.entered(trial_.placement, state_.contacts)) return false;
+  if (mode.in_motion() && state_.search.turned_on(trial_.placement, state_.contacts)) return false;
   state_.search.forget_entered();
   return true;
 }

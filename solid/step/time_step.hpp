@@ -31,7 +31,7 @@ class TimeStep : StepPart {
   [[nodiscard]] double timed() const;
   Outcome attempt_again(const Stretch& stretch, const StepMode& mode);
   void begin_with_forces_tried();
-  [[nodiscard]] bool has_seen(bool made, double moved_m);
+  [[nodiscard]] bool has_seen(bool made, double moved_m, const StepMode& mode);
   [[nodiscard]] bool any_found(Found what) const;
   Outcome try_far_from_laws(const Stretch& stretch, const StepMode& mode);
   bool find_contacts();

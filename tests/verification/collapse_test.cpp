@@ -77,5 +77,10 @@ TEST(Collapse, OfRandomWallsAndHeapsMakesNoEnergyAndNoOverlap) {
              worst.overlap_m);
 }
 
+/// Corners of which one pressed on the other's face, and the other went into the one's.
+TEST(Collapse, FacesThatComeOntoEachOtherAtTheirCornersPressAtBoth) {
+  for (const unsigned seed : {36U, 51U}) EXPECT_LE(watched(random_collapse(seed)).overlap_m, 1e-6) << "seed " << seed;
+}
+
 }  // namespace
 }  // namespace blockweir::solid
