@@ -64,15 +64,10 @@ bool ContactSearch::presses_too(const ContactPoint& c) const {
   return std::any_of(turned_on_.begin(), turned_on_.end(), [&](const ContactPoint& t) { return t.same_key(c); });
 }
 
-bool ContactSearch::turned_on(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts) {
-  const auto meeting_presses = [&](const ContactPoint& left_out) {
-    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
-      return c.state != ContactState::open && c.pair() == left_out.pair() && c.vertex_block == left_out.edge_block;
-    });
-  };
+bool ContactSearch::turned_on(const std::vector<Placement>& placements) {
   const std::size_t before = turned_on_.size();
   for (const ContactPoint& c : stood_for_) {
-    if (presses_too(c) || !meeting_presses(c)) continue;
+    if (presses_too(c)) continue;
     const Point vertex = outline(placements, c.vertex_block, outlines_[0])[at(c.vertex)];
     const auto& edges = outline(placements, c.edge_block, outlines_[1]);
     const Point& from = edges[at(c.edge)];

@@ -50,9 +50,9 @@ class ContactSearch {
   [[nodiscard]] bool entered(
       const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
       const std::function<bool(int block)>& of_interest = [](int) { return true; });
-  /// Has it turned two faces onto each other at corners of which one pressed, and the other was left out for it? If so,
-  /// the next search from the same start keeps both.
-  [[nodiscard]] bool turned_on(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts);
+  /// Has it turned two faces onto each other at corners of which one was left out for the other? If so, the next search
+  /// from the same start keeps both.
+  [[nodiscard]] bool turned_on(const std::vector<Placement>& placements);
   /// The step is made: the next one begins with none that have.
   void forget_entered() { entered_.clear(), turned_on_.clear(); }
 

@@ -34,6 +34,17 @@ class Circle {
 
 }  // namespace
 
+/// Solutions that an island gets. Where it has failed, its next turn is a short one; of what falls sweeps come as near
+/// sooner.
+int Newton::turn(int unknowns, const StepMode& mode) const {
+  const int most = model_.scene.contact.max_iterations;
+  const bool sweeps = may_sweep(step_, mode);
+  if (unknowns <= (sweeps ? few_unknowns : large_island)) return most;
+  const bool falls = sweeps && trial_.falls();
+  if (state_.whole_law.after_failure()) return std::min(most, falls ? 10 : 20);
+  return falls || (sweeps && unknowns > large_island) ? std::min(most, 40) : most;
+}
+
 bool Newton::find(IslandEquations& s, const StepMode& mode) {
   // A large island whose states run in circles shows it by then; trying on costs a small one little, and may find out.
   // In the largest a solution costs several of those by Cholesky that find states while friction lags.
@@ -41,13 +52,7 @@ bool Newton::find(IslandEquations& s, const StepMode& mode) {
   const int most_in_a_row = unknowns > 10 * large_island ? 15
                             : unknowns > large_island    ? 50
                                                          : model_.scene.contact.max_iterations;
-  // Where it has failed, its next turn is a short one.
-  const int large = may_sweep(step_, mode) ? few_unknowns : large_island;
-  // Of what falls, sweeps come as near sooner.
-  const int first_turn = may_sweep(step_, mode) && unknowns > few_unknowns && trial_.falls()
-                             ? std::min(40, model_.scene.contact.max_iterations)
-                             : model_.scene.contact.max_iterations;
-  const int most = unknowns > large && state_.whole_law.after_failure() ? 20 : first_turn;
+  const int most = turn(unknowns, mode);
   const double tolerance = formulation_->settings().force_tolerance_n;
   constexpr double close = 0.3;  // of what multipliers will still move: they need no closer equilibrium
   const Held held = s.held();

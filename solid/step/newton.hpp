@@ -16,6 +16,7 @@ class Newton : StepPart {
   bool find(IslandEquations& island, const StepMode& mode);
 
  private:
+  [[nodiscard]] int turn(int unknowns, const StepMode& mode) const;
   double unbalanced_in_these_states(IslandEquations& island, const StepMode& mode);
   bool update_multipliers(IslandEquations& island);
 };

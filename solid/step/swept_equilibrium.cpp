@@ -2,6 +2,7 @@
 #include "solid/step/swept_equilibrium.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,9 +17,10 @@
 namespace blockweir::solid {
 namespace {
 
-constexpr int rounds = 2;             // blocks turn: forces act along other directions where that has taken them
-constexpr double most_visits = 3e4;   // to contacts, in the first round
-constexpr double least_sweeps = 100;  // where an island is large
+constexpr int rounds = 2;  // blocks turn: forces act along other directions where that has taken them
+constexpr std::array<double, 3> share_of_round = {0.3, 0.7, 0.1};  // of the sweeps; corners show in the first already
+constexpr double most_visits = 3e4;                                // to contacts, in two rounds
+constexpr double least_sweeps = 100;                               // where an island is large
 constexpr double most_sweeps = 1000;  // also of the first step that is swept: what follows begins with its forces
 
 }  // namespace
@@ -41,7 +43,7 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
     if (!linearize(s, round == 1)) return Found::nothing;
     const double visits = most_visits / static_cast<double>(s.sweeps.rows().size());
     const double most = begins ? most_sweeps : std::clamp(visits, least_sweeps, most_sweeps);
-    left_m = sweep(s, static_cast<int>(most * (round > 1 ? 0.7 : 0.3)), enough_m);
+    left_m = sweep(s, static_cast<int>(most * share_of_round[std::min(round, 3) - 1]), enough_m);
     s.correction = s.sweeps.displacement();
     if (!s.correction.allFinite()) return Found::nothing;
     s.move(1);
@@ -54,8 +56,9 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
     if (round >= rounds && (!broken || round >= most_rounds)) break;
   }
   // From states and forces that are next to right Newton's method is exact in a solution or two.
-  const bool near = left_m <= enough_m && formulation_->holds_exactly();
+  // In a fall it is worth that to few blocks.
   const bool small = s.unknowns->total <= few_unknowns;
+  const bool near = left_m <= enough_m && formulation_->holds_exactly() && (small || !trial_.falls());
   if (near && (small || !state_.finish.skips())) {
     const bool exact = or_undone(step_, s, mode, [&] { return finish(s, mode); });
     if (!small) exact ? state_.finish.succeeded() : state_.finish.failed();

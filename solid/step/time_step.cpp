@@ -64,7 +64,7 @@ bool TimeStep::has_seen(bool made, double moved_m, const StepMode& mode) {
   if (!state_.search.covers(moved_m)) return false;
   if (moved_m == 0) return true;
   if (state_.search.entered(trial_.placement, state_.contacts)) return false;
-  if (mode.in_motion() && state_.search.turned_on(trial_.placement, state_.contacts)) return false;
+  if (mode.in_motion() && state_.search.turned_on(trial_.placement)) return false;
   state_.search.forget_entered();
   return true;
 }
