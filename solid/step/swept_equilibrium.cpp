@@ -66,7 +66,7 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   }
   // Off by more than a fall through the step, a structure that stands would be thrown.
   if (left_m > trial_.fall_m() && !mode.roughly) return Found::nothing;
-  counts_.residual_m = std::max(counts_.residual_m, left_m);
+  s.left_m = left_m;
   take_forces(s);
   s.balance_alone();
   s.find_residual([&](std::size_t k) { s.take_up(k); });

@@ -31,6 +31,7 @@ bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
   bool any_slips = false;
   for (IslandEquations& island : islands_) {
     if (island.found == Found::asleep) continue;
+    if (island.found == Found::by_sweeps) counts_.residual_m = std::max(counts_.residual_m, island.left_m);
     accept_motion(island, dt);
     if (!mode.settles) energy.balance(island, dt);
     if (formulation_->holds_exactly()) {
