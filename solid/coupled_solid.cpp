@@ -119,12 +119,12 @@ void CoupledSolid::solve(const wire::Load& load, double until_s, const std::func
   const Stopwatch watch(step_s_);
   try {
     step();
-  } catch (const NotFinite& error) {
+  } catch (const NotFinite&) {
     const scene::Scene& scene = solid_.scene();
-    const std::string file = (folder_ / "repeat.toml").string();
-    results::replace_file(file, scene::repeat_text(scene, std::max(until_s, scene.analysis.step_s),
-                                                   face_pressures_of(panels_of(load, solid_), scene)));
-    throw NotFinite(fmt::format("{}; \"blockweir run {}\" repeats it", error.what(), file));
+    results::replace_file(folder_ / "repeat.toml",
+                          scene::repeat_text(scene, std::max(until_s, scene.analysis.step_s),
+                                             face_pressures_of(panels_of(load, solid_), scene)));
+    throw;
   }
 }
 

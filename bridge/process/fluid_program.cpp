@@ -32,8 +32,18 @@ int run(Options& options, const scene::FluidEntry& entry, const FluidMaker& make
   channel::Channel channel(options.line);
   channel.handshake(schedule::hello(scene, entry.role, options.resume));
   checkpoint::Checkpoints checkpoints(options.folder, entry.role, scene.digest, 0);
-  const schedule::FluidReport said = schedule::run_fluid(channel, checkpoints, options.resume, *fluid);
-  if (!options.report.empty()) schedule::write_report(options.report, said);
+  schedule::FluidReport said;
+  const auto report = [&] {
+    if (!options.report.empty()) schedule::write_report(options.report, said);
+  };
+  try {
+    said = schedule::run_fluid(channel, checkpoints, options.resume, *fluid);
+  } catch (...) {
+    said = fluid->report();  // what it has to warn of holds for a run that was stopped, too
+    report();
+    throw;
+  }
+  report();
   return 0;
 }
 

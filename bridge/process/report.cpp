@@ -10,27 +10,36 @@ namespace blockweir::process {
 
 using nlohmann::json;
 
+namespace {
+
+std::string number(const json& value) {
+  return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : "none";
+}
+
+std::string failure_text(const json& f, const char* word) {
+  std::string text = fmt::format("{}{}\n", word, f["text"].get<std::string>());
+  if (f["level_m"].is_number()) {
+    const std::string pool = f.value("pool", "upstream") == "downstream" ? " (downstream pool)" : "";
+    const std::string head =
+        f["head_m"].is_number() ? fmt::format(", {} m above the joint that failed", number(f["head_m"])) : "";
+    text += fmt::format("        at a level of {}{} m{}{}, after {} s\n",
+                        f.value("level_is_bound", false) ? "at most " : "", number(f["level_m"]), pool, head,
+                        number(f["time_s"]));
+  } else {
+    text += fmt::format("        after {} s\n", number(f["time_s"]));
+  }
+  if (f.contains("doubt")) text += fmt::format("        {}\n", f["doubt"].get<std::string>());
+  return text;
+}
+
+}  // namespace
+
 std::string report(const RunResult& result) {
   const json& s = result.summary;
   std::string text;
   const std::string outcome = s.value("outcome", "stopped");
-  const auto number = [](const json& value) {
-    return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : "none";
-  };
   if (outcome == "fails") {
-    const json& f = s["failure"];
-    text += fmt::format("FAILS   {}\n", f["text"].get<std::string>());
-    if (f["level_m"].is_number()) {
-      const std::string pool = f.value("pool", "upstream") == "downstream" ? " (downstream pool)" : "";
-      const std::string head =
-          f["head_m"].is_number() ? fmt::format(", {} m above the joint that failed", number(f["head_m"])) : "";
-      text += fmt::format("        at a level of {}{} m{}{}, after {} s\n",
-                          f.value("level_is_bound", false) ? "at most " : "", number(f["level_m"]), pool, head,
-                          number(f["time_s"]));
-    } else {
-      text += fmt::format("        after {} s\n", number(f["time_s"]));
-    }
-    if (f.contains("doubt")) text += fmt::format("        {}\n", f["doubt"].get<std::string>());
+    text += failure_text(s["failure"], "FAILS   ");
   } else if (outcome == "moving") {
     text += fmt::format("MOVING  {}\n        {}\n", s["moving"]["text"].get<std::string>(),
                         s["margin"]["text"].get<std::string>());
@@ -41,6 +50,7 @@ std::string report(const RunResult& result) {
     const std::string_view word = "stopped ";
     text += fmt::format("STOPPED {}{}\n", why.starts_with(word) ? why.substr(word.size()) : why,
                         result.advice.empty() ? "" : "; " + result.advice);
+    if (s.contains("failure") && s["failure"].is_object()) text += failure_text(s["failure"], "FAILED  before that: ");
   }
   if (s.contains("rest")) text += fmt::format("STATIC  {}\n", s["rest"]["text"].get<std::string>());
   if (s.contains("breach")) {

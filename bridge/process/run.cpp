@@ -126,6 +126,14 @@ void refuse_finished(const fs::path& folder) {
                                               : "run it anew, with a shorter [output] checkpoint_every_s"));
 }
 
+/// What to do about a run that did not end well; `too_early`: it was stopped before its first checkpoint.
+std::string advice_of(const fs::path& folder, bool goes_on, bool too_early) {
+  const fs::path repeat = folder / "repeat.toml";
+  if (fs::exists(repeat)) return fmt::format("\"blockweir run {}\" repeats it", repeat.string());
+  if (goes_on) return fmt::format("\"blockweir resume {}\" goes on", folder.string());
+  return too_early ? "it has no checkpoint yet to resume from: run it anew" : "";
+}
+
 /// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
 /// scene.
 RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool inproc, bool quiet,
@@ -152,9 +160,8 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   result.refused = !result.trouble.empty() && is_refusal(supervised);
   const std::uint64_t last = resumable_window(folder, scene);
   const bool refused_to_resume = result.refused && first > 0 && last == first;  // as where a checkpoint is damaged
-  if (!result.trouble.empty() && last > 0 && !refused_to_resume && !ends_there_again(folder)) {
-    result.advice = fmt::format("\"blockweir resume {}\" goes on", folder.string());
-  }
+  const bool goes_on = last > 0 && !refused_to_resume && !ends_there_again(folder);
+  if (!result.trouble.empty()) result.advice = advice_of(folder, goes_on, !result.refused && last == 0);
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
   if (result.exit_code == 0) forget_checkpoints(folder);
   complete_summary(folder, result, seconds_since(start));

@@ -46,6 +46,23 @@ double TimeTable::constant_until(double time) const {
   return value.back() == now ? std::numeric_limits<double>::infinity() : until;
 }
 
+std::vector<double> TimeTable::hidden_between(double from_s, double to_s) const {
+  constexpr double negligible = 1e-3;
+  constexpr double round_off = 1e-6;
+  const double margin = round_off * (to_s - from_s);
+  const auto first = std::upper_bound(time_s.begin(), time_s.end(), from_s + margin);
+  const auto last = std::lower_bound(first, time_s.end(), to_s - margin);
+  if (first == last) return {};
+  const auto [low, high] = std::minmax_element(value.begin() + (first - time_s.begin()),  // of the rows between
+                                               value.begin() + (last - time_s.begin()));
+  const auto [least, most] = std::minmax({rows_at(from_s), rows_at(to_s)});
+  const double hidden = std::max(*high - most, least - *low);
+  if (hidden <= 0) return {};
+  const auto [lowest, highest] = std::minmax_element(value.begin(), value.end());
+  if (hidden <= negligible * (*highest - *lowest)) return {};
+  return {first, last};
+}
+
 double TimeTable::rows_at(double time) const {
   if (time <= time_s.front()) return value.front();
   if (time >= time_s.back()) return value.back();

@@ -40,6 +40,9 @@ struct TimeTable {
   /// The value stays what it is at `time_s` at all later times before this one; `time_s` itself where it changes.
   [[nodiscard]] double constant_until(double time_s) const;
   [[nodiscard]] double rows_at(double time_s) const;  ///< without the sine
+  /// Times of the rows between two looks where one of them is higher or lower than what both looks see, by more than a
+  /// thousandth of what all rows go through; none else.
+  [[nodiscard]] std::vector<double> hidden_between(double from_s, double to_s) const;
   bool operator==(const TimeTable&) const = default;
 };
 

@@ -18,11 +18,38 @@ Windows::Windows(const scene::Scene& scene)
       at_rest_(scene.analysis.kind == scene::AnalysisKind::at_rest),
       ticks_(static_cast<std::uint64_t>(std::max(1.0, std::ceil(duration_s_ / window_s_ * (1 - round_off))))),
       longest_(static_cast<std::uint64_t>(
-          std::max(1.0, std::floor(scene.coupling.longest_window_s / window_s_ * (1 + round_off))))) {}
+          std::max(1.0, std::floor(scene.coupling.longest_window_s / window_s_ * (1 + round_off))))) {
+  if (scene.fluid == scene::FluidModel::hydrostatic && !at_rest_) {
+    for (const auto* level : {&scene.water.upstream_level_m, &scene.water.downstream_level_m}) {
+      if (*level) levels_.push_back(**level);
+    }
+  }
+  cuts_ = cuts_within(from_s(), to_s());
+}
+
+std::vector<double> Windows::cuts_within(double from_s, double to_s) const {
+  constexpr double shortest = 1e-6;  // of window_s: rows of two levels at the same time are one cut
+  std::vector<double> cuts;
+  for (const scene::TimeTable& level : levels_) {
+    const std::vector<double> rows = level.hidden_between(from_s, to_s);
+    cuts.insert(cuts.end(), rows.begin(), rows.end());
+  }
+  std::sort(cuts.begin(), cuts.end());
+  const auto near = [&](double a, double b) { return b - a <= shortest * window_s_; };
+  cuts.erase(std::unique(cuts.begin(), cuts.end(), near), cuts.end());
+  return cuts;
+}
 
 void Windows::next(const SolidSide& solid) {
+  if (cut()) {
+    ++part_;
+    return;
+  }
   tick_ += at_rest_ ? 1 : length_;
   length_ = longest_ > 1 && solid.calm() ? std::min(2 * length_, longest_) : 1;
+  cuts_.clear();
+  part_ = 0;
+  cuts_ = cuts_within(from_s(), to_s());
 }
 
 }  // namespace blockweir::schedule

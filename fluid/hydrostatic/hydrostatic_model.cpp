@@ -206,8 +206,12 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, wire::Load
       const double level_m = (upstream ? last_upstream_m_ : last_downstream_m_) + ground_m.y();
       const Point place = wire::place(centroids_[b], last_motion_.displacement[b], outline_point);
       const double pressure_pa = std::isnan(level_m) ? 0.0 : weight * std::max(0.0, level_m - place.y());
-      const bool stands = (place - outline_point - ground_m).norm() <= scene_.water.open_crack_width_m;
-      if (stands) crack_ends_.look(k, {upstream, place, pressure_pa}, structure_.outlines, open_water);
+      const auto has_moved = [&](int block) {
+        const Point now = wire::place(centroids_[at(block)], last_motion_.displacement[at(block)], outline_point);
+        return (now - outline_point - ground_m).norm() > scene_.water.open_crack_width_m;
+      };
+      if (!has_moved(part.block_a) && !has_moved(part.block_b))
+        crack_ends_.look(k, {upstream, place, pressure_pa}, structure_.outlines, open_water);
       return pressure_pa;
     };
     const double mouth_pa = end_of(true, crack.parts.front(), crack.parts.front().trace.mouth());

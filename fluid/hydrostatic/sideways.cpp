@@ -22,7 +22,10 @@ struct MovedEdge {
   double distance_m;
   double before_m = 0;  ///< how much farther along it begins, where it meets its neighbour
   double after_m = 0;   ///< and ends
-  [[nodiscard]] bool turned_round() const { return (piece.to - piece.from).dot(along) + after_m - before_m <= 0; }
+  /// Or has no length left, but for round-off.
+  [[nodiscard]] bool turned_round() const {
+    return (piece.to - piece.from).dot(along) + after_m - before_m <= 1e-9 * std::abs(distance_m);
+  }
 };
 
 void meet(MovedEdge& in, MovedEdge& out) {
@@ -68,8 +71,10 @@ Ring grown(const Ring& outline, double distance_m) {
       line.insert(line.end(), {p + distance_m * in_right, p, p + distance_m * out_right});
     } else if (turn < 0 || ahead >= sharpest_mitre) {
       line.emplace_back(p + distance_m / (1 + ahead) * (in_right + out_right));
-    } else {
-      line.insert(line.end(), {p + distance_m * (in_right + in), p + distance_m * (out_right - out)});
+    } else {  // cut off as far from the corner as the sides are, so that the cut moves back onto it
+      const double further_m = distance_m * (1 - std::sqrt((1 + ahead) / 2)) / std::sqrt((1 - ahead) / 2);
+      line.insert(line.end(),
+                  {p + distance_m * in_right + further_m * in, p + distance_m * out_right - further_m * out});
     }
     in = out;
   }

@@ -14,9 +14,10 @@ using scene::Point;
 using Ring = std::vector<Point>;
 
 /// `outline`, counter-clockwise, with every edge moved out by `distance_m`. Corners that turn by up to 140 degrees are
-/// mitred, so that they come back to where they were also where other blocks lie beside them; sharper ones are cut
-/// square, reflex ones mitred, too. Where a reflex corner's edges are too short for that, the line visits the corner
-/// itself: it makes a loop there that runs clockwise, so what lies inside has a positive winding number.
+/// mitred, so that they come back to where they were also where other blocks lie beside them; sharper ones are cut off
+/// as far out as their edges have moved, so that they do, too; reflex ones are mitred. Where a reflex corner's edges
+/// are too short for that, the line visits the corner itself: it makes a loop there that runs clockwise, so what lies
+/// inside has a positive winding number.
 Ring grown(const Ring& outline, double distance_m);
 
 struct Piece {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/contact/joint_laws.hpp"
 
-#include <cmath>
+#include <map>
 #include <numbers>
 
 #include "bridge/geometry/outline.hpp"
@@ -9,6 +9,7 @@
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "solid/contact/neighbours.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -36,43 +37,84 @@ JointLaws::JointLaws(const scene::Scene& scene) {
     by_pair_[key(joint.between[0], joint.between[1])] = static_cast<int>(laws_.size());
     laws_.push_back(properties(joint.law, static_cast<int>(j)));
   }
-  add_cuts(scene);
+  planes_.assign(laws_.size(), 0);
+  add_planes(scene);
 }
 
-/// A block that comes onto the edge of a cut later was not bonded to it, and is none of the cut's joints.
-void JointLaws::add_cuts(const scene::Scene& scene) {
-  touching_m_ = scene::rounding_ratio * scene::structure_size_m(scene.blocks);
-  std::vector<std::pair<const scene::Joint*, int>> cuts;
-  for (const scene::Joint& joint : scene.joints) {
-    if (joint.set.empty()) continue;
-    auto cut = std::find_if(cuts.begin(), cuts.end(), [&](const auto& known) {
-      return known.first->set == joint.set && known.first->law == joint.law;
-    });
-    if (cut == cuts.end()) {
-      cut = cuts.insert(cut, {&joint, static_cast<int>(laws_.size())});
-      JointProperties law = properties(joint.law, -1);
-      law.friction = law.residual_friction;
-      law.cohesion_pa = law.tension_pa = 0;
-      law.bonded_length_m = -1;
-      laws_.push_back(law);
+/// A block that comes onto a plane later was not bonded to it, and is none of its joints.
+int JointLaws::add_plane(int own) {
+  JointProperties law = (*this)[own];
+  law.joint = -1;
+  law.friction = law.residual_friction;
+  law.cohesion_pa = law.tension_pa = 0;
+  law.bonded_length_m = -1;
+  const auto same = [&](const JointProperties& other) {
+    return other.joint == -1 && !other.bonds() && other.friction == law.friction && other.dilation == law.dilation &&
+           other.dilation_limit_m == law.dilation_limit_m;
+  };
+  const auto known = std::find_if(laws_.begin() + 1, laws_.end(), same);
+  const auto plane = static_cast<int>(known - laws_.begin());
+  if (known == laws_.end()) laws_.push_back(law);
+  return planes_[at(own)] = plane;
+}
+
+void JointLaws::add_planes(const scene::Scene& scene) {
+  const double touching_m = scene::rounding_ratio * scene::structure_size_m(scene.blocks);
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const auto [a, b] = scene.joints[j].between;
+    const scene::JointTrace trace = scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], touching_m);
+    if (trace.pieces.empty()) continue;
+    const int own = static_cast<int>(j) + 1;
+    const int plane = add_plane(own);
+    for (const scene::TracePiece& p : trace.pieces) {
+      on_planes_[a].push_back({p.edge_a, std::min(p.s_from_a, p.s_to_a), std::max(p.s_from_a, p.s_to_a), plane, own});
+      on_planes_[b].push_back({p.edge_b, std::min(p.s_from_b, p.s_to_b), std::max(p.s_from_b, p.s_to_b), plane, own});
     }
-    const auto [a, b] = joint.between;
-    for (const scene::TracePiece& p :
-         scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], touching_m_).pieces) {
-      for (const int block : {a, b}) cut_edges_[block].push_back({p.from_m, p.to_m, cut->second});
+  }
+  if (any_plane()) add_neighbours_of_planes(scene, touching_m);
+}
+
+/// Blocks that touch, and whose joint the scene does not state, have its default law however they move.
+void JointLaws::add_neighbours_of_planes(const scene::Scene& scene, double touching_m) {
+  std::vector<Box> boxes;
+  std::vector<bool> movable;
+  for (const scene::Block& block : scene.blocks) {
+    const geometry::Bounds bounds = geometry::bounds_of(block.vertices);
+    boxes.emplace_back(bounds.low.array() - touching_m, bounds.high.array() + touching_m);
+    movable.push_back(!block.fixed);
+  }
+  for (const auto& [a, b] : neighbours(boxes, movable)) {
+    const bool stated = by_pair_.contains(key(a, b));
+    if (stated || (!on_planes_.contains(a) && !on_planes_.contains(b))) continue;
+    if (!scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], touching_m).pieces.empty()) {
+      by_pair_[key(a, b)] = 0;
     }
   }
 }
 
-int JointLaws::of_cut(int block, const geometry::Point& middle) const {
-  const auto edges = cut_edges_.find(block);
-  if (edges == cut_edges_.end()) return 0;
-  const auto nearest =
-      std::min_element(edges->second.begin(), edges->second.end(), [&](const CutEdge& a, const CutEdge& b) {
-        return geometry::distance_to_segment(middle, a.from_m, a.to_m) <
-               geometry::distance_to_segment(middle, b.from_m, b.to_m);
-      });
-  return geometry::distance_to_segment(middle, nearest->from_m, nearest->to_m) <= touching_m_ ? nearest->law : 0;
+int JointLaws::of_contact(int vertex_block, int face_plane, const Edge& on) const {
+  const auto own = by_pair_.find(key(vertex_block, on.block));
+  if (own == by_pair_.end()) return on.plane != 0 ? on.plane : face_plane;
+  if (own->second == 0 || on.plane == 0 || on.plane != face_plane) return own->second;
+  const auto& pieces = on_planes_.at(on.block);
+  const bool own_joint_lies_here = std::any_of(pieces.begin(), pieces.end(), [&](const OnPlane& piece) {
+    return piece.edge == on.edge && piece.joint_law == own->second;
+  });
+  return own_joint_lies_here || on.plane == planes_[at(own->second)] ? own->second : on.plane;
+}
+
+int JointLaws::plane_of(int block, int edge, double s_from, double s_to) const {
+  const auto pieces = on_planes_.find(block);
+  if (pieces == on_planes_.end()) return 0;
+  std::map<int, double> covered;
+  for (const OnPlane& piece : pieces->second) {
+    if (piece.edge == edge) {
+      covered[piece.plane] += std::max(0.0, std::min(s_to, piece.s_to) - std::max(s_from, piece.s_from));
+    }
+  }
+  const auto most = std::max_element(covered.begin(), covered.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most != covered.end() && most->second > (s_to - s_from) / 2 ? most->first : 0;
 }
 
 }  // namespace blockweir::solid

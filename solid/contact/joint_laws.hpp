@@ -56,14 +56,26 @@ class JointLaws {
  public:
   explicit JointLaws(const scene::Scene& scene);
 
+  /// Of two blocks as the scene has them; 0 where it states none.
   [[nodiscard]] int between(int block_a, int block_b) const {
     const auto found = by_pair_.find(key(block_a, block_b));
     return found == by_pair_.end() ? 0 : found->second;
   }
-  /// Of blocks that have none between them, as those that meet where one slides past a crossing: the law of the cut
-  /// that made an edge, told by the middle of a side of the block's outline in the scene. 0 where none did.
-  [[nodiscard]] int of_cut(int block, const geometry::Point& middle) const;
-  [[nodiscard]] bool any_cut() const { return !cut_edges_.empty(); }
+  /// An edge of a block in the scene, of which a part lies on a plane (0: on none).
+  struct Edge {
+    int block = 0;
+    int edge = 0;
+    int plane = 0;
+  };
+  /// Of a vertex of a block on another's edge; the face that ends at the vertex lies on `face_plane`. Blocks that meet
+  /// on their way have the edge's plane, else the face's. The law of a pair that the scene states yields to a plane
+  /// that both lie on and that is not the pair's own: each plane holds on its line.
+  [[nodiscard]] int of_contact(int vertex_block, int face_plane, const Edge& on) const;
+  /// The joints that lie along one plane have a law in common for what slides onto it later, without their bonds. That
+  /// of the plane that most of a part of a block's edge lies on, fractions as in scene::TracePiece; 0 where half of it
+  /// or more lies on none.
+  [[nodiscard]] int plane_of(int block, int edge, double s_from, double s_to) const;
+  [[nodiscard]] bool any_plane() const { return !on_planes_.empty(); }
   [[nodiscard]] bool dilate() const {
     return std::any_of(laws_.begin(), laws_.end(), [](const JointProperties& law) { return law.dilation > 0; });
   }
@@ -75,18 +87,22 @@ class JointLaws {
     const auto high = static_cast<std::uint64_t>(a < b ? b : a);
     return low << 32U | high;
   }
-  /// A part of a block's outline along a cut.
-  struct CutEdge {
-    geometry::Point from_m;
-    geometry::Point to_m;
-    int law = 0;
+  /// A part of a block's edge.
+  struct OnPlane {
+    int edge = 0;
+    double s_from = 0;
+    double s_to = 0;
+    int plane = 0;
+    int joint_law = 0;  ///< of the joint that lies here
   };
-  void add_cuts(const scene::Scene& scene);
+  void add_planes(const scene::Scene& scene);
+  [[nodiscard]] int add_plane(int own);
+  void add_neighbours_of_planes(const scene::Scene& scene, double touching_m);
 
   std::vector<JointProperties> laws_;
-  std::unordered_map<std::uint64_t, int> by_pair_;
-  std::unordered_map<int, std::vector<CutEdge>> cut_edges_;  ///< by block
-  double touching_m_ = 0;
+  std::vector<int> planes_;                                  ///< law of the plane that a law's joint lies on, 0: none
+  std::unordered_map<std::uint64_t, int> by_pair_;           ///< stated; 0 where blocks touch beside a plane
+  std::unordered_map<int, std::vector<OnPlane>> on_planes_;  ///< by block
 };
 
 }  // namespace blockweir::solid

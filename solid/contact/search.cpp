@@ -49,23 +49,31 @@ ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double s
   for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
   opened_.assign(corners_.size(), 0);
   opened_at_pairs_ = opened_;
-  if (laws.any_cut()) find_cuts();
+  if (laws.any_plane()) find_planes();
 }
 
-void ContactSearch::find_cuts() {
-  cut_laws_.resize(corners_.size());
+void ContactSearch::find_planes() {
+  planes_.resize(corners_.size());
   for (std::size_t b = 0; b < corners_.size(); ++b) {
     for (const OutlineSide& side : parts_.outlines[b]) {
-      const Point middle = parts_.blocks[at(side.part)].centroid + (parts_.vertex(side) + parts_.end(side)) / 2;
-      cut_laws_[b].push_back(laws_.of_cut(static_cast<int>(b), middle));
+      planes_[b].push_back(laws_.plane_of(static_cast<int>(b), side.described_edge, side.s_from, side.s_to));
     }
   }
 }
 
-/// Of the two blocks, else of the cut along whose edge the vertex slides.
-int ContactSearch::law_on(int vertex_block, int edge_block, std::size_t edge) const {
-  const int own = laws_.between(vertex_block, edge_block);
-  return own != 0 || cut_laws_.empty() ? own : cut_laws_[at(edge_block)][edge];
+/// Of a vertex on an edge along `t`: of the two faces that the vertex ends, the one that is nearer to lying on the
+/// edge.
+int ContactSearch::law_on(int vertex_block, std::size_t vertex, int edge_block, std::size_t edge,
+                          const Point& t) const {
+  if (planes_.empty()) return laws_.between(vertex_block, edge_block);
+  const auto& V = corners_[at(vertex_block)];
+  const std::size_t before = previous(vertex, V.size());
+  const double turned_in = t.dot((V[vertex] - V[before]).normalized());
+  const double turned_out = t.dot((V[next(vertex, V.size())] - V[vertex]).normalized());
+  const int face_plane = planes_[at(vertex_block)][turned_in < turned_out ? before : vertex];
+  return laws_.of_contact(
+      vertex_block, face_plane,
+      {edge_block, parts_.outlines[at(edge_block)][edge].described_edge, planes_[at(edge_block)][edge]});
 }
 
 bool ContactSearch::rounds_to(double rounding_m) {
@@ -170,7 +178,7 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       contact.edge_part = at_edge.part;
       contact.edge_from = parts_.vertex(at_edge);
       contact.edge_to = parts_.end(at_edge);
-      contact.law = law_on(vertex_block, edge_block, e);
+      contact.law = law_on(vertex_block, v, edge_block, e, t);
       contact.gap = gap;
       contact.anchor = s / edge_length;
       contact.separation = gap * n;

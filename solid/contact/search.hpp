@@ -76,8 +76,9 @@ class ContactSearch {
   [[nodiscard]] double slip_since(const ContactPoint& was) const;
   void remember_slips(const std::vector<ContactPoint>& parting);
   void vertices_on_edges(int vertex_block, int edge_block);
-  void find_cuts();
-  [[nodiscard]] int law_on(int vertex_block, int edge_block, std::size_t edge) const;
+  void find_planes();
+  [[nodiscard]] int law_on(int vertex_block, std::size_t vertex, int edge_block, std::size_t edge,
+                           const Point& t) const;
   void drop_edges_seen_from_within();
   [[nodiscard]] bool overlaps_at(const ContactPoint& c) const;
   [[nodiscard]] double nearness(const ContactPoint& c) const;
@@ -103,7 +104,7 @@ class ContactSearch {
 
   const Parts& parts_;
   const JointLaws& laws_;
-  std::vector<std::vector<int>> cut_laws_;   ///< of the cut that made each side; empty where no cut made any
+  std::vector<std::vector<int>> planes_;     ///< that each side lies on, by its law; empty where there are none
   bool dilates_;                             ///< does any joint?
   double reach_;                             ///< m
   double farthest_reach_;                    ///< m

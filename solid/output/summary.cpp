@@ -79,7 +79,14 @@ json failure(const expect::Outcome& o) {
                 {"joint", first.joint},
                 {"blocks", names},
                 {"text", failure_text(o.solid, first)}};
-  if (const std::string text = doubt(o.solid, first); !text.empty()) found["doubt"] = text;
+  std::string text = doubt(o.solid, first);
+  if (o.solid.scene().analysis.kind == scene::AnalysisKind::dynamic && o.failure.rests_again()) {
+    text += fmt::format(
+        "{}what failed was at rest again when the run ended, no block more than {:.3g} m from where it "
+        "was drawn: if that may be, state a larger failure_displacement_m",
+        text.empty() ? "" : "; ", o.last.largest_displacement_m);
+  }
+  if (!text.empty()) found["doubt"] = text;
   return found;
 }
 

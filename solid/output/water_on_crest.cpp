@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace blockweir::solid::output {
 namespace {
@@ -21,14 +22,25 @@ double crest_m(const scene::Scene& scene) {
   return crest;
 }
 
-/// From time 0 to `end_s`.
-double highest_m(const std::optional<scene::TimeTable>& level, double end_s) {
-  if (!level) return none;
-  double highest = std::max(level->rows_at(0), level->rows_at(end_s));
-  for (std::size_t row = 0; row < level->time_s.size(); ++row) {
-    if (level->time_s[row] >= 0 && level->time_s[row] <= end_s) highest = std::max(highest, level->value[row]);
+/// Highest level from time 0 to `end_s` above a crest that the other pool does not reach.
+double highest_alone_m(const scene::Water& water, double crest, double end_s) {
+  std::vector<double> times = {0, end_s};
+  for (const auto* level : {&water.upstream_level_m, &water.downstream_level_m}) {
+    if (!*level) continue;
+    for (const double time_s : (*level)->time_s) {
+      if (time_s > 0 && time_s < end_s) times.push_back(time_s);
+    }
   }
-  return highest + (level->sine ? std::abs(level->sine->amplitude) : 0);
+  const auto at = [&](const std::optional<scene::TimeTable>& level, double time_s) {
+    return level ? level->rows_at(time_s) + (level->sine ? std::abs(level->sine->amplitude) : 0) : none;
+  };
+  double highest = none;
+  for (const double time_s : times) {
+    const auto [lower, higher] =
+        std::minmax({at(water.upstream_level_m, time_s), at(water.downstream_level_m, time_s)});
+    if (lower <= crest) highest = std::max(highest, higher);
+  }
+  return highest;
 }
 
 }  // namespace
@@ -39,9 +51,8 @@ std::string water_on_crest_warning(const expect::Outcome& o) {
   if (scene.fluid != scene::FluidModel::hydrostatic) return {};
   const auto& failures = o.failure.failures();
   const double end_s = failures.empty() ? o.last.time_s : failures.front().time_s;
-  const double level =
-      std::max(highest_m(scene.water.upstream_level_m, end_s), highest_m(scene.water.downstream_level_m, end_s));
   const double crest = crest_m(scene);
+  const double level = highest_alone_m(scene.water, crest, end_s);
   if (!std::isfinite(crest) || !(level > crest + seen * 2 * o.solid.size_m())) return {};
   return fmt::format(
       "a level of {:.5g} m, {:.3g} m above the crest, has acted: the water on the crest is left out unless both pools "

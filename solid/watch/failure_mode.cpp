@@ -37,6 +37,14 @@ Point way_out(const Solid& solid, const ContactPoint& c, int of_body) {
   return -of_body * perpendicular(edge.vector(c.edge_to - c.edge_from)).normalized();
 }
 
+/// Where the blocks are: the contact's own gap is that of its last step's start, and a static analysis takes few, long
+/// ones.
+double gap_now(const Solid& solid, const ContactPoint& c) {
+  const Placement& edge = solid.placements()[at(c.edge_part)];
+  const Point from_edge = solid.placements()[at(c.vertex_part)].position(c.vertex_at) - edge.position(c.edge_from);
+  return -perpendicular(edge.vector(c.edge_to - c.edge_from)).normalized().dot(from_edge);
+}
+
 /// Do all contacts at which the body had stood open, each by more than any slips?
 bool leaves_straight(const MovedSince& moved, const MovingBody& body) {
   constexpr double touched = 0.1;  // of what has opened: the gap before
@@ -50,7 +58,7 @@ bool leaves_straight(const MovedSince& moved, const MovingBody& body) {
     const double opening = away.dot(apart);
     any_closed = any_closed || c.state != ContactState::open;
     slip = std::max(slip, std::abs(geometry::cross(away, apart)));
-    if (c.gap - opening > touched * opening) return;
+    if (gap_now(moved.solid(), c) - opening > touched * opening) return;
     any = true;
     least = std::min(least, opening);
   });
@@ -82,7 +90,7 @@ bool opens_by_turning(const MovedSince& moved, const MovingBody& body, const Pai
     const Point away = way_out(solid, c, of_body);
     const double beyond_slip = away.dot(of_body * moved.apart(c)) - std::max(0.0, away.dot(slip));
     const double by_turning = turn * away.dot(perpendicular(solid.place(c) - place));
-    opens = opens || std::min({c.gap, beyond_slip, by_turning}) >= least;
+    opens = opens || std::min({gap_now(solid, c), beyond_slip, by_turning}) >= least;
   });
   return opens;
 }
@@ -112,8 +120,10 @@ Mode mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions&
   const bool leans_back = turn * way.x() > 0 && slip > by_turn;
   const bool turning = by_turn > turns * travel && !leans_back;
   const Point gravity = moved.solid().scene().analysis.gravity();
-  return {.turns = turning && opens_by_turning(moved, body, pairs, turn),
-          .slides = slip > slides * travel,
+  const bool sliding = slip > slides * travel;
+  // What topples from where it stands on one corner opens no joint.
+  return {.turns = turning && (!sliding || opens_by_turning(moved, body, pairs, turn)),
+          .slides = sliding,
           .leaves = !turning && leaves_straight(moved, body),
           .up = gravity.isZero(0) ? way.y() > 0 : way.dot(gravity) < 0};
 }

@@ -230,6 +230,11 @@ void FailureWatch::look(double time_s, const Levels& levels) {
                    [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
 }
 
+bool FailureWatch::rests_again() const {
+  const std::vector<int>& first = failures_.front().blocks;
+  return std::all_of(first.begin(), first.end(), [&](int b) { return slow_[at(b)]; });
+}
+
 std::optional<Moving> FailureWatch::moving() const {
   std::vector<bool> free(watched_.size());
   for (std::size_t b = 0; b < free.size(); ++b) free[b] = !solid_.blocks()[b].fixed && !guided_[b];

@@ -71,6 +71,9 @@ class FailureWatch {
   /// Failures so far, the earliest first.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
 
+  /// What failed first was at rest at the last look.
+  [[nodiscard]] bool rests_again() const;
+
   /// The fastest block that neither stands nor has failed; none where there is none.
   [[nodiscard]] std::optional<Moving> moving() const;
 

@@ -26,6 +26,7 @@ struct Hold {
   bool both = true;            ///< holds to both sides; else velocities of `of` against `on` along `direction` are free
   double radius_m = 0;         ///< of the smaller of the two blocks
   const Bolt* bolt = nullptr;  ///< that holds here
+  double weight = 1;           ///< of its row: less for a spring that gives way
 };
 
 /// Bodies: blocks joined so far. Whatever stands is one of them.
@@ -47,7 +48,8 @@ class Bodies {
 /// Rates (u, v, turn times size) of a body about `origin`, as they move the hold's point along its direction.
 Eigen::RowVector3d row(const Hold& hold, const Point& origin, double size) {
   const Point arm = (hold.at - origin) / size;
-  return {hold.direction.x(), hold.direction.y(), arm.x() * hold.direction.y() - arm.y() * hold.direction.x()};
+  return hold.weight * Eigen::RowVector3d(hold.direction.x(), hold.direction.y(),
+                                          arm.x() * hold.direction.y() - arm.y() * hold.direction.x());
 }
 
 /// Motions of `bodies` that no hold to both sides stops: columns, of unit length.
@@ -98,6 +100,13 @@ std::map<int, bool> held_bodies(const std::vector<Hold>& holds, int standing) {
   return held;
 }
 
+/// A spring holds no motion that lets it out, or presses it in, by less than it is pressed in already before a vertex
+/// has come as far as a failure: what slides on soft springs past a shallow corner still has its toe on them.
+double weight_of(const Solid& solid, const ContactPoint& c) {
+  const double unheld = std::max(0.0, -c.gap) / solid.scene().analysis.failure_displacement_m;
+  return std::sqrt(free_motion) / std::max(unheld, std::sqrt(free_motion));
+}
+
 void hold(const Solid& solid, const ContactPoint& c, std::vector<Hold>& holds) {
   const Placement& edge = solid.placements()[at(c.edge_part)];
   const Point t = edge.vector(c.edge_to) - edge.vector(c.edge_from);
@@ -108,6 +117,7 @@ void hold(const Solid& solid, const ContactPoint& c, std::vector<Hold>& holds) {
     holds.push_back({c.vertex_block, c.edge_block, solid.place(c), direction, both, smaller_m});
   };
   add(perpendicular(along), true);
+  holds.back().weight = weight_of(solid, c);
   if (c.state == ContactState::stick && !c.slid) {
     add(along, true);
   } else if (c.state == ContactState::slip && c.force.y() != 0) {

@@ -84,6 +84,7 @@ vertices_m = [[-5, -1], [65, -1], [65, 0], [-5, 0]]
   EXPECT_THAT(text("o/solid.log"), HasSubstr("asked to stop while the structure settled"));
   EXPECT_EQ(nlohmann::json::parse(text("o/summary.json"))["stopped"], "stopped on request before its first frame");
   EXPECT_THAT(text("log"), HasSubstr("results o (without a frame; solid.log has the solid's own words)"));
+  EXPECT_THAT(text("log"), HasSubstr("it has no checkpoint yet to resume from: run it anew"));
 }
 
 /// From before its processes start until after they have ended.
@@ -269,7 +270,7 @@ TEST_F(Faults, ALoadBeyondAllNumbersEndsTheRunAndLeavesASceneThatRepeatsIt) {
   const auto says = HasSubstr("of block \"top\" is not a finite number at 0.06 s (step 3)");
   EXPECT_EQ(shell(programs + "/blockweir run scene.toml --out o"), 1);
   EXPECT_THAT(text("out"), says);
-  EXPECT_THAT(text("out"), HasSubstr("repeat.toml"));
+  EXPECT_THAT(text("out"), HasSubstr("\"blockweir run o/repeat.toml\" repeats it"));
   EXPECT_EQ(shell(programs + "/blockweir run o/repeat.toml --out again"), 1);
   EXPECT_THAT(text("out"), says);
   EXPECT_FALSE(fs::exists(folder / "again/hydrostatic.log"));

@@ -120,5 +120,42 @@ TEST(Windows, DoubleWhileNothingMovesAndAreShortAtOnceWhenSomethingDoes) {
   EXPECT_EQ(lengths, (std::vector<double>{0.5, 1, 2, 2, 0.5, 1}));
 }
 
+/// Ends of the windows of a run of 0.4 s in windows of 0.1 s, or longer ones.
+std::vector<double> ends_under(const scene::TimeTable& level, double longest_s = 0) {
+  scene::Scene scene;
+  scene.fluid = scene::FluidModel::hydrostatic;
+  scene.water.upstream_level_m = level;
+  scene.analysis.duration_s = 0.4;
+  scene.coupling.window_s = 0.1;
+  scene.coupling.longest_window_s = longest_s;
+  schedule::Windows windows(scene);
+  const Calm solid;
+  std::vector<double> ends;
+  for (double from_s = 0;; windows.next(solid)) {
+    EXPECT_EQ(windows.from_s(), std::exchange(from_s, windows.to_s()));
+    ends.push_back(windows.to_s());
+    if (windows.last()) return ends;
+  }
+}
+
+TEST(Windows, AreCutAtTheRowsOfALevelThatPeaksWithin) {
+  const std::vector<double> uncut = {0.1, 0.2, 3 * 0.1, 0.4};
+  EXPECT_EQ(ends_under({.time_s = {0, 0.12, 0.15, 0.18}, .value = {5, 5, 6, 5}}),
+            (std::vector<double>{0.1, 0.12, 0.15, 0.18, 0.2, 3 * 0.1, 0.4}));
+  EXPECT_EQ(ends_under({.time_s = {0, 0.35, 0.37}, .value = {5, 6, 5}, .stepwise = true}),
+            (std::vector<double>{0.1, 0.2, 3 * 0.1, 0.35, 0.37, 0.4}));
+  EXPECT_EQ(ends_under({.time_s = {0, 0.25}, .value = {5, 6}}), uncut);
+  EXPECT_EQ(ends_under({.time_s = {0, 0.2, 0.4}, .value = {5, 6, 5}}), uncut);
+  EXPECT_EQ(ends_under({.time_s = {0, 0.12, 0.15, 0.18, 0.4}, .value = {5, 5, 5.0005, 5, 6}}), uncut)
+      << "not for what is less than a thousandth of what the level goes through";
+}
+
+TEST(Windows, ThatHaveGrownAreCutAtAPeakThatTheirEndsDoNotSee) {
+  EXPECT_EQ(ends_under({.time_s = {0, 0.2, 0.4}, .value = {5, 6, 5}}, 0.4),
+            (std::vector<double>{0.1, 0.2, 3 * 0.1, 0.4}));
+  EXPECT_EQ(ends_under({.time_s = {0, 0.15, 0.3}, .value = {5, 6, 5}}, 0.4),
+            (std::vector<double>{0.1, 0.15, 3 * 0.1, 0.4}));
+}
+
 }  // namespace
 }  // namespace blockweir

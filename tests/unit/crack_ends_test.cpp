@@ -68,5 +68,24 @@ TEST(CrackEnds, OfBlocksThatHaveFallenAreNotJudged) {
   }
 }
 
+/// Its toe stood at (4, 0) m, where it now lies on its ground, with water all around it.
+TEST(CrackEnds, OfADamThatHasSlidAreNotJudged) {
+  scene::Scene scene = two_on_ground();
+  scene.joints.pop_back();
+  scene.blocks.pop_back();
+  scene.water.upstream_level_m = scene::TimeTable::constant(1.5);
+  scene.water.downstream_level_m = scene::TimeTable::constant(1);
+  HydrostaticModel model(scene);
+  wire::Motion motion;
+  motion.displacement.own().resize(scene.blocks.size());
+  motion.velocity.own().resize(scene.blocks.size());
+  for (const double slid_m : {0.0, 0.7}) {
+    motion.displacement.own()[1][0] = slid_m;
+    wire::Load load;
+    model.advance(motion, slid_m, load);
+  }
+  EXPECT_THAT(model.report().warnings, testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace blockweir::hydrostatic

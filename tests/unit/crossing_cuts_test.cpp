@@ -83,11 +83,24 @@ TEST(CrossingCuts, APairThatTheSceneNamesHasItsOwnLaw) {
   EXPECT_NEAR(solid.laws()[solid.laws().between(1, 2)].friction, std::tan(std::numbers::pi / 6), 1e-12);
 }
 
+TEST(CrossingCuts, EachPlaneHoldsOnItsLineWhateverTheLawOfThePair) {
+  const auto scene = quarters("[[joints]]\nname = \"own\"\nbetween = [\"s2\", \"s3\"]\nfriction_angle_deg = 30\n");
+  const auto angles = angles_between(scene, "s3", "s2", 0.3);
+  ASSERT_FALSE(angles.empty());
+  for (const double angle : angles) EXPECT_NEAR(angle, 14, 1e-9);
+}
+
 TEST(CrossingCuts, EdgesThatNoCutMadeHaveNone) {
-  const Solid solid(quarters());
-  EXPECT_EQ(solid.laws().of_cut(0, {1, 0}), 0);
-  EXPECT_NE(solid.laws().of_cut(0, {1, 2}), 0);
-  EXPECT_NE(solid.laws().of_cut(0, {1, 2}), solid.laws().of_cut(0, {2, 1}));
+  const scene::Scene scene = quarters();
+  const Solid solid(scene);
+  const auto plane_from = [&](const geometry::Point& from) {
+    const auto& outline = scene.blocks[0].vertices;
+    const auto edge = std::find(outline.begin(), outline.end(), from) - outline.begin();
+    return solid.laws().plane_of(0, static_cast<int>(edge), 0, 1);
+  };
+  EXPECT_EQ(plane_from({0, 0}), 0) << "the outline's lower side";
+  EXPECT_NEAR(solid.laws()[plane_from({2, 0})].friction, std::tan(20 * std::numbers::pi / 180), 1e-12) << "upright";
+  EXPECT_NEAR(solid.laws()[plane_from({2, 2})].friction, std::tan(14 * std::numbers::pi / 180), 1e-12) << "level";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/still_water.hpp"
 
@@ -46,6 +47,24 @@ TEST(Hydrostatics, SlopingFacesCarryTheWaterAboveThem) {
     const Resultant r = resultant(scene, load_at_rest(scene), 0);
     EXPECT_NEAR(r.force.x() / (9810 * 9.3 * 9.3 / 2), 1, 1e-12) << slope;
     EXPECT_NEAR(r.force.y() / (-9810 * 9.3 * 9.3 * slope / 2), 1, 1e-12) << slope;
+  }
+}
+
+/// The tip of what a block stands on ends at the joint's mouth, in line with the block's face.
+TEST(Hydrostatics, ASharpTipBesideAFaceTakesNothingOfItsLoad) {
+  for (int angle_deg = 5; angle_deg < 90; angle_deg += 5) {
+    const double run = 2 / std::tan(angle_deg * std::numbers::pi / 180);
+    for (const double overhang : {0.0, 1.0}) {
+      for (const double width_m : {0.01, 0.05, 0.19}) {
+        auto scene = scene_of({{{-90, -1}, {90, -1}, {90, 0}, {-90, 0}},
+                               {{run, 0}, {run + 30, 0}, {run + 30, 2}, {0, 2}},
+                               {{0, 2}, {4, 2}, {4, 6}, {-overhang, 6}}},
+                              5);
+        scene.water.open_crack_width_m = width_m;
+        const Resultant r = resultant(scene, load_at_rest(scene), 2);
+        EXPECT_NEAR(r.force.x() / (9810 * 4.5), 1, 1e-12) << angle_deg << ' ' << overhang << ' ' << width_m;
+      }
+    }
   }
 }
 

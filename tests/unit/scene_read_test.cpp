@@ -184,6 +184,11 @@ TEST(Nearest, FindsWhatWasProbablyMeant) {
   EXPECT_EQ(nearest("run", {}), "");
 }
 
+TEST(Nearest, NamesThatHoldACommaStandInQuotationMarks) {
+  EXPECT_EQ(one_of({"run", "check"}), "one of run, check");
+  EXPECT_EQ(one_of({"crack", "crack, downstream half"}), "one of \"crack\", \"crack, downstream half\"");
+}
+
 TEST(Polygon, AreaAndCentroidKeepTheirDigitsFarAway) {
   const std::vector<Point> square{{1e6, 1e6}, {1e6 + 2, 1e6}, {1e6 + 2, 1e6 + 1}, {1e6, 1e6 + 1}};
   EXPECT_EQ(geometry::signed_area(square), 2);

@@ -4,6 +4,7 @@
 #include "tests/unit/scene_sample.hpp"
 
 using namespace blockweir::scene;
+using sample::expect_error;
 using sample::expect_warning;
 using sample::text;
 using sample::warnings;
@@ -20,11 +21,17 @@ std::string with_level(const std::string& level) {
   return with("{ table = [[0, 1], [2, 3]] }", level, with("window_s = 0.02", "window_s = 0.5"));
 }
 
+/// Serial and parallel schedules cut their windows there; the improved one looks at middles.
 TEST(SceneSampling, ALevelThatPeaksBetweenTwoWindows) {
-  expect_warning(with_level("{ table = [[0, 1], [0.6, 1], [0.8, 1.5], [0.98, 1]] }"), 45,
-                 {"upstream_level_m in [water] is 1.5 at 0.8 s, which the run does not see", "at 0.5 s and 1 s",
-                  "shorten [coupling] window_s"});
-  expect_warning(with_level("{ steps = [[0, 1], [0.6, 1.5], [0.9, 1]] }"), 45, {"is 1.5 at 0.6 s"});
+  const std::string peak = with_level("{ table = [[0, 1], [0.6, 1], [0.8, 1.5], [0.98, 1]] }");
+  EXPECT_THAT(warnings(peak), IsEmpty());
+  const auto improved = [](const std::string& scene) {
+    return with("window_s = 0.5", "window_s = 0.5\nschedule = \"improved\"", scene);
+  };
+  expect_error(improved(peak), 45,
+               {"upstream_level_m in [water] is 1.5 at 0.8 s, which the run does not see", "at 0.5 s and 1 s",
+                "shorten [coupling] window_s"});
+  expect_error(improved(with_level("{ steps = [[0, 1], [0.6, 1.5], [0.9, 1]] }")), 45, {"is 1.5 at 0.6 s"});
 }
 
 TEST(SceneSampling, RowsThatAWindowBeginsWithOrRisesThroughAreSeen) {
@@ -34,8 +41,11 @@ TEST(SceneSampling, RowsThatAWindowBeginsWithOrRisesThroughAreSeen) {
 }
 
 TEST(SceneSampling, ASineThatIsFasterThanTenLooks) {
-  expect_warning(with_level("{ sine = 0.5, frequency_hz = 1, mean = 2 }"), 45,
-                 {"a period of upstream_level_m in [water] takes 1 s, 2 times [coupling] window_s", "to 0.1 s"});
+  const std::string waves = with_level("{ sine = 0.5, frequency_hz = 1, mean = 2 }");
+  expect_error(waves, 45,
+               {"crests of upstream_level_m in [water] lie up to 0.5 m above what the run sees: it looks every 0.5 s",
+                "up to 0.0035 m, a thousandth of the water's depth", "shorten [coupling] window_s to 0.027 s"});
+  EXPECT_THAT(warnings(with("window_s = 0.5", "window_s = 0.02", waves)), IsEmpty());
   const std::string pulse = "force_x_n_per_m = { sine = 100, frequency_hz = 25 }\nforce_y_n_per_m = 0";
   EXPECT_THAT(warnings(with("force_n_per_m = [100, -200]", pulse)),
               Contains(HasSubstr("a period of force_x_n_per_m in [[point_load]] takes 0.04 s, 4 times [analysis] "
@@ -49,16 +59,16 @@ TEST(SceneSampling, ALoadThatComesAndGoesWithinAStep) {
       "force_y_n_per_m = 0";
   const std::string pushed = with("force_n_per_m = [100, -200]", pulse);
   EXPECT_THAT(warnings(pushed), IsEmpty());
-  EXPECT_THAT(warnings(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"quasi-static\"", pushed)),
-              Contains(HasSubstr("force_x_n_per_m in [[point_load]] is 9 at 0.105 s, which the run does not see")));
+  expect_error(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"quasi-static\"", pushed), 36,
+               {"force_x_n_per_m in [[point_load]] is 9 at 0.105 s, which the run does not see"});
   EXPECT_THAT(warnings(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"static\"", pushed)),
               Not(Contains(HasSubstr("does not see"))));
 }
 
 TEST(SceneSampling, ASupportThatIsMovedToAndFroWithinAStep) {
-  EXPECT_THAT(warnings(with("displacement_x_m = 0",
-                            "displacement_x_m = { table = [[0, 0], [0.101, 0], [0.105, 0.01], [0.109, 0]] }")),
-              Contains(HasSubstr("displacement_x_m in [[support]] is 0.01 at 0.105 s, which the run does not see")));
+  expect_error(
+      with("displacement_x_m = 0", "displacement_x_m = { table = [[0, 0], [0.101, 0], [0.105, 0.01], [0.109, 0]] }"),
+      34, {"displacement_x_m in [[support]] is 0.01 at 0.105 s, which the run does not see"});
 }
 
 }  // namespace

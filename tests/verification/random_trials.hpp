@@ -137,6 +137,15 @@ struct Allowed {
   double modes_apart = 1.1;  ///< next level over the first from which there is no doubt about mode and joint
 };
 
+/// Of a structure that fails on one joint, no other way being near.
+inline std::string wrong_mode(const RandomStructure& one, const Verdict& v, double modes_apart) {
+  if (!one.by_hand || one.by_hand->next_level_m <= modes_apart * one.level_m) return "";
+  // What a broken bond held back as well may begin at once.
+  const bool both = one.by_hand->broken_level_m <= modes_apart * one.level_m;
+  const bool either = v.mode == "sliding" || v.mode == "overturning" || v.mode == "sliding and overturning";
+  return v.mode == one.by_hand->mode || (both && either) ? "" : "mode, " + one.by_hand->mode + "; ";
+}
+
 /// What is wrong with a failure; empty where nothing is.
 inline std::string wrong(const Trial& trial, const Verdict& v, const Allowed& allowed = {}) {
   const RandomStructure& one = trial.one;
@@ -154,10 +163,7 @@ inline std::string wrong(const Trial& trial, const Verdict& v, const Allowed& al
     if (!(std::abs(v.level_m - v.head_m - level_over_joint_m) <= (1e-6 + strain(trial)) * one.height_m)) {
       all += fmt::format("head, {:.6g} m; ", one.by_hand->head_m);
     }
-    // What a broken bond held back as well may begin at once.
-    const bool both = one.by_hand->broken_level_m <= allowed.modes_apart * one.level_m;
-    const bool either = v.mode == "sliding" || v.mode == "overturning" || v.mode == "sliding and overturning";
-    if (v.mode != one.by_hand->mode && !(both && either)) all += "mode, " + one.by_hand->mode + "; ";
+    all += wrong_mode(one, v, allowed.modes_apart);
     if (v.joint != one.by_hand->joint) all += "joint, " + one.by_hand->joint + "; ";
   }
   return all.empty() ? "" : text(trial.filling) + text(v) + ": wrong " + all;

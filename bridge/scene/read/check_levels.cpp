@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/read/check_sampling.hpp"
@@ -67,16 +68,43 @@ void check_end(const char* key, const TimeTable& level, const toml::table& file,
       "levels within the run", "lengthen duration_s, or raise the level faster");
 }
 
-/// Still water has the level that a window begins with.
+constexpr double level_accuracy = 1e-3;  // of the water's depth
+
+/// A sine whose crests lie between two looks.
+void check_crests(const std::string& name, const Place& place, const TimeTable& level, const Sampling& sampling,
+                  double depth_m, Problems& problems) {
+  if (!level.sine) return;
+  const double period_s = 2 * std::numbers::pi / level.sine->angular_frequency;
+  const double looks_a_period = std::max(1.0, period_s / sampling.every_s);
+  const double unseen_m = std::abs(level.sine->amplitude) * (1 - std::cos(std::numbers::pi / looks_a_period));
+  if (unseen_m <= level_accuracy * depth_m) return;
+  const double most_s = period_s / std::numbers::pi *
+                        std::acos(std::max(-1.0, 1 - level_accuracy * depth_m / std::abs(level.sine->amplitude)));
+  problems.error(place,
+                 fmt::format("crests of {} lie up to {:.3g} m above what the run sees: it looks every {:.4g} s at a "
+                             "period of {:.4g} s",
+                             name, unseen_m, sampling.every_s, period_s),
+                 fmt::format("up to {:.3g} m, a thousandth of the water's depth", level_accuracy * depth_m),
+                 fmt::format("shorten {} to {:.2g} s", sampling.key, most_s));
+}
+
+/// Still water has the level that a window begins with. Windows are cut where the level of serial and parallel
+/// schedules peaks: bridge/schedule/windows.hpp.
 void check_windows(const char* key, const TimeTable& level, const toml::table& file, const Scene& scene,
-                   Problems& problems) {
+                   double bottom_m, Problems& problems) {
   if (scene.analysis.kind == AnalysisKind::at_rest) return;
   const Coupling& coupling = scene.coupling;
+  const bool openfoam = scene.fluid == FluidModel::openfoam;
   const bool grow = coupling.longest_window_s > coupling.window_s;
-  check_sampling(std::string(key) + " in [water]", problems.at(file["water"][key].node()->source()), level,
-                 {grow ? "[coupling] longest_window_s" : "[coupling] window_s",
-                  grow ? coupling.longest_window_s : coupling.window_s, scene.analysis.duration_s},
-                 problems);
+  const double longest_s = grow ? coupling.longest_window_s : coupling.window_s;
+  const Sampling looks{grow ? "[coupling] longest_window_s" : "[coupling] window_s",
+                       openfoam ? longest_s / scene.openfoam.steps_per_window : longest_s, scene.analysis.duration_s,
+                       !openfoam && coupling.schedule != Schedule::improved};
+  const std::string name = std::string(key) + " in [water]";
+  const Place place = problems.at(file["water"][key].node()->source());
+  const double depth_m = *std::max_element(level.value.begin(), level.value.end()) - bottom_m;
+  check_sampling(name, place, level, looks, problems);
+  check_crests(name, place, level, looks, depth_m, problems);
 }
 
 }  // namespace
@@ -90,10 +118,13 @@ void check_levels(const toml::table& file, const Scene& scene, Problems& problem
   for (const auto& [key, level] : {std::pair{"upstream_level_m", &up}, {"downstream_level_m", &down}}) {
     if (!*level) continue;
     check_rate(key, **level, file, scene, bottom_m, problems);
+    const bool follows_table =
+        scene.fluid == FluidModel::openfoam && scene.openfoam.level_control == LevelControl::table;
+    if (scene.fluid == FluidModel::hydrostatic || follows_table) {
+      check_windows(key, **level, file, scene, bottom_m, problems);
+    }
     // OpenFOAM's mesh is as high as the table, whenever it comes there.
-    if (scene.fluid != FluidModel::hydrostatic) continue;
-    check_end(key, **level, file, scene, problems);
-    check_windows(key, **level, file, scene, problems);
+    if (scene.fluid == FluidModel::hydrostatic) check_end(key, **level, file, scene, problems);
   }
   if (!up || !down) return;
   std::vector<double> times = corners(*up, scene.analysis.duration_s);

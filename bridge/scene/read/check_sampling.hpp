@@ -14,11 +14,11 @@ struct Sampling {
   const char* key;  ///< that sets `every_s`
   double every_s;
   double duration_s;
-  bool means = false;  ///< between two looks it takes the rows' mean: no row is missed
+  bool rows_are_seen = false;  ///< between two looks it takes the rows' mean, or looks at rows, too
 };
 
-/// Warns of a sine with fewer than ten looks a period, and of a row that is higher or lower than what is seen before
-/// and after it.
+/// Warns of a sine with fewer than ten looks a period. A row that is higher or lower than what is seen before and after
+/// it is an error.
 void check_sampling(const std::string& name, const Place& place, const TimeTable& course, const Sampling& sampling,
                     Problems& problems);
 

@@ -55,8 +55,13 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 std::string one_of(const std::vector<std::string>& candidates) {
   constexpr std::size_t most = 20;
   if (candidates.empty()) return "one that the scene has: it has none";
-  const auto shown = candidates.begin() + static_cast<std::ptrdiff_t>(std::min(most, candidates.size()));
-  return fmt::format("one of {}{}", fmt::join(candidates.begin(), shown, ", "),
+  std::vector<std::string> shown(candidates.begin(),
+                                 candidates.begin() + static_cast<std::ptrdiff_t>(std::min(most, candidates.size())));
+  const auto has_comma = [](const std::string& name) { return name.find(',') != std::string::npos; };
+  if (std::any_of(shown.begin(), shown.end(), has_comma)) {
+    for (std::string& name : shown) name = '"' + name + '"';
+  }
+  return fmt::format("one of {}{}", fmt::join(shown, ", "),
                      candidates.size() > most ? fmt::format(" and {} more", candidates.size() - most) : "");
 }
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_process
+// What a run tells a person, by its summary.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bridge/process/run.hpp"
+
+namespace blockweir::process {
+namespace {
+
+using testing::HasSubstr;
+
+/// A fall is long, and often stopped by hand.
+TEST(RunReport, AStoppedRunTellsWhatHadFailedBefore) {
+  RunResult result{.exit_code = 130, .folder = "nowhere"};
+  result.summary = {{"outcome", "stopped"},
+                    {"stopped", "stopped on request"},
+                    {"wall_time_s", 1},
+                    {"failure",
+                     {{"text", "block \"dam\" fails by sliding on joint \"base\""},
+                      {"level_m", 8.5},
+                      {"head_m", 8.5},
+                      {"time_s", 3}}},
+                    {"warnings", {"no open water reaches it"}}};
+  EXPECT_THAT(report(result), testing::AllOf(HasSubstr("STOPPED on request"),
+                                             HasSubstr("FAILED  before that: block \"dam\" fails by sliding"),
+                                             HasSubstr("at a level of 8.5 m, 8.5 m above the joint that failed"),
+                                             HasSubstr("WARNING no open water reaches it")));
+}
+
+}  // namespace
+}  // namespace blockweir::process
