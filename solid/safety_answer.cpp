@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "bridge/process/answers.hpp"
+#include "bridge/statics/loads.hpp"
 #include "solid/answer_parts.hpp"
 #include "solid/limit/limit_strength.hpp"
-#include "solid/limit/loads.hpp"
 #include "solid/static_blocks.hpp"
 #include "solid/static_strength.hpp"
 #include "solid/watch/joint_table.hpp"
@@ -36,8 +36,8 @@ struct Situation {
     level_m = level ? level->at(scene.analysis.duration_s) : water->range().empty_m;
   }
   [[nodiscard]] limit::Wrenches dead() {
-    const limit::Wrenches weights = limit::weights_of(scene);
-    return water ? limit::combined(weights, 1, limit::water_forces(scene, water->at(level_m))) : weights;
+    const limit::Wrenches weights = statics::weights_of(scene);
+    return water ? limit::combined(weights, 1, statics::water_forces(scene, water->at(level_m))) : weights;
   }
   StillWater* water_if_any() { return water ? &*water : nullptr; }
 };
@@ -92,7 +92,7 @@ const char* without_factor(Bearing bearing) {
 json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   Situation now(scene, make_fluid);
   const limit::LimitAnalysis structure(scene);
-  const limit::Wrenches stated = limit::stated_loads_of(scene, scene.analysis.duration_s);
+  const limit::Wrenches stated = statics::stated_loads_of(scene, scene.analysis.duration_s);
   const limit::Wrenches dead = now.dead();
   const limit::LimitStrength by_limit = limit::limit_strength(structure, limit::combined(dead, 1, stated));
   const double guess = by_limit.bearing == Bearing::fails_at_a_factor ? by_limit.factor : 1;

@@ -13,8 +13,10 @@
 #include "bridge/results/saving.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/hydrostatics.hpp"
 #include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
+#include "fluid/hydrostatic/crack_elements.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
@@ -70,7 +72,7 @@ std::string dry_end(const scene::Scene& scene, const char* side, const GroundEnd
 }  // namespace
 
 HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
-    : scene_(scene), cracks_(find_cracks(scene)), crack_ends_(scene, cracks_) {
+    : scene_(scene), cracks_(scene::find_cracks(scene)), crack_ends_(scene, cracks_) {
   structure_.open_crack_width_m = scene.water.open_crack_width_m;
   check_width(scene);
   structure_.ground = find_ground_ends(scene);
@@ -176,10 +178,7 @@ void HydrostaticModel::place(const wire::Motion& motion) {
 
 void HydrostaticModel::add_body(const WaterBody& body, wire::Load& load) {
   const scene::Water& w = scene_.water;
-  const Hydrostatics water{
-      .weight_n_per_m3 = w.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2,
-      .atmosphere_pa = w.atmosphere == scene::Atmosphere::wet_faces ? w.atmospheric_pressure_pa : 0,
-      .level_m = body.level_m};
+  const scene::Hydrostatics water = scene::on_wet_faces(scene_, body.level_m);
   add_wet_elements(structure_.outlines, body.wet->intervals, water, w.elements_per_face, load);
   if (!scene_.output.reservoir) return;
   PoolSection& section = sections_.emplace_back(PoolSection{water, body.wet->region, {}});
@@ -197,22 +196,24 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, wire::Load
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
   if (cracks_.empty()) return;
   const std::vector<WetInterval> open_water = wet_intervals(open);
-  const double weight = scene_.water.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2;
   const Point ground_m = ground_displacement();
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
-    const Crack& crack = cracks_[k];
-    const auto end_of = [&](bool upstream, const CrackPart& part, const Point& outline_point) {
-      const auto b = at(part.block_a);
+    const scene::Crack& crack = cracks_[k];
+    const auto end_of = [&](bool upstream, int block, const Point& outline_point) {
+      const auto b = at(block);
       const double level_m = (upstream ? last_upstream_m_ : last_downstream_m_) + ground_m.y();
       const Point place = wire::place(centroids_[b], last_motion_.displacement[b], outline_point);
-      const double pressure_pa = std::isnan(level_m) ? 0.0 : weight * std::max(0.0, level_m - place.y());
+      const double pressure_pa = scene::in_joints(scene_, level_m).pressure(place.y());
       const bool stands = (place - outline_point - ground_m).norm() <= scene_.water.open_crack_width_m;
       if (stands) crack_ends_.look(k, {upstream, place, pressure_pa}, structure_.outlines, open_water);
-      return pressure_pa;
+      return joints::End{pressure_pa, place.y()};
     };
-    const double mouth_pa = end_of(true, crack.parts.front(), crack.parts.front().trace.mouth());
-    const double end_pa = end_of(false, crack.parts.back(), crack.parts.back().trace.end());
-    add_crack_elements(crack, mouth_pa, end_pa, scene_.water.elements_per_face, open_water, load);
+    const joints::Joint joint{.mouth = end_of(true, crack.parts.front().block_a, crack.mouth()),
+                              .end = end_of(false, crack.parts.back().block_a, crack.end()),
+                              .length_m = crack.length_m,
+                              .water_n_per_m3 = scene::unit_weight_of_water(scene_)};
+    add_crack_elements(crack, joints::uplift(crack.law, crack.known, joint), scene_.water.elements_per_face, open_water,
+                       load);
   }
 }
 

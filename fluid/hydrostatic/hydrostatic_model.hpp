@@ -6,7 +6,6 @@
 
 #include "bridge/schedule/sides.hpp"
 #include "fluid/hydrostatic/crack_ends.hpp"
-#include "fluid/hydrostatic/cracks.hpp"
 #include "fluid/hydrostatic/interface_mesh.hpp"
 #include "fluid/hydrostatic/pools.hpp"
 #include "fluid/hydrostatic/reservoir_mesh.hpp"
@@ -20,7 +19,7 @@ inline int elements_drawn(const scene::Water& water) {
 
 /// The section of a body of water, with elements on the blocks.
 struct PoolSection {
-  Hydrostatics water;
+  scene::Hydrostatics water;
   std::vector<Ring> region;
   std::vector<InterfaceElement> interface;
 };
@@ -50,7 +49,7 @@ class HydrostaticModel final : public schedule::FluidSide {
 
   const scene::Scene& scene_;
   std::vector<Point> centroids_;
-  std::vector<Crack> cracks_;
+  std::vector<scene::Crack> cracks_;
   CrackEnds crack_ends_;
   Structure structure_;  ///< current
   Pools pools_;

@@ -7,8 +7,8 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "bridge/statics/loads.hpp"
 #include "solid/limit/linear_program.hpp"
-#include "solid/limit/loads.hpp"
 
 namespace blockweir::solid::limit {
 namespace {
@@ -135,14 +135,14 @@ class LimitAnalysis::Program {
 
 LimitAnalysis::LimitAnalysis(const scene::Scene& scene)
     : scene_(scene),
-      centroids_(centroids_of(scene)),
+      centroids_(statics::centroids_of(scene)),
       faces_(faces_of(scene)),
       ties_(ties_of(scene)),
       size_m_(scene::structure_size_m(scene.blocks)) {
   if (!any_moves(scene)) {
     throw std::invalid_argument("limit analysis: all blocks are fixed; expected one that can move, set fixed = false");
   }
-  const Wrenches weights = weights_of(scene);
+  const Wrenches weights = statics::weights_of(scene);
   for (std::size_t b = 0; b < weights.size(); ++b) {
     if (!scene.blocks[b].fixed) weight_n_per_m_ += weights[b].head<2>().norm();
   }

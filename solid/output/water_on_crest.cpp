@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bridge/scene/hydrostatics.hpp"
+
 namespace blockweir::solid::output {
 namespace {
 
@@ -47,7 +49,7 @@ std::string water_on_crest_warning(const expect::Outcome& o) {
       "a level of {:.5g} m, {:.3g} m above the crest, has acted: the water on the crest is left out unless both pools "
       "are above it; its weight, up to {:.3g} kPa, would hold the structure down; add it as a [[face_pressure]] on the "
       "crest, or know that it is missing",
-      level, level - crest, scene.water.density_kg_per_m3 * scene.analysis.gravity_m_per_s2 * (level - crest) / 1000);
+      level, level - crest, scene::unit_weight_of_water(scene) * (level - crest) / 1000);
 }
 
 }  // namespace blockweir::solid::output
