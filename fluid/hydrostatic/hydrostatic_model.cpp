@@ -14,6 +14,7 @@
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/hydrostatics.hpp"
+#include "bridge/statics/loads.hpp"
 #include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
 #include "fluid/hydrostatic/crack_elements.hpp"
@@ -73,6 +74,9 @@ std::string dry_end(const scene::Scene& scene, const char* side, const GroundEnd
 
 HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
     : scene_(scene), cracks_(scene::find_cracks(scene)), crack_ends_(scene, cracks_) {
+  for (std::size_t k = 0; k < cracks_.size(); ++k) {
+    if (cracks_[k].law == scene::Uplift::cracked) parted_.emplace(k, joints::Parted(scene, cracks_[k]));
+  }
   structure_.open_crack_width_m = scene.water.open_crack_width_m;
   check_width(scene);
   structure_.ground = find_ground_ends(scene);
@@ -92,7 +96,11 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   const double downstream = level_at(scene_.water.downstream_level_m, to_s);
   const bool moved = fresh_ || motion.displacement != last_motion_.displacement || !scene_.water.skip_unchanged;
   load.holds_until_s = level_stands_until(scene_.water, to_s);
-  if (!moved && same(upstream, last_upstream_m_) && same(downstream, last_downstream_m_)) {
+  const bool loads_changed = !parted_.empty() && statics::stated_loads_hold_until(scene_, last_s_) < to_s;
+  if (!parted_.empty()) {
+    load.holds_until_s = std::min(load.holds_until_s, statics::stated_loads_hold_until(scene_, to_s));
+  }
+  if (!moved && !loads_changed && same(upstream, last_upstream_m_) && same(downstream, last_downstream_m_)) {
     ++unchanged_;
     return;
   }
@@ -103,11 +111,12 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   last_motion_.displacement = motion.displacement;
   last_upstream_m_ = upstream;
   last_downstream_m_ = downstream;
-  press(load);
+  press(to_s, load);
 }
 
 /// On blocks where they were told to be last.
-void HydrostaticModel::press(wire::Load& load) {
+void HydrostaticModel::press(double to_s, wire::Load& load) {
+  last_s_ = to_s;
   place(last_motion_);
   wire::clear_panels(load);
   sections_.clear();
@@ -117,7 +126,7 @@ void HydrostaticModel::press(wire::Load& load) {
   const Pools::State water = pools_.find(structure_, last_upstream_m_ + ground_m, last_downstream_m_ + ground_m);
   load.breached = water.breached;
   for (const WaterBody& body : water.bodies) add_body(body, load);
-  add_cracks(water.bodies, load);
+  add_cracks(water.bodies, to_s, load);
 }
 
 /// Ground that moves as a support takes its water along: levels count from where the scene draws it.
@@ -130,15 +139,15 @@ Point HydrostaticModel::ground_displacement() const {
 }
 
 std::string HydrostaticModel::state() const {
-  return checkpoint::pack(last_motion_.displacement, last_upstream_m_, last_downstream_m_, fresh_, updates_,
+  return checkpoint::pack(last_motion_.displacement, last_upstream_m_, last_downstream_m_, last_s_, fresh_, updates_,
                           unchanged_);
 }
 
 void HydrostaticModel::restore(const std::string& state) {
-  checkpoint::unpack(state, last_motion_.displacement, last_upstream_m_, last_downstream_m_, fresh_, updates_,
+  checkpoint::unpack(state, last_motion_.displacement, last_upstream_m_, last_downstream_m_, last_s_, fresh_, updates_,
                      unchanged_);
   wire::Load again;
-  if (!fresh_) press(again);
+  if (!fresh_) press(last_s_, again);
 }
 
 schedule::FluidReport HydrostaticModel::report() const {
@@ -192,10 +201,19 @@ void HydrostaticModel::add_body(const WaterBody& body, wire::Load& load) {
   }
 }
 
-void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, wire::Load& load) {
+joints::Joint HydrostaticModel::opened(std::size_t crack, const joints::Joint& joint, double to_s,
+                                       const statics::Wrenches& open_water) const {
+  statics::Wrenches loads = statics::combined(statics::weights_of(scene_), 1, statics::stated_loads_of(scene_, to_s));
+  loads = statics::combined(std::move(loads), 1, statics::prestress_of(scene_));
+  loads = statics::combined(std::move(loads), 1, open_water);
+  return joints::opened(cracks_[crack].law, cracks_[crack].known, joint, parted_.at(crack).thrust(loads));
+}
+
+void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_s, wire::Load& load) {
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
   if (cracks_.empty()) return;
   const std::vector<WetInterval> open_water = wet_intervals(open);
+  const statics::Wrenches forces = parted_.empty() ? statics::Wrenches() : statics::water_forces(scene_, load);
   const Point ground_m = ground_displacement();
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
     const scene::Crack& crack = cracks_[k];
@@ -208,10 +226,11 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, wire::Load
       if (stands) crack_ends_.look(k, {upstream, place, pressure_pa}, structure_.outlines, open_water);
       return joints::End{pressure_pa, place.y()};
     };
-    const joints::Joint joint{.mouth = end_of(true, crack.parts.front().block_a, crack.mouth()),
-                              .end = end_of(false, crack.parts.back().block_a, crack.end()),
-                              .length_m = crack.length_m,
-                              .water_n_per_m3 = scene::unit_weight_of_water(scene_)};
+    joints::Joint joint{.mouth = end_of(true, crack.parts.front().block_a, crack.mouth()),
+                        .end = end_of(false, crack.parts.back().block_a, crack.end()),
+                        .length_m = crack.length_m,
+                        .water_n_per_m3 = scene::unit_weight_of_water(scene_)};
+    if (parted_.contains(k)) joint = opened(k, joint, to_s, forces);
     add_crack_elements(crack, joints::uplift(crack.law, crack.known, joint), scene_.water.elements_per_face, open_water,
                        load);
   }

@@ -78,6 +78,7 @@ void read_sections(Reading& reading, std::vector<LoadCase>& load_cases) {
   check_overlaps(reading.scene, reading.problems);
   // A wrong block or support would be followed by an error for each block that it holds.
   if (structure_sound) check_held(reading.scene, reading.problems);
+  if (reading.problems.count() == before) check_cracks(reading);
   if (reading.problems.count() > 0) return;
   check_effects(reading);
   check_magnitudes(reading.file, reading.scene, reading.problems);
