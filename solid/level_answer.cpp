@@ -135,6 +135,7 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["limit_analysis"] = limit_json(structure, levels.limit);
   if (levels.rigid) answer["rigid_blocks"] = blocks_json(scene, *levels.rigid);
   answer["difference"] = difference_json(levels);
+  solid::add_water_in_an_earthquake(scene, answer);
   if (const json formula = formula_json(scene); !formula.is_null()) answer["formula"] = formula;
   return answer;
 }

@@ -18,6 +18,7 @@
 #include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
 #include "fluid/hydrostatic/crack_elements.hpp"
+#include "fluid/hydrostatic/reservoir_loads.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
@@ -126,6 +127,7 @@ void HydrostaticModel::press(double to_s, wire::Load& load) {
   const Pools::State water = pools_.find(structure_, last_upstream_m_ + ground_m, last_downstream_m_ + ground_m);
   load.breached = water.breached;
   for (const WaterBody& body : water.bodies) add_body(body, load);
+  if (!std::isnan(last_upstream_m_)) add_reservoir_loads(scene_, structure_.outlines, water.bodies.front(), load);
   add_cracks(water.bodies, to_s, load);
 }
 
@@ -170,6 +172,10 @@ schedule::FluidReport HydrostaticModel::report() const {
   const GroundEnds& ground = structure_.ground;
   if (ground.left && scene_.water.upstream_level_m) report.skips.push_back(dry_end(scene_, "left", *ground.left));
   if (ground.right && scene_.water.downstream_level_m) report.skips.push_back(dry_end(scene_, "right", *ground.right));
+  if (scene_.water.earthquake_coefficient != 0) {
+    report.skips.emplace_back(
+        "the reservoir's answer to the earthquake: its added pressure is Westergaard's, 7/8 k_h rho g sqrt(H z) |n_x|");
+  }
   if (const std::string warning = crack_ends_.warning(); !warning.empty()) report.warnings.push_back(warning);
   if (!scene_.output.reservoir) report.skips.emplace_back("the reservoir's mesh: its pictures are not asked for");
   return report;

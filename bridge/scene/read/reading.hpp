@@ -96,6 +96,10 @@ void read_body_loads(Reading& reading);
 void read_bolts(Reading& reading);
 void read_base_motion(Reading& reading);
 void read_water(Reading& reading);
+/// [silt], [ice] and [earthquake], after the fluid; a load that follows the reservoir's level becomes part of [water].
+void read_silt(Reading& reading);
+void read_ice(Reading& reading);
+void read_earthquake(Reading& reading);
 void read_fluid(Reading& reading);
 void read_column(TableReader& fluid, Reading& reading);
 /// The keys of [fluid] that only OpenFOAM knows; beside another model they are refused.
