@@ -178,6 +178,7 @@ std::string scene_with(const std::string& table) {
 material = "m"
 outline_m = [[0, 0], [8, 0], [8, 8], [0, 8]]
 [[region]]
+name = "foot"
 material = "m"
 outline_m = [[0, 0], [8, 0], [8, 2], [0, 2]]
 [[cut]]
