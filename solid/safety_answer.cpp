@@ -47,6 +47,14 @@ json figure(const std::optional<double>& value) {
   return value ? json(*value) : json();
 }
 
+json sums_json(const std::vector<solid::ForceSum>& sums) {
+  json all = json::array();
+  for (const solid::ForceSum& s : sums) {
+    all.push_back({{"name", s.name}, {"x_n_per_m", s.force.x()}, {"y_n_per_m", s.force.y()}, {"moment_n", s.moment_n}});
+  }
+  return all;
+}
+
 json table_json(const std::vector<solid::JointRow>& rows) {
   json table = json::array();
   for (const solid::JointRow& row : rows) {
@@ -57,10 +65,14 @@ json table_json(const std::vector<solid::JointRow>& rows) {
                      {"uplift_n_per_m", row.uplift_n_per_m},
                      {"moment_n", row.moment_n},
                      {"sliding_factor", figure(row.sliding_factor)},
+                     {"residual_sliding_factor", figure(row.residual_sliding_factor)},
                      {"resultant_from_downstream", figure(row.resultant_from_downstream)},
+                     {"compressed_length_m", row.length_m - row.cracked_length_m},
                      {"cracked_length_m", row.cracked_length_m},
                      {"heel_stress_pa", row.heel_stress_pa},
-                     {"toe_stress_pa", row.toe_stress_pa}});
+                     {"toe_stress_pa", row.toe_stress_pa},
+                     {"downstream_end_m", {row.downstream_end_m.x(), row.downstream_end_m.y()}},
+                     {"sums", sums_json(row.sums)}});
   }
   return table;
 }
@@ -116,6 +128,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
     answer["load_factor"] = {
         {"factor", loads.factor}, {"gap", loads.gap}, {"mechanism", solid::mechanism_json(structure, loads.mechanism)}};
   }
+  solid::add_water_in_an_earthquake(scene, answer);
   add_joints(now, blocks, answer);
   return answer;
 }
