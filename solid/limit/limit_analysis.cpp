@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/limit/limit_analysis.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -47,7 +49,18 @@ class LimitAnalysis::Program {
     for (const Strength& s : strengths_) entries.insert(entries.end(), {{s.forth, -1}, {s.back, -1}});
     return lp_.add_variable(0, infinite, entries, /*objective=*/-1);
   }
-  bool solve() { return lp_.maximize() == ProgramStatus::optimal; }
+  /// False where no forces balance the loads.
+  bool solve() {
+    const ProgramStatus status = lp_.maximize();
+    if (status == ProgramStatus::unbounded) {
+      throw std::runtime_error(
+          fmt::format("{}: limit analysis: forces of joints and bolts balance loads of any size; expected joints of "
+                      "finite strength; "
+                      "state yield_n_per_m for each [[bolt]], or lower cohesion_pa and tension_strength_pa",
+                      structure_.scene_.file.string()));
+    }
+    return status == ProgramStatus::optimal;
+  }
 
   [[nodiscard]] double value(int variable) const { return lp_.value(variable); }
   /// The balance's duals: the motion on which live loads have power.
