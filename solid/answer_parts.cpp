@@ -17,6 +17,10 @@ nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit
   return {{"text", words.text}, {"mode", words.mode}, {"joints", words.joints}, {"blocks", moving}};
 }
 
+void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answer) {
+  if (scene.water.earthquake_coefficient != 0) answer["added_water_pressure"] = "Westergaard";
+}
+
 bool has_bonds(const scene::Scene& scene) {
   const auto bonds = [](const scene::JointLaw& law) {
     return law.cohesion_pa > 0 || law.tension_strength_pa > 0 ||

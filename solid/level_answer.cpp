@@ -7,11 +7,11 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/statics/loads.hpp"
 #include "solid/answer_parts.hpp"
 #include "solid/expect/formula_parts.hpp"
 #include "solid/expect/formulas.hpp"
 #include "solid/limit/limit_level.hpp"
-#include "solid/limit/loads.hpp"
 #include "solid/static_level.hpp"
 
 namespace blockweir::process {
@@ -124,8 +124,8 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   StillWater water(scene, make_fluid);
   const limit::LimitAnalysis structure(scene);
   const limit::Wrenches dead =
-      limit::combined(limit::weights_of(scene), 1, limit::stated_loads_of(scene, scene.analysis.duration_s));
-  const auto water_at = [&](double level_m) { return limit::water_forces(scene, water.at(level_m)); };
+      limit::combined(statics::weights_of(scene), 1, statics::stated_loads_of(scene, scene.analysis.duration_s));
+  const auto water_at = [&](double level_m) { return statics::water_forces(scene, water.at(level_m)); };
   Levels levels{.scene = scene,
                 .empty_m = water.range().empty_m,
                 .limit = limit::limit_level(structure, dead, water_at, water.range()),
@@ -135,6 +135,7 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["limit_analysis"] = limit_json(structure, levels.limit);
   if (levels.rigid) answer["rigid_blocks"] = blocks_json(scene, *levels.rigid);
   answer["difference"] = difference_json(levels);
+  solid::add_water_in_an_earthquake(scene, answer);
   if (const json formula = formula_json(scene); !formula.is_null()) answer["formula"] = formula;
   return answer;
 }

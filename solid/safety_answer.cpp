@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "bridge/process/answers.hpp"
+#include "bridge/statics/loads.hpp"
 #include "solid/answer_parts.hpp"
 #include "solid/limit/limit_strength.hpp"
-#include "solid/limit/loads.hpp"
 #include "solid/static_blocks.hpp"
 #include "solid/static_strength.hpp"
 #include "solid/watch/joint_table.hpp"
@@ -36,8 +36,8 @@ struct Situation {
     level_m = level ? level->at(scene.analysis.duration_s) : water->range().empty_m;
   }
   [[nodiscard]] limit::Wrenches dead() {
-    const limit::Wrenches weights = limit::weights_of(scene);
-    return water ? limit::combined(weights, 1, limit::water_forces(scene, water->at(level_m))) : weights;
+    const limit::Wrenches weights = statics::weights_of(scene);
+    return water ? limit::combined(weights, 1, statics::water_forces(scene, water->at(level_m))) : weights;
   }
   StillWater* water_if_any() { return water ? &*water : nullptr; }
 };
@@ -45,6 +45,14 @@ struct Situation {
 /// Null for a figure that is not there.
 json figure(const std::optional<double>& value) {
   return value ? json(*value) : json();
+}
+
+json sums_json(const std::vector<solid::ForceSum>& sums) {
+  json all = json::array();
+  for (const solid::ForceSum& s : sums) {
+    all.push_back({{"name", s.name}, {"x_n_per_m", s.force.x()}, {"y_n_per_m", s.force.y()}, {"moment_n", s.moment_n}});
+  }
+  return all;
 }
 
 json table_json(const std::vector<solid::JointRow>& rows) {
@@ -57,10 +65,14 @@ json table_json(const std::vector<solid::JointRow>& rows) {
                      {"uplift_n_per_m", row.uplift_n_per_m},
                      {"moment_n", row.moment_n},
                      {"sliding_factor", figure(row.sliding_factor)},
+                     {"residual_sliding_factor", figure(row.residual_sliding_factor)},
                      {"resultant_from_downstream", figure(row.resultant_from_downstream)},
+                     {"compressed_length_m", row.length_m - row.cracked_length_m},
                      {"cracked_length_m", row.cracked_length_m},
                      {"heel_stress_pa", row.heel_stress_pa},
-                     {"toe_stress_pa", row.toe_stress_pa}});
+                     {"toe_stress_pa", row.toe_stress_pa},
+                     {"downstream_end_m", {row.downstream_end_m.x(), row.downstream_end_m.y()}},
+                     {"sums", sums_json(row.sums)}});
   }
   return table;
 }
@@ -92,7 +104,7 @@ const char* without_factor(Bearing bearing) {
 json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   Situation now(scene, make_fluid);
   const limit::LimitAnalysis structure(scene);
-  const limit::Wrenches stated = limit::stated_loads_of(scene, scene.analysis.duration_s);
+  const limit::Wrenches stated = statics::stated_loads_of(scene, scene.analysis.duration_s);
   const limit::Wrenches dead = now.dead();
   const limit::LimitStrength by_limit = limit::limit_strength(structure, limit::combined(dead, 1, stated));
   const double guess = by_limit.bearing == Bearing::fails_at_a_factor ? by_limit.factor : 1;
@@ -116,6 +128,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
     answer["load_factor"] = {
         {"factor", loads.factor}, {"gap", loads.gap}, {"mechanism", solid::mechanism_json(structure, loads.mechanism)}};
   }
+  solid::add_water_in_an_earthquake(scene, answer);
   add_joints(now, blocks, answer);
   return answer;
 }

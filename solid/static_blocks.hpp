@@ -18,7 +18,7 @@ class StaticBlocks {
   /// From the scene's outline: lets weight and loads settle. Throws SolveError where they find no equilibrium at all.
   bool begin(double level_m);
   /// Goes on from where the blocks are; pressures follow them until they move no more. What goes farther than this
-  /// share of the scene's failure_displacement_m does not rest.
+  /// share of the scene's failure_displacement_m does not rest, and neither does what slips so far before it rests.
   bool rests_at(double level_m, double share);
 
   /// Of a StaticBlocks of the same scene.
@@ -31,6 +31,9 @@ class StaticBlocks {
   Levels levels(double level_m);
 
  private:
+  /// Along any contact, since the scene's outline.
+  [[nodiscard]] double largest_slip_m() const;
+
   scene::Scene scene_;  ///< as its analyses are made
   double far_m_;        ///< its own failure displacement
   Solid solid_;

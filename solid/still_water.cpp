@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "bridge/scene/load_tables.hpp"
+
 namespace blockweir::solid {
 namespace {
 
@@ -29,6 +31,10 @@ scene::Scene filled(scene::Scene scene, const limit::LevelRange& range) {
   }
   water.upstream_level_m =
       scene::TimeTable{.time_s = {0, range.full_m - range.empty_m}, .value = {range.empty_m, range.full_m}};
+  // Time is the level: a crack whose length follows the loads is to have those of the run's end.
+  const double end_s = scene.analysis.duration_s;
+  scene::each_load_table(scene,
+                         [end_s](scene::TimeTable& table) { table = scene::TimeTable::constant(table.at(end_s)); });
   scene.output.reservoir = false;
   return scene;
 }

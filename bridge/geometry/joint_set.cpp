@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/uniform.hpp"
 
 namespace blockweir::geometry {
@@ -34,6 +35,29 @@ std::vector<Line> joints_of(const JointSet& set, const Point& low, const Point& 
     }
   }
   return lines;
+}
+
+std::vector<Line> parts_within(const Line& line, std::span<const Point> outline, double beyond_m) {
+  const Point& from = line.points.front();
+  const Point along = (line.points.back() - from).normalized();
+  const double length = (line.points.back() - from).norm();
+  std::vector<double> crossings = {0, length};
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const double a = cross(along, outline[i] - from);
+    const double b = cross(along, outline[(i + 1) % outline.size()] - from);
+    if ((a > 0) == (b > 0)) continue;
+    const Point at = outline[i] + a / (a - b) * (outline[(i + 1) % outline.size()] - outline[i]);
+    crossings.push_back(std::clamp(along.dot(at - from), 0.0, length));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  std::vector<Line> parts;
+  for (std::size_t i = 1; i < crossings.size(); ++i) {
+    if (crossings[i] - crossings[i - 1] <= beyond_m) continue;
+    if (!holds_point(outline, from + (crossings[i - 1] + crossings[i]) / 2 * along, 0)) continue;
+    parts.push_back(
+        {{from + (crossings[i - 1] - beyond_m) * along, from + (crossings[i] + beyond_m) * along}, line.id});
+  }
+  return parts;
 }
 
 }  // namespace blockweir::geometry

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "bridge/geometry/cut.hpp"
 
@@ -21,5 +22,9 @@ struct JointSet {
 /// The joints that cross the box from `low` to `high`, as lines with this id. The same seed gives the same joints on
 /// every machine.
 std::vector<Line> joints_of(const JointSet& set, const Point& low, const Point& high, int id);
+
+/// The parts of a line of two points that lie within an outline, each longer by `beyond_m` at both ends so that it
+/// meets the outline whatever rounding does.
+std::vector<Line> parts_within(const Line& line, std::span<const Point> outline, double beyond_m);
 
 }  // namespace blockweir::geometry

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bridge/scene/time_table.hpp"
+#include "bridge/scene/uplift.hpp"
 #include "bridge/scene/water.hpp"
 
 namespace blockweir::scene {
@@ -27,10 +28,6 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
-/// Water pressure in the crack that a joint is, as a fraction of the pressure at its mouth:
-/// none, triangular (mouth to zero at the far end), full (uniform).
-enum class Uplift { none, triangular, full };
-
 /// Mohr-Coulomb: |shear| <= cohesion * bonded length + N tan(friction angle);
 /// tension <= tension strength * bonded length.
 struct JointLaw {
@@ -44,6 +41,7 @@ struct JointLaw {
   double dilation_angle_deg = 0;           ///< slip opens the joint by its tangent
   std::optional<double> dilation_limit_m;  ///< slip beyond which it opens no further
   Uplift uplift = Uplift::none;
+  KnownHeads known_heads{};  ///< of the laws that need some
   bool operator==(const JointLaw&) const = default;
 };
 

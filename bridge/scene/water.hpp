@@ -17,6 +17,17 @@ using geometry::Point;
 enum class NodalRule { consistent, lumped };
 enum class Atmosphere { none, wet_faces };
 
+/// Pressure on the crest of a structure that is overtopped, from its upstream edge to its downstream edge: left out,
+/// that of the head over the crest falling linearly to zero, or all of that head.
+enum class CrestPressure { none, triangular, full };
+
+/// Of a sheet of ice on the reservoir, spread over its thickness under the level.
+struct Ice {
+  double thrust_n_per_m = 0;
+  double thickness_m = 0;
+  bool operator==(const Ice&) const = default;
+};
+
 struct Water {
   double density_kg_per_m3 = 1000;
   std::optional<TimeTable> upstream_level_m;
@@ -27,9 +38,12 @@ struct Water {
   int elements_per_face = 20;        ///< interface elements on an edge that is wet all along
   double open_crack_width_m = 0.05;  ///< narrower gaps carry no open water; read: 2.5e-3 of the structure's size
   std::optional<bool>
-      wets_ends;               ///< do faces on the model's ends below the bed stand in water? Default: by their shape
-  bool may_overtop = false;    ///< levels above the crest are meant
-  bool skip_unchanged = true;  ///< still water keeps its pressures while neither a level nor a block has moved
+      wets_ends;             ///< do faces on the model's ends below the bed stand in water? Default: by their shape
+  bool may_overtop = false;  ///< levels above the crest are meant
+  CrestPressure crest_pressure = CrestPressure::none;
+  std::optional<Ice> ice;
+  double earthquake_coefficient = 0;  ///< k_h of the added pressure on upstream faces, after Westergaard
+  bool skip_unchanged = true;         ///< still water keeps its pressures while neither a level nor a block has moved
   bool operator==(const Water&) const = default;
 };
 

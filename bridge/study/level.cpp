@@ -62,6 +62,10 @@ std::string level_report(const json& answer) {
                         formula["head_m"].get<double>(), formula["joint"].get<std::string>(),
                         formula["name"].get<std::string>());
   }
+  if (answer.contains("added_water_pressure")) {
+    text += fmt::format("water   added pressure in the earthquake after {}\n",
+                        answer["added_water_pressure"].get<std::string>());
+  }
   const json& difference = answer["difference"];
   text += "differ  ";
   if (difference.contains("level_m")) {

@@ -70,30 +70,70 @@ std::string factors_text(const json& cases) {
                         : enough.get<bool>() ? "yes"
                                              : "NO");
   }
+  for (const json& c : cases) {
+    if (!c.contains("added_water_pressure")) continue;
+    text += fmt::format("{}: the water's added pressure in the earthquake is after {}\n", c["name"].get<std::string>(),
+                        c["added_water_pressure"].get<std::string>());
+  }
   return text +
          "factor: c and tan(phi) of all joints divided by it, the blocks just stand\n"
          "limit:  the same by limit analysis, an upper bound\n";
 }
 
+/// What acts on all that stands on each joint; the joint bears their sum.
+std::string sums_text(const json& joints) {
+  constexpr const char* row = "{:<32.32} {:>12} {:>12} {:>14}\n";
+  std::string text;
+  for (const json& j : joints) {
+    text +=
+        fmt::format("\nforces on what stands on {}, moments about ({:.4g}, {:.4g}) m\n", j["name"].get<std::string>(),
+                    j["downstream_end_m"][0].get<double>(), j["downstream_end_m"][1].get<double>());
+    text += fmt::format(fmt::runtime(row), "", "x kN/m", "y kN/m", "moment kN");
+    const auto add = [&](const std::string& name, double x, double y, double moment) {
+      text += fmt::format(fmt::runtime(row), name, fmt::format("{:.2f}", x / 1e3), fmt::format("{:.2f}", y / 1e3),
+                          fmt::format("{:.2f}", moment / 1e3));
+    };
+    double x = 0;
+    double y = 0;
+    double moment = 0;
+    for (const json& s : j["sums"]) {
+      add(s["name"], s["x_n_per_m"], s["y_n_per_m"], s["moment_n"]);
+      x += s["x_n_per_m"].get<double>();
+      y += s["y_n_per_m"].get<double>();
+      moment += s["moment_n"].get<double>();
+    }
+    add("sum, which the joint bears", x, y, moment);
+  }
+  return text;
+}
+
 /// Forces of a metre of thickness.
 std::string joints_text(const json& answer) {
-  if (answer["joints"].empty()) return {};
-  constexpr const char* row = "{:<16.16} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7}\n";
+  const json& joints = answer["joints"];
+  if (joints.empty()) return {};
+  constexpr const char* forces = "{:<20.20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n";
+  constexpr const char* stresses = "{:<20.20} {:>9} {:>9} {:>9} {:>9} {:>9}\n";
   std::string text = fmt::format("\njoints that run through, {}{}\n", answer["name"].get<std::string>(),
                                  answer.contains("joints_with_strength_times")
                                      ? fmt::format(", with {:.4g} times the strength, as it does not stand",
                                                    answer["joints_with_strength_times"].get<double>())
                                      : "");
-  text += fmt::format(fmt::runtime(row), "joint", "N kN/m", "T kN/m", "U kN/m", "sliding", "result.", "crack m",
-                      "heel kPa", "toe kPa");
-  for (const json& j : answer["joints"]) {
-    text += fmt::format(fmt::runtime(row), j["name"].get<std::string>(), scaled(j["normal_n_per_m"], "{:.1f}", 1e-3),
+  text += fmt::format(fmt::runtime(forces), "joint", "N kN/m", "T kN/m", "U kN/m", "M kN", "sliding", "residual");
+  for (const json& j : joints) {
+    text += fmt::format(fmt::runtime(forces), j["name"].get<std::string>(), scaled(j["normal_n_per_m"], "{:.1f}", 1e-3),
                         scaled(j["shear_n_per_m"], "{:.1f}", 1e-3), scaled(j["uplift_n_per_m"], "{:.1f}", 1e-3),
-                        scaled(j["sliding_factor"], "{:.4g}"), scaled(j["resultant_from_downstream"], "{:.4f}"),
+                        scaled(j["moment_n"], "{:.1f}", 1e-3), scaled(j["sliding_factor"], "{:.4g}"),
+                        scaled(j["residual_sliding_factor"], "{:.4g}"));
+  }
+  text += fmt::format(fmt::runtime(stresses), "joint", "result.", "pressed m", "crack m", "heel kPa", "toe kPa");
+  for (const json& j : joints) {
+    text += fmt::format(fmt::runtime(stresses), j["name"].get<std::string>(),
+                        scaled(j["resultant_from_downstream"], "{:.4f}"), scaled(j["compressed_length_m"], "{:.3f}"),
                         scaled(j["cracked_length_m"], "{:.3f}"), scaled(j["heel_stress_pa"], "{:.1f}", 1e-3),
                         scaled(j["toe_stress_pa"], "{:.1f}", 1e-3));
   }
-  return text;
+  constexpr std::size_t most = 4;  // of a mesh of joints the file has the rest
+  return joints.size() > most ? text : text + sums_text(joints);
 }
 
 }  // namespace

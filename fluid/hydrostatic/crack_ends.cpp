@@ -16,23 +16,16 @@ double distance(const Point& p, const Point& from, const Point& to) {
   return (from + share * along - p).norm();
 }
 
-bool lies_on(const Crack& crack, const Point& p, double near_m) {
-  return std::any_of(crack.parts.begin(), crack.parts.end(), [&](const CrackPart& part) {
+bool lies_on(const scene::Crack& crack, const Point& p, double near_m) {
+  return std::any_of(crack.parts.begin(), crack.parts.end(), [&](const scene::CrackPart& part) {
     return std::any_of(part.trace.pieces.begin(), part.trace.pieces.end(),
                        [&](const scene::TracePiece& piece) { return distance(p, piece.from_m, piece.to_m) <= near_m; });
   });
 }
 
-std::string name_of(const scene::Scene& scene, const CrackPart& part) {
-  for (const scene::Joint& joint : scene.joints) {
-    if (std::minmax(joint.between[0], joint.between[1]) == std::minmax(part.block_a, part.block_b)) return joint.name;
-  }
-  return scene.blocks[at(part.block_a)].name + " on " + scene.blocks[at(part.block_b)].name;
-}
-
 }  // namespace
 
-CrackEnds::CrackEnds(const scene::Scene& scene, const std::vector<Crack>& cracks)
+CrackEnds::CrackEnds(const scene::Scene& scene, const std::vector<scene::Crack>& cracks)
     : scene_(scene), on_another_(cracks.size()) {
   constexpr std::size_t most = 1'000;  // more are a network, and take long to look at
   if (cracks.size() > most) {
@@ -41,9 +34,9 @@ CrackEnds::CrackEnds(const scene::Scene& scene, const std::vector<Crack>& cracks
   }
   const double near_m = scene.water.open_crack_width_m;
   for (std::size_t k = 0; k < cracks.size(); ++k) {
-    names_.push_back(name_of(scene, cracks[k].parts.front()));
-    const Point mouth = cracks[k].parts.front().trace.mouth();
-    const Point end = cracks[k].parts.back().trace.end();
+    names_.push_back(scene::name_of(scene, cracks[k]));
+    const Point mouth = cracks[k].mouth();
+    const Point end = cracks[k].end();
     for (std::size_t other = 0; other < cracks.size(); ++other) {
       if (other == k) continue;
       on_another_[k].mouth = on_another_[k].mouth || lies_on(cracks[other], mouth, near_m);

@@ -4,7 +4,8 @@
 
 #include <string>
 
-#include "fluid/hydrostatic/cracks.hpp"
+#include "bridge/scene/cracks.hpp"
+#include "fluid/hydrostatic/wet_edges.hpp"
 
 namespace blockweir::hydrostatic {
 
@@ -18,7 +19,7 @@ class CrackEnds {
   };
 
   /// `cracks` as the scene draws them: an end that lies on another crack may get its water from there.
-  CrackEnds(const scene::Scene& scene, const std::vector<Crack>& cracks);
+  CrackEnds(const scene::Scene& scene, const std::vector<scene::Crack>& cracks);
 
   /// Keeps the end of crack `k` with the highest pressure that no interval of `open_water` comes near.
   void look(std::size_t k, const End& end, const std::vector<std::vector<Point>>& outlines,

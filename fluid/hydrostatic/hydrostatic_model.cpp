@@ -13,8 +13,12 @@
 #include "bridge/results/saving.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/hydrostatics.hpp"
+#include "bridge/statics/loads.hpp"
 #include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
+#include "fluid/hydrostatic/crack_elements.hpp"
+#include "fluid/hydrostatic/reservoir_loads.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
@@ -70,7 +74,10 @@ std::string dry_end(const scene::Scene& scene, const char* side, const GroundEnd
 }  // namespace
 
 HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
-    : scene_(scene), cracks_(find_cracks(scene)), crack_ends_(scene, cracks_) {
+    : scene_(scene), cracks_(scene::find_cracks(scene)), crack_ends_(scene, cracks_) {
+  for (std::size_t k = 0; k < cracks_.size(); ++k) {
+    if (cracks_[k].law == scene::Uplift::cracked) parted_.emplace(k, joints::Parted(scene, cracks_[k]));
+  }
   structure_.open_crack_width_m = scene.water.open_crack_width_m;
   check_width(scene);
   structure_.ground = find_ground_ends(scene);
@@ -90,7 +97,11 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   const double downstream = level_at(scene_.water.downstream_level_m, to_s);
   const bool moved = fresh_ || motion.displacement != last_motion_.displacement || !scene_.water.skip_unchanged;
   load.holds_until_s = level_stands_until(scene_.water, to_s);
-  if (!moved && same(upstream, last_upstream_m_) && same(downstream, last_downstream_m_)) {
+  const bool loads_changed = !parted_.empty() && statics::stated_loads_hold_until(scene_, last_s_) < to_s;
+  if (!parted_.empty()) {
+    load.holds_until_s = std::min(load.holds_until_s, statics::stated_loads_hold_until(scene_, to_s));
+  }
+  if (!moved && !loads_changed && same(upstream, last_upstream_m_) && same(downstream, last_downstream_m_)) {
     ++unchanged_;
     return;
   }
@@ -101,11 +112,12 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   last_motion_.displacement = motion.displacement;
   last_upstream_m_ = upstream;
   last_downstream_m_ = downstream;
-  press(load);
+  press(to_s, load);
 }
 
 /// On blocks where they were told to be last.
-void HydrostaticModel::press(wire::Load& load) {
+void HydrostaticModel::press(double to_s, wire::Load& load) {
+  last_s_ = to_s;
   place(last_motion_);
   wire::clear_panels(load);
   sections_.clear();
@@ -115,7 +127,8 @@ void HydrostaticModel::press(wire::Load& load) {
   const Pools::State water = pools_.find(structure_, last_upstream_m_ + ground_m, last_downstream_m_ + ground_m);
   load.breached = water.breached;
   for (const WaterBody& body : water.bodies) add_body(body, load);
-  add_cracks(water.bodies, load);
+  if (!std::isnan(last_upstream_m_)) add_reservoir_loads(scene_, structure_.outlines, water.bodies.front(), load);
+  add_cracks(water.bodies, to_s, load);
 }
 
 /// Ground that moves as a support takes its water along: levels count from where the scene draws it.
@@ -128,15 +141,15 @@ Point HydrostaticModel::ground_displacement() const {
 }
 
 std::string HydrostaticModel::state() const {
-  return checkpoint::pack(last_motion_.displacement, last_upstream_m_, last_downstream_m_, fresh_, updates_,
+  return checkpoint::pack(last_motion_.displacement, last_upstream_m_, last_downstream_m_, last_s_, fresh_, updates_,
                           unchanged_);
 }
 
 void HydrostaticModel::restore(const std::string& state) {
-  checkpoint::unpack(state, last_motion_.displacement, last_upstream_m_, last_downstream_m_, fresh_, updates_,
+  checkpoint::unpack(state, last_motion_.displacement, last_upstream_m_, last_downstream_m_, last_s_, fresh_, updates_,
                      unchanged_);
   wire::Load again;
-  if (!fresh_) press(again);
+  if (!fresh_) press(last_s_, again);
 }
 
 schedule::FluidReport HydrostaticModel::report() const {
@@ -159,6 +172,10 @@ schedule::FluidReport HydrostaticModel::report() const {
   const GroundEnds& ground = structure_.ground;
   if (ground.left && scene_.water.upstream_level_m) report.skips.push_back(dry_end(scene_, "left", *ground.left));
   if (ground.right && scene_.water.downstream_level_m) report.skips.push_back(dry_end(scene_, "right", *ground.right));
+  if (scene_.water.earthquake_coefficient != 0) {
+    report.skips.emplace_back(
+        "the reservoir's answer to the earthquake: its added pressure is Westergaard's, 7/8 k_h rho g sqrt(H z) |n_x|");
+  }
   if (const std::string warning = crack_ends_.warning(); !warning.empty()) report.warnings.push_back(warning);
   if (!scene_.output.reservoir) report.skips.emplace_back("the reservoir's mesh: its pictures are not asked for");
   return report;
@@ -176,10 +193,7 @@ void HydrostaticModel::place(const wire::Motion& motion) {
 
 void HydrostaticModel::add_body(const WaterBody& body, wire::Load& load) {
   const scene::Water& w = scene_.water;
-  const Hydrostatics water{
-      .weight_n_per_m3 = w.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2,
-      .atmosphere_pa = w.atmosphere == scene::Atmosphere::wet_faces ? w.atmospheric_pressure_pa : 0,
-      .level_m = body.level_m};
+  const scene::Hydrostatics water = scene::on_wet_faces(scene_, body.level_m);
   add_wet_elements(structure_.outlines, body.wet->intervals, water, w.elements_per_face, load);
   if (!scene_.output.reservoir) return;
   PoolSection& section = sections_.emplace_back(PoolSection{water, body.wet->region, {}});
@@ -193,30 +207,43 @@ void HydrostaticModel::add_body(const WaterBody& body, wire::Load& load) {
   }
 }
 
-void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, wire::Load& load) {
+joints::Joint HydrostaticModel::opened(std::size_t crack, const joints::Joint& joint, double to_s,
+                                       const statics::Wrenches& open_water) const {
+  statics::Wrenches loads = statics::combined(statics::weights_of(scene_), 1, statics::stated_loads_of(scene_, to_s));
+  loads = statics::combined(std::move(loads), 1, statics::prestress_of(scene_));
+  loads = statics::combined(std::move(loads), 1, open_water);
+  return joints::opened(cracks_[crack].law, cracks_[crack].known, joint, parted_.at(crack).thrust(loads));
+}
+
+void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_s, wire::Load& load) {
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
   if (cracks_.empty()) return;
   const std::vector<WetInterval> open_water = wet_intervals(open);
-  const double weight = scene_.water.density_kg_per_m3 * scene_.analysis.gravity_m_per_s2;
+  const statics::Wrenches forces = parted_.empty() ? statics::Wrenches() : statics::water_forces(scene_, load);
   const Point ground_m = ground_displacement();
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
-    const Crack& crack = cracks_[k];
-    const auto end_of = [&](bool upstream, const CrackPart& part, const Point& outline_point) {
+    const scene::Crack& crack = cracks_[k];
+    const auto end_of = [&](bool upstream, const scene::CrackPart& part, const Point& outline_point) {
       const auto b = at(part.block_a);
       const double level_m = (upstream ? last_upstream_m_ : last_downstream_m_) + ground_m.y();
       const Point place = wire::place(centroids_[b], last_motion_.displacement[b], outline_point);
-      const double pressure_pa = std::isnan(level_m) ? 0.0 : weight * std::max(0.0, level_m - place.y());
+      const double pressure_pa = scene::in_joints(scene_, level_m).pressure(place.y());
       const auto has_moved = [&](int block) {
         const Point now = wire::place(centroids_[at(block)], last_motion_.displacement[at(block)], outline_point);
         return (now - outline_point - ground_m).norm() > scene_.water.open_crack_width_m;
       };
-      if (!has_moved(part.block_a) && !has_moved(part.block_b))
+      if (!has_moved(part.block_a) && !has_moved(part.block_b)) {
         crack_ends_.look(k, {upstream, place, pressure_pa}, structure_.outlines, open_water);
-      return pressure_pa;
+      }
+      return joints::End{pressure_pa, place.y()};
     };
-    const double mouth_pa = end_of(true, crack.parts.front(), crack.parts.front().trace.mouth());
-    const double end_pa = end_of(false, crack.parts.back(), crack.parts.back().trace.end());
-    add_crack_elements(crack, mouth_pa, end_pa, scene_.water.elements_per_face, open_water, load);
+    joints::Joint joint{.mouth = end_of(true, crack.parts.front(), crack.mouth()),
+                        .end = end_of(false, crack.parts.back(), crack.end()),
+                        .length_m = crack.length_m,
+                        .water_n_per_m3 = scene::unit_weight_of_water(scene_)};
+    if (parted_.contains(k)) joint = opened(k, joint, to_s, forces);
+    add_crack_elements(crack, joints::uplift(crack.law, crack.known, joint), scene_.water.elements_per_face, open_water,
+                       load);
   }
 }
 

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 
 #include "bridge/schedule/sides.hpp"
 #include "fluid/hydrostatic/crack_ends.hpp"
-#include "fluid/hydrostatic/cracks.hpp"
 #include "fluid/hydrostatic/interface_mesh.hpp"
 #include "fluid/hydrostatic/pools.hpp"
 #include "fluid/hydrostatic/reservoir_mesh.hpp"
+#include "fluid/joints/crack_length.hpp"
 
 namespace blockweir::hydrostatic {
 
@@ -20,7 +21,7 @@ inline int elements_drawn(const scene::Water& water) {
 
 /// The section of a body of water, with elements on the blocks.
 struct PoolSection {
-  Hydrostatics water;
+  scene::Hydrostatics water;
   std::vector<Ring> region;
   std::vector<InterfaceElement> interface;
 };
@@ -42,15 +43,19 @@ class HydrostaticModel final : public schedule::FluidSide {
   [[nodiscard]] schedule::FluidReport report() const override;
 
  private:
-  void press(wire::Load& load);
+  void press(double to_s, wire::Load& load);
   void place(const wire::Motion& motion);
   void add_body(const WaterBody& body, wire::Load& load);
-  void add_cracks(const std::vector<WaterBody>& open, wire::Load& load);
+  void add_cracks(const std::vector<WaterBody>& open, double to_s, wire::Load& load);
+  /// The same joint, open as far as its crack's law says under these forces of open water.
+  [[nodiscard]] joints::Joint opened(std::size_t crack, const joints::Joint& joint, double to_s,
+                                     const statics::Wrenches& open_water) const;
   [[nodiscard]] Point ground_displacement() const;
 
   const scene::Scene& scene_;
   std::vector<Point> centroids_;
-  std::vector<Crack> cracks_;
+  std::vector<scene::Crack> cracks_;
+  std::map<std::size_t, joints::Parted> parted_;  ///< by cracks whose length follows the forces on them
   CrackEnds crack_ends_;
   Structure structure_;  ///< current
   Pools pools_;
@@ -58,6 +63,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   wire::Motion last_motion_;
   double last_upstream_m_ = 0;
   double last_downstream_m_ = 0;
+  double last_s_ = 0;
   bool fresh_ = true;
   long updates_ = 0;
   long unchanged_ = 0;  ///< windows in which neither level nor block moved

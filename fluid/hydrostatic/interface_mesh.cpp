@@ -9,7 +9,7 @@
 namespace blockweir::hydrostatic {
 
 void add_wet_elements(const std::vector<std::vector<Point>>& outlines, const std::vector<WetInterval>& wet,
-                      const Hydrostatics& water, int elements_per_face, wire::Load& load) {
+                      const scene::Hydrostatics& water, int elements_per_face, wire::Load& load) {
   const double n = elements_per_face;
   for (const WetInterval& w : wet) {
     const auto& outline = outlines[static_cast<std::size_t>(w.block)];

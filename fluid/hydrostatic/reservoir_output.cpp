@@ -24,7 +24,7 @@ double depth(const PoolSection& pool) {
   return pool.water.level_m - lowest;
 }
 
-void add(const ReservoirMesh& mesh, const Hydrostatics& water, vtk::Grid& grid, vtkDoubleArray* pressure) {
+void add(const ReservoirMesh& mesh, const scene::Hydrostatics& water, vtk::Grid& grid, vtkDoubleArray* pressure) {
   std::vector<vtkIdType> ids;
   for (const Point& p : mesh.node) {
     ids.push_back(grid.point(p));

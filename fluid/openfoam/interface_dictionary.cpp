@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/scene/cracks.hpp"
 #include "bridge/schedule/hello.hpp"
-#include "fluid/hydrostatic/cracks.hpp"
 #include "fluid/openfoam/dictionary.hpp"
 
 namespace blockweir::openfoam {
@@ -72,13 +72,30 @@ std::string opening(const char* key, int block, const scene::Point& at, const sc
                      exact(at.y()), exact(outwards.x()), exact(outwards.y()));
 }
 
+std::string known_heads(const scene::KnownHeads& known) {
+  std::string text;
+  if (known.drain) {
+    text += fmt::format("        drain {{ station {}; efficiency {}; ", exact(known.drain->station_m),
+                        exact(known.drain->efficiency));
+    if (!std::isnan(known.drain->head_m)) text += fmt::format("head {}; ", exact(known.drain->head_m));
+    text += "}\n";
+  }
+  if (known.piezometers.empty()) return text;
+  text += fmt::format("        headsAtLevel {};\n        heads (", exact(known.level_m));
+  for (const scene::Piezometer& p : known.piezometers) {
+    text += fmt::format(" ({} {})", exact(p.station_m), exact(p.head_m));
+  }
+  return text + " );\n";
+}
+
 /// Panels: block, edge, from and to along the edge, from and to along the crack, all but the first two as fractions.
 std::string cracks(const scene::Scene& scene) {
   std::string text = "cracks\n{\n";
   int number = 0;
-  for (const hydrostatic::Crack& crack : hydrostatic::find_cracks(scene)) {
-    text += fmt::format("    crack{}\n    {{\n        law {};\n", number++,
-                        crack.law == scene::Uplift::full ? "full" : "triangular");
+  for (const scene::Crack& crack : scene::find_cracks(scene)) {
+    text += fmt::format("    crack{}\n    {{\n        law {};\n        length {};\n", number++,
+                        scene::named(crack.law).name, exact(crack.length_m));
+    text += known_heads(crack.known);
     const auto& first = crack.parts.front();
     const auto& last = crack.parts.back();
     const auto direction = [](const scene::TracePiece& piece) -> scene::Point {
@@ -88,7 +105,7 @@ std::string cracks(const scene::Scene& scene) {
     text += opening("end", last.block_a, last.trace.end(), direction(last.trace.pieces.back()));
     text += "        panels\n        (\n";
     double travelled = 0;
-    for (const hydrostatic::CrackPart& part : crack.parts) {
+    for (const scene::CrackPart& part : crack.parts) {
       for (const scene::TracePiece& piece : part.trace.pieces) {
         const double from = travelled / crack.length_m;
         travelled += (piece.to_m - piece.from_m).norm();

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "bridge/scene/hydrostatics.hpp"
 #include "fluid/openfoam/exact_pools.hpp"
 #include "fluid/openfoam/looks.hpp"
 #include "fluid/openfoam/pool_cells.hpp"
@@ -137,7 +138,7 @@ std::vector<Misfit> misfits(const scene::Scene& scene, const Grid& grid) {
     return fills;
   });
   const std::vector<ExactPool> pools = exact_pools(scene, grid, outlines);
-  const double weight = scene.water.density_kg_per_m3 * scene.analysis.gravity_m_per_s2;
+  const double weight = scene::unit_weight_of_water(scene);
   std::vector<Forces> forces(outlines.size());
   for (std::size_t i = 0; i < targets.elements.size(); ++i) {
     const EdgeElement& e = targets.elements[i];

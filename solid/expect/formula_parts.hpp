@@ -28,7 +28,7 @@ struct PlaneJoint {
   double weight = 0;    ///< of the block above
   double friction = 0;  ///< tan(phi)
   double cohesion = 0;  ///< c times bonded length [N per metre]
-  double uplift = 0;    ///< k: 0 dry, 1/2 triangular, 1 full
+  const scene::JointLaw* law = nullptr;
   const scene::Block* upper = nullptr;
   Point mouth;
 };

@@ -4,19 +4,23 @@
 #include <functional>
 
 #include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/hydrostatics.hpp"
 #include "solid/expect/formula_parts.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
 
-double unit_weight_of_water(const Scene& s) {
-  return s.water.density_kg_per_m3 * s.analysis.gravity_m_per_s2;
+using scene::unit_weight_of_water;
+
+/// k: mean pressure in the joint over that at its mouth.
+double mean_uplift(const PlaneJoint& p) {
+  return scene::named(p.law->uplift).share.value();  // the reader has refused laws without one
 }
 
 /// T - N tan(phi) - c L at head z: H = rho g z^2/2, U = k rho g z L, N = W cos a - H sin a - U, T = H cos a + W sin a.
 double excess_shear(const Scene& s, const PlaneJoint& p, double head) {
   const double push = unit_weight_of_water(s) * head * head / 2;
-  const double lift = p.uplift * unit_weight_of_water(s) * head * p.length;
+  const double lift = mean_uplift(p) * unit_weight_of_water(s) * head * p.length;
   const double normal = p.weight * std::cos(p.dip) - push * std::sin(p.dip) - lift;
   return push * std::cos(p.dip) + p.weight * std::sin(p.dip) - normal * p.friction - p.cohesion;
 }
@@ -88,9 +92,8 @@ double hydrostatic_moment(const Scene& s, const std::string& of) {
 
 /// P0 + rho g z at the mouth of a joint.
 double mouth_pressure(const Scene& s, const std::string& of) {
-  const double head = s.water.upstream_level_m->at(s.analysis.duration_s) - plane_joint(s, of).mouth.y();
-  return (s.water.atmosphere == scene::Atmosphere::wet_faces ? s.water.atmospheric_pressure_pa : 0) +
-         unit_weight_of_water(s) * head;
+  const double level = s.water.upstream_level_m->at(s.analysis.duration_s);
+  return scene::on_wet_faces(s, level).pressure(plane_joint(s, of).mouth.y());
 }
 
 }  // namespace

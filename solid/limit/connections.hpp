@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bridge/scene/scene.hpp"
-#include "solid/limit/wrench.hpp"
+#include "solid/limit/twist.hpp"
 
 namespace blockweir::solid::limit {
 

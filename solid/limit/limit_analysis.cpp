@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/limit/limit_analysis.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "bridge/statics/loads.hpp"
 #include "solid/limit/linear_program.hpp"
-#include "solid/limit/loads.hpp"
 
 namespace blockweir::solid::limit {
 namespace {
@@ -47,7 +49,18 @@ class LimitAnalysis::Program {
     for (const Strength& s : strengths_) entries.insert(entries.end(), {{s.forth, -1}, {s.back, -1}});
     return lp_.add_variable(0, infinite, entries, /*objective=*/-1);
   }
-  bool solve() { return lp_.maximize() == ProgramStatus::optimal; }
+  /// False where no forces balance the loads.
+  bool solve() {
+    const ProgramStatus status = lp_.maximize();
+    if (status == ProgramStatus::unbounded) {
+      throw std::runtime_error(
+          fmt::format("{}: limit analysis: forces of joints and bolts balance loads of any size; expected joints of "
+                      "finite strength; "
+                      "state yield_n_per_m for each [[bolt]], or lower cohesion_pa and tension_strength_pa",
+                      structure_.scene_.file.string()));
+    }
+    return status == ProgramStatus::optimal;
+  }
 
   [[nodiscard]] double value(int variable) const { return lp_.value(variable); }
   /// The balance's duals: the motion on which live loads have power.
@@ -135,14 +148,14 @@ class LimitAnalysis::Program {
 
 LimitAnalysis::LimitAnalysis(const scene::Scene& scene)
     : scene_(scene),
-      centroids_(centroids_of(scene)),
+      centroids_(statics::centroids_of(scene)),
       faces_(faces_of(scene)),
       ties_(ties_of(scene)),
       size_m_(scene::structure_size_m(scene.blocks)) {
   if (!any_moves(scene)) {
     throw std::invalid_argument("limit analysis: all blocks are fixed; expected one that can move, set fixed = false");
   }
-  const Wrenches weights = weights_of(scene);
+  const Wrenches weights = statics::weights_of(scene);
   for (std::size_t b = 0; b < weights.size(); ++b) {
     if (!scene.blocks[b].fixed) weight_n_per_m_ += weights[b].head<2>().norm();
   }

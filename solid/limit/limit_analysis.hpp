@@ -12,7 +12,7 @@
 
 #include "bridge/scene/scene.hpp"
 #include "solid/limit/connections.hpp"
-#include "solid/limit/wrench.hpp"
+#include "solid/limit/twist.hpp"
 
 namespace blockweir::solid::limit {
 

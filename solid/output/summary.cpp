@@ -122,9 +122,12 @@ json margin(const expect::Outcome& o) {
                             {"joint", m->joint},
                             {"level_m", m->level_m},
                             {"time_s", m->time_s}};
-    text += fmt::format("; resultant nearest to an end (0: overturns): {:.4g} of the length from the {} end of",
-                        m->value, m->end) +
-            place(*m);
+    text += m->value < 0 ? fmt::format("; resultant beyond the {} end: tension strength holds", m->end)
+                         : fmt::format(
+                               "; resultant nearest to an end (0: overturns): {:.4g} of the length from the {} "
+                               "end of",
+                               m->value, m->end);
+    text += place(*m);
   }
   const ContactRow* slipped = nullptr;
   for (const ContactRow& c : o.last.contacts) {

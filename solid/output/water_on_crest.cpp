@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "bridge/scene/hydrostatics.hpp"
+
 namespace blockweir::solid::output {
 namespace {
 
@@ -49,6 +51,7 @@ std::string water_on_crest_warning(const expect::Outcome& o) {
   constexpr double seen = 1e-3;  // of the structure
   const scene::Scene& scene = o.solid.scene();
   if (scene.fluid != scene::FluidModel::hydrostatic) return {};
+  if (scene.water.crest_pressure != scene::CrestPressure::none) return {};
   const auto& failures = o.failure.failures();
   const double end_s = failures.empty() ? o.last.time_s : failures.front().time_s;
   const double crest = crest_m(scene);
@@ -56,9 +59,9 @@ std::string water_on_crest_warning(const expect::Outcome& o) {
   if (!std::isfinite(crest) || !(level > crest + seen * 2 * o.solid.size_m())) return {};
   return fmt::format(
       "a level of {:.5g} m, {:.3g} m above the crest, has acted: the water on the crest is left out unless both pools "
-      "are above it; its weight, up to {:.3g} kPa, would hold the structure down; add it as a [[face_pressure]] on the "
-      "crest, or know that it is missing",
-      level, level - crest, scene.water.density_kg_per_m3 * scene.analysis.gravity_m_per_s2 * (level - crest) / 1000);
+      "are above it; its weight, up to {:.3g} kPa, would hold the structure down; state crest_pressure in [water], or "
+      "know that it is missing",
+      level, level - crest, scene::unit_weight_of_water(scene) * (level - crest) / 1000);
 }
 
 }  // namespace blockweir::solid::output

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/hydrostatics.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/watch/energy_debt.hpp"
@@ -314,7 +315,7 @@ void FailureWatch::add_uncertainty(const Watched& last, Failure& failure) const 
   // What inertia holds back or adds when the body last stood, as a rise of the level: rho g head dh.
   Point inertia = Point::Zero();
   for (const int k : failure.blocks) inertia += solid_.blocks()[at(k)].mass_per_m() * watched_[at(k)].acceleration;
-  const double per_m = scene.water.density_kg_per_m3 * scene.analysis.gravity_m_per_s2 * failure.head_m;
+  const double per_m = scene::unit_weight_of_water(scene) * failure.head_m;
   const bool turns = failure.mode.find("overturning") != std::string::npos;
   const double lever = turns ? turning_lever(solid_, failure) : 1;
   const double held_back_m = per_m > 0 ? lever * inertia.norm() / per_m : 0;

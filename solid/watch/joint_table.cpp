@@ -69,15 +69,22 @@ std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water) {
   const Surfaces surfaces(solid);
   const std::vector<SurfaceSum> sums = surface_sums(solid, surfaces);
   const std::vector<double> uplift = uplifts(solid, surfaces, sums, water);
+  const auto joints = surfaces.joints();
   std::vector<JointRow> rows;
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const SurfaceSum& sum = sums[i];
+    if (!sum.bears(surfaces.weights()[i])) continue;
     JointRow row{.name = surfaces.names()[i],
                  .length_m = sum.length_m(),
                  .normal_n_per_m = sum.normal_n_per_m(),
                  .shear_n_per_m = std::abs(sum.shear_n_per_m()),
                  .uplift_n_per_m = uplift[i]};
-    if (sum.is_sheared() && !sum.is_buttressed()) row.sliding_factor = sum.sliding_factor();
+    if (sum.is_sheared() && !sum.is_buttressed()) {
+      row.sliding_factor = sum.sliding_factor();
+      row.residual_sliding_factor = sum.residual_sliding_factor();
+    }
+    row.downstream_end_m = sum.downstream_end();
+    row.sums = force_sums(solid, water, joints[i], row.downstream_end_m);
     if (sum.is_pressed()) {
       const double r = sum.resultant_from_downstream();
       row.resultant_from_downstream = r;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bridge/wire/message.hpp"
-#include "solid/step/solid.hpp"
+#include "solid/watch/joint_sums.hpp"
 
 namespace blockweir::solid {
 
@@ -21,11 +21,14 @@ struct JointRow {
   double shear_n_per_m = 0;   ///< size
   double uplift_n_per_m = 0;  ///< of the water in the joint, away from it
   double moment_n = 0;        ///< of the normal force about the middle, positive where it presses downstream of it
-  std::optional<double> sliding_factor;             ///< strength over shear; none without shear
+  std::optional<double> sliding_factor;             ///< strength, as the bond is now, over shear; none without shear
+  std::optional<double> residual_sliding_factor;    ///< the same once the bond is broken
   std::optional<double> resultant_from_downstream;  ///< over the length; none without pressure
   double cracked_length_m = 0;
   double heel_stress_pa = 0;  ///< at the upstream end; tension positive
   double toe_stress_pa = 0;   ///< at the downstream end
+  Point downstream_end_m;
+  std::vector<ForceSum> sums;  ///< on what stands on it, about that end
 };
 
 /// `water`: what presses on the blocks now.

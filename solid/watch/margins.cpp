@@ -11,6 +11,7 @@ void Margins::look(const Solid& solid, double time_s, double level_m) {
   if (!surfaces_) surfaces_.emplace(solid);
   const std::vector<SurfaceSum> sums = surface_sums(solid, *surfaces_);
   for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (!sums[i].bears(surfaces_->weights()[i])) continue;
     const auto keep_lowest = [&](std::optional<Margin>& lowest, double value, const char* end = "") {
       if (lowest && lowest->value <= value) return;
       lowest = Margin{value, time_s, level_m, surfaces_->names()[i], end};

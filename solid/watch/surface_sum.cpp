@@ -33,7 +33,9 @@ std::vector<SurfaceSum> surface_sums(const Solid& solid, const Surfaces& surface
       SurfaceSum& sum = sums[at(surface)];
       if (is_point(sum)) continue;
       const auto [force, pushed] = force_on_side(solid, c, sum.across());
-      sum.add(solid.laws()[c.law].strength(c.bond, c.bond_length), force, pushed, solid.place(c));
+      const JointProperties& law = solid.laws()[c.law];
+      const double kept = law.keeps_cohesion ? c.bond : 0;
+      sum.add(law.strength(c.bond, c.bond_length), law.strength(kept, c.bond_length), force, pushed, solid.place(c));
     }
   }
   return sums;

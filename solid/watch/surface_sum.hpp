@@ -27,9 +27,11 @@ class SurfaceSum {
   [[nodiscard]] double length_m() const { return (high_ - low_).norm(); }
   [[nodiscard]] Point across() const { return perpendicular(Point(high_ - low_)) / length_m(); }
 
-  /// `force`: on the block above the line; `pushed`: the part of it that is normal to the contact's own edge.
-  void add(const Strength& law, const Point& force, const Point& pushed, const Point& place) {
+  /// `residual`: what the law leaves once the bond is broken. `force`: on the block above the line; `pushed`: the part
+  /// of it that is normal to the contact's own edge.
+  void add(const Strength& law, const Strength& residual, const Point& force, const Point& pushed, const Point& place) {
     const double pressed = across().dot(force);
+    residual_ += residual.cohesion + residual.friction * pressed;
     cohesion_ += law.cohesion;
     friction_ += law.friction * pressed;
     shear_ += cross(across(), force);
@@ -48,9 +50,15 @@ class SurfaceSum {
     return buttress_ * shear_ > 0 && std::abs(buttress_) > seen * std::abs(shear_);
   }
   [[nodiscard]] bool is_pressed() const { return normal_ > negligible * pressed_or_pulled_; }
+  /// Does it hold what it would part? Else something beside it does, as a corner that leans on a neighbour.
+  [[nodiscard]] bool bears(double weight_n_per_m) const {
+    constexpr double noticed = 1e-3;
+    return std::hypot(normal_, shear_) > noticed * weight_n_per_m;
+  }
   [[nodiscard]] double normal_n_per_m() const { return normal_; }
   [[nodiscard]] double shear_n_per_m() const { return shear_; }
   [[nodiscard]] double sliding_factor() const { return strength() / std::abs(shear_); }
+  [[nodiscard]] double residual_sliding_factor() const { return std::max(0.0, residual_) / std::abs(shear_); }
   /// Of the resultant from the nearer end, over the surface's length; negative outside.
   [[nodiscard]] double end_distance() const {
     const double s = resultant_from_downstream();
@@ -78,6 +86,7 @@ class SurfaceSum {
   Point high_ = -low_;
   double cohesion_ = 0;
   double friction_ = 0;
+  double residual_ = 0;  ///< strength once broken
   double shear_ = 0;
   double buttress_ = 0;  ///< of the shear, what faces askew to the line push
   double normal_ = 0;

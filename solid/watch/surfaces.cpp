@@ -61,8 +61,16 @@ class Connections {
     part_structures();
   }
 
-  /// Without these joints some block that the ground holds has no connection to it.
-  [[nodiscard]] bool parted_by(const std::set<Pair>& joints) const { return reached(joints) < grounded_; }
+  /// Blocks that the ground is connected to.
+  struct Reach {
+    std::size_t count = 0;
+    double weight_n_per_m = 0;
+  };
+  /// What loses its connection to the ground without these joints.
+  [[nodiscard]] Reach parted_by(const std::set<Pair>& joints) const {
+    const Reach left = reached(joints);
+    return {grounded_.count - left.count, grounded_.weight_n_per_m - left.weight_n_per_m};
+  }
 
   /// The joints of each structure apart: what meets on the ground alone stands, and fails, by itself.
   [[nodiscard]] std::vector<std::set<Pair>> by_structure(const std::set<Pair>& joints) const {
@@ -103,12 +111,11 @@ class Connections {
     const bool held = solid_.blocks()[at(block)].fixed || std::any_of(supports.begin(), supports.end(), holds);
     return held ? ground() : block;
   }
-  /// Number of blocks that the ground is connected to.
-  [[nodiscard]] std::size_t reached(const std::set<Pair>& without) const {
+  [[nodiscard]] Reach reached(const std::set<Pair>& without) const {
     std::vector<bool> seen(edges_.size(), false);
     std::vector<std::size_t> open = {edges_.size() - 1};
     seen.back() = true;
-    std::size_t count = 0;
+    Reach reach;
     while (!open.empty()) {
       const std::size_t from = open.back();
       open.pop_back();
@@ -116,16 +123,17 @@ class Connections {
         if (seen[at(to)] || without.contains(pair)) continue;
         seen[at(to)] = true;
         open.push_back(at(to));
-        ++count;
+        ++reach.count;
+        reach.weight_n_per_m += solid_.blocks()[at(to)].mass_per_m() * solid_.scene().analysis.gravity_m_per_s2;
       }
     }
-    return count;
+    return reach;
   }
 
   const Solid& solid_;
   std::vector<std::vector<std::pair<int, Pair>>> edges_;
   std::vector<int> structure_;  ///< of each block, by the first block in it
-  std::size_t grounded_ = 0;
+  Reach grounded_;
 };
 
 /// Outline points of each joint: vertices that lie on an edge of the other block there, whether they press on it now or
@@ -248,10 +256,20 @@ Surfaces::Surfaces(const Solid& solid) {
     if (line_through(points.at(pair), Point::Zero(), tolerance_m)) candidates.push_back({pair});
   }
   for (const std::set<Pair>& joints : candidates) {
-    if (!connections.parted_by(joints)) continue;
+    const Connections::Reach parted = connections.parted_by(joints);
+    if (parted.count == 0) continue;
+    weights_.push_back(parted.weight_n_per_m);
     for (const Pair& pair : joints) of_pair_[pair].push_back(static_cast<int>(names_.size()));
     names_.push_back(name_of(solid, joints));
   }
+}
+
+std::vector<std::set<Pair>> Surfaces::joints() const {
+  std::vector<std::set<Pair>> all(names_.size());
+  for (const auto& [pair, surfaces] : of_pair_) {
+    for (const int surface : surfaces) all[at(surface)].insert(pair);
+  }
+  return all;
 }
 
 const std::vector<int>& Surfaces::of(const std::pair<int, int>& pair) const {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,16 +22,21 @@ class Surfaces {
   Surfaces() = default;
 
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// Of all that a surface parts from the ground [N/m], by its index.
+  [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
+  /// Pairs of blocks of each surface, by its index.
+  [[nodiscard]] std::vector<std::set<std::pair<int, int>>> joints() const;
   /// Indices of the surfaces that the joint of two blocks (the lower index first) is a part of; may be empty.
   [[nodiscard]] const std::vector<int>& of(const std::pair<int, int>& pair) const;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(names_, of_pair_);
+    archive(names_, weights_, of_pair_);
   }
 
  private:
   std::vector<std::string> names_;
+  std::vector<double> weights_;
   std::map<std::pair<int, int>, std::vector<int>> of_pair_;
 };
 

@@ -37,7 +37,53 @@ void add_pool(double h, double height, double lean, double to, double foot_x, do
 struct Margins {
   double sliding;
   double overturning;
+  double sliding_factor;  ///< strength over shear
 };
+
+/// A part of the joint, by its way from the heel, in which the water's pressure is linear.
+struct Stretch {
+  double from_m;
+  double to_m;
+  double from_pa;
+  double to_pa;
+};
+
+/// What a joint without tension keeps closed, b = 3 (N r - p L^2/2)/(N - p L), N at r from the closed end and p the
+/// pressure at the other; all of it or nothing at most.
+double closed_m(double normal, double lever, double p, double length) {
+  return std::clamp(3 * (lever - p * length * length / 2) / (normal - p * length), 0.0, length);
+}
+
+/// `normal` and `about_toe`: of all but the joint's water.
+std::vector<Stretch> uplift_of(const Stack& s, double level_m, double length, double normal, double about_toe) {
+  const double mouth = water_weight * std::max(0.0, level_m - s.heel_m.y());
+  const double far = water_weight * std::max(0.0, s.tail_level_m - s.toe_m.y());
+  switch (s.law.uplift) {
+    case Uplift::none:
+      return {};
+    case Uplift::triangular:
+      return {{0, length, mouth, far}};
+    case Uplift::full:
+      return {{0, length, mouth, mouth}};
+    case Uplift::drained: {
+      const double share = s.law.drain_m / length;
+      const double height = s.heel_m.y() + share * (s.toe_m.y() - s.heel_m.y());
+      const double far_head = s.toe_m.y() + far / water_weight;
+      const double mouth_head = s.heel_m.y() + mouth / water_weight;
+      const double head = far_head + (1 - s.law.drain_efficiency) * (1 - share) * (mouth_head - far_head);
+      const double drain = water_weight * std::max(0.0, head - height);
+      return {{0, s.law.drain_m, mouth, drain}, {s.law.drain_m, length, drain, far}};
+    }
+    default: {
+      const double linear = (mouth + far) / 2 * length;
+      if (normal <= linear) return {{0, length, mouth, mouth}};
+      const double open = length - closed_m(normal, about_toe, mouth, length);
+      const double open_toe = length - closed_m(normal, normal * length - about_toe, far, length);
+      if (open > 0) return {{0, open, mouth, mouth}, {open, length, mouth, far}};
+      return {{0, length - open_toe, mouth, far}, {length - open_toe, length, far, far}};
+    }
+  }
+}
 
 Margins margins_of(const Stack& s, double level_m) {
   Resultant sum;
@@ -58,15 +104,15 @@ Margins margins_of(const Stack& s, double level_m) {
   const double shear = sum.right * std::cos(dip) - sum.up * std::sin(dip);
   // Clockwise turns over the toe; what presses the heel down turns counter-clockwise.
   double heel_reaction = sum.about_toe / length;
-  if (s.law.uplift != Uplift::none) {
-    const double mouth = water_weight * std::max(0.0, level_m - s.heel_m.y());
-    const double far =
-        s.law.uplift == Uplift::full ? mouth : water_weight * std::max(0.0, s.tail_level_m - s.toe_m.y());
-    normal -= (mouth + far) / 2 * length;
-    heel_reaction -= (2 * mouth + far) / 6 * length;
+  for (const Stretch& stretch : uplift_of(s, level_m, length, normal, sum.about_toe)) {
+    const double l = stretch.to_m - stretch.from_m;
+    normal -= (stretch.from_pa + stretch.to_pa) / 2 * l;
+    const double about_from = l * l / 6 * (stretch.from_pa + 2 * stretch.to_pa);
+    heel_reaction -= ((length - stretch.from_m) * (stretch.from_pa + stretch.to_pa) / 2 * l - about_from) / length;
   }
   const double friction = std::tan(s.law.friction_deg * std::numbers::pi / 180);
-  return {normal * friction + s.law.cohesion_pa * length - shear, heel_reaction + s.law.tension_pa * length / 2};
+  const double strength = normal * friction + s.law.cohesion_pa * length;
+  return {strength - shear, heel_reaction + s.law.tension_pa * length / 2, strength / shear};
 }
 
 double root(const std::function<double(double)>& margin, double low, double high) {
@@ -106,6 +152,10 @@ Stack stack_of(const std::string& joint, const Vec& heel, const Vec& toe, const 
   stack.law = law;
   stack.tail_level_m = tail_level_m;
   return stack;
+}
+
+double sliding_factor(const Stack& stack, double level_m) {
+  return margins_of(stack, level_m).sliding_factor;
 }
 
 double overturning_level(const Stack& stack, double high_m) {

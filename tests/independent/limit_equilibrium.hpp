@@ -42,6 +42,9 @@ struct Failing {
   double broken_level_m = std::numeric_limits<double>::infinity();
 };
 
+/// (c L + N tan(phi))/S of all above a joint.
+double sliding_factor(const Stack& stack, double level_m);
+
 /// The level, up to `high_m`, at which all above a joint turns over its toe.
 double overturning_level(const Stack& stack, double high_m);
 

@@ -99,6 +99,26 @@ void draw_monolith(Random& random, RandomStructure& one) {
                          s.density_kg_per_m3, s.tail_level_m)};
 }
 
+void draw_gravity_section(Random& random, RandomStructure& one) {
+  Section section = random_section(random, random.between(5, 60));
+  section.dip = 0;
+  Structure& s = one.structure;
+  one.height_m = section.height;
+  s.density_kg_per_m3 = random.between(2200, 2600);
+  s.bodies = {ground_under(section), {"dam", section.outline()}};
+  Law law{.friction_deg = random.between(30, 60)};
+  if (random.chance(0.5)) law.cohesion_pa = random.between(0, 0.4) * s.density_kg_per_m3 * gravity * section.height / 2;
+  law.uplift = static_cast<Uplift>(one.seed % 5);
+  if (law.uplift == Uplift::drained) {
+    law.drain_m = section.base * random.between(0.05, 0.5);
+    law.drain_efficiency = random.between(0, 1);
+  }
+  if (random.chance(0.4)) s.tail_level_m = section.height * random.between(0.05, 0.3);
+  s.joints = {{"base", "ground", "dam", law}};
+  one.stacks = {stack_of("base", Vec(0, 0), section.toe(), section.face_top(), section.back_top(), law,
+                         s.density_kg_per_m3, s.tail_level_m)};
+}
+
 void draw_lifts(Random& random, RandomStructure& one) {
   const Section section = random_section(random, random_height(random));
   Structure& s = one.structure;
@@ -305,6 +325,10 @@ bool Random::chance(double probability) {
 
 RandomStructure monolith(std::uint64_t seed) {
   return drawn(seed, "monolith", draw_monolith);
+}
+
+RandomStructure gravity_section(std::uint64_t seed) {
+  return drawn(seed, "gravity_section", draw_gravity_section);
 }
 
 RandomStructure lifts(std::uint64_t seed) {

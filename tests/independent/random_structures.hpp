@@ -40,6 +40,8 @@ struct RandomStructure {
 
 /// A trapezoid on a level or dipping base, 3 mm to 3 km high: friction, cohesion, tension strength, uplift, tailwater.
 RandomStructure monolith(std::uint64_t seed);
+/// A gravity dam of 5 to 60 m on a level base, with each law of uplift by turns.
+RandomStructure gravity_section(std::uint64_t seed);
 /// Two to eight lifts that are bonded but for one joint.
 RandomStructure lifts(std::uint64_t seed);
 /// An upright wall of lifts without bonds on a base with cohesion.

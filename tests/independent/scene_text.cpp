@@ -13,10 +13,15 @@ std::string point(const Vec& p) {
 }
 
 std::string keys(const Law& law) {
-  constexpr std::array names = {"none", "triangular", "full"};
+  constexpr std::array names = {"none", "triangular", "full", "drained", "cracked"};
+  const std::string drain =
+      law.uplift != Uplift::drained
+          ? ""
+          : fmt::format("drain_m = {:.17g}\ndrain_efficiency = {:.17g}\n", law.drain_m, law.drain_efficiency);
   return fmt::format(
-      "friction_angle_deg = {:.17g}\ncohesion_pa = {:.17g}\ntension_strength_pa = {:.17g}\nuplift = \"{}\"\n",
-      law.friction_deg, law.cohesion_pa, law.tension_pa, names[static_cast<std::size_t>(law.uplift)]);
+             "friction_angle_deg = {:.17g}\ncohesion_pa = {:.17g}\ntension_strength_pa = {:.17g}\nuplift = \"{}\"\n",
+             law.friction_deg, law.cohesion_pa, law.tension_pa, names[static_cast<std::size_t>(law.uplift)]) +
+         drain;
 }
 
 std::string text(const Body& body) {

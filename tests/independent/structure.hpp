@@ -14,13 +14,15 @@ namespace blockweir::independent {
 using Vec = Eigen::Vector2d;
 constexpr double none_m = -std::numeric_limits<double>::infinity();  ///< level where there is no water
 
-enum class Uplift { none, triangular, full };
+enum class Uplift { none, triangular, full, drained, cracked };
 
 struct Law {
   double friction_deg = 30;
   double cohesion_pa = 0;
   double tension_pa = 0;
   Uplift uplift = Uplift::none;
+  double drain_m = 0;  ///< from the reservoir's end; drained only
+  double drain_efficiency = 0;
 };
 
 struct Body {

@@ -25,7 +25,7 @@ scene::Scene two_on_ground() {
 
 TEST(CrackEnds, AreToldOfWhereNoWaterReachesThem) {
   const scene::Scene scene = two_on_ground();
-  const std::vector<Crack> cracks = find_cracks(scene);
+  const std::vector<scene::Crack> cracks = scene::find_cracks(scene);
   ASSERT_EQ(cracks.size(), 2U);
   std::vector<std::vector<Point>> outlines;
   for (const scene::Block& block : scene.blocks) outlines.push_back(block.vertices);
@@ -44,7 +44,7 @@ TEST(CrackEnds, OnAnotherCrackAreNotJudged) {
   scene::Scene scene = two_on_ground();
   scene.blocks[2].vertices = {{4, 0}, {8, 0}, {8, 2}, {4, 2}};
   scene.joints[1].law.uplift = scene::Uplift::full;  // else both are one crack
-  const std::vector<Crack> cracks = find_cracks(scene);
+  const std::vector<scene::Crack> cracks = scene::find_cracks(scene);
   ASSERT_EQ(cracks.size(), 2U);
   CrackEnds ends(scene, cracks);
   ends.look(1, {true, Point(4, 0), 9810}, {}, {});

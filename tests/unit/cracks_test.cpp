@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: fluid_hydrostatic
 // Cracks that joints make: those that a search of all pairs for the straightest continuation finds, found in less time.
-#include "fluid/hydrostatic/cracks.hpp"
+#include "fluid/hydrostatic/crack_elements.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,9 @@
 namespace blockweir::hydrostatic {
 namespace {
 
+using scene::Crack;
+using scene::CrackPart;
+using scene::find_cracks;
 using scene::Point;
 
 /// Columns of blocks between lines that go up and down, each column with heights of its own or of its neighbour.
@@ -57,7 +60,7 @@ std::vector<Crack> cracks_by_all_pairs(const scene::Scene& scene, double touchin
   const auto add = [&](int a, int b, scene::Uplift law) {
     scene::JointTrace trace = scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], touching_m);
     const double length = trace.length_m;
-    if (!trace.pieces.empty()) cracks.push_back({law, {{a, b, trace}}, length});
+    if (!trace.pieces.empty()) cracks.push_back({law, {}, {{a, b, trace}}, length});
   };
   for (const scene::Joint& joint : scene.joints) add(joint.between[0], joint.between[1], joint.law.uplift);
   for (int a = 0; a < static_cast<int>(scene.blocks.size()); ++a) {
@@ -139,7 +142,8 @@ TEST(Cracks, FullUpliftHasTheHigherPressureOfBothEnds) {
   ASSERT_EQ(cracks.size(), 1U);
   for (const auto& [mouth_pa, end_pa] : {std::pair{3e4, 1e4}, std::pair{1e4, 3e4}, std::pair{0.0, 3e4}}) {
     wire::Load load;
-    add_crack_elements(cracks.front(), mouth_pa, end_pa, 1, {}, load);
+    const joints::Joint joint{.mouth = {mouth_pa, 0}, .end = {end_pa, 0}, .length_m = 4};
+    add_crack_elements(cracks.front(), joints::uplift(scene::Uplift::full, {}, joint), 1, {}, load);
     ASSERT_EQ(load.block.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_EQ(load.pressure_from_pa[i], 3e4);

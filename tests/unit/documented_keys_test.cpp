@@ -154,6 +154,17 @@ name = "flood"
 set = ["analysis.step_s=0.01"]
 )" + ground;
 
+const std::string reservoir = R"([silt]
+level_m = 0.5
+submerged_density_kg_per_m3 = 900
+pressure_coefficient = 0.5
+[ice]
+thrust_n_per_m = 1e4
+thickness_m = 0.3
+[earthquake]
+horizontal_coefficient = 0.1
+)";
+
 /// A sound scene that has the table.
 std::string scene_with(const std::string& table) {
   const std::string own = "[[" + table + "]]\nname = \"g\"\nmaterial = \"m\"\n";
@@ -167,6 +178,7 @@ std::string scene_with(const std::string& table) {
 material = "m"
 outline_m = [[0, 0], [8, 0], [8, 8], [0, 8]]
 [[region]]
+name = "foot"
 material = "m"
 outline_m = [[0, 0], [8, 0], [8, 2], [0, 2]]
 [[cut]]
@@ -187,6 +199,7 @@ spacing_deviation = 0.3
     return blocks + "[[expect_water]]\nquantity = \"water_area_error\"\nvalue = 0\n[fluid]\nmodel = \"openfoam\"\n" +
            (table == "fluid.wave" ? "wave = { height_m = 0.1, period_s = 2 }\n" : "");
   }
+  if (table == "silt" || table == "ice" || table == "earthquake") return blocks + reservoir;
   return blocks + "[[expect]]\nquantity = \"kinetic_energy_j_per_m\"\nvalue = 0\n";
 }
 

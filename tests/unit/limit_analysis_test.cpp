@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "bridge/scene/read/read.hpp"
+#include "bridge/statics/loads.hpp"
 #include "solid/limit/limit_level.hpp"
 #include "solid/limit/limit_strength.hpp"
-#include "solid/limit/loads.hpp"
 #include "solid/limit/mechanism_words.hpp"
 
 namespace {
@@ -54,7 +54,8 @@ acceleration_x_m_per_s2 = 9.81
 }
 
 LargestFactor push(const scene::Scene& scene) {
-  return LimitAnalysis(scene).largest_factor(weights_of(scene), stated_loads_of(scene, scene.analysis.duration_s));
+  return LimitAnalysis(scene).largest_factor(statics::weights_of(scene),
+                                             statics::stated_loads_of(scene, scene.analysis.duration_s));
 }
 
 TEST(LimitAnalysis, ABlockSlidesOrTurnsWhicheverComesFirst) {
@@ -84,7 +85,7 @@ TEST(LimitAnalysis, WhatNothingCanMoveBearsAnyFactor) {
   const scene::Scene scene = read(pushed_block(1, 1, 30));
   const LimitAnalysis structure(scene);
   const Wrenches down(scene.blocks.size(), Wrench(0, -1, 0));
-  EXPECT_EQ(structure.largest_factor(weights_of(scene), down).bearing, Bearing::bears_any);
+  EXPECT_EQ(structure.largest_factor(statics::weights_of(scene), down).bearing, Bearing::bears_any);
   const Wrenches up(scene.blocks.size(), Wrench(0, 1e9, 0));
   EXPECT_FALSE(structure.bears(up));
 }
@@ -108,7 +109,7 @@ TEST(LimitAnalysis, StrengthOfAnInclineIsTheSlopesAndBelowOneWhereItSlides) {
   for (const auto& [slope_deg, friction_deg] : {std::pair{20.0, 30.0}, {30.0, 20.0}, {10.0, 60.0}}) {
     const scene::Scene scene = read(pushed_block(4, 0.5, friction_deg, ""),
                                     {fmt::format("analysis.gravity_tilt_deg={}", slope_deg), "body_load=[]"});
-    const LimitStrength found = limit_strength(LimitAnalysis(scene), weights_of(scene));
+    const LimitStrength found = limit_strength(LimitAnalysis(scene), statics::weights_of(scene));
     EXPECT_EQ(found.bearing, Bearing::fails_at_a_factor);
     EXPECT_NEAR(found.factor / (std::tan(radians(friction_deg)) / std::tan(radians(slope_deg))), 1, 1e-8);
     EXPECT_LT(found.gap, 1e-8);
@@ -117,9 +118,9 @@ TEST(LimitAnalysis, StrengthOfAnInclineIsTheSlopesAndBelowOneWhereItSlides) {
 
 TEST(LimitAnalysis, NoStrengthHelpsWhatOverturnsAndNoneIsNeededOnLevelGround) {
   const scene::Scene turns = read(pushed_block(0.5, 4, 30), {"analysis.gravity_tilt_deg=20", "body_load=[]"});
-  EXPECT_EQ(limit_strength(LimitAnalysis(turns), weights_of(turns)).bearing, Bearing::bears_none);
+  EXPECT_EQ(limit_strength(LimitAnalysis(turns), statics::weights_of(turns)).bearing, Bearing::bears_none);
   const scene::Scene level = read(pushed_block(1, 1, 30), {"body_load=[]"});
-  EXPECT_EQ(limit_strength(LimitAnalysis(level), weights_of(level)).bearing, Bearing::bears_any);
+  EXPECT_EQ(limit_strength(LimitAnalysis(level), statics::weights_of(level)).bearing, Bearing::bears_any);
 }
 
 /// Water on the left of a block b x h: slides at sqrt(2 W mu/(rho g)), turns at cbrt(3 W b/(rho g)).
@@ -133,7 +134,7 @@ TEST(LimitAnalysis, TheLevelOfAWallUnderWater) {
       forces[1] = wrench_of({water * head * head / 2, 0}, {0, head / 3}, {breadth / 2, 5});
       return forces;
     };
-    const LimitLevel found = limit_level(LimitAnalysis(scene), weights_of(scene), at_level, {-1, 10});
+    const LimitLevel found = limit_level(LimitAnalysis(scene), statics::weights_of(scene), at_level, {-1, 10});
     const double weight = 2000 * 9.81 * breadth * 10;
     const double slides = std::sqrt(2 * weight * std::tan(radians(friction_deg)) / water);
     const double turns = std::cbrt(3 * weight * breadth / water);
@@ -147,9 +148,10 @@ TEST(LimitAnalysis, TheLevelOfAWallUnderWater) {
 TEST(LimitAnalysis, AStructureThatDoesNotStandEmptyOrFailsAtNoLevelIsAnAnswer) {
   const scene::Scene slides = read(pushed_block(4, 1, 10), {"analysis.gravity_tilt_deg=20", "body_load=[]"});
   const auto none = [&](double) { return Wrenches(slides.blocks.size(), Wrench::Zero()); };
-  EXPECT_EQ(limit_level(LimitAnalysis(slides), weights_of(slides), none, {0, 1}).outcome, Filled::does_not_stand_empty);
+  EXPECT_EQ(limit_level(LimitAnalysis(slides), statics::weights_of(slides), none, {0, 1}).outcome,
+            Filled::does_not_stand_empty);
   const scene::Scene stands = read(pushed_block(4, 1, 30), {"body_load=[]"});
-  EXPECT_EQ(limit_level(LimitAnalysis(stands), weights_of(stands), none, {0, 1}).outcome, Filled::stands_full);
+  EXPECT_EQ(limit_level(LimitAnalysis(stands), statics::weights_of(stands), none, {0, 1}).outcome, Filled::stands_full);
 }
 
 }  // namespace

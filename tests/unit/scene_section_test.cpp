@@ -3,6 +3,7 @@
 // A section cut into blocks by the scene: names, materials, joints, and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -72,6 +73,29 @@ TEST(SceneSection, JointsOfASetAreNamedByTheirBlocks) {
   EXPECT_EQ(scene.joints.back().name, "bedding, s3 and s4");
   EXPECT_EQ(scene.joints.back().law.friction_angle_deg, 20);
   EXPECT_EQ(scene.joints.back().law.residual_friction_angle_deg, 20);
+}
+
+TEST(SceneSection, ASetOfJointsMayStayInARegion) {
+  const auto scene_with = [](const std::string& set) {
+    const std::string named = sample::with("[[region]]", "[[region]]\nname = \"rock\"", section);
+    return read_text(head + named + "[[joint_set]]\nname = \"joints\"\nregion = \"rock\"\n" + set, "s.toml").scene;
+  };
+  const auto of_rock = [](const Scene& scene) {
+    return std::count_if(scene.blocks.begin(), scene.blocks.end(), [](const Block& b) { return b.fixed; });
+  };
+  const Scene upright = scene_with("dip_deg = 90\nspacing_m = 1\noffset_m = 0.5\n");
+  EXPECT_EQ(of_rock(upright), 5);
+  EXPECT_THAT(upright.blocks, SizeIs(6));  // the dam is one block still
+  for (const double dip_deg : {-60.0, 37.0, 71.0}) {
+    const Scene leaning = scene_with(fmt::format("dip_deg = {}\nspacing_m = 0.6\n", dip_deg));
+    EXPECT_GT(of_rock(leaning), 4) << dip_deg;
+    EXPECT_EQ(static_cast<long>(leaning.blocks.size()) - of_rock(leaning), 1) << dip_deg;
+  }
+}
+
+TEST(SceneSection, ASetOfJointsInNoRegionIsRefused) {
+  EXPECT_THAT(errors(head + section + "[[joint_set]]\nname = \"j\"\ndip_deg = 0\nspacing_m = 1\nregion = \"rok\"\n"),
+              testing::Contains(HasSubstr("names no region: \"rok\"")));
 }
 
 TEST(SceneSection, BlocksOfOnesOwnStandBesideIt) {

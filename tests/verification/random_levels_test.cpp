@@ -14,13 +14,24 @@ namespace {
 class RandomLevels : public RandomTrials {
  protected:
   /// Without strain; the reservoir stands on the left.
-  [[nodiscard]] nlohmann::json level_of(const RandomStructure& one) const {
+  [[nodiscard]] scene::Scene scene_of(const RandomStructure& one, double level_m) const {
     const Structure structure = one.structure.reservoir_right ? mirrored(one.structure) : one.structure;
-    const Filling filling{.rigid = "all", .duration_s = 1, .levels = {{0, one.level_m}}};
+    const Filling filling{.rigid = "all", .duration_s = 1, .levels = {{0, level_m}}};
     const std::string text = scene_text(structure, filling);
     std::ofstream(folder / "scene.toml") << text;  // for BLOCKWEIR_KEEP
-    const scene::Scene scene = scene::read_text(text, "scene.toml").scene;
-    return process::level_answer(scene, process::make_hydrostatic);
+    return scene::read_text(text, "scene.toml").scene;
+  }
+  [[nodiscard]] nlohmann::json level_of(const RandomStructure& one) const {
+    return process::level_answer(scene_of(one, one.level_m), process::make_hydrostatic);
+  }
+  /// All three ways to a level.
+  [[nodiscard]] std::string wrong_levels(const RandomStructure& one) const {
+    const nlohmann::json answer = level_of(one);
+    std::string all = wrong_level("limit analysis", answer["limit_analysis"], one.level_m) +
+                      wrong_level("blocks", answer, one.level_m);
+    const double gap = answer["limit_analysis"].value("gap", 1.0);
+    if (!(gap <= 1e-8)) all += fmt::format("gap {:.3g}; ", gap);
+    return all;
   }
   /// What is wrong with a level; empty where nothing is.
   static std::string wrong_level(const char* whose, const nlohmann::json& found, double level_m) {
@@ -34,12 +45,28 @@ class RandomLevels : public RandomTrials {
 };
 
 TEST_F(RandomLevels, RigidBlocksLimitAnalysisAndHandFormulaAgree) {
-  each({monolith, lifts, anchored}, 12, [this](const RandomStructure& one) {
-    const nlohmann::json answer = level_of(one);
-    std::string all = wrong_level("limit analysis", answer["limit_analysis"], one.level_m) +
-                      wrong_level("blocks", answer, one.level_m);
-    const double gap = answer["limit_analysis"].value("gap", 1.0);
-    if (!(gap <= 1e-8)) all += fmt::format("gap {:.3g}; ", gap);
+  each({monolith, lifts, anchored}, 12, [this](const RandomStructure& one) { return wrong_levels(one); });
+}
+
+TEST_F(RandomLevels, GravitySectionsWithEachLawOfUpliftAgree) {
+  each({gravity_section}, 200, [this](const RandomStructure& one) { return wrong_levels(one); });
+}
+
+/// Below the level of failure; where the joint is pressed over its length, what is reduced decides by sliding.
+TEST_F(RandomLevels, StrengthReductionIsTheSlidingFactorByHand) {
+  each({gravity_section}, 40, [this](const RandomStructure& one) {
+    const double level_m = 0.9 * one.level_m;
+    const double factor = sliding_factor(one.stacks.front(), level_m);
+    const nlohmann::json answer = process::safety_answer(scene_of(one, level_m), process::make_hydrostatic);
+    std::string all;
+    for (const char* whose : {"factor", "limit_analysis_factor"}) {
+      if (!answer[whose].is_number()) {
+        all += fmt::format("{}: none, {:.9g} is right; ", whose, factor);
+        continue;
+      }
+      const double off = answer[whose].get<double>() / factor - 1;
+      if (!(std::abs(off) <= 1e-6)) all += fmt::format("{}: off by {:.3g}; ", whose, off);
+    }
     return all;
   });
 }

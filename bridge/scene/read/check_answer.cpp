@@ -86,6 +86,13 @@ void check_one(TableReader& table, const Reading& reading, const Expectation& e,
   if (answer.one_block && held) {
     const auto joint = std::find_if(reading.scene.joints.begin(), reading.scene.joints.end(),
                                     [&](const Joint& j) { return j.name == e.of; });
+    const bool of_crack = std::string(answer.name) == "cracked-through";
+    const UpliftName& uplift = named(joint->law.uplift);
+    if (of_crack ? uplift.law != Uplift::cracked : !uplift.share) {
+      report(kind, fmt::format("does not know uplift = \"{}\", the law of joint \"{}\"", uplift.name, e.of),
+             of_crack ? "\"cracked\"" : "\"none\", \"triangular\" or \"full\"",
+             "state what you have calculated by hand, as value");
+    }
     if (const std::string beyond = beyond_one_block(reading.scene, *joint); !beyond.empty()) {
       report(kind, beyond, "one block on a joint, with water upstream of it alone",
              "state what you have calculated by hand, as value");

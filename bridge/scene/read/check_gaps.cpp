@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "bridge/scene/block_index.hpp"
 #include "bridge/scene/joint_trace.hpp"
-#include "bridge/scene/read/block_index.hpp"
 #include "bridge/scene/read/magnitudes.hpp"
 #include "bridge/scene/structure_size.hpp"
 

@@ -7,7 +7,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "bridge/geometry/polygon.hpp"
-#include "bridge/scene/read/block_index.hpp"
+#include "bridge/scene/block_index.hpp"
 #include "bridge/scene/read/check.hpp"
 
 namespace blockweir::scene {

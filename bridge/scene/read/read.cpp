@@ -67,9 +67,10 @@ void read_sections(Reading& reading, std::vector<LoadCase>& load_cases) {
   const std::size_t before = reading.problems.count();
   for (const auto read : {read_section, read_arches, read_walls, read_heaps, read_blocks, read_supports}) read(reading);
   const bool structure_sound = reading.problems.count() == before;
-  for (const auto read : {read_joints, read_point_loads, read_face_pressures, read_line_loads, read_body_loads,
-                          read_bolts, read_base_motion, read_water, read_fluid, read_contact, read_coupling,
-                          read_output, read_expectations, read_water_expectations, read_variants, read_studies}) {
+  for (const auto read :
+       {read_joints, read_point_loads, read_face_pressures, read_line_loads, read_body_loads, read_bolts,
+        read_base_motion, read_water, read_fluid, read_silt, read_ice, read_earthquake, read_contact, read_coupling,
+        read_output, read_expectations, read_water_expectations, read_variants, read_studies}) {
     read(reading);
   }
   load_cases = read_load_cases(reading);
@@ -78,6 +79,7 @@ void read_sections(Reading& reading, std::vector<LoadCase>& load_cases) {
   check_overlaps(reading.scene, reading.problems);
   // A wrong block or support would be followed by an error for each block that it holds.
   if (structure_sound) check_held(reading.scene, reading.problems);
+  if (reading.problems.count() == before) check_cracks(reading);
   if (reading.problems.count() > 0) return;
   check_effects(reading);
   check_magnitudes(reading.file, reading.scene, reading.problems);

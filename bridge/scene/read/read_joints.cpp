@@ -79,8 +79,7 @@ void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residua
   if (table.number("dilation_angle_deg", law.dilation_angle_deg, angle)) stated = "dilation_angle_deg";
   if (stated != nullptr) refuse_dilation_beyond_friction(table, stated, law, reading.problems);
   table.number("dilation_limit_m", law.dilation_limit_m, not_negative());
-  table.choice<Uplift>("uplift", law.uplift,
-                       {{"none", Uplift::none}, {"triangular", Uplift::triangular}, {"full", Uplift::full}});
+  read_uplift(table, law, reading);
 }
 
 void read_default_joint(Reading& reading) {

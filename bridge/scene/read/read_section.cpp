@@ -11,6 +11,7 @@
 #include "bridge/geometry/joint_set.hpp"
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/at.hpp"
 #include "bridge/scene/read/cuts.hpp"
 #include "bridge/scene/read/mesh_size.hpp"
 #include "bridge/scene/read/reading.hpp"
@@ -23,6 +24,7 @@ constexpr std::size_t most_crossings = 20000;
 
 /// Blocks in it are of its material, have its mesh, and may not move.
 struct Region {
+  std::string name{};
   int material = 0;
   bool fixed = false;
   double mesh_size_m = 0;
@@ -52,6 +54,13 @@ std::vector<Region> read_regions(Reading& reading, double mesh_size_m, Cuts& cut
   std::vector<Region> regions;
   reading.each("region", [&](TableReader& table) {
     Region region{.mesh_size_m = mesh_size_m, .outline = {}, .place = table.place()};
+    table.text("name", region.name);
+    const bool second = std::any_of(regions.begin(), regions.end(),
+                                    [&](const Region& r) { return !r.name.empty() && r.name == region.name; });
+    if (second) {
+      reading.problems.error(table.place("name"), fmt::format("a second region is called \"{}\"", region.name),
+                             "names that differ", "rename one of them");
+    }
     region.material = table.reference("material", reading.materials);
     table.flag("fixed", region.fixed);
     table.points("outline_m", region.outline);
@@ -79,7 +88,19 @@ void read_cuts(Reading& reading, Cuts& cuts) {
   });
 }
 
-void read_joint_sets(Reading& reading, const geometry::Bounds& bounds, Cuts& cuts) {
+/// The region that a set of joints is to stay in; null where it may go anywhere.
+const Region* read_region(TableReader& table, const std::vector<Region>& regions) {
+  Names names("region");
+  for (const Region& region : regions) {
+    if (!region.name.empty()) names.add(region.name);
+  }
+  const int found = table.reference("region", names, /*required=*/false);
+  const auto is_it = [&](const Region& region) { return found >= 0 && region.name == names.list()[at(found)]; };
+  const auto region = std::find_if(regions.begin(), regions.end(), is_it);
+  return region == regions.end() ? nullptr : &*region;
+}
+
+void read_joint_sets(Reading& reading, const geometry::Bounds& bounds, const std::vector<Region>& regions, Cuts& cuts) {
   reading.each("joint_set", [&](TableReader& table) {
     geometry::JointSet set;
     std::string name;
@@ -99,6 +120,7 @@ void read_joint_sets(Reading& reading, const geometry::Bounds& bounds, Cuts& cut
     bool own_residual = reading.residual_given;
     read_law(table, law, reading, own_residual);
     check_law(table, law, reading, /*of_all=*/false);
+    const Region* region = read_region(table, regions);
     const int id = cuts.add(name, law, source_of(table, set.persistence < 1));
     const double length = 2 * bounds.size();
     const double shortest = set.persistence < 1 ? std::max(set.trace_length_m, 1e-9 * length) : length;
@@ -112,7 +134,14 @@ void read_joint_sets(Reading& reading, const geometry::Bounds& bounds, Cuts& cut
       return;
     }
     for (geometry::Line& line : geometry::joints_of(set, bounds.low, bounds.high, id)) {
-      cuts.lines.push_back(std::move(line));
+      if (region == nullptr) {
+        cuts.lines.push_back(std::move(line));
+        continue;
+      }
+      constexpr double beyond = 1e-7;  // of the section; what dangles is taken away
+      for (geometry::Line& part : geometry::parts_within(line, region->outline, beyond * bounds.size())) {
+        cuts.lines.push_back(std::move(part));
+      }
     }
   });
 }
@@ -234,7 +263,7 @@ void read_section(Reading& reading) {
   const std::size_t errors = reading.problems.count();
   std::vector<Region> regions = read_regions(reading, whole.mesh_size_m, cuts);
   read_cuts(reading, cuts);
-  read_joint_sets(reading, bounds, cuts);
+  read_joint_sets(reading, bounds, regions, cuts);
   if (!table.present() && !cuts.joints.empty()) {
     reading.problems.error(reading.problems.at(0),
                            "[[region]], [[cut]] and [[joint_set]] cut a section, and there is none",

@@ -81,6 +81,9 @@ void read_water(Reading& reading) {
   table.number("open_crack_width_m", w.open_crack_width_m, positive());
   if (table.has("wets_ends")) table.flag("wets_ends", w.wets_ends.emplace());
   table.flag("may_overtop", w.may_overtop);
+  table.choice<CrestPressure>(
+      "crest_pressure", w.crest_pressure,
+      {{"none", CrestPressure::none}, {"triangular", CrestPressure::triangular}, {"full", CrestPressure::full}});
   table.flag("skip_unchanged", w.skip_unchanged);
   if (!table.present()) return;
   reading.scene.fluid = FluidModel::hydrostatic;

@@ -49,8 +49,13 @@ struct Reading {
 /// angle.
 void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residual_given);
 
+/// The part of it on water.
+void read_uplift(TableReader& table, JointLaw& law, Reading& reading);
+
 /// Reports keys of a law that have no effect; `of_all`: the law of [joint], which others may complete.
 void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool of_all);
+/// Reports drains and piezometers that lie beyond their joint, and joints that cannot crack by themselves.
+void check_cracks(Reading& reading);
 /// Reports uplift without water.
 void check_uplift(TableReader& table, Reading& reading);
 /// Reports a joint of [[joints]] whose law acts nowhere; blocks nearer than `touching_m` touch.
@@ -91,6 +96,10 @@ void read_body_loads(Reading& reading);
 void read_bolts(Reading& reading);
 void read_base_motion(Reading& reading);
 void read_water(Reading& reading);
+/// [silt], [ice] and [earthquake], after the fluid; a load that follows the reservoir's level becomes part of [water].
+void read_silt(Reading& reading);
+void read_ice(Reading& reading);
+void read_earthquake(Reading& reading);
 void read_fluid(Reading& reading);
 void read_column(TableReader& fluid, Reading& reading);
 /// The keys of [fluid] that only OpenFOAM knows; beside another model they are refused.

@@ -196,13 +196,18 @@ void EdgePressures::add_slot(const EdgeElement& element, const std::vector<Mouth
   }
 }
 
-void EdgePressures::add_cracks(const std::vector<CrackPressure>& pressures, wire::Load& load) const {
-  const auto& cracks = blocks_.interface().cracks;
+/// `ends`: mouth and end of each crack.
+void EdgePressures::add_cracks(const std::vector<std::array<joints::End, 2>>& ends, wire::Load& load) const {
+  const Interface& scene = blocks_.interface();
+  const auto& cracks = scene.cracks;
   for (std::size_t c = 0; c < cracks.size(); ++c) {
-    const auto pressure = [&](double t) {
-      return cracks[c].full ? std::max(pressures[c].mouth, pressures[c].end)
-                            : pressures[c].mouth + t * (pressures[c].end - pressures[c].mouth);
-    };
+    joints::Joint joint;
+    joint.mouth = ends[c][0];
+    joint.end = ends[c][1];
+    joint.length_m = cracks[c].length_m;
+    joint.water_n_per_m3 = scene.water_density * scene.gravity;
+    const joints::Profile profile = joints::uplift(cracks[c].law, cracks[c].known, joint);
+    const auto pressure = [&](double t) { return profile.pressure(t * joint.length_m); };
     for (const CrackPanel& panel : cracks[c].panels) {
       const double length = panel.s_to - panel.s_from;
       for (const EdgeElement& e : targets_.elements) {
@@ -234,13 +239,13 @@ void EdgePressures::sample(wire::Load& load) {
     if (e.slot) add_slot(e, targets_.mouths[i], lines, load);
   }
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
-  std::vector<CrackPressure> pressures(blocks_.interface().cracks.size());
+  std::vector<std::array<joints::End, 2>> ends(blocks_.interface().cracks.size());
   for (std::size_t o = 0; o < openings_.size(); ++o) {
     const PressureLine line = first_line(targets_.openings_from + o, lines);
     const double p = line.wet ? std::max(0.0, line.at_zero - line.slope * openings_[o].y()) : 0;
-    (o % 2 == 0 ? pressures[o / 2].mouth : pressures[o / 2].end) = p;
+    ends[o / 2][o % 2] = {p, openings_[o].y()};
   }
-  add_cracks(pressures, load);
+  add_cracks(ends, load);
 }
 
 }  // namespace blockweir::openfoam

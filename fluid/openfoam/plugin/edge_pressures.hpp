@@ -3,6 +3,9 @@
 // as still water that enters by its mouths in slots too narrow for the mesh.
 #pragma once
 
+#include <array>
+
+#include "fluid/joints/uplift.hpp"
 #include "fluid/openfoam/looks.hpp"
 #include "fluid/openfoam/plugin/water_state.hpp"
 
@@ -25,11 +28,6 @@ class EdgePressures {
   [[nodiscard]] const std::vector<Wetted>& wetted() const { return wetted_; }
 
  private:
-  /// Pressures of a crack's two ends [Pa].
-  struct CrackPressure {
-    double mouth = 0;
-    double end = 0;
-  };
   void find_targets();
   [[nodiscard]] std::vector<double> fills_at(const std::vector<Point>& points) const;
   [[nodiscard]] std::vector<double> look() const;
@@ -37,7 +35,7 @@ class EdgePressures {
   void add_open(const EdgeElement& element, std::size_t looks, const std::vector<double>& lines, wire::Load& load);
   void add_slot(const EdgeElement& element, const std::vector<Mouth>& mouths, const std::vector<double>& lines,
                 wire::Load& load) const;
-  void add_cracks(const std::vector<CrackPressure>& pressures, wire::Load& load) const;
+  void add_cracks(const std::vector<std::array<joints::End, 2>>& ends, wire::Load& load) const;
 
   const ImmersedBlocks& blocks_;
   const WaterState& water_;

@@ -37,9 +37,29 @@ CrackOpening opening(const dictionary& dict) {
   return {dict.get<Foam::label>("block"), point(dict, "point"), point(dict, "direction")};
 }
 
+scene::KnownHeads known_heads(const dictionary& dict) {
+  scene::KnownHeads known;
+  if (dict.found("drain")) {
+    const dictionary& drain = dict.subDict("drain");
+    known.drain = scene::Drain{drain.get<Foam::scalar>("station"), drain.get<Foam::scalar>("efficiency")};
+    if (drain.found("head")) known.drain->head_m = drain.get<Foam::scalar>("head");
+  }
+  if (!dict.found("heads")) return known;
+  known.level_m = dict.get<Foam::scalar>("headsAtLevel");
+  for (const Foam::vector2D& p : dict.get<Foam::List<Foam::vector2D>>("heads")) {
+    known.piezometers.push_back({p.x(), p.y()});
+  }
+  return known;
+}
+
 Crack crack(const dictionary& dict) {
   Crack crack;
-  crack.full = dict.get<Foam::word>("law") == "full";
+  const auto law = dict.get<Foam::word>("law");
+  for (const scene::UpliftName& one : scene::uplift_names) {
+    if (law == one.name) crack.law = one.law;
+  }
+  crack.known = known_heads(dict);
+  crack.length_m = dict.get<Foam::scalar>("length");
   crack.mouth = opening(dict.subDict("mouth"));
   crack.end = opening(dict.subDict("end"));
   for (const auto& row : dict.get<Foam::List<Foam::FixedList<Foam::scalar, 6>>>("panels")) {

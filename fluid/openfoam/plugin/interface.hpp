@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "bridge/scene/uplift.hpp"
 #include "bridge/wire/message.hpp"
 #include "fluid/openfoam/polygon_clip.hpp"
 
@@ -40,7 +41,9 @@ struct CrackOpening {
 };
 
 struct Crack {
-  bool full = false;  ///< the higher of both ends' pressures; otherwise linear from mouth to end
+  scene::Uplift law = scene::Uplift::none;
+  scene::KnownHeads known;
+  double length_m = 0;
   CrackOpening mouth;
   CrackOpening end;
   std::vector<CrackPanel> panels;

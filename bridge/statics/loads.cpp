@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/limit/loads.hpp"
+#include "bridge/statics/loads.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
+#include "bridge/scene/load_tables.hpp"
 
-namespace blockweir::solid::limit {
+namespace blockweir::statics {
 namespace {
 
 /// Wrenches on blocks, force by force.
@@ -109,9 +111,30 @@ Wrenches stated_loads_of(const scene::Scene& scene, double time_s) {
   return sum.wrenches();
 }
 
-Wrenches water_forces(const scene::Scene& scene, const wire::Load& load) {
+double stated_loads_hold_until(const scene::Scene& scene, double time_s) {
+  double until = std::numeric_limits<double>::infinity();
+  scene::each_load_table(scene,
+                         [&](const scene::TimeTable& table) { until = std::min(until, table.constant_until(time_s)); });
+  return until;
+}
+
+Wrenches prestress_of(const scene::Scene& scene) {
   Sum sum(scene);
-  for (std::size_t i = 0; i < load.block.size(); ++i) {
+  for (const scene::Bolt& bolt : scene.bolts) {
+    const Point pull = bolt.prestress_n_per_m * (bolt.to_m - bolt.from_m).normalized();
+    if (bolt.blocks[0] >= 0) sum.add(bolt.blocks[0], pull, bolt.from_m);
+    if (bolt.blocks[1] >= 0) sum.add(bolt.blocks[1], -pull, bolt.to_m);
+  }
+  return sum.wrenches();
+}
+
+Wrenches water_forces(const scene::Scene& scene, const wire::Load& load) {
+  return water_forces(scene, load, 0, load.block.size());
+}
+
+Wrenches water_forces(const scene::Scene& scene, const wire::Load& load, std::size_t first, std::size_t last) {
+  Sum sum(scene);
+  for (std::size_t i = first; i < last; ++i) {
     const auto& outline = scene.blocks[load.block[i]].vertices;
     const Point& a = outline[load.edge[i]];
     const Point span = outline[(load.edge[i] + 1) % outline.size()] - a;
@@ -129,4 +152,4 @@ Wrenches water_forces(const scene::Scene& scene, const wire::Load& load) {
   return sum.wrenches();
 }
 
-}  // namespace blockweir::solid::limit
+}  // namespace blockweir::statics

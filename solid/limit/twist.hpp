@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forces on rigid blocks and their motions, per metre of thickness.
+// Motions of rigid blocks, and the power of forces on them, per metre of thickness.
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
-#include "bridge/geometry/point.hpp"
+#include "bridge/statics/wrench.hpp"
 
 namespace blockweir::solid::limit {
 
-using geometry::Point;
-
-/// Force x, force y [N/m] and moment about the block's centroid [N].
-using Wrench = Eigen::Vector3d;
-/// One a block of the scene; what acts on fixed ones does not matter.
-using Wrenches = std::vector<Wrench>;
+using statics::combined;
+using statics::Point;
+using statics::Wrench;
+using statics::wrench_of;
+using statics::Wrenches;
 
 /// Velocity x, velocity y of the block's centroid, and its spin [1/m of the same].
 using Twist = Eigen::Vector3d;
 /// One a block of the scene, zero for fixed ones.
 using Twists = std::vector<Twist>;
-
-inline Wrench wrench_of(const Point& force, const Point& at, const Point& centroid) {
-  return {force.x(), force.y(), geometry::cross(at - centroid, force)};
-}
 
 inline Point velocity_at(const Twist& twist, const Point& at, const Point& centroid) {
   const Point arm = at - centroid;
@@ -35,12 +27,6 @@ inline double power(const Wrenches& wrenches, const Twists& twists) {
   double sum = 0;
   for (std::size_t b = 0; b < twists.size(); ++b) sum += wrenches[b].dot(twists[b]);
   return sum;
-}
-
-/// first + factor * second
-inline Wrenches combined(Wrenches first, double factor, const Wrenches& second) {
-  for (std::size_t b = 0; b < first.size(); ++b) first[b] += factor * second[b];
-  return first;
 }
 
 }  // namespace blockweir::solid::limit

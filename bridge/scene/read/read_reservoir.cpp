@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loads on a dam beside its weight and still water: silt, ice, a pseudo-static earthquake.
+#include <fmt/format.h>
+
+#include "bridge/scene/read/reading.hpp"
+#include "bridge/scene/upstream_faces.hpp"
+
+namespace blockweir::scene {
+namespace {
+
+/// Reports what acts through the reservoir where there is none that stands still.
+void require_still_water(TableReader& table, Reading& reading) {
+  if (reading.scene.fluid == FluidModel::hydrostatic && reading.scene.water.upstream_level_m) return;
+  const bool openfoam = reading.scene.fluid == FluidModel::openfoam;
+  reading.problems.error(table.place(),
+                         openfoam ? fmt::format("{} with model = \"openfoam\"", table.name())
+                                  : fmt::format("{} without a reservoir", table.name()),
+                         "[water] with upstream_level_m, and model = \"hydrostatic\"",
+                         openfoam ? "leave model out, or leave this table out" : "add the level, or leave this out");
+}
+
+TimeTable constant(double value) {
+  return TimeTable::constant(value);
+}
+
+}  // namespace
+
+/// On a face with the outward normal n at the depth d: K gamma' d |n_x| downstream, gamma' d n_y down where it looks
+/// up.
+void read_silt(Reading& reading) {
+  TableReader table(reading.problems, reading.section("silt"), "[silt]");
+  if (!table.present()) return;
+  double level = 0;
+  double density = 0;
+  double coefficient = 0;
+  const bool known = table.number("level_m", level, any_number(), true) &
+                     table.number("submerged_density_kg_per_m3", density, positive(), true) &
+                     table.number("pressure_coefficient", coefficient,
+                                  {[](double k) { return k >= 0 && k <= 1; }, "a number from 0 to 1"}, true);
+  if (!known || reading.problems.count() > 0) return;
+  const std::vector<UpstreamFace> faces = upstream_faces(reading.scene, level);
+  if (faces.empty()) {
+    reading.problems.error(table.place("level_m"),
+                           fmt::format("level_m in [silt] is {} m, below every upstream face that can move", level),
+                           "a level above the structure's foot", "raise it, or leave [silt] out");
+  }
+  const double weight = density * reading.scene.analysis.gravity_m_per_s2;
+  for (const UpstreamFace& face : faces) {
+    const Point down = (face.bottom_m - face.top_m).normalized();
+    const auto at_height = [&](double y) {
+      const double vertical = weight * (level - y);
+      return std::array{constant(-coefficient * vertical * down.y()), constant(std::min(0.0, vertical * down.x()))};
+    };
+    reading.scene.line_loads.push_back({.block = face.block,
+                                        .from_m = face.top_m,
+                                        .to_m = face.bottom_m,
+                                        .force_from_n_per_m2 = at_height(face.top_m.y()),
+                                        .force_to_n_per_m2 = at_height(face.bottom_m.y())});
+  }
+}
+
+void read_ice(Reading& reading) {
+  TableReader table(reading.problems, reading.section("ice"), "[ice]");
+  if (!table.present()) return;
+  Ice ice;
+  table.number("thrust_n_per_m", ice.thrust_n_per_m, positive(), true);
+  table.number("thickness_m", ice.thickness_m, positive(), true);
+  require_still_water(table, reading);
+  reading.scene.water.ice = ice;
+}
+
+void read_earthquake(Reading& reading) {
+  TableReader table(reading.problems, reading.section("earthquake"), "[earthquake]");
+  if (!table.present()) return;
+  enum class Added { westergaard, none };
+  double horizontal = 0;
+  double vertical = 0;
+  Added added = Added::westergaard;
+  const Range below_one{[](double k) { return std::abs(k) < 1; }, "a share of gravity, between -1 and 1"};
+  table.number("horizontal_coefficient", horizontal, below_one, true);
+  table.number("vertical_coefficient", vertical, below_one);
+  table.choice<Added>("added_water_pressure", added, {{"westergaard", Added::westergaard}, {"none", Added::none}});
+  BodyLoad inertia;
+  for (std::size_t b = 0; b < reading.scene.blocks.size(); ++b) {
+    if (!reading.scene.blocks[b].fixed) inertia.blocks.push_back(static_cast<int>(b));
+  }
+  const double gravity = reading.scene.analysis.gravity_m_per_s2;
+  inertia.value = {constant(horizontal * gravity), constant(vertical * gravity)};
+  reading.scene.body_loads.push_back(std::move(inertia));
+  const bool reservoir = reading.scene.water.upstream_level_m.has_value();
+  if (added == Added::none || (!reservoir && !table.has("added_water_pressure"))) return;
+  require_still_water(table, reading);
+  reading.scene.water.earthquake_coefficient = horizontal;
+}
+
+}  // namespace blockweir::scene

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/hydrostatic/reservoir_loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/hydrostatics.hpp"
+#include "bridge/wire/panels.hpp"
+
+namespace blockweir::hydrostatic {
+namespace {
+
+/// A wet part of an edge that looks upstream. Outlines run counter-clockwise: it leads down.
+struct UpstreamFace {
+  const WetInterval* wet;
+  Point from;
+  Point to;
+  double normal_x;  ///< size
+
+  [[nodiscard]] double share(double y) const {
+    const double along = (y - from.y()) / (to.y() - from.y());
+    return wet->s_from + (wet->s_to - wet->s_from) * along;
+  }
+};
+
+std::vector<UpstreamFace> upstream_faces(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines,
+                                         const WaterBody& reservoir) {
+  std::vector<UpstreamFace> faces;
+  for (const WetInterval& wet : reservoir.wet->intervals) {
+    if (scene.blocks[at(wet.block)].fixed) continue;
+    const auto& outline = outlines[at(wet.block)];
+    const Point& a = outline[at(wet.edge)];
+    const Point span = outline[(at(wet.edge) + 1) % outline.size()] - a;
+    if (span.y() >= -1e-9 * span.norm()) continue;
+    faces.push_back({&wet, a + wet.s_from * span, a + wet.s_to * span, -span.y() / span.norm()});
+  }
+  return faces;
+}
+
+void add_ice(const std::vector<UpstreamFace>& faces, const scene::Ice& ice, double level_m, wire::Load& load) {
+  const double pressure = ice.thrust_n_per_m / ice.thickness_m;
+  for (const UpstreamFace& face : faces) {
+    const double low = std::max(face.to.y(), level_m - ice.thickness_m);
+    const double high = std::min(face.from.y(), level_m);
+    if (low >= high) continue;
+    wire::add_panel(load, face.wet->block, face.wet->edge, face.share(high), face.share(low), pressure, pressure);
+  }
+}
+
+/// Linear pressures with the force and the moment of factor sqrt(z) between the depths.
+std::pair<double, double> of_same_force_and_moment(double factor, double z_from, double z_to) {
+  const double dz = z_to - z_from;
+  const double root = 2.0 / 3 * (std::pow(z_to, 1.5) - std::pow(z_from, 1.5));
+  const double moment = 2.0 / 5 * (std::pow(z_to, 2.5) - std::pow(z_from, 2.5)) - z_from * root;
+  const double mean = factor * root / dz;
+  const double lever = factor * moment / (dz * dz);
+  return {4 * mean - 6 * lever, 6 * lever - 2 * mean};
+}
+
+void add_westergaard(const std::vector<UpstreamFace>& faces, double weight_times_coefficient, double level_m,
+                     wire::Load& load) {
+  constexpr int elements = 10;
+  double foot = std::numeric_limits<double>::infinity();
+  for (const UpstreamFace& face : faces) foot = std::min(foot, face.to.y());
+  const double root_of_depth = std::sqrt(std::max(0.0, level_m - foot));
+  for (const UpstreamFace& face : faces) {
+    const double factor = 7.0 / 8 * weight_times_coefficient * root_of_depth * face.normal_x;
+    const double top = std::max(0.0, level_m - face.from.y());
+    const double bottom = level_m - face.to.y();
+    for (int k = 0; k < elements; ++k) {
+      const double z_from = top + (bottom - top) * k / elements;
+      const double z_to = top + (bottom - top) * (k + 1) / elements;
+      const auto [from_pa, to_pa] = of_same_force_and_moment(factor, z_from, z_to);
+      wire::add_panel(load, face.wet->block, face.wet->edge, face.share(level_m - z_from), face.share(level_m - z_to),
+                      from_pa, to_pa);
+    }
+  }
+}
+
+struct CrestEdge {
+  int block;
+  int edge;
+  double left_m;
+  double right_m;
+};
+
+/// The level edges on the highest point of what can move.
+std::vector<CrestEdge> crest_edges(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines,
+                                   double& crest_m) {
+  crest_m = -std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < outlines.size(); ++b) {
+    if (scene.blocks[b].fixed) continue;
+    for (const Point& p : outlines[b]) crest_m = std::max(crest_m, p.y());
+  }
+  std::vector<CrestEdge> edges;
+  for (std::size_t b = 0; b < outlines.size(); ++b) {
+    const auto& outline = outlines[b];
+    for (std::size_t e = 0; e < outline.size(); ++e) {
+      const Point& right = outline[e];  // what lies under an edge lies on its left
+      const Point& left = outline[(e + 1) % outline.size()];
+      const double width = right.x() - left.x();
+      const double level = 1e-3 * width;
+      if (scene.blocks[b].fixed || width <= 0 || crest_m - std::min(left.y(), right.y()) > level) continue;
+      edges.push_back({static_cast<int>(b), static_cast<int>(e), left.x(), right.x()});
+    }
+  }
+  return edges;
+}
+
+void add_crest(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines, const WaterBody& reservoir,
+               wire::Load& load) {
+  double crest_m = 0;
+  const std::vector<CrestEdge> edges = crest_edges(scene, outlines, crest_m);
+  if (edges.empty() || reservoir.level_m <= crest_m) return;
+  const auto is_wet = [&](const CrestEdge& edge) {
+    const auto& wet = reservoir.wet->intervals;
+    return std::any_of(wet.begin(), wet.end(),
+                       [&](const WetInterval& w) { return w.block == edge.block && w.edge == edge.edge; });
+  };
+  double left = std::numeric_limits<double>::infinity();
+  double right = -left;
+  for (const CrestEdge& edge : edges) {
+    if (is_wet(edge)) return;  // a body of water on both sides presses there already
+    left = std::min(left, edge.left_m);
+    right = std::max(right, edge.right_m);
+  }
+  const double head = scene::in_joints(scene, reservoir.level_m).pressure(crest_m);
+  const bool falls = scene.water.crest_pressure == scene::CrestPressure::triangular;
+  const auto pressure = [&](double x) { return falls ? head * (right - x) / (right - left) : head; };
+  for (const CrestEdge& edge : edges) {
+    wire::add_panel(load, edge.block, edge.edge, 0, 1, pressure(edge.right_m), pressure(edge.left_m));
+  }
+}
+
+}  // namespace
+
+void add_reservoir_loads(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines,
+                         const WaterBody& reservoir, wire::Load& load) {
+  const scene::Water& water = scene.water;
+  if (water.crest_pressure != scene::CrestPressure::none) add_crest(scene, outlines, reservoir, load);
+  if (!water.ice && water.earthquake_coefficient == 0) return;
+  const std::vector<UpstreamFace> faces = upstream_faces(scene, outlines, reservoir);
+  if (water.ice) add_ice(faces, *water.ice, reservoir.level_m, load);
+  if (water.earthquake_coefficient != 0) {
+    add_westergaard(faces, water.earthquake_coefficient * scene::unit_weight_of_water(scene), reservoir.level_m, load);
+  }
+}
+
+}  // namespace blockweir::hydrostatic

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/joints/uplift.hpp"
+
+#include <algorithm>
+
+namespace blockweir::joints {
+namespace {
+
+using scene::KnownHeads;
+using scene::Uplift;
+
+double height_at(const Joint& joint, double at_m) {
+  return joint.mouth.height_m + (joint.end.height_m - joint.mouth.height_m) * at_m / joint.length_m;
+}
+
+double head(const Joint& joint, const End& end) {
+  return end.height_m + end.pressure_pa / joint.water_n_per_m3;
+}
+
+double pressure_of(const Joint& joint, double at_m, double head_m) {
+  return joint.water_n_per_m3 * std::max(0.0, head_m - height_at(joint, at_m));
+}
+
+/// At the drain, in a joint whose pressure falls linearly between its open parts.
+double drained_pressure(const scene::Drain& drain, const Joint& joint) {
+  const double from_m = joint.open_at_mouth_m;
+  const double to_m = joint.length_m - joint.open_at_end_m;
+  const double share = (drain.station_m - from_m) / (to_m - from_m);
+  const double p = joint.mouth.pressure_pa + share * (joint.end.pressure_pa - joint.mouth.pressure_pa);
+  const double undrained = height_at(joint, drain.station_m) + p / joint.water_n_per_m3;
+  const double lower = std::min(head(joint, joint.mouth), head(joint, joint.end));
+  const double drains_to = std::isnan(drain.head_m) ? lower : drain.head_m;
+  const double left = std::max(0.0, undrained - drains_to) * (1 - drain.efficiency);
+  return pressure_of(joint, drain.station_m, std::min(undrained, drains_to + left));
+}
+
+void triangular(const KnownHeads& /*known*/, const Joint& joint, Profile& into) {
+  into.add(0, joint.mouth.pressure_pa);
+  into.add(joint.length_m, joint.end.pressure_pa);
+}
+
+void full(const KnownHeads& /*known*/, const Joint& joint, Profile& into) {
+  const double higher = std::max(joint.mouth.pressure_pa, joint.end.pressure_pa);
+  into.add(0, higher);
+  into.add(joint.length_m, higher);
+}
+
+/// Without open parts it is the law of drains alone, without a drain that of cracks alone. A drain that a crack has
+/// reached drains no more.
+void drained_or_cracked(const KnownHeads& known, const Joint& joint, Profile& into) {
+  const double from_m = joint.open_at_mouth_m;
+  const double to_m = joint.length_m - joint.open_at_end_m;
+  into.add(0, joint.mouth.pressure_pa);
+  if (from_m > 0) into.add(from_m, joint.mouth.pressure_pa);
+  if (known.drain && known.drain->station_m > from_m && known.drain->station_m < to_m) {
+    into.add(known.drain->station_m, drained_pressure(*known.drain, joint));
+  }
+  if (joint.open_at_end_m > 0) into.add(to_m, joint.end.pressure_pa);
+  if (from_m < joint.length_m) into.add(joint.length_m, joint.end.pressure_pa);
+}
+
+void heads(const KnownHeads& known, const Joint& joint, Profile& into) {
+  const double low = head(joint, joint.end);
+  const double then = known.level_m - low;
+  const double now = head(joint, joint.mouth) - low;
+  const double ratio = then > 0 ? std::max(0.0, now / then) : 0;
+  into.add(0, joint.mouth.pressure_pa);
+  for (const scene::Piezometer& p : known.piezometers) {
+    into.add(p.station_m, pressure_of(joint, p.station_m, low + ratio * (p.head_m - low)));
+  }
+  into.add(joint.length_m, joint.end.pressure_pa);
+}
+
+struct Law {
+  Uplift law;
+  void (*pressures)(const KnownHeads&, const Joint&, Profile&);
+};
+constexpr Law laws[] = {{Uplift::triangular, triangular},
+                        {Uplift::full, full},
+                        {Uplift::drained, drained_or_cracked},
+                        {Uplift::cracked, drained_or_cracked},
+                        {Uplift::heads, heads}};
+
+}  // namespace
+
+double Profile::pressure(double at_m) const {
+  std::size_t to = 1;
+  while (to + 1 < knots_.size() && knots_[to].at_m <= at_m) ++to;
+  const Knot& a = knots_[to - 1];
+  const Knot& b = knots_[to];
+  return a.pressure_pa - (a.pressure_pa - b.pressure_pa) * (at_m - a.at_m) / (b.at_m - a.at_m);
+}
+
+double Profile::force() const {
+  double sum = 0;
+  for (std::size_t i = 1; i < knots_.size(); ++i) {
+    sum += (knots_[i].at_m - knots_[i - 1].at_m) * (knots_[i].pressure_pa + knots_[i - 1].pressure_pa) / 2;
+  }
+  return sum;
+}
+
+double Profile::moment_about_mouth() const {
+  double sum = 0;
+  for (std::size_t i = 1; i < knots_.size(); ++i) {
+    const Knot& a = knots_[i - 1];
+    const Knot& b = knots_[i];
+    const double length = b.at_m - a.at_m;
+    sum += length / 6 * (a.pressure_pa * (2 * a.at_m + b.at_m) + b.pressure_pa * (a.at_m + 2 * b.at_m));
+  }
+  return sum;
+}
+
+Profile uplift(Uplift law, const KnownHeads& known, const Joint& joint) {
+  Profile profile;
+  for (const Law& one : laws) {
+    if (one.law == law) one.pressures(known, joint, profile);
+  }
+  return profile;
+}
+
+}  // namespace blockweir::joints

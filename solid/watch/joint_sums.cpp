@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/watch/joint_sums.hpp"
+
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/cracks.hpp"
+#include "bridge/statics/loads.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+scene::Scene with_bolts_as_they_pull(scene::Scene scene, const std::vector<Bolt>& bolts) {
+  for (std::size_t i = 0; i < bolts.size(); ++i) scene.bolts[i].prestress_n_per_m = bolts[i].acting.tension_n_per_m;
+  return scene;
+}
+
+}  // namespace
+
+std::vector<ForceSum> force_sums(const Solid& solid, const wire::Load& water,
+                                 const std::set<std::pair<int, int>>& joints, const Point& about) {
+  const scene::Scene& scene = solid.scene();
+  const std::vector<int> above = scene::parted_by(scene, joints);
+  const std::vector<Point> centroids = statics::centroids_of(scene);
+  std::vector<ForceSum> sums;
+  const auto add = [&](const char* name, const statics::Wrenches& wrenches) {
+    ForceSum sum{.name = name, .force = Point::Zero()};
+    for (const int b : above) {
+      const statics::Wrench& w = wrenches[at(b)];
+      sum.force += w.head<2>();
+      sum.moment_n += w[2] + geometry::cross(centroids[at(b)] - about, w.head<2>());
+    }
+    if (!sum.force.isZero(0) || sum.moment_n != 0) sums.push_back(std::move(sum));
+  };
+  add("weight", statics::weights_of(scene));
+  add("loads", statics::stated_loads_of(scene, scene.analysis.duration_s));
+  add("bolts", statics::prestress_of(with_bolts_as_they_pull(scene, solid.bolts())));
+  add("open water", statics::water_forces(scene, water, 0, water.cracks_from));
+  add("water in joints", statics::water_forces(scene, water, water.cracks_from, water.block.size()));
+  return sums;
+}
+
+}  // namespace blockweir::solid

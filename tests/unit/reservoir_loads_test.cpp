@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: fluid_hydrostatic bridge_scene_read
+// Silt, ice, earthquake and the nappe on a dam, as forces and moments by hand.
+#include <fmt/format.h>
+
+#include "bridge/statics/loads.hpp"
+#include "fluid/hydrostatic/hydrostatic_model.hpp"
+#include "tests/unit/scene_sample.hpp"
+
+namespace {
+
+using namespace blockweir;
+using geometry::Point;
+using scene::read_text;
+using scene::sample::errors;
+using testing::HasSubstr;
+
+/// A dam of 20 m with this upstream foot, on rock at height 0.
+std::string dam(double foot_x, const std::string& rest) {
+  return fmt::format(R"([analysis]
+duration_s = 1
+[material.m]
+youngs_modulus_pa = 20e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2400
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-40, -5], [60, -5], [60, 0], [-40, 0]]
+[[block]]
+name = "dam"
+material = "m"
+vertices_m = [[{}, 0], [15, 0], [4, 20], [0, 20]]
+{})",
+                     foot_x, rest);
+}
+
+/// Force of the water at time 0 on the dam [N], and its moment about the origin.
+statics::Wrench water_on_dam(const scene::Scene& scene) {
+  hydrostatic::HydrostaticModel water(scene);
+  wire::Motion drawn;
+  drawn.displacement.assign(2, {});
+  drawn.velocity.assign(2, {});
+  wire::Load load;
+  water.advance(drawn, 0, load);
+  statics::Wrench w = statics::water_forces(scene, load)[1];
+  w[2] += geometry::cross(statics::centroids_of(scene)[1], w.head<2>());
+  return w;
+}
+
+/// What a table adds to the water at this level.
+statics::Wrench added_by(const std::string& table, double foot_x, double level_m, const std::string& more = "") {
+  const std::string water = fmt::format("[water]\nupstream_level_m = {}\n{}", level_m, more);
+  return water_on_dam(read_text(dam(foot_x, water + table), "s.toml").scene) -
+         water_on_dam(
+             read_text(dam(foot_x, fmt::format("[water]\nupstream_level_m = {}\nmay_overtop = true\n", level_m)),
+                       "s.toml")
+                 .scene);
+}
+
+void expect_wrench(const statics::Wrench& w, double x, double y, double moment) {
+  const double scale = std::abs(x) + std::abs(y);
+  EXPECT_NEAR(w[0], x, 1e-9 * scale);
+  EXPECT_NEAR(w[1], y, 1e-9 * scale);
+  EXPECT_NEAR(w[2], moment, 1e-8 * scale * 20);
+}
+
+TEST(ReservoirLoads, WestergaardsPressureHasHisForceAndMoment) {
+  const double weight = 9810;
+  const double h = 16;
+  expect_wrench(added_by("[earthquake]\nhorizontal_coefficient = 0.1\n", 0, h), 7.0 / 12 * 0.1 * weight * h * h, 0,
+                -7.0 / 30 * 0.1 * weight * h * h * h);
+  expect_wrench(added_by("[earthquake]\nhorizontal_coefficient = 0.1\nadded_water_pressure = 'none'\n", 0, h), 0, 0, 0);
+}
+
+/// A face that leans has the normal part of the acceleration, square to it.
+TEST(ReservoirLoads, WestergaardsPressureOnALeaningFaceIsOfItsNormalsPart) {
+  const double h = 20 - 1e-9;
+  const double lean = 4.0 / 20;
+  const double nx = 1 / std::hypot(1, lean);
+  const statics::Wrench w = added_by("[earthquake]\nhorizontal_coefficient = 0.1\n", -4, h);
+  EXPECT_NEAR(w[0] / (7.0 / 12 * 0.1 * 9810 * h * h * nx), 1, 1e-8);
+  EXPECT_NEAR(w[1] / w[0], -lean, 1e-8);
+}
+
+TEST(ReservoirLoads, AnEarthquakePushesAllThatCanMove) {
+  const auto scene =
+      read_text(dam(0, "[earthquake]\nhorizontal_coefficient = 0.1\nvertical_coefficient = 0.05\n"), "s.toml").scene;
+  const statics::Wrenches loads = statics::stated_loads_of(scene, 0);
+  const double weight = -statics::weights_of(scene)[1][1];
+  EXPECT_NEAR(loads[1][0] / weight, 0.1, 1e-12);
+  EXPECT_NEAR(loads[1][1] / weight, 0.05, 1e-12);
+  EXPECT_EQ(loads[0][0], 0);
+}
+
+TEST(ReservoirLoads, IceActsUnderTheLevelAndFollowsIt) {
+  const std::string ice = "[ice]\nthrust_n_per_m = 150e3\nthickness_m = 0.8\n";
+  for (const double level : {12.0, 18.5}) expect_wrench(added_by(ice, 0, level), 150e3, 0, -150e3 * (level - 0.4));
+}
+
+TEST(ReservoirLoads, TheNappePressesOnTheCrest) {
+  const auto nappe = [](const char* law) {
+    return added_by("", 0, 23, fmt::format("may_overtop = true\ncrest_pressure = '{}'\n", law));
+  };
+  const double head = 3 * 9810;
+  expect_wrench(nappe("full"), 0, -4 * head, -4 * head * 2);
+  expect_wrench(nappe("triangular"), 0, -2 * head, -2 * head * 4.0 / 3);
+  expect_wrench(nappe("none"), 0, 0, 0);
+}
+
+TEST(ReservoirLoads, SiltPressesDownstreamAndDownWhereAFaceLooksUp) {
+  const std::string silt = "[silt]\nlevel_m = 6\nsubmerged_density_kg_per_m3 = 900\npressure_coefficient = 0.4\n";
+  const double vertical = 900 * 9.81 * 6;
+  const auto on_dam = [&](double foot_x) {
+    const auto scene = read_text(dam(foot_x, silt), "s.toml").scene;
+    statics::Wrench w = statics::stated_loads_of(scene, 0)[1];
+    w[2] += geometry::cross(statics::centroids_of(scene)[1], w.head<2>());
+    return w;
+  };
+  expect_wrench(on_dam(0), 0.4 * vertical * 3, 0, -0.4 * vertical * 3 * 2);
+  const double width = 6 * 4.0 / 20;  // that the silt stands over
+  const statics::Wrench leaning = on_dam(-4);
+  EXPECT_NEAR(leaning[0] / (0.4 * vertical * 3), 1, 1e-9);
+  EXPECT_NEAR(leaning[1] / (-vertical * width / 2), 1, 1e-9);
+}
+
+TEST(ReservoirLoads, AreRefusedWhereTheyCannotAct) {
+  const auto refusal = [](const std::string& table) { return testing::PrintToString(errors(dam(0, table))); };
+  EXPECT_THAT(refusal("[ice]\nthrust_n_per_m = 1e5\nthickness_m = 0.5\n"), HasSubstr("[ice] without a reservoir"));
+  EXPECT_THAT(refusal("[silt]\nlevel_m = -1\nsubmerged_density_kg_per_m3 = 900\npressure_coefficient = 0.4\n"),
+              HasSubstr("s.toml:17: error: level_m in [silt] is -1 m, below every upstream face"));
+  EXPECT_THAT(refusal("[earthquake]\nhorizontal_coefficient = 9.81\n"), HasSubstr("a share of gravity"));
+}
+
+}  // namespace

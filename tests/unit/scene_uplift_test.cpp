@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_scene_read
+// Laws of the water in joints: what is read, and what is refused.
+#include "tests/unit/scene_sample.hpp"
+
+namespace {
+
+using namespace blockweir::scene;
+using sample::expect_error;
+
+/// The sample with this law in its crack of 3 m, on lines 30 and following.
+std::string crack(const std::string& law) {
+  return sample::with("cohesion_pa = 1e5", law);
+}
+
+Joint joint(const std::string& law) {
+  return read_text(crack(law), "s.toml").scene.joints.front();
+}
+
+TEST(SceneUplift, DrainsAndPiezometersAreRead) {
+  const Joint drained = joint("uplift = 'drained'\ndrain_m = 1\ndrain_efficiency = 0.5\ndrain_head_m = 2.1");
+  ASSERT_TRUE(drained.law.known_heads.drain);
+  EXPECT_EQ(*drained.law.known_heads.drain, (Drain{1, 0.5, 2.1}));
+  EXPECT_EQ(joint("uplift = 'drained'\ndrain_m = 1\ndrain_head_m = 2.1").law.known_heads.drain->efficiency, 1);
+  EXPECT_FALSE(joint("uplift = 'cracked'").law.known_heads.drain);
+  const Joint heads = joint("uplift = 'heads'\npiezometers_m = [[1, 2.8], [2, 2.2]]\npiezometers_level_m = 3");
+  EXPECT_EQ(heads.law.known_heads.piezometers, (std::vector<Piezometer>{{1, 2.8}, {2, 2.2}}));
+  EXPECT_EQ(heads.law.known_heads.level_m, 3);
+}
+
+TEST(SceneUplift, ADrainBeyondItsJointIsRefused) {
+  expect_error(crack("uplift = 'drained'\ndrain_m = 3.5\ndrain_efficiency = 0.5"), 30,
+               {"the drain of joint \"crack\" lies at 3.5 m", "3 m long", "move it"});
+  expect_error(crack("uplift = 'heads'\npiezometers_m = [[1, 2.8], [4, 2.2]]\npiezometers_level_m = 3"), 30,
+               {"a piezometer of joint \"crack\" lies at 4 m"});
+}
+
+TEST(SceneUplift, HalfADrainOrNoneIsRefused) {
+  expect_error(crack("uplift = 'drained'"), 30, {"without a drain", "drain_m"});
+  expect_error(crack("uplift = 'drained'\ndrain_m = 1"), 31, {"half of a drain", "add drain_efficiency"});
+  expect_error(crack("uplift = 'drained'\ndrain_efficiency = 0.5"), 31, {"half of a drain", "add drain_m"});
+  expect_error(crack("uplift = 'full'\ndrain_m = 1\ndrain_efficiency = 0.5"), 31, {"has no effect", "\"drained\""});
+  expect_error(crack("uplift = 'drained'\ndrain_m = 1\ndrain_efficiency = 60"), 32, {"a number from 0 to 1"});
+}
+
+TEST(SceneUplift, PiezometersNeedTheirLevelAndRisingStations) {
+  expect_error(crack("uplift = 'heads'"), 30, {"without piezometers"});
+  expect_error(crack("uplift = 'heads'\npiezometers_m = [[1, 2.8]]"), 31, {"by half", "piezometers_level_m"});
+  expect_error(crack("uplift = 'heads'\npiezometers_m = [[2, 2.8], [1, 2.2]]\npiezometers_level_m = 3"), 31,
+               {"a station of 1 m follows one of 2 m"});
+  expect_error(crack("uplift = 'heads'\npiezometers_m = [[1, 2.8]]\npiezometers_level_m = 1.5"), 30,
+               {"not above its downstream end at 2 m"});
+}
+
+TEST(SceneUplift, AJointThatDoesNotRunThroughCannotCrackByItself) {
+  const std::string beside = sample::text + R"([[block]]
+name = "beside"
+material = "concrete"
+vertices_m = [[3, 0], [5, 0], [5, 4], [3, 4]]
+)";
+  expect_error(sample::with("cohesion_pa = 1e5", "uplift = 'cracked'", beside), 30,
+               {"joint \"crack\", which parts nothing from the ground", "run through"});
+}
+
+}  // namespace
