@@ -39,7 +39,7 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
   const StopsLater until_it_is_answered;
   const Supervised supervised =
       supervise({limit_command(folder, question, file)}, folder, grace_s, [] { return true; });
-  if (supervised.interrupted) throw std::runtime_error("stopped on request");
+  if (supervised.interrupted) throw Stopped();
   const std::string trouble = first_trouble(supervised, folder);
   if (!trouble.empty() && supervised.ends.front().exit_code == 2) throw std::invalid_argument(trouble);
   if (!trouble.empty()) throw std::runtime_error(trouble);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,14 @@ struct Asked {
   nlohmann::json answer;
 };
 
+/// Ctrl-C was pressed before there was an answer.
+struct Stopped : std::runtime_error {
+  Stopped() : std::runtime_error("stopped on request") {}
+};
+
 /// `question` is "level" or "safety"; the answer is in the folder, too, as QUESTION.json. Throws scene::SceneError,
-/// std::invalid_argument for a folder that holds something else, and std::runtime_error where there is no answer.
+/// std::invalid_argument for a folder that holds something else, Stopped, and std::runtime_error where there is no
+/// answer.
 Asked ask(const std::string& question, const AskOptions& options);
 
 }  // namespace blockweir::process
