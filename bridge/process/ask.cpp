@@ -7,6 +7,7 @@
 
 #include "bridge/process/programs.hpp"
 #include "bridge/process/trouble.hpp"
+#include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
@@ -57,7 +58,10 @@ Asked ask(const std::string& question, const AskOptions& options) {
     }
   }
   Asked asked{.folder = options.out, .scene = std::move(read.scene)};
-  if (asked.folder.empty()) asked.folder = fs::path("runs") / (case_name(options.scene) + "-" + question);
+  if (asked.folder.empty()) {
+    const std::string variant = options.variant.empty() ? "" : "-" + results::file_name(options.variant);
+    asked.folder = fs::path("runs") / (case_name(options.scene) + variant + "-" + question);
+  }
   require_own(asked.folder);
   results::make_folder(asked.folder);
   try {

@@ -14,7 +14,7 @@ namespace blockweir::process {
 
 struct AskOptions {
   std::filesystem::path scene;
-  std::filesystem::path out{};  ///< folder for the answer; empty: runs/CASE-QUESTION
+  std::filesystem::path out{};  ///< folder for the answer; empty: runs/CASE-QUESTION, or runs/CASE-VARIANT-QUESTION
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
   bool quiet = false;  ///< nothing of what the reader mends or warns of
