@@ -9,6 +9,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/study/bench.hpp"
+#include "bridge/study/open_study.hpp"
 #include "bridge/study/safety.hpp"
 #include "bridge/study/study.hpp"
 
@@ -45,7 +46,8 @@ int check(const CheckOptions& options) {
   for (const scene::LoadCase& load_case : read.load_cases) {
     wrong.from([&] { study::require_sound(load_case, path, overrides); });
   }
-  wrong.from([&] { studies = study::study_tasks(path, overrides).size(); });
+  wrong.from([&] { studies += study::study_tasks(path, overrides).size(); });
+  wrong.from([&] { studies += study::open_study_tasks(path, overrides, /*jobs=*/1).size(); });
   wrong.from([&] { study::bench_settings(path, overrides); });
   wrong.report();
   if (strict) scene::refuse_warnings(warnings);

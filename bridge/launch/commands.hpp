@@ -25,6 +25,7 @@ Work level_command(CLI::App& app);
 Work man_command(CLI::App& app);
 Work plot_command(CLI::App& app);
 Work profile_command(CLI::App& app);
+Work report_command(CLI::App& app);
 Work resume_command(CLI::App& app);
 Work run_command(CLI::App& app);
 Work safety_command(CLI::App& app);
@@ -49,6 +50,7 @@ inline constexpr std::array commands = {
     Command{"cut", "draw the blocks of a scene, without running it", cut_command},
     Command{"case", "write OpenFOAM's case of a scene, without running it", case_command},
     Command{"plot", "draw the figures of a run", plot_command},
+    Command{"report", "write all that is known of a scene or a run as one page to hand in", report_command},
     Command{"profile", "say and draw where the time of a run went", profile_command},
     Command{"study", "make the runs of a scene's studies and compare", study_command},
     Command{"validate", "run every case that has an answer and compare", validate_command},

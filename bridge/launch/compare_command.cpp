@@ -8,8 +8,9 @@ namespace blockweir::launch {
 
 Work compare_command(CLI::App& app) {
   const auto options = std::make_shared<study::CompareOptions>();
-  app.add_option("cases", options->cases, "case folders (default: five of them)");
+  app.add_option("cases", options->cases, "case folders or scene files (default: five cases)");
   app.add_option("--json", options->json, "file for the table as JSON");
+  app.add_option("--out", options->out, "folder that keeps each run as CASE-FORMULATION");
   app.add_option("--set", options->overrides, "key=value over the scenes' own");
   return [options] { return study::compare(*options); };
 }

@@ -11,6 +11,10 @@ Work plot_command(CLI::App& app) {
   app.add_option("run", options->run, "folder of a run")->required();
   app.add_flag("--svg", options->svg, "SVG instead of PNG");
   app.add_flag("--animate", options->animated, "all frames as animation.gif too");
+  app.add_flag("--section", options->section, "the section with joints' names and loads too");
+  app.add_option("--blocks", options->blocks, "blocks that legends name (default: the eight that move most)")
+      ->delimiter(',');
+  app.add_option("--data", options->data, "CSV of measured points: time_s, then columns called as in history.csv");
   return [options] { return picture::plot(*options), 0; };
 }
 

@@ -10,7 +10,9 @@ Work study_command(CLI::App& app) {
   const auto options = std::make_shared<study::StudyOptions>();
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--name", options->name, "one of the studies (default: all)");
-  app.add_option("--out", options->out, "folder for their tables (JSON) and figures (PNG)");
+  app.add_option("--out", options->out, "folder for tables and figures ([[study]]: runs/CASE-studies by default)");
+  app.add_option("--jobs", options->jobs, "runs of a [[study]] at once (default: one a processor)")
+      ->check(CLI::PositiveNumber);
   app.add_option("--set", options->overrides, "key=value over the scene's own");
   return [options] { return study::perform_all(*options); };
 }

@@ -8,6 +8,7 @@
 
 #include "bridge/process/run.hpp"
 #include "bridge/process/supervisor.hpp"
+#include "bridge/results/wrapped.hpp"
 
 namespace blockweir::launch {
 
@@ -29,7 +30,8 @@ int told(Run run) {
   if (!result.trouble.empty() && !errors_stand_in_the_output()) {
     fmt::print(stderr, "blockweir: {}\n", process::trouble_text(result));
   }
-  fmt::print("{}", process::report(result));
+  const std::string report = process::report(result);
+  fmt::print("{}", ::isatty(STDOUT_FILENO) != 0 ? results::wrapped(report) : report);
   return result.exit_code;
 }
 

@@ -3,38 +3,21 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "bridge/picture/gnuplot.hpp"
-#include "bridge/results/csv.hpp"
+#include "bridge/picture/history.hpp"
+#include "bridge/scene/read/nearest.hpp"
 
 namespace blockweir::picture {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Column names of a CSV header; quoted ones may hold commas.
-std::vector<std::string> columns_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::string line;
-  if (!std::getline(stream, line)) {
-    throw std::invalid_argument(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
-  }
-  return results::csv_cells(line);
-}
-
-/// Whether the run has no value for a column: levels of a scene without water.
-bool is_empty(const fs::path& file, std::size_t column) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  std::getline(stream, line);
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < column && begin != std::string::npos; ++i) begin = line.find(',', begin) + 1;
-  return line.compare(begin, 3, "nan") == 0;
-}
+constexpr std::size_t most_named = 8;
 
 /// A quantity's ending, its axis, and what of it is rest: the axis reaches as far at least.
 struct Axis {
@@ -43,36 +26,103 @@ struct Axis {
   double rest = 0;
 };
 
-/// One panel: all columns that end as asked, each under its block's name; of many the first.
-std::string panel(const fs::path& file, const std::vector<std::string>& columns, const Axis& axis) {
-  constexpr int most_named = 8;
-  const std::string quantity = axis.quantity;
-  std::string curves;
-  int drawn = 0;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string& name = columns[i];
-    if (name.size() < quantity.size() || name.compare(name.size() - quantity.size(), quantity.size(), quantity) != 0)
-      continue;
-    if (is_empty(file, i)) continue;
-    std::string title = name.substr(0, name.size() - quantity.size());
-    if (!title.empty() && title.back() == '.') title.pop_back();
-    curves += fmt::format("{}{} using 1:{} with lines lw 2 {}", curves.empty() ? "" : ", ", gnuplot_path(file), i + 1,
-                          ++drawn > most_named ? "notitle" : "title " + gnuplot_text(title));
-  }
-  if (curves.empty()) return "";
-  if (drawn > most_named) {
-    curves += fmt::format(", NaN with lines lc rgb 'white' title \"and {} more\"", drawn - most_named);
-  }
-  const std::string range = axis.rest > 0 ? fmt::format("[* < -{0} : {0} < *]", axis.rest) : "[*:*]";
-  return fmt::format("set ylabel \"{}\"\nset yrange {}\nplot {}\n", axis.label, range, curves);
+bool holds(const std::vector<std::string>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
 }
+
+/// Throws std::invalid_argument where `word` is none of `known`.
+void require_known(const std::string& option, const std::string& word, const std::vector<std::string>& known) {
+  if (holds(known, word)) return;
+  const std::string near = scene::did_you_mean(word, known);
+  throw std::invalid_argument(fmt::format("{}: found \"{}\", which the run does not have; expected {}{}", option, word,
+                                          scene::one_of(known), near.empty() ? "" : "; " + near));
+}
+
+class Series {
+ public:
+  explicit Series(const PlotOptions& options) : file_(options.run / "history.csv"), history_(file_) {
+    std::vector<std::string> blocks;
+    constexpr const char* ending = ".displacement_x_m";
+    for (const std::string& name : history_.names()) {
+      if (name.ends_with(ending)) blocks.push_back(name.substr(0, name.size() - std::string_view(ending).size()));
+    }
+    for (const std::string& block : options.blocks) require_known("--blocks", block, blocks);
+    named_ = options.blocks;
+    if (named_.empty()) named_ = history_.largest_first("displacement_x_m", "displacement_y_m");
+    if (named_.empty()) named_ = blocks;
+    if (options.blocks.empty()) named_.resize(std::min(named_.size(), most_named));
+    for (const std::string& block : blocks) {
+      if (!holds(named_, block)) others_.push_back(block);
+    }
+    if (!options.data.empty()) take_measured(options.data);
+  }
+
+  /// All columns of the quantity, those of unnamed blocks grey behind the others; empty where the run has none.
+  [[nodiscard]] std::string panel(const Axis& axis) const {
+    const std::string quantity = axis.quantity;
+    const bool of_blocks = quantity.starts_with('.');
+    std::string curves;
+    const auto add = [&](const fs::path& file, const History& history, const std::string& column,
+                         const std::string& style) {
+      if (!history.has_values(column)) return;
+      const auto place = std::find(history.names().begin(), history.names().end(), column) - history.names().begin();
+      curves += fmt::format("{}{} using 1:{} {}", curves.empty() ? "" : ", ", gnuplot_path(file), place + 1, style);
+    };
+    if (!of_blocks) add(file_, history_, quantity, "with lines lw 2 title " + gnuplot_text(quantity));
+    for (const std::string& block : others_) {
+      if (of_blocks) add(file_, history_, block + quantity, "with lines lw 1 lc rgb '#b8b8b8' notitle");
+    }
+    int colour = 0;
+    for (const std::string& block : named_) {
+      if (!of_blocks) break;
+      ++colour;
+      add(file_, history_, block + quantity,
+          fmt::format("with lines lw 2 lt {} title {}", colour, gnuplot_text(block)));
+      if (!measured_) continue;
+      add(measured_file_, *measured_, block + quantity,
+          fmt::format("with points pt 6 lt {} title {}", colour, gnuplot_text(block + ", measured")));
+    }
+    if (!of_blocks && measured_) add(measured_file_, *measured_, quantity, "with points pt 6 lt 1 title 'measured'");
+    if (curves.empty()) return "";
+    if (of_blocks && !others_.empty()) {
+      curves += fmt::format(", NaN with lines lw 1 lc rgb '#b8b8b8' title \"{} more\"", others_.size());
+    }
+    const std::string range = axis.rest > 0 ? fmt::format("[* < -{0} : {0} < *]", axis.rest) : "[*:*]";
+    return fmt::format("set ylabel \"{}\"\nset yrange {}\nplot {}\n", axis.label, range, curves);
+  }
+
+ private:
+  void take_measured(const fs::path& file) {
+    measured_file_ = file;
+    std::error_code unreadable;
+    if (!fs::is_regular_file(file, unreadable) || fs::is_empty(file, unreadable)) {
+      throw std::invalid_argument(
+          fmt::format("--data {}: found no such file, or an empty one; expected CSV with a heading; check the path",
+                      file.string()));
+    }
+    measured_.emplace(file);
+    const auto& columns = measured_->names();
+    if (columns.front() != "time_s") {
+      throw std::invalid_argument(fmt::format("--data {}: found \"{}\" as the first column; expected time_s; rename it",
+                                              file.string(), columns.front()));
+    }
+    for (const std::string& column : columns) require_known("--data " + file.string(), column, history_.names());
+  }
+
+  fs::path file_;
+  History history_;
+  std::vector<std::string> named_;
+  std::vector<std::string> others_;
+  fs::path measured_file_;
+  std::optional<History> measured_;
+};
 
 }  // namespace
 
-std::string series_script(const fs::path& run, const nlohmann::json& summary, const std::string& terminal,
+std::string series_script(const PlotOptions& options, const nlohmann::json& summary, const std::string& terminal,
                           const std::string& ending) {
-  const fs::path file = run / "history.csv";
-  const auto columns = columns_of(file);
+  const Series series(options);
+  const fs::path& run = options.run;
   std::string script =
       "set datafile separator ','\nset datafile missing 'nan'\nset key autotitle columnhead\nset key top left\n"
       "set grid lc rgb '#dddddd'\nset xlabel 'time [s]'\n";
@@ -82,7 +132,7 @@ std::string series_script(const fs::path& run, const nlohmann::json& summary, co
   }
   const auto figure = [&](const std::string& name, const std::string& title, const std::vector<Axis>& panels) {
     std::string body;
-    for (const Axis& axis : panels) body += panel(file, columns, axis);
+    for (const Axis& axis : panels) body += series.panel(axis);
     if (body.empty()) return;
     script += fmt::format(
         "set terminal {} size 1000,{}\nset output {}\nset multiplot layout {},1 title {}\n{}unset multiplot\n",

@@ -9,11 +9,10 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <stdexcept>
 #include <vector>
 
+#include "bridge/picture/frames.hpp"
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/picture/openfoam_water.hpp"
 #include "bridge/picture/still_pools.hpp"
@@ -23,41 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-std::vector<json> read_frames(const fs::path& file) {
-  std::ifstream stream(file);
-  std::vector<json> frames;
-  for (std::string line; std::getline(stream, line);) {
-    json frame = json::parse(line, nullptr, /*allow_exceptions=*/false);
-    if (frame.is_object()) frames.push_back(std::move(frame));  // a killed run may leave half a line
-  }
-  if (frames.empty())
-    throw std::invalid_argument(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
-  return frames;
-}
-
-/// Around what moves, in all frames, with some ground below and some water beside it; and around fixed walls that stand
-/// higher than `water_m`.
-View view_of(const std::vector<json>& frames, double water_m) {
-  View view;
-  for (const json& block : frames.front()["blocks"]) {
-    double top = -1e300;
-    for (const json& p : block["outline"]) top = std::max(top, p[1].get<double>());
-    if (top <= water_m) continue;
-    for (const json& p : block["outline"]) view.include(p[0], p[1]);
-  }
-  for (const json& frame : frames) {
-    for (const json& block : frame["blocks"]) {
-      if (block["fixed"].get<bool>()) continue;
-      for (const json& p : block["outline"]) view.include(p[0], p[1]);
-    }
-    for (const char* pool : {"upstream_level_m", "downstream_level_m"}) {
-      if (frame[pool].is_number()) view.include(view.left, frame[pool]);
-    }
-  }
-  const double size = std::max(view.right - view.left, view.top - view.bottom);
-  return {view.left - 0.35 * size, view.right + 0.2 * size, view.bottom - 0.12 * size, view.top + 0.08 * size};
-}
 
 /// What of the outline is in view: gnuplot does not fill to the view's corners where a polygon reaches beyond them.
 std::string polygon(int& number, const json& outline, const View& view, const char* style) {
@@ -152,15 +116,14 @@ std::string moment(const json& frame, const View& view, double breached_s, bool 
   double largest = 0;
   text += stress(number, frame, view, largest);
   text += bolts(frame);
-  const std::string scale =
-      largest > 0 ? fmt::format(", larger principal stress: blue -{0:.3g} MPa, red +{0:.3g} MPa", largest / 1e6) : "";
   std::string level;
   if (frame["upstream_level_m"].is_number()) {
-    level = fmt::format(", level {:.2f} m", frame["upstream_level_m"].get<double>());
+    level = fmt::format(", level {:.2f} m{}", frame["upstream_level_m"].get<double>(),
+                        water.empty() && above_all(frame) ? " (above all blocks)" : "");
   }
   if (breached) level = fmt::format(", breached at {:.2f} s", breached_s);
-  text += fmt::format("set title \"{:.2f} s{}{}\"\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-                      frame["time_s"].get<double>(), level, scale, view.left, view.right, view.bottom, view.top);
+  text += fmt::format("set title \"{:.2f} s{}\"\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
+                      frame["time_s"].get<double>(), level, view.left, view.right, view.bottom, view.top);
   if (!water.empty()) {
     return text + "plot $water using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder lc rgb variable notitle\n";
   }
@@ -169,10 +132,28 @@ std::string moment(const json& frame, const View& view, double breached_s, bool 
     const int state = c[2];
     if (contacts && state > 0) points += fmt::format("{} {} {}\n", c[0].get<double>(), c[1].get<double>(), state);
   }
+  if (largest > 0) {
+    text += fmt::format(
+        "set palette defined (-1 '#0000ff', 0 '#ffffff', 1 '#ff0000')\nset cbrange [{}:{}]\n"
+        "set cblabel 'larger principal stress [MPa]'\nset colorbox\n",
+        -largest / 1e6, largest / 1e6);
+    if (points.empty()) return text + "plot NaN with points palette notitle\n";
+  }
   if (points.empty()) return text + "plot NaN notitle\n";
   text += fmt::format("$contacts << E\n{}E\n", points);
-  return text +
-         "plot $contacts using 1:2:($3 == 2 ? 0xd00000 : 0x1a7f37) with points pt 7 ps 1 lc rgb variable notitle\n";
+  return text + fmt::format(
+                    "plot {}$contacts using 1:2:($3 == 2 ? 0xd00000 : 0x1a7f37) with points pt 7 ps 1 lc rgb variable "
+                    "notitle\n",
+                    largest > 0 ? "NaN with points palette notitle, " : "");
+}
+
+/// At least `least`: 1, 2 or 5 times a power of ten.
+double round_step(double least) {
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least) return factor * power;
+  }
+  return 10 * power;
 }
 
 /// Six moments from just before the failure to the end, or over the whole run when nothing fails.
@@ -195,7 +176,7 @@ std::vector<std::size_t> chosen(const std::vector<json>& frames, const json& sum
 
 std::string snapshot_script(const fs::path& run, const json& summary, const std::string& terminal,
                             const std::string& ending, bool animated) {
-  const std::vector<json> frames = read_frames(run / "frames.jsonl");
+  const std::vector<json> frames = read_frames(run);
   const auto picks = chosen(frames, summary);
   const OpenFoamWater water(run);
   double highest = water.empty() ? 1e300 : -1e300;
@@ -214,6 +195,9 @@ std::string snapshot_script(const fs::path& run, const json& summary, const std:
   const auto flow_at = [&](const json& frame) {
     return water.empty() ? "" : flow(water.boxes(frame["time_s"]), view, fastest_shown);
   };
+  constexpr double snapshot_points = 390;  // of a snapshot's width
+  constexpr double tic_points = 30;        // that a number needs
+  script += fmt::format("set ytics {}\n", round_step(tic_points / snapshot_points * (view.right - view.left)));
   const std::string legend = water.empty() ? " (contacts: green stick, red slip)" : "";
   const int columns = 3;
   const int rows = static_cast<int>((picks.size() + 2) / 3);

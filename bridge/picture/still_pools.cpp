@@ -69,14 +69,23 @@ double crest_x(const json& frame) {
   return x;
 }
 
+double highest_point(const json& frame) {
+  double y = -std::numeric_limits<double>::infinity();
+  for (const json& block : frame["blocks"]) {
+    for (const json& p : block["outline"]) y = std::max(y, p[1].get<double>());
+  }
+  return y;
+}
+
 /// All that may be a pool, as boxes up to the levels.
 cl::Paths under_levels(const json& frame, const WetPoints& wet, const View& view, const Grid& grid) {
   cl::Paths boxes;
+  const double highest = std::min(view.top, highest_point(frame));
   const auto add = [&](double from, double to, double bottom, double level) {
     from = std::max(from, view.left);
     to = std::min(to, view.right);
     bottom = std::max(bottom, view.bottom);
-    level = std::min(level, view.top);
+    level = std::min(level, highest);
     if (from >= to || bottom >= level) return;
     boxes.push_back({grid.on({from, bottom}), grid.on({to, bottom}), grid.on({to, level}), grid.on({from, level})});
   };
@@ -124,6 +133,13 @@ double distance_to(const cl::Path& outline, const cl::IntPoint& place) {
 }
 
 }  // namespace
+
+bool above_all(const json& frame) {
+  for (const char* pool : {"upstream_level_m", "downstream_level_m"}) {
+    if (frame[pool].is_number() && frame[pool].get<double>() > highest_point(frame)) return true;
+  }
+  return false;
+}
 
 std::vector<std::vector<Point>> still_pools(const json& frame, const View& view) {
   const WetPoints wet(frame);

@@ -7,6 +7,7 @@
 
 #include "bridge/process/programs.hpp"
 #include "bridge/process/trouble.hpp"
+#include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
@@ -39,7 +40,7 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
   const StopsLater until_it_is_answered;
   const Supervised supervised =
       supervise({limit_command(folder, question, file)}, folder, grace_s, [] { return true; });
-  if (supervised.interrupted) throw std::runtime_error("stopped on request");
+  if (supervised.interrupted) throw Stopped();
   const std::string trouble = first_trouble(supervised, folder);
   if (!trouble.empty() && supervised.ends.front().exit_code == 2) throw std::invalid_argument(trouble);
   if (!trouble.empty()) throw std::runtime_error(trouble);
@@ -57,7 +58,10 @@ Asked ask(const std::string& question, const AskOptions& options) {
     }
   }
   Asked asked{.folder = options.out, .scene = std::move(read.scene)};
-  if (asked.folder.empty()) asked.folder = fs::path("runs") / (case_name(options.scene) + "-" + question);
+  if (asked.folder.empty()) {
+    const std::string variant = options.variant.empty() ? "" : "-" + results::file_name(options.variant);
+    asked.folder = fs::path("runs") / (case_name(options.scene) + variant + "-" + question);
+  }
   require_own(asked.folder);
   results::make_folder(asked.folder);
   try {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace blockweir::process {
 
 struct AskOptions {
   std::filesystem::path scene;
-  std::filesystem::path out{};  ///< folder for the answer; empty: runs/CASE-QUESTION
+  std::filesystem::path out{};  ///< folder for the answer; empty: runs/CASE-QUESTION, or runs/CASE-VARIANT-QUESTION
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
   bool quiet = false;  ///< nothing of what the reader mends or warns of
@@ -25,8 +26,14 @@ struct Asked {
   nlohmann::json answer;
 };
 
+/// Ctrl-C was pressed before there was an answer.
+struct Stopped : std::runtime_error {
+  Stopped() : std::runtime_error("stopped on request") {}
+};
+
 /// `question` is "level" or "safety"; the answer is in the folder, too, as QUESTION.json. Throws scene::SceneError,
-/// std::invalid_argument for a folder that holds something else, and std::runtime_error where there is no answer.
+/// std::invalid_argument for a folder that holds something else, Stopped, and std::runtime_error where there is no
+/// answer.
 Asked ask(const std::string& question, const AskOptions& options);
 
 }  // namespace blockweir::process

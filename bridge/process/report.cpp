@@ -73,7 +73,10 @@ std::string report(const RunResult& result) {
                         check["name"].get<std::string>(), results::figure(check["expected"]), got,
                         number(check["tolerance"]));
   }
-  for (const json& skip : s.value("skips", json::array())) text += fmt::format("skipped {}\n", skip.get<std::string>());
+  if (const std::size_t skips = s.value("skips", json::array()).size(); skips > 0) {
+    text += fmt::format("skipped {} kinds of work that the result does not need; \"blockweir profile {}\" lists them\n",
+                        skips, result.folder.string());
+  }
   const json simulated = s.value("simulated_s", json());
   text += fmt::format("time    {} s of wall time{}\n", number(s["wall_time_s"]),
                       simulated.is_null() ? "" : fmt::format(" for {} s simulated", number(simulated)));

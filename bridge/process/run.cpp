@@ -17,6 +17,7 @@
 #include "bridge/process/supervisor.hpp"
 #include "bridge/process/temporary_folder.hpp"
 #include "bridge/process/trouble.hpp"
+#include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
@@ -41,7 +42,8 @@ fs::path results_folder(const RunOptions& options) {
     }
     return options.out;
   }
-  const std::string name = case_name(options.scene);
+  std::string name = case_name(options.scene);
+  if (!options.variant.empty()) name += "-" + results::file_name(options.variant);
   fs::path out = fs::path("runs") / name;
   for (int n = 2; fs::exists(out); ++n) out = fs::path("runs") / fmt::format("{}-{}", name, n);
   return out;

@@ -11,7 +11,7 @@ namespace blockweir::process {
 
 struct RunOptions {
   std::filesystem::path scene;
-  std::filesystem::path out{};  ///< empty: runs/CASE, or the first free runs/CASE-N
+  std::filesystem::path out{};  ///< empty: runs/CASE, or runs/CASE-VARIANT; or the first free with -N behind it
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
   bool inproc = false;  ///< the reference fluid within the solid's process

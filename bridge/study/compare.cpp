@@ -7,6 +7,7 @@
 #include "bridge/results/figure.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/scene/diagnostic.hpp"
 #include "bridge/study/cases_folder.hpp"
 #include "bridge/study/study.hpp"
 
@@ -39,15 +40,27 @@ RunResult uninterrupted(const RunOptions& options) {
 
 /// Twice: what a run takes, and then with the condition numbers, which take far longer than the run.
 json measured(RunOptions options) {
-  const RunResult timed = uninterrupted(options);
-  if (timed.exit_code != 0) return {{"trouble", timed.trouble}};
-  options.overrides.emplace_back("contact.measure_condition=true");
-  const RunResult conditioned = uninterrupted(options);
-  if (conditioned.exit_code != 0) return {{"trouble", "with contact.measure_condition: " + conditioned.trouble}};
-  json summary = timed.summary;
-  summary["largest_condition_number"] = conditioned.summary.value("largest_condition_number", json());
-  fs::remove_all(options.out);
-  return summary;
+  try {
+    const RunResult timed = uninterrupted(options);
+    if (timed.exit_code != 0) return {{"trouble", timed.trouble}};
+    options.overrides.emplace_back("contact.measure_condition=true");
+    options.out += "-conditioned";
+    const RunResult conditioned = uninterrupted(options);
+    fs::remove_all(options.out);
+    if (conditioned.exit_code != 0) return {{"trouble", "with contact.measure_condition: " + conditioned.trouble}};
+    json summary = timed.summary;
+    summary["largest_condition_number"] = conditioned.summary.value("largest_condition_number", json());
+    return summary;
+  } catch (const scene::SceneError& error) {
+    return {{"trouble", error.what()}};
+  }
+}
+
+/// What makes the run again, on a command line.
+std::string command_of(const RunOptions& options) {
+  std::string text = fmt::format("blockweir run {}", options.scene.string());
+  for (const std::string& set : options.overrides) text += fmt::format(" --set '{}'", set);
+  return text;
 }
 
 std::string number(const json& value, const char* format) {
@@ -75,10 +88,11 @@ json figures(const json& s) {
 }
 
 /// Prints a row for each figure, and adds it to `rows`; false where there is none.
-bool add_rows(const std::string& name, const char* formulation, const json& s, json& rows) {
+bool add_rows(const std::string& name, const char* formulation, const std::string& command, const json& s, json& rows) {
   if (s.contains("trouble")) {
-    fmt::print("{:<20} {:<21} {}\n", name, formulation, s["trouble"].get<std::string>());
-    rows.push_back({{"case", name}, {"formulation", formulation}, {"trouble", s["trouble"]}});
+    fmt::print("{:<20} {:<21} {}\n{:<42} repeat it with {}\n", name, formulation, s["trouble"].get<std::string>(), "",
+               command);
+    rows.push_back({{"case", name}, {"formulation", formulation}, {"trouble", s["trouble"]}, {"command", command}});
     return false;
   }
   for (const json& check : figures(s)) {
@@ -99,7 +113,8 @@ bool add_rows(const std::string& name, const char* formulation, const json& s, j
                     {"multiplier_sweeps", s["counts"]["multiplier_sweeps"]},
                     {"steps", s["counts"]["steps"]},
                     {"substituted_steps", s["counts"]["substituted_steps"]},
-                    {"wall_time_s", s["wall_time_s"]}});
+                    {"wall_time_s", s["wall_time_s"]},
+                    {"command", command}});
   }
   return true;
 }
@@ -108,6 +123,7 @@ bool add_rows(const std::string& name, const char* formulation, const json& s, j
 
 int compare(const CompareOptions& options) {
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  if (!options.out.empty()) results::make_folder(options.out);
   const TemporaryFolder scratch;
   json rows = json::array();
   bool sound = true;
@@ -116,9 +132,13 @@ int compare(const CompareOptions& options) {
   try {
     for (const fs::path& scene : chosen(options)) {
       for (const char* formulation : formulations) {
-        RunOptions one{.scene = scene, .out = scratch.path() / "run", .overrides = options.overrides, .quiet = true};
+        const std::string name = fmt::format("{}-{}", case_name(scene), formulation);
+        RunOptions one{.scene = scene,
+                       .out = options.out.empty() ? scratch.path() / "run" : options.out / name,
+                       .overrides = options.overrides,
+                       .quiet = true};
         one.overrides.push_back(fmt::format("contact.formulation={}", formulation));
-        sound &= add_rows(case_name(scene), formulation, measured(one), rows);
+        sound &= add_rows(case_name(scene), formulation, command_of(one), measured(one), rows);
         std::fflush(stdout);
       }
     }

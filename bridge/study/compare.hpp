@@ -11,11 +11,13 @@ namespace blockweir::study {
 struct CompareOptions {
   std::vector<std::filesystem::path> cases;  ///< empty: a few of the cases folder
   std::filesystem::path json;                ///< empty: none
+  std::filesystem::path out;                 ///< keeps each run as a folder of its own; empty: none is kept
   std::vector<std::string> overrides;
 };
 
 /// Prints a row for each scene, formulation and figure: error, largest penetration, condition number, solved systems,
-/// steps, wall time. Returns 1 when a run failed; a figure that is out of tolerance is a result here.
+/// steps, wall time. A run that failed has a row, too: why, and the command that repeats it. Returns 1 then; a figure
+/// that is out of tolerance is a result here.
 int compare(const CompareOptions& options);
 
 }  // namespace blockweir::study

@@ -21,7 +21,7 @@ struct Word {
   char letter;
   const char* colour;
 };
-constexpr std::array<Word, 15> outcomes{{{"stands", '.', "#73a946"},
+constexpr std::array<Word, 16> outcomes{{{"stands", '.', "#73a946"},
                                          {"moving", 'm', "#ad7fa8"},
                                          {"sliding", 's', "#3465a4"},
                                          {"overturning", 'o', "#e08e0b"},
@@ -35,6 +35,7 @@ constexpr std::array<Word, 15> outcomes{{{"stands", '.', "#73a946"},
                                          {"in each other", 'i', "#a40000"},
                                          {"right", '.', "#73a946"},
                                          {"refused", 'r', "#d3d7cf"},
+                                         {"stopped", 'x', "#babdb6"},
                                          {"wrong", 'X', "#f57900"}}};
 constexpr std::size_t most_labels = 200;  // more would cover each other
 
@@ -57,6 +58,11 @@ char letter(const std::string& word) {
   return found == outcomes.end() ? '?' : found->letter;
 }
 
+std::string colour(const std::string& word) {
+  const auto* found = std::find_if(outcomes.begin(), outcomes.end(), [&](const Word& one) { return word == one.word; });
+  return found == outcomes.end() ? "#000000" : found->colour;
+}
+
 std::string legend(const json& cells) {
   std::string text;
   for (const Word& one : outcomes) {
@@ -65,12 +71,12 @@ std::string legend(const json& cells) {
   return text + "\n";
 }
 
-std::string map_figure(const scene::MapStudy& study, const json& cells) {
-  std::string figure = tics("x", study.axes[0]) + tics("y", study.axes[1]) +
+std::string map_figure(const std::array<scene::Sweep, 2>& axes, const json& cells) {
+  std::string figure = tics("x", axes[0]) + tics("y", axes[1]) +
                        "set key outside bottom horizontal\nset style fill solid border lc rgb 'white'\n";
   std::string curves;
-  const std::size_t columns = study.axes[0].values.size();
-  const std::size_t rows = study.axes[1].values.size();
+  const std::size_t columns = axes[0].values.size();
+  const std::size_t rows = axes[1].values.size();
   const auto plot = [&](const std::string& name, const std::string& style, const auto& row_of) {
     std::string points;
     for (std::size_t i = 0; i < cells.size(); ++i) {  // rows from the last down

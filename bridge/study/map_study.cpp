@@ -107,7 +107,7 @@ StudyResult draw_map(const scene::MapStudy& study, StudyRuns& runs) {
                   {"refused", refused},
                   {"formula", study.expected.formula},
                   {"source", study.expected.source}};
-  result.figure = map_figure(study, result.runs);
+  result.figure = map_figure(study.axes, result.runs);
   return result;
 }
 

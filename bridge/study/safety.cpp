@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "bridge/picture/mechanism.hpp"
 #include "bridge/process/programs.hpp"
+#include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read/entry.hpp"
@@ -20,13 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-std::string folder_name(std::string name) {
-  for (char& c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
-  }
-  return name;
-}
 
 /// Does the factor that the blocks themselves have reach what is required? Null where nothing is.
 json satisfied(const json& answer, const std::optional<double>& required) {
@@ -143,8 +136,7 @@ void require_sound(const scene::LoadCase& load_case, const fs::path& scene, cons
                     joined(load_case.set, overrides));
 }
 
-int tell_safety(const SafetyOptions& options) {
-  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+json safety_answers(const process::AskOptions& options) {
   const std::vector<scene::LoadCase> load_cases = scene::read(options.scene, options.overrides).load_cases;
   scene::Gathered wrong;
   for (const scene::LoadCase& load_case : load_cases) {
@@ -152,8 +144,6 @@ int tell_safety(const SafetyOptions& options) {
   }
   wrong.report();
   json cases = json::array();
-  fs::path folder = options.out;
-  if (folder.empty()) folder = fs::path("runs") / (process::case_name(options.scene) + "-safety");
   const auto answer = [&](const scene::LoadCase& load_case, const fs::path& out, bool quiet) {
     process::AskOptions one = options;
     one.out = out;
@@ -161,10 +151,19 @@ int tell_safety(const SafetyOptions& options) {
     one.quiet = quiet;
     cases.push_back(answer_of(load_case, one));
   };
-  answer({.name = "as it stands"}, folder, /*quiet=*/false);
+  answer({.name = "as it stands"}, options.out, options.quiet);
   for (const scene::LoadCase& load_case : load_cases) {
-    answer(load_case, folder / folder_name(load_case.name), /*quiet=*/true);
+    answer(load_case, options.out / results::file_name(load_case.name), /*quiet=*/true);
   }
+  return cases;
+}
+
+int tell_safety(const SafetyOptions& options) {
+  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  process::AskOptions question = options;
+  if (question.out.empty()) question.out = fs::path("runs") / (process::case_name(options.scene) + "-safety");
+  const fs::path& folder = question.out;
+  const json cases = safety_answers(question);
   const std::string all = json{{"load_cases", cases}}.dump(2) + "\n";
   results::replace_file(folder / "safety.json", all);
   if (!options.json.empty()) results::replace_file(options.json, all);

@@ -17,6 +17,10 @@ struct SafetyOptions : process::AskOptions {
 void require_sound(const scene::LoadCase& load_case, const std::filesystem::path& scene,
                    const std::vector<std::string>& overrides);
 
+/// The answers for the scene as it stands and each load case, a list as safety.json has it; a folder each in
+/// `options.out`, which has to be named. Throws as process::ask() does.
+nlohmann::json safety_answers(const process::AskOptions& options);
+
 /// Tells the factor of the scene as it stands and of each load case, by the blocks' own equilibrium and by limit
 /// analysis, with the joints that run through, and draws the mechanisms. Returns 0: a factor that is too low is a
 /// result.

@@ -5,26 +5,26 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 
-#include "bridge/picture/gnuplot.hpp"
+#include "bridge/process/programs.hpp"
 #include "bridge/process/run.hpp"
+#include "bridge/process/side_by_side.hpp"
 #include "bridge/results/figure.hpp"
+#include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "bridge/study/open_study.hpp"
+#include "bridge/study/study_files.hpp"
 
 namespace blockweir::study {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using picture::gnuplot;
-using picture::gnuplot_path;
-using picture::gnuplot_text;
 using process::RunOptions;
 using process::RunResult;
 using results::figure;
@@ -40,37 +40,44 @@ std::string only_expectation(const scene::Expectation& e) {
   return "expect=[{" + entry + "}]";
 }
 
-/// A study's name as that of a file.
-std::string file_name(std::string name) {
-  for (char& c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
-  }
-  return name;
-}
-
-void draw(const fs::path& file, const std::string& title, const std::string& figure) {
-  gnuplot(fmt::format("set terminal pngcairo font 'sans,12' size 800,600\nset output {}\nset title {}\n{}",
-                      gnuplot_path(file), gnuplot_text(title), figure));
-  fmt::print("{}\n", file.string());
-}
-
 /// Orders over the same key, beside each other.
 void draw_orders(const std::vector<std::pair<std::string, StudyResult>>& orders, const fs::path& folder) {
   const bool one_key = std::all_of(orders.begin(), orders.end(),
                                    [&](const auto& order) { return order.second.key == orders.front().second.key; });
-  if (orders.size() > 1 && one_key) draw(folder / "orders.png", "orders", orders_figure(orders));
+  if (orders.size() > 1 && one_key) draw_study(folder / "orders.png", "orders", orders_figure(orders));
 }
 
-StudyTask chosen(const std::vector<StudyTask>& tasks, const std::string& name) {
-  std::vector<std::string> names;
-  for (const StudyTask& task : tasks) {
-    if (task.name == name) return task;
-    names.push_back(task.name);
+/// What a scene asks for: studies with an answer, and those without.
+struct Tasks {
+  std::vector<StudyTask> answered;
+  std::vector<OpenStudyTask> open;
+
+  void keep(const std::string& name) {
+    std::vector<std::string> names;
+    for (const auto& task : answered) names.push_back(task.name);
+    for (const auto& task : open) names.push_back(task.name);
+    std::erase_if(answered, [&](const auto& task) { return task.name != name; });
+    std::erase_if(open, [&](const auto& task) { return task.name != name; });
+    if (!answered.empty() || !open.empty()) return;
+    const std::string near = scene::nearest(name, names);
+    throw std::invalid_argument(fmt::format("the scene has no study \"{}\"; it has {}{}", name,
+                                            names.empty() ? "none" : scene::one_of(names),
+                                            near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
   }
-  const std::string near = scene::nearest(name, names);
-  throw std::invalid_argument(fmt::format("the scene has no study \"{}\"; it has {}{}", name,
-                                          names.empty() ? "none" : scene::one_of(names),
-                                          near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
+};
+
+Tasks tasks_of(const StudyOptions& options) {
+  const int jobs = options.jobs > 0 ? options.jobs : process::processors();
+  Tasks tasks;
+  scene::Gathered wrong;
+  wrong.from([&] { tasks.answered = study_tasks(options.scene, options.overrides); });
+  wrong.from([&] { tasks.open = open_study_tasks(options.scene, options.overrides, jobs); });
+  wrong.report();
+  if (!options.name.empty()) tasks.keep(options.name);
+  if (tasks.answered.empty() && tasks.open.empty()) {
+    throw std::invalid_argument("the scene has no study: [[study]], [[limit]], [[order]] or [[map]]");
+  }
+  return tasks;
 }
 
 }  // namespace
@@ -175,29 +182,33 @@ StudyResult perform(const StudyTask& task, const fs::path& scene, const Settings
              figure(check["relative_error"]), figure(check["tolerance"]));
   std::fflush(stdout);
   if (out.empty()) return result;
-  const fs::path file = out / file_name(task.name);
+  const fs::path file = out / results::file_name(task.name);
   const json table = {{"name", task.name}, {"check", check}, {"runs", result.runs}};
   results::replace_file(file.string() + ".json", table.dump(2) + "\n");
   fmt::print("{}.json\n", file.string());
-  draw(file.string() + ".png", task.name, result.figure);
+  draw_study(file.string() + ".png", task.name, result.figure);
   return result;
 }
 
 int perform_all(const StudyOptions& options) {
-  std::vector<StudyTask> tasks = study_tasks(options.scene, options.overrides);
-  if (!options.name.empty()) tasks = {chosen(tasks, options.name)};
-  if (tasks.empty()) throw std::invalid_argument("the scene has no study: [[limit]], [[order]] or [[map]]");
+  const Tasks tasks = tasks_of(options);
+  fs::path open_out = options.out;  // what is done has to stand somewhere, to be gone on from
+  if (open_out.empty()) open_out = fs::path("runs") / (process::case_name(options.scene) + "-studies");
   if (!options.out.empty()) results::make_folder(options.out);
+  if (!tasks.open.empty()) results::make_folder(open_out);
   bool sound = true;
   std::vector<std::pair<std::string, StudyResult>> orders;
   try {
-    for (const StudyTask& task : tasks) {
+    for (const StudyTask& task : tasks.answered) {
       StudyResult result = perform(task, options.scene, options.overrides, options.out);
       sound = sound && result.check["passed"].get<bool>();
       if (!result.key.empty() && !result.check.contains("trouble")) orders.emplace_back(task.name, std::move(result));
     }
+    for (const OpenStudyTask& task : tasks.open) {
+      sound = perform(task, options.scene, options.overrides, open_out) && sound;
+    }
   } catch (const Interrupted&) {
-    fmt::print(stderr, "stopped on request\n");
+    fmt::print(stderr, "stopped on request{}\n", tasks.open.empty() ? "" : "; the same command goes on with [[study]]");
     return 130;
   }
   if (!options.out.empty()) draw_orders(orders, options.out);

@@ -106,11 +106,12 @@ std::string setting(const std::string& key, double value);
 struct StudyOptions {
   std::filesystem::path scene;
   std::string name;           ///< empty: all of the scene
-  std::filesystem::path out;  ///< folder for figures and tables; empty: none
+  std::filesystem::path out;  ///< folder for figures and tables; empty: none, and runs/CASE-studies for [[study]]
+  int jobs = 0;               ///< runs of a [[study]] at once; 0: as many as there are processors
   Settings overrides;
 };
 
-/// blockweir study: returns 0 when every figure is within its tolerance, else 1.
+/// blockweir study: returns 0 when every figure is within its tolerance and every [[study]] has found its own, else 1.
 int perform_all(const StudyOptions& options);
 
 }  // namespace blockweir::study

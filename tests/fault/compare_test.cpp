@@ -17,8 +17,10 @@ class Compare : public Processes {
   [[nodiscard]] bool run_under_way(const std::string& words) const {
     for (int wait = 0; wait < 20'000; ++wait, std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
       for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string run = entry.path().filename().string() + "/run";
-        if (text(run + "/scene.toml").find(words) != std::string::npos && rows_of(run) > 5) return true;
+        for (const char* name : {"/run", "/run-conditioned"}) {
+          const std::string run = entry.path().filename().string() + name;
+          if (text(run + "/scene.toml").find(words) != std::string::npos && rows_of(run) > 5) return true;
+        }
       }
     }
     return false;
@@ -42,6 +44,17 @@ TEST_F(Compare, TellsHowASceneWithoutFiguresEnds) {
     if (row["name"] == "outcome") EXPECT_EQ(row["got"], "sliding");
     if (row["name"] == "largest_displacement_m") EXPECT_NEAR(row["got"].get<double>(), 0.906407, 1e-5);
   }
+}
+
+TEST_F(Compare, KeepsRunsAndSaysHowToRepeatOneThatFailed) {
+  ASSERT_EQ(shell(programs + "/blockweir compare " + cases + "incline --out kept --json table.json"), 0) << text("out");
+  for (const char* formulation : {"penalty", "lagrange-multiplier", "augmented-lagrangian"}) {
+    EXPECT_TRUE(fs::exists(folder / ("kept/incline-" + std::string(formulation)) / "summary.json")) << formulation;
+  }
+  EXPECT_THAT(text("table.json"), testing::HasSubstr("--set 'contact.formulation=penalty'"));
+  EXPECT_EQ(shell(programs + "/blockweir compare " + cases + "incline --set analysis.step_s=-1"), 1);
+  EXPECT_THAT(text("out"),
+              testing::AllOf(testing::HasSubstr("above 0"), testing::HasSubstr("repeat it with blockweir")));
 }
 
 TEST_F(Compare, EndsAtCtrlC) {

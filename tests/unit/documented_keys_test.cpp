@@ -125,6 +125,12 @@ upstream_level_m = 1
 [[variant]]
 name = "v"
 set = ["analysis.step_s=0.002"]
+[[study]]
+name = "s"
+kind = "critical"
+key = "analysis.step_s"
+from = 0.001
+to = 0.002
 [[limit]]
 name = "l"
 key = "analysis.step_s"
@@ -234,19 +240,19 @@ bool found(const std::vector<Diagnostic>& problems, const std::string& words) {
 }
 
 /// What `key=value` makes of the scene; none where it is refused. Without what any text would change.
-std::optional<Scene> scene_of(const std::string& text, const std::string& table, const std::string& key,
-                              const std::string& value) {
+std::optional<std::pair<Scene, std::vector<OpenStudy>>> scene_of(const std::string& text, const std::string& table,
+                                                                 const std::string& key, const std::string& value) {
   std::string path = table == "material.NAME" ? "material.m" : table;
   toml::table file = toml::parse(text);
   if (table.find('.') == std::string::npos && file.get(table)->is_array()) path += ".0";
   std::vector<std::string> overrides;
   if (!value.empty()) overrides.push_back(fmt::format("{}.{}={}", path, key, value));
   try {
-    Scene scene = read_text(text, "scene.toml", overrides).scene;
+    auto [scene, load_cases, open_studies, notes, warnings] = read_text(text, "scene.toml", overrides);
     scene.text.clear();
     scene.digest.clear();
     scene.warnings.clear();
-    return scene;
+    return std::pair{scene, open_studies};
   } catch (const SceneError&) {
     return std::nullopt;
   }

@@ -51,6 +51,17 @@ TEST(StillPools, AChamberIsDrawnWhereItsFacesAreWet) {
   EXPECT_NEAR(area(pools[0]) + area(pools[1]), 36, 0.3);
 }
 
+/// As over bricks of a dam that has fallen.
+TEST(StillPools, DoNotStandHigherThanTheHighestBlock) {
+  json frame = gate();
+  EXPECT_FALSE(above_all(frame));
+  frame["upstream_level_m"] = 7;
+  EXPECT_TRUE(above_all(frame));
+  for (const auto& pool : still_pools(frame, view)) {
+    for (const Eigen::Vector2d& p : pool) EXPECT_LE(p.y(), 6 + 1e-6);
+  }
+}
+
 TEST(StillPools, AreNoneWhereNoFaceIsWet) {
   json frame = gate();
   frame["panels"] = json::array();

@@ -16,6 +16,7 @@
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/overrides.hpp"
 #include "bridge/scene/read/read_load_cases.hpp"
+#include "bridge/scene/read/read_open_studies.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/read/section_drawing.hpp"
 #include "bridge/scene/read/time_record.hpp"
@@ -62,7 +63,7 @@ toml::table parse(const std::string& text, const std::string& name) {
   }
 }
 
-void read_sections(Reading& reading, std::vector<LoadCase>& load_cases) {
+void read_sections(Reading& reading, ReadScene& result) {
   for (const auto read : {read_heading, read_analysis, read_materials, read_default_joint}) read(reading);
   const std::size_t before = reading.problems.count();
   for (const auto read : {read_section, read_arches, read_walls, read_heaps, read_blocks, read_supports}) read(reading);
@@ -73,7 +74,8 @@ void read_sections(Reading& reading, std::vector<LoadCase>& load_cases) {
         read_output, read_expectations, read_water_expectations, read_variants, read_studies}) {
     read(reading);
   }
-  load_cases = read_load_cases(reading);
+  result.load_cases = read_load_cases(reading);
+  result.open_studies = read_open_studies(reading);
   reject_unknown_sections(reading);
   resolve_lengths(reading);
   check_overlaps(reading.scene, reading.problems);
@@ -114,7 +116,7 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   }
   scene.digest = digest(scene.text);
   Reading reading{file, problems, scene};
-  read_sections(reading, result.load_cases);
+  read_sections(reading, result);
   if (problems.count() > 0) throw SceneError(problems.errors());
   result.notes = problems.notes();
   result.warnings = problems.warnings();

@@ -8,6 +8,7 @@
 
 #include "bridge/scene/diagnostic.hpp"
 #include "bridge/scene/load_case.hpp"
+#include "bridge/scene/open_study.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::scene {
@@ -15,6 +16,7 @@ namespace blockweir::scene {
 struct ReadScene {
   Scene scene;
   std::vector<LoadCase> load_cases;
+  std::vector<OpenStudy> open_studies;
   std::vector<Diagnostic> notes;     ///< what was mended on the way
   std::vector<Diagnostic> warnings;  ///< what has no effect, or an unusual magnitude; their messages are the scene's
 };

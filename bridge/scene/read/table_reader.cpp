@@ -262,6 +262,20 @@ const toml::table* TableReader::table(const char* key) {
   return nullptr;
 }
 
+std::vector<const toml::table*> TableReader::tables(const char* key, bool required) {
+  constexpr const char* words = "a list of tables [{ key = value, ... }, ...]";
+  const toml::node* node = ask(key, required, words);
+  if (node == nullptr) return {};
+  const toml::array* list = node->as_array();
+  if (list == nullptr || !list->is_array_of_tables()) {
+    wrong(key, *node, words);
+    return {};
+  }
+  std::vector<const toml::table*> all;
+  for (const auto& entry : *list) all.push_back(entry.as_table());
+  return all;
+}
+
 bool TableReader::outlines(const char* key, std::vector<std::vector<Point>>& into) {
   const toml::node* node = ask(key, false, "");
   if (node == nullptr) return false;

@@ -68,6 +68,10 @@ class TableReader {
   bool outlines(const char* key, std::vector<std::vector<Point>>& into);
   /// A table of its own; null when it is wrong or absent.
   const toml::table* table(const char* key);
+  /// A list of tables, at least one where it is required.
+  std::vector<const toml::table*> tables(const char* key, bool required);
+  /// Says that the key is known, whatever it holds.
+  void know(const char* key) { ask(key, false, ""); }
   /// `duration_s` is where a ramp without `to` ends.
   bool time_table(const char* key, std::optional<TimeTable>& into, double duration_s);
   /// An index into `names`; -1 when it is wrong or absent.

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "bridge/launch/commands.hpp"
+#include "bridge/launch/version.hpp"
+#include "bridge/study/report.hpp"
+
+namespace blockweir::launch {
+
+Work report_command(CLI::App& app) {
+  const auto options = std::make_shared<study::ReportOptions>();
+  app.add_option("source", options->source, "folder of a run; or a scene file or case folder, which is run then")
+      ->required();
+  app.add_option("--out", options->out, "HTML file (default: report.html in the run's folder)");
+  app.add_option("--variant", options->variant, "name of one of the scene's variants");
+  app.add_option("--set", options->overrides, "key=value over the scene's own");
+  return [options] {
+    options->program = version();
+    return study::write_report(*options);
+  };
+}
+
+}  // namespace blockweir::launch

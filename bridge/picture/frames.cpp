@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/picture/frames.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <stdexcept>
+
+namespace blockweir::picture {
+
+using nlohmann::json;
+
+std::vector<json> read_frames(const std::filesystem::path& run) {
+  const std::filesystem::path file = run / "frames.jsonl";
+  std::ifstream stream(file);
+  std::vector<json> frames;
+  for (std::string line; std::getline(stream, line);) {
+    json frame = json::parse(line, nullptr, /*allow_exceptions=*/false);
+    if (frame.is_object()) frames.push_back(std::move(frame));  // a killed run may leave half a line
+  }
+  if (frames.empty())
+    throw std::invalid_argument(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
+  return frames;
+}
+
+View view_of(const std::vector<json>& frames, double water_m) {
+  View view;
+  for (const json& block : frames.front()["blocks"]) {
+    double top = -1e300;
+    for (const json& p : block["outline"]) top = std::max(top, p[1].get<double>());
+    if (top <= water_m) continue;
+    for (const json& p : block["outline"]) view.include(p[0], p[1]);
+  }
+  for (const json& frame : frames) {
+    for (const json& block : frame["blocks"]) {
+      if (block["fixed"].get<bool>()) continue;
+      for (const json& p : block["outline"]) view.include(p[0], p[1]);
+    }
+    for (const char* pool : {"upstream_level_m", "downstream_level_m"}) {
+      if (frame[pool].is_number()) view.include(view.left, frame[pool]);
+    }
+  }
+  const double size = std::max(view.right - view.left, view.top - view.bottom);
+  return {view.left - 0.35 * size, view.right + 0.2 * size, view.bottom - 0.12 * size, view.top + 0.08 * size};
+}
+
+}  // namespace blockweir::picture

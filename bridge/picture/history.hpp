@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// history.csv of a run, in memory.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace blockweir::picture {
+
+class History {
+ public:
+  /// Throws std::invalid_argument where the file is missing or empty. A half-written last row is left out.
+  explicit History(const std::filesystem::path& file);
+
+  [[nodiscard]] std::size_t rows() const { return columns_.empty() ? 0 : columns_.front().size(); }
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// Throws std::out_of_range where there is none.
+  [[nodiscard]] const std::vector<double>& column(const std::string& name) const;
+  /// Is there such a column with a number in it? Levels of a scene without water have none.
+  [[nodiscard]] bool has_values(const std::string& name) const;
+  /// Blocks or joints NAME whose columns NAME.first or NAME.second reach away from 0, the farthest first.
+  [[nodiscard]] std::vector<std::string> largest_first(const std::string& first, const std::string& second) const;
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::vector<double>> columns_;
+  std::unordered_map<std::string, std::size_t> index_;
+};
+
+}  // namespace blockweir::picture

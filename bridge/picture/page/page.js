@@ -1,0 +1,112 @@
+// The report, chapter by chapter, from the data that the program has put into the page.
+const report = JSON.parse(document.getElementById('data').textContent);
+const chapter = name => document.getElementById(name);
+
+function writeHead() {
+  document.title = report.title;
+  document.getElementById('title').textContent = report.title;
+  document.getElementById('note').textContent = report.note;
+}
+
+function writeVerdict() {
+  const s = report.summary;
+  const words = {fails: 'The structure FAILS', stands: 'The structure STANDS', moving: 'UNDECIDED: something still moves at the end', stopped: 'STOPPED'};
+  chapter('verdict').append(element('p', {class: `outcome ${s.outcome}`}, words[s.outcome] || s.outcome));
+  const lines = [];
+  if (s.outcome === 'fails') {
+    const f = s.failure;
+    lines.push(f.text + '.');
+    if (is(f.level_m)) {
+      lines.push(`It begins at a level of ${f.level_is_bound ? 'at most ' : ''}${number(f.level_m, 6)} m` + (is(f.head_m) ? `, a head of ${number(f.head_m, 6)} m above the joint that failed` : '') +
+        `, after ${number(f.time_s)} s` + (is(f.level_uncertainty_m) ? `. The speed of filling moves this level by some ${number(f.level_uncertainty_m, 2)} m.` : '.'));
+    } else lines.push(`It begins after ${number(f.time_s)} s.`);
+    if (f.doubt) lines.push(f.doubt);
+  }
+  if (s.moving) lines.push(s.moving.text);
+  if (s.margin && s.margin.text) lines.push(s.margin.text + '.');
+  if (s.stopped) lines.push(s.stopped);
+  if (s.breach) lines.push(`After ${number(s.breach.time_s)} s: ${s.breach.text}.`);
+  if (s.rest) lines.push(s.rest.text + '.');
+  for (const line of lines) chapter('verdict').append(paragraph(line.charAt(0).toUpperCase() + line.slice(1)));
+  for (const warning of s.warnings || []) chapter('verdict').append(paragraph('Warning: ' + warning, 'bad'));
+  const skips = (s.skips || []).length;
+  if (skips > 0) chapter('verdict').append(paragraph(`${skips} kinds of work were skipped on which the result does not depend; "blockweir profile" lists them.`, 'quiet'));
+}
+
+function writeSection() {
+  chapter('section').append(sectionFigure(report),
+    element('h3', {}, 'Materials'),
+    table(['material', 'density kg/m3', 'modulus GPa', "Poisson's ratio"], report.materials.map(m => [m.name, number(m.density), number(m.modulus / 1e9), number(m.poisson)])),
+    element('h3', {}, 'Joints'),
+    table(['joint', 'friction deg', 'residual deg', 'cohesion kPa', 'tension kPa', 'water in it'], report.laws.map(l => [l.name, number(l.friction), number(l.residual), kilo(l.cohesion, 0), kilo(l.tension, 0), l.uplift])));
+}
+
+function writeCases() {
+  const to = chapter('cases');
+  if (report.safety.trouble) return to.append(paragraph('No factor was found: ' + report.safety.trouble));
+  const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied ? 'good' : 'bad'}, c.satisfied ? 'yes' : 'NO'));
+  to.append(table(['load case', 'class', 'outcome', 'factor', 'by limit analysis', 'required', 'satisfied', 'source'],
+    report.safety.map(c => [c.name, c.class || '-', c.outcome, number(c.factor), number(c.limit_analysis_factor), number(c.required, 4), answer(c), c.source || '-'])),
+  paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis.', 'quiet'));
+  for (const c of report.safety) {
+    if (!c.joints || c.joints.length === 0) continue;
+    const scaled = c.joints_with_strength_times;
+    to.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));
+    if (is(scaled)) to.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength.`, 'quiet'));
+    to.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'sliding factor', 'resultant', 'crack m', 'heel kPa', 'toe kPa'],
+      c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), number(j.sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
+    if (c.set.length > 0) to.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
+  }
+}
+
+function writeLevel() {
+  const to = chapter('level');
+  const found = report.level;
+  if (found.trouble) return to.append(paragraph('No level was found: ' + found.trouble));
+  const row = (name, f) => {
+    const level = f.outcome === 'stands' ? `stands up to ${number(f.highest_level_m, 9)}` : f.outcome === 'does not stand empty' ? 'does not stand empty' : fixed(f.level_m, 6);
+    return [name, level, fixed(f.head_m, 6), f.mode || (f.mechanism ? f.mechanism.mode : '-'), f.joint || (f.mechanism ? f.mechanism.joints.join(', ') : '-')];
+  };
+  const rows = [row('statics of the blocks', found)];
+  if (found.rigid_blocks) rows.push(row('the same, blocks that do not strain', found.rigid_blocks));
+  rows.push(row('limit analysis', found.limit_analysis));
+  if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 6), fixed(found.formula.head_m, 6), '-', found.formula.joint]);
+  to.append(table(['found by', 'level m', 'head m', 'mode', 'joint'], rows),
+    paragraph('Blocks and limit analysis differ' + (is(found.difference.level_m) ? ` by ${number(found.difference.level_m, 3)} m` : '') + `. Reason: ${found.difference.reason}.`));
+  const mechanism = found.limit_analysis.mechanism;
+  if (mechanism) to.append(mechanismFigure(report, mechanism, found.limit_analysis.level_m));
+}
+
+function writeHistories() {
+  const clock = new Clock(report.frames[0].t, report.frames[report.frames.length - 1].t, report.failure_s);
+  const animation = new Animation(report, clock);
+  const to = chapter('histories');
+  to.append(animation.figure, snapshotFigures(report),
+    paragraph('Drag over a chart to zoom, double click to see all, click to go to a moment. Dashed red: the failure begins.', 'quiet screen'));
+  for (const group of report.histories.groups) {
+    const chart = new Chart(group, report.histories.time, clock);
+    clock.charts.push(chart);
+    to.append(chart.figure);
+    chart.draw();
+  }
+  if (report.histories.left_out) to.append(paragraph(report.histories.left_out, 'quiet'));
+  clock.go(report.failure_s === null ? clock.begin : report.failure_s);
+}
+
+function writeFormulas() {
+  const checks = report.summary.checks || [];
+  const to = chapter('formulas');
+  if (checks.length === 0) return to.append(paragraph('The scene states no figure to compare with ([[expect]]).'));
+  const shown = value => (typeof value === 'string' ? value : number(value, 7));
+  to.append(table(['figure', 'expected', 'obtained', 'relative error', 'tolerance', 'within', 'formula, source'],
+    checks.map(c => [c.name, shown(c.expected), c.why_none || c.trouble || shown(c.got), is(c.relative_error) ? c.relative_error.toExponential(1) : '-', number(c.tolerance), element('span', {class: c.passed ? 'good' : 'bad'}, c.passed ? 'yes' : 'NO'), [c.formula, c.source].filter(Boolean).join('; ')])));
+}
+
+function writeAgain() {
+  chapter('again').append(
+    table(['', ''], [['program', report.program.split('\n')[0]], ...report.program.split('\n').slice(1).map(line => [line.slice(0, 10).trim(), line.slice(10)]), ['digest of the scene', report.digest], ['wall time', number(report.summary.wall_time_s, 3) + ' s']]),
+    paragraph('Save the scene below as a file. These commands give the figures of this report again:'),
+    element('pre', {}, report.commands.join('\n')), element('h3', {}, 'The scene as it was run'), element('pre', {}, report.scene));
+}
+
+for (const write of [writeHead, writeVerdict, writeSection, writeCases, writeLevel, writeHistories, writeFormulas, writeAgain]) write();

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/picture/report_page.hpp"
+
+#include <boost/algorithm/string/replace.hpp>
+
+#include "bridge/picture/page_files.hpp"
+#include "bridge/picture/report_frames.hpp"
+#include "bridge/picture/report_histories.hpp"
+#include "bridge/picture/report_section.hpp"
+
+namespace blockweir::picture {
+
+using nlohmann::json;
+
+json report_data(const ReportParts& parts) {
+  const json& summary = parts.summary;
+  json data = section_data(parts.scene);
+  data.update(frames_data(parts.run, summary));
+  data["title"] = parts.scene.title.empty() ? parts.scene.file.stem().string() : parts.scene.title;
+  data["note"] = parts.scene.note;
+  data["summary"] = summary;
+  data["level"] = parts.level;
+  data["safety"] = parts.safety;
+  data["histories"] = histories_data(parts.run);
+  data["program"] = parts.program;
+  data["commands"] = parts.commands;
+  data["digest"] = parts.scene.digest;
+  data["scene"] = parts.scene.text;
+  return data;
+}
+
+std::string report_page(const json& data) {
+  std::string page = page_html;
+  std::string text = data.dump();
+  boost::replace_all(text, "<", "\\u003c");  // a text of the scene cannot end the script that holds it
+  boost::replace_first(page, "@STYLE@", page_style);
+  boost::replace_first(page, "@SCRIPT@", page_script);
+  boost::replace_first(page, "@DATA@", text);
+  return page;
+}
+
+}  // namespace blockweir::picture

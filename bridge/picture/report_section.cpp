@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/picture/report_section.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "bridge/geometry/outline.hpp"
+#include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/structure_size.hpp"
+
+namespace blockweir::picture {
+namespace {
+
+using nlohmann::json;
+using scene::Point;
+
+json pair(const Point& p) {
+  return {p.x(), p.y()};
+}
+
+json outline_of(const std::vector<Point>& points) {
+  json list = json::array();
+  for (const Point& p : points) list.push_back(pair(p));
+  return list;
+}
+
+json law(const std::string& name, const scene::JointLaw& law) {
+  const char* uplift = law.uplift == scene::Uplift::none         ? "none"
+                       : law.uplift == scene::Uplift::triangular ? "triangular"
+                                                                 : "full";
+  return {{"name", name},
+          {"friction", law.friction_angle_deg},
+          {"residual", law.residual_friction_angle_deg},
+          {"cohesion", law.cohesion_pa},
+          {"tension", law.tension_strength_pa},
+          {"uplift", uplift}};
+}
+
+/// Joints of one set, cut or region share a name and a law: the first of them stands for all.
+json laws(const scene::Scene& scene) {
+  json rows = json::array();
+  std::set<std::string> told;
+  for (const scene::Joint& joint : scene.joints) {
+    const std::string& name = joint.set.empty() ? joint.name : joint.set;
+    if (told.insert(name).second) rows.push_back(law(name, joint.law));
+  }
+  rows.push_back(law(rows.empty() ? "all joints" : "all other joints", scene.default_joint));
+  return rows;
+}
+
+json joints(const scene::Scene& scene) {
+  constexpr double touching = 1e-6;  // of the structure
+  const double touching_m = touching * scene::structure_size_m(scene.blocks);
+  json list = json::array();
+  std::set<std::string> told;
+  for (const scene::Joint& joint : scene.joints) {
+    const auto trace =
+        scene::trace_joint(scene.blocks[at(joint.between[0])], scene.blocks[at(joint.between[1])], touching_m);
+    if (trace.pieces.empty()) continue;
+    json line = json::array({pair(trace.mouth())});
+    for (const auto& piece : trace.pieces) line.push_back(pair(piece.to_m));
+    const std::string& name = joint.set.empty() ? joint.name : joint.set;
+    list.push_back({{"name", name}, {"lines", json::array({line})}, {"labelled", told.insert(name).second}});
+  }
+  return list;
+}
+
+/// Unit normal of the edge nearest to a point of a counter-clockwise outline.
+Point inwards_at(const std::vector<Point>& outline, const Point& place) {
+  double least = std::numeric_limits<double>::infinity();
+  Point inwards = Point::Zero();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point from = outline[i];
+    const Point span = outline[(i + 1) % outline.size()] - from;
+    const double share = std::clamp(span.dot(place - from) / span.squaredNorm(), 0.0, 1.0);
+    const double away = (from + share * span - place).norm();
+    if (away >= least) continue;
+    least = away;
+    inwards = Point(-span.y(), span.x()).normalized();
+  }
+  return inwards;
+}
+
+json loads(const scene::Scene& scene) {
+  json list = json::array();
+  for (const auto& load : scene.point_loads) {
+    list.push_back({{"kind", "point"},
+                    {"at", pair(load.point_m)},
+                    {"force", {load.force_x_n_per_m.at(0.0), load.force_y_n_per_m.at(0.0)}}});
+  }
+  for (const auto& load : scene.line_loads) {
+    list.push_back({{"kind", "line"},
+                    {"from", pair(load.from_m)},
+                    {"to", pair(load.to_m)},
+                    {"force_from", {load.force_from_n_per_m2[0].at(0.0), load.force_from_n_per_m2[1].at(0.0)}},
+                    {"force_to", {load.force_to_n_per_m2[0].at(0.0), load.force_to_n_per_m2[1].at(0.0)}}});
+  }
+  for (const auto& load : scene.face_pressures) {
+    const auto& outline = scene.blocks[at(load.block)].vertices;
+    const Point inwards = inwards_at(outline, (load.from_m + load.to_m) / 2);
+    list.push_back({{"kind", "line"},
+                    {"from", pair(load.from_m)},
+                    {"to", pair(load.to_m)},
+                    {"force_from", pair(load.pressure_from_pa.at(0.0) * inwards)},
+                    {"force_to", pair(load.pressure_to_pa.at(0.0) * inwards)}});
+  }
+  return list;
+}
+
+/// Of all that can move: height, and the ends of its lowest and highest line.
+json dimensions(const scene::Scene& scene) {
+  std::vector<Point> movable;
+  for (const auto& block : scene.blocks) {
+    if (!block.fixed) movable.insert(movable.end(), block.vertices.begin(), block.vertices.end());
+  }
+  if (movable.empty()) return nullptr;
+  const geometry::Bounds box = geometry::bounds_of(movable);
+  const double near = 1e-6 * box.size();
+  const auto ends_at = [&](double y) {
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    for (const Point& p : movable) {
+      if (std::abs(p.y() - y) > near) continue;
+      left = std::min(left, p.x());
+      right = std::max(right, p.x());
+    }
+    return json{left, right};
+  };
+  return {{"bottom", box.low.y()},
+          {"top", box.high.y()},
+          {"right", box.high.x()},
+          {"base", ends_at(box.low.y())},
+          {"crest", ends_at(box.high.y())}};
+}
+
+}  // namespace
+
+json section_data(const scene::Scene& scene) {
+  json blocks = json::array();
+  for (const auto& block : scene.blocks) {
+    blocks.push_back({{"name", block.name},
+                      {"fixed", block.fixed},
+                      {"outline", outline_of(block.vertices)},
+                      {"centroid", pair(geometry::centroid(block.vertices))}});
+  }
+  json materials = json::array();
+  for (const auto& material : scene.materials) {
+    materials.push_back({{"name", material.name},
+                         {"density", material.density_kg_per_m3},
+                         {"modulus", material.youngs_modulus_pa},
+                         {"poisson", material.poissons_ratio}});
+  }
+  return {{"blocks", blocks},
+          {"materials", materials},
+          {"laws", laws(scene)},
+          {"joints", joints(scene)},
+          {"loads", loads(scene)},
+          {"dimensions", dimensions(scene)},
+          {"size_m", scene::structure_size_m(scene.blocks)}};
+}
+
+}  // namespace blockweir::picture

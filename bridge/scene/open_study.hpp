@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// [[study]]: many runs of a scene that ask a question whose answer nobody states. No run of the scene needs them.
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::scene {
+
+/// kind = "critical": the value of a key at which the outcome changes.
+struct CriticalValue {
+  std::string key;
+  double from = 0;
+  double to = 0;
+  double width = 1e-3;            ///< of the bracket at the end, over the larger of its ends
+  std::string outcome = "fails";  ///< that one end has and the other has not; or a mode of failure
+  bool operator==(const CriticalValue&) const = default;
+};
+
+/// kind = "map": the outcome over two keys.
+struct OutcomeMap {
+  std::array<Sweep, 2> axes;
+  bool operator==(const OutcomeMap&) const = default;
+};
+
+enum class Distribution { column, normal, lognormal, uniform, triangular };
+
+/// A key of the scene that differs from run to run of a sample.
+struct Variable {
+  std::string key;
+  Distribution distribution = Distribution::column;
+  std::string column;    ///< of the sample's file; its values are the runs'
+  double mean = 0;       ///< normal and lognormal: of the variable itself
+  double deviation = 0;  ///< the same: standard deviation
+  double from = 0;       ///< uniform and triangular
+  double peak = 0;       ///< triangular: the likeliest value
+  double to = 0;         ///< uniform and triangular
+  bool operator==(const Variable&) const = default;
+};
+
+/// kind = "sample": keys drawn at random, or read from a file, one run a row.
+struct Sample {
+  int runs = 0;      ///< 0: as many as the file has rows
+  int seed = 1;      ///< the same seed draws the same values
+  std::string file;  ///< CSV with a heading, relative to the scene
+  std::vector<Variable> variables;
+  bool operator==(const Sample&) const = default;
+};
+
+struct OpenStudy {
+  std::string name;
+  std::vector<std::string> set;  ///< holds in all runs, as --set takes it
+  int line = 0;                  ///< where the scene file states it
+  std::variant<CriticalValue, OutcomeMap, Sample> question;
+  bool operator==(const OpenStudy&) const = default;
+};
+
+}  // namespace blockweir::scene

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/scene/read/read_open_studies.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+namespace blockweir::scene {
+namespace {
+
+using KeyNames = std::vector<const char*>;
+
+/// Reports keys that only another kind of the table reads.
+void refuse_keys_of_others(TableReader& table, Reading& reading, const std::string& kind, const KeyNames& own,
+                           const KeyNames& all) {
+  for (const char* key : all) {
+    const bool is_own = std::any_of(own.begin(), own.end(), [&](const char* k) { return std::string(k) == key; });
+    if (is_own || !table.has(key)) continue;
+    reading.problems.error(table.place(key), fmt::format("{} in {}, which is a {}", key, table.name(), kind),
+                           fmt::format("one of {}", fmt::join(own, ", ")), fmt::format("leave {} out", key));
+  }
+}
+
+/// The two ends differ, the first being the smaller where `ordered`.
+void require_two_ends(TableReader& table, Reading& reading, double from, double to, bool ordered, const char* remedy) {
+  if (from < to || (from > to && !ordered)) return;
+  reading.problems.error(table.place("to"), fmt::format("{} goes from {} to {}", table.name(), from, to),
+                         ordered ? "from below to" : "two values that differ", remedy);
+}
+
+CriticalValue read_critical(TableReader& table, Reading& reading, bool wanted) {
+  CriticalValue critical;
+  table.text("key", critical.key, wanted);
+  table.text("outcome", critical.outcome);
+  table.number("width", critical.width, positive());
+  const bool begins = table.number("from", critical.from, any_number(), wanted);
+  const bool ends = table.number("to", critical.to, any_number(), wanted);
+  if (wanted && begins && ends) {
+    require_two_ends(table, reading, critical.from, critical.to, false, "move one of them");
+  }
+  return critical;
+}
+
+OutcomeMap read_outcome_map(TableReader& table, bool wanted) {
+  OutcomeMap map;
+  for (const auto& [axis, key, values] : {std::tuple{0U, "x_key", "x_values"}, {1U, "y_key", "y_values"}}) {
+    table.text(key, map.axes[axis].key, wanted);
+    if (wanted || table.has(values))
+      table.settings(values, map.axes[axis].values);
+    else
+      table.know(values);
+  }
+  return map;
+}
+
+/// The keys that say how wide the distribution is; each is required.
+void read_distribution(TableReader& table, Reading& reading, Variable& variable) {
+  const bool bell = variable.distribution == Distribution::normal || variable.distribution == Distribution::lognormal;
+  const bool triangular = variable.distribution == Distribution::triangular;
+  const bool between = variable.distribution == Distribution::uniform || triangular;
+  const Range mean = variable.distribution == Distribution::lognormal ? positive() : any_number();
+  table.number("mean", variable.mean, mean, bell);
+  table.number("deviation", variable.deviation, positive(), bell);
+  const bool begins = table.number("from", variable.from, any_number(), between);
+  const bool ends = table.number("to", variable.to, any_number(), between);
+  if (between && begins && ends) {
+    require_two_ends(table, reading, variable.from, variable.to, true, "widen the distribution");
+  }
+  const bool peaks = table.number("peak", variable.peak, any_number(), triangular);
+  if (triangular && begins && ends && peaks && (variable.peak < variable.from || variable.peak > variable.to)) {
+    reading.problems.error(table.place("peak"), fmt::format("peak in {} is {}", table.name(), variable.peak),
+                           fmt::format("a value from {} to {}", variable.from, variable.to), "move it");
+  }
+}
+
+Variable read_variable(TableReader& table, Reading& reading, const Sample& sample) {
+  Variable variable;
+  table.text("key", variable.key, true);
+  table.text("column", variable.column);
+  std::string word;
+  static const std::map<std::string, std::pair<Distribution, KeyNames>> known{
+      {"normal", {Distribution::normal, {"mean", "deviation"}}},
+      {"lognormal", {Distribution::lognormal, {"mean", "deviation"}}},
+      {"uniform", {Distribution::uniform, {"from", "to"}}},
+      {"triangular", {Distribution::triangular, {"from", "peak", "to"}}}};
+  std::vector<std::string> words;
+  for (const auto& [name, what] : known) words.push_back(name);
+  const bool drawn = table.word("distribution", word, words);
+  if (drawn) variable.distribution = known.at(word).first;
+  read_distribution(table, reading, variable);
+  if (drawn) {
+    KeyNames own = known.at(word).second;
+    own.insert(own.end(), {"key", "distribution"});
+    refuse_keys_of_others(table, reading, word + " distribution", own,
+                          {"column", "mean", "deviation", "from", "peak", "to"});
+  } else if (!table.has("distribution") && sample.file.empty()) {
+    reading.problems.error(table.place(), fmt::format("{} has no distribution", table.name()),
+                           "a distribution, or a file of the study with a column for it",
+                           "add distribution = \"normal\", mean = ... and deviation = ..., or file = \"FILE.csv\"");
+  } else if (!table.has("distribution")) {
+    refuse_keys_of_others(table, reading, "column of the study's file", {"key", "column"},
+                          {"mean", "deviation", "from", "peak", "to"});
+    if (variable.column.empty()) variable.column = variable.key;
+  }
+  return variable;
+}
+
+Sample read_sample(TableReader& table, Reading& reading, bool wanted) {
+  Sample sample;
+  table.text("file", sample.file);
+  const bool counted = table.integer("runs", sample.runs, 1);
+  table.integer("seed", sample.seed, 0);
+  if (wanted && !counted && sample.file.empty()) {
+    reading.problems.error(table.place(), fmt::format("{} has neither runs nor a file", table.name()),
+                           "the number of runs, or a file with a row for each", "add runs = ...");
+  }
+  const auto variables = table.tables("variable", wanted);
+  for (std::size_t i = 0; wanted && i < variables.size(); ++i) {
+    TableReader one(reading.problems, variables[i], fmt::format("variable {} of {}", i + 1, table.name()));
+    sample.variables.push_back(read_variable(one, reading, sample));
+  }
+  return sample;
+}
+
+OpenStudy read_open_study(TableReader& table, Reading& reading) {
+  static const std::map<std::string, KeyNames> kinds{{"critical", {"key", "from", "to", "width", "outcome"}},
+                                                     {"map", {"x_key", "x_values", "y_key", "y_values"}},
+                                                     {"sample", {"runs", "seed", "file", "variable"}}};
+  OpenStudy study{.line = table.place().line};
+  table.text("name", study.name, true);
+  table.texts_if_any("set", study.set);
+  std::string kind;
+  const bool known = table.word("kind", kind, {"critical", "map", "sample"}, true);
+  const CriticalValue critical = read_critical(table, reading, kind == "critical");
+  const OutcomeMap map = read_outcome_map(table, kind == "map");
+  const Sample sample = read_sample(table, reading, kind == "sample");
+  if (kind == "critical") study.question = critical;
+  if (kind == "map") study.question = map;
+  if (kind == "sample") study.question = sample;
+  KeyNames all;
+  for (const auto& [name, keys] : kinds) all.insert(all.end(), keys.begin(), keys.end());
+  if (known) refuse_keys_of_others(table, reading, kind + " study", kinds.at(kind), all);
+  return study;
+}
+
+}  // namespace
+
+std::vector<OpenStudy> read_open_studies(Reading& reading) {
+  Names names("study");
+  const Studies& others = reading.scene.studies;
+  for (const auto& study : others.limits) names.add(study.name);
+  for (const auto& study : others.orders) names.add(study.name);
+  for (const auto& study : others.maps) names.add(study.name);
+  for (const auto& bench : others.benches) names.add(bench.name);
+  std::vector<OpenStudy> all;
+  reading.each("study", [&](TableReader& table) {
+    OpenStudy study = read_open_study(table, reading);
+    if (!study.name.empty() && !names.add(study.name)) {
+      reading.problems.error(table.place("name"), fmt::format("a second study is called \"{}\"", study.name),
+                             "names that differ", "rename one of them");
+    }
+    all.push_back(std::move(study));
+  });
+  return all;
+}
+
+}  // namespace blockweir::scene

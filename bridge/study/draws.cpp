@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/study/draws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/lognormal.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/triangular.hpp>
+#include <fstream>
+#include <random>
+#include <stdexcept>
+
+#include "bridge/results/csv.hpp"
+#include "bridge/scene/read/nearest.hpp"
+#include "bridge/scene/read/read.hpp"
+
+namespace blockweir::study {
+namespace {
+
+namespace fs = std::filesystem;
+using Row = std::vector<std::string>;
+
+/// A file of values: its heading, and the cells of each row below.
+struct ValueTable {
+  std::string name;  ///< as the scene states it
+  Row heading;
+  std::vector<Row> rows;
+};
+
+[[noreturn]] void refuse(const scene::OpenStudy& study, const fs::path& scene, const std::string& found,
+                         const std::string& expected, const std::string& remedy) {
+  throw scene::SceneError({{scene::Diagnostic::Severity::error, scene::scene_file(scene).string(), study.line,
+                            fmt::format("[[study]] \"{}\": {}", study.name, found), expected, remedy}});
+}
+
+Row cells_of(std::string line) {
+  if (line.ends_with('\r')) line.pop_back();
+  Row cells = results::csv_cells(line);
+  for (std::string& cell : cells) {
+    const auto from = cell.find_first_not_of(" \t");
+    cell = from == std::string::npos ? "" : cell.substr(from, cell.find_last_not_of(" \t") - from + 1);
+  }
+  return cells;
+}
+
+ValueTable read_table(const scene::OpenStudy& study, const fs::path& scene, const std::string& name) {
+  const fs::path file = scene::scene_file(scene).parent_path() / name;
+  std::error_code failed;
+  std::ifstream stream(file);
+  if (!fs::is_regular_file(file, failed) || !stream) {
+    refuse(study, scene, fmt::format("the file {} cannot be read", name),
+           "a CSV file with a heading, its path from the scene's folder", "check the path");
+  }
+  ValueTable table{.name = name};
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    Row cells = cells_of(line);
+    if (table.heading.empty()) {
+      if (cells[0].starts_with("\xef\xbb\xbf")) cells[0].erase(0, 3);  // of spreadsheets
+      table.heading = std::move(cells);
+    } else if (cells.size() != table.heading.size()) {
+      refuse(study, scene, fmt::format("line {} of {} has {} cells", number, name, cells.size()),
+             fmt::format("{}, as the heading has", table.heading.size()), "correct the file");
+    } else {
+      table.rows.push_back(std::move(cells));
+    }
+  }
+  if (table.rows.empty()) {
+    refuse(study, scene, fmt::format("the file {} has no rows", name), "a heading, and a row for each run",
+           "correct the file");
+  }
+  return table;
+}
+
+/// The column's place; only values that are there will do.
+std::size_t column_of(const scene::OpenStudy& study, const fs::path& scene, const ValueTable& table,
+                      const std::string& column) {
+  const auto found = std::find(table.heading.begin(), table.heading.end(), column);
+  if (found == table.heading.end()) {
+    const std::string near = scene::did_you_mean(column, table.heading);
+    refuse(study, scene, fmt::format("{} has no column \"{}\"", table.name, column), scene::one_of(table.heading),
+           near.empty() ? "name another column, or state the variable's distribution" : near);
+  }
+  const auto at = static_cast<std::size_t>(found - table.heading.begin());
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (!table.rows[row][at].empty()) continue;
+    refuse(study, scene, fmt::format("row {} of {} has nothing for \"{}\"", row + 1, table.name, column),
+           "a value in each row", "correct the file");
+  }
+  return at;
+}
+
+/// Above 0 and below 1, the same on every machine: std's distributions are not.
+double uniform(std::mt19937_64& random) {
+  return (static_cast<double>(random() >> 11U) + 0.5) * 0x1p-53;
+}
+
+}  // namespace
+
+double quantile(const scene::Variable& variable, double u) {
+  namespace bm = boost::math;
+  switch (variable.distribution) {
+    case scene::Distribution::normal:
+      return bm::quantile(bm::normal(variable.mean, variable.deviation), u);
+    case scene::Distribution::lognormal: {
+      // From the moments of the variable to those of its logarithm.
+      const double ratio = variable.deviation / variable.mean;
+      const double variance = std::log1p(ratio * ratio);
+      return bm::quantile(bm::lognormal(std::log(variable.mean) - variance / 2, std::sqrt(variance)), u);
+    }
+    case scene::Distribution::uniform:
+      return variable.from + u * (variable.to - variable.from);
+    case scene::Distribution::triangular:
+      return bm::quantile(bm::triangular(variable.from, variable.peak, variable.to), u);
+    case scene::Distribution::column:
+      break;
+  }
+  throw std::logic_error("a column is not drawn");
+}
+
+std::vector<Settings> drawn_settings(const scene::OpenStudy& study, const fs::path& scene) {
+  const auto& sample = std::get<scene::Sample>(study.question);
+  ValueTable table;
+  if (!sample.file.empty()) table = read_table(study, scene, sample.file);
+  const auto runs = static_cast<std::size_t>(sample.runs);
+  if (!sample.file.empty() && runs > table.rows.size()) {
+    refuse(study, scene, fmt::format("runs = {}, and {} has {} rows", runs, sample.file, table.rows.size()),
+           "a row for each run", "leave runs out, or add rows");
+  }
+  std::vector<std::size_t> columns(sample.variables.size());
+  for (std::size_t v = 0; v < columns.size(); ++v) {
+    const scene::Variable& variable = sample.variables[v];
+    if (variable.distribution != scene::Distribution::column) continue;
+    columns[v] = column_of(study, scene, table, variable.column);
+  }
+  std::mt19937_64 random(static_cast<std::uint64_t>(sample.seed));
+  std::vector<Settings> all(runs > 0 ? runs : table.rows.size());
+  for (std::size_t run = 0; run < all.size(); ++run) {
+    for (std::size_t v = 0; v < columns.size(); ++v) {
+      const scene::Variable& variable = sample.variables[v];
+      const bool drawn = variable.distribution != scene::Distribution::column;
+      all[run].push_back(drawn ? setting(variable.key, quantile(variable, uniform(random)))
+                               : variable.key + "=" + table.rows[run][columns[v]]);
+    }
+  }
+  return all;
+}
+
+}  // namespace blockweir::study

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/study/open_study.hpp"
+
+#include <fmt/format.h>
+
+#include "bridge/results/csv.hpp"
+#include "bridge/results/file_name.hpp"
+#include "bridge/results/folder_lock.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/scene/read/entry.hpp"
+#include "bridge/scene/read/gathered.hpp"
+#include "bridge/scene/read/read.hpp"
+#include "bridge/study/study_files.hpp"
+
+namespace blockweir::study {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::array table_columns = {"outcome", "mode",           "joint",       "level_m",     "head_m",
+                                      "time_s",  "sliding_factor", "simulated_s", "wall_time_s", "trouble"};
+
+std::string cell(const json& value) {
+  if (value.is_null()) return "";
+  return value.is_string() ? results::csv_cell(value.get<std::string>()) : value.dump();
+}
+
+OpenStudyTask task_of(const scene::OpenStudy& study, const fs::path& scene, int jobs) {
+  if (std::holds_alternative<scene::CriticalValue>(study.question)) return critical_task(study, jobs);
+  if (std::holds_alternative<scene::OutcomeMap>(study.question)) return outcome_map_task(study);
+  return sample_task(study, scene);
+}
+
+/// What was done before a stop, in the order in which it ended.
+std::vector<Outcome> kept_runs(const fs::path& file) {
+  std::vector<Outcome> runs;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    json row = json::parse(line, nullptr, /*allow_exceptions=*/false);
+    if (row.is_object()) runs.push_back(std::move(row));
+  }
+  return runs;
+}
+
+void write_results(const OpenStudyTask& task, const fs::path& scene, const Finding& finding, const fs::path& file) {
+  results::replace_file(file.string() + ".csv", outcome_table(task.keys, finding.runs));
+  const json all = {
+      {"name", task.name},        {"kind", task.kind},    {"scene", scene.string()},     {"set", task.set},
+      {"answer", finding.answer}, {"runs", finding.runs}, {"version", BLOCKWEIR_VERSION}};
+  results::replace_file(file.string() + ".json", all.dump(2) + "\n");
+  draw_study(file.string() + ".png", task.name, finding.figure);
+}
+
+}  // namespace
+
+std::string shown_word(const Outcome& outcome) {
+  const json mode = outcome.value("mode", json());
+  return mode.is_string() ? mode : outcome["outcome"];
+}
+
+std::string value_in(const Outcome& outcome, const std::string& key) {
+  for (const json& entry : outcome["settings"]) {
+    const std::string text = entry;
+    if (text.starts_with(key + "=")) return text.substr(key.size() + 1);
+  }
+  return "";
+}
+
+std::string outcome_table(const Settings& keys, const std::vector<Outcome>& runs) {
+  std::string text = "run";
+  for (const std::string& key : keys) text += "," + results::csv_cell(key);
+  for (const char* column : table_columns) text += fmt::format(",{}", column);
+  text += "\n";
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    text += std::to_string(i + 1);
+    for (const std::string& key : keys) text += "," + results::csv_cell(value_in(runs[i], key));
+    for (const char* column : table_columns) text += "," + cell(runs[i].value(column, json()));
+    text += "\n";
+  }
+  return text;
+}
+
+std::vector<OpenStudyTask> open_study_tasks(const fs::path& scene, const Settings& overrides, int jobs) {
+  std::vector<OpenStudyTask> tasks;
+  scene::Gathered wrong;
+  for (const scene::OpenStudy& study : scene::read(scene, overrides).open_studies) {
+    wrong.from([&] { tasks.push_back(task_of(study, scene, jobs)); });
+  }
+  for (OpenStudyTask& task : tasks) {
+    task.jobs = jobs;
+    for (const Settings& extreme : task.extremes) {
+      const scene::SettingEntry entry{fmt::format("[[study]] \"{}\"", task.name), task.line, joined(task.set, extreme)};
+      wrong.from([&] { scene::read_entry(scene, entry, joined(joined(task.set, overrides), extreme)); });
+    }
+  }
+  wrong.report();
+  return tasks;
+}
+
+bool perform(const OpenStudyTask& task, const fs::path& scene, const Settings& overrides, const fs::path& out) {
+  const results::FolderLock lock(out);
+  const fs::path file = out / results::file_name(task.name);
+  const fs::path kept = file.string() + ".runs.jsonl";
+  OutcomeRuns runs({task.name, scene, task.set, overrides, kept, task.jobs, task.until_decided});
+  Finding finding;
+  try {
+    finding = task.find(runs);
+  } catch (const Interrupted&) {
+    results::replace_file(file.string() + ".csv", outcome_table(task.keys, kept_runs(kept)));
+    throw;
+  } catch (const std::runtime_error& error) {
+    fmt::print("{}\nSTOPPED {}\n", task.name, error.what());
+    return false;
+  }
+  fmt::print("{}\n{}", task.name, finding.text);
+  write_results(task, scene, finding, file);
+  fmt::print("{0}.csv\n{0}.json\n", file.string());
+  return true;
+}
+
+}  // namespace blockweir::study

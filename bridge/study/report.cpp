@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/study/report.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "bridge/picture/report_page.hpp"
+#include "bridge/process/ask.hpp"
+#include "bridge/process/former_run.hpp"
+#include "bridge/process/programs.hpp"
+#include "bridge/process/run.hpp"
+#include "bridge/process/temporary_folder.hpp"
+#include "bridge/results/folder.hpp"
+#include "bridge/results/result_file.hpp"
+#include "bridge/scene/read/read.hpp"
+#include "bridge/study/safety.hpp"
+
+namespace blockweir::study {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// What `answer()` yields, or why there is none: a report without a level is one all the same.
+template <class Answer>
+json or_trouble(Answer answer) {
+  try {
+    return answer();
+  } catch (const process::Stopped&) {
+    throw;
+  } catch (const scene::SceneError& error) {
+    return {{"trouble", error.what()}};
+  } catch (const std::invalid_argument& error) {
+    return {{"trouble", error.what()}};
+  } catch (const std::runtime_error& error) {
+    return {{"trouble", error.what()}};
+  }
+}
+
+json summary_of(const fs::path& run) {
+  std::ifstream stream(run / "summary.json");
+  json summary = stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
+  if (summary.is_object()) return summary;
+  throw std::invalid_argument(
+      fmt::format("{}: found a run without a summary.json; expected one that has ended; blockweir resume {} may end it",
+                  run.string(), run.string()));
+}
+
+picture::ReportParts parts_of(const fs::path& run, const std::string& program) {
+  picture::ReportParts parts{.scene = scene::read(process::scene_of(run)).scene, .run = run, .program = program};
+  parts.summary = summary_of(run);
+  fmt::print(stderr, "asking for the level of failure and the factors of safety\n");
+  const process::TemporaryFolder scratch;
+  process::AskOptions question{.scene = process::scene_of(run), .out = scratch.path() / "level", .quiet = true};
+  parts.level = or_trouble([&] { return process::ask("level", question).answer; });
+  question.out = scratch.path() / "safety";
+  parts.safety = or_trouble([&] { return safety_answers(question); });
+  for (const char* command : {"run", "level", "safety", "report"}) {
+    parts.commands.push_back(fmt::format("blockweir {} scene.toml", command));
+  }
+  return parts;
+}
+
+}  // namespace
+
+int write_report(const ReportOptions& options) {
+  if (!options.out.empty()) results::require_writable_file("--out", options.out);
+  fs::path run = options.source;
+  if (!process::is_run(options.source)) {
+    const process::RunResult made =
+        process::run({.scene = options.source, .variant = options.variant, .overrides = options.overrides});
+    fmt::print("{}", process::report(made));
+    if (made.exit_code != 0) return made.exit_code;
+    run = made.folder;
+  } else if (!options.variant.empty() || !options.overrides.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: found a run, beside --set or --variant; expected a scene with them; leave them out, or name "
+                    "the scene",
+                    options.source.string()));
+  }
+  const fs::path out = options.out.empty() ? run / "report.html" : options.out;
+  results::replace_file(out, picture::report_page(picture::report_data(parts_of(run, options.program))));
+  fmt::print("report  {}\n", out.string());
+  return 0;
+}
+
+}  // namespace blockweir::study

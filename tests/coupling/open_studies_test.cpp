@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// [[study]] with the real programs: what it finds, that it goes on where it was stopped, and what it refuses.
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+class OpenStudies : public Processes {
+ protected:
+  /// A small block on a plane, gravity tilted by 20 degrees, friction 30 degrees, with a study.
+  void write_scene(const std::string& study) const {
+    std::ofstream(folder / "scene.toml") << R"([analysis]
+duration_s = 0.3
+gravity_tilt_deg = 20
+failure_displacement_m = 0.002
+stop_at_failure = true
+[material.rock]
+youngs_modulus_pa = 50e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2500
+[[block]]
+name = "plane"
+material = "rock"
+fixed = true
+vertices_m = [[-2, -1], [6, -1], [6, 0], [-2, 0]]
+[[block]]
+name = "b"
+material = "rock"
+vertices_m = [[0, 0], [1, 0], [1, 0.5], [0, 0.5]]
+)" << study;
+  }
+  [[nodiscard]] int study(const std::string& options = "") const {
+    return shell(programs + "/blockweir study scene.toml --out s " + options);
+  }
+};
+
+const std::string slope =
+    "[[study]]\nname = 'slope'\nkind = 'critical'\nkey = 'analysis.gravity_tilt_deg'\nfrom = 20\nto = 40\nwidth = "
+    "0.02\n";
+
+TEST_F(OpenStudies, ACriticalValueIsTheSameForAnyNumberOfProcessors) {
+  write_scene(slope);
+  ASSERT_EQ(study("--jobs 3"), 0) << text("out");
+  const auto beside = nlohmann::json::parse(text("s/slope.json"))["answer"];
+  EXPECT_NEAR(beside["value"].get<double>(), 30, 0.6);
+  fs::remove_all(folder / "s");
+  ASSERT_EQ(study("--jobs 1"), 0) << text("out");
+  EXPECT_EQ(nlohmann::json::parse(text("s/slope.json"))["answer"], beside);
+}
+
+TEST_F(OpenStudies, WhatIsDoneIsNotDoneAgainUnlessTheSceneChanges) {
+  write_scene(slope);
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("more, some "));
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_THAT(text("out"), testing::Not(HasSubstr("more, some ")));
+  write_scene(slope + "[joint]\nfriction_angle_deg = 25\n");
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_NEAR(nlohmann::json::parse(text("s/slope.json"))["answer"]["value"].get<double>(), 25, 0.6);
+}
+
+TEST_F(OpenStudies, WithoutAChangeThereIsNoAnswer) {
+  write_scene("[[study]]\nname = 'slope'\nkind = 'critical'\nkey = 'analysis.gravity_tilt_deg'\nfrom = 10\nto = 20\n");
+  EXPECT_EQ(study(), 1);
+  EXPECT_THAT(text("out"), HasSubstr("STOPPED no change found: the outcome is \"stands\" with"));
+  EXPECT_FALSE(fs::exists(folder / "s/slope.csv"));
+}
+
+TEST_F(OpenStudies, AMapHasAnOutcomeForEachPair) {
+  write_scene(
+      "[[study]]\nname = 'm'\nkind = 'map'\nx_key = 'analysis.gravity_tilt_deg'\nx_values = [20, 40]\ny_key = "
+      "'joint.friction_angle_deg'\ny_values = [15, 30]\n");
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("            30  .  s \n            15  s  s \n"));
+  EXPECT_THAT(text("s/m.csv"), HasSubstr("run,analysis.gravity_tilt_deg,joint.friction_angle_deg,outcome,mode,"));
+  EXPECT_GT(fs::file_size(folder / "s/m.png"), 1000U);
+}
+
+TEST_F(OpenStudies, ASampleTellsSharesAndHasARowForEachRun) {
+  std::ofstream(folder / "v.csv") << "phi\n10\n15\n25\n30\n-5\n";
+  const std::string sample =
+      "[[study]]\nname = 'v'\nkind = 'sample'\nfile = 'v.csv'\nvariable = [{ key = 'joint.friction_angle_deg', column "
+      "= 'phi' }]\n";
+  write_scene(sample);
+  EXPECT_EQ(study(), 2);  // found before anything runs
+  EXPECT_THAT(text("out"), HasSubstr("[[study]] \"v\" sets joint.friction_angle_deg=-5"));
+  EXPECT_FALSE(fs::exists(folder / "s"));
+  std::ofstream(folder / "v.csv") << "phi\n10\n15\n25\n30\n";
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("stands                   2 of 4 runs, 50 %; 95 % interval 6.76 to 93.2 %"));
+  const std::string table = text("s/v.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5);
+  EXPECT_THAT(table, HasSubstr("\n1,10,fails,sliding,"));
+  write_scene(sample +
+              "[[study]]\nname = 'w'\nkind = 'sample'\nfile = 'v.csv'\nvariable = [{ key = 'a', column = "
+              "'fi' }]\n");
+  EXPECT_EQ(study(), 2);
+  EXPECT_THAT(text("out"), HasSubstr("v.csv has no column \"fi\"; expected one of phi"));
+}
+
+TEST_F(OpenStudies, StoppedItLeavesATableAndGoesOn) {
+  write_scene(
+      "[[study]]\nname = 'v'\nkind = 'sample'\nruns = 400\nvariable = [{ key = 'joint.friction_angle_deg', "
+      "distribution = 'uniform', from = 10, to = 30 }]\n");
+  const pid_t first = start(programs + "/blockweir study scene.toml --out s --jobs 2", "log");
+  const auto lines = [&] {
+    const std::string kept = text("s/v.runs.jsonl");
+    return std::count(kept.begin(), kept.end(), '\n');
+  };
+  for (int wait = 0; wait < 20'000 && lines() < 3; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_GE(lines(), 3);
+  kill(first, SIGINT);
+  EXPECT_EQ(end_of(first, 20), 130) << text("log");
+  EXPECT_THAT(text("log"), HasSubstr("stopped on request; the same command goes on with [[study]]"));
+  EXPECT_FALSE(orphan());
+  const std::string table = text("s/v.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + lines());
+  const auto kept = lines();
+  write_scene(
+      "[[study]]\nname = 'v'\nkind = 'sample'\nruns = 10\nvariable = [{ key = 'joint.friction_angle_deg', "
+      "distribution = 'uniform', from = 10, to = 30 }]\n");
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_LE(lines(), std::max<long>(10, kept)) << "a run was made twice";
+}
+
+TEST_F(OpenStudies, AFolderThatCannotBeWrittenIsRefusedAtOnce) {
+  write_scene(slope);
+  std::ofstream(folder / "taken") << "a file";
+  EXPECT_EQ(shell(programs + "/blockweir study scene.toml --out taken/s"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("taken"));
+  EXPECT_EQ(shell(programs + "/blockweir study scene.toml --out s --jobs 0"), 2);
+}
+
+}  // namespace
+}  // namespace blockweir::test

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// blockweir report: one page that a browser opens without an error and a reader can use.
+#include <regex>
+
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Report : public Processes {
+ protected:
+  void write_scene() const {
+    std::ofstream(folder / "wall.toml") << R"(title = "a wall </script><b>holds</b> a pond"
+analysis = { duration_s = 4 }
+water = { upstream_level_m = { from = 4, rate_per_s = 0.1 } }
+joint = { friction_angle_deg = 30, uplift = "triangular" }
+material.masonry = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }
+[[block]]
+name = "rock"
+material = "masonry"
+fixed = true
+vertices_m = [[-10, -3], [12, -3], [12, 0], [-10, 0]]
+[[block]]
+name = "wall"
+material = "masonry"
+vertices_m = [[0, 0], [2.5, 0], [1, 5], [0, 5]]
+[[joints]]
+name = "base"
+between = ["rock", "wall"]
+[[point_load]]
+block = "wall"
+point_m = [0, 5]
+force_n_per_m = [1000, 0]
+[[load_case]]
+name = "low water"
+class = "usual"
+set = ["water.upstream_level_m=2"]
+required_factor = 1.5
+source = "a guideline"
+)";
+  }
+  /// The page with the probe in it, opened; what the probe saw.
+  [[nodiscard]] nlohmann::json opened(const std::string& page) const {
+    const auto put = [&](std::string text, const std::string& before, const std::string& script) {
+      return text.insert(text.rfind(before), "<script>" + script + "</script>");
+    };
+    std::ostringstream probe;
+    probe << std::ifstream(std::string(BLOCKWEIR_SOURCE) + "/tests/coupling/report_probe.js").rdbuf();
+    std::string html = put(text(page), "</body>", probe.str());
+    html = put(html, "<title>",
+               "window.faults = []; addEventListener('error', e => faults.push(e.message)); for (const kind of "
+               "['error', 'warn']) console[kind] = text => faults.push(String(text));");
+    std::ofstream(folder / "probed.html") << html;
+    const std::string chromium =
+        "chromium --headless --no-sandbox --disable-gpu --user-data-dir=browser --virtual-time-budget=30000 --dump-dom "
+        "file://" +
+        (folder / "probed.html").string();
+    EXPECT_EQ(shell(chromium + " 2>browser.log"), 0)
+        << "is Chromium installed (./blockweir test does)? " << text("out") << text("browser.log");
+    std::smatch found;
+    const std::string dom = text("out");
+    if (!std::regex_search(dom, found, std::regex("<pre>([^<]*)</pre>"))) return {};
+    std::string answer = found[1];
+    for (const auto& [code, letter] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}}) {
+      answer = std::regex_replace(answer, std::regex(code), letter);
+    }
+    return nlohmann::json::parse(answer, nullptr, /*allow_exceptions=*/false);
+  }
+};
+
+TEST_F(Report, OpensInABrowserAndCanBeUsed) {
+  write_scene();
+  ASSERT_EQ(shell(programs + "/blockweir report wall.toml --out wall.html"), 0) << text("out");
+  EXPECT_LT(fs::file_size(folder / "wall.html"), 2'000'000U);
+  EXPECT_EQ(text("wall.html").find("src="), std::string::npos) << "the page needs other files";
+  const nlohmann::json seen = opened("wall.html");
+  ASSERT_TRUE(seen.is_object()) << text("out") << text("browser.log");
+  EXPECT_THAT(seen["faults"], testing::IsEmpty()) << seen["faults"];
+  for (const char* use : {"steps_on", "steps_back", "scrubs", "plays", "zooms_all", "shows_all", "linked"}) {
+    EXPECT_TRUE(seen[use].get<bool>()) << use;
+  }
+  EXPECT_EQ(seen["chapters"].size(), 8U);
+  EXPECT_THAT(seen["verdict"].get<std::string>(), HasSubstr("The structure FAILS"));
+  EXPECT_THAT(seen["joints"].get<std::string>(), testing::AllOf(HasSubstr("low water"), HasSubstr("a guideline")));
+  EXPECT_THAT(seen["level"].get<std::string>(), HasSubstr("limit analysis"));
+  EXPECT_THAT(seen["scene"].get<std::string>(), HasSubstr("a wall </script><b>holds</b> a pond"));
+  EXPECT_GE(seen["mechanism"].get<int>(), 3);
+}
+
+TEST_F(Report, OfARunThatIsThereTakesItsResults) {
+  write_scene();
+  ASSERT_EQ(shell(programs + "/blockweir run wall.toml --quiet --out run"), 0) << text("out");
+  ASSERT_EQ(shell(programs + "/blockweir report run"), 0) << text("out");
+  EXPECT_THAT(text("run/report.html"), HasSubstr("\"outcome\":\"fails\""));
+  EXPECT_EQ(shell(programs + "/blockweir report run --set joint.friction_angle_deg=50"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("found a run, beside --set or --variant; expected a scene"));
+}
+
+TEST_F(Report, WritesNothingWhereItCannot) {
+  write_scene();
+  EXPECT_EQ(shell(programs + "/blockweir report wall.toml --out nowhere/wall.html"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("--out"));
+  EXPECT_EQ(shell(programs + "/blockweir report wall.toml --set joint.frictoin=3 --out wall.html"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("frictoin"));
+  EXPECT_FALSE(fs::exists(folder / "wall.html"));
+  EXPECT_FALSE(fs::exists(folder / "runs"));
+}
+
+}  // namespace
+}  // namespace blockweir::test

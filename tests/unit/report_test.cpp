@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_picture
+// What a report takes from a scene and a run.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "bridge/picture/history.hpp"
+#include "bridge/picture/report_frames.hpp"
+#include "bridge/picture/report_histories.hpp"
+#include "bridge/picture/report_page.hpp"
+#include "bridge/picture/report_section.hpp"
+#include "bridge/scene/read/read.hpp"
+#include "tests/own_folder.hpp"
+#include "tests/unit/scene_sample.hpp"
+
+namespace blockweir::picture {
+namespace {
+
+using nlohmann::json;
+
+TEST(ReportSection, HasJointsLoadsAndDimensionsOfTheScene) {
+  const json data = section_data(scene::read_text(scene::sample::text, "s.toml").scene);
+  ASSERT_EQ(data["blocks"].size(), 3U);
+  EXPECT_EQ(data["joints"][0], json::parse(R"({"name":"crack","lines":[[[0,2],[3,2]]],"labelled":true})"));
+  EXPECT_EQ(data["laws"].back()["name"], "all other joints");
+  EXPECT_EQ(data["dimensions"], json::parse(R"({"bottom":0,"top":4,"right":3,"base":[0,3],"crest":[0,3]})"));
+  ASSERT_EQ(data["loads"].size(), 2U);
+  EXPECT_EQ(data["loads"][0]["force"], json::parse("[100,-200]"));
+  EXPECT_LT(data["loads"][1]["force_from"][0].get<double>(), 0) << "a pressure on the downstream face acts upstream";
+}
+
+class ReportRun : public test::OwnFolder {
+ protected:
+  void write_frames(int count) const {
+    std::ofstream frames(folder / "frames.jsonl");
+    for (int i = 0; i < count; ++i) {
+      frames << R"({"time_s":)" << i << R"(,"upstream_level_m":1,"downstream_level_m":null,"blocks":[)"
+             << R"({"fixed":true,"outline":[[-5,-1],[5,-1],[5,0],[-5,0]]},)"
+             << R"({"fixed":false,"outline":[[0,0],[1.23456789,0],[1,2],[0,2]]}],"contacts":[[0,0,1],[1,0,0]],)"
+             << R"("panels":[[0,0,-5,0,9810,9810,0],[0,1,0,0,0,9810,0]]})"
+             << "\n";
+    }
+  }
+};
+
+TEST_F(ReportRun, KeepsPressuresOnBlocksAndContactsThatHold) {
+  write_frames(3);
+  const json data = frames_data(folder, json::parse(R"({"failure":{"time_s":1.5}})"));
+  ASSERT_EQ(data["frames"].size(), 3U);
+  EXPECT_EQ(data["pictured"], 1);
+  const json& frame = data["frames"][0];
+  EXPECT_EQ(frame["panels"], json::parse("[[0,1,0,0,0,9810,0]]"));
+  EXPECT_EQ(frame["contacts"].size(), 1U);
+  EXPECT_EQ(frame["outlines"][1][1][0].dump(), "1.23457");
+  EXPECT_EQ(frame["pools"].size(), 1U);
+}
+
+TEST_F(ReportRun, ThinsALongOneAndKeepsItsEnd) {
+  write_frames(1000);
+  const json frames = frames_data(folder, json::object())["frames"];
+  EXPECT_LE(frames.size(), 301U);
+  EXPECT_EQ(frames.front()["t"], 0);
+  EXPECT_EQ(frames.back()["t"], 999);
+}
+
+TEST_F(ReportRun, ShowsTheEightThatMoveMost) {
+  std::ofstream csv(folder / "history.csv");
+  csv << "time_s,upstream_level_m";
+  for (int i = 0; i < 12; ++i) csv << ",b" << i << ".displacement_x_m,b" << i << ".displacement_y_m";
+  csv << "\n0,nan";
+  for (int i = 0; i < 12; ++i) csv << ",0,0";
+  csv << "\n1,nan";
+  for (int i = 0; i < 12; ++i) csv << "," << i << ",0";
+  csv << "\n2,nan,half";
+  csv.close();
+  const History history(folder / "history.csv");
+  EXPECT_EQ(history.rows(), 2U);
+  EXPECT_EQ(history.largest_first("displacement_x_m", "displacement_y_m").front(), "b11");
+  const json data = histories_data(folder);
+  ASSERT_EQ(data["groups"].size(), 2U);
+  EXPECT_EQ(data["groups"][0]["curves"].size(), 8U);
+  EXPECT_THAT(data["left_out"].get<std::string>(), testing::HasSubstr("all 11 blocks"));
+}
+
+TEST(ReportPage, CannotBeEndedByATextOfTheScene) {
+  const std::string page = report_page({{"title", "</script>@SCRIPT@"}});
+  EXPECT_THAT(page, testing::HasSubstr(R"("\u003c/script>@SCRIPT@")"));
+}
+
+}  // namespace
+}  // namespace blockweir::picture
