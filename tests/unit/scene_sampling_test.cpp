@@ -44,7 +44,7 @@ TEST(SceneSampling, ASineThatIsFasterThanTenLooks) {
   const std::string waves = with_level("{ sine = 0.5, frequency_hz = 1, mean = 2 }");
   expect_error(waves, 45,
                {"crests of upstream_level_m in [water] lie up to 0.5 m above what the run sees: it looks every 0.5 s",
-                "up to 0.0035 m, a thousandth of the water's depth", "shorten [coupling] window_s to 0.027 s"});
+                "up to 0.003 m, a thousandth of the water's depth", "shorten [coupling] window_s to 0.035 s"});
   EXPECT_THAT(warnings(with("window_s = 0.5", "window_s = 0.02", waves)), IsEmpty());
   const std::string pulse = "force_x_n_per_m = { sine = 100, frequency_hz = 25 }\nforce_y_n_per_m = 0";
   EXPECT_THAT(warnings(with("force_n_per_m = [100, -200]", pulse)),
@@ -59,7 +59,7 @@ TEST(SceneSampling, ALoadThatComesAndGoesWithinAStep) {
       "force_y_n_per_m = 0";
   const std::string pushed = with("force_n_per_m = [100, -200]", pulse);
   EXPECT_THAT(warnings(pushed), IsEmpty());
-  expect_error(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"quasi-static\"", pushed), 36,
+  expect_error(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"quasi-static\"", pushed), 39,
                {"force_x_n_per_m in [[point_load]] is 9 at 0.105 s, which the run does not see"});
   EXPECT_THAT(warnings(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"static\"", pushed)),
               Not(Contains(HasSubstr("does not see"))));
