@@ -62,6 +62,7 @@ constexpr Answer all_formulas[] = {
     {"plane-crack-acceleration", Subject::joint, Need::upstream_level, !takes_a_point, !says_a_word, of_one_block},
     {"monolith-sliding", Subject::joint, Need::nothing, !takes_a_point, !says_a_word, of_one_block},
     {"monolith-overturning", Subject::joint, Need::nothing, !takes_a_point, !says_a_word, of_one_block},
+    {"cracked-through", Subject::joint, Need::nothing, !takes_a_point, !says_a_word, of_one_block},
     {"hydrostatic-force", Subject::block_only, Need::upstream_level},
     {"hydrostatic-moment", Subject::block_only, Need::upstream_level},
     {"mouth-pressure", Subject::joint, Need::upstream_level},

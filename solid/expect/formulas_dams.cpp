@@ -73,6 +73,16 @@ double monolith_overturning(const Scene& s, const std::string& of) {
   return std::cbrt(6 * (p.weight * arm - moment_of_lift) / unit_weight_of_water(s));
 }
 
+/// Head at which a crack with the reservoir's pressure in it runs through a level joint under an upright face:
+/// W d = rho g h^3/6 + rho g h B^2/2, d the weight's way to the toe and B the joint's length.
+double cracked_through(const Scene& s, const std::string& of) {
+  const PlaneJoint p = plane_joint(s, of);
+  const double arm = p.mouth.x() + p.length - geometry::centroid(p.upper->vertices).x();
+  return rising_root([&](double head) {
+    return unit_weight_of_water(s) * head * (head * head / 6 + p.length * p.length / 2) - p.weight * arm;
+  });
+}
+
 /// Depth of water at the wall's foot, y = 0.
 double depth(const Scene& s) {
   return s.water.upstream_level_m->at(s.analysis.duration_s);
@@ -99,13 +109,11 @@ double mouth_pressure(const Scene& s, const std::string& of) {
 }  // namespace
 
 const Formulas& dam_formulas() {
-  static const Formulas all = {{"plane-crack-sliding", plane_crack_sliding},
-                               {"plane-crack-acceleration", plane_crack_acceleration},
-                               {"monolith-sliding", monolith_sliding},
-                               {"monolith-overturning", monolith_overturning},
-                               {"hydrostatic-force", hydrostatic_force},
-                               {"hydrostatic-moment", hydrostatic_moment},
-                               {"mouth-pressure", mouth_pressure}};
+  static const Formulas all = {
+      {"plane-crack-sliding", plane_crack_sliding}, {"plane-crack-acceleration", plane_crack_acceleration},
+      {"monolith-sliding", monolith_sliding},       {"monolith-overturning", monolith_overturning},
+      {"cracked-through", cracked_through},         {"hydrostatic-force", hydrostatic_force},
+      {"hydrostatic-moment", hydrostatic_moment},   {"mouth-pressure", mouth_pressure}};
   return all;
 }
 

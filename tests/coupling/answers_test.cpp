@@ -73,6 +73,43 @@ TEST_F(Answers, LoadCasesHaveTheirFactorsAndSayWhetherTheyAreEnough) {
   const json& joint = load_cases[2]["joints"][0];
   EXPECT_NEAR(joint["sliding_factor"].get<double>() / load_cases[2]["limit_analysis_factor"].get<double>(), 1, 1e-5);
   EXPECT_TRUE(fs::exists(folder / "o/low-water/safety.json"));
+  // On a level base the sums by hand are the joint's forces.
+  double right = 0;
+  double up = 0;
+  for (const json& sum : joint["sums"]) {
+    right += sum["x_n_per_m"].get<double>();
+    up += sum["y_n_per_m"].get<double>();
+  }
+  EXPECT_NEAR(-up / joint["normal_n_per_m"].get<double>(), 1, 1e-6);
+  EXPECT_NEAR(right / joint["shear_n_per_m"].get<double>(), 1, 1e-6);
+  EXPECT_EQ(joint["sums"][0]["name"], "weight");
+}
+
+TEST_F(Answers, TellAFactorBelowOneOfWhatFails) {
+  ASSERT_EQ(ask("safety " + cases + "monolith-slides --json a.json --set water.upstream_level_m=7.9"), 0)
+      << text("out");
+  const json found = answer("a.json")["load_cases"][0];
+  EXPECT_EQ(found["outcome"], "fails");
+  EXPECT_LT(found["factor"], 1);
+  EXPECT_GT(found["factor"], 0.9);
+  EXPECT_NEAR(found["factor"].get<double>() / found["limit_analysis_factor"].get<double>(), 1, 1e-5);
+}
+
+TEST_F(Answers, TheEarthquakesWaterIsToldToBeWestergaards) {
+  write("s.toml", text(cases + "monolith-slides/scene.toml") + "\n[earthquake]\nhorizontal_coefficient = 0.05\n");
+  ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");
+  EXPECT_EQ(answer("a.json")["added_water_pressure"], "Westergaard");
+  EXPECT_THAT(text("out"), HasSubstr("added pressure in the earthquake after Westergaard"));
+  EXPECT_LT(answer("a.json")["level_m"], 7.5);
+}
+
+TEST_F(Answers, ADrainBeyondItsJointInALoadCaseIsToldBeforeAnythingIsWritten) {
+  write("s.toml", text(cases + "monolith-slides/scene.toml") +
+                      "\n[[load_case]]\nname = 'drained'\nset = ['joints.joint.uplift=\"drained\"', "
+                      "'joints.joint.drain_m=99', 'joints.joint.drain_efficiency=0.5']\n");
+  EXPECT_EQ(ask("safety s.toml --out o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("the drain of joint \"joint\" lies at 99 m"));
+  EXPECT_FALSE(fs::exists(folder / "o"));
 }
 
 TEST_F(Answers, WhatIsWrongIsToldBeforeAnythingIsWritten) {
