@@ -37,14 +37,15 @@ void forget_checkpoints(const fs::path& folder) {
 
 void forget_former_run(const fs::path& folder, const scene::Scene& scene) {
   // Not the scene nor solid.log, by which the folder is known, even if this run is stopped right here.
-  for (const char* file :
-       {"summary.json", "history.csv", "frames.jsonl", "repeat.toml", "blocks.pvd", "reservoir.pvd", "animation.gif"}) {
+  for (const char* file : {"summary.json", "history.csv", "frames.jsonl", "repeat.toml", "blocks.pvd", "reservoir.pvd",
+                           "animation.gif", "report.html"}) {
     fs::remove(folder / file);
   }
   for (const scene::FluidEntry& fluid : scene::fluid_models) {
     if (fluid.program != nullptr) fs::remove(folder / (fluid.role + std::string(".log")));
   }
-  for (const char* picture : {"displacements", "velocities", "rotations", "level", "snapshots", "picture", "profile"}) {
+  for (const char* picture :
+       {"displacements", "velocities", "rotations", "level", "snapshots", "picture", "profile", "section"}) {
     for (const char* ending : {".png", ".svg"}) fs::remove(folder / (std::string(picture) + ending));
   }
   fs::remove(report_of(folder));

@@ -118,9 +118,11 @@ function jointShapes(report, scale) {
     if (!joint.labelled) continue;
     const line = joint.lines[0];
     const middle = [(line[0][0] + line[line.length - 1][0]) / 2, (line[0][1] + line[line.length - 1][1]) / 2];
-    const [x, y] = [scale.x(middle[0]), scale.y(middle[1]) - 6];
-    if (taken.some(t => Math.abs(t[0] - x) < 70 && Math.abs(t[1] - y) < 14)) continue;
-    taken.push([x, y]);
+    const x = scale.x(middle[0]);
+    let y = scale.y(middle[1]) - 6;
+    const half = 3.5 * joint.name.length;  // of the name's width
+    while (taken.some(t => Math.abs(t.x - x) < t.half + half && Math.abs(t.y - y) < 14)) y -= 2;
+    taken.push({x, y, half});
     shapes.push(label({x, y, 'text-anchor': 'middle'}, 'var(--bad)', joint.name));
   }
   return shapes;
