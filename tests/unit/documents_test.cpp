@@ -94,7 +94,8 @@ TEST(Documents, TheGalleryShowsEveryCaseOnce) {
   std::multiset<std::string> shown;
   const std::string gallery = text_of(root / "cases/README.md");
   const std::regex entry(
-      "!\\[[a-z-]+\\]\\([a-z-]+/[a-z]+\\.png\\) \\| \\*\\*\\[([a-z-]+)\\]\\(([a-z-]+)/README\\.md\\)\\*\\*");
+      "!\\[[a-z0-9-]+\\]\\([a-z0-9-]+/[a-z]+\\.png\\) \\| "
+      "\\*\\*\\[([a-z0-9-]+)\\]\\(([a-z0-9-]+)/README\\.md\\)\\*\\*");
   for (std::sregex_iterator i(gallery.begin(), gallery.end(), entry), end; i != end; ++i) {
     EXPECT_EQ((*i)[1], (*i)[2]);
     shown.insert((*i)[1]);
