@@ -50,13 +50,21 @@ TemporaryFolder::TemporaryFolder() {
         "found no folder for temporary files ({}); TMPDIR, or else /tmp, has to be one", missing.message()));
   }
   remove_left_behind(place);
-  std::string name = (place / (std::string(stem) + std::string(random_letters, 'X'))).string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw std::runtime_error(fmt::format("cannot make a folder in {} ({}); TMPDIR names another place for it",
-                                         place.string(), std::generic_category().message(errno)));
+  // Until it is locked it has a name that is_left_behind() does not know: launchers that start at the same time would
+  // take it for one that was left.
+  std::string fresh = (place / (std::string(stem) + "new-" + std::string(random_letters, 'X'))).string();
+  std::error_code failed;
+  if (::mkdtemp(fresh.data()) != nullptr) {
+    lock_.emplace(fresh);
+    path_ = place / (std::string(stem) + fresh.substr(fresh.size() - random_letters));
+    fs::rename(fresh, path_, failed);
+  } else {
+    failed = {errno, std::generic_category()};
   }
-  path_ = name;
-  lock_.emplace(path_);
+  if (failed) {
+    throw std::runtime_error(fmt::format("cannot make a folder in {} ({}); TMPDIR names another place for it",
+                                         place.string(), failed.message()));
+  }
 }
 
 TemporaryFolder::~TemporaryFolder() {

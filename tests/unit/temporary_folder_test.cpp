@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "tests/own_folder.hpp"
 
@@ -43,6 +44,26 @@ TEST_F(TemporaryFolders, OfTheDeadAreRemovedAndOfTheLivingKept) {
   EXPECT_TRUE(fs::exists(path));
   { const TemporaryFolder ours; }
   EXPECT_FALSE(fs::exists(path));
+}
+
+/// As those of a study whose runs begin side by side: one that is not locked yet was taken for one that was left.
+TEST_F(TemporaryFolders, MadeAtTheSameTimeAreAllKept) {
+  std::vector<pid_t> children;
+  for (int k = 0; k < 4; ++k) {
+    children.push_back(::fork());
+    if (children.back() != 0) continue;
+    int lost = 0;
+    for (int i = 0; i < 40; ++i) {
+      const TemporaryFolder ours;
+      if (!fs::exists(ours.path() / results::FolderLock::file)) ++lost;
+    }
+    ::_exit(lost == 0 ? 0 : 1);
+  }
+  for (const pid_t child : children) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
 }
 
 TEST_F(TemporaryFolders, WhatIsNotOneIsLeftAlone) {
