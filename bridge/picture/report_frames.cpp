@@ -53,16 +53,15 @@ std::vector<json> thinned(std::vector<json> frames) {
 
 /// Does the panel lie on ground that stands fast? What presses there loads no block.
 bool on_ground(const json& frame, const json& panel, double near_m) {
-  using Point = Eigen::Vector2d;
-  const Point middle(panel[0].get<double>() / 2 + panel[2].get<double>() / 2,
-                     panel[1].get<double>() / 2 + panel[3].get<double>() / 2);
+  const Eigen::Vector2d middle(panel[0].get<double>() / 2 + panel[2].get<double>() / 2,
+                               panel[1].get<double>() / 2 + panel[3].get<double>() / 2);
   for (const json& block : frame["blocks"]) {
     if (!block["fixed"].get<bool>()) continue;
     const json& outline = block["outline"];
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const json& next = outline[(i + 1) % outline.size()];
-      const Point from(outline[i][0], outline[i][1]);
-      const Point span = Point(next[0], next[1]) - from;
+      const Eigen::Vector2d from(outline[i][0], outline[i][1]);
+      const Eigen::Vector2d span = Eigen::Vector2d(next[0], next[1]) - from;
       const double share = std::clamp(span.dot(middle - from) / span.squaredNorm(), 0.0, 1.0);
       if ((from + share * span - middle).norm() < near_m) return true;
     }
