@@ -3,6 +3,7 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <stdexcept>
 
 namespace blockweir::solid::limit {
 namespace {
@@ -30,6 +31,10 @@ LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, con
   const auto reservoir_at = [&](double level_m) { return combined(water(level_m), -1, tailwater); };
   while (++found.programs < most_programs) {
     found.at_it = structure.largest_factor(empty, reservoir_at(found.level_m));
+    if (found.at_it.bearing == Bearing::bears_none) {
+      throw std::runtime_error(
+          "limit analysis: the structure bears the empty reservoir, and yet no part of the full one");
+    }
     const bool bears = found.at_it.bearing == Bearing::bears_any || found.at_it.factor >= 1 - level_width;
     if (bears) break;
     const Twists& mechanism = found.at_it.mechanism;

@@ -21,11 +21,15 @@ struct Bracket {
 };
 
 /// From the reduction that cannot be borne, by Newton's method on the shortage, bisection where that leaves the
-/// bracket.
+/// bracket, until what is short is within the programs' tolerances.
 double narrowed(const LimitAnalysis& structure, const Wrenches& loads, Bracket& bracket) {
+  constexpr double negligible = 1e-12;
+  const auto newton = [&] { return bracket.short_of - bracket.shortage.ratio / bracket.shortage.per_reduction; };
   for (int i = 0; i < 200 && bracket.short_of - bracket.borne > reduction_width * bracket.borne; ++i) {
-    double next = bracket.short_of - bracket.shortage.ratio / bracket.shortage.per_reduction;
-    if (!(next > bracket.borne && next < bracket.short_of)) next = (bracket.borne + bracket.short_of) / 2;
+    double next = newton();
+    const bool within = next > bracket.borne && next < bracket.short_of;
+    if (within && bracket.shortage.ratio <= negligible) return next;
+    if (!within) next = (bracket.borne + bracket.short_of) / 2;
     if (next <= bracket.borne || next >= bracket.short_of) break;
     const auto shortage = structure.shortage(loads, next);
     if (shortage && suffices(*shortage)) {

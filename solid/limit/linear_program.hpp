@@ -25,7 +25,8 @@ class LinearProgram {
   /// Each returns the new row's number.
   int add_equation(double right_side);
   int add_upper_bound(double right_side);
-  /// Bounds may be infinite; entries of the same row are summed. Returns the new variable's number.
+  /// Bounds may be infinite; entries of the same row are summed, and what round-off leaves of them is none. Returns the
+  /// new variable's number.
   int add_variable(double low, double high, Entries entries, double objective = 0);
 
   /// Throws std::runtime_error where the simplex method comes to no end.
@@ -36,7 +37,13 @@ class LinearProgram {
   [[nodiscard]] double dual(int row) const;
 
  private:
+  int solve(int method);
+  void relax(double size, unsigned seed);
+  [[nodiscard]] bool is_optimal() const;
+
   std::unique_ptr<glp_prob, void (*)(glp_prob*)> program_;
+  std::vector<std::pair<int, double>> upper_;  ///< rows with an upper bound
+  std::vector<std::pair<int, double>> lower_;  ///< variables with a lower bound alone
 };
 
 }  // namespace blockweir::solid::limit
