@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "bridge/scene/at.hpp"
@@ -15,14 +17,49 @@ std::pair<int, int> pair_of(const ContactRow& c) {
   return std::minmax(c.vertex_block, c.edge_block);
 }
 
-/// A joint of one of the two blocks whose residual friction is not that of [joint]; null where there is none.
-const scene::Joint* other_joint(const scene::Scene& scene, const std::pair<int, int>& pair) {
+/// A joint of one of the two blocks with residual friction of that angle, or of another; null where there is none.
+const scene::Joint* joint_with(const scene::Scene& scene, const std::pair<int, int>& pair, double angle_deg,
+                               bool of_that) {
   const auto found = std::find_if(scene.joints.begin(), scene.joints.end(), [&](const scene::Joint& joint) {
     const auto& [a, b] = joint.between;
     const bool of_pair = a == pair.first || a == pair.second || b == pair.first || b == pair.second;
-    return of_pair && joint.law.residual_friction_angle_deg != scene.default_joint.residual_friction_angle_deg;
+    return of_pair && (std::abs(joint.law.residual_friction_angle_deg - angle_deg) < 1e-9) == of_that;
   });
   return found == scene.joints.end() ? nullptr : &*found;
+}
+
+const scene::Joint* other_joint(const scene::Scene& scene, const std::pair<int, int>& pair) {
+  return joint_with(scene, pair, scene.default_joint.residual_friction_angle_deg, false);
+}
+
+std::string named(const scene::Scene& scene, const std::set<std::pair<int, int>>& met) {
+  const auto& [a, b] = *met.begin();
+  return fmt::format("blocks \"{}\" and \"{}\"{} touch now and did not at the start", scene.blocks[at(a)].name,
+                     scene.blocks[at(b)].name,
+                     met.size() > 1 ? fmt::format(", and {} more pairs,", met.size() - 1) : "");
+}
+
+/// Of blocks that have slid along the plane of a joint that the scene states for other blocks.
+std::string of_planes(const expect::Outcome& o, const std::set<std::pair<int, int>>& known) {
+  const scene::Scene& scene = o.solid.scene();
+  std::set<std::pair<int, int>> met;
+  const scene::Joint* plane = nullptr;
+  for (const ContactPoint& c : o.solid.contacts()) {
+    const JointProperties& law = o.solid.laws()[c.law];
+    if (c.state == ContactState::open || c.law == 0 || law.joint >= 0 || known.contains(c.pair())) continue;
+    const double angle_deg = std::atan(law.friction) * 180 / std::numbers::pi;
+    const scene::Joint* joint = joint_with(scene, c.pair(), angle_deg, true);
+    if (joint == nullptr || !joint->set.empty()) continue;  // of a cut, that is what it is for
+    if (std::abs(angle_deg - scene.default_joint.residual_friction_angle_deg) < 1e-9) continue;
+    if (met.insert(c.pair()).second && *met.begin() == c.pair()) plane = joint;
+  }
+  if (plane == nullptr) return {};
+  return fmt::format(
+      "{}: they have come along joint \"{}\" and have its residual friction, {:.4g} deg, not that of [joint], {:.4g} "
+      "deg; "
+      "name such pairs in [[joints]] where that is not meant",
+      named(scene, met), plane->name, plane->law.residual_friction_angle_deg,
+      scene.default_joint.residual_friction_angle_deg);
 }
 
 }  // namespace
@@ -37,15 +74,12 @@ std::string new_contacts_warning(const expect::Outcome& o) {
     if (c.state == ContactState::open || c.law != default_law || known.contains(c.pair())) continue;
     if (other_joint(scene, c.pair()) != nullptr) met.insert(c.pair());
   }
-  if (met.empty()) return {};
-  const std::pair<int, int> first = *met.begin();
-  const scene::Joint& joint = *other_joint(scene, first);
+  if (met.empty()) return of_planes(o, known);
+  const scene::Joint& joint = *other_joint(scene, *met.begin());
   return fmt::format(
-      "blocks \"{}\" and \"{}\"{} touch now and did not at the start: between them [joint] holds, friction {:.4g} deg, "
-      "not joint \"{}\" with {:.4g} deg; name such pairs in [[joints]] where they slide along the same joint",
-      scene.blocks[at(first.first)].name, scene.blocks[at(first.second)].name,
-      met.size() > 1 ? fmt::format(", and {} more pairs,", met.size() - 1) : "",
-      scene.default_joint.residual_friction_angle_deg, joint.set.empty() ? joint.name : joint.set,
+      "{}: between them [joint] holds, friction {:.4g} deg, not joint \"{}\" with {:.4g} deg; name such pairs in "
+      "[[joints]] where they slide along the same joint",
+      named(scene, met), scene.default_joint.residual_friction_angle_deg, joint.set.empty() ? joint.name : joint.set,
       joint.law.residual_friction_angle_deg);
 }
 

@@ -151,8 +151,8 @@ TEST_F(Verdicts, TheDoubtOfAWallThatTurnsOverReachesItsStaticLevel) {
   }
 }
 
-/// A block slides off smooth ground onto rough ground that it did not touch at the start.
-TEST_F(Verdicts, BlocksThatMeetOnTheirWayAreSaidToHaveTheLawOfAllJoints) {
+/// A block slides along its joint onto ground that it did not touch at the start.
+TEST_F(Verdicts, BlocksThatMeetOnTheirWayAreSaidToHaveTheLawOfTheirPlane) {
   const auto box = [](const char* name, double from, double to, double low, double high, bool fixed) {
     return fmt::format(
         "[[block]]\nname = '{}'\nmaterial = 'c'\nfixed = {}\nvertices_m = [[{}, {}], [{}, {}], [{}, {}], [{}, {}]]\n",
@@ -166,7 +166,8 @@ TEST_F(Verdicts, BlocksThatMeetOnTheirWayAreSaidToHaveTheLawOfAllJoints) {
   const auto summary = run(scene);
   EXPECT_THAT(summary["warnings"].dump(),
               testing::AllOf(HasSubstr("blocks \\\"rough\\\" and \\\"sled\\\" touch now and did not at the start"),
-                             HasSubstr("[joint] holds, friction 30 deg, not joint \\\"slide\\\" with 5 deg")));
+                             HasSubstr("have come along joint \\\"slide\\\" and have its residual friction, 5 deg, not "
+                                       "that of [joint], 30 deg")));
   const auto brief = run(scene, "--set analysis.duration_s=0.3");
   EXPECT_THAT(brief["warnings"].dump(), testing::Not(HasSubstr("did not at the start")));
 }

@@ -197,8 +197,8 @@ TEST(LimitAnalysis, WallsOfBricksAllHaveTheirFactors) {
     std::mt19937 random(seed);
     const scene::Scene scene = read(wall_of_bricks(random));
     const LimitAnalysis structure(scene);
-    const Wrenches weights = weights_of(scene);
-    const Wrenches stated = stated_loads_of(scene, 1);
+    const Wrenches weights = statics::weights_of(scene);
+    const Wrenches stated = statics::stated_loads_of(scene, 1);
     ASSERT_TRUE(structure.bears(weights)) << seed;
     const LargestFactor loads = structure.largest_factor(weights, stated);
     ASSERT_EQ(loads.bearing, Bearing::fails_at_a_factor) << seed;
