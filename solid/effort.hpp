@@ -3,8 +3,10 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace blockweir::solid {
 
@@ -30,8 +32,8 @@ class Effort {
   std::string whose_;
   std::string known_ = "nothing known yet";
   long solved_ = 0;
-  Clock::time_point began_ = Clock::now();
-  Clock::time_point told_ = began_;
+  std::clock_t began_ = std::clock();  ///< processor time: a busy machine changes no answer
+  Clock::time_point told_ = Clock::now();
 };
 
 }  // namespace blockweir::solid
