@@ -3,10 +3,30 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "solid/limit/mechanism_words.hpp"
 
 namespace blockweir::solid {
+
+/// What one of two ways has found, or why it has not: the other's answer stands for itself.
+template <class T>
+struct Attempt {
+  std::optional<T> value;
+  std::string why_not;
+};
+
+/// std::runtime_error is what a way does not find; what is wrong with the scene is thrown on.
+template <class Way>
+auto attempt(Way way) -> Attempt<decltype(way())> {
+  try {
+    return {way(), {}};
+  } catch (const std::runtime_error& error) {
+    return {std::nullopt, error.what()};
+  }
+}
 
 /// In words, with the motion of each block that moves.
 nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit::Twists& mechanism);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/at.hpp"
@@ -18,6 +19,7 @@ namespace blockweir::process {
 namespace {
 
 using nlohmann::json;
+using solid::Attempt;
 using solid::StaticLevel;
 using solid::StillWater;
 using solid::limit::Filled;
@@ -35,7 +37,13 @@ json outcome_json(Filled outcome, double level_m) {
   }
 }
 
-json limit_json(const limit::LimitAnalysis& structure, const limit::LimitLevel& found) {
+json not_found_json(const std::string& why) {
+  return {{"outcome", "not found"}, {"level_m", nullptr}, {"reason", why}};
+}
+
+json limit_json(const limit::LimitAnalysis& structure, const Attempt<limit::LimitLevel>& by_limit) {
+  if (!by_limit.value) return not_found_json(by_limit.why_not);
+  const limit::LimitLevel& found = *by_limit.value;
   json answer = outcome_json(found.outcome, found.level_m);
   answer["programs"] = found.programs;
   if (found.outcome == Filled::does_not_stand_empty) return answer;
@@ -51,10 +59,13 @@ json limit_json(const limit::LimitAnalysis& structure, const limit::LimitLevel& 
   return answer;
 }
 
-json blocks_json(const scene::Scene& scene, const StaticLevel& found) {
+json blocks_json(const scene::Scene& scene, const Attempt<StaticLevel>& by_blocks) {
+  if (!by_blocks.value) return not_found_json(by_blocks.why_not);
+  const StaticLevel& found = *by_blocks.value;
   json answer = outcome_json(found.outcome, found.level_m);
   if (found.outcome != Filled::fails) return answer;
   answer["level_width_m"] = found.width_m;
+  if (!found.stopped.empty()) answer["stopped"] = found.stopped;
   if (!found.failure) return answer;
   const solid::Failure& failure = *found.failure;
   json names = json::array();
@@ -83,26 +94,33 @@ json formula_json(const scene::Scene& scene) {
 struct Levels {
   const scene::Scene& scene;
   double empty_m = 0;
-  limit::LimitLevel limit;
-  StaticLevel blocks;
-  std::optional<StaticLevel> rigid;  ///< of the same blocks without strain, where they strain
+  Attempt<limit::LimitLevel> limit;
+  Attempt<StaticLevel> blocks;
+  Attempt<StaticLevel> rigid;  ///< of the same blocks without strain, where they strain
 
   /// Of a level to that of limit analysis, over the rise from the empty reservoir.
   [[nodiscard]] double off(const StaticLevel& found) const {
-    return (found.level_m - limit.level_m) / (limit.level_m - empty_m);
+    return (found.level_m - limit.value->level_m) / (limit.value->level_m - empty_m);
   }
   [[nodiscard]] bool agrees(const StaticLevel& found) const {
     constexpr double same = 1e-8;
-    return found.outcome == limit.outcome && (found.outcome != Filled::fails || std::abs(off(found)) <= same);
+    return found.outcome == limit.value->outcome && (found.outcome != Filled::fails || std::abs(off(found)) <= same);
   }
   /// Why the blocks' level is not that of limit analysis.
   [[nodiscard]] std::string reason() const {
-    if (agrees(blocks)) return "none: the two agree";
-    if (rigid && agrees(*rigid)) return "deformation: blocks that do not strain fail at the level of limit analysis";
-    if (solid::has_bonds(scene)) {
+    if (!blocks.value || !limit.value) return "none is known: only one of the two has an answer";
+    if (!blocks.value->stopped.empty()) return "none is known: the blocks' level is known to level_width_m alone";
+    if (agrees(*blocks.value)) return "none: the two agree";
+    if (rigid.value && agrees(*rigid.value)) {
+      return "deformation: blocks that do not strain fail at the level of limit analysis";
+    }
+    const bool lower = limit.value->outcome != Filled::does_not_stand_empty &&
+                       (blocks.value->outcome == Filled::does_not_stand_empty ||
+                        (blocks.value->outcome == Filled::fails && off(*blocks.value) < 0));
+    if (lower && solid::has_bonds(scene)) {
       return "history of joint forces: bonds break one after the other, and limit analysis lets all act at once";
     }
-    if (blocks.outcome == Filled::fails && off(blocks) < 0) {
+    if (lower) {
       return "friction without dilation: limit analysis takes joints to open as they slip, and is an upper bound";
     }
     return "none is known: limit analysis is an upper bound of rigid blocks";
@@ -111,9 +129,10 @@ struct Levels {
 
 json difference_json(const Levels& levels) {
   json answer = {{"reason", levels.reason()}};
-  if (levels.blocks.outcome == Filled::fails && levels.limit.outcome == Filled::fails) {
-    answer["level_m"] = levels.blocks.level_m - levels.limit.level_m;
-    answer["relative"] = levels.off(levels.blocks);
+  const auto fails = [](const auto& found) { return found.value && found.value->outcome == Filled::fails; };
+  if (fails(levels.blocks) && fails(levels.limit)) {
+    answer["level_m"] = levels.blocks.value->level_m - levels.limit.value->level_m;
+    answer["relative"] = levels.off(*levels.blocks.value);
   }
   return answer;
 }
@@ -128,14 +147,24 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   const auto water_at = [&](double level_m) { return statics::water_forces(scene, water.at(level_m)); };
   Levels levels{.scene = scene,
                 .empty_m = water.range().empty_m,
-                .limit = limit::limit_level(structure, dead, water_at, water.range()),
-                .blocks = solid::static_level(scene, water)};
-  if (solid::strains(scene)) levels.rigid = solid::static_level(solid::with_rigid_blocks(scene), water);
+                .limit = solid::attempt([&] { return limit_level(structure, dead, water_at, water.range()); }),
+                .blocks = solid::attempt([&] { return solid::static_level(scene, water); })};
+  if (!levels.limit.value && !levels.blocks.value) {
+    throw std::runtime_error(levels.blocks.why_not + "; " + levels.limit.why_not);
+  }
+  const bool strains = solid::strains(scene);
+  if (strains) {
+    levels.rigid = solid::attempt([&] { return solid::static_level(solid::with_rigid_blocks(scene), water); });
+  }
   json answer = blocks_json(scene, levels.blocks);
   answer["limit_analysis"] = limit_json(structure, levels.limit);
-  if (levels.rigid) answer["rigid_blocks"] = blocks_json(scene, *levels.rigid);
+  if (strains) answer["rigid_blocks"] = blocks_json(scene, levels.rigid);
   answer["difference"] = difference_json(levels);
   solid::add_water_in_an_earthquake(scene, answer);
+  answer["warnings"] = water.warnings();
+  if (levels.blocks.value && !levels.blocks.value->warning.empty()) {
+    answer["warnings"].push_back(levels.blocks.value->warning);
+  }
   if (const json formula = formula_json(scene); !formula.is_null()) answer["formula"] = formula;
   return answer;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
@@ -12,12 +13,14 @@
 #include "solid/limit/limit_strength.hpp"
 #include "solid/static_blocks.hpp"
 #include "solid/static_strength.hpp"
+#include "solid/watch/edge_tension.hpp"
 #include "solid/watch/joint_table.hpp"
 
 namespace blockweir::process {
 namespace {
 
 using nlohmann::json;
+using solid::Attempt;
 using solid::StaticStrength;
 using solid::StillWater;
 using solid::limit::Bearing;
@@ -80,23 +83,39 @@ json table_json(const std::vector<solid::JointRow>& rows) {
 /// Forces on joints as the scene stands; where it does not, with just the strength with which it would.
 void add_joints(Situation& now, const StaticStrength& found, json& answer) {
   constexpr double just_stands = 1 - 1e-6;
-  answer["joints"] = json::array();
   if (found.bearing == Bearing::bears_none) return;
   const bool stands = found.bearing == Bearing::bears_any || found.factor >= 1;
   const double reduction = stands ? 1 : found.factor * just_stands;
   const scene::Scene scene = solid::with_reduced_strength(now.scene, reduction);
-  solid::StaticBlocks blocks(scene, now.water_if_any());
+  solid::Effort effort("forces on joints");
+  solid::StaticBlocks blocks(scene, now.water_if_any(), effort);
   if (!blocks.begin(now.level_m)) return;
   answer["joints"] = table_json(solid::joint_table(blocks.solid(), blocks.pressures(now.level_m)));
   if (!stands) answer["joints_with_strength_times"] = 1 / reduction;
+  solid::EdgeTension edge;
+  edge.look(blocks.solid(), std::numeric_limits<double>::quiet_NaN(), now.level_m);
+  if (const std::string warning = edge.warning(); stands && !warning.empty()) answer["warnings"].push_back(warning);
 }
 
-json factor_json(Bearing bearing, double factor) {
-  return bearing == Bearing::fails_at_a_factor ? json(factor) : json();
+/// A factor where there is one, else why there is none; both ways of finding it have these fields.
+template <class Strength>
+void add_factor(const Attempt<Strength>& found, const char* key, const char* why, json& answer) {
+  const bool has_one = found.value && found.value->bearing == Bearing::fails_at_a_factor;
+  answer[key] = has_one ? json(found.value->factor) : json();
+  if (has_one) return;
+  answer[why] = !found.value                                 ? found.why_not
+                : found.value->bearing == Bearing::bears_any ? "no joint needs shear strength"
+                                                             : "no shear strength of joints would do";
 }
 
-const char* without_factor(Bearing bearing) {
-  return bearing == Bearing::bears_any ? "no joint needs shear strength" : "no shear strength of joints would do";
+const char* outcome(const Attempt<StaticStrength>& blocks) {
+  if (!blocks.value) return "not found";
+  if (blocks.value->factor < 1 && blocks.value->factor + blocks.value->width > 1 && !blocks.value->stopped.empty()) {
+    return "not found";
+  }
+  const bool stands = blocks.value->bearing == Bearing::bears_any ||
+                      (blocks.value->bearing != Bearing::bears_none && blocks.value->factor >= 1);
+  return stands ? "stands" : "fails";
 }
 
 }  // namespace
@@ -106,30 +125,32 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   const limit::LimitAnalysis structure(scene);
   const limit::Wrenches stated = statics::stated_loads_of(scene, scene.analysis.duration_s);
   const limit::Wrenches dead = now.dead();
-  const limit::LimitStrength by_limit = limit::limit_strength(structure, limit::combined(dead, 1, stated));
-  const double guess = by_limit.bearing == Bearing::fails_at_a_factor ? by_limit.factor : 1;
-  const StaticStrength blocks = solid::static_strength(scene, now.water_if_any(), now.level_m, guess);
-  const bool stands =
-      blocks.bearing == Bearing::bears_any || (blocks.bearing != Bearing::bears_none && blocks.factor >= 1);
-  json answer = {{"outcome", stands ? "stands" : "fails"},
-                 {"level_m", std::isnan(now.level_m) ? json() : json(now.level_m)},
-                 {"factor", factor_json(blocks.bearing, blocks.factor)},
-                 {"factor_width", blocks.width},
-                 {"limit_analysis_factor", factor_json(by_limit.bearing, by_limit.factor)}};
-  if (blocks.bearing != Bearing::fails_at_a_factor) answer["why_no_factor"] = without_factor(blocks.bearing);
-  if (by_limit.bearing == Bearing::fails_at_a_factor) {
-    answer["gap"] = by_limit.gap;
-    answer["mechanism"] = solid::mechanism_json(structure, by_limit.mechanism);
-  } else {
-    answer["why_no_limit_analysis_factor"] = without_factor(by_limit.bearing);
+  const auto by_limit =
+      solid::attempt([&] { return limit::limit_strength(structure, limit::combined(dead, 1, stated)); });
+  const bool has_limit = by_limit.value && by_limit.value->bearing == Bearing::fails_at_a_factor;
+  const double guess = has_limit ? by_limit.value->factor : 1;
+  const auto blocks =
+      solid::attempt([&] { return solid::static_strength(scene, now.water_if_any(), now.level_m, guess); });
+  if (!blocks.value && !by_limit.value) throw std::runtime_error(blocks.why_not + "; " + by_limit.why_not);
+  json answer = {{"outcome", outcome(blocks)}, {"level_m", std::isnan(now.level_m) ? json() : json(now.level_m)}};
+  add_factor(blocks, "factor", "why_no_factor", answer);
+  if (blocks.value) answer["factor_width"] = blocks.value->width;
+  if (blocks.value && !blocks.value->stopped.empty()) answer["stopped"] = blocks.value->stopped;
+  add_factor(by_limit, "limit_analysis_factor", "why_no_limit_analysis_factor", answer);
+  if (has_limit) {
+    answer["gap"] = by_limit.value->gap;
+    answer["mechanism"] = solid::mechanism_json(structure, by_limit.value->mechanism);
   }
-  const limit::LargestFactor loads = structure.largest_factor(dead, stated);
-  if (loads.bearing == Bearing::fails_at_a_factor) {
-    answer["load_factor"] = {
-        {"factor", loads.factor}, {"gap", loads.gap}, {"mechanism", solid::mechanism_json(structure, loads.mechanism)}};
+  const auto loads = solid::attempt([&] { return structure.largest_factor(dead, stated); });
+  if (loads.value && loads.value->bearing == Bearing::fails_at_a_factor) {
+    answer["load_factor"] = {{"factor", loads.value->factor},
+                             {"gap", loads.value->gap},
+                             {"mechanism", solid::mechanism_json(structure, loads.value->mechanism)}};
   }
   solid::add_water_in_an_earthquake(scene, answer);
-  add_joints(now, blocks, answer);
+  answer["joints"] = json::array();
+  answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
+  if (blocks.value) solid::attempt([&] { return add_joints(now, *blocks.value, answer), true; });
   return answer;
 }
 

@@ -20,8 +20,10 @@ scene::Scene at_rest(scene::Scene scene) {
 
 }  // namespace
 
-StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water)
-    : scene_(at_rest(scene)), far_m_(scene_.analysis.failure_displacement_m), solid_(scene_), water_(water) {}
+StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water, Effort& effort)
+    : scene_(at_rest(scene)), far_m_(scene_.analysis.failure_displacement_m), solid_(scene_), water_(water) {
+  solid_.call_meanwhile([&effort] { effort.solved_one(); });
+}
 
 bool StaticBlocks::begin(double level_m) {
   if (scene_.analysis.start == scene::Start::equilibrium) solid_.settle(panels_of(pressures(level_m), solid_));

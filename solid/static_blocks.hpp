@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "solid/effort.hpp"
 #include "solid/step/solid.hpp"
 #include "solid/still_water.hpp"
 #include "solid/watch/failure_watch.hpp"
@@ -12,8 +13,9 @@ namespace blockweir::solid {
 
 class StaticBlocks {
  public:
-  /// `water`: null where there is none. Both must outlive it.
-  StaticBlocks(const scene::Scene& scene, StillWater* water);
+  /// `water`: null where there is none. All must outlive it. What follows throws TookTooLong when the search's time is
+  /// over; then the blocks are of no more use.
+  StaticBlocks(const scene::Scene& scene, StillWater* water, Effort& effort);
 
   /// From the scene's outline: lets weight and loads settle. Throws SolveError where they find no equilibrium at all.
   bool begin(double level_m);

@@ -16,9 +16,12 @@ struct StaticLevel {
   double level_m = 0;              ///< where it fails, the middle of the bracket; else that of the full reservoir
   double width_m = 0;              ///< of the bracket
   std::optional<Failure> failure;  ///< how; none where no block went far
+  std::string stopped;             ///< why the bracket is no narrower; empty where it is as narrow as it is to be
+  std::string warning;             ///< of the blocks at the highest level at which they rest; empty: none
 };
 
-/// `width`: of the bracket at the end, over the rise from the empty reservoir.
+/// `width`: of the bracket at the end, over the rise from the empty reservoir. Throws TookTooLong when the time is over
+/// before there is one.
 StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width = 1e-10);
 
 }  // namespace blockweir::solid

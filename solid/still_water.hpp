@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "bridge/process/sides.hpp"
 #include "bridge/scene/scene.hpp"
@@ -22,6 +24,8 @@ class StillWater {
   const wire::Load& at(double level_m, const wire::Motion& motion);
   /// On blocks where they are drawn.
   const wire::Load& at(double level_m);
+  /// Of what has been asked so far.
+  [[nodiscard]] std::vector<std::string> warnings() const { return fluid_->report().warnings; }
 
  private:
   limit::LevelRange range_;

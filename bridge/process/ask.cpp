@@ -29,17 +29,41 @@ void require_own(const fs::path& folder) {
                   folder.string()));
 }
 
+/// Tells what blockweir-limit's log says of how it gets on.
+class Echo {
+ public:
+  Echo(fs::path log, bool quiet) : log_(std::move(log)), quiet_(quiet) {}
+
+  void tell() {
+    if (quiet_) return;
+    if (!stream_.is_open()) stream_.open(log_);
+    for (std::string line; std::getline(stream_, line);) {
+      if (line.ends_with("linear systems solved")) fmt::print(stderr, "{}\n", line);
+    }
+    stream_.clear();  // more may come
+  }
+
+ private:
+  fs::path log_;
+  bool quiet_;
+  std::ifstream stream_;
+};
+
 /// Has blockweir-limit answer into `folder`, which holds nothing of an earlier answer then.
-nlohmann::json answer_in(const fs::path& folder, const std::string& question, const scene::Scene& scene) {
+nlohmann::json answer_in(const fs::path& folder, const std::string& question, const scene::Scene& scene, bool quiet) {
   constexpr double grace_s = 5;
   const results::FolderLock lock(folder);
   const fs::path file = folder / (question + ".json");
   fs::remove(file);
   fs::remove(folder / "mechanism.png");
+  fs::remove(folder / "limit.log");
   results::replace_file(scene_of(folder), scene.text);
   const StopsLater until_it_is_answered;
-  const Supervised supervised =
-      supervise({limit_command(folder, question, file)}, folder, grace_s, [] { return true; });
+  Echo echo(folder / "limit.log", quiet);
+  const Supervised supervised = supervise({limit_command(folder, question, file)}, folder, grace_s, [&echo] {
+    echo.tell();
+    return true;
+  });
   if (supervised.interrupted) throw Stopped();
   const std::string trouble = first_trouble(supervised, folder);
   if (!trouble.empty() && supervised.ends.front().exit_code == 2) throw std::invalid_argument(trouble);
@@ -65,7 +89,7 @@ Asked ask(const std::string& question, const AskOptions& options) {
   require_own(asked.folder);
   results::make_folder(asked.folder);
   try {
-    asked.answer = answer_in(asked.folder, question, asked.scene);
+    asked.answer = answer_in(asked.folder, question, asked.scene, options.quiet);
   } catch (...) {  // nothing half-written stays
     std::error_code kept;
     fs::remove(scene_of(asked.folder), kept);

@@ -16,6 +16,7 @@ using nlohmann::json;
 /// A level and the head over the joint that fails, in nine digits.
 std::string level_text(const json& found) {
   const std::string outcome = found["outcome"];
+  if (outcome == "not found") return "no answer: " + found["reason"].get<std::string>();
   if (outcome == "does not stand empty") return "does not stand even with an empty reservoir";
   if (outcome == "stands") {
     return fmt::format("stands at every level up to {:.9g} m", found["highest_level_m"].get<double>());
@@ -29,11 +30,15 @@ std::string level_text(const json& found) {
 
 std::string blocks_text(const json& found) {
   std::string text = level_text(found);
+  if (found.contains("stopped")) {
+    text += fmt::format("\n        to {:.2g} m: {}", found["level_width_m"].get<double>(),
+                        found["stopped"].get<std::string>());
+  }
   if (!found.contains("mode")) return text;
   const auto blocks = found["blocks"].get<std::vector<std::string>>();
   constexpr std::size_t most = 4;
   const auto shown = std::vector(blocks.begin(), blocks.begin() + std::min(most, blocks.size()));
-  text += fmt::format("\n        {} of {}", found["mode"].get<std::string>(), fmt::join(shown, ", "));
+  text += fmt::format("\n        {} of \"{}\"", found["mode"].get<std::string>(), fmt::join(shown, "\", \""));
   if (blocks.size() > most) text += fmt::format(" and {} more", blocks.size() - most);
   const std::string joint = found["joint"];
   return joint.empty() ? text : text + fmt::format(" on joint \"{}\"", joint);
@@ -72,7 +77,9 @@ std::string level_report(const json& answer) {
     text += fmt::format("blocks less limit analysis {:.3g} m, {:.2g} of the rise\n        ",
                         difference["level_m"].get<double>(), difference["relative"].get<double>());
   }
-  return text + fmt::format("reason: {}\n", difference["reason"].get<std::string>());
+  text += fmt::format("reason: {}\n", difference["reason"].get<std::string>());
+  for (const json& warning : answer["warnings"]) text += fmt::format("WARNING {}\n", warning.get<std::string>());
+  return text;
 }
 
 }  // namespace

@@ -21,9 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Does the factor that the blocks themselves have reach what is required? Null where nothing is.
+/// Does the factor that the blocks themselves have reach what is required? Null where nothing is, or where they have no
+/// answer.
 json satisfied(const json& answer, const std::optional<double>& required) {
-  if (!required) return nullptr;
+  if (!required || answer["outcome"] == "not found") return nullptr;
   return answer["factor"].is_number() ? answer["factor"].get<double>() >= *required
                                       : answer["outcome"].get<std::string>() == "stands";
 }
@@ -51,7 +52,7 @@ std::string scaled(const json& value, const char* format, double scale = 1) {
 }
 
 std::string factors_text(const json& cases) {
-  constexpr const char* row = "{:<24.24} {:<10.10} {:<8} {:>8} {:>8} {:>8} {:>8}\n";
+  constexpr const char* row = "{:<24.24} {:<10.10} {:<9} {:>8} {:>8} {:>8} {:>8}\n";
   std::string text =
       fmt::format(fmt::runtime(row), "LOAD CASE", "class", "outcome", "factor", "limit", "required", "enough");
   for (const json& c : cases) {
@@ -64,9 +65,15 @@ std::string factors_text(const json& cases) {
                                              : "NO");
   }
   for (const json& c : cases) {
-    if (!c.contains("added_water_pressure")) continue;
-    text += fmt::format("{}: the water's added pressure in the earthquake is after {}\n", c["name"].get<std::string>(),
-                        c["added_water_pressure"].get<std::string>());
+    const auto tell = [&](const char* what, const json& why) {
+      text += fmt::format("{}: {}{}\n", c["name"].get<std::string>(), what, why.get<std::string>());
+    };
+    if (c["outcome"] == "not found" && !c.contains("stopped")) tell("no answer: ", c["why_no_factor"]);
+    if (c.contains("stopped")) tell("a lower bound, ", c["stopped"]);
+    for (const json& warning : c["warnings"]) tell("WARNING ", warning);
+    if (c.contains("added_water_pressure")) {
+      tell("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);
+    }
   }
   return text +
          "factor: c and tan(phi) of all joints divided by it, the blocks just stand\n"

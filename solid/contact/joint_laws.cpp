@@ -9,6 +9,7 @@
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "bridge/scene/tension_cut_off.hpp"
 #include "solid/contact/neighbours.hpp"
 
 namespace blockweir::solid {
@@ -19,7 +20,7 @@ JointProperties properties(const scene::JointLaw& law, int joint) {
   return {.friction = tangent(law.friction_angle_deg),
           .residual_friction = tangent(law.residual_friction_angle_deg),
           .cohesion_pa = law.cohesion_pa,
-          .tension_pa = law.tension_strength_pa,
+          .tension_pa = scene::tension_cut_off_pa(law),
           .bonded_length_m = law.bonded_length_m.value_or(-1),
           .keeps_cohesion = law.keeps_cohesion,
           .softening_slip_m = law.softening_slip_m,

@@ -11,6 +11,7 @@
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "bridge/scene/tension_cut_off.hpp"
 #include "solid/limit/linear_program.hpp"
 
 namespace blockweir::solid::limit {
@@ -50,8 +51,7 @@ Face face_of(const scene::TracePiece& piece, int a, int b, int joint, const scen
   face.normal = Point(forwards.y(), -forwards.x());
   face.friction = std::tan(law.friction_angle_deg * std::numbers::pi / 180);
   face.cohesion_n_per_m = law.cohesion_pa * bonded * face.length_m();
-  face.tension_n_per_m = law.tension_strength_pa * bonded * face.length_m();
-  if (face.friction > 0) face.tension_n_per_m = std::min(face.tension_n_per_m, face.cohesion_n_per_m / face.friction);
+  face.tension_n_per_m = scene::tension_cut_off_pa(law) * bonded * face.length_m();
   return face;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/unnamed_joint.hpp"
 
 namespace blockweir::solid::limit {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr double seen = 1e-4;  // of the fastest vertex: what rounded outlines turn by is less
 
 std::string joint_name(const scene::Scene& scene, const Face& face) {
-  if (face.joint < 0) return scene.blocks[at(face.b)].name + " on " + scene.blocks[at(face.a)].name;
+  if (face.joint < 0) return scene::unnamed_joint(scene, face.a, face.b);
   const scene::Joint& joint = scene.joints[at(face.joint)];
   return joint.set.empty() ? joint.name : joint.set;
 }

@@ -118,8 +118,10 @@ std::string EdgeTension::warning() const {
   const bool beyond_tension = worst_.stress_pa > (1 + round_off) * worst_.strength_pa && worst_.strength_pa > 0;
   const bool beyond_cohesion = worst_.excess > 0 && loses_cohesion(worst_);
   if (!beyond_tension && !beyond_cohesion) return {};
-  const std::string when =
-      fmt::format("after {:.4g} s{}", time_s_, std::isnan(level_m_) ? "" : fmt::format(", level {:.5g} m", level_m_));
+  const std::string level = std::isnan(level_m_) ? "" : fmt::format("level {:.5g} m", level_m_);
+  const std::string when = std::isnan(time_s_)
+                               ? (level.empty() ? "under its loads" : "at a " + level)
+                               : fmt::format("after {:.4g} s{}", time_s_, level.empty() ? "" : ", " + level);
   std::string text;
   if (worst_.strength_pa > 0) {
     text = fmt::format(

@@ -15,7 +15,7 @@ namespace blockweir::solid {
 
 class EdgeTension {
  public:
-  /// Looks at the state at `time_s`, reached under this level of the higher pool.
+  /// Looks at the state at `time_s`, reached under this level of the higher pool. `time_s`: NaN where no time passes.
   void look(const Solid& solid, double time_s, double level_m);
 
   /// Where the bond bore most so far [Pa, tension positive]; 0 where no bond is in tension.

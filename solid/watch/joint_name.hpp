@@ -4,16 +4,16 @@
 
 #include <string>
 
+#include "bridge/scene/unnamed_joint.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
 
-/// Its own name, or "a on b" where the scene gives it none.
+/// Its own name, or that of scene::unnamed_joint.
 inline std::string joint_name(const Solid& solid, int a, int b) {
   const scene::Scene& scene = solid.scene();
   const int joint = solid.laws()[solid.laws().between(a, b)].joint;
-  const auto block = [&](int index) { return scene.blocks[static_cast<std::size_t>(index)].name; };
-  return joint >= 0 ? scene.joints[static_cast<std::size_t>(joint)].name : block(a) + " on " + block(b);
+  return joint >= 0 ? scene.joints[static_cast<std::size_t>(joint)].name : scene::unnamed_joint(scene, a, b);
 }
 
 /// What its pieces have in common: the joint set or cut that it comes from, else its own name; empty where it has none.

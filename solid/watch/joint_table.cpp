@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
@@ -29,15 +30,14 @@ void add_stresses(double r, JointRow& row) {
   (r < 0.5 ? row.toe_stress_pa : row.heel_stress_pa) = -2 * row.normal_n_per_m / pressed_m;
 }
 
-/// Blocks that a panel in a crack lies between: its own, and the one whose outline its middle is on.
-std::optional<std::pair<int, int>> pair_of(const scene::Scene& scene, int block, const Point& middle, double near_m) {
-  for (const scene::Joint& joint : scene.joints) {
-    if (joint.between[0] != block && joint.between[1] != block) continue;
-    const int other = joint.between[0] == block ? joint.between[1] : joint.between[0];
-    const auto& outline = scene.blocks[at(other)].vertices;
+/// Blocks that a panel in a crack lies between: its own, and the one that it touches there.
+std::optional<std::pair<int, int>> pair_of(const scene::Scene& scene, const std::set<std::pair<int, int>>& touching,
+                                           int block, const Point& middle, double near_m) {
+  for (const auto& pair : touching) {
+    if (pair.first != block && pair.second != block) continue;
+    const auto& outline = scene.blocks[at(pair.first == block ? pair.second : pair.first)].vertices;
     for (std::size_t e = 0; e < outline.size(); ++e) {
-      if (geometry::distance_to_segment(middle, outline[e], outline[(e + 1) % outline.size()]) > near_m) continue;
-      return std::minmax(block, other);
+      if (geometry::distance_to_segment(middle, outline[e], outline[(e + 1) % outline.size()]) <= near_m) return pair;
     }
   }
   return std::nullopt;
@@ -47,12 +47,14 @@ std::optional<std::pair<int, int>> pair_of(const scene::Scene& scene, int block,
 std::vector<double> uplifts(const Solid& solid, const Surfaces& surfaces, const std::vector<SurfaceSum>& sums,
                             const wire::Load& water) {
   std::vector<double> uplift(sums.size(), 0);
+  std::set<std::pair<int, int>> touching;
+  for (const ContactPoint& c : solid.contacts()) touching.insert(c.pair());
   for (std::size_t i = water.cracks_from; i < water.block.size(); ++i) {
     const auto& outline = solid.scene().blocks[water.block[i]].vertices;
     const Point& a = outline[water.edge[i]];
     const Point span = outline[(water.edge[i] + 1) % outline.size()] - a;
     const Point middle = a + (water.s_from[i] + water.s_to[i]) / 2 * span;
-    const auto pair = pair_of(solid.scene(), static_cast<int>(water.block[i]), middle, 1e-6 * solid.size_m());
+    const auto pair = pair_of(solid.scene(), touching, static_cast<int>(water.block[i]), middle, 1e-6 * solid.size_m());
     if (!pair) continue;
     const Point force = (water.pressure_from_pa[i] + water.pressure_to_pa[i]) / 2 * (water.s_to[i] - water.s_from[i]) *
                         perpendicular(span);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: nlohmann_json::nlohmann_json
+// links: nlohmann_json::nlohmann_json fmt::fmt
 // Answers without a run, as a user gets them: blockweir level, blockweir safety.
+#include <fmt/format.h>
+
+#include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "tests/same_results.hpp"
 
@@ -111,6 +115,68 @@ TEST_F(Answers, ADrainBeyondItsJointInALoadCaseIsToldBeforeAnythingIsWritten) {
   EXPECT_EQ(ask("safety s.toml --out o"), 2);
   EXPECT_THAT(text("out"), HasSubstr("the drain of joint \"joint\" lies at 99 m"));
   EXPECT_FALSE(fs::exists(folder / "o"));
+}
+
+/// A block b x 10 m on rock, which the scene gives in this order; its joint has a triangular uplift and this law.
+std::string block_on_rock(double breadth_m, const std::string& law, bool rock_first = true) {
+  const std::string rock =
+      "[[block]]\nname = 'rock'\nmaterial = 'm'\nfixed = true\nvertices_m = [[-20, -6], [45, -6], [45, 0], [-20, 0]]\n";
+  const std::string block = fmt::format(
+      "[[block]]\nname = 'b'\nmaterial = 'm'\nvertices_m = [[0, 0], [{0}, 0], [{0}, 10], [0, 10]]\n", breadth_m);
+  return "analysis = { duration_s = 40 }\nwater = { upstream_level_m = 6 }\n[joint]\nuplift = 'triangular'\n" + law +
+         "[material.m]\nyoungs_modulus_pa = 2e10\npoissons_ratio = 0.2\ndensity_kg_per_m3 = 2400\n" +
+         (rock_first ? rock + block : block + rock);
+}
+
+/// What overturns about its toe under a head h: W b/2 + T b^2/2 = rho g h^3/6 + rho g h b^2/3.
+double overturns_at_m(double breadth_m, double tension_pa) {
+  const double held = 2400 * 9.81 * 10 * breadth_m * breadth_m / 2 + tension_pa * breadth_m * breadth_m / 2;
+  double h = 10;
+  for (int i = 0; i < 50; ++i) {
+    const double off = 9810 * (h * h * h / 6 + h * breadth_m * breadth_m / 3) - held;
+    h -= off / (9810 * (h * h / 2 + breadth_m * breadth_m / 3));
+  }
+  return h;
+}
+
+TEST_F(Answers, ATensionBeyondTheEndOfMohrCoulombsLawCountsAsThatForAllWays) {
+  for (const auto& [friction_deg, cohesion_pa, tension_pa] :
+       {std::tuple{50.0, 30e3, 60e3}, {50.0, 30e3, 120e3}, {50.0, 0.0, 60e3}, {40.0, 20e3, 10e3}}) {
+    const double borne = std::min(tension_pa, cohesion_pa / std::tan(friction_deg * std::numbers::pi / 180));
+    write("s.toml",
+          block_on_rock(3, fmt::format("friction_angle_deg = {}\ncohesion_pa = {}\ntension_strength_pa = {}\n",
+                                       friction_deg, cohesion_pa, tension_pa)));
+    ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");
+    const json found = answer("a.json");
+    const double level_m = overturns_at_m(3, borne);
+    EXPECT_NEAR(found["limit_analysis"]["level_m"].get<double>() / level_m, 1, 1e-8) << found.dump(1);
+    EXPECT_NEAR(found["rigid_blocks"]["level_m"].get<double>() / level_m, 1, 1e-5) << found.dump(1);
+    EXPECT_NEAR(found["level_m"].get<double>() / level_m, 1, 1e-4) << found.dump(1);
+  }
+}
+
+TEST_F(Answers, AnUnnamedJointHasOneNameAndItsUpliftWhateverTheCommandAndTheOrder) {
+  for (const bool rock_first : {true, false}) {
+    write("s.toml", block_on_rock(3, "friction_angle_deg = 50\n", rock_first));
+    ASSERT_EQ(ask("safety s.toml --json a.json"), 0) << text("out");
+    const json joints = answer("a.json")["load_cases"][0]["joints"];
+    ASSERT_EQ(joints.size(), 1U);
+    EXPECT_EQ(joints[0]["name"], "b on rock");
+    EXPECT_NEAR(joints[0]["uplift_n_per_m"].get<double>(), 0.5 * 9810 * 6 * 3, 1);
+    ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");
+    EXPECT_EQ(answer("a.json")["joint"], "b on rock");
+    EXPECT_EQ(answer("a.json")["limit_analysis"]["mechanism"]["joints"][0], "b on rock");
+  }
+}
+
+TEST_F(Answers, ABondThatHoldsByItsTensionIsWarnedOfWithoutARun) {
+  const std::string law = "friction_angle_deg = 50\ncohesion_pa = 30e3\ntension_strength_pa = 25e3\n";
+  write("s.toml", block_on_rock(3, law));
+  for (const std::string command : {"level s.toml", "safety s.toml --set water.upstream_level_m=8"}) {
+    ASSERT_EQ(ask(command + " --json a.json"), 0) << text("out");
+    EXPECT_THAT(text("out"), HasSubstr("the bond of joint \"b on rock\" holds by its tension"));
+    EXPECT_THAT(text("out"), HasSubstr("blocks without a mesh bear up to three times as much"));
+  }
 }
 
 TEST_F(Answers, WhatIsWrongIsToldBeforeAnythingIsWritten) {

@@ -58,10 +58,10 @@ TEST(SceneKeys, KeysOfAnotherContactFormulationAreRefused) {
   EXPECT_THAT(errors(with("max_iterations = 100", "formulation = \"penalty\"\nstiffness_n_per_m2 = 1e12")), IsEmpty());
 }
 
-TEST(SceneKeys, ATensionBeyondTheApexOfMohrCoulombIsNoted) {
+TEST(SceneKeys, ATensionBeyondTheEndOfMohrCoulombsLawIsNoted) {
   const auto read = blockweir::scene::read_text(with("[joint]\n", "[joint]\ntension_strength_pa = 1e5\n"), "s.toml");
   ASSERT_THAT(read.notes, SizeIs(1));
-  EXPECT_THAT(read.notes[0].text(), HasSubstr("bears no shear under a tension above"));
+  EXPECT_THAT(read.notes[0].text(), HasSubstr("beyond cohesion over tan(friction angle); it counts as that, "));
 }
 
 TEST(SceneKeys, AMissingKeyIsNamed) {

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "bridge/scene/tension_cut_off.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -33,14 +32,16 @@ std::array<int, 2> read_between(TableReader& table, Reading& reading) {
   return between;
 }
 
-void note_tension_beyond_apex(TableReader& table, const JointLaw& law, Problems& problems) {
-  const double apex = law.cohesion_pa / std::tan(law.friction_angle_deg * std::numbers::pi / 180);
-  if (law.tension_strength_pa <= apex) return;
-  problems.note(table.place("tension_strength_pa"),
-                fmt::format("in {} the joint bears no shear under a tension above {:.6g} Pa, cohesion over "
-                            "tan(friction angle); tension_strength_pa is {:.6g}",
-                            table.name(), apex, law.tension_strength_pa),
-                "a bond under such a tension breaks with the first shear; give it cohesion_pa");
+void note_tension_cut_off(TableReader& table, const char* key, const JointLaw& law, Problems& problems) {
+  const double borne = tension_cut_off_pa(law);
+  constexpr double round_off = 1e-9;
+  if (law.tension_strength_pa <= (1 + round_off) * borne) return;
+  problems.note(
+      table.place(key),
+      fmt::format("in {} tension_strength_pa is {:.6g}, beyond cohesion over tan(friction angle); it counts as "
+                  "that, {:.6g} Pa, where Mohr-Coulomb's law ends",
+                  table.name(), law.tension_strength_pa, borne),
+      "state what the joint bears, or the cohesion_pa that goes with such a tension");
 }
 
 /// Slip works N tan(friction) and lifts N by tan(dilation): more of that would make energy.
@@ -69,10 +70,10 @@ void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residua
     residual_given = true;
   }
   if (!residual_given) law.residual_friction_angle_deg = law.friction_angle_deg;
-  table.number("cohesion_pa", law.cohesion_pa, not_negative());
-  if (table.number("tension_strength_pa", law.tension_strength_pa, not_negative())) {
-    note_tension_beyond_apex(table, law, reading.problems);
-  }
+  const char* bond = stated;  // the last key that the strength in tension depends on
+  if (table.number("cohesion_pa", law.cohesion_pa, not_negative())) bond = "cohesion_pa";
+  if (table.number("tension_strength_pa", law.tension_strength_pa, not_negative())) bond = "tension_strength_pa";
+  if (bond != nullptr) note_tension_cut_off(table, bond, law, reading.problems);
   table.number("bonded_length_m", law.bonded_length_m, not_negative());
   table.flag("keeps_cohesion", law.keeps_cohesion);
   table.number("softening_slip_m", law.softening_slip_m, not_negative());
