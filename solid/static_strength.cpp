@@ -77,7 +77,7 @@ class Search {
     }
   }
 
-  static constexpr double exact = 1e-6;  // width of the bracket at the end
+  static constexpr double exact = 1e-8;  // width of the bracket at the end
 
   const scene::Scene& scene_;
   StillWater* water_;
