@@ -48,7 +48,8 @@ friction_angle_deg = {}
 }
 
 double way_m(const std::string& scene) {
-  Solid solid(scene::read_text(scene, "s.toml", {}).scene);
+  const scene::Scene read = scene::read_text(scene, "s.toml", {}).scene;
+  Solid solid(read);
   solid.advance(0, solid.scene().analysis.duration_s, {}, {});
   const auto slider = solid.states().size() - 1;
   return solid.states()[slider].displacement[0];
@@ -78,7 +79,8 @@ TEST(JointPlanes, NeighboursThatTouchAndAreNotNamedHaveTheDefaultLaw) {
   std::string text = slope(30, 1, 20);
   const auto at = text.rfind(block("slider", 0, 1, 0, 0.5, false));
   text = text.substr(0, at) + block("slider", 0, 2, 0, 0.5, false) + joint("slider", "ground 0", 15);
-  const Solid solid(scene::read_text(text, "s.toml", {}).scene);
+  const scene::Scene read = scene::read_text(text, "s.toml", {}).scene;
+  const Solid solid(read);
   const int slider = 8;
   EXPECT_NE(solid.laws().between(slider, 0), 0);
   EXPECT_EQ(solid.laws().of_contact(slider, solid.laws().plane_of(0, 2, 0, 1), {1, 2, 0}), 0);
@@ -88,7 +90,8 @@ TEST(JointPlanes, NeighboursThatTouchAndAreNotNamedHaveTheDefaultLaw) {
 TEST(JointPlanes, ALongGroundIsNoPlaneBesideItsJoint) {
   const std::string text =
       slope(0, 1, 20) + block("far", 10, 30, -1, 0, true) + block("dam", 20, 24, 0, 3, false) + joint("dam", "far", 45);
-  const Solid solid(scene::read_text(text, "s.toml", {}).scene);
+  const scene::Scene read = scene::read_text(text, "s.toml", {}).scene;
+  const Solid solid(read);
   EXPECT_EQ(solid.laws().plane_of(9, 2, 0, 1), 0);
   EXPECT_NE(solid.laws().plane_of(10, 0, 0, 1), 0);
 }
