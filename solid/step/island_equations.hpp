@@ -33,7 +33,7 @@ class IslandEquations : StepPart {
   std::unique_ptr<Unknowns> unknowns;
   Incidence incidence;           ///< of the actions
   Found found = Found::nothing;  ///< in the step at hand
-  double left_m = 0;  ///< by which sweeps have left gaps and slips off their laws
+  double left_m = 0;             ///< by which sweeps have left gaps and slips off their laws
 
   std::vector<Interaction> actions;  ///< of contacts, supports and bolts, in this order, at the trial
   Eigen::VectorXd residual;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // [[study]] with the real programs: what it finds, that it goes on where it was stopped, and what it refuses.
+#include "tests/block_on_plane.hpp"
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -17,20 +18,7 @@ duration_s = 0.3
 gravity_tilt_deg = 20
 failure_displacement_m = 0.002
 stop_at_failure = true
-[material.rock]
-youngs_modulus_pa = 50e9
-poissons_ratio = 0.2
-density_kg_per_m3 = 2500
-[[block]]
-name = "plane"
-material = "rock"
-fixed = true
-vertices_m = [[-2, -1], [6, -1], [6, 0], [-2, 0]]
-[[block]]
-name = "b"
-material = "rock"
-vertices_m = [[0, 0], [1, 0], [1, 0.5], [0, 0.5]]
-)" << study;
+)" << block_on_plane << study;
   }
   [[nodiscard]] int study(const std::string& options = "") const {
     return shell(programs + "/blockweir study scene.toml --out s " + options);
