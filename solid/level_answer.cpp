@@ -63,6 +63,7 @@ json blocks_json(const scene::Scene& scene, const Attempt<StaticLevel>& by_block
   if (!by_blocks.value) return not_found_json(by_blocks.why_not);
   const StaticLevel& found = *by_blocks.value;
   json answer = outcome_json(found.outcome, found.level_m);
+  if (found.settles_m) answer["settles_at_m"] = *found.settles_m;
   if (found.outcome != Filled::fails) return answer;
   answer["level_width_m"] = found.width_m;
   if (!found.stopped.empty()) answer["stopped"] = found.stopped;

@@ -34,15 +34,20 @@ bool StaticBlocks::rests_at(double level_m, double share) {
   constexpr int most_rounds = 20;
   scene_.analysis.failure_displacement_m = share * far_m_;
   const double end_s = scene_.analysis.duration_s;
-  const double slipped_m = largest_slip_m();
+  slipped_before_m_ = largest_slip_m();
+  moved_before_m_ = solid_.largest_displacement_m();
   for (int round = 0; round < most_rounds; ++round) {
     solid_.advance(end_s, end_s, panels_of(pressures(level_m), solid_));
     if (!solid_.rest().found) return false;
     // An anchor that leans more and more as its dam slides stops it at last; the dam has failed by then.
-    if (largest_slip_m() - slipped_m > share * far_m_) return false;
+    if (largest_slip_m() - slipped_before_m_ > share * far_m_) return false;
     if (solid_.rest().steps == 1) break;
   }
   return true;
+}
+
+bool StaticBlocks::went_far() const {
+  return std::max(largest_slip_m() - slipped_before_m_, solid_.largest_displacement_m() - moved_before_m_) > far_m_;
 }
 
 double StaticBlocks::largest_slip_m() const {

@@ -23,6 +23,9 @@ class StaticBlocks {
   /// share of the scene's failure_displacement_m does not rest, and neither does what slips so far before it rests.
   bool rests_at(double level_m, double share);
 
+  /// Has anything gone as far as a failure since rests_at() was asked last?
+  [[nodiscard]] bool went_far() const;
+
   /// Of a StaticBlocks of the same scene.
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);
@@ -41,6 +44,8 @@ class StaticBlocks {
   Solid solid_;
   StillWater* water_;
   wire::Motion motion_;
+  double slipped_before_m_ = 0;  ///< as rests_at() began
+  double moved_before_m_ = 0;
 };
 
 }  // namespace blockweir::solid

@@ -12,17 +12,6 @@
 namespace blockweir::solid {
 namespace {
 
-/// How the blocks leave a level at which they rest for one at which they do not.
-std::optional<Failure> failure_of(StaticBlocks& blocks, const std::string& resting, double level_m, double next_m) {
-  blocks.restore(resting);
-  FailureWatch watch(blocks.solid());
-  watch.look(0, blocks.levels(level_m));
-  if (blocks.rests_at(next_m, 1)) return std::nullopt;
-  watch.look(1, blocks.levels(next_m));
-  if (watch.failures().empty()) return std::nullopt;
-  return watch.failures().front();
-}
-
 std::string warning_of(StaticBlocks& blocks, const std::string& resting, double level_m) {
   blocks.restore(resting);
   EdgeTension edge;
@@ -30,50 +19,113 @@ std::string warning_of(StaticBlocks& blocks, const std::string& resting, double 
   return edge.warning();
 }
 
+class Search {
+ public:
+  Search(const scene::Scene& scene, StillWater& water, double width)
+      : full_m_(water.range().full_m),
+        range_m_(full_m_ - water.range().empty_m),
+        width_m_(width * range_m_),
+        rests_m_(water.range().empty_m),
+        blocks_(scene, &water, effort_) {}
+
+  StaticLevel found() {
+    if (!blocks_.begin(rests_m_)) {
+      if (!blocks_.went_far())
+        throw std::runtime_error(
+            "level by the blocks: no equilibrium was found under the empty reservoir, and no block had gone as far as "
+            "a failure");
+      return {.level_m = rests_m_};
+    }
+    resting_ = blocks_.state();
+    StaticLevel found;
+    try {
+      do {
+        narrow();
+      } while (has_bracket() && stands_beyond(found));
+      found.warning = warning_of(blocks_, resting_, rests_m_);
+    } catch (const TookTooLong& stopped) {
+      if (!has_bracket() && rests_m_ < full_m_) throw;
+      if (fails_m_ - rests_m_ > width_m_) found.stopped = stopped.what();
+    }
+    found.settles_m = settles_m_;
+    found.outcome = has_bracket() ? limit::Filled::fails : limit::Filled::stands_full;
+    found.level_m = has_bracket() ? (rests_m_ + fails_m_) / 2 : full_m_;
+    found.width_m = has_bracket() ? fails_m_ - rests_m_ : 0;
+    return found;
+  }
+
+ private:
+  [[nodiscard]] bool has_bracket() const { return fails_m_ <= full_m_; }
+
+  void narrow() {
+    constexpr int rises = 20;
+    while (rests_m_ < full_m_ && fails_m_ - rests_m_ > width_m_) {
+      effort_.knows(fmt::format("rests at {:.9g} m", rests_m_) +
+                    (has_bracket() ? fmt::format(", fails at {:.9g} m", fails_m_) : ""));
+      const double next_m = has_bracket() ? (rests_m_ + fails_m_) / 2 : std::min(full_m_, rests_m_ + range_m_ / rises);
+      if (next_m <= rests_m_ || next_m >= fails_m_) break;
+      // What only strains moves less under a small rise, and what slips need not be followed as far.
+      const double share = std::min(1.0, followed_ * std::max(1e-6, (next_m - rests_m_) / range_m_));
+      if (blocks_.rests_at(next_m, share)) {
+        rest_at(next_m);
+      } else {
+        fails_m_ = next_m;
+        blocks_.restore(resting_);
+      }
+    }
+  }
+
+  void rest_at(double level_m) {
+    rests_m_ = level_m;
+    resting_ = blocks_.state();
+  }
+
+  /// Follows the blocks all the way: what slips a little and then rests has not failed, and the search goes on from
+  /// there, to a coarser bracket. Otherwise tells how they fail.
+  bool stands_beyond(StaticLevel& found) {
+    constexpr double seen = 1e-4;  // beyond the level, so that how the blocks fail is seen
+    const double beyond_m = fails_m_ + seen * range_m_;
+    blocks_.restore(resting_);
+    FailureWatch watch(blocks_.solid());
+    watch.look(0, blocks_.levels(rests_m_));
+    if (blocks_.rests_at(beyond_m, 1)) {
+      if (!settles_m_) settles_m_ = rests_m_;
+      rest_at(beyond_m);
+      fails_m_ = unknown;
+      followed_ *= 100;
+      width_m_ = std::max(width_m_, settled_width * range_m_);
+      return true;
+    }
+    watch.look(1, blocks_.levels(beyond_m));
+    if (!watch.failures().empty()) found.failure = watch.failures().front();
+    if (!found.failure && !blocks_.went_far()) {
+      throw std::runtime_error(fmt::format(
+          "level by the blocks: they rest up to {:.9g} m; at {:.9g} m no equilibrium was found, and no block "
+          "had gone as far as a failure",
+          rests_m_, beyond_m));
+    }
+    return false;
+  }
+
+  static constexpr double unknown = std::numeric_limits<double>::infinity();
+  static constexpr double settled_width = 1e-6;  // each level past the bracket takes a slip of the whole way
+
+  double full_m_;
+  double range_m_;
+  double width_m_;
+  double rests_m_;
+  double fails_m_ = unknown;
+  std::string resting_;  ///< the blocks at rests_m_
+  Effort effort_{"level by the blocks"};
+  StaticBlocks blocks_;
+  std::optional<double> settles_m_;
+  double followed_ = 10;  ///< way on which the blocks may come to rest, over that of a failure, per rise over the range
+};
+
 }  // namespace
 
 StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width) {
-  constexpr int rises = 20;
-  constexpr double seen = 1e-4;  // beyond the level, so that how the blocks fail is seen
-  const auto [empty_m, full_m] = water.range();
-  const double range_m = full_m - empty_m;
-  Effort effort("level by the blocks");
-  StaticBlocks blocks(scene, &water, effort);
-  if (!blocks.begin(empty_m)) return {.level_m = empty_m};
-  double rests_m = empty_m;
-  double fails_m = full_m + range_m / rises;  // no level yet
-  std::string resting = blocks.state();
-  const auto narrow = [&] {
-    while (rests_m < full_m && fails_m - rests_m > width * range_m) {
-      effort.knows(fmt::format("rests at {:.9g} m", rests_m) +
-                   (fails_m > full_m ? "" : fmt::format(", fails at {:.9g} m", fails_m)));
-      const double next_m = fails_m > full_m ? std::min(full_m, rests_m + range_m / rises) : (rests_m + fails_m) / 2;
-      if (next_m <= rests_m || next_m >= fails_m) break;
-      // What only strains moves less under a small rise, and what slips need not be followed as far.
-      const double share = std::clamp(10 * (next_m - rests_m) / range_m, 1e-5, 1.0);
-      if (blocks.rests_at(next_m, share)) {
-        rests_m = next_m;
-        resting = blocks.state();
-      } else {
-        fails_m = next_m;
-        blocks.restore(resting);
-      }
-    }
-  };
-  StaticLevel found;
-  try {
-    narrow();
-    found.warning = warning_of(blocks, resting, rests_m);
-    if (fails_m <= full_m) found.failure = failure_of(blocks, resting, rests_m, fails_m + seen * range_m);
-  } catch (const TookTooLong& stopped) {
-    if (rests_m < full_m && fails_m > full_m) throw;
-    if (fails_m - rests_m > width * range_m) found.stopped = stopped.what();
-  }
-  const bool fails = fails_m <= full_m;
-  found.outcome = fails ? limit::Filled::fails : limit::Filled::stands_full;
-  found.level_m = fails ? (rests_m + fails_m) / 2 : full_m;
-  found.width_m = fails ? fails_m - rests_m : 0;
-  return found;
+  return Search(scene, water, width).found();
 }
 
 }  // namespace blockweir::solid

@@ -13,15 +13,17 @@ namespace blockweir::solid {
 
 struct StaticLevel {
   limit::Filled outcome = limit::Filled::does_not_stand_empty;
-  double level_m = 0;              ///< where it fails, the middle of the bracket; else that of the full reservoir
-  double width_m = 0;              ///< of the bracket
-  std::optional<Failure> failure;  ///< how; none where no block went far
-  std::string stopped;             ///< why the bracket is no narrower; empty where it is as narrow as it is to be
-  std::string warning;             ///< of the blocks at the highest level at which they rest; empty: none
+  double level_m = 0;               ///< where it fails, the middle of the bracket; else that of the full reservoir
+  double width_m = 0;               ///< of the bracket
+  std::optional<Failure> failure;   ///< how; none where that was not seen
+  std::optional<double> settles_m;  ///< the lowest level at which blocks slip a little and then rest, if there is one
+  std::string stopped;              ///< why the bracket is no narrower; empty where it is as narrow as it is to be
+  std::string warning;              ///< of the blocks at the highest level at which they rest; empty: none
 };
 
-/// `width`: of the bracket at the end, over the rise from the empty reservoir. Throws TookTooLong when the time is over
-/// before there is one.
+/// `width`: of the bracket at the end, over the rise from the empty reservoir; coarser where blocks settle on the way.
+/// Throws TookTooLong when the time is over before there is one, std::runtime_error where no equilibrium is found and
+/// no block goes far: that is no failure.
 StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width = 1e-10);
 
 }  // namespace blockweir::solid

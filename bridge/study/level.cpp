@@ -34,6 +34,10 @@ std::string blocks_text(const json& found) {
     text += fmt::format("\n        to {:.2g} m: {}", found["level_width_m"].get<double>(),
                         found["stopped"].get<std::string>());
   }
+  if (found.contains("settles_at_m")) {
+    text += fmt::format("\n        from {:.6g} m on blocks slip a little and then rest again",
+                        found["settles_at_m"].get<double>());
+  }
   if (!found.contains("mode")) return text;
   const auto blocks = found["blocks"].get<std::vector<std::string>>();
   constexpr std::size_t most = 4;
