@@ -22,8 +22,12 @@ class SparseMatrix {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  /// LU without refinement of its own: solve() refines where it has to.
-  SparseMatrix() { lu_.solver.umfpackControl()[UMFPACK_IRSTEP] = 0; }
+  /// LU without refinement of its own: solve() refines where it has to. A matrix that is not positive definite is an
+  /// answer, and no line of CHOLMOD's on the terminal.
+  SparseMatrix() {
+    lu_.solver.umfpackControl()[UMFPACK_IRSTEP] = 0;
+    cholesky_.solver.cholmod().print = 0;
+  }
 
   /// Zeros where the entries say.
   void set_pattern(int size, const std::vector<Eigen::Triplet<double>>& entries) {
