@@ -11,6 +11,7 @@
 #include "bridge/statics/loads.hpp"
 #include "solid/answer_parts.hpp"
 #include "solid/limit/limit_strength.hpp"
+#include "solid/situation.hpp"
 #include "solid/static_blocks.hpp"
 #include "solid/static_strength.hpp"
 #include "solid/watch/edge_tension.hpp"
@@ -21,29 +22,10 @@ namespace {
 
 using nlohmann::json;
 using solid::Attempt;
+using solid::Situation;
 using solid::StaticStrength;
-using solid::StillWater;
 using solid::limit::Bearing;
 namespace limit = solid::limit;
-
-/// A scene under the loads and levels of its run's end.
-struct Situation {
-  const scene::Scene& scene;
-  std::optional<StillWater> water;
-  double level_m = std::numeric_limits<double>::quiet_NaN();  ///< of the reservoir; NaN without water
-
-  Situation(const scene::Scene& given, const FluidMaker& make_fluid) : scene(given) {
-    if (scene.fluid == scene::FluidModel::none) return;
-    water.emplace(scene, make_fluid);
-    const auto& level = scene.water.upstream_level_m;
-    level_m = level ? level->at(scene.analysis.duration_s) : water->range().empty_m;
-  }
-  [[nodiscard]] limit::Wrenches dead() {
-    const limit::Wrenches weights = statics::weights_of(scene);
-    return water ? limit::combined(weights, 1, statics::water_forces(scene, water->at(level_m))) : weights;
-  }
-  StillWater* water_if_any() { return water ? &*water : nullptr; }
-};
 
 /// Null for a figure that is not there.
 json figure(const std::optional<double>& value) {

@@ -13,7 +13,9 @@ int main(int argc, char** argv) {
   std::string scene;
   std::string answer;
   CLI::App app{"blockweir-limit: at which level, and by which factor on strength, a scene fails"};
-  app.add_option("question", question, "level or safety")->required()->check(CLI::IsMember({"level", "safety"}));
+  app.add_option("question", question, "level, safety or margin")
+      ->required()
+      ->check(CLI::IsMember({"level", "safety", "margin"}));
   app.add_option("scene", scene, "scene file or case folder")->required();
   app.add_option("--answer", answer, "file for the answer (JSON)")->required();
   try {
@@ -22,7 +24,9 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   return process::exit_status("blockweir-limit", [&] {
-    const auto answer_to = question == "level" ? process::level_answer : process::safety_answer;
+    const auto answer_to = question == "level"    ? process::level_answer
+                           : question == "safety" ? process::safety_answer
+                                                  : process::margin_answer;
     const nlohmann::json found = answer_to(scene::read(scene).scene, process::make_hydrostatic);
     results::replace_file(answer, found.dump(2) + "\n");
     return 0;

@@ -16,4 +16,8 @@ nlohmann::json level_answer(const scene::Scene& scene, const FluidMaker& make_fl
 /// end, found likewise, and the forces on the joints that run through. Throws as above.
 nlohmann::json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
 
+/// That factor by limit analysis alone, which takes a moment: `factor`, and the `mechanism` that it fails by. Without a
+/// factor it says `why_no_factor`, as of a scene of too many joints. Throws as above.
+nlohmann::json margin_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
+
 }  // namespace blockweir::process

@@ -52,6 +52,9 @@ std::string report(const RunResult& result) {
                         result.advice.empty() ? "" : "; " + result.advice);
     if (s.contains("failure") && s["failure"].is_object()) text += failure_text(s["failure"], "FAILED  before that: ");
   }
+  if (s.contains("limit_analysis")) {
+    text += fmt::format("FACTOR  {}\n", s["limit_analysis"]["text"].get<std::string>());
+  }
   if (s.contains("rest")) text += fmt::format("STATIC  {}\n", s["rest"]["text"].get<std::string>());
   if (s.contains("breach")) {
     text +=

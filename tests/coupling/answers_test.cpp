@@ -187,11 +187,14 @@ analysis = { duration_s = 1 }
 material.m = { youngs_modulus_pa = 15e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }
 joint = { friction_angle_deg = 45 }
 water = { upstream_level_m = 8 }
-block = [{ name = "rock", material = "m", fixed = true,
-           vertices_m = [[-40, -10], [60, -10], [60, -4], [10, -4], [10, 0], [-40, 0]] }]
 section = { material = "m", outline_m = [[0, 0], [9, 0], [5, 18], [1, 18]] }
 joint_set = [{ name = "courses", dip_deg = 0, spacing_m = 9, offset_m = 2, friction_angle_deg = 40 },
              { name = "heads", dip_deg = 90, spacing_m = 4, offset_m = 1.2, friction_angle_deg = 32 }]
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-40, -10], [60, -10], [60, -4], [10, -4], [10, 0], [-40, 0]]
 )");
   ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");
   const json found = answer("a.json");
@@ -199,6 +202,39 @@ joint_set = [{ name = "courses", dip_deg = 0, spacing_m = 9, offset_m = 2, frict
   EXPECT_EQ(found["limit_analysis"]["outcome"], "stands");
   EXPECT_LT(found["settles_at_m"].get<double>(), 18) << found.dump(1);
   EXPECT_THAT(text("out"), HasSubstr("blocks slip a little and then rest again"));
+}
+
+TEST_F(Answers, ARunTellsItsFactorByLimitAnalysisWhetherItStandsOrFails) {
+  const double at_limit = std::pow(6.99964615, 2);  // thrust and normal force are those of the head alone
+  for (const double head_m : {6.0, 7.5}) {
+    ASSERT_EQ(ask("run " + cases + "cracked-dam-upper --quiet --set analysis.duration_s=1 --out r" +
+                  fmt::format("{} --set water.upstream_level_m={}", head_m, 15 + head_m)),
+              0)
+        << text("out");
+    const json summary = answer(fmt::format("r{}/summary.json", head_m));
+    const json& found = summary["limit_analysis"];
+    EXPECT_EQ(summary["outcome"], head_m < 7 ? "stands" : "fails");
+    EXPECT_EQ(found["factor"].get<double>() > 1, head_m * head_m < at_limit) << found.dump(1);
+    EXPECT_EQ(found["level_m"], 15 + head_m);
+    EXPECT_EQ(found["mechanism"]["joints"], json::array({"crack"}));
+    EXPECT_THAT(text("out"), HasSubstr("\nFACTOR  "));
+    ASSERT_EQ(ask(fmt::format("safety r{0}/scene.toml --out s{0} --json a.json", head_m)), 0) << text("out");
+    EXPECT_EQ(answer("a.json")["load_cases"][0]["limit_analysis_factor"], found["factor"]);
+  }
+}
+
+TEST_F(Answers, WhatNoStrengthHoldsTellsTheShareOfTheReservoirThatItBears) {
+  write("s.toml", block_on_rock(1, "friction_angle_deg = 80\n"));
+  ASSERT_EQ(ask("run s.toml --quiet --out r"), 0) << text("out");
+  const json found = answer("r/summary.json")["limit_analysis"];
+  EXPECT_TRUE(found["factor"].is_null()) << found.dump(1);
+  EXPECT_LT(found["reservoir_factor"].get<double>(), 1);
+  EXPECT_EQ(found["mechanism"]["mode"], "overturning");
+}
+
+TEST_F(Answers, ARunOnShakenGroundHasNoFactorOfLimitAnalysis) {
+  ASSERT_EQ(ask("run " + cases + "shaken-incline --quiet --out r"), 0) << text("out");
+  EXPECT_FALSE(answer("r/summary.json").contains("limit_analysis"));
 }
 
 TEST_F(Answers, WhatIsWrongIsToldBeforeAnythingIsWritten) {
