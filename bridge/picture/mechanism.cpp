@@ -10,6 +10,7 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/block_facts.hpp"
 #include "bridge/scene/structure_size.hpp"
 
@@ -52,6 +53,18 @@ Bounds view_around(const scene::Scene& scene) {
   return {view.low - margin, view.high + margin};
 }
 
+/// In lines that fit the picture.
+std::string title_of(const std::string& text) {
+  constexpr std::size_t width = 100;
+  std::istringstream lines(results::wrapped(text, width));
+  std::string title;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string words = line.substr(std::min(line.size(), line.find_first_not_of(' ')));
+    title += (title.empty() ? "" : ".\"\\n\".") + gnuplot_text(words);
+  }
+  return title;
+}
+
 std::string reservoir(const Bounds& view, const scene::Scene& scene, double level_m) {
   double face = view.high.x();
   for (const scene::Block& block : scene.blocks) {
@@ -75,7 +88,7 @@ void draw_mechanism(const scene::Scene& scene, const json& mechanism, const std:
       "set terminal pngcairo font 'sans,11' size 900,{:.0f}\nset output {}\nset title {}\nset size ratio -1\n"
       "unset key\nset tics out nomirror\nset xlabel 'x (m)'\nset ylabel 'elevation (m)'\nset xrange [{}:{}]\n"
       "set yrange [{}:{}]\n",
-      100 + 800 * aspect, gnuplot_path(out), gnuplot_text(mechanism["text"].get<std::string>()), view.low.x(),
+      100 + 800 * aspect, gnuplot_path(out), title_of(mechanism["text"].get<std::string>()), view.low.x(),
       view.high.x(), view.low.y(), view.high.y());
   const std::map<std::string, Eigen::Vector3d> motions = motions_of(mechanism);
   const double by = drawn_ratio * scene::structure_size_m(scene.blocks);

@@ -55,7 +55,7 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
   const results::FolderLock lock(folder);
   const fs::path file = folder / (question + ".json");
   fs::remove(file);
-  fs::remove(folder / "mechanism.png");
+  for (const char* picture : {"mechanism.png", "mechanism-loads.png"}) fs::remove(folder / picture);
   fs::remove(folder / "limit.log");
   results::replace_file(scene_of(folder), scene.text);
   const StopsLater until_it_is_answered;
@@ -74,6 +74,12 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
 
 }  // namespace
 
+fs::path answer_folder(const std::string& question, const AskOptions& options) {
+  if (!options.out.empty()) return options.out;
+  const std::string variant = options.variant.empty() ? "" : "-" + results::file_name(options.variant);
+  return fs::path("runs") / (case_name(options.scene) + variant + "-" + question);
+}
+
 Asked ask(const std::string& question, const AskOptions& options) {
   scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
   for (const auto* told : {&read.notes, &read.warnings}) {
@@ -81,11 +87,7 @@ Asked ask(const std::string& question, const AskOptions& options) {
       if (!options.quiet) fmt::print(stderr, "{}\n", line.text());
     }
   }
-  Asked asked{.folder = options.out, .scene = std::move(read.scene)};
-  if (asked.folder.empty()) {
-    const std::string variant = options.variant.empty() ? "" : "-" + results::file_name(options.variant);
-    asked.folder = fs::path("runs") / (case_name(options.scene) + variant + "-" + question);
-  }
+  Asked asked{.folder = answer_folder(question, options), .scene = std::move(read.scene)};
   require_own(asked.folder);
   results::make_folder(asked.folder);
   try {

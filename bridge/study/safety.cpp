@@ -33,11 +33,15 @@ json satisfied(const json& answer, const std::optional<double>& required) {
 json answer_of(const scene::LoadCase& load_case, const process::AskOptions& options) {
   const process::Asked asked = process::ask("safety", options);
   json answer = asked.answer;
-  if (answer.contains("mechanism")) {
+  const auto draw = [&](const json& found, const char* name) {
     const std::optional<double> level_m =
         answer["level_m"].is_number() ? std::optional(answer["level_m"].get<double>()) : std::nullopt;
-    picture::draw_mechanism(asked.scene, answer["mechanism"], level_m, asked.folder / "mechanism.png");
-  }
+    if (found.contains("mechanism")) {
+      picture::draw_mechanism(asked.scene, found["mechanism"], level_m, asked.folder / name);
+    }
+  };
+  draw(answer, "mechanism.png");
+  draw(answer.value("load_factor", json::object()), "mechanism-loads.png");
   answer["name"] = load_case.name;
   answer["class"] = load_case.kind;
   answer["set"] = load_case.set;
@@ -70,6 +74,10 @@ std::string factors_text(const json& cases) {
     };
     if (c["outcome"] == "not found" && !c.contains("stopped")) tell("no answer: ", c["why_no_factor"]);
     if (c.contains("stopped")) tell("a lower bound, ", c["stopped"]);
+    if (c.contains("load_factor")) {
+      text += fmt::format("{}: it bears {:.5g} times the stated loads, by limit analysis\n",
+                          c["name"].get<std::string>(), c["load_factor"]["factor"].get<double>());
+    }
     for (const json& warning : c["warnings"]) tell("WARNING ", warning);
     if (c.contains("added_water_pressure")) {
       tell("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);
@@ -144,7 +152,8 @@ void require_sound(const scene::LoadCase& load_case, const fs::path& scene, cons
 }
 
 json safety_answers(const process::AskOptions& options) {
-  const std::vector<scene::LoadCase> load_cases = scene::read(options.scene, options.overrides).load_cases;
+  const std::vector<scene::LoadCase> load_cases =
+      scene::read_variant(options.scene, options.variant, options.overrides).load_cases;
   scene::Gathered wrong;
   for (const scene::LoadCase& load_case : load_cases) {
     wrong.from([&] { require_sound(load_case, options.scene, options.overrides); });
@@ -168,7 +177,7 @@ json safety_answers(const process::AskOptions& options) {
 int tell_safety(const SafetyOptions& options) {
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
   process::AskOptions question = options;
-  if (question.out.empty()) question.out = fs::path("runs") / (process::case_name(options.scene) + "-safety");
+  question.out = process::answer_folder("safety", options);
   const fs::path& folder = question.out;
   const json cases = safety_answers(question);
   const std::string all = json{{"load_cases", cases}}.dump(2) + "\n";

@@ -24,6 +24,7 @@ function writeVerdict() {
   }
   if (s.moving) lines.push(s.moving.text);
   if (s.margin && s.margin.text) lines.push(s.margin.text + '.');
+  if (s.limit_analysis) lines.push('Factor by limit analysis: ' + s.limit_analysis.text + '.');
   if (s.stopped) lines.push(s.stopped);
   if (s.breach) lines.push(`After ${number(s.breach.time_s)} s: ${s.breach.text}.`);
   if (s.rest) lines.push(s.rest.text + '.');
