@@ -6,6 +6,8 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "solid/answer_parts.hpp"
+#include "solid/static_level.hpp"
 #include "tests/verification/random_trials.hpp"
 
 namespace blockweir::test {
@@ -69,6 +71,28 @@ TEST_F(RandomLevels, StrengthReductionIsTheSlidingFactorByHand) {
     }
     return all;
   });
+}
+
+/// 5 % below the level of failure a run tells its margin of the surface on which the blocks then fail.
+TEST_F(RandomLevels, TheMarginIsToldOfTheSurfaceThatFailsWhenTheLevelIsRaised) {
+  int told = 0;
+  each({on_rock, bricks, voronoi}, 4, [&](const RandomStructure& one) {
+    constexpr double coarse = 1e-3;
+    const scene::Scene scene = scene_of(one, one.level_m);
+    solid::StillWater water(scene, process::make_hydrostatic);
+    const auto failing = solid::attempt([&] { return solid::static_level(scene, water, coarse); });
+    if (!failing.value || !failing.value->failure) return std::string();
+    const scene::Scene below = scene_of(one, 0.95 * one.level_m);
+    const nlohmann::json margin = process::margin_answer(below, process::make_hydrostatic);
+    if (!margin.contains("mechanism")) return std::string();
+    ++told;
+    const auto joints = margin["mechanism"]["joints"].get<std::vector<std::string>>();
+    const std::string& fails = failing.value->failure->joint;
+    const bool same = std::find(joints.begin(), joints.end(), fails) != joints.end();
+    return same ? "" : fmt::format("fails on \"{}\", the margin is of {}; ", fails, margin["mechanism"]["text"].dump());
+  });
+  EXPECT_GT(told, 0);
+  std::cout << "margins of jointed dams: " << told << "\n";
 }
 
 TEST_F(RandomLevels, LimitAnalysisOfJointedDamsIsTheIndependentOne) {
