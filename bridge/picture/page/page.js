@@ -50,6 +50,9 @@ function writeCases() {
     report.safety.map(c => [c.name, c.class || '-', c.outcome, number(c.factor), number(c.limit_analysis_factor), number(c.required, 4), answer(c), c.source || '-'])),
   paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis.', 'quiet'));
   for (const c of report.safety) {
+    if (!is(c.factor) && c.why_no_factor) to.append(paragraph(`Load case "${c.name}": no factor, as ${c.why_no_factor}.`, 'quiet'));
+  }
+  for (const c of report.safety) {
     if (!c.joints || c.joints.length === 0) continue;
     const scaled = c.joints_with_strength_times;
     to.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));

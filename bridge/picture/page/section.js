@@ -14,6 +14,11 @@ class Scale {
   points(outline) { return outline.map(p => this.x(p[0]).toFixed(1) + ',' + this.y(p[1]).toFixed(1)).join(' '); }
 }
 
+/// Width of a drawing that is no higher than wide pages bear: its texts are then as large as in others.
+function fittingWidth(view) {
+  return Math.min(940, Math.max(420, 92 + 500 * (view.right - view.left) / (view.top - view.bottom)));
+}
+
 /// A text that can be read on any ground: white behind itself, as paper has no paint-order.
 function label(attributes, colour, text) {
   return element('g', {},
@@ -29,7 +34,7 @@ function drawing(scale, axes) {
   const id = 'clip' + ++clips;
   const frame = {x: scale.x(view.left), y: scale.y(view.top), width: scale.x(view.right) - scale.x(view.left), height: scale.y(view.bottom) - scale.y(view.top)};
   const inside = element('g', {'clip-path': `url(#${id})`});
-  const svg = element('svg', {viewBox: `0 0 ${scale.width} ${scale.height}`},
+  const svg = element('svg', {viewBox: `0 0 ${scale.width} ${scale.height}`, style: `max-width: ${1.3 * scale.width}px`},
     element('defs', {}, element('clipPath', {id}, element('rect', frame))), inside);
   if (axes) {
     svg.append(element('rect', {...frame, fill: 'none', stroke: '#9aa3ad'}));
@@ -119,9 +124,12 @@ function jointShapes(report, scale) {
     const line = joint.lines[0];
     const middle = [(line[0][0] + line[line.length - 1][0]) / 2, (line[0][1] + line[line.length - 1][1]) / 2];
     const x = scale.x(middle[0]);
-    let y = scale.y(middle[1]) - 6;
-    const half = 3.5 * joint.name.length;  // of the name's width
-    while (taken.some(t => Math.abs(t.x - x) < t.half + half && Math.abs(t.y - y) < 14)) y -= 2;
+    const half = 4.2 * joint.name.length;  // of the name's width on paper, where texts are largest
+    const free = y => taken.every(t => Math.abs(t.x - x) >= t.half + half || Math.abs(t.y - y) >= 18);
+    const own = scale.y(middle[1]) - 6;
+    let away = 0;
+    while (!free(own - away) && !free(own + away)) away += 2;
+    const y = free(own - away) ? own - away : own + away;
     taken.push({x, y, half});
     shapes.push(label({x, y, 'text-anchor': 'middle'}, 'var(--bad)', joint.name));
   }
@@ -140,7 +148,7 @@ function dimensionShapes(report, scale) {
       label({x: (x1 + x2) / 2 + (across ? 0 : 6), y: (y1 + y2) / 2 - (across ? 5 : 0), 'text-anchor': across ? 'middle' : 'start'}, 'var(--ink)', text));
   };
   const beside = d.right + 0.06 * (scale.view.right - scale.view.left);
-  const below = d.bottom - 0.05 * (scale.view.top - scale.view.bottom);
+  const below = d.bottom - 0.09 * (scale.view.top - scale.view.bottom);
   const shapes = [span([beside, d.bottom], [beside, d.top], `${number(d.top - d.bottom)} m`, false),
     span([d.base[0], below], [d.base[1], below], `${number(d.base[1] - d.base[0])} m`, true)];
   if (d.crest[1] - d.crest[0] > 1e-6 * d.top) shapes.push(span([d.crest[0], d.top + 0.03 * (scale.view.top - scale.view.bottom)], [d.crest[1], d.top + 0.03 * (scale.view.top - scale.view.bottom)], `${number(d.crest[1] - d.crest[0])} m`, true));
@@ -172,7 +180,7 @@ function loadShapes(report, scale) {
 
 /// The section at rest with all that an engineer asks for.
 function sectionFigure(report) {
-  const scale = new Scale(report.view, 940, 46);
+  const scale = new Scale(report.view, fittingWidth(report.view), 46);
   const {svg, inside} = drawing(scale, true);
   const frame = report.frames[report.pictured];
   const size = report.size_m;
@@ -206,7 +214,7 @@ function momentText(frame) {
 
 /// Blocks displaced by the mechanism, so that the fastest vertex moves by 6 % of the structure.
 function mechanismFigure(report, mechanism, level) {
-  const scale = new Scale(report.view, 940, 46);
+  const scale = new Scale(report.view, fittingWidth(report.view), 46);
   const {svg, inside} = drawing(scale, true);
   const motions = new Map(mechanism.blocks.map(b => [b.name, b]));
   const by = 0.06 * report.size_m;
