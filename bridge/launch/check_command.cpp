@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
+#include "bridge/scene/read/check.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "bridge/scene/touching_pairs.hpp"
 #include "bridge/study/bench.hpp"
 #include "bridge/study/open_study.hpp"
 #include "bridge/study/safety.hpp"
@@ -54,10 +56,13 @@ int check(const CheckOptions& options) {
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
   for (const auto& warning : warnings) fmt::print(stderr, "{}\n", warning.text());
   const scene::Scene& s = read.scene;
+  const double touching_m = scene::rounding_ratio * scene::structure_size_m(s.blocks);
   fmt::print(
-      "{}: sound{}; {} blocks, {} joints, {} variants, {} studies, {} s in steps of {} s\n", s.file.string(),
+      "{}: sound{}; {} blocks, {} joints ({} with a name), {} variants, {} studies, {} s in steps of {} s\n",
+      s.file.string(),
       warnings.empty() ? "" : fmt::format(", with {} warning{}", warnings.size(), warnings.size() == 1 ? "" : "s"),
-      s.blocks.size(), s.joints.size(), s.variants.size(), studies, s.analysis.duration_s, s.analysis.step_s);
+      s.blocks.size(), scene::count_touching_pairs(s, touching_m), s.joints.size(), s.variants.size(), studies,
+      s.analysis.duration_s, s.analysis.step_s);
   fmt::print(
       "structure of {:.4g} m: failure_displacement_m = {:.3g}, rest_speed_m_per_s = {:.3g}, penetration_tolerance_m = "
       "{:.3g}{}\n",

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joints that a scene has where blocks touch, whether or not it states them.
+#pragma once
+
+#include <cstddef>
+
+#include "bridge/scene/scene.hpp"
+
+namespace blockweir::scene {
+
+/// Pairs of blocks that share a part of their outlines, of which one at least is not fixed. What is nearer than
+/// `touching_m` touches.
+std::size_t count_touching_pairs(const Scene& scene, double touching_m);
+
+}  // namespace blockweir::scene
