@@ -113,7 +113,7 @@ class Balance {
     return column;
   }
   void add(const Face& face) {
-    const double tension = face.law.tension_pa * face.length_m() / 2 / weight_;
+    const double tension = borne_tension_pa(face.law) * face.length_m() / 2 / weight_;
     const double cohesion = face.law.cohesion_pa * face.length_m() / weight_;
     const double friction = std::tan(face.law.friction_deg * std::numbers::pi / 180);
     const int forth = program_.add_row(GLP_UP, 0, cohesion);

@@ -112,7 +112,7 @@ Margins margins_of(const Stack& s, double level_m) {
   }
   const double friction = std::tan(s.law.friction_deg * std::numbers::pi / 180);
   const double strength = normal * friction + s.law.cohesion_pa * length;
-  return {strength - shear, heel_reaction + s.law.tension_pa * length / 2, strength / shear};
+  return {strength - shear, heel_reaction + borne_tension_pa(s.law) * length / 2, strength / shear};
 }
 
 double root(const std::function<double(double)>& margin, double low, double high) {

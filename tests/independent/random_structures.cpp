@@ -51,9 +51,9 @@ Body ground_under(const Section& s) {
 Law random_law(Random& random, double weight_stress_pa) {
   Law law{.friction_deg = random.between(25, 60)};
   if (random.chance(0.3)) law.cohesion_pa = random.between(0, 0.4) * weight_stress_pa;
-  // More than the cone bears in tension is a contradiction.
+  // More than the cone bears in tension counts as what it bears.
   const double apex = law.cohesion_pa / std::tan(law.friction_deg * std::numbers::pi / 180);
-  if (random.chance(0.5)) law.tension_pa = random.between(0, 0.9) * apex;
+  if (random.chance(0.5)) law.tension_pa = random.between(0, 1.3) * apex;
   law.uplift = random.of(std::vector{Uplift::none, Uplift::triangular, Uplift::full});
   return law;
 }

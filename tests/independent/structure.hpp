@@ -4,8 +4,11 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -24,6 +27,11 @@ struct Law {
   double drain_m = 0;  ///< from the reservoir's end; drained only
   double drain_efficiency = 0;
 };
+
+/// What the law bears in tension [Pa]: Mohr-Coulomb's cone ends at c/tan(phi).
+inline double borne_tension_pa(const Law& law) {
+  return std::min(law.tension_pa, law.cohesion_pa / std::tan(law.friction_deg * std::numbers::pi / 180));
+}
 
 struct Body {
   std::string name;

@@ -53,6 +53,14 @@ TEST(SceneEffects, AJointOfFixedBlocksIsAnError) {
                30, {"[[joints]] \"crack\" has no effect: \"ground\" and \"base\" are both fixed"});
 }
 
+TEST(SceneEffects, ATensionStrengthWithoutCohesionIsToldToCountAsNone) {
+  const ReadScene read = read_text(with("cohesion_pa = 1e5", "tension_strength_pa = 1e5"), "s.toml");
+  ASSERT_EQ(read.notes.size(), 1U);
+  EXPECT_THAT(read.notes[0].text(),
+              HasSubstr("tension_strength_pa is 100000, beyond cohesion over tan(friction angle); "
+                        "it counts as that, 0 Pa"));
+}
+
 TEST(SceneEffects, ABondLongerThanItsJointIsAnError) {
   expect_error(with("cohesion_pa = 1e5", "cohesion_pa = 1e5\nbonded_length_m = 3.5"), 31,
                {"bonded_length_m 3.5 in [[joints]] \"crack\" is longer than the joint, 3 m"});
