@@ -95,6 +95,25 @@ TEST_F(RandomLevels, TheMarginIsToldOfTheSurfaceThatFailsWhenTheLevelIsRaised) {
   std::cout << "margins of jointed dams: " << told << "\n";
 }
 
+/// Joints that open as they slip, by tan(phi) of it, and keep their bond obey limit analysis.
+TEST_F(RandomLevels, BlocksWhoseDilationIsTheirFrictionFailAtTheLevelOfLimitAnalysis) {
+  each({monolith, lifts, on_rock, bricks}, 3, [&](const RandomStructure& one) {
+    constexpr double width = 1e-6;
+    scene::Scene scene = scene_of(one, one.level_m);
+    const auto dilate = [](scene::JointLaw& law) {
+      law.dilation_angle_deg = law.friction_angle_deg;
+      law.keeps_cohesion = true;
+    };
+    dilate(scene.default_joint);
+    for (scene::Joint& joint : scene.joints) dilate(joint.law);
+    solid::StillWater water(scene, process::make_hydrostatic);
+    const solid::StaticLevel found = solid::static_level(scene, water, width);
+    const double off = found.level_m - one.level_m;
+    const double rise_m = water.range().full_m - water.range().empty_m;
+    return found.failure && std::abs(off) <= 2 * width * rise_m ? "" : fmt::format("off by {:.3g} m; ", off);
+  });
+}
+
 TEST_F(RandomLevels, LimitAnalysisOfJointedDamsIsTheIndependentOne) {
   each({on_rock, bricks, voronoi}, 4, [this](const RandomStructure& one) {
     const nlohmann::json answer = level_of(one);
