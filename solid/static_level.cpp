@@ -19,9 +19,9 @@ std::string warning_of(StaticBlocks& blocks, const std::string& resting, double 
   return edge.warning();
 }
 
-class Search {
+class LevelSearch {
  public:
-  Search(const scene::Scene& scene, StillWater& water, double width)
+  LevelSearch(const scene::Scene& scene, StillWater& water, double width)
       : full_m_(water.range().full_m),
         range_m_(full_m_ - water.range().empty_m),
         width_m_(width * range_m_),
@@ -125,7 +125,7 @@ class Search {
 }  // namespace
 
 StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width) {
-  return Search(scene, water, width).found();
+  return LevelSearch(scene, water, width).found();
 }
 
 }  // namespace blockweir::solid

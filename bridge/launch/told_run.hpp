@@ -32,8 +32,7 @@ int told(Run run) {
   if (!result.trouble.empty() && !errors_stand_in_the_output()) {
     fmt::print(stderr, "blockweir: {}\n", process::trouble_text(result));
   }
-  const std::string report = process::report(result);
-  fmt::print("{}", ::isatty(STDOUT_FILENO) != 0 ? results::wrapped(report) : report);
+  fmt::print("{}", results::for_stdout(process::report(result)));
   return result.exit_code;
 }
 

@@ -2,6 +2,8 @@
 // Lines as a terminal shows them.
 #pragma once
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <sstream>
 #include <string>
@@ -25,6 +27,11 @@ inline std::string wrapped(const std::string& text, std::size_t width = 80) {
     all += line + "\n";
   }
   return all;
+}
+
+/// As standard output shows it: wrapped on a terminal, else as it is, for programs that read lines.
+inline std::string for_stdout(const std::string& text) {
+  return ::isatty(STDOUT_FILENO) != 0 ? wrapped(text) : text;
 }
 
 }  // namespace blockweir::results

@@ -7,6 +7,7 @@
 #include "bridge/picture/mechanism.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/wrapped.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -92,7 +93,7 @@ int tell_level(const LevelOptions& options) {
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
   const process::Asked asked = process::ask("level", options);
   const json& limit = asked.answer["limit_analysis"];
-  fmt::print("{}", level_report(asked.answer));
+  fmt::print("{}", results::for_stdout(level_report(asked.answer)));
   if (limit.contains("mechanism")) {
     const auto picture = asked.folder / "mechanism.png";
     picture::draw_mechanism(asked.scene, limit["mechanism"], limit["level_m"].get<double>(), picture);

@@ -10,6 +10,7 @@
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
@@ -56,7 +57,7 @@ std::string scaled(const json& value, const char* format, double scale = 1) {
 }
 
 std::string factors_text(const json& cases) {
-  constexpr const char* row = "{:<24.24} {:<10.10} {:<9} {:>8} {:>8} {:>8} {:>8}\n";
+  constexpr const char* row = "{:<23.23} {:<10.10} {:<9} {:>8} {:>8} {:>8} {:>8}\n";
   std::string text =
       fmt::format(fmt::runtime(row), "LOAD CASE", "class", "outcome", "factor", "limit", "required", "enough");
   for (const json& c : cases) {
@@ -185,7 +186,8 @@ int tell_safety(const SafetyOptions& options) {
   if (!options.json.empty()) results::replace_file(options.json, all);
   std::string text = factors_text(cases);
   for (const json& c : cases) text += joints_text(c);
-  fmt::print("{}results {} (safety.json, mechanism.png; a folder for each load case)\n", text, folder.string());
+  text += fmt::format("results {} (safety.json, mechanism.png; a folder for each load case)\n", folder.string());
+  fmt::print("{}", results::for_stdout(text));
   return 0;
 }
 
