@@ -15,7 +15,7 @@ namespace {
 
 /// Would a crack at its edge take what it holds? What softens with slip has no edge stress of its own.
 bool cracks(const JointProperties& law) {
-  const bool bonded = law.tension_pa > 0 ? law.softening_slip_m == 0 : law.cohesion_pa > 0;
+  const bool bonded = law.tension_pa > 0 ? !law.softens() : law.cohesion_pa > 0;
   return bonded && !law.keeps_cohesion && law.bonded_length_m < 0;
 }
 
