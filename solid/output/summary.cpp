@@ -47,7 +47,7 @@ std::string doubt(const Solid& solid, const Failure& f) {
   if (!(f.level_uncertainty_m > exact * f.head_m)) return {};
   if (f.window_rise_m > f.level_uncertainty_m / 2) {
     return fmt::format(
-        "this level is read to {:.2g} m, what it rises by in a window: fill more slowly or shorten window_s",
+        "this level is accurate to {:.2g} m, its rise in one window: fill more slowly or shorten window_s",
         f.level_uncertainty_m);
   }
   if (solid.scene().base_motion) {
@@ -80,8 +80,8 @@ json failure(const expect::Outcome& o) {
   std::string text = doubt(o.solid, first);
   if (o.solid.scene().analysis.kind == scene::AnalysisKind::dynamic && o.failure.rests_again()) {
     text += fmt::format(
-        "{}what failed was at rest again when the run ended, no block more than {:.3g} m from where it was drawn: if "
-        "that may be, state a larger failure_displacement_m",
+        "{}the blocks that failed came to rest again before the run ended, at most {:.3g} m from where they were "
+        "drawn: if that is acceptable, state a larger failure_displacement_m",
         text.empty() ? "" : "; ", o.last.largest_displacement_m);
   }
   if (!text.empty()) found["doubt"] = text;
@@ -106,10 +106,10 @@ json margin(const expect::Outcome& o) {
            (std::isnan(m.level_m) ? "" : fmt::format(", level {:.5g} m", m.level_m));
   };
   json found;
-  std::string text = o.margins.buttressed()
-                         ? "no sliding factor: what lies before a surface that carries shear holds it"
-                     : o.margins.any_surface() ? "no surface that runs through carries shear"
-                                               : "no joint, and no joints in one line, run through: no margin is told";
+  std::string text =
+      o.margins.buttressed()    ? "no sliding factor: blocks downstream support every surface that carries shear"
+      : o.margins.any_surface() ? "no surface that runs through carries shear"
+                                : "no sliding factor: no joint, and no line of joints, runs through the structure";
   if (const auto& m = o.margins.sliding()) {
     found = {{"sliding_factor", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
     text = fmt::format("lowest sliding factor {:.4g} on", m->value) + place(*m);
@@ -152,8 +152,8 @@ void add_levels_not_reached(const expect::Outcome& o, json& warnings) {
     const double end_m = table->at(scene.analysis.duration_s);
     if (std::abs(end_m - acted_m) <= far * 2 * o.solid.size_m()) return;
     warnings.push_back(
-        fmt::format("the {} level at the end, {:.6g} m, has not acted: the last window held {:.6g} m; shorten "
-                    "window_s, or hold the level for a while",
+        fmt::format("the run ends before the last {} level, {:.6g} m, has acted: the last window used {:.6g} m; "
+                    "shorten window_s, or hold the level for a while",
                     pool, end_m, acted_m));
   };
   look("upstream", scene.water.upstream_level_m, o.last.upstream_level_m);
@@ -165,8 +165,9 @@ std::string residual_warning(const scene::Scene& scene, const Counts& counts) {
   constexpr double most = 0.1;
   if (counts.residual_m <= most * scene.analysis.failure_displacement_m) return {};
   return fmt::format(
-      "a step of many moving contacts left gaps and slips off their laws by {:.3g} m, expected at most {:.3g} m, {:g} "
-      "of [analysis] failure_displacement_m: what moved is known no better; shorten [analysis] step_s (now {:.3g})",
+      "in a step with many moving contacts, gaps and slips are off by {:.3g} m; expected at most {:.3g} m, {:g} of "
+      "[analysis] failure_displacement_m; the positions of moving blocks are no more accurate than that; shorten "
+      "[analysis] step_s (now {:.3g})",
       counts.residual_m, most * scene.analysis.failure_displacement_m, most, scene.analysis.step_s);
 }
 
@@ -265,8 +266,8 @@ void add_breach(const expect::Outcome& outcome, json& text) {
   const bool flows = outcome.solid.scene().fluid == scene::FluidModel::openfoam;
   text["breach"] = {{"time_s", *outcome.breached_s},
                     {"text", flows ? "open water passes the structure"
-                                   : "open water passes the structure; from then on it would flow, and the pressures "
-                                     "of still water no longer hold"}};
+                                   : "open water passes the structure; from then on water would flow, and the "
+                                     "pressures of still water no longer apply"}};
 }
 
 }  // namespace

@@ -131,8 +131,8 @@ std::string EdgeTension::warning() const {
         worst_.joint, worst_.stress_pa, when, worst_.strength_pa);
   } else {
     text = fmt::format(
-        "the cohesion of joint \"{}\" holds over all of its length, although {:.3g} % of it is in tension {} with a "
-        "stress that is linear along it and no tension_strength_pa",
+        "joint \"{}\" has no tension_strength_pa, and its cohesion acts over the whole length; but {:.3g} % of the "
+        "joint is in tension {}, if stress is linear along it",
         worst_.joint, 100 * worst_.cracked, when);
   }
   if (beyond_cohesion) {

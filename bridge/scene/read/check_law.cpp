@@ -64,7 +64,7 @@ void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool o
   if (law.is_bonded() && law.bonded_length_m == 0.0 && table.has("bonded_length_m")) {
     reading.problems.warning(
         table.place("bonded_length_m"),
-        fmt::format("bonded_length_m in {} is 0: its cohesion and tension strength act nowhere", table.name()),
+        fmt::format("bonded_length_m in {} is 0: cohesion and tension strength have no effect", table.name()),
         "a length above 0", "lengthen it, or leave it out: all of the joint is then bonded");
   }
   if (law.uplift != Uplift::none && table.has("uplift")) check_uplift(table, reading);

@@ -38,8 +38,8 @@ void note_tension_cut_off(TableReader& table, const char* key, const JointLaw& l
   constexpr double round_off = 1e-9;
   if (law.tension_strength_pa <= (1 + round_off) * borne) return;
   problems.note(table.place(key),
-                fmt::format("in {} tension_strength_pa is {:.6g}, beyond cohesion over tan(friction angle); it counts "
-                            "as that, {:.6g} Pa, where Mohr-Coulomb's law ends",
+                fmt::format("in {} tension_strength_pa is {:.6g}, more than cohesion over tan(friction angle); {:.6g} "
+                            "Pa is used instead, where Mohr-Coulomb's law ends",
                             table.name(), law.tension_strength_pa, borne),
                 "state what the joint bears, or the cohesion_pa that goes with such a tension");
 }
@@ -50,7 +50,7 @@ void refuse_dilation_beyond_friction(TableReader& table, const char* key, const 
   const double friction_deg = by_residual ? law.residual_friction_angle_deg : law.friction_angle_deg;
   if (law.dilation_angle_deg <= friction_deg) return;
   problems.error(table.place(key),
-                 fmt::format("dilation_angle_deg in {} is {:.6g}, above {} = {:.6g}: slip would make energy",
+                 fmt::format("dilation_angle_deg in {} is {:.6g}, above {} = {:.6g}: slip would then create energy",
                              table.name(), law.dilation_angle_deg,
                              by_residual ? "residual_friction_angle_deg" : "friction_angle_deg", friction_deg),
                  "a dilation angle of at most the friction angle, peak and residual (associated flow has equal ones)",
