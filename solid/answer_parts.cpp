@@ -22,12 +22,8 @@ void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answe
 }
 
 bool has_bonds(const scene::Scene& scene) {
-  const auto bonds = [](const scene::JointLaw& law) {
-    return law.cohesion_pa > 0 || law.tension_strength_pa > 0 ||
-           law.friction_angle_deg != law.residual_friction_angle_deg;
-  };
-  return bonds(scene.default_joint) ||
-         std::any_of(scene.joints.begin(), scene.joints.end(), [&](const auto& joint) { return bonds(joint.law); });
+  return scene.default_joint.weakens() ||
+         std::any_of(scene.joints.begin(), scene.joints.end(), [](const auto& joint) { return joint.law.weakens(); });
 }
 
 bool strains(const scene::Scene& scene) {

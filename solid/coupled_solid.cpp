@@ -74,7 +74,7 @@ void CoupledSolid::predict(double ahead_s, wire::Motion& motion) {
 void CoupledSolid::start(const wire::Load& load) {
   map(load);
   added_mass_.look(load, solid_);
-  solve(load, solid_.scene().coupling.window_s, [&] {
+  solve(solid_.scene().coupling.window_s, [&] {
     if (solid_.scene().analysis.start == scene::Start::equilibrium) {
       solid_.call_meanwhile([this] { progress_.settling(solid_.counts().iterations); });
       solid_.settle(water_.at(load.time_s));
@@ -96,7 +96,7 @@ void CoupledSolid::advance(const wire::Load& load, const wire::Motion& told, dou
   solid_.call_meanwhile([this, window = told.window, before = solid_.counts().iterations] {
     progress_.solving(window, solid_.time_s(), solid_.counts().iterations - before);
   });
-  solve(load, to_s, [&] {
+  solve(to_s, [&] {
     masses = added_mass_.look(load, solid_);
     solid_.advance(from_s, to_s, water_, {masses, velocities, told.time_s});
   });
@@ -115,15 +115,14 @@ bool CoupledSolid::calm() const {
   return failure_.calm();
 }
 
-void CoupledSolid::solve(const wire::Load& load, double until_s, const std::function<void()>& step) {
+void CoupledSolid::solve(double until_s, const std::function<void()>& step) {
   const Stopwatch watch(step_s_);
   try {
     step();
   } catch (const NotFinite&) {
     const scene::Scene& scene = solid_.scene();
-    results::replace_file(folder_ / "repeat.toml",
-                          scene::repeat_text(scene, std::max(until_s, scene.analysis.step_s),
-                                             face_pressures_of(panels_of(load, solid_), scene)));
+    results::replace_file(folder_ / "repeat.toml", scene::repeat_text(scene, std::max(until_s, scene.analysis.step_s),
+                                                                      face_pressures_of(water_.last(), scene)));
     throw;
   }
 }
@@ -138,7 +137,7 @@ void CoupledSolid::watch_interface(const wire::Load& load, const wire::Motion& t
     const Eigen::Vector3d v = solid_.states()[b].velocity.head<3>();
     if (!solid_.blocks()[b].fixed) kinetic += v.dot(masses[b] * v) / 2;
   }
-  interface_energy_.look(panels_of(load, solid_), told, {from_s, to_s}, kinetic);
+  interface_energy_.look(water_.last(), told, {from_s, to_s}, kinetic);
   if (!interface_energy_.growth() || scene.coupling.on_energy_gain == scene::EnergyGain::report) return;
   throw SolveError(interface_energy_.trouble(added_mass_.ratio()));
 }
@@ -171,7 +170,7 @@ void CoupledSolid::record() {
   const bool frame_due = last || time_s >= next_frame_s_ - soon;
   if (!frame_due) ++frames_.not_asked_for;
   if (!history_due && !frame_due) return;
-  capture(solid_, last_load_, time_s, frame_);
+  capture(solid_, last_load_, water_.last(), time_s, frame_);
   recorded_s_ = time_s;
   if (history_due) {
     history_.write(frame_);

@@ -46,7 +46,7 @@ class CoupledSolid final : public schedule::SolidSide {
 
  private:
   /// Calls step(); one that meets what is not a number leaves repeat.toml behind.
-  void solve(const wire::Load& load, double until_s, const std::function<void()>& step);
+  void solve(double until_s, const std::function<void()>& step);
   /// Throws std::runtime_error where the exchange makes energy, unless that is to be a result.
   void watch_interface(const wire::Load& load, const wire::Motion& told, const AddedMasses& masses, double from_s,
                        double to_s);

@@ -122,11 +122,8 @@ std::vector<std::string> skips_of(const Exchanges& exchanges, bool dry, bool one
   return skips;
 }
 
-}  // namespace
-
-FluidReport run_process(SolidProcess process) {
-  const auto start = Clock::now();
-  const scene::Scene scene = scene::read(process.scene, process.overrides).scene;
+/// With water somebody has to be asked for its pressures, without water nobody.
+void require_line(const scene::Scene& scene, const SolidProcess& process) {
   const bool alone = scene.fluid == scene::FluidModel::none;
   if (!alone && !process.make_fluid && process.line.endpoint.empty()) {
     throw std::invalid_argument("the scene has water: say with --endpoint where to listen for the fluid process");
@@ -137,76 +134,118 @@ FluidReport run_process(SolidProcess process) {
                     "to it, or leave --endpoint out",
                     process.line.endpoint));
   }
+}
+
+/// The solid side of one run: without water, with the water in this process, or with a fluid process on the line.
+class SolidRun {
+ public:
+  SolidRun(const scene::Scene& scene, SolidProcess& process, Clock::time_point start)
+      : scene_(scene),
+        process_(process),
+        start_(start),
+        checkpoints_(process.folder, "solid", scene.digest, scene.output.checkpoint_every_s),
+        reports_(process.progress_fd, scene.analysis.duration_s),
+        coupled_(scene, process.folder, process.resume == 0 ? results::Begin::anew : results::Begin::where_it_stopped,
+                 {.run = [&](double time_s, double level_m, double moved_m) { reports_.run(time_s, level_m, moved_m); },
+                  .settling = [&](long solutions) { reports_.settling(solutions); },
+                  .solving = [&](std::uint64_t window, double time_s,
+                                 long solutions) { reports_.solving(window, time_s, solutions); }}) {}
+
+  /// A run that ends early leaves its summary, too.
+  void run() {
+    try {
+      if (scene_.fluid == scene::FluidModel::none) {
+        exchange_with(nullptr);
+      } else if (process_.make_fluid) {
+        run_with_own_fluid();
+      } else {
+        run_with_partner();
+      }
+    } catch (const solid::SolveError& error) {
+      finish(error.what(), /*ends_here_again=*/true);
+      throw;
+    } catch (const std::exception& error) {
+      finish(error.what());
+      throw;
+    }
+    finish("");
+  }
+  [[nodiscard]] const FluidReport& report() const { return report_; }
+
+ private:
+  void exchange_with(schedule::FluidLine* fluid) {
+    started_s_ = seconds_since(start_);
+    if (channel_) waited_before_s_ = channel_->waited_s();
+    exchanges_ = schedule::run_solid(fluid, scene_, checkpoints_, process_.resume, coupled_);
+  }
+
+  void run_with_own_fluid() {
+    const std::unique_ptr<schedule::FluidSide> fluid = process_.make_fluid(scene_, process_.folder);
+    checkpoint::Checkpoints its_own(process_.folder, scene::name(scene_.fluid), scene_.digest, 0);
+    schedule::FluidTurn turn(*fluid, its_own, process_.resume);
+    schedule::LocalFluid here(turn, within_s_);
+    exchange_with(&here);
+    report_ = turn.report();
+  }
+
+  void run_with_partner() {
+    process_.line.partner = fmt::format("fluid process ({})", scene::name(scene_.fluid));
+    process_.line.timeout_s = scene_.coupling.timeout_s;
+    process_.line.open_timeout_s = scene_.coupling.open_timeout_s;
+    channel_.emplace(process_.line);
+    channel_->handshake(schedule::hello(scene_, "solid", process_.resume));
+    reports_.tell(&*channel_);
+    schedule::RemoteFluid there(*channel_);
+    exchange_with(&there);
+  }
+
+  void finish(const std::string& stopped, bool ends_here_again = false) {
+    nlohmann::json profile = {{"start_up", started_s_}};
+    double exchange_s = within_s_;
+    if (process_.make_fluid) profile["wait_for_fluid"] = within_s_;
+    if (channel_) {
+      profile["wait_for_fluid"] = channel_->waited_s() - waited_before_s_;
+      profile["pack"] = channel_->packed_s();
+      profile["wire"] = channel_->wire_s();
+      exchange_s = channel_->waited_s() - waited_before_s_ + channel_->packed_s() + channel_->wire_s();
+    }
+    nlohmann::json own = {{"wall_time_s", seconds_since(start_)},
+                          {"profile_s", profile},
+                          {"counts", {{"exchanges", exchanges_.said}, {"skipped_exchanges", exchanges_.skipped}}},
+                          {"peak_memory_mb", {{"solid", results::peak_memory_mb()}}}};
+    if (ends_here_again) own["ends_here_again"] = true;
+    const bool dry = scene_.fluid == scene::FluidModel::none;
+    coupled_.finish(own, stopped, skips_of(exchanges_, dry, process_.make_fluid != nullptr, exchange_s, own_start_s_));
+  }
+
+  const scene::Scene& scene_;
+  SolidProcess& process_;
+  Clock::time_point start_;
+  checkpoint::Checkpoints checkpoints_;
+  Reports reports_;
+  solid::CoupledSolid coupled_;
+  double own_start_s_ = processor_s();
+  std::optional<channel::Channel> channel_;
+  FluidReport report_;
+  Exchanges exchanges_;
+  double started_s_ = 0;
+  double waited_before_s_ = 0;
+  double within_s_ = 0;  ///< in a fluid of this process
+};
+
+}  // namespace
+
+FluidReport run_process(SolidProcess process) {
+  const auto start = Clock::now();
+  const scene::Scene scene = scene::read(process.scene, process.overrides).scene;
+  require_line(scene, process);
   channel::catch_stop_signals();
   results::make_folder(process.folder);
   const results::FolderLock lock(process.folder);
-  const std::uint64_t first = process.resume;
-  checkpoint::Checkpoints checkpoints(process.folder, "solid", scene.digest, scene.output.checkpoint_every_s);
-  if (first == 0) checkpoint::forget(process.folder);
-  Reports reports(process.progress_fd, scene.analysis.duration_s);
-  solid::CoupledSolid coupled(
-      scene, process.folder, first == 0 ? results::Begin::anew : results::Begin::where_it_stopped,
-      {.run = [&](double time_s, double level_m, double moved_m) { reports.run(time_s, level_m, moved_m); },
-       .settling = [&](long solutions) { reports.settling(solutions); },
-       .solving = [&](std::uint64_t window, double time_s,
-                      long solutions) { reports.solving(window, time_s, solutions); }});
-  std::optional<channel::Channel> channel;
-  FluidReport report;
-  Exchanges exchanges;
-  const double own_start_s = processor_s();
-  double started_s = 0;
-  double waited_before_s = 0;
-  double within_s = 0;  // in a fluid of this process
-  const auto finish = [&](const std::string& stopped, bool ends_here_again = false) {
-    nlohmann::json profile = {{"start_up", started_s}};
-    double exchange_s = within_s;
-    if (process.make_fluid) profile["wait_for_fluid"] = within_s;
-    if (channel) {
-      profile["wait_for_fluid"] = channel->waited_s() - waited_before_s;
-      profile["pack"] = channel->packed_s();
-      profile["wire"] = channel->wire_s();
-      exchange_s = channel->waited_s() - waited_before_s + channel->packed_s() + channel->wire_s();
-    }
-    nlohmann::json own = {{"wall_time_s", seconds_since(start)},
-                          {"profile_s", profile},
-                          {"counts", {{"exchanges", exchanges.said}, {"skipped_exchanges", exchanges.skipped}}},
-                          {"peak_memory_mb", {{"solid", results::peak_memory_mb()}}}};
-    if (ends_here_again) own["ends_here_again"] = true;
-    coupled.finish(own, stopped, skips_of(exchanges, alone, process.make_fluid != nullptr, exchange_s, own_start_s));
-  };
-  try {
-    if (alone) {
-      started_s = seconds_since(start);
-      exchanges = schedule::run_solid(nullptr, scene, checkpoints, first, coupled);
-    } else if (process.make_fluid) {
-      const std::unique_ptr<schedule::FluidSide> fluid = process.make_fluid(scene, process.folder);
-      checkpoint::Checkpoints its_own(process.folder, scene::name(scene.fluid), scene.digest, 0);
-      schedule::FluidTurn turn(*fluid, its_own, first);
-      schedule::LocalFluid here(turn, within_s);
-      started_s = seconds_since(start);
-      exchanges = schedule::run_solid(&here, scene, checkpoints, first, coupled);
-      report = turn.report();
-    } else {
-      process.line.partner = fmt::format("fluid process ({})", scene::name(scene.fluid));
-      process.line.timeout_s = scene.coupling.timeout_s;
-      process.line.open_timeout_s = scene.coupling.open_timeout_s;
-      channel.emplace(process.line);
-      channel->handshake(schedule::hello(scene, "solid", first));
-      reports.tell(&*channel);
-      started_s = seconds_since(start);
-      waited_before_s = channel->waited_s();
-      schedule::RemoteFluid there(*channel);
-      exchanges = schedule::run_solid(&there, scene, checkpoints, first, coupled);
-    }
-  } catch (const solid::SolveError& error) {
-    finish(error.what(), /*ends_here_again=*/true);
-    throw;
-  } catch (const std::exception& error) {
-    finish(error.what());
-    throw;
-  }
-  finish("");
-  return report;
+  if (process.resume == 0) checkpoint::forget(process.folder);
+  SolidRun run(scene, process, start);
+  run.run();
+  return run.report();
 }
 
 }  // namespace blockweir::process

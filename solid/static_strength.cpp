@@ -4,22 +4,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "solid/static_blocks.hpp"
 
 namespace blockweir::solid {
 
 scene::Scene with_reduced_strength(scene::Scene scene, double reduction) {
-  const auto reduce = [reduction](scene::JointLaw& law) {
-    for (double* angle_deg : {&law.friction_angle_deg, &law.residual_friction_angle_deg}) {
-      constexpr double degree = std::numbers::pi / 180;
-      *angle_deg = std::atan(std::tan(*angle_deg * degree) / reduction) / degree;
-    }
-    law.cohesion_pa /= reduction;
-  };
-  reduce(scene.default_joint);
-  for (scene::Joint& joint : scene.joints) reduce(joint.law);
+  scene.default_joint.reduce(reduction);
+  for (scene::Joint& joint : scene.joints) joint.law.reduce(reduction);
   return scene;
 }
 

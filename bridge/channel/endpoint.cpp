@@ -53,8 +53,8 @@ void check_endpoint(const std::string& endpoint, bool listens, bool may_come) {
     if (port.size() > 5 || std::stoi(port) < 1 || std::stoi(port) > 65535) refuse("expected a port from 1 to 65535");
     if (!may_come && !stays_here(endpoint.substr(tcp.size(), colon - tcp.size()))) {
       throw std::invalid_argument(
-          fmt::format("endpoint {}: on a network, whoever reaches it could read along and join; give both sides the "
-                      "--keys that \"blockweir keys FOLDER\" makes, or allow it with --insecure",
+          fmt::format("endpoint {}: other machines on the network could read the run and connect to it; give both "
+                      "sides the --keys that \"blockweir keys FOLDER\" makes, or allow it with --insecure",
                       endpoint));
     }
     return;

@@ -11,7 +11,7 @@ namespace blockweir::channel {
 /// Adds --endpoint, --keys and --insecure.
 inline CLI::Option* add_line_options(CLI::App& app, Options& line) {
   app.add_option("--keys", line.keys, "folder of this side's keys, as \"blockweir keys\" makes it; for tcp");
-  app.add_flag("--insecure", line.insecure, "let a tcp port that other machines reach do without keys");
+  app.add_flag("--insecure", line.insecure, "allow other machines to connect over tcp without keys");
   return app.add_option("--endpoint", line.endpoint,
                         line.side == Side::listens
                             ? "where to listen for the fluid process: ipc://PATH or tcp://HOST:PORT"

@@ -37,7 +37,7 @@ Work case_command(CLI::App& app) {
   const auto options = std::make_shared<CaseOptions>();
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--out", options->out, "folder for the case (default: case)");
-  app.add_option("--set", options->overrides, "key=value over the scene's own");
+  app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   return [options]() -> int { write_case(*options); };
 }
 

@@ -79,8 +79,8 @@ int check(const CheckOptions& options) {
 Work check_command(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
   app.add_option("scene", options->scene, "scene file or case folder")->required();
-  app.add_option("--set", options->overrides, "key=value over the scene's own");
-  app.add_flag("--strict", options->strict, "warnings are errors");
+  app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
+  app.add_flag("--strict", options->strict, "treat warnings as errors");
   return [options] { return check(*options); };
 }
 

@@ -11,7 +11,7 @@ Work compare_command(CLI::App& app) {
   app.add_option("cases", options->cases, "case folders or scene files (default: five cases)");
   app.add_option("--json", options->json, "file for the table as JSON");
   app.add_option("--out", options->out, "folder that keeps each run as CASE-FORMULATION");
-  app.add_option("--set", options->overrides, "key=value over the scenes' own");
+  app.add_option("--set", options->overrides, "set a key in each scene, as key=value");
   return [options] { return study::compare(*options); };
 }
 

@@ -10,7 +10,7 @@ Work cut_command(CLI::App& app) {
   const auto options = std::make_shared<picture::CutOptions>();
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--out", options->out, "picture, .png or .svg (default: cut.png)");
-  app.add_option("--set", options->overrides, "key=value over the scene's own");
+  app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   return [options] { return picture::cut(*options), 0; };
 }
 

@@ -12,7 +12,7 @@ Work level_command(CLI::App& app) {
   app.add_option("--out", options->out, "folder for the answer and its picture (default: runs/CASE-level)");
   app.add_option("--json", options->json, "file for the answer, too");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
-  app.add_option("--set", options->overrides, "key=value over the scene's own");
+  app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   return [options] { return study::tell_level(*options); };
 }
 

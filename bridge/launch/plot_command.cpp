@@ -9,12 +9,13 @@ namespace blockweir::launch {
 Work plot_command(CLI::App& app) {
   const auto options = std::make_shared<picture::PlotOptions>();
   app.add_option("run", options->run, "folder of a run")->required();
-  app.add_flag("--svg", options->svg, "SVG instead of PNG");
-  app.add_flag("--animate", options->animated, "all frames as animation.gif too");
-  app.add_flag("--section", options->section, "the section with joints' names and loads too");
+  app.add_flag("--svg", options->svg, "draw SVG instead of PNG");
+  app.add_flag("--animate", options->animated, "also draw all frames, as animation.gif");
+  app.add_flag("--section", options->section, "also draw the section, with the names of joints and the loads");
   app.add_option("--blocks", options->blocks, "blocks that legends name (default: the eight that move most)")
       ->delimiter(',');
-  app.add_option("--data", options->data, "CSV of measured points: time_s, then columns called as in history.csv");
+  app.add_option("--data", options->data,
+                 "CSV file of measurements to draw: time_s, then columns named as in history.csv");
   return [options] { return picture::plot(*options), 0; };
 }
 

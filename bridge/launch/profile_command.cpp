@@ -9,7 +9,7 @@ namespace blockweir::launch {
 Work profile_command(CLI::App& app) {
   const auto options = std::make_shared<picture::ProfileOptions>();
   app.add_option("run", options->run, "folder of a run")->required();
-  app.add_flag("--svg", options->svg, "SVG instead of PNG");
+  app.add_flag("--svg", options->svg, "draw SVG instead of PNG");
   return [options] { return picture::profile(*options), 0; };
 }
 

@@ -13,7 +13,7 @@ Work report_command(CLI::App& app) {
       ->required();
   app.add_option("--out", options->out, "HTML file (default: report.html in the run's folder)");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
-  app.add_option("--set", options->overrides, "key=value over the scene's own");
+  app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   return [options] {
     options->program = version();
     return study::write_report(*options);

@@ -9,8 +9,8 @@ namespace blockweir::launch {
 Work resume_command(CLI::App& app) {
   const auto options = std::make_shared<process::ResumeOptions>();
   app.add_option("run", options->folder, "folder of the run")->required();
-  app.add_flag("--inproc", options->inproc, "still water within the solid's process");
-  app.add_flag("--quiet", options->quiet, "no progress");
+  app.add_flag("--inproc", options->inproc, "compute still water in the solid's process");
+  app.add_flag("--quiet", options->quiet, "show no progress");
   return [options] { return told([&] { return process::resume(*options); }); };
 }
 

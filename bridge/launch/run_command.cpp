@@ -11,10 +11,10 @@ Work run_command(CLI::App& app) {
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--out", options->out, "folder for the results (default: runs/CASE)");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
-  app.add_option("--set", options->overrides, "key=value over the scene's own, e.g. analysis.step_s=0.001");
-  app.add_flag("--inproc", options->inproc, "still water within the solid's process: the same results, sooner");
-  app.add_flag("--strict", options->strict, "warnings are errors: such a scene is not run");
-  app.add_flag("--quiet", options->quiet, "no progress");
+  app.add_option("--set", options->overrides, "set a key of the scene, e.g. analysis.step_s=0.001");
+  app.add_flag("--inproc", options->inproc, "compute still water in the solid's process; the results are the same");
+  app.add_flag("--strict", options->strict, "treat warnings as errors; a scene that has any is not run");
+  app.add_flag("--quiet", options->quiet, "show no progress");
   return [options] { return told([&] { return process::run(*options); }); };
 }
 

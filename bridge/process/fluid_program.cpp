@@ -63,8 +63,9 @@ int run_fluid_program(int argc, char** argv, scene::FluidModel model, const std:
   app.add_option("scene", options.scene, "scene file or case folder")->required();
   channel::add_line_options(app, options.line)->required();
   app.add_option("--out", options.folder, "folder for checkpoints and pictures");
-  app.add_option("--set", options.overrides, "key=value over the scene's own; the same for both processes");
-  app.add_option("--resume", options.resume, "number of the checkpoint in --out to go on from; the same for both");
+  app.add_option("--set", options.overrides, "set a key of the scene, as key=value; the same for both processes");
+  app.add_option("--resume", options.resume,
+                 "continue from the checkpoint of this number in --out; the same for both processes");
   app.add_option("--report", options.report, "file for this process's times and counts (JSON)");
   try {
     app.parse(argc, argv);

@@ -124,7 +124,7 @@ void refuse_finished(const fs::path& folder) {
   throw std::invalid_argument(fmt::format("{}: no checkpoint that all its processes have{}; {}", folder.string(),
                                           why.empty() ? "" : fmt::format(", the run ended with \"{}\"", why),
                                           ends_there_again(folder)
-                                              ? "it would end so again: change the scene, and run it anew"
+                                              ? "resuming would end in the same way: change the scene, and run it anew"
                                               : "run it anew, with a shorter [output] checkpoint_every_s"));
 }
 

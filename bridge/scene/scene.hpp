@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "bridge/scene/joint_law.hpp"
 #include "bridge/scene/time_table.hpp"
 #include "bridge/scene/uplift.hpp"
 #include "bridge/scene/water.hpp"
@@ -26,23 +27,6 @@ struct Material {
   std::optional<double> damping_ratio{};  ///< of a block's lowest natural frequency of strain; default: while it slides
   Eigen::Vector3d initial_stress_pa = Eigen::Vector3d::Zero();  ///< (xx, yy, xy) where there is no strain
   bool operator==(const Material&) const = default;
-};
-
-/// Mohr-Coulomb: |shear| <= cohesion * bonded length + N tan(friction angle);
-/// tension <= tension strength * bonded length.
-struct JointLaw {
-  double friction_angle_deg = 30;
-  double residual_friction_angle_deg = 30;  ///< after the bond has failed; default: the peak angle
-  double cohesion_pa = 0;
-  double tension_strength_pa = 0;
-  std::optional<double> bonded_length_m;   ///< of the whole joint; default: all of it
-  bool keeps_cohesion = false;             ///< true: cohesion and tension survive slip and opening
-  double softening_slip_m = 0;             ///< slip over which cohesion, tension and peak friction fade; 0: brittle
-  double dilation_angle_deg = 0;           ///< slip opens the joint by its tangent
-  std::optional<double> dilation_limit_m;  ///< slip beyond which it opens no further
-  Uplift uplift = Uplift::none;
-  KnownHeads known_heads{};  ///< of the laws that need some
-  bool operator==(const JointLaw&) const = default;
 };
 
 struct Joint {

@@ -80,7 +80,7 @@ Case case_of(const fs::path& path, const Settings& overrides, bool brief) {
     add_curve(bench, "[[order]]", order, sweep, brief);
   }
   if (scene.fluid == scene::FluidModel::hydrostatic)
-    bench.settings.push_back({"still water within the solid's process", one_process, {}, {}, true});
+    bench.settings.push_back({"compute still water in the solid's process", one_process, {}, {}, true});
   scene::Gathered wrong;
   if (scene.expectations.empty() && scene.water_expectations.empty()) {
     const scene::Bench& first = scene.studies.benches.front();

@@ -7,9 +7,11 @@
 #include "bridge/results/figure.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/diagnostic.hpp"
 #include "bridge/study/cases_folder.hpp"
 #include "bridge/study/study.hpp"
+#include "bridge/study/table_line.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -67,7 +69,16 @@ std::string number(const json& value, const char* format) {
   return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "none";
 }
 
-constexpr const char* row_format = "{:<20} {:<21} {:<28} {:>16} {:>10} {:>12} {:>10} {:>8} {:>7} {:>8} {:>8}\n";
+void print_run(const std::string& name, const std::string& penetration, const std::string& condition,
+               const std::string& systems, const std::string& steps, const std::string& retried,
+               const std::string& time) {
+  fmt::print("{}", table_line(name, fmt::format("{:>11} {:>9} {:>7} {:>6} {:>7} {:>7}", penetration, condition, systems,
+                                                steps, retried, time)));
+}
+
+void print_figure(const std::string& name, const std::string& got, const std::string& error) {
+  fmt::print("{}", table_line("    " + name, fmt::format("{:>16} {:>9}", got, error)));
+}
 
 /// What a run is compared by: the figures that the scene states, or where it states none how the run ends.
 json figures(const json& s) {
@@ -87,20 +98,20 @@ json figures(const json& s) {
   return list;
 }
 
-/// Prints a row for each figure, and adds it to `rows`; false where there is none.
+/// Prints a run and its figures, and adds these to `rows`; false where there are none.
 bool add_rows(const std::string& name, const char* formulation, const std::string& command, const json& s, json& rows) {
   if (s.contains("trouble")) {
-    fmt::print("{:<20} {:<21} {}\n{:<42} repeat it with {}\n", name, formulation, s["trouble"].get<std::string>(), "",
-               command);
+    fmt::print("  {}\n{}{}", formulation, results::wrapped("    " + s["trouble"].get<std::string>()),
+               results::wrapped("    repeat it with " + command));
     rows.push_back({{"case", name}, {"formulation", formulation}, {"trouble", s["trouble"]}, {"command", command}});
     return false;
   }
+  const json& counts = s["counts"];
+  print_run(fmt::format("  {}", formulation), number(s["largest_penetration_m"], "{:.2e}"),
+            number(s["largest_condition_number"], "{:.2e}"), counts["iterations"].dump(), counts["steps"].dump(),
+            counts["substituted_steps"].dump(), number(s["wall_time_s"], "{:.3g}"));
   for (const json& check : figures(s)) {
-    fmt::print(row_format, name, formulation, check["name"].get<std::string>(), figure(check["got"]),
-               number(check["relative_error"], "{:.2e}"), number(s["largest_penetration_m"], "{:.2e}"),
-               number(s["largest_condition_number"], "{:.2e}"), s["counts"]["iterations"].get<long>(),
-               s["counts"]["steps"].get<long>(), s["counts"]["substituted_steps"].get<long>(),
-               number(s["wall_time_s"], "{:.3g}"));
+    print_figure(check["name"].get<std::string>(), figure(check["got"]), number(check["relative_error"], "{:.2e}"));
     rows.push_back({{"case", name},
                     {"formulation", formulation},
                     {"name", check["name"]},
@@ -127,10 +138,11 @@ int compare(const CompareOptions& options) {
   const TemporaryFolder scratch;
   json rows = json::array();
   bool sound = true;
-  fmt::print(row_format, "case", "formulation", "quantity", "got", "error", "penetration", "condition", "systems",
-             "steps", "retried", "time s");
+  print_run("case, formulation", "penetration", "condition", "systems", "steps", "retried", "time s");
+  print_figure("quantity", "got", "error");
   try {
     for (const fs::path& scene : chosen(options)) {
+      fmt::print("{}\n", case_name(scene));
       for (const char* formulation : formulations) {
         const std::string name = fmt::format("{}-{}", case_name(scene), formulation);
         RunOptions one{.scene = scene,

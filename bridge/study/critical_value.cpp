@@ -40,7 +40,7 @@ bool has(const CriticalValue& critical, const Outcome& outcome) {
   if (outcome.contains("trouble")) throw std::runtime_error(outcome["trouble"].get<std::string>());
   if (word == "moving" && critical.outcome != "moving") {
     throw std::runtime_error(
-        fmt::format("with {} the run ends while something moves, which decides nothing: lengthen duration_s",
+        fmt::format("with {} the run ends while blocks still move, so its outcome is not decided: lengthen duration_s",
                     outcome["settings"][0].get<std::string>()));
   }
   return word == critical.outcome || shown_word(outcome) == critical.outcome;

@@ -48,10 +48,9 @@ StudyResult find_limit(const scene::LimitStudy& study, StudyRuns& runs) {
     json summary = runs.run({setting(study.key, value)}, answer);
     for (int k = 1; outcome_word(summary) == "moving" && study.outcome != "moving"; ++k) {
       if (k == tries) {
-        throw std::runtime_error(
-            fmt::format("with {} = {:.6g} the run ends while something moves, which decides nothing: "
-                        "lengthen duration_s",
-                        study.key, value));
+        throw std::runtime_error(fmt::format(
+            "with {} = {:.6g} the run ends while blocks still move, so its outcome is not decided: lengthen duration_s",
+            study.key, value));
       }
       const double duration_s = longer * summary["simulated_s"].get<double>();
       summary = runs.run({setting(study.key, value), setting("analysis.duration_s", duration_s)}, answer);

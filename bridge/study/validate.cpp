@@ -3,16 +3,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <utility>
 
 #include "bridge/process/run.hpp"
 #include "bridge/process/temporary_folder.hpp"
 #include "bridge/results/figure.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/cases_folder.hpp"
 #include "bridge/study/study.hpp"
+#include "bridge/study/table_line.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -53,35 +55,44 @@ std::vector<Trial> trials(const fs::path& path, const ValidateOptions& options) 
   return all;
 }
 
-/// The table: printed row by row, kept for --json.
+/// The table, printed case by case and kept for --json.
 class Table {
  public:
-  Table() {
-    fmt::print("{:<58} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8}\n", "case", "quantity", "expected", "got", "error",
-               "tolerance", "time s");
-  }
+  Table() { print_row("case, quantity", "expected", "got", "error", "tolerance", ""); }
   /// A figure of `label`; `sound`: whether its run went to its end.
   void add(const std::string& label, json check, double wall_time_s, bool sound) {
     const bool passed = sound && check["passed"].get<bool>();
     all_passed_ = all_passed_ && passed;
+    begin(label, fmt::format("{:.3g} s", wall_time_s));
     const json& error = check["relative_error"];
-    fmt::print("{:<58} {:<34} {:>16} {:>16} {:>10} {:>10} {:>8.3g}{}\n", label, check["name"].get<std::string>(),
-               figure(check["expected"]), figure(check["got"]),
-               error.is_number() ? fmt::format("{:.2e}", error.get<double>()) : "none", figure(check["tolerance"]),
-               wall_time_s, passed ? "" : "  OUT");
-    std::fflush(stdout);
+    print_row("  " + check["name"].get<std::string>(), figure(check["expected"]), figure(check["got"]),
+              error.is_number() ? fmt::format("{:.2e}", error.get<double>()) : "none", figure(check["tolerance"]),
+              passed ? "" : "OUT");
     check["case"] = label;
     check["wall_time_s"] = wall_time_s;
     rows_.push_back(std::move(check));
   }
   void trouble(const std::string& label, const std::string& text) {
     all_passed_ = false;
-    fmt::print("{:<58} {}\n", label, text);
+    begin(label, "");
+    fmt::print("{}", results::wrapped("  " + text));
   }
   [[nodiscard]] const json& rows() const { return rows_; }
   [[nodiscard]] bool all_passed() const { return all_passed_; }
 
  private:
+  /// Once for all figures of a run.
+  void begin(const std::string& label, const std::string& time) {
+    if (std::exchange(label_, label) != label) fmt::print("{}", table_line(label, time));
+  }
+  static void print_row(const std::string& name, const std::string& expected, const std::string& got,
+                        const std::string& error, const std::string& tolerance, const char* verdict) {
+    const std::string cells = fmt::format("{:>12} {:>12} {:>8} {:>9}", expected, got, error, tolerance);
+    fmt::print("{}", *verdict == '\0' ? table_line(name, cells, 76) : table_line(name, cells + " " + verdict, 80));
+    std::fflush(stdout);
+  }
+
+  std::string label_;  ///< of the last row
   json rows_ = json::array();
   bool all_passed_ = true;
 };

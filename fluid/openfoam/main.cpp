@@ -17,10 +17,11 @@ int main(int argc, char** argv) {
   app.add_option("scene", scene_path, "scene file or case folder")->required();
   channel::add_line_options(app, options.line);
   app.add_option("--out", options.folder, "folder for the case and its results")->required();
-  app.add_option("--set", overrides, "key=value over the scene's own; the same for both processes");
+  app.add_option("--set", overrides, "set a key of the scene, as key=value; the same for both processes");
   app.add_option("--scene-folder", options.scene_folder, "where the scene's paths start, for a copy of its file");
   app.add_option("--report", options.report, "file for this process's times and the checks of the water (JSON)");
-  app.add_option("--resume", options.resume, "number of the checkpoint in --out to go on from; the same for both");
+  app.add_option("--resume", options.resume,
+                 "continue from the checkpoint of this number in --out; the same for both processes");
   app.set_version_flag("--version", openfoam::openfoam_version, "the OpenFOAM that is found");
   app.add_flag("--case-only", options.case_only, "write the case, and run nothing");
   try {

@@ -20,6 +20,8 @@ class WaterCourse {
 
   void add(double time_s, std::vector<Panel> panels);
   [[nodiscard]] Weights weights(double time_s) const;
+  /// As they came last.
+  [[nodiscard]] const std::vector<Panel>& last() const { return panels_[0]; }
   /// Valid until the next call.
   const std::vector<Panel>& at(double time_s);
 

@@ -65,7 +65,7 @@ class Bonds {
     const bool held = std::abs(shear_n) < (1 - round_off) * strength_n || !slips_as_one(blocks_, contacts_, joint);
     const auto survives = [&](const ContactPoint& c) {
       if (c.state == ContactState::stick) return true;
-      return c.state == ContactState::slip && (laws_[c.law].softening_slip_m > 0 || held);
+      return c.state == ContactState::slip && (laws_[c.law].softens() || held);
     };
     bool broken = false;
     for (const int k : joint) {

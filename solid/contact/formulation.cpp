@@ -15,14 +15,6 @@ namespace {
 // friction lags, where stiff contacts have ranges of slip that Newton's method passes by.
 constexpr double rigid_stiffness_ratio = 1e3;
 
-/// By how much more slip opens a joint.
-double opens_by(const JointProperties& law, double slip_m, double further_m) {
-  const double after_m = slip_m + further_m;
-  const bool one_way = slip_m * after_m > 0 && std::max(std::abs(slip_m), std::abs(after_m)) <= law.dilation_limit_m;
-  if (one_way) return law.dilation * std::copysign(1.0, slip_m) * further_m;
-  return law.dilation_m(after_m) - law.dilation_m(slip_m);
-}
-
 }  // namespace
 
 std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, const JointLaws& laws,
@@ -113,7 +105,7 @@ Formulation::Progress& Formulation::follow(const Trial& trial, int index, const 
                                            const EdgeFrame& edge) {
   Progress& progress = contacts_[at(index)];
   const JointProperties& law = laws_[c.law];
-  if (law.dilation > 0) return follow_dilation(trial, c, edge, progress);
+  if (law.dilates()) return follow_dilation(trial, c, edge, progress);
   const Separation found = separation_of(trial, c, edge);
   progress.separation = found.value;
   progress.separation.x() -= progress.overlap;
@@ -130,7 +122,7 @@ Formulation::Progress& Formulation::follow_dilation(const Trial& trial, const Co
   resisted.separation -= opened_m * edge.n;
   const Separation found = separation_of(trial, resisted, edge);
   progress.separation = found.value;
-  progress.separation.x() -= opens_by(law, c.slip_m, found.value.y()) + progress.overlap;
+  progress.separation.x() -= law.opens_by(c.slip_m, found.value.y()) + progress.overlap;
   const bool edge_turns = trial.increment[at(c.edge_part)][2] != 0;
   progress.round_off = separation_round_off * c.penalty * (found.moved + (edge_turns ? opened_m : 0));
   return progress;
@@ -156,8 +148,8 @@ Ruled Formulation::ruled_contact(const Trial& trial, int index, const ContactPoi
     rule.opens = false;
   }
   Eigen::Vector2d apart = progress.separation;
-  if (law.dilation > 0) {  // the slip that the solver finds opens the joint; it goes against the shear
-    apart.x() += opens_by(law, c.slip_m, apart.y());
+  if (law.dilates()) {  // the slip that the solver finds opens the joint; it goes against the shear
+    apart.x() += law.opens_by(c.slip_m, apart.y());
     for (const int side : {0, 1}) rule.opening[at(side)] = -law.dilation_slope(c.slip_m, side == 0 ? 1 : -1);
   }
   return {apart, rule};

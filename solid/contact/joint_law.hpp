@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mohr-Coulomb law of a joint at one contact: from trial forces to admissible ones.
+// Mohr-Coulomb law of a joint at one contact: its strength as it weakens, how slip opens it, and from trial forces to
+// admissible ones. The same law as a scene states it: bridge/scene/joint_law.hpp.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "bridge/scene/joint_law.hpp"
 
 namespace blockweir::solid {
 
@@ -20,6 +25,83 @@ struct Strength {
   [[nodiscard]] bool holds_together() const { return cohesion > 0 || tension > 0; }
   /// A contact that has no tension lets go at zero.
   [[nodiscard]] bool opens(double normal) const { return normal < -tension || (normal <= 0 && tension == 0); }
+};
+
+/// A joint law with angles as tangents.
+struct JointProperties {
+  double friction;
+  double residual_friction;
+  double cohesion_pa;
+  double tension_pa;
+  double bonded_length_m;  ///< of the whole joint; negative: all of it
+  bool keeps_cohesion;
+  double softening_slip_m;  ///< path of slip over which a bond fades; 0: it is brittle
+  double dilation;          ///< opening per slip
+  double dilation_limit_m;  ///< slip beyond which it opens no further
+  int joint;                ///< index into Scene::joints, -1 for the default
+
+  JointProperties(const scene::JointLaw& law, int of_joint)
+      : friction(tangent(law.friction_angle_deg)),
+        residual_friction(tangent(law.residual_friction_angle_deg)),
+        cohesion_pa(law.cohesion_pa),
+        tension_pa(law.tension_cut_off_pa()),
+        bonded_length_m(law.bonded_length_m.value_or(-1)),
+        keeps_cohesion(law.keeps_cohesion),
+        softening_slip_m(law.softening_slip_m),
+        dilation(tangent(law.dilation_angle_deg)),
+        dilation_limit_m(law.dilation_limit_m.value_or(std::numeric_limits<double>::infinity())),
+        joint(of_joint) {}
+
+  /// Has it a bond that can be lost? Whether it is depends on the states on the way to an equilibrium.
+  [[nodiscard]] bool bonds() const { return cohesion_pa > 0 || tension_pa > 0 || friction != residual_friction; }
+  /// Does slip wear the bond down, rather than break it?
+  [[nodiscard]] bool softens() const { return softening_slip_m > 0; }
+  [[nodiscard]] bool dilates() const { return dilation > 0; }
+  /// Of a contact whose bond of that length is left to the part `bond`.
+  [[nodiscard]] Strength strength(double bond, double length) const {
+    return {.friction = residual_friction + bond * (friction - residual_friction),
+            .cohesion = bond * cohesion_pa * length,
+            .tension = bond * tension_pa * length};
+  }
+  /// What is left of a softening bond after so long a path of slip.
+  [[nodiscard]] double bond_after(double slip_path_m) const {
+    if (keeps_cohesion || !softens()) return 1;
+    return std::max(0.0, 1 - slip_path_m / softening_slip_m);
+  }
+  /// Gap that a joint has when its faces ride on each other's roughness after so much slip: a saw tooth of this law's
+  /// slope.
+  [[nodiscard]] double dilation_m(double slip_m) const {
+    return dilation * std::min(std::abs(slip_m), dilation_limit_m);
+  }
+  /// -d dilation_m / d slip; at zero slip in the given direction.
+  [[nodiscard]] double dilation_slope(double slip_m, double direction) const {
+    if (std::abs(slip_m) >= dilation_limit_m) return 0;
+    return -dilation * std::copysign(1.0, slip_m != 0 ? slip_m : direction);
+  }
+  /// By how much more slip opens a joint, without cancellation.
+  [[nodiscard]] double opens_by(double slip_m, double further_m) const {
+    const double after_m = slip_m + further_m;
+    const bool one_way = slip_m * after_m > 0 && std::max(std::abs(slip_m), std::abs(after_m)) <= dilation_limit_m;
+    if (one_way) return dilation * std::copysign(1.0, slip_m) * further_m;
+    return dilation_m(after_m) - dilation_m(slip_m);
+  }
+
+  /// For a block that comes onto the joint's plane later: it was not bonded to it, and is none of its joints.
+  [[nodiscard]] JointProperties of_plane() const {
+    JointProperties plane = *this;
+    plane.joint = -1;
+    plane.friction = residual_friction;
+    plane.cohesion_pa = plane.tension_pa = 0;
+    plane.bonded_length_m = -1;
+    return plane;
+  }
+  /// Do two laws without bonds slide alike?
+  [[nodiscard]] bool slides_as(const JointProperties& other) const {
+    return friction == other.friction && dilation == other.dilation && dilation_limit_m == other.dilation_limit_m;
+  }
+
+ private:
+  static double tangent(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }
 };
 
 /// Forces on the vertex along the normal (compression positive) and along the edge.

@@ -2,56 +2,30 @@
 #include "solid/contact/joint_laws.hpp"
 
 #include <map>
-#include <numbers>
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/structure_size.hpp"
-#include "bridge/scene/tension_cut_off.hpp"
 #include "solid/contact/neighbours.hpp"
 
 namespace blockweir::solid {
-namespace {
-
-JointProperties properties(const scene::JointLaw& law, int joint) {
-  const auto tangent = [](double degrees) { return std::tan(degrees * std::numbers::pi / 180); };
-  return {.friction = tangent(law.friction_angle_deg),
-          .residual_friction = tangent(law.residual_friction_angle_deg),
-          .cohesion_pa = law.cohesion_pa,
-          .tension_pa = scene::tension_cut_off_pa(law),
-          .bonded_length_m = law.bonded_length_m.value_or(-1),
-          .keeps_cohesion = law.keeps_cohesion,
-          .softening_slip_m = law.softening_slip_m,
-          .dilation = tangent(law.dilation_angle_deg),
-          .dilation_limit_m = law.dilation_limit_m.value_or(std::numeric_limits<double>::infinity()),
-          .joint = joint};
-}
-
-}  // namespace
-
 JointLaws::JointLaws(const scene::Scene& scene) {
-  laws_.push_back(properties(scene.default_joint, -1));
+  laws_.emplace_back(scene.default_joint, -1);
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     const auto& joint = scene.joints[j];
     by_pair_[key(joint.between[0], joint.between[1])] = static_cast<int>(laws_.size());
-    laws_.push_back(properties(joint.law, static_cast<int>(j)));
+    laws_.emplace_back(joint.law, static_cast<int>(j));
   }
   planes_.assign(laws_.size(), 0);
   add_planes(scene);
 }
 
-/// A block that comes onto a plane later was not bonded to it, and is none of its joints.
 int JointLaws::add_plane(int own) {
-  JointProperties law = (*this)[own];
-  law.joint = -1;
-  law.friction = law.residual_friction;
-  law.cohesion_pa = law.tension_pa = 0;
-  law.bonded_length_m = -1;
+  const JointProperties law = (*this)[own].of_plane();
   const auto same = [&](const JointProperties& other) {
-    return other.joint == -1 && !other.bonds() && other.friction == law.friction && other.dilation == law.dilation &&
-           other.dilation_limit_m == law.dilation_limit_m;
+    return other.joint == -1 && !other.bonds() && other.slides_as(law);
   };
   const auto known = std::find_if(laws_.begin() + 1, laws_.end(), same);
   const auto plane = static_cast<int>(known - laws_.begin());

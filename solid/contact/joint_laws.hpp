@@ -3,9 +3,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -13,44 +11,6 @@
 #include "solid/contact/joint_law.hpp"
 
 namespace blockweir::solid {
-
-/// A joint law with angles as tangents.
-struct JointProperties {
-  double friction = 0;
-  double residual_friction = 0;
-  double cohesion_pa = 0;
-  double tension_pa = 0;
-  double bonded_length_m = -1;  ///< of the whole joint; negative: all of it
-  bool keeps_cohesion = false;
-  double softening_slip_m = 0;  ///< path of slip over which a bond fades; 0: it is brittle
-  double dilation = 0;          ///< opening per slip
-  double dilation_limit_m = std::numeric_limits<double>::infinity();  ///< slip beyond which it opens no further
-  int joint = -1;                                                     ///< index into Scene::joints, -1 for the default
-
-  /// Has it a bond that can be lost? Whether it is depends on the states on the way to an equilibrium.
-  [[nodiscard]] bool bonds() const { return cohesion_pa > 0 || tension_pa > 0 || friction != residual_friction; }
-  /// Of a contact whose bond of that length is left to the part `bond`.
-  [[nodiscard]] Strength strength(double bond, double length) const {
-    return {.friction = residual_friction + bond * (friction - residual_friction),
-            .cohesion = bond * cohesion_pa * length,
-            .tension = bond * tension_pa * length};
-  }
-  /// What is left of a softening bond after so long a path of slip.
-  [[nodiscard]] double bond_after(double slip_path_m) const {
-    if (keeps_cohesion || softening_slip_m == 0) return 1;
-    return std::max(0.0, 1 - slip_path_m / softening_slip_m);
-  }
-  /// Gap that a joint has when its faces ride on each other's roughness after so much slip: a saw tooth of this law's
-  /// slope.
-  [[nodiscard]] double dilation_m(double slip_m) const {
-    return dilation * std::min(std::abs(slip_m), dilation_limit_m);
-  }
-  /// -d dilation_m / d slip; at zero slip in the given direction.
-  [[nodiscard]] double dilation_slope(double slip_m, double direction) const {
-    if (std::abs(slip_m) >= dilation_limit_m) return 0;
-    return -dilation * std::copysign(1.0, slip_m != 0 ? slip_m : direction);
-  }
-};
 
 class JointLaws {
  public:
@@ -77,7 +37,7 @@ class JointLaws {
   [[nodiscard]] int plane_of(int block, int edge, double s_from, double s_to) const;
   [[nodiscard]] bool any_plane() const { return !on_planes_.empty(); }
   [[nodiscard]] bool dilate() const {
-    return std::any_of(laws_.begin(), laws_.end(), [](const JointProperties& law) { return law.dilation > 0; });
+    return std::any_of(laws_.begin(), laws_.end(), [](const JointProperties& law) { return law.dilates(); });
   }
   [[nodiscard]] const JointProperties& operator[](int law) const { return laws_[static_cast<std::size_t>(law)]; }
 

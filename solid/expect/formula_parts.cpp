@@ -24,7 +24,7 @@ PlaneJoint plane_joint(const Scene& s, const std::string& name) {
   const int upper = higher_of(named);
   PlaneJoint plane{.dip = std::numbers::pi / 2, .upper = &s.blocks[at(upper)]};
   plane.weight = weight(s, *plane.upper);
-  plane.friction = std::tan(named.law.friction_angle_deg * std::numbers::pi / 180);
+  plane.friction = named.law.friction();
   plane.law = &named.law;
   const double touching_m = 1e-6 * scene::structure_size_m(s.blocks);
   for (const scene::Joint& joint : s.joints) {

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/structure_size.hpp"
-#include "bridge/scene/tension_cut_off.hpp"
 #include "solid/limit/linear_program.hpp"
 
 namespace blockweir::solid::limit {
@@ -49,9 +47,9 @@ Face face_of(const scene::TracePiece& piece, int a, int b, int joint, const scen
   // Outlines run counter-clockwise: what lies to the right of an edge is out of its block.
   const Point forwards = piece.s_from_a < piece.s_to_a ? along : Point(-along);
   face.normal = Point(forwards.y(), -forwards.x());
-  face.friction = std::tan(law.friction_angle_deg * std::numbers::pi / 180);
+  face.friction = law.friction();
   face.cohesion_n_per_m = law.cohesion_pa * bonded * face.length_m();
-  face.tension_n_per_m = scene::tension_cut_off_pa(law) * bonded * face.length_m();
+  face.tension_n_per_m = law.tension_cut_off_pa() * bonded * face.length_m();
   return face;
 }
 

@@ -55,9 +55,8 @@ std::string of_planes(const expect::Outcome& o, const std::set<std::pair<int, in
   }
   if (plane == nullptr) return {};
   return fmt::format(
-      "{}: they have come along joint \"{}\" and have its residual friction, {:.4g} deg, not that of [joint], {:.4g} "
-      "deg; "
-      "name such pairs in [[joints]] where that is not meant",
+      "{}: they slid along the plane of joint \"{}\" and have its residual friction of {:.4g} deg; [joint] has {:.4g} "
+      "deg; if that is not meant, state a law for each such pair in [[joints]]",
       named(scene, met), plane->name, plane->law.residual_friction_angle_deg,
       scene.default_joint.residual_friction_angle_deg);
 }

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bridge/scene/at.hpp"
-#include "solid/expect/formulas.hpp"
-#include "solid/expect/words.hpp"
+#include "solid/output/checks.hpp"
 #include "solid/output/new_contacts.hpp"
 #include "solid/output/water_on_crest.hpp"
 #include "solid/watch/joint_name.hpp"
@@ -49,7 +47,7 @@ std::string doubt(const Solid& solid, const Failure& f) {
   if (!(f.level_uncertainty_m > exact * f.head_m)) return {};
   if (f.window_rise_m > f.level_uncertainty_m / 2) {
     return fmt::format(
-        "this level is read to {:.2g} m, what it rises by in a window: fill more slowly or shorten window_s",
+        "this level is accurate to {:.2g} m, its rise in one window: fill more slowly or shorten window_s",
         f.level_uncertainty_m);
   }
   if (solid.scene().base_motion) {
@@ -82,8 +80,8 @@ json failure(const expect::Outcome& o) {
   std::string text = doubt(o.solid, first);
   if (o.solid.scene().analysis.kind == scene::AnalysisKind::dynamic && o.failure.rests_again()) {
     text += fmt::format(
-        "{}what failed was at rest again when the run ended, no block more than {:.3g} m from where it "
-        "was drawn: if that may be, state a larger failure_displacement_m",
+        "{}the blocks that failed came to rest again before the run ended, at most {:.3g} m from where they were "
+        "drawn: if that is acceptable, state a larger failure_displacement_m",
         text.empty() ? "" : "; ", o.last.largest_displacement_m);
   }
   if (!text.empty()) found["doubt"] = text;
@@ -108,10 +106,10 @@ json margin(const expect::Outcome& o) {
            (std::isnan(m.level_m) ? "" : fmt::format(", level {:.5g} m", m.level_m));
   };
   json found;
-  std::string text = o.margins.buttressed()
-                         ? "no sliding factor: what lies before a surface that carries shear holds it"
-                     : o.margins.any_surface() ? "no surface that runs through carries shear"
-                                               : "no joint, and no joints in one line, run through: no margin is told";
+  std::string text =
+      o.margins.buttressed()    ? "no sliding factor: blocks downstream support every surface that carries shear"
+      : o.margins.any_surface() ? "no surface that runs through carries shear"
+                                : "no sliding factor: no joint, and no line of joints, runs through the structure";
   if (const auto& m = o.margins.sliding()) {
     found = {{"sliding_factor", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
     text = fmt::format("lowest sliding factor {:.4g} on", m->value) + place(*m);
@@ -154,7 +152,7 @@ void add_levels_not_reached(const expect::Outcome& o, json& warnings) {
     const double end_m = table->at(scene.analysis.duration_s);
     if (std::abs(end_m - acted_m) <= far * 2 * o.solid.size_m()) return;
     warnings.push_back(
-        fmt::format("the {} level at the end, {:.6g} m, has not acted: the last window held {:.6g} m; "
+        fmt::format("the run ends before the last {} level, {:.6g} m, has acted: the last window used {:.6g} m; "
                     "shorten window_s, or hold the level for a while",
                     pool, end_m, acted_m));
   };
@@ -162,73 +160,117 @@ void add_levels_not_reached(const expect::Outcome& o, json& warnings) {
   look("downstream", scene.water.downstream_level_m, o.last.downstream_level_m);
 }
 
-json number_check(const expect::Outcome& outcome, const scene::Expectation& e) {
-  double got = std::numeric_limits<double>::quiet_NaN();
-  std::string why_none;
-  try {
-    got = expect::quantity(outcome, e);
-  } catch (const expect::NoFigure& none) {
-    why_none = none.what();
-  }
-  if (!e.word.empty()) throw std::runtime_error(fmt::format("{} is a number, and the answer a word", e.quantity));
-  const double expected = e.value ? *e.value : expect::formula(outcome.solid.scene(), e);
-  const double error = expected == 0 ? std::abs(got) : std::abs(got / expected - 1);
-  json check = {{"expected", expected},
-                {"got", got},
-                {"relative_error", error},
-                {"tolerance", e.tolerance},
-                {"passed", error <= e.tolerance}};
-  if (!why_none.empty()) check["why_none"] = why_none;
-  return check;
-}
-
-/// Right or wrong: a word has no error between.
-json word_check(const expect::Outcome& outcome, const scene::Expectation& e) {
-  const std::string got = expect::word(outcome, e);
-  if (e.value) throw std::runtime_error(fmt::format("{} is a word, and the answer a number", e.quantity));
-  const std::string expected = e.word.empty() ? expect::word_formula(outcome.solid.scene(), e) : e.word;
-  return {{"expected", expected},
-          {"got", got},
-          {"relative_error", got == expected ? 0.0 : 1.0},
-          {"tolerance", 0.0},
-          {"passed", got == expected}};
-}
-
-/// Of an expectation that this scene cannot answer: nothing else of the run is lost for it.
-json no_check(const char* trouble) {
-  return {{"expected", nullptr},  {"got", nullptr},  {"relative_error", nullptr},
-          {"tolerance", nullptr}, {"passed", false}, {"trouble", trouble}};
-}
-
-}  // namespace
-
-json checks(const expect::Outcome& outcome) {
-  json list = json::array();
-  for (const scene::Expectation& e : outcome.solid.scene().expectations) {
-    json check;
-    try {
-      check = expect::is_word(e.quantity) ? word_check(outcome, e) : number_check(outcome, e);
-    } catch (const std::runtime_error& error) {
-      check = no_check(error.what());
-    }
-    check["name"] = e.of.empty() ? e.quantity : e.quantity + " of " + e.of;
-    check["formula"] = e.formula;
-    check["source"] = e.source;
-    list.push_back(std::move(check));
-  }
-  return list;
-}
-
 /// Steps of many moving contacts end after a number of sweeps: empty where what these left is little against a failure.
 std::string residual_warning(const scene::Scene& scene, const Counts& counts) {
   constexpr double most = 0.1;
   if (counts.residual_m <= most * scene.analysis.failure_displacement_m) return {};
   return fmt::format(
-      "a step of many moving contacts left gaps and slips off their laws by {:.3g} m, expected at most {:.3g} m, {:g} "
-      "of "
-      "[analysis] failure_displacement_m: what moved is known no better; shorten [analysis] step_s (now {:.3g})",
+      "in a step with many moving contacts, gaps and slips are off by {:.3g} m; expected at most {:.3g} m, {:g} of "
+      "[analysis] failure_displacement_m; the positions of moving blocks are no more accurate than that; shorten "
+      "[analysis] step_s (now {:.3g})",
       counts.residual_m, most * scene.analysis.failure_displacement_m, most, scene.analysis.step_s);
 }
+
+json counts_of(const Solid& solid) {
+  const Counts counts = solid.counts();
+  return {{"steps", counts.steps},
+          {"undone_steps", counts.undone_steps},
+          {"substituted_steps", counts.substituted_steps},
+          {"lagged_steps", counts.lagged_steps},
+          {"impact_steps", counts.impact_steps},
+          {"swept_islands", counts.swept_islands},
+          {"iterations", counts.iterations},
+          {"factorizations", counts.factorizations},
+          {"reused_factorizations", counts.reused_factorizations},
+          {"multiplier_sweeps", counts.sweeps},
+          {"state_changes", counts.state_changes},
+          {"searches", counts.searches},
+          {"broad_searches", counts.broad_searches},
+          {"skipped_searches", counts.skipped_searches},
+          {"settling_steps", counts.settling_steps},
+          {"solved_islands", counts.solved_islands},
+          {"slept_islands", counts.slept_islands},
+          {"blocks", solid.described()},
+          {"triangles", solid.blocks().size() - solid.described()},
+          {"contacts", solid.contacts().size()}};
+}
+
+void add_added_mass(const expect::Outcome& outcome, json& text) {
+  const AddedMassWatch& added = outcome.added_mass;
+  if (added.ratio() <= 0) return;
+  const bool guarded = outcome.solid.scene().coupling.added_mass_guard;
+  text["added_mass"] = {{"ratio", added.ratio()},
+                        {"block", added.block()},
+                        {"guarded", guarded},
+                        {"text", fmt::format("added mass {:.3g} of block \"{}\"'s own ({})", added.ratio(),
+                                             added.block(), guarded ? "guarded" : "no guard")}};
+}
+
+void add_warnings(const expect::Outcome& outcome, json& warnings) {
+  const scene::Scene& scene = outcome.solid.scene();
+  for (const std::string& warning :
+       {outcome.energy.warning(outcome.solid), residual_warning(scene, outcome.solid.counts()),
+        outcome.edge_tension.warning(), new_contacts_warning(outcome), water_on_crest_warning(outcome),
+        outcome.added_mass.warning(scene.coupling)}) {
+    if (!warning.empty()) warnings.push_back(warning);
+  }
+}
+
+void add_interface_energy(const expect::Outcome& outcome, json& text) {
+  const InterfaceEnergy& exchanged = outcome.interface_energy;
+  if (!exchanged.looked()) return;
+  text["interface_energy"] = {{"made_j_per_m", exchanged.made_j_per_m()},
+                              {"water_work_j_per_m", outcome.solid.water_work().sum_j_per_m()},
+                              {"grows", exchanged.growth().has_value()}};
+  if (const auto& growth = exchanged.growth()) {
+    text["interface_energy"]["window"] = growth->window;
+    text["interface_energy"]["time_s"] = growth->time_s;
+    text["interface_energy"]["text"] = exchanged.trouble(outcome.added_mass.ratio());
+  }
+}
+
+/// Stands, fails or moving, and what belongs to it.
+void add_outcome(const expect::Outcome& outcome, json& text) {
+  if (!outcome.failure.failures().empty()) {
+    text["outcome"] = "fails";
+    text["failure"] = failure(outcome);
+  } else {
+    const auto still = outcome.failure.moving();
+    text["outcome"] = still ? "moving" : "stands";
+    if (still) text["moving"] = moving(outcome.solid, *still);
+    text["margin"] = margin(outcome);
+    add_levels_not_reached(outcome, text["warnings"]);
+  }
+}
+
+/// A static analysis that finds no equilibrium, and no failure, has stopped.
+void add_rest(const expect::Outcome& outcome, json& text) {
+  if (outcome.solid.scene().analysis.kind != scene::AnalysisKind::at_rest) return;
+  const Rest& rest = outcome.solid.rest();
+  const auto steps = outcome.solid.counts().steps;
+  text["rest"] = {{"found", rest.found}, {"unbalanced_ratio", rest.unbalanced}, {"steps", steps}};
+  text["rest"]["text"] =
+      rest.found ? fmt::format("at rest after {} steps, {:.3g} of the weight unbalanced", steps, rest.unbalanced)
+                 : fmt::format(
+                       "no equilibrium: {:.3g} of the weight unbalanced after {} steps, largest displacement "
+                       "{:.4g} m",
+                       rest.unbalanced, steps, outcome.last.largest_displacement_m);
+  if (!rest.found && outcome.failure.failures().empty()) {
+    text["outcome"] = "stopped";
+    text["stopped"] = text["rest"]["text"];
+  }
+}
+
+void add_breach(const expect::Outcome& outcome, json& text) {
+  if (!outcome.breached_s) return;
+  const bool flows = outcome.solid.scene().fluid == scene::FluidModel::openfoam;
+  text["breach"] = {{"time_s", *outcome.breached_s},
+                    {"text", flows ? "open water passes the structure"
+                                   : "open water passes the structure; from then on water would flow, and the "
+                                     "pressures of still water no longer apply"}};
+}
+
+}  // namespace
 
 json summary(const expect::Outcome& outcome) {
   const scene::Scene& scene = outcome.solid.scene();
@@ -244,85 +286,15 @@ json summary(const expect::Outcome& outcome) {
                {"warnings", scene.warnings},
                {"checks", checks(outcome)},
                {"skips", skips(outcome.solid, outcome.frames)},
-               {"counts",
-                {{"steps", counts.steps},
-                 {"undone_steps", counts.undone_steps},
-                 {"substituted_steps", counts.substituted_steps},
-                 {"lagged_steps", counts.lagged_steps},
-                 {"impact_steps", counts.impact_steps},
-                 {"swept_islands", counts.swept_islands},
-                 {"iterations", counts.iterations},
-                 {"factorizations", counts.factorizations},
-                 {"reused_factorizations", counts.reused_factorizations},
-                 {"multiplier_sweeps", counts.sweeps},
-                 {"state_changes", counts.state_changes},
-                 {"searches", counts.searches},
-                 {"broad_searches", counts.broad_searches},
-                 {"skipped_searches", counts.skipped_searches},
-                 {"settling_steps", counts.settling_steps},
-                 {"solved_islands", counts.solved_islands},
-                 {"slept_islands", counts.slept_islands},
-                 {"blocks", outcome.solid.described()},
-                 {"triangles", outcome.solid.blocks().size() - outcome.solid.described()},
-                 {"contacts", outcome.solid.contacts().size()}}}};
+               {"counts", counts_of(outcome.solid)}};
   if (scene.contact.measure_condition) text["largest_condition_number"] = counts.condition_number;
-  if (const AddedMassWatch& added = outcome.added_mass; added.ratio() > 0) {
-    const bool guarded = scene.coupling.added_mass_guard;
-    text["added_mass"] = {{"ratio", added.ratio()},
-                          {"block", added.block()},
-                          {"guarded", guarded},
-                          {"text", fmt::format("added mass {:.3g} of block \"{}\"'s own ({})", added.ratio(),
-                                               added.block(), guarded ? "guarded" : "no guard")}};
-  }
+  add_added_mass(outcome, text);
   text["energy_gain"] = outcome.energy.gain();
-  for (const std::string& warning :
-       {outcome.energy.warning(outcome.solid), residual_warning(scene, counts), outcome.edge_tension.warning(),
-        new_contacts_warning(outcome), water_on_crest_warning(outcome), outcome.added_mass.warning(scene.coupling)}) {
-    if (!warning.empty()) text["warnings"].push_back(warning);
-  }
-  const InterfaceEnergy& exchanged = outcome.interface_energy;
-  if (exchanged.looked()) {
-    text["interface_energy"] = {{"made_j_per_m", exchanged.made_j_per_m()},
-                                {"water_work_j_per_m", outcome.solid.water_work().sum_j_per_m()},
-                                {"grows", exchanged.growth().has_value()}};
-    if (const auto& growth = exchanged.growth()) {
-      text["interface_energy"]["window"] = growth->window;
-      text["interface_energy"]["time_s"] = growth->time_s;
-      text["interface_energy"]["text"] = exchanged.trouble(outcome.added_mass.ratio());
-    }
-  }
-  if (!outcome.failure.failures().empty()) {
-    text["outcome"] = "fails";
-    text["failure"] = failure(outcome);
-  } else {
-    const auto still = outcome.failure.moving();
-    text["outcome"] = still ? "moving" : "stands";
-    if (still) text["moving"] = moving(outcome.solid, *still);
-    text["margin"] = margin(outcome);
-    add_levels_not_reached(outcome, text["warnings"]);
-  }
-  if (scene.analysis.kind == scene::AnalysisKind::at_rest) {
-    const Rest& rest = outcome.solid.rest();
-    text["rest"] = {{"found", rest.found}, {"unbalanced_ratio", rest.unbalanced}, {"steps", counts.steps}};
-    text["rest"]["text"] =
-        rest.found
-            ? fmt::format("at rest after {} steps, {:.3g} of the weight unbalanced", counts.steps, rest.unbalanced)
-            : fmt::format(
-                  "no equilibrium: {:.3g} of the weight unbalanced after {} steps, largest displacement "
-                  "{:.4g} m",
-                  rest.unbalanced, counts.steps, outcome.last.largest_displacement_m);
-    if (!rest.found && outcome.failure.failures().empty()) {
-      text["outcome"] = "stopped";
-      text["stopped"] = text["rest"]["text"];
-    }
-  }
-  if (outcome.breached_s) {
-    const bool flows = scene.fluid == scene::FluidModel::openfoam;
-    text["breach"] = {{"time_s", *outcome.breached_s},
-                      {"text", flows ? "open water passes the structure"
-                                     : "open water passes the structure; from then on it would flow, and the pressures "
-                                       "of still water no longer hold"}};
-  }
+  add_warnings(outcome, text["warnings"]);
+  add_interface_energy(outcome, text);
+  add_outcome(outcome, text);
+  add_rest(outcome, text);
+  add_breach(outcome, text);
   return text;
 }
 

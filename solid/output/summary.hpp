@@ -8,9 +8,6 @@
 
 namespace blockweir::solid::output {
 
-/// The figures that the case states, each beside what the run gave.
-nlohmann::json checks(const expect::Outcome& outcome);
-
 /// All of the summary but what the caller times itself (keys wall_time_s, profile_s).
 nlohmann::json summary(const expect::Outcome& outcome);
 

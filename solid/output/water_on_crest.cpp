@@ -58,9 +58,9 @@ std::string water_on_crest_warning(const expect::Outcome& o) {
   const double level = highest_alone_m(scene.water, crest, end_s);
   if (!std::isfinite(crest) || !(level > crest + seen * 2 * o.solid.size_m())) return {};
   return fmt::format(
-      "a level of {:.5g} m, {:.3g} m above the crest, has acted: the water on the crest is left out unless both pools "
-      "are above it; its weight, up to {:.3g} kPa, would hold the structure down; state crest_pressure in [water], or "
-      "know that it is missing",
+      "the water rose to {:.5g} m, {:.3g} m above the crest; unless both pools are above the crest, the weight of the "
+      "water on it is left out; that weight, up to {:.3g} kPa, would hold the structure down; state crest_pressure in "
+      "[water] to include it",
       level, level - crest, scene::unit_weight_of_water(scene) * (level - crest) / 1000);
 }
 

@@ -16,7 +16,7 @@ bool Pivoting::fits(const IslandEquations& s, const StepMode& mode) const {
          s.unknowns->total <= large_island && !s.unknowns->shared() &&
          std::none_of(s.island.contacts.begin(), s.island.contacts.end(), [&](int k) {
            const JointProperties& law = model_.laws[state_.contacts[at(k)].law];
-           return law.bonds() || law.dilation != 0;
+           return law.bonds() || law.dilates();
          });
 }
 

@@ -15,8 +15,8 @@ namespace blockweir::solid {
 void refuse_step(double time_s, double dt, Outcome last) {
   if (last == Outcome::too_far) {
     throw SolveError(
-        fmt::format("at {:.6g} s blocks move by more than [analysis] max_displacement_ratio, or turn by more than a "
-                    "search of contacts follows, even in a step of {:.3g} s; are velocities and loads in their units?",
+        fmt::format("at {:.6g} s blocks move by more than [analysis] max_displacement_ratio in a step, or turn too far "
+                    "to find their contacts, even in a step of {:.3g} s; are velocities and loads in the right units?",
                     time_s, dt));
   }
   throw SolveError(

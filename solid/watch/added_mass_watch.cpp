@@ -78,9 +78,8 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
 std::string AddedMassWatch::warning(const scene::Coupling& coupling) const {
   if (!coupling.added_mass_guard || coupling.added_mass_limit || ratio_ <= guarded_limit) return {};
   return fmt::format(
-      "block \"{}\" had to push water {:.3g} times as heavy as itself on its way, as one that lands does; expected at "
-      "most "
-      "{}, to which the added-mass guard is tried; see \"interface_energy\" for what the exchange has made",
+      "while it moved, block \"{}\" had to push water {:.3g} times as heavy as itself; the added-mass guard is tested "
+      "up to {} times; see \"interface_energy\" for the energy error of the exchange",
       block_, ratio_, guarded_limit);
 }
 

@@ -108,7 +108,8 @@ std::vector<Panel> panels_of(const wire::Load& load, const Solid& solid) {
   return panels;
 }
 
-void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& frame) {
+void capture(const Solid& solid, const wire::Load& load, const std::vector<Panel>& panels, double time_s,
+             Frame& frame) {
   const auto& blocks = solid.blocks();
   frame.time_s = time_s;
   frame.upstream_level_m = load.upstream_level_m;
@@ -134,7 +135,7 @@ void capture(const Solid& solid, const wire::Load& load, double time_s, Frame& f
   frame.panels.clear();
   std::vector<Panel> pieces;
   std::size_t described = 0;  // panels of the load so far
-  for (const Panel& whole : panels_of(load, solid)) {
+  for (const Panel& whole : panels) {
     pieces.clear();
     solid.parts().split(whole, pieces);
     for (const Panel& panel : pieces) {

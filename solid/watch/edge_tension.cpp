@@ -15,7 +15,7 @@ namespace {
 
 /// Would a crack at its edge take what it holds? What softens with slip has no edge stress of its own.
 bool cracks(const JointProperties& law) {
-  const bool bonded = law.tension_pa > 0 ? law.softening_slip_m == 0 : law.cohesion_pa > 0;
+  const bool bonded = law.tension_pa > 0 ? !law.softens() : law.cohesion_pa > 0;
   return bonded && !law.keeps_cohesion && law.bonded_length_m < 0;
 }
 
@@ -131,8 +131,8 @@ std::string EdgeTension::warning() const {
         worst_.joint, worst_.stress_pa, when, worst_.strength_pa);
   } else {
     text = fmt::format(
-        "the cohesion of joint \"{}\" holds over all of its length, although {:.3g} % of it is in tension {} with a "
-        "stress that is linear along it and no tension_strength_pa",
+        "joint \"{}\" has no tension_strength_pa, and its cohesion acts over the whole length; but {:.3g} % of the "
+        "joint is in tension {}, if stress is linear along it",
         worst_.joint, 100 * worst_.cracked, when);
   }
   if (beyond_cohesion) {

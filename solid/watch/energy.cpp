@@ -52,8 +52,8 @@ std::string EnergyWatch::warning(const Solid& solid) const {
   const double made = made_ / std::max(scale_, failing);
   if (!(made > most_gain)) return {};
   return fmt::format(
-      "the steps have made {:.3g} of the energy that the run had ({:.3g} J per metre) of nothing: what moves is not to "
-      "be trusted; expected at most {:.3g}; shorten [analysis] step_s (now {:.3g}){}",
+      "numerical error has added {:.3g} of the run's energy ({:.3g} J per metre): do not rely on the motion; expected "
+      "at most {:.3g}; shorten [analysis] step_s (now {:.3g}){}",
       made, made_, most_gain, solid.scene().analysis.step_s,
       solid.scene().analysis.integrator == scene::Integrator::shi ? "" : ", or take integrator = \"shi\"");
 }

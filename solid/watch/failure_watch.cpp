@@ -8,11 +8,10 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/hydrostatics.hpp"
-#include "bridge/scene/joint_trace.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/watch/energy_debt.hpp"
+#include "solid/watch/failed_joint.hpp"
 #include "solid/watch/failure_mode.hpp"
-#include "solid/watch/joint_name.hpp"
 #include "solid/watch/mobility.hpp"
 #include "solid/watch/moving_body.hpp"
 
@@ -22,77 +21,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int a_spell =
     10;  ///< looks in a row after which a block that only strains has come to stand: sliding ones stick at times
-
-/// The joint on which a body leaves the others.
-struct FailedJoint {
-  std::string name;
-  std::optional<Point>
-      mouth;  ///< m, end on the higher pool's side in the scene's outline; none where they did not touch
-};
-
-/// A joint that a body leaves.
-struct LeftJoint {
-  int inside;                 ///< block of the body
-  int outside;                ///< the one that it leaves
-  double normal;              ///< N/m, with which they press on each other
-  scene::JointTrace trace{};  ///< in the scene's outline
-};
-
-/// Do both lie in one direction, as what slides on a plane does on all of its pieces?
-bool is_one_surface(const LeftJoint& a, const LeftJoint& b) {
-  constexpr double sine = 0.1;
-  if (a.trace.pieces.empty() || b.trace.pieces.empty()) return &a == &b;
-  const Point u = a.trace.end() - a.trace.mouth();
-  const Point v = b.trace.end() - b.trace.mouth();
-  return std::abs(cross(u, v)) <= sine * u.norm() * v.norm();
-}
-
-/// Of the joints that the body leaves, the one that begins nearest to the higher pool; where it slides, of the surface
-/// that bears most. Where it turns, what has opened belongs to the joint. Blocks that had no joint count when they
-/// press on each other now.
-FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs, bool turns,
-                         bool from_downstream) {
-  constexpr double bears = 1e-2;  // of all that the body presses with
-  const auto& blocks = solid.scene().blocks;
-  std::vector<LeftJoint> left;
-  double whole = 0;
-  for (const auto& [inside, outside] : body.left) {
-    const double normal = std::max(0.0, pairs.at(std::minmax(inside, outside)).normal);
-    left.push_back(
-        {inside, outside, normal, scene::trace_joint(blocks[at(inside)], blocks[at(outside)], 1e-6 * solid.size_m())});
-    whole += normal;
-  }
-  const bool slides = !turns && whole > 0;
-  // Of what has come to touch only as the body moved no joint is named where another bears.
-  const auto bears_from_the_start = [&](const LeftJoint& j) {
-    return !j.trace.pieces.empty() && j.normal > bears * whole;
-  };
-  if (slides && std::any_of(left.begin(), left.end(), bears_from_the_start)) {
-    std::erase_if(left, [](const LeftJoint& j) { return j.trace.pieces.empty(); });
-  }
-  std::vector<double> borne(left.size(), 0);  // by the whole surface of each
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    for (const LeftJoint& other : left) borne[i] += is_one_surface(left[i], other) ? other.normal : 0;
-  }
-  const double most = left.empty() ? 0 : *std::max_element(borne.begin(), borne.end());
-  FailedJoint failed;
-  double farthest = std::numeric_limits<double>::infinity();  // downstream of the pool, m
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    const LeftJoint& joint = left[i];
-    const bool pressed = joint.normal > bears * whole;
-    const bool untouched = joint.trace.pieces.empty();
-    if (!pressed && (untouched || slides)) continue;
-    if (slides && borne[i] < most) continue;
-    double x = std::numeric_limits<double>::max();
-    if (!untouched) x = from_downstream ? -joint.trace.end().x() : joint.trace.mouth().x();
-    if (x >= farthest) continue;
-    farthest = x;
-    const std::string set = joint_set(solid, joint.inside, joint.outside);
-    failed = {set.empty() ? joint_name(solid, joint.inside, joint.outside) : set, std::nullopt};
-    if (!untouched) failed.mouth = from_downstream ? joint.trace.end() : joint.trace.mouth();
-  }
-  return failed;
-}
 
 /// What turns about its toe has moments to balance: a column of height h and breadth b, whose middle is accelerated by
 /// a, resists with m a (2/3) (h^2 + b^2)/h, and a rise dh of the level gives rho g head dh head/2.

@@ -79,14 +79,13 @@ std::string InterfaceEnergy::trouble(double ratio) const {
   const scene::Coupling& coupling = solid_.scene().coupling;
   if (!growth_) return {};
   const std::string found = fmt::format(
-      "the exchange makes energy from window {} on ({:.6g} s): {:.3g} J per metre at {:.6g} s, where the water has "
-      "given "
-      "{:.3g}; ",
+      "the exchange between blocks and water adds energy from window {} on ({:.6g} s): {:.3g} J per metre at {:.6g} s, "
+      "while the water did a work of {:.3g}; ",
       growth_->window, growth_->time_s, now_.made - suspect_.made, now_.time_s, now_.given - suspect_.given);
   if (!coupling.added_mass_guard) {
     return found + fmt::format(
-                       "the water that a block has to push is {} as heavy as it, without the added-mass guard; set "
-                       "[coupling] added_mass_guard = true",
+                       "a block has to push water {} as heavy as itself, without the added-mass guard; set [coupling] "
+                       "added_mass_guard = true",
                        ratio > 0 ? fmt::format("{:.3g} times", ratio) : "perhaps");
   }
   return found + fmt::format(

@@ -31,8 +31,8 @@ TEST_F(InterfaceEnergy, HeavyWaterWithoutTheGuardIsRefusedUnlessTheSceneTakesThe
 
 TEST_F(InterfaceEnergy, ARunThatGrowsIsStoppedWithItsWindowCauseAndRemedy) {
   EXPECT_EQ(run(unguarded), 1);
-  EXPECT_THAT(text("out"), HasSubstr("the exchange makes energy from window "));
-  EXPECT_THAT(text("out"), HasSubstr("the water that a block has to push is 3 times as heavy as it, without the "
+  EXPECT_THAT(text("out"), HasSubstr("the exchange between blocks and water adds energy from window "));
+  EXPECT_THAT(text("out"), HasSubstr("a block has to push water 3 times as heavy as itself, without the "
                                      "added-mass guard; set [coupling] added_mass_guard = true"));
   const auto found = energy();
   EXPECT_TRUE(found["grows"].get<bool>());

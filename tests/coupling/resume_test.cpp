@@ -175,7 +175,7 @@ TEST_F(Resume, IsNotAdvisedWhereTheRunWouldEndSoAgain) {
   EXPECT_THAT(text("out"), testing::Not(HasSubstr("goes on")));
   fs::remove_all(folder / "o/checkpoint");
   EXPECT_EQ(shell(programs + "/blockweir resume o"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("it would end so again: change the scene"));
+  EXPECT_THAT(text("out"), HasSubstr("resuming would end in the same way: change the scene"));
 }
 
 TEST_F(Resume, RefusesWhatHasChangedSince) {

@@ -98,6 +98,23 @@ TEST(Architecture, TheReadmeHasEveryFolderOfSourcesOnItsMap) {
   EXPECT_EQ(on_the_map, in_the_tree);
 }
 
+/// What a type saves stands beside it; the page says why.
+TEST(Architecture, ThePageOfCheckpointsListsEveryHeaderThatSavesSomething) {
+  std::ifstream stream(root / "bridge/checkpoint/README.md");
+  std::set<std::string> on_the_page;
+  for (std::string line; std::getline(stream, line);) {
+    const auto end = line.find(".hpp |");
+    if (line.rfind("| ", 0) == 0 && end != std::string::npos) on_the_page.insert(line.substr(2, end + 2));
+  }
+  std::set<std::string> saved;
+  for (const Source& source : sources()) {
+    for (const std::string& line : source.lines) {
+      if (line.find("  template <class Archive>") != std::string::npos) saved.insert(source.path);  // of a member
+    }
+  }
+  EXPECT_EQ(on_the_page, saved);
+}
+
 TEST(Architecture, NoFoldersIncludeEachOther) {
   std::map<std::string, std::set<std::string>> arrows;
   for (const Source& source : sources()) {

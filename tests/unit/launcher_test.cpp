@@ -35,7 +35,7 @@ class Launcher : public blockweir::test::OwnFolder {
 
 TEST_F(Launcher, HelpListsTheCommandsAndBuildsNothing) {
   for (const char* options : {"--help", "-h", ""}) {
-    EXPECT_THAT(output_of(options), testing::AllOf(testing::HasSubstr("run        run a scene and say how it ends"),
+    EXPECT_THAT(output_of(options), testing::AllOf(testing::HasSubstr("run        run a scene and report whether it "),
                                                    testing::HasSubstr("test       set up, build and run every test")));
   }
   EXPECT_FALSE(fs::exists(folder / "build"));

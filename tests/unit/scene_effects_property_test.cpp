@@ -76,14 +76,14 @@ std::vector<Statement> without_effect(const RandomDam& dam) {
   const std::string on_ground = "block = \"ground\"\n";
   const std::string face = fmt::format("from_m = [{}, {}]\nto_m = [{}, 0]\n", 4 * h, -h, 4 * h);
   return {
-      {apart, "share no boundary"},
-      {apart + "uplift = \"full\"\n", "share no boundary"},
-      {apart + "cohesion_pa = 1e5\n", "share no boundary"},
+      {apart, "do not touch"},
+      {apart + "uplift = \"full\"\n", "do not touch"},
+      {apart + "cohesion_pa = 1e5\n", "do not touch"},
       {lift + "bonded_length_m = 1e-3\n", "the joint has no bond"},
       {lift + "keeps_cohesion = true\n", "the joint has no bond"},
       {lift + "softening_slip_m = 0.01\n", "the joint has no bond"},
       {lift + "dilation_limit_m = 0.01\n", "the joint has no dilation_angle_deg"},
-      {lift + "cohesion_pa = 1e5\nbonded_length_m = 0\n", "act nowhere"},
+      {lift + "cohesion_pa = 1e5\nbonded_length_m = 0\n", "have no effect"},
       {lift + fmt::format("cohesion_pa = 1e5\nbonded_length_m = {}\n", 1.01 * dam.shortest_joint_m),
        "longer than the joint"},
       {lift + "cohesion_pa = 1e5\nkeeps_cohesion = true\nresidual_friction_angle_deg = 5\n", "never fails"},

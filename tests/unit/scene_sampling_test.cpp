@@ -29,7 +29,7 @@ TEST(SceneSampling, ALevelThatPeaksBetweenTwoWindows) {
     return with("window_s = 0.5", "window_s = 0.5\nschedule = \"improved\"", scene);
   };
   expect_error(improved(peak), 45,
-               {"upstream_level_m in [water] is 1.5 at 0.8 s, which the run does not see", "at 0.5 s and 1 s",
+               {"upstream_level_m in [water] is 1.5 at 0.8 s, which the run does not read", "at 0.5 s and 1 s",
                 "shorten [coupling] window_s"});
   expect_error(improved(with_level("{ steps = [[0, 1], [0.6, 1.5], [0.9, 1]] }")), 45, {"is 1.5 at 0.6 s"});
 }
@@ -43,7 +43,7 @@ TEST(SceneSampling, RowsThatAWindowBeginsWithOrRisesThroughAreSeen) {
 TEST(SceneSampling, ASineThatIsFasterThanTenLooks) {
   const std::string waves = with_level("{ sine = 0.5, frequency_hz = 1, mean = 2 }");
   expect_error(waves, 45,
-               {"crests of upstream_level_m in [water] lie up to 0.5 m above what the run sees: it looks every 0.5 s",
+               {"crests of upstream_level_m in [water] are up to 0.5 m above the values that the run reads",
                 "up to 0.003 m, a thousandth of the water's depth", "shorten [coupling] window_s to 0.035 s"});
   EXPECT_THAT(warnings(with("window_s = 0.5", "window_s = 0.02", waves)), IsEmpty());
   const std::string pulse = "force_x_n_per_m = { sine = 100, frequency_hz = 25 }\nforce_y_n_per_m = 0";
@@ -60,15 +60,15 @@ TEST(SceneSampling, ALoadThatComesAndGoesWithinAStep) {
   const std::string pushed = with("force_n_per_m = [100, -200]", pulse);
   EXPECT_THAT(warnings(pushed), IsEmpty());
   expect_error(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"quasi-static\"", pushed), 39,
-               {"force_x_n_per_m in [[point_load]] is 9 at 0.105 s, which the run does not see"});
+               {"force_x_n_per_m in [[point_load]] is 9 at 0.105 s, which the run does not read"});
   EXPECT_THAT(warnings(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"static\"", pushed)),
-              Not(Contains(HasSubstr("does not see"))));
+              Not(Contains(HasSubstr("which the run does not read"))));
 }
 
 TEST(SceneSampling, ASupportThatIsMovedToAndFroWithinAStep) {
   expect_error(
       with("displacement_x_m = 0", "displacement_x_m = { table = [[0, 0], [0.101, 0], [0.105, 0.01], [0.109, 0]] }"),
-      34, {"displacement_x_m in [[support]] is 0.01 at 0.105 s, which the run does not see"});
+      34, {"displacement_x_m in [[support]] is 0.01 at 0.105 s, which the run does not read"});
 }
 
 }  // namespace

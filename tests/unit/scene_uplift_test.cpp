@@ -59,7 +59,7 @@ material = "concrete"
 vertices_m = [[3, 0], [5, 0], [5, 4], [3, 4]]
 )";
   expect_error(sample::with("cohesion_pa = 1e5", "uplift = 'cracked'", beside), 30,
-               {"joint \"crack\", which parts nothing from the ground", "run through"});
+               {"joint \"crack\", which does not separate a part of the structure from the ground", "run through"});
 }
 
 }  // namespace

@@ -93,8 +93,9 @@ TEST(EdgeTension, CohesionOutsideTheMiddleThirdIsWarnedOf) {
   const double strength = 0.3 * cohesion_pa + press_n_per_m * std::tan(std::numbers::pi / 6);
   EXPECT_NEAR(tension.cracked_factor(), strength / (press_n_per_m * 0.4 / 2), 1e-6);
   EXPECT_THAT(tension.warning(),
-              testing::AllOf(testing::HasSubstr("cohesion of joint \"b1 on b0\" holds over all of its length"),
-                             testing::HasSubstr("70 % of it is in tension"),
+              testing::AllOf(testing::HasSubstr(
+                                 "joint \"b1 on b0\" has no tension_strength_pa, and its cohesion acts over the whole"),
+                             testing::HasSubstr("70 % of the joint is in tension"),
                              testing::HasSubstr("give block \"b1\" a mesh_size_m")));
 }
 

@@ -114,12 +114,12 @@ void check_reach_of_water(const Reading& reading) {
     const double high = highest(*pool, scene.analysis.duration_s);
     level = std::max(level, high);
     if (!std::isfinite(lowest) || high >= lowest) return;
-    reading.problems.warning(reading.problems.at(reading.file["water"][key].node()->source()),
-                             fmt::format("{} has no effect until a block has moved down to it: it stays below {} m, "
-                                         "and all that can move is above {} m",
-                                         key, high, lowest),
-                             "a level that reaches a block that can move",
-                             fmt::format("raise the level, or leave {} out", key));
+    reading.problems.warning(
+        reading.problems.at(reading.file["water"][key].node()->source()),
+        fmt::format(
+            "{} has no effect at the start: the level stays below {} m, and all blocks that can move are above {} m",
+            key, high, lowest),
+        "a level that reaches a block that can move", fmt::format("raise the level, or leave {} out", key));
   };
   look("upstream_level_m", scene.water.upstream_level_m);
   look("downstream_level_m", scene.water.downstream_level_m);
@@ -163,8 +163,7 @@ void check_base_motion(const Reading& reading) {
   look("acceleration_y_m_per_s2", scene.base_motion->acceleration_y_m_per_s2);
   if (scene.fluid != FluidModel::hydrostatic || stated == nullptr) return;
   reading.problems.warning(reading.problems.at(stated->source()),
-                           "still water does not answer to the ground's motion: what its inertia presses with is left "
-                           "out",
+                           "still water has no inertia: the hydrodynamic pressure of the ground's motion is left out",
                            "model = \"openfoam\" in [fluid], or [[face_pressure]] for the hydrodynamic pressure",
                            "take one of both, or know that the water's part is missing");
   const bool grounded = std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const Block& b) { return b.fixed; });

@@ -76,7 +76,7 @@ void check_joint(TableReader& table, Reading& reading, const Joint& joint, doubl
   const JointLaw& law = joint.law;
   if (trace.pieces.empty()) {
     const bool asks = law.uplift != Uplift::none || law.cohesion_pa > 0 || law.tension_strength_pa > 0;
-    const std::string found = fmt::format("blocks \"{}\" and \"{}\" of {} share no boundary ({:.3g} m apart)", a->name,
+    const std::string found = fmt::format("blocks \"{}\" and \"{}\" of {} do not touch ({:.3g} m apart)", a->name,
                                           b->name, table.name(), distance_between(a->vertices, b->vertices));
     const std::string nearest = touching_pairs(reading, joint.between, touching_m);
     if (asks) {

@@ -3,17 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
+#include <vector>
 
 #include "bridge/scene/read/reading.hpp"
 
 namespace blockweir::scene {
 namespace {
 
-using Keys = std::initializer_list<const char*>;
+using Keys = std::vector<const char*>;
 
 /// Whether this law, or another that it may follow or that may follow it, states one of the keys: a 0 is then meant.
-bool states_one(const TableReader& table, const Reading& reading, bool of_all, Keys keys) {
+bool states_one(const TableReader& table, const Reading& reading, bool of_all, const Keys& keys) {
   const auto in = [&](const toml::table* law) {
     return law != nullptr && std::any_of(keys.begin(), keys.end(), [&](const char* key) { return law->contains(key); });
   };
@@ -34,7 +34,7 @@ bool states_one(const TableReader& table, const Reading& reading, bool of_all, K
 
 void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool of_all) {
   // What the law lacks is an error, unless it is stated as 0, or in [joint] for others to have: then it may be meant.
-  const auto without = [&](const char* key, const char* missing, Keys enabling) {
+  const auto without = [&](const char* key, const char* missing, const Keys& enabling) {
     if (!table.has(key)) return;
     const std::string found = fmt::format("{} in {} has no effect: the joint has no {}", key, table.name(), missing);
     const std::string remedy = fmt::format("state it, or leave {} out", key);
@@ -49,16 +49,8 @@ void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool o
         fmt::format("{} in {} has no effect: with keeps_cohesion the bond never fails", key, table.name()),
         "a bond that can fail", fmt::format("leave out {} or keeps_cohesion", key));
   };
-  const bool bond = law.cohesion_pa > 0 || law.tension_strength_pa > 0;
-  const bool weakens = bond || law.residual_friction_angle_deg != law.friction_angle_deg;
-  if (!bond && law.bonded_length_m) without("bonded_length_m", "bond", {"cohesion_pa", "tension_strength_pa"});
-  if (!bond && law.keeps_cohesion) without("keeps_cohesion", "bond", {"cohesion_pa", "tension_strength_pa"});
-  if (!weakens && law.softening_slip_m > 0) {
-    without("softening_slip_m", "bond or residual friction",
-            {"cohesion_pa", "tension_strength_pa", "residual_friction_angle_deg"});
-  }
-  if (law.dilation_angle_deg == 0 && law.dilation_limit_m) {
-    without("dilation_limit_m", "dilation_angle_deg", {"dilation_angle_deg"});
+  for (const JointLawKey& key : joint_law_keys()) {
+    if (key.is_idle != nullptr && key.is_idle(law)) without(key.name, key.without, key.supplied_by);
   }
   if (table.has("residual_friction_angle_deg") && law.residual_friction_angle_deg > law.friction_angle_deg) {
     reading.problems.warning(
@@ -69,10 +61,10 @@ void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool o
   }
   if (law.softening_slip_m > 0) beside_keeping("softening_slip_m");
   if (law.residual_friction_angle_deg != law.friction_angle_deg) beside_keeping("residual_friction_angle_deg");
-  if (bond && law.bonded_length_m == 0.0 && table.has("bonded_length_m")) {
+  if (law.is_bonded() && law.bonded_length_m == 0.0 && table.has("bonded_length_m")) {
     reading.problems.warning(
         table.place("bonded_length_m"),
-        fmt::format("bonded_length_m in {} is 0: its cohesion and tension strength act nowhere", table.name()),
+        fmt::format("bonded_length_m in {} is 0: cohesion and tension strength have no effect", table.name()),
         "a length above 0", "lengthen it, or leave it out: all of the joint is then bonded");
   }
   if (law.uplift != Uplift::none && table.has("uplift")) check_uplift(table, reading);

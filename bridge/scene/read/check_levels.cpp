@@ -81,8 +81,8 @@ void check_crests(const std::string& name, const Place& place, const TimeTable& 
   const double most_s = period_s / std::numbers::pi *
                         std::acos(std::max(-1.0, 1 - level_accuracy * depth_m / std::abs(level.sine->amplitude)));
   problems.error(place,
-                 fmt::format("crests of {} lie up to {:.3g} m above what the run sees: it looks every {:.4g} s at a "
-                             "period of {:.4g} s",
+                 fmt::format("the crests of {} are up to {:.3g} m above the values that the run reads: it reads every "
+                             "{:.4g} s, and the period is {:.4g} s",
                              name, unseen_m, sampling.every_s, period_s),
                  fmt::format("up to {:.3g} m, a thousandth of the water's depth", level_accuracy * depth_m),
                  fmt::format("shorten {} to {:.2g} s", sampling.key, most_s));

@@ -41,7 +41,7 @@ void check_sampling(const std::string& name, const Place& place, const TimeTable
       return std::abs(course.rows_at(a) - seen) < std::abs(course.rows_at(b) - seen);
     });
     problems.error(place,
-                   fmt::format("{} is {:.6g} at {:.6g} s, which the run does not see: it looks at {:.6g} s and "
+                   fmt::format("{} is {:.6g} at {:.6g} s, which the run does not read: it reads at {:.6g} s and "
                                "{:.6g} s, where it is {:.6g} and {:.6g}",
                                name, course.rows_at(farthest_s), farthest_s, before_s, after_s,
                                course.rows_at(before_s), course.rows_at(after_s)),

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What cuts a section: lines, and the law and name of the joints along each.
+// What cuts a section: lines, and the law and name of the joints along each; regions of other materials.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "bridge/geometry/cut.hpp"
+#include "bridge/geometry/outline.hpp"
 #include "bridge/scene/read/reading.hpp"
 
 namespace blockweir::scene {
@@ -30,6 +31,31 @@ struct Cuts {
     return static_cast<int>(joints.size()) - 1;
   }
 };
+
+/// Blocks in it are of its material, have its mesh, and may not move.
+struct Region {
+  std::string name{};
+  int material = 0;
+  bool fixed = false;
+  double mesh_size_m = 0;
+  std::vector<Point> outline;
+  Place place{};
+  bool used = false;  ///< some block lies in it
+};
+
+constexpr std::size_t most_cut_lines = 5000;  // of a section
+
+/// Where a table states a cut or a set of joints.
+inline Cuts::Source source_of(const TableReader& table, bool by_chance = false) {
+  return {.name = table.name(),
+          .place = table.place(),
+          .bonded_length = table.place("bonded_length_m"),
+          .states_bond_length = table.has("bonded_length_m"),
+          .by_chance = by_chance};
+}
+
+/// The lines of all [[joint_set]] through a section of these bounds, each within its region.
+void read_joint_sets(Reading& reading, const geometry::Bounds& bounds, const std::vector<Region>& regions, Cuts& cuts);
 
 /// Reports cuts that part nothing, laws that no joint has, and bonds longer than their joints. The pieces are the
 /// scene's blocks from `first_block` on.

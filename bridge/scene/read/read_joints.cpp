@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <set>
+#include <type_traits>
+#include <variant>
 
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/structure_size.hpp"
-#include "bridge/scene/tension_cut_off.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -33,15 +34,14 @@ std::array<int, 2> read_between(TableReader& table, Reading& reading) {
 }
 
 void note_tension_cut_off(TableReader& table, const char* key, const JointLaw& law, Problems& problems) {
-  const double borne = tension_cut_off_pa(law);
+  const double borne = law.tension_cut_off_pa();
   constexpr double round_off = 1e-9;
   if (law.tension_strength_pa <= (1 + round_off) * borne) return;
-  problems.note(
-      table.place(key),
-      fmt::format("in {} tension_strength_pa is {:.6g}, beyond cohesion over tan(friction angle); it counts as "
-                  "that, {:.6g} Pa, where Mohr-Coulomb's law ends",
-                  table.name(), law.tension_strength_pa, borne),
-      "state what the joint bears, or the cohesion_pa that goes with such a tension");
+  problems.note(table.place(key),
+                fmt::format("in {} tension_strength_pa is {:.6g}, more than cohesion over tan(friction angle); {:.6g} "
+                            "Pa is used instead, where Mohr-Coulomb's law ends",
+                            table.name(), law.tension_strength_pa, borne),
+                "state what the joint bears, or the cohesion_pa that goes with such a tension");
 }
 
 /// Slip works N tan(friction) and lifts N by tan(dilation): more of that would make energy.
@@ -50,7 +50,7 @@ void refuse_dilation_beyond_friction(TableReader& table, const char* key, const 
   const double friction_deg = by_residual ? law.residual_friction_angle_deg : law.friction_angle_deg;
   if (law.dilation_angle_deg <= friction_deg) return;
   problems.error(table.place(key),
-                 fmt::format("dilation_angle_deg in {} is {:.6g}, above {} = {:.6g}: slip would make energy",
+                 fmt::format("dilation_angle_deg in {} is {:.6g}, above {} = {:.6g}: slip would then create energy",
                              table.name(), law.dilation_angle_deg,
                              by_residual ? "residual_friction_angle_deg" : "friction_angle_deg", friction_deg),
                  "a dilation angle of at most the friction angle, peak and residual (associated flow has equal ones)",
@@ -58,28 +58,46 @@ void refuse_dilation_beyond_friction(TableReader& table, const char* key, const 
                              friction_deg, law.dilation_angle_deg));
 }
 
+/// The keys whose value the law has taken.
+std::vector<std::string> read_keys(TableReader& table, JointLaw& law) {
+  const Range angle{[](double degrees) { return degrees >= 0 && degrees < 90; },
+                    "an angle of at least 0 and below 90 degrees"};
+  const auto range = [&](JointLawKey::Range which) {
+    return which == JointLawKey::Range::angle ? angle : not_negative();
+  };
+  std::vector<std::string> taken;
+  for (const JointLawKey& key : joint_law_keys()) {
+    const auto read = [&](auto member) {
+      if constexpr (std::is_same_v<decltype(member), bool JointLaw::*>)
+        return table.flag(key.name, law.*member);
+      else
+        return table.number(key.name, law.*member, range(key.range));
+    };
+    if (std::visit(read, key.member)) taken.emplace_back(key.name);
+  }
+  return taken;
+}
+
+/// The last of these keys that was taken; null where none was.
+const char* last_taken(const std::vector<std::string>& taken, std::initializer_list<const char*> keys) {
+  const char* last = nullptr;
+  for (const char* key : keys) {
+    if (std::find(taken.begin(), taken.end(), key) != taken.end()) last = key;
+  }
+  return last;
+}
+
 }  // namespace
 
 void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residual_given) {
-  const Range angle{[](double degrees) { return degrees >= 0 && degrees < 90; },
-                    "an angle of at least 0 and below 90 degrees"};
-  const char* stated = nullptr;  // the last key of friction and dilation
-  if (table.number("friction_angle_deg", law.friction_angle_deg, angle)) stated = "friction_angle_deg";
-  if (table.number("residual_friction_angle_deg", law.residual_friction_angle_deg, angle)) {
-    stated = "residual_friction_angle_deg";
-    residual_given = true;
-  }
+  const std::vector<std::string> taken = read_keys(table, law);
+  const auto last = [&](std::initializer_list<const char*> keys) { return last_taken(taken, keys); };
+  if (last({"residual_friction_angle_deg"}) != nullptr) residual_given = true;
   if (!residual_given) law.residual_friction_angle_deg = law.friction_angle_deg;
-  const char* bond = stated;  // the last key that the strength in tension depends on
-  if (table.number("cohesion_pa", law.cohesion_pa, not_negative())) bond = "cohesion_pa";
-  if (table.number("tension_strength_pa", law.tension_strength_pa, not_negative())) bond = "tension_strength_pa";
+  const char* bond = last({"friction_angle_deg", "residual_friction_angle_deg", "cohesion_pa", "tension_strength_pa"});
   if (bond != nullptr) note_tension_cut_off(table, bond, law, reading.problems);
-  table.number("bonded_length_m", law.bonded_length_m, not_negative());
-  table.flag("keeps_cohesion", law.keeps_cohesion);
-  table.number("softening_slip_m", law.softening_slip_m, not_negative());
-  if (table.number("dilation_angle_deg", law.dilation_angle_deg, angle)) stated = "dilation_angle_deg";
-  if (stated != nullptr) refuse_dilation_beyond_friction(table, stated, law, reading.problems);
-  table.number("dilation_limit_m", law.dilation_limit_m, not_negative());
+  const char* slope = last({"friction_angle_deg", "residual_friction_angle_deg", "dilation_angle_deg"});
+  if (slope != nullptr) refuse_dilation_beyond_friction(table, slope, law, reading.problems);
   read_uplift(table, law, reading);
 }
 

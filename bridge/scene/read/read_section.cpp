@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 
 #include "bridge/geometry/crossings.hpp"
-#include "bridge/geometry/joint_set.hpp"
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/at.hpp"
@@ -19,27 +17,7 @@
 namespace blockweir::scene {
 namespace {
 
-constexpr std::size_t most_lines = 5000;
 constexpr std::size_t most_crossings = 20000;
-
-/// Blocks in it are of its material, have its mesh, and may not move.
-struct Region {
-  std::string name{};
-  int material = 0;
-  bool fixed = false;
-  double mesh_size_m = 0;
-  std::vector<Point> outline;
-  Place place{};
-  bool used = false;  ///< some block lies in it
-};
-
-Cuts::Source source_of(const TableReader& table, bool by_chance = false) {
-  return {.name = table.name(),
-          .place = table.place(),
-          .bonded_length = table.place("bonded_length_m"),
-          .states_bond_length = table.has("bonded_length_m"),
-          .by_chance = by_chance};
-}
 
 bool sound(TableReader& table, Reading& reading, const char* key, const std::string& what,
            const std::vector<Point>& outline) {
@@ -88,64 +66,6 @@ void read_cuts(Reading& reading, Cuts& cuts) {
   });
 }
 
-/// The region that a set of joints is to stay in; null where it may go anywhere.
-const Region* read_region(TableReader& table, const std::vector<Region>& regions) {
-  Names names("region");
-  for (const Region& region : regions) {
-    if (!region.name.empty()) names.add(region.name);
-  }
-  const int found = table.reference("region", names, /*required=*/false);
-  const auto is_it = [&](const Region& region) { return found >= 0 && region.name == names.list()[at(found)]; };
-  const auto region = std::find_if(regions.begin(), regions.end(), is_it);
-  return region == regions.end() ? nullptr : &*region;
-}
-
-void read_joint_sets(Reading& reading, const geometry::Bounds& bounds, const std::vector<Region>& regions, Cuts& cuts) {
-  reading.each("joint_set", [&](TableReader& table) {
-    geometry::JointSet set;
-    std::string name;
-    JointLaw law = reading.scene.default_joint;
-    table.text("name", name, true);
-    table.number("dip_deg", set.dip_deg, {[](double d) { return d >= -90 && d <= 90; }, "an angle from -90 to 90"},
-                 true);
-    const bool spaced = table.number("spacing_m", set.spacing_m, positive(), true);
-    table.number("offset_m", set.offset_m, {[](double o) { return std::abs(o) <= 1e7; }, "a number within 1e7"});
-    table.number("persistence", set.persistence,
-                 {[](double p) { return p > 0 && p <= 1; }, "a number above 0, up to 1"});
-    table.number("trace_length_m", set.trace_length_m, positive(), set.persistence < 1);
-    table.number("spacing_deviation", set.spacing_deviation,
-                 {[](double d) { return d >= 0 && d <= 1; }, "a number from 0 to 1"});
-    int seed = 1;
-    if (table.integer("seed", seed, 0)) set.seed = static_cast<std::uint64_t>(seed);
-    bool own_residual = reading.residual_given;
-    read_law(table, law, reading, own_residual);
-    check_law(table, law, reading, /*of_all=*/false);
-    const Region* region = read_region(table, regions);
-    const int id = cuts.add(name, law, source_of(table, set.persistence < 1));
-    const double length = 2 * bounds.size();
-    const double shortest = set.persistence < 1 ? std::max(set.trace_length_m, 1e-9 * length) : length;
-    // There is at least one line, and one to either side that may reach into the section when it lies off.
-    const double count = (length / set.spacing_m + 3) * std::max(1.0, length / shortest);
-    if (!spaced || (set.persistence < 1 && set.trace_length_m <= 0)) return;
-    if (count > static_cast<double>(most_lines)) {
-      reading.problems.error(
-          table.place("spacing_m"), fmt::format("{} would draw about {:.3g} joints", table.name(), count),
-          fmt::format("at most {} in a section", most_lines), "make spacing_m or trace_length_m larger");
-      return;
-    }
-    for (geometry::Line& line : geometry::joints_of(set, bounds.low, bounds.high, id)) {
-      if (region == nullptr) {
-        cuts.lines.push_back(std::move(line));
-        continue;
-      }
-      constexpr double beyond = 1e-7;  // of the section; what dangles is taken away
-      for (geometry::Line& part : geometry::parts_within(line, region->outline, beyond * bounds.size())) {
-        cuts.lines.push_back(std::move(part));
-      }
-    }
-  });
-}
-
 /// Whether the section can be cut in a reasonable time.
 bool few_enough_cuts(Reading& reading, TableReader& table, const geometry::Section& section, const Cuts& cuts) {
   const std::size_t lines = geometry::count_segments(section, cuts.lines);
@@ -154,7 +74,8 @@ bool few_enough_cuts(Reading& reading, TableReader& table, const geometry::Secti
                            "make the spacing of its joints larger");
     return false;
   };
-  if (lines > most_lines) return refuse(fmt::format("the section has {} edges, cuts and joints", lines), most_lines);
+  if (lines > most_cut_lines)
+    return refuse(fmt::format("the section has {} edges, cuts and joints", lines), most_cut_lines);
   if (geometry::count_crossings(section, cuts.lines, most_crossings) > most_crossings)
     return refuse("edges, cuts and joints of the section cross too often", most_crossings);
   return true;
@@ -194,6 +115,30 @@ Region& region_of(const Block& block, std::vector<Region>& regions, Region& othe
   const auto holds = [&](const Region& region) { return geometry::holds_point(region.outline, inside, 0); };
   const auto found = std::find_if(regions.begin(), regions.end(), holds);
   return found == regions.end() ? otherwise : *found;
+}
+
+/// The pieces as blocks called PREFIX1, PREFIX2, ...; reports regions that have none.
+void add_blocks(Reading& reading, const TableReader& table, const std::string& prefix, const geometry::Cut& cut,
+                std::vector<Region>& regions, Region& whole) {
+  const std::size_t first = reading.scene.blocks.size();
+  for (const geometry::Piece& piece : cut.pieces) {
+    Block block{.name = fmt::format("{}{}", prefix, reading.scene.blocks.size() - first + 1)};
+    block.vertices = piece.vertices;
+    Region& region = region_of(block, regions, whole);
+    region.used = true;
+    block.material = region.material;
+    block.fixed = region.fixed;
+    block.mesh_size_m = region.fixed ? 0 : region.mesh_size_m;
+    block.line = table.place().line;
+    reading.blocks.add(block.name);
+    reading.scene.blocks.push_back(std::move(block));
+  }
+  for (const Region& region : regions) {
+    if (region.used) continue;
+    reading.problems.error(region.place, "[[region]] has no effect: no block of the section lies in it",
+                           "an outline that holds some of the section, and that no region before it holds",
+                           "move it onto the section, or leave it out");
+  }
 }
 
 /// Joints along cuts: one that bears the cut's name alone has just that, of several each adds its blocks'.
@@ -279,24 +224,7 @@ void read_section(Reading& reading) {
   }
   check_holes(reading, table, section, cut);
   const std::size_t first = reading.scene.blocks.size();
-  for (const geometry::Piece& piece : cut.pieces) {
-    Block block{.name = fmt::format("{}{}", prefix, reading.scene.blocks.size() - first + 1)};
-    block.vertices = piece.vertices;
-    Region& region = region_of(block, regions, whole);
-    region.used = true;
-    block.material = region.material;
-    block.fixed = region.fixed;
-    block.mesh_size_m = region.fixed ? 0 : region.mesh_size_m;
-    block.line = table.place().line;
-    reading.blocks.add(block.name);
-    reading.scene.blocks.push_back(std::move(block));
-  }
-  for (const Region& region : regions) {
-    if (region.used) continue;
-    reading.problems.error(region.place, "[[region]] has no effect: no block of the section lies in it",
-                           "an outline that holds some of the section, and that no region before it holds",
-                           "move it onto the section, or leave it out");
-  }
+  add_blocks(reading, table, prefix, cut, regions, whole);
   check_cuts(reading, cuts, cut, first);
   add_joints(reading, cut, cuts, first);
   hold(reading, table, held, first, 1e-9 * bounds.size());

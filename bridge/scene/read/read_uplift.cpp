@@ -139,10 +139,9 @@ void check_cracks(Reading& reading) {
     if (!parted_by(scene, crack).empty()) continue;
     reading.problems.error(
         place,
-        fmt::format(
-            "uplift = \"cracked\" in joint \"{}\", which parts nothing from the ground: its forces, by which it "
-            "cracks, do not follow from equilibrium",
-            name_of(scene, crack)),
+        fmt::format("uplift = \"cracked\" in joint \"{}\", which does not separate a part of the structure from the "
+                    "ground: the forces that open such a crack do not follow from equilibrium",
+                    name_of(scene, crack)),
         "a joint, or joints in one line, that run through the structure",
         "state it for such a joint, or take uplift = \"full\" or \"triangular\"");
   }

@@ -169,7 +169,8 @@ void Session::begin_step() {
   if (placed_at_ == time_.timeIndex()) return;
   placed_at_ = time_.timeIndex();
   if (!attached_) {
-    partner_.fail("system/controlDict has no function object of type blockweirSchedule: the water would go on alone");
+    partner_.fail(
+        "system/controlDict has no function object of type blockweirSchedule: the water would run without the blocks");
   }
   on_the_way(course_, static_cast<double>(step_) / steps_, step_start_);
   on_the_way(course_, static_cast<double>(step_ + 1) / steps_, step_end_);

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines of tables that fit a terminal of 80 columns.
+#pragma once
+
+#include <string>
+
+namespace blockweir::study {
+
+/// `left` at the line's start and `right` up to column `width`; on two lines where one does not hold both.
+inline std::string table_line(const std::string& left, const std::string& right, std::size_t width = 80) {
+  if (right.empty()) return left + "\n";
+  const std::size_t used = left.size() + right.size();
+  if (used < width) return left + std::string(width - used, ' ') + right + "\n";
+  const std::size_t before = right.size() < width ? width - right.size() : 0;
+  return left + "\n" + std::string(before, ' ') + right + "\n";
+}
+
+}  // namespace blockweir::study
