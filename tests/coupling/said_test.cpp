@@ -149,8 +149,8 @@ TEST_F(Said, WaterThatStandsAboveTheCrestIsLeftOutWithAWord) {
   };
   EXPECT_THAT(warnings("6.5"), Not(HasSubstr("crest")));
   EXPECT_THAT(warnings("8.5"),
-              HasSubstr("a level of 8.5 m, 0.5 m above the crest, has acted: the water on the crest is "
-                        "left out"));
+              HasSubstr("the water rose to 8.5 m, 0.5 m above the crest; unless both pools are above the crest, the "
+                        "weight of the water on it is left out"));
   EXPECT_THAT(warnings("8.5 --set water.downstream_level_m=8.5"), Not(HasSubstr("crest")));
 }
 

@@ -75,8 +75,8 @@ TEST_F(Compare, SaysThatTheRunWithConditionNumbersFailed) {
   kill(solid, SIGKILL);
   const auto told = [&] { return text("log").find("measure_condition") != std::string::npos; };
   for (int wait = 0; wait < 10'000 && !told(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_THAT(text("log"), testing::HasSubstr("penalty               with contact.measure_condition: the solid "
-                                              "process was ended by signal 9"));
+  EXPECT_THAT(text("log"), testing::HasSubstr("  penalty\n    with contact.measure_condition: the solid "
+                                              "process was ended by signal 9\n"));
   kill(compare, SIGINT);
   EXPECT_EQ(end_of(compare, 10), 130) << text("log");
 }

@@ -57,8 +57,8 @@ TEST(SceneEffects, ATensionStrengthWithoutCohesionIsToldToCountAsNone) {
   const ReadScene read = read_text(with("cohesion_pa = 1e5", "tension_strength_pa = 1e5"), "s.toml");
   ASSERT_EQ(read.notes.size(), 1U);
   EXPECT_THAT(read.notes[0].text(),
-              HasSubstr("tension_strength_pa is 100000, beyond cohesion over tan(friction angle); "
-                        "it counts as that, 0 Pa"));
+              HasSubstr("tension_strength_pa is 100000, more than cohesion over tan(friction angle); "
+                        "0 Pa is used instead"));
 }
 
 TEST(SceneEffects, ABondLongerThanItsJointIsAnError) {
