@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Then the logs, too, have no place for a last word.
+/// Then the logs, too, have no place for a last word, and whichever process is heard of first tells of another.
 bool is_full(const fs::path& folder) {
   std::error_code unknown;
   const fs::space_info space = fs::space(folder, unknown);
@@ -53,9 +53,12 @@ std::string first_trouble(const Supervised& supervised, const fs::path& folder) 
   }
   const ChildEnd* cause = cause_of(supervised);
   if (cause == nullptr) return "";
+  if (is_full(folder)) {
+    return fmt::format("no room is left on the disk that holds {}; free some, or choose another folder with --out",
+                       folder.string());
+  }
   if (!cause->last_line.empty()) return cause->last_line;
-  return fmt::format("the {} process ended with {}{}", cause->name, cause->exit_code,
-                     is_full(folder) ? ": is the disk full, or the folder not writable?" : "");
+  return fmt::format("the {} process ended with {}", cause->name, cause->exit_code);
 }
 
 }  // namespace blockweir::process
