@@ -8,6 +8,7 @@ namespace blockweir::launch {
 
 Work run_command(CLI::App& app) {
   const auto options = std::make_shared<process::RunOptions>();
+  options->margin = true;
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--out", options->out, "folder for the results (default: runs/CASE)");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");

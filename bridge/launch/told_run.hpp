@@ -6,7 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "bridge/process/limit_margin.hpp"
 #include "bridge/process/run.hpp"
 #include "bridge/process/supervisor.hpp"
 #include "bridge/results/wrapped.hpp"
@@ -26,8 +25,7 @@ inline bool errors_stand_in_the_output() {
 template <class Run>
 int told(Run run) {
   static const process::StopsLater until_it_is_reported;
-  process::RunResult result = run();
-  process::add_limit_margin(result);
+  const process::RunResult result = run();
   // The report has it, too.
   if (!result.trouble.empty() && !errors_stand_in_the_output()) {
     fmt::print(stderr, "blockweir: {}\n", process::trouble_text(result));

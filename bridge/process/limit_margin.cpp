@@ -4,28 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 
-#include "bridge/process/ask.hpp"
 #include "bridge/process/programs.hpp"
-#include "bridge/process/temporary_folder.hpp"
-#include "bridge/results/folder_lock.hpp"
-#include "bridge/results/result_file.hpp"
-#include "bridge/scene/read/read.hpp"
 
 namespace blockweir::process {
 namespace {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
-
-bool is_at_rest_by_its_scene(const scene::Scene& scene) {
-  const bool still = scene.fluid == scene::FluidModel::none || scene.fluid == scene::FluidModel::hydrostatic;
-  const bool any_moves =
-      std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const scene::Block& b) { return !b.fixed; });
-  return still && any_moves && !scene.base_motion &&
-         std::none_of(scene.blocks.begin(), scene.blocks.end(), [](const scene::Block& b) {
-           return !b.initial_velocity_m_per_s.isZero() || b.initial_spin_deg_per_s != 0;
-         });
-}
 
 std::string text_of(const json& found, bool fails) {
   const std::string level =
@@ -45,25 +32,36 @@ std::string text_of(const json& found, bool fails) {
 
 }  // namespace
 
-void add_limit_margin(RunResult& result) {
-  json& summary = result.summary;
+LimitMargin::LimitMargin(const fs::path& scratch) : answer_(scratch / "margin.json"), log_(scratch / "margin.log") {}
+
+bool LimitMargin::suits(const scene::Scene& scene) {
+  const bool still = scene.fluid == scene::FluidModel::none || scene.fluid == scene::FluidModel::hydrostatic;
+  const bool any_moves =
+      std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const scene::Block& b) { return !b.fixed; });
+  return still && any_moves && !scene.base_motion &&
+         std::none_of(scene.blocks.begin(), scene.blocks.end(), [](const scene::Block& b) {
+           return !b.initial_velocity_m_per_s.isZero() || b.initial_spin_deg_per_s != 0;
+         });
+}
+
+Command LimitMargin::command(const fs::path& folder) const {
+  Command command = limit_command(folder, "margin", answer_);
+  command.output = log_;
+  command.aside = true;
+  return command;
+}
+
+void LimitMargin::add_to(json& summary) const {
   const std::string outcome = summary.value("outcome", "stopped");
   if (outcome != "fails" && outcome != "stands") return;
-  const std::filesystem::path scene = scene_of(result.folder);
-  if (!is_at_rest_by_its_scene(scene::read(scene).scene)) return;
-  json found;
-  try {
-    const TemporaryFolder scratch;
-    found = ask("margin", {.scene = scene, .out = scratch.path() / "margin", .quiet = true}).answer;
-  } catch (const Stopped&) {
-    return;
-  } catch (const std::exception& error) {  // the run stands for itself
-    found = {{"factor", nullptr}, {"level_m", nullptr}, {"why_no_factor", error.what()}};
+  json found = json::parse(std::ifstream(answer_), nullptr, /*allow_exceptions=*/false);
+  if (!found.is_object()) {  // the run stands for itself
+    const std::string why = last_line(log_);
+    found = {
+        {"factor", nullptr}, {"level_m", nullptr}, {"why_no_factor", why.empty() ? "limit analysis was stopped" : why}};
   }
   found["text"] = text_of(found, outcome == "fails");
   summary["limit_analysis"] = found;
-  const results::FolderLock lock(result.folder);
-  results::replace_file(result.folder / "summary.json", summary.dump(2) + "\n");
 }
 
 }  // namespace blockweir::process

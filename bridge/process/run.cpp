@@ -12,6 +12,7 @@
 
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/process/former_run.hpp"
+#include "bridge/process/limit_margin.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/process/progress.hpp"
 #include "bridge/process/supervisor.hpp"
@@ -66,7 +67,7 @@ std::uint64_t resumable_window(const fs::path& folder, const scene::Scene& scene
   return all.empty() ? 0 : all.back();
 }
 
-void complete_summary(const fs::path& folder, RunResult& result, double wall_s) {
+void complete_summary(const fs::path& folder, RunResult& result, const LimitMargin* margin, double wall_s) {
   json& summary = result.summary;
   summary = read_json(folder / "summary.json");
   if (!summary.is_object()) summary = json::object();
@@ -75,6 +76,7 @@ void complete_summary(const fs::path& folder, RunResult& result, double wall_s) 
     summary["stopped"] = result.trouble;
   }
   summary["wall_time_s"] = wall_s;
+  if (margin != nullptr) margin->add_to(summary);
   const json fluid = read_json(report_of(folder));
   if (fluid.is_object()) {
     for (const auto& [phase, seconds] : fluid["seconds"].items()) summary["profile_s"]["fluid_" + phase] = seconds;
@@ -138,22 +140,24 @@ std::string advice_of(const fs::path& folder, bool goes_on, bool too_early) {
 
 /// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
 /// scene.
-RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, bool inproc, bool quiet,
-             double longest_s) {
+RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const StopsLater until_the_summary_stands;
   RunResult result;
   result.folder = folder;
-  const TemporaryFolder socket_folder;
-  const std::string endpoint = "ipc://" + (socket_folder.path() / "line").string();
+  const TemporaryFolder scratch;
+  const std::string endpoint = "ipc://" + (scratch.path() / "line").string();
   int pipe_ends[2];
   if (::pipe2(pipe_ends, O_CLOEXEC | O_NONBLOCK) != 0) throw std::runtime_error("cannot open a pipe");
-  std::vector<Command> commands = commands_of(scene, {folder, endpoint, first, inproc});
+  std::vector<Command> commands = commands_of(scene, {folder, endpoint, first, options.inproc});
   commands.front().words.insert(commands.front().words.end(), {"--progress-fd", std::to_string(pipe_ends[1])});
   commands.front().inherited_fd = pipe_ends[1];
-  Progress progress(pipe_ends[0], scene.analysis.duration_s, quiet);
+  const LimitMargin margin(scratch.path());
+  const bool asks = options.margin && LimitMargin::suits(scene);
+  if (asks) commands.push_back(margin.command(folder));
+  Progress progress(pipe_ends[0], scene.analysis.duration_s, options.quiet);
   const Supervised supervised = supervise(
-      commands, folder, grace_s, [&] { return progress.update(); }, longest_s);
+      commands, folder, grace_s, [&] { return progress.update(); }, options.longest_s);
   progress.finish();
   ::close(pipe_ends[0]);
   ::close(pipe_ends[1]);
@@ -166,7 +170,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   if (!result.trouble.empty()) result.advice = advice_of(folder, goes_on, !result.refused && last == 0);
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
   if (result.exit_code == 0) forget_checkpoints(folder);
-  complete_summary(folder, result, seconds_since(start));
+  complete_summary(folder, result, asks ? &margin : nullptr, seconds_since(start));
   return result;
 }
 
@@ -189,7 +193,7 @@ RunResult run(const RunOptions& options) {
   const results::FolderLock lock(folder);
   forget_former_run(folder, read.scene);
   results::replace_file(scene_of(folder), read.scene.text);
-  return go(read.scene, folder, 0, options.inproc, options.quiet, options.longest_s);
+  return go(read.scene, folder, 0, options);
 }
 
 RunResult resume(const ResumeOptions& options) {
@@ -206,7 +210,7 @@ RunResult resume(const ResumeOptions& options) {
     refuse_finished(options.folder);
     refuse_without_checkpoint(options.folder);
   }
-  return go(scene, options.folder, first, options.inproc, options.quiet, /*longest_s=*/0);
+  return go(scene, options.folder, first, {.inproc = options.inproc, .quiet = options.quiet, .margin = options.margin});
 }
 
 }  // namespace blockweir::process

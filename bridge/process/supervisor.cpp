@@ -94,15 +94,6 @@ class StopSignals {
   ::_exit(127);
 }
 
-std::string last_line(const std::filesystem::path& log) {
-  std::ifstream stream(log);
-  std::string last;
-  for (std::string line; std::getline(stream, line);) {
-    if (!line.empty()) last = line;
-  }
-  return last;
-}
-
 int exit_code(int status) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
@@ -139,6 +130,7 @@ struct Child {
   pid_t pid = -1;
   int end = -1;  ///< a descriptor that becomes readable when the process has ended
   bool running = false;
+  bool aside = false;
   bool told = false;     ///< by a signal of ours
   bool stopped = false;  ///< when another failed
 };
@@ -156,6 +148,10 @@ struct Children {
   }
   [[nodiscard]] bool running() const {
     return std::any_of(all.begin(), all.end(), [](const Child& c) { return c.running; });
+  }
+  /// Do all that run do so aside?
+  [[nodiscard]] bool only_aside() const {
+    return std::all_of(all.begin(), all.end(), [](const Child& c) { return c.aside || !c.running; });
   }
   void signal(int number) {
     for (Child& child : all) signal(child, number);
@@ -185,6 +181,7 @@ struct Children {
       int status = 0;
       if (!child.running || ::waitpid(child.pid, &status, WNOHANG) != child.pid) continue;
       child.running = false;
+      if (child.aside) continue;
       result.ends.push_back({child.name, exit_code(status), child.told, child.stopped, last_line(child.log)});
     }
   }
@@ -198,6 +195,15 @@ struct Children {
 };
 
 }  // namespace
+
+std::string last_line(const std::filesystem::path& log) {
+  std::ifstream stream(log);
+  std::string last;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
 
 StopsLater::StopsLater() {
   const sigset_t both = stop_set();
@@ -227,6 +233,7 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
   for (const Command& command : commands) {
     Child& child = children.all.emplace_back();
     child.name = command.name;
+    child.aside = command.aside;
     child.log = command.output.empty() ? log_folder / (command.name + ".log") : command.output;
     child.pid = ::fork();
     if (child.pid == 0) become(command, child.log, signals, we);
@@ -260,6 +267,7 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
         sent = 1;
       }
     }
+    if (children.only_aside() && !result.all_fine()) children.signal(SIGKILL);
     if (longest_s > 0 && !result.overdue && seconds_since(begin) > longest_s) {
       result.overdue = true;
       children.signal(SIGKILL);

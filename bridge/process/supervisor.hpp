@@ -17,6 +17,7 @@ struct Command {
   std::vector<std::string> words;  ///< program and arguments
   int inherited_fd = -1;           ///< a descriptor of ours that the child keeps; -1: none
   std::filesystem::path output{};  ///< file for all that it writes; empty: standard error to NAME.log alone
+  bool aside = false;              ///< the others do without it: it is waited for where they end well, else killed
 };
 
 struct ChildEnd {
@@ -28,11 +29,14 @@ struct ChildEnd {
 };
 
 struct Supervised {
-  std::vector<ChildEnd> ends;  ///< in the order in which they ended
+  std::vector<ChildEnd> ends;  ///< of all but those aside, in the order in which they ended
   bool interrupted = false;    ///< we were asked to stop
   bool overdue = false;        ///< it took too long and was killed
   [[nodiscard]] bool all_fine() const;
 };
+
+/// That is not empty.
+std::string last_line(const std::filesystem::path& log);
 
 /// SIGINT and SIGTERM wait for as long as it lives, but for supervise(), which hears them; those that came too late for
 /// that are forgotten.

@@ -8,7 +8,6 @@
 #include "bridge/picture/report_page.hpp"
 #include "bridge/process/ask.hpp"
 #include "bridge/process/former_run.hpp"
-#include "bridge/process/limit_margin.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/process/run.hpp"
 #include "bridge/process/temporary_folder.hpp"
@@ -69,9 +68,8 @@ int write_report(const ReportOptions& options) {
   if (!options.out.empty()) results::require_writable_file("--out", options.out);
   fs::path run = options.source;
   if (!process::is_run(options.source)) {
-    process::RunResult made =
-        process::run({.scene = options.source, .variant = options.variant, .overrides = options.overrides});
-    process::add_limit_margin(made);
+    const process::RunResult made = process::run(
+        {.scene = options.source, .variant = options.variant, .overrides = options.overrides, .margin = true});
     fmt::print("{}", process::report(made));
     if (made.exit_code != 0) return made.exit_code;
     run = made.folder;
