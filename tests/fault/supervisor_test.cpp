@@ -3,6 +3,9 @@
 // What a command started and left behind does not outlive the call: mpirun may end before its ranks do. What is said
 // of a run that breaks off is its cause, not what we have done about it.
 #include "bridge/process/supervisor.hpp"
+
+#include <chrono>
+
 #include "bridge/process/trouble.hpp"
 #include "tests/processes.hpp"
 
@@ -35,6 +38,27 @@ TEST_F(Supervisor, WhatIsLeftBehindMayEndByItself) {
 
 TEST_F(Supervisor, WhatIsLeftBehindAndStaysIsKilled) {
   EXPECT_TRUE(run("setsid sleep 250 & exit 0", 0.1).all_fine());
+  EXPECT_FALSE(orphan());
+}
+
+TEST_F(Supervisor, OneAsideIsWaitedForAndItsFailureIsNobodyElses) {
+  process::Command aside = in_shell("aside", "while [ ! -e ended ]; do sleep 0.01; done; echo done >aside; exit 3");
+  aside.aside = true;
+  const process::Supervised both =
+      process::supervise({in_shell("solid", "touch ended"), aside}, folder, 20, [] { return true; });
+  EXPECT_TRUE(both.all_fine());
+  EXPECT_EQ(both.ends.size(), 1U);
+  EXPECT_EQ(text("aside"), "done\n");
+}
+
+TEST_F(Supervisor, OneAsideIsKilledOnceTheOthersHaveEndedBadly) {
+  process::Command aside = in_shell("aside", "exec sleep 250");
+  aside.aside = true;
+  const auto begin = std::chrono::steady_clock::now();
+  const process::Supervised both =
+      process::supervise({in_shell("solid", "exit 1"), aside}, folder, 100, [] { return true; });
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(100));  // the grace of the others
+  EXPECT_EQ(both.ends.front().exit_code, 1);
   EXPECT_FALSE(orphan());
 }
 
