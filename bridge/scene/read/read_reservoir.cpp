@@ -33,11 +33,12 @@ void read_silt(Reading& reading) {
   double level = 0;
   double density = 0;
   double coefficient = 0;
-  const bool known = table.number("level_m", level, any_number(), true) &
-                     table.number("submerged_density_kg_per_m3", density, positive(), true) &
-                     table.number("pressure_coefficient", coefficient,
-                                  {[](double k) { return k >= 0 && k <= 1; }, "a number from 0 to 1"}, true);
-  if (!known || reading.problems.count() > 0) return;
+  // Each is looked at, so that all that is wrong is told at once.
+  const bool has_level = table.number("level_m", level, any_number(), true);
+  const bool has_density = table.number("submerged_density_kg_per_m3", density, positive(), true);
+  const bool has_coefficient = table.number("pressure_coefficient", coefficient,
+                                            {[](double k) { return k >= 0 && k <= 1; }, "a number from 0 to 1"}, true);
+  if (!has_level || !has_density || !has_coefficient || reading.problems.count() > 0) return;
   const std::vector<UpstreamFace> faces = upstream_faces(reading.scene, level);
   if (faces.empty()) {
     reading.problems.error(table.place("level_m"),
