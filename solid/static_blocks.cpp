@@ -27,33 +27,34 @@ StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water, Effort&
 
 bool StaticBlocks::begin(double level_m) {
   if (scene_.analysis.start == scene::Start::equilibrium) solid_.settle(panels_of(pressures(level_m), solid_));
-  return rests_at(level_m, 1);
+  if (!rests_at(level_m, 1)) return false;
+  most_slip_m_ = far_m_ + solid_.largest_displacement_m();
+  return true;
 }
 
 bool StaticBlocks::rests_at(double level_m, double share) {
   constexpr int most_rounds = 20;
   scene_.analysis.failure_displacement_m = share * far_m_;
   const double end_s = scene_.analysis.duration_s;
-  slipped_before_m_ = largest_slip_m();
+  slipped_before_m_ = solid_.largest_slip_m();
   moved_before_m_ = solid_.largest_displacement_m();
   for (int round = 0; round < most_rounds; ++round) {
     solid_.advance(end_s, end_s, panels_of(pressures(level_m), solid_));
     if (!solid_.rest().found) return false;
     // An anchor that leans more and more as its dam slides stops it at last; the dam has failed by then.
-    if (largest_slip_m() - slipped_before_m_ > share * far_m_) return false;
+    if (solid_.largest_slip_m() - slipped_before_m_ > share * far_m_ || slipped_away()) return false;
     if (solid_.rest().steps == 1) break;
   }
   return true;
 }
 
-bool StaticBlocks::went_far() const {
-  return std::max(largest_slip_m() - slipped_before_m_, solid_.largest_displacement_m() - moved_before_m_) > far_m_;
+bool StaticBlocks::slipped_away() const {
+  return solid_.largest_slip_m() > most_slip_m_;
 }
 
-double StaticBlocks::largest_slip_m() const {
-  double largest = 0;
-  for (const ContactPoint& c : solid_.contacts()) largest = std::max(largest, c.slip_path_m);
-  return largest;
+bool StaticBlocks::went_far() const {
+  return slipped_away() || std::max(solid_.largest_slip_m() - slipped_before_m_,
+                                    solid_.largest_displacement_m() - moved_before_m_) > far_m_;
 }
 
 std::string StaticBlocks::state() const {

@@ -2,6 +2,7 @@
 // The blocks of a scene, at rest or not: static analyses one after the other under still water that follows them.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "solid/effort.hpp"
@@ -20,7 +21,8 @@ class StaticBlocks {
   /// From the scene's outline: lets weight and loads settle. Throws SolveError where they find no equilibrium at all.
   bool begin(double level_m);
   /// Goes on from where the blocks are; pressures follow them until they move no more. What goes farther than this
-  /// share of the scene's failure_displacement_m does not rest, and neither does what slips so far before it rests.
+  /// share of the scene's failure_displacement_m does not rest, and neither does what slips so far before it rests, nor
+  /// what has slipped by more than all of it since the scene's outline, beyond what weight and first loads strain.
   bool rests_at(double level_m, double share);
 
   /// Has anything gone as far as a failure since rests_at() was asked last?
@@ -36,12 +38,12 @@ class StaticBlocks {
   Levels levels(double level_m);
 
  private:
-  /// Along any contact, since the scene's outline.
-  [[nodiscard]] double largest_slip_m() const;
+  [[nodiscard]] bool slipped_away() const;
 
   scene::Scene scene_;  ///< as its analyses are made
   double far_m_;        ///< its own failure displacement
   Solid solid_;
+  double most_slip_m_ = std::numeric_limits<double>::infinity();
   StillWater* water_;
   wire::Motion motion_;
   double slipped_before_m_ = 0;  ///< as rests_at() began

@@ -149,8 +149,8 @@ void ContactSearch::keep_one_of_each_meeting() {
         return std::make_tuple(c.length > 2 * coincidence_, inherited_[k] != 0 && c.state != ContactState::open,
                                did_enter(c), nearness(c));
       };
-      if (same) a.length = b.length = a.length + b.length;  // two edges of one face, which go on from each other
       const bool second = rank(j) > rank(i);
+      if (same) a.length = b.length = a.length + b.length;  // two edges of one face, which go on from each other
       if (mirrored) mirrored_out.push_back(second ? i : j);
       if (second) {
         drop_for(i, j);

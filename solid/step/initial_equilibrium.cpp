@@ -170,6 +170,7 @@ bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode)
   // What moves by more at once than the blocks' own strains have moved it, or bolts let it, is on its way.
   const double far_m =
       std::max({1e-4 * model_.size_m, state_.largest_displacement_m(model_), moved_by_bolts_m(model_, state_)});
+  const double slips_m = model_.scene.analysis.failure_displacement_m + state_.largest_displacement_m(model_);
   const double at_rest_m = 1e-12 * model_.size_m;
   const double shortest = 1e-4 * pseudo_step.dt;
   const double moving = 1e-4 * model_.scene.analysis.gravity_m_per_s2;
@@ -202,6 +203,8 @@ bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode)
     }
     ++counts_.settling_steps;
     const double moved = trial_.largest_increment();
+    // Whatever stops it then: it has not stood as it was drawn.
+    if (state_.largest_slip_m() > slips_m) break;
     if (moved <= at_rest_m && whole_step) return true;
     const double before = std::exchange(acceleration, 2 * moved / (dt * dt));
     // What changes by less than a thousandth a step does not come to rest in those that are left.
@@ -213,7 +216,7 @@ bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode)
     const double longer = comes_to_rest ? longest : std::min(pseudo_step.dt, 2 * dt);
     if (longer <= dt || longer < failed || !as_long.skips()) dt = longer;
   }
-  if (acceleration < moving) return true;
+  if (acceleration < moving && state_.largest_slip_m() <= slips_m) return true;
   state_.stand_as(held);
   start_moving(pseudo_step, acceleration, held, mode);
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) state_.sleep.wake(b);

@@ -59,6 +59,7 @@ class Solid {
   [[nodiscard]] Point place(const ContactPoint& c) const { return state_.place(c); }
   /// Largest displacement of any vertex since the scene's outline, against the base [m].
   [[nodiscard]] double largest_displacement_m() const { return state_.largest_displacement_m(model_); }
+  [[nodiscard]] double largest_slip_m() const { return state_.largest_slip_m(); }
   /// Rate of the six unknowns, of a triangle as of any block.
   [[nodiscard]] Vector6 velocity(std::size_t b) const {
     return step_.trial.rate(b, state_.placements[b], state_.blocks[b].velocity);

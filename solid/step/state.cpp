@@ -142,4 +142,10 @@ double State::largest_displacement_m(const Model& model) const {
   return largest;
 }
 
+double State::largest_slip_m() const {
+  double largest = 0;
+  for (const ContactPoint& c : contacts) largest = std::max(largest, c.slip_path_m);
+  return largest;
+}
+
 }  // namespace blockweir::solid

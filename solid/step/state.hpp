@@ -63,6 +63,8 @@ struct State : Standing {
   }
   /// Largest displacement of any vertex since the scene's outline, against the base [m].
   [[nodiscard]] double largest_displacement_m(const Model& model) const;
+  /// Longest way that a contact has slipped [m].
+  [[nodiscard]] double largest_slip_m() const;
   /// Of any block's centre [m/s].
   [[nodiscard]] double fastest_m_per_s() const;
   /// After blocks have been read from a checkpoint.

@@ -25,6 +25,8 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) 
   const double longest = model_.pseudo_step_s();
   const StepMode still{.scheme = {.damps = false}};
   const double before_m = state_.largest_displacement_m(model_);
+  const double slipped_m = state_.largest_slip_m();
+  const double far_m = model_.scene.analysis.failure_displacement_m;
   state_.rest = {};
   for (double dt = longest; state_.rest.steps < most_steps && dt > shortest * longest;) {
     state_.stop();
@@ -42,7 +44,9 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) 
     state_.rest.found = !time_step_.any_swept() && state_.rest.unbalanced <= model_.scene.analysis.residual_tolerance;
     // What only strains or settles halves what is unbalanced, however far it goes; what slides or turns does not.
     const bool settles = state_.rest.steps == 1 || state_.rest.unbalanced < before / 2;
-    const bool far = state_.largest_displacement_m(model_) - before_m > model_.scene.analysis.failure_displacement_m;
+    const bool far = state_.largest_displacement_m(model_) - before_m > far_m;
+    // What an anchor or a neighbour stops after such a slip has failed before. What strains as far slips by that, too.
+    state_.rest.found = state_.rest.found && state_.largest_slip_m() - slipped_m <= far_m + before_m;
     if (state_.rest.found || (far && !settles)) break;
     dt = settles ? std::min(std::max(longest, dt), 2 * dt) : 2 * dt;
   }
