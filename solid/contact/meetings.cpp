@@ -112,6 +112,14 @@ void ContactSearch::count_from_passing() {
   }
 }
 
+/// Is the vertex's block on the outer side of the edge, but for what blocks strain?
+bool ContactSearch::faces_outside(const ContactPoint& c) const {
+  constexpr double strained = 1e-3;  // rad
+  const auto [from, to] = edge_of(c);
+  const Point t = (to - from).normalized();
+  return faces(corners_[at(c.vertex_block)], at(c.vertex), Point(t.y(), -t.x()), strained);
+}
+
 /// How near a contact is to being the one of its meeting: of corners that a step has taken into each other that edge is
 /// the entrance which the step has left least behind.
 double ContactSearch::nearness(const ContactPoint& c) const {
@@ -143,11 +151,12 @@ void ContactSearch::keep_one_of_each_meeting() {
       const bool mirrored = b.vertex_block == a.edge_block && b.vertex == wi && b.edge_block == a.vertex_block;
       if (!(same || mirrored) || met_vertex(b) < 0) continue;
       if (mirrored && (met_vertex(b) != a.vertex || bound_overlap(a, b) || presses_too(a) || presses_too(b))) continue;
-      // Faces that lie on each other outrank a mere meeting of corners; then memory; then the entrance edge.
+      // What the vertex's block is wholly on the outer side of outranks the far side of a thin block; faces that lie on
+      // each other a mere meeting of corners; then memory; then the entrance edge.
       const auto rank = [&](std::size_t k) {
         const ContactPoint& c = found_[k];
-        return std::make_tuple(c.length > 2 * coincidence_, inherited_[k] != 0 && c.state != ContactState::open,
-                               did_enter(c), nearness(c));
+        return std::make_tuple(faces_outside(c), c.length > 2 * coincidence_,
+                               inherited_[k] != 0 && c.state != ContactState::open, did_enter(c), nearness(c));
       };
       const bool second = rank(j) > rank(i);
       if (same) a.length = b.length = a.length + b.length;  // two edges of one face, which go on from each other

@@ -81,6 +81,7 @@ class ContactSearch {
                            const Point& t) const;
   void drop_edges_seen_from_within();
   [[nodiscard]] bool overlaps_at(const ContactPoint& c) const;
+  [[nodiscard]] bool faces_outside(const ContactPoint& c) const;
   [[nodiscard]] double nearness(const ContactPoint& c) const;
   void keep_one_of_each_meeting();
   void let_pass(std::vector<std::size_t>& kept_for);
