@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
     const auto answer_to = question == "level"    ? process::level_answer
                            : question == "safety" ? process::safety_answer
                                                   : process::margin_answer;
-    const nlohmann::json found = answer_to(scene::read(scene).scene, process::make_hydrostatic);
+    const nlohmann::json found = answer_to(scene::read(scene).scene, hydrostatic::make);
     results::replace_file(answer, found.dump(2) + "\n");
     return 0;
   });

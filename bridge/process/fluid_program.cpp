@@ -55,11 +55,10 @@ void require_fluid(const scene::Scene& scene, scene::FluidModel model) {
       fmt::format("the scene's fluid is \"{}\", not \"{}\"", scene::name(scene.fluid), scene::name(model)));
 }
 
-int run_fluid_program(int argc, char** argv, scene::FluidModel model, const std::string& about,
-                      const FluidMaker& make) {
+int run_fluid_program(int argc, char** argv, scene::FluidModel model, const FluidMaker& make) {
   const scene::FluidEntry& entry = scene::fluid_entry(model);
   Options options;
-  CLI::App app{fmt::format("{}: {}", entry.program, about)};
+  CLI::App app{fmt::format("{}: {}", entry.program, entry.about)};
   app.add_option("scene", options.scene, "scene file or case folder")->required();
   channel::add_line_options(app, options.line)->required();
   app.add_option("--out", options.folder, "folder for checkpoints and pictures");

@@ -93,4 +93,9 @@ void Column::restore(const std::string& state) {
   checkpoint::unpack(state, edge_, water_, time_s_);
 }
 
+/// What blockweir-column runs; its folder is for pictures, and the column has none.
+std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::filesystem::path& /*folder*/) {
+  return std::make_unique<Column>(scene);
+}
+
 }  // namespace blockweir::column
