@@ -47,12 +47,19 @@ int run(Options& options, const scene::FluidEntry& entry, const FluidMaker& make
   return 0;
 }
 
+const char* program_of(scene::FluidModel model) {
+  const char* const program = scene::fluid_entry(model).program;
+  return program != nullptr ? program : "no program of a fluid";
+}
+
 }  // namespace
 
 void require_fluid(const scene::Scene& scene, scene::FluidModel model) {
   if (scene.fluid == model) return;
   throw std::invalid_argument(
-      fmt::format("the scene's fluid is \"{}\", not \"{}\"", scene::name(scene.fluid), scene::name(model)));
+      fmt::format("[fluid] model: found \"{}\"; expected \"{}\", which is what this program computes; set it, or start "
+                  "{} in its place",
+                  scene::fluid_entry(scene.fluid).key, scene::fluid_entry(model).key, program_of(scene.fluid)));
 }
 
 int run_fluid_program(int argc, char** argv, scene::FluidModel model, const FluidMaker& make) {

@@ -89,7 +89,8 @@ class StopSignals {
   for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   ::execvp(words[0], words.data());
-  const std::string text = "cannot start " + command.words[0] + ": " + std::strerror(errno) + "\n";
+  const std::string text = "cannot start " + command.words[0] + ": " + std::strerror(errno) +
+                           "; expected a program that can be run; build or install all programs of blockweir\n";
   (void)!::write(STDERR_FILENO, text.data(), text.size());
   ::_exit(127);
 }
@@ -160,7 +161,8 @@ struct Children {
     if (child.end >= 0) return;
     const std::string reason = std::strerror(errno);
     signal(SIGKILL);
-    throw std::runtime_error("cannot start " + command.name + ": " + reason);
+    throw std::runtime_error("cannot start " + command.name + ": " + reason +
+                             "; end other programs, or raise the limits of processes and open files (ulimit -u, -n)");
   }
   [[nodiscard]] bool running() const {
     return std::any_of(all.begin(), all.end(), [](const Child& c) { return c.running; });

@@ -9,7 +9,8 @@ std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::
   process::require_fluid(scene, scene::FluidModel::hydrostatic);
   if (!scene.output.reservoir) return std::make_unique<HydrostaticModel>(scene);
   if (folder.empty()) {
-    throw std::invalid_argument("[output] reservoir = true: say with --out where its files shall go");
+    throw std::invalid_argument(
+        "[output] reservoir = true, and no --out: say with --out where the files of the reservoir go");
   }
   results::make_folder(folder);
   return std::make_unique<RecordedModel>(scene, folder);

@@ -159,7 +159,7 @@ TEST_F(Faults, AReservoirWithoutAFolderForItIsRefused) {
   EXPECT_EQ(shell(programs + "/blockweir-hydrostatic " + cases +
                   "hydrostatic-wall --endpoint ipc://line --set output.reservoir=true"),
             2);
-  EXPECT_THAT(text("out"), HasSubstr("[output] reservoir = true: say with --out where its files shall go"));
+  EXPECT_THAT(text("out"), HasSubstr("[output] reservoir = true, and no --out"));
 }
 
 TEST_F(Faults, APlaceForTemporaryFilesThatIsNoneIsNamed) {
