@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   std::string scene;
   std::string answer;
   CLI::App app{"blockweir-limit: at which level, and by which factor on strength, a scene fails"};
-  app.add_option("question", question, "level, safety or margin")
+  app.add_option("question", question,
+                 "level: at which it fails; safety: factor of safety; margin: factor at the end of a run")
       ->required()
       ->check(CLI::IsMember({"level", "safety", "margin"}));
   app.add_option("scene", scene, "scene file or case folder")->required();
