@@ -44,7 +44,7 @@ json margin_of(solid::Situation& now, const limit::LimitAnalysis& structure, con
   return add_reservoir_factor(
       now, structure, loads,
       {{"factor", nullptr},
-       {"why_no_factor", any ? "no joint needs shear strength" : "no shear strength of joints would do"}});
+       {"why_no_factor", any ? "no joint needs shear strength" : "no shear strength of the joints would hold the structure"}});
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ void add_factor(const Attempt<Strength>& found, const char* key, const char* why
   if (has_one) return;
   answer[why] = !found.value                                 ? found.why_not
                 : found.value->bearing == Bearing::bears_any ? "no joint needs shear strength"
-                                                             : "no shear strength of joints would do";
+                                                             : "no shear strength of the joints would hold the structure";
 }
 
 const char* outcome(const Attempt<StaticStrength>& blocks) {
