@@ -47,9 +47,9 @@ int run(Options& options, const scene::FluidEntry& entry, const FluidMaker& make
   return 0;
 }
 
-const char* program_of(scene::FluidModel model) {
+std::string other_program(scene::FluidModel model) {
   const char* const program = scene::fluid_entry(model).program;
-  return program != nullptr ? program : "no program of a fluid";
+  return program != nullptr ? fmt::format(", or start {} in its place", program) : "";
 }
 
 }  // namespace
@@ -57,9 +57,8 @@ const char* program_of(scene::FluidModel model) {
 void require_fluid(const scene::Scene& scene, scene::FluidModel model) {
   if (scene.fluid == model) return;
   throw std::invalid_argument(
-      fmt::format("[fluid] model: found \"{}\"; expected \"{}\", which is what this program computes; set it, or start "
-                  "{} in its place",
-                  scene::fluid_entry(scene.fluid).key, scene::fluid_entry(model).key, program_of(scene.fluid)));
+      fmt::format("[fluid] model: found \"{}\"; expected \"{}\", which is what this program computes; set it{}",
+                  scene::fluid_entry(scene.fluid).key, scene::fluid_entry(model).key, other_program(scene.fluid)));
 }
 
 int run_fluid_program(int argc, char** argv, scene::FluidModel model, const FluidMaker& make) {
