@@ -41,10 +41,10 @@ json margin_of(solid::Situation& now, const limit::LimitAnalysis& structure, con
         {"factor", found.factor}, {"gap", found.gap}, {"mechanism", solid::mechanism_json(structure, found.mechanism)}};
   }
   const bool any = found.bearing == Bearing::bears_any;
-  return add_reservoir_factor(
-      now, structure, loads,
-      {{"factor", nullptr},
-       {"why_no_factor", any ? "no joint needs shear strength" : "no shear strength of joints would do"}});
+  return add_reservoir_factor(now, structure, loads,
+                              {{"factor", nullptr},
+                               {"why_no_factor", any ? "no joint needs shear strength"
+                                                     : "no shear strength of the joints would hold the structure"}});
 }
 
 }  // namespace

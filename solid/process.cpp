@@ -126,7 +126,9 @@ std::vector<std::string> skips_of(const Exchanges& exchanges, bool dry, bool one
 void require_line(const scene::Scene& scene, const SolidProcess& process) {
   const bool alone = scene.fluid == scene::FluidModel::none;
   if (!alone && !process.make_fluid && process.line.endpoint.empty()) {
-    throw std::invalid_argument("the scene has water: say with --endpoint where to listen for the fluid process");
+    throw std::invalid_argument(
+        "the scene has water, and no --endpoint: say with it where to listen for the fluid process (ipc://PATH or "
+        "tcp://HOST:PORT), or start \"blockweir run\"");
   }
   if (alone && !process.line.endpoint.empty()) {
     throw std::invalid_argument(

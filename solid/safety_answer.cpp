@@ -85,9 +85,10 @@ void add_factor(const Attempt<Strength>& found, const char* key, const char* why
   const bool has_one = found.value && found.value->bearing == Bearing::fails_at_a_factor;
   answer[key] = has_one ? json(found.value->factor) : json();
   if (has_one) return;
-  answer[why] = !found.value                                 ? found.why_not
-                : found.value->bearing == Bearing::bears_any ? "no joint needs shear strength"
-                                                             : "no shear strength of joints would do";
+  answer[why] = !found.value ? found.why_not
+                : found.value->bearing == Bearing::bears_any
+                    ? "no joint needs shear strength"
+                    : "no shear strength of the joints would hold the structure";
 }
 
 const char* outcome(const Attempt<StaticStrength>& blocks) {

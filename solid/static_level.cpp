@@ -33,7 +33,7 @@ class LevelSearch {
       if (!blocks_.went_far())
         throw std::runtime_error(
             "level by the blocks: no equilibrium was found under the empty reservoir, and no block had gone as far as "
-            "a failure");
+            "a failure; expected one of both; run the scene and look at its motion");
       return {.level_m = rests_m_};
     }
     resting_ = blocks_.state();
@@ -101,7 +101,7 @@ class LevelSearch {
     if (!found.failure && !blocks_.went_far()) {
       throw std::runtime_error(fmt::format(
           "level by the blocks: they rest up to {:.9g} m; at {:.9g} m no equilibrium was found, and no block "
-          "had gone as far as a failure",
+          "had gone as far as a failure; expected one of both; run the scene at that level and look at its motion",
           rests_m_, beyond_m));
     }
     return false;

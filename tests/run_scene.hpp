@@ -66,9 +66,8 @@ inline Verdict run_scene(const std::string& scene, const std::filesystem::path& 
     ::setrlimit(RLIMIT_CPU, &processor);
     int status = 0;
     try {
-      process::run_process({.scene = (folder / "scene.toml").string(),
-                            .folder = folder.string(),
-                            .make_fluid = process::make_hydrostatic});
+      process::run_process(
+          {.scene = (folder / "scene.toml").string(), .folder = folder.string(), .make_fluid = hydrostatic::make});
     } catch (const std::exception& error) {
       const std::string text = error.what();
       status = ::write(log, text.data(), text.size()) < 0 ? 3 : 2;

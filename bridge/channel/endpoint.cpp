@@ -72,7 +72,8 @@ void check_endpoint(const std::string& endpoint, bool listens, bool may_come) {
   std::memcpy(address.sun_path, path.c_str(), path.size());
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code ignored;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) refuse("there is no such folder");
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+    refuse("there is no folder " + folder.string() + "; make it, or choose another path");
   if (!listens) return;
   if (somebody_listens(address)) refuse("another process listens there already; choose another --endpoint");
   const auto there = std::filesystem::symlink_status(path, ignored);

@@ -32,7 +32,8 @@ void write_new(const fs::path& path, const KeyText& key, mode_t mode) {
   const int cause = errno;
   if ((file >= 0 && ::close(file) != 0) || !written) {
     throw std::invalid_argument(
-        fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(cause)));
+        fmt::format("cannot write {}: {}; expected a folder that can be written; choose another", path.string(),
+                    std::generic_category().message(cause)));
   }
 }
 
@@ -62,7 +63,7 @@ void make_keys(const fs::path& folder) {
   std::array<KeyText, 2> secret;
   for (std::size_t s = 0; s < 2; ++s) {
     if (zmq_curve_keypair(open[s].data(), secret[s].data()) != 0) {
-      throw std::runtime_error("this libzmq has no CURVE; install one that is built with libsodium");
+      throw std::runtime_error("--keys: this libzmq has no CURVE encryption; install one that is built with libsodium");
     }
   }
   for (std::size_t s = 0; s < 2; ++s) {
@@ -84,7 +85,7 @@ Keys read_keys(const fs::path& folder) {
   keys.partner_public = read_key(folder / partner_file);
   KeyText open;
   if (zmq_curve_public(open.data(), keys.own_secret.c_str()) != 0) {
-    throw std::runtime_error("this libzmq has no CURVE; install one that is built with libsodium");
+    throw std::runtime_error("--keys: this libzmq has no CURVE encryption; install one that is built with libsodium");
   }
   keys.own_public = open.data();
   return keys;

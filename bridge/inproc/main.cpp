@@ -6,7 +6,7 @@
 
 int main(int argc, char** argv) {
   using namespace blockweir;
-  process::SolidProcess solid{.make_fluid = process::make_hydrostatic};
+  process::SolidProcess solid{.make_fluid = hydrostatic::make};
   std::string report;
   CLI::App app{"blockweir-inproc: the blocks of a scene and the still water on them, in one process"};
   process::add_solid_options(app, solid);

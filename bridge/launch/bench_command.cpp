@@ -10,7 +10,7 @@ Work bench_command(CLI::App& app) {
   const auto options = std::make_shared<study::BenchOptions>();
   app.add_option("cases", options->cases, "case folders (default: all that have a [[bench]])");
   app.add_option("--out", options->out, "folder for the table and the pictures (default: runs/bench)");
-  app.add_flag("--short", options->brief, "two values a curve, each run once");
+  app.add_flag("--short", options->brief, "only two settings of each curve, each run once");
   app.add_option("--set", options->overrides, "set a key in each scene, as key=value");
   return [options] { return study::bench(*options); };
 }

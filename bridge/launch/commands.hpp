@@ -43,20 +43,20 @@ struct Command {
 /// In the order in which --help lists them.
 inline constexpr std::array commands = {
     Command{"run", "run a scene and report whether it stands or fails", run_command},
-    Command{"resume", "go on with a run that was stopped, from its last checkpoint", resume_command},
-    Command{"level", "the water level at which a scene fails, by its blocks and by limit analysis", level_command},
-    Command{"safety", "the factor on strength of a scene and its load cases, and its joints", safety_command},
+    Command{"resume", "continue a run that was stopped, from its last checkpoint", resume_command},
+    Command{"level", "find the water level at which it fails, by statics and by limit analysis", level_command},
+    Command{"safety", "find the factor of safety for each load case, with a table of joints", safety_command},
     Command{"check", "list all errors and warnings of a scene, without running it", check_command},
     Command{"cut", "draw the blocks of a scene, without running it", cut_command},
     Command{"case", "write OpenFOAM's case of a scene, without running it", case_command},
     Command{"plot", "draw the figures of a run", plot_command},
-    Command{"report", "write all that is known of a scene or a run as one page to hand in", report_command},
+    Command{"report", "write one page to hand in: verdict, load cases, joints, level, histories", report_command},
     Command{"profile", "show where a run spent its time, as a table and a figure", profile_command},
-    Command{"study", "run the studies of a scene and compare them with their answers", study_command},
-    Command{"validate", "run the cases and compare each result with its formula", validate_command},
-    Command{"compare", "run scenes with each of the three contact formulations and compare", compare_command},
-    Command{"bench", "measure run time against error, for the settings that cases list", bench_command},
-    Command{"stress", "run maps of extreme settings; each cell is right, refused or wrong", stress_command},
+    Command{"study", "run the studies of a scene: critical values, maps, samples, orders", study_command},
+    Command{"validate", "run the cases and compare each result with its expected value", validate_command},
+    Command{"compare", "run scenes with each of the three contact formulations, and compare", compare_command},
+    Command{"bench", "measure run time against error, over the settings that a case lists", bench_command},
+    Command{"stress", "run maps of extreme settings: each run is right, refused or wrong", stress_command},
     Command{"keys", "make encryption keys for a run on two machines", keys_command},
     Command{"test", "set up, build and run every test (in a source tree: ./blockweir test)", test_command},
     Command{"completion", "print a script that lets a shell complete commands and options", completion_command},
@@ -69,7 +69,7 @@ std::vector<std::pair<const CLI::App*, Work>> add_commands(CLI::App& app);
 /// What add_commands() has made.
 std::vector<const CLI::App*> commands_of(const CLI::App& app);
 
-/// Options that begin with --; and those that are told by their place.
+/// Options that begin with --; and those that are known by their place.
 std::vector<const CLI::Option*> named_options(const CLI::App& app);
 std::vector<const CLI::Option*> positional_options(const CLI::App& app);
 

@@ -10,7 +10,7 @@ namespace blockweir::launch {
 
 Work keys_command(CLI::App& app) {
   const auto folder = std::make_shared<std::string>();
-  app.add_option("folder", *folder, "where to put them: FOLDER/solid and FOLDER/fluid")->required();
+  app.add_option("folder", *folder, "folder for the keys; makes FOLDER/solid and FOLDER/fluid")->required();
   return [folder] {
     channel::make_keys(*folder);
     fmt::print("{0}/solid is for the solid's machine, {0}/fluid for the fluid's: --keys FOLDER for each program\n",

@@ -10,9 +10,9 @@ Work plot_command(CLI::App& app) {
   const auto options = std::make_shared<picture::PlotOptions>();
   app.add_option("run", options->run, "folder of a run")->required();
   app.add_flag("--svg", options->svg, "draw SVG instead of PNG");
-  app.add_flag("--animate", options->animated, "also draw all frames, as animation.gif");
+  app.add_flag("--animate", options->animated, "also draw all stored moments, as animation.gif");
   app.add_flag("--section", options->section, "also draw the section, with the names of joints and the loads");
-  app.add_option("--blocks", options->blocks, "blocks that legends name (default: the eight that move most)")
+  app.add_option("--blocks", options->blocks, "blocks that the legends name (default: the eight that move most)")
       ->delimiter(',');
   app.add_option("--data", options->data,
                  "CSV file of measurements to draw: time_s, then columns named as in history.csv");

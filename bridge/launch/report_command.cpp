@@ -9,7 +9,7 @@ namespace blockweir::launch {
 
 Work report_command(CLI::App& app) {
   const auto options = std::make_shared<study::ReportOptions>();
-  app.add_option("source", options->source, "folder of a run; or a scene file or case folder, which is run then")
+  app.add_option("source", options->source, "folder of a run; or a scene file or case folder, which is run first")
       ->required();
   app.add_option("--out", options->out, "HTML file (default: report.html in the run's folder)");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");

@@ -9,7 +9,7 @@ namespace blockweir::launch {
 Work validate_command(CLI::App& app) {
   const auto options = std::make_shared<study::ValidateOptions>();
   app.add_option("cases", options->cases, "case folders (default: all)");
-  app.add_option("--json", options->json, "file for the table as JSON");
+  app.add_option("--json", options->json, "also write the table to this file, as JSON");
   app.add_option("--set", options->overrides, "set a key in each scene, as key=value");
   app.add_flag("--sweep", options->sweep, "repeat each with penalties 5e6, 1e9, 1e12 and steps 1e-2, 1e-3 s");
   return [options] { return study::validate(*options); };

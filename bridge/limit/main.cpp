@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   std::string scene;
   std::string answer;
   CLI::App app{"blockweir-limit: at which level, and by which factor on strength, a scene fails"};
-  app.add_option("question", question, "level, safety or margin")
+  app.add_option("question", question,
+                 "level: at which it fails; safety: factor of safety; margin: factor at the end of a run")
       ->required()
       ->check(CLI::IsMember({"level", "safety", "margin"}));
   app.add_option("scene", scene, "scene file or case folder")->required();
@@ -27,7 +28,7 @@ int main(int argc, char** argv) {
     const auto answer_to = question == "level"    ? process::level_answer
                            : question == "safety" ? process::safety_answer
                                                   : process::margin_answer;
-    const nlohmann::json found = answer_to(scene::read(scene).scene, process::make_hydrostatic);
+    const nlohmann::json found = answer_to(scene::read(scene).scene, hydrostatic::make);
     results::replace_file(answer, found.dump(2) + "\n");
     return 0;
   });

@@ -14,13 +14,19 @@ namespace blockweir::picture {
 void gnuplot(const std::string& script) {
   std::signal(SIGPIPE, SIG_IGN);                          // a missing program shows in its exit status
   std::FILE* pipe = ::popen("gnuplot 2>/dev/null", "w");  // it warns of each curve that is level
-  if (pipe == nullptr) throw std::runtime_error("cannot start gnuplot");
+  if (pipe == nullptr)
+    throw std::runtime_error("cannot start gnuplot: the system opens no pipe to it; end other programs");
   std::fwrite(script.data(), 1, script.size(), pipe);
   const int status = ::pclose(pipe);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127) {
     throw std::runtime_error("the program gnuplot is missing: install the package gnuplot-nox");
   }
-  if (status != 0) throw std::runtime_error("gnuplot could not draw the figure: is the folder writable?");
+  if (status != 0) {
+    throw std::runtime_error(
+        fmt::format("gnuplot drew no figure: it ended with status {}; expected a folder that can be written, with room "
+                    "for the figure; gnuplot's own message stands above",
+                    status));
+  }
 }
 
 std::string gnuplot_text(const std::string& text) {

@@ -17,7 +17,9 @@ History::History(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::string line;
   if (!std::getline(stream, line)) {
-    throw std::invalid_argument(fmt::format("{} is missing or empty: is this the folder of a run?", file.string()));
+    throw std::invalid_argument(fmt::format(
+        "{}: found no such file, or an empty one; expected the folder of a run that has begun; name that folder",
+        file.string()));
   }
   names_ = results::csv_cells(line);
   for (std::size_t i = 0; i < names_.size(); ++i) index_.emplace(names_[i], i);

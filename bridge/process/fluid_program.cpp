@@ -47,19 +47,24 @@ int run(Options& options, const scene::FluidEntry& entry, const FluidMaker& make
   return 0;
 }
 
+std::string other_program(scene::FluidModel model) {
+  const char* const program = scene::fluid_entry(model).program;
+  return program != nullptr ? fmt::format(", or start {} in its place", program) : "";
+}
+
 }  // namespace
 
 void require_fluid(const scene::Scene& scene, scene::FluidModel model) {
   if (scene.fluid == model) return;
   throw std::invalid_argument(
-      fmt::format("the scene's fluid is \"{}\", not \"{}\"", scene::name(scene.fluid), scene::name(model)));
+      fmt::format("[fluid] model: found \"{}\"; expected \"{}\", which is what this program computes; set it{}",
+                  scene::fluid_entry(scene.fluid).key, scene::fluid_entry(model).key, other_program(scene.fluid)));
 }
 
-int run_fluid_program(int argc, char** argv, scene::FluidModel model, const std::string& about,
-                      const FluidMaker& make) {
+int run_fluid_program(int argc, char** argv, scene::FluidModel model, const FluidMaker& make) {
   const scene::FluidEntry& entry = scene::fluid_entry(model);
   Options options;
-  CLI::App app{fmt::format("{}: {}", entry.program, about)};
+  CLI::App app{fmt::format("{}: {}", entry.program, entry.about)};
   app.add_option("scene", options.scene, "scene file or case folder")->required();
   channel::add_line_options(app, options.line)->required();
   app.add_option("--out", options.folder, "folder for checkpoints and pictures");

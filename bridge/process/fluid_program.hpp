@@ -2,8 +2,6 @@
 // A fluid that answers over the line as a program of its own: all of it but the fluid.
 #pragma once
 
-#include <string>
-
 #include "bridge/process/sides.hpp"
 
 namespace blockweir::process {
@@ -13,6 +11,6 @@ void require_fluid(const scene::Scene& scene, scene::FluidModel model);
 
 /// main() of the fluid `model`, which `make` makes from the scene and the folder of --out (empty: none was given).
 /// Returns the exit status.
-int run_fluid_program(int argc, char** argv, scene::FluidModel model, const std::string& about, const FluidMaker& make);
+int run_fluid_program(int argc, char** argv, scene::FluidModel model, const FluidMaker& make);
 
 }  // namespace blockweir::process

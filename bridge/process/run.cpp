@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 
 #include "bridge/checkpoint/checkpoints.hpp"
@@ -148,7 +150,12 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   const TemporaryFolder scratch;
   const std::string endpoint = "ipc://" + (scratch.path() / "line").string();
   int pipe_ends[2];
-  if (::pipe2(pipe_ends, O_CLOEXEC | O_NONBLOCK) != 0) throw std::runtime_error("cannot open a pipe");
+  if (::pipe2(pipe_ends, O_CLOEXEC | O_NONBLOCK) != 0) {
+    throw std::runtime_error(
+        fmt::format("cannot open a pipe to the solid process: {}; end other programs, or raise the "
+                    "limit of open files (ulimit -n)",
+                    std::strerror(errno)));
+  }
   std::vector<Command> commands = commands_of(scene, {folder, endpoint, first, options.inproc});
   commands.front().words.insert(commands.front().words.end(), {"--progress-fd", std::to_string(pipe_ends[1])});
   commands.front().inherited_fd = pipe_ends[1];

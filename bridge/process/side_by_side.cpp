@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/process/side_by_side.hpp"
 
+#include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <map>
 #include <stdexcept>
 #include <thread>
@@ -66,7 +69,12 @@ bool side_by_side(std::size_t count, int jobs, const std::function<void(std::siz
       const pid_t parent = ::getpid();
       const pid_t worker = ::fork();
       if (worker == 0) become_worker(next, work, parent, signals);
-      if (worker < 0 && running.empty()) throw std::runtime_error("cannot start a process: the system has no room");
+      if (worker < 0 && running.empty()) {
+        throw std::runtime_error(
+            fmt::format("cannot start a run of the study: {}; end other programs, or raise the limit of processes "
+                        "(ulimit -u)",
+                        std::strerror(errno)));
+      }
       if (worker > 0) running.emplace(worker, next++);
       if (worker > 0) continue;
     }

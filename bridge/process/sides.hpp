@@ -31,7 +31,11 @@ struct SolidProcess {
 /// Throws what the run throws; summary.json then says why it stopped. Returns the report of a fluid in this process.
 schedule::FluidReport run_process(SolidProcess process);
 
-/// Still water in the two pools of a scene; with [output] reservoir it also writes its pictures to `folder`.
-std::unique_ptr<schedule::FluidSide> make_hydrostatic(const scene::Scene& scene, const std::filesystem::path& folder);
-
 }  // namespace blockweir::process
+
+namespace blockweir::hydrostatic {
+
+/// Still water in the two pools of a scene; with [output] reservoir it also writes its pictures to `folder`.
+std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::filesystem::path& folder);
+
+}  // namespace blockweir::hydrostatic

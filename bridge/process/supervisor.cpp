@@ -89,7 +89,8 @@ class StopSignals {
   for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   ::execvp(words[0], words.data());
-  const std::string text = "cannot start " + command.words[0] + ": " + std::strerror(errno) + "\n";
+  const std::string text = "cannot start " + command.words[0] + ": " + std::strerror(errno) +
+                           "; expected a program that can be run; build or install all programs of blockweir\n";
   (void)!::write(STDERR_FILENO, text.data(), text.size());
   ::_exit(127);
 }
@@ -145,6 +146,23 @@ struct Children {
     for (const Child& child : all) {
       if (child.end >= 0) ::close(child.end);
     }
+  }
+  /// All are ended where this one cannot be started.
+  void start(const Command& command, const std::filesystem::path& log_folder, const StopSignals& signals) {
+    const pid_t we = ::getpid();
+    Child& child = all.emplace_back();
+    child.name = command.name;
+    child.aside = command.aside;
+    child.log = command.output.empty() ? log_folder / (command.name + ".log") : command.output;
+    child.pid = ::fork();
+    if (child.pid == 0) become(command, child.log, signals, we);
+    if (child.pid > 0) child.end = ::pidfd_open(child.pid, 0);
+    child.running = child.pid > 0;
+    if (child.end >= 0) return;
+    const std::string reason = std::strerror(errno);
+    signal(SIGKILL);
+    throw std::runtime_error("cannot start " + command.name + ": " + reason +
+                             "; end other programs, or raise the limits of processes and open files (ulimit -u, -n)");
   }
   [[nodiscard]] bool running() const {
     return std::any_of(all.begin(), all.end(), [](const Child& c) { return c.running; });
@@ -227,25 +245,9 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
   const auto begin = Clock::now();
   const StopSignals signals;
   const Reaper reaper;
-  const pid_t we = ::getpid();
   const pid_t parent = ::getppid();
   Children children;
-  for (const Command& command : commands) {
-    Child& child = children.all.emplace_back();
-    child.name = command.name;
-    child.aside = command.aside;
-    child.log = command.output.empty() ? log_folder / (command.name + ".log") : command.output;
-    child.pid = ::fork();
-    if (child.pid == 0) become(command, child.log, signals, we);
-    if (child.pid > 0) child.end = ::pidfd_open(child.pid, 0);
-    if (child.end < 0) {
-      const std::string reason = std::strerror(errno);
-      child.running = child.pid > 0;
-      children.signal(SIGKILL);
-      throw std::runtime_error("cannot start " + command.name + ": " + reason);
-    }
-    child.running = true;
-  }
+  for (const Command& command : commands) children.start(command, log_folder, signals);
 
   Supervised result;
   Clock::time_point trouble = Clock::time_point::max();

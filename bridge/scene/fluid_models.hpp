@@ -14,6 +14,7 @@ struct FluidEntry {
   const char* key;                ///< [fluid] model = "key"
   const char* name;               ///< in messages
   const char* program = nullptr;  ///< that computes it; null: none is needed
+  const char* about = "";         ///< what the program computes, for its --help
   const char* role = "";          ///< as which it greets the solid, and by which its log and checkpoints are named
   const char* folder = "";        ///< of its own within the run's
   bool remembers = false;         ///< its pressures depend on what has been: it goes on from a checkpoint of its own
@@ -27,11 +28,13 @@ inline constexpr std::array fluid_models = {
                .key = "hydrostatic",
                .name = "hydrostatic",
                .program = "blockweir-hydrostatic",
+               .about = "still water that presses on the blocks of a scene",
                .role = "hydrostatic"},
     FluidEntry{.model = FluidModel::openfoam,
                .key = "openfoam",
                .name = "OpenFOAM",
                .program = "blockweir-openfoam",
+               .about = "water that moves, by OpenFOAM's interFoam",
                .role = "openfoam",
                .folder = "openfoam",
                .remembers = true,
@@ -41,6 +44,7 @@ inline constexpr std::array fluid_models = {
                .key = "column",
                .name = "column",
                .program = "blockweir-column",
+               .about = "a pipe of water at the edge of a block",
                .role = "column",
                .remembers = true},
 };

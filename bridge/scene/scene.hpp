@@ -13,7 +13,8 @@
 #include <vector>
 
 #include "bridge/scene/joint_law.hpp"
-#include "bridge/scene/time_table.hpp"
+#include "bridge/scene/loads.hpp"
+#include "bridge/scene/studies.hpp"
 #include "bridge/scene/uplift.hpp"
 #include "bridge/scene/water.hpp"
 
@@ -51,51 +52,6 @@ struct Block {
   bool operator==(const Block&) const = default;
 };
 
-/// A point of a block that is held, or moved as its tables say, in x, in y or in both.
-struct Support {
-  int block = 0;
-  Point point_m;
-  std::optional<TimeTable> displacement_x_m;  ///< absent: free in x
-  std::optional<TimeTable> displacement_y_m;
-  bool operator==(const Support&) const = default;
-};
-
-struct PointLoad {
-  int block = 0;
-  Point point_m;
-  TimeTable force_x_n_per_m;
-  TimeTable force_y_n_per_m;
-  bool operator==(const PointLoad&) const = default;
-};
-
-/// Pressure on a straight part of a block's outline, linear from one end to the other; turns with the block.
-struct FacePressure {
-  int block = 0;
-  Point from_m;  ///< both ends lie on one edge of the block
-  Point to_m;
-  TimeTable pressure_from_pa;  ///< compression positive
-  TimeTable pressure_to_pa;
-  bool operator==(const FacePressure&) const = default;
-};
-
-/// Force on a straight part of a block's outline, linear from one end to the other, along the scene's axes.
-struct LineLoad {
-  int block = 0;
-  Point from_m;  ///< both ends lie on one edge of the block
-  Point to_m;
-  std::array<TimeTable, 2> force_from_n_per_m2;  ///< x and y, a metre of the edge as the scene draws it
-  std::array<TimeTable, 2> force_to_n_per_m2;
-  bool operator==(const LineLoad&) const = default;
-};
-
-/// Force on the volume of blocks, along the scene's axes.
-struct BodyLoad {
-  std::vector<int> blocks;         ///< indices into Scene::blocks
-  bool per_mass = true;            ///< value is an acceleration [m/s2], else a force per volume [N/m3]
-  std::array<TimeTable, 2> value;  ///< x and y
-  bool operator==(const BodyLoad&) const = default;
-};
-
 /// A bar between two blocks, or between a block and the ground: elastic, then plastic at a constant force.
 struct Bolt {
   std::string name;
@@ -107,17 +63,6 @@ struct Bolt {
   std::optional<double> yield_n_per_m;
   bool takes_compression = false;
   bool operator==(const Bolt&) const = default;
-};
-
-/// How the ground's acceleration acts: as an inertia force on all that can move, motions then being relative to the
-/// base; or by moving fixed blocks and held points, the acceleration integrated twice.
-enum class BaseForm { inertia, support };
-
-struct BaseMotion {
-  BaseForm form = BaseForm::inertia;
-  TimeTable acceleration_x_m_per_s2 = TimeTable::constant(0);
-  TimeTable acceleration_y_m_per_s2 = TimeTable::constant(0);
-  bool operator==(const BaseMotion&) const = default;
 };
 
 enum class AnalysisKind { dynamic, quasi_static, at_rest };
@@ -182,87 +127,6 @@ struct Output {
   bool reservoir = false;          ///< the reservoir's mesh and pressures too, reservoir.pvd
   double checkpoint_every_s = 60;  ///< of wall time; 0: only when asked to stop
   bool operator==(const Output&) const = default;
-};
-
-/// One figure that the case states, to be compared after the run; exactly one of value, word and formula.
-struct Expectation {
-  std::string quantity;  ///< see solid/expect/quantities
-  std::optional<double> value;
-  std::string word;           ///< of a quantity that is no number, as the mode of failure
-  std::string formula;        ///< see solid/expect/formulas
-  std::string of;             ///< the block or joint that quantity and formula speak of; may be empty
-  std::optional<Point> at_m;  ///< the point of that block, as in the scene's outline
-  double tolerance = 1e-3;    ///< relative
-  std::string source;
-  bool operator==(const Expectation&) const = default;
-};
-
-/// The scene with some keys set otherwise: another case with the same geometry.
-struct Variant {
-  std::string name;
-  std::vector<std::string> set;  ///< "dotted.key=value", as --set takes them
-  int line = 0;                  ///< where the scene file states it
-  bool operator==(const Variant&) const = default;
-};
-
-/// Many runs of the scene with one or two keys set otherwise: what all kinds of studies state.
-struct Study {
-  std::string name;
-  std::vector<std::string> set;  ///< holds in all runs of the study, as --set takes it
-  Expectation expected;          ///< the answer; what it speaks of and what its tolerance means depends on the kind
-  int line = 0;                  ///< where the scene file states it
-  bool operator==(const Study&) const = default;
-};
-
-/// Between which values of a key does the outcome change? Found by bisection over whole runs.
-struct LimitStudy : Study {
-  std::string key;
-  double from = 0;
-  double to = 0;
-  double width = 1e-3;            ///< of the bracket at the end, over its middle
-  std::string outcome = "fails";  ///< that one end has and the other has not; or a mode of failure
-  bool operator==(const LimitStudy&) const = default;
-};
-
-/// With which power of a key does the error of a quantity vanish?
-struct OrderStudy : Study {
-  std::string key;
-  std::vector<double> values;
-  double order = 0;
-  double order_tolerance = 0.1;  ///< absolute
-  bool operator==(const OrderStudy&) const = default;
-};
-
-/// A key and what it is set to, one run after the other: numbers or words, as --set takes them.
-struct Sweep {
-  std::string key;
-  std::vector<std::string> values;
-  bool operator==(const Sweep&) const = default;
-};
-
-/// A quantity over two keys, a word or a number, each cell against that of a formula.
-struct MapStudy : Study {
-  std::array<Sweep, 2> axes;
-  int may_refuse = 0;      ///< cells that may be refused with a reason
-  double longest_s = 120;  ///< of wall time: a cell that takes longer hangs
-  bool operator==(const MapStudy&) const = default;
-};
-
-/// A curve of wall time against the error of the scene's first figure.
-struct Bench {
-  std::string name;
-  std::vector<std::string> set;  ///< holds in all its runs, as --set takes it
-  Sweep sweep;
-  int line = 0;  ///< where the scene file states it
-  bool operator==(const Bench&) const = default;
-};
-
-struct Studies {
-  std::vector<LimitStudy> limits;
-  std::vector<OrderStudy> orders;
-  std::vector<MapStudy> maps;
-  std::vector<Bench> benches;
-  bool operator==(const Studies&) const = default;
 };
 
 /// A ring of equal voussoirs; the scene's blocks hold them too.

@@ -103,7 +103,8 @@ std::vector<Case> chosen(const BenchOptions& options) {
     if (bench.settings.size() > 1) {
       all.push_back(std::move(bench));
     } else if (!options.cases.empty()) {
-      throw std::invalid_argument(fmt::format("{} has no [[bench]]", path.string()));
+      throw std::invalid_argument(fmt::format(
+          "{}: found no [[bench]]; expected a scene with one; add one, or name another scene", path.string()));
     }
   }
   return all;

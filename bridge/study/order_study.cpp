@@ -31,7 +31,7 @@ Line least_squares(const std::vector<double>& x, const std::vector<double>& y) {
     xy += (x[i] - mean_x) * (y[i] - mean_y);
     xx += (x[i] - mean_x) * (x[i] - mean_x);
   }
-  if (xx == 0) throw std::runtime_error("no order: all values are the same");
+  if (xx == 0) throw std::runtime_error("no order: all values are the same; expected two or more that differ");
   return {xy / xx, mean_y - xy / xx * mean_x};
 }
 
@@ -44,11 +44,16 @@ StudyResult find_order(const scene::OrderStudy& study, StudyRuns& runs) {
     const json summary = runs.run({setting(study.key, value)}, study.expected);
     const json& check = summary["checks"][0];
     if (!check["got"].is_number())
-      throw std::runtime_error(fmt::format("no order: {} has no number", study.expected.quantity));
+      throw std::runtime_error(
+          fmt::format("no order: the run gave no number for {} at {} = {}{}; "
+                      "state another quantity, or values with which it has one",
+                      study.expected.quantity, study.key, value,
+                      check.contains("why_none") ? ", " + check["why_none"].get<std::string>() : ""));
     const double error = check["relative_error"].get<double>();
     if (error <= 0)
       throw std::runtime_error(
-          fmt::format("no order: {} is exact at {} = {}", study.expected.quantity, study.key, value));
+          fmt::format("no order: {} is exact at {} = {}; expected an error above 0; leave that value out",
+                      study.expected.quantity, study.key, value));
     log_value.push_back(std::log(value));
     log_error.push_back(std::log(error));
     result.runs.push_back({{"value", value}, {"got", check["got"]}, {"expected", check["expected"]}, {"error", error}});

@@ -59,7 +59,9 @@ std::vector<Map> maps_of(const fs::path& scene, bool brief) {
     maps.push_back({scene, map_task(map)});
     for (const Settings& cell : maps.back().task.extremes) require_sound(maps.back().task, scene, {}, cell);
   }
-  if (maps.empty()) throw std::invalid_argument(fmt::format("{} has no [[map]]", scene.string()));
+  if (maps.empty())
+    throw std::invalid_argument(
+        fmt::format("{}: found no [[map]]; expected a scene with one; add one, or name another scene", scene.string()));
   return maps;
 }
 

@@ -75,7 +75,9 @@ Tasks tasks_of(const StudyOptions& options) {
   wrong.report();
   if (!options.name.empty()) tasks.keep(options.name);
   if (tasks.answered.empty() && tasks.open.empty()) {
-    throw std::invalid_argument("the scene has no study: [[study]], [[limit]], [[order]] or [[map]]");
+    throw std::invalid_argument(fmt::format(
+        "{}: found no study; expected [[study]], [[limit]], [[order]] or [[map]]; add one, or name another scene",
+        options.scene.string()));
   }
   return tasks;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/column/column.hpp"
 
+#include <fmt/format.h>
+
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/wire/placement.hpp"
@@ -63,7 +65,10 @@ double Column::with_cushion(const Way& end, double window_s) {
 }
 
 void Column::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
-  if (motion.displacement.size() != blocks_) throw std::runtime_error("positions of another number of blocks came");
+  if (motion.displacement.size() != blocks_) {
+    throw std::runtime_error(fmt::format("positions of {} blocks came; the scene has {}; give both sides one scene",
+                                         motion.displacement.size(), blocks_));
+  }
   const Way end = way(motion);
   const double window_s = to_s - time_s_;
   const double pressure =
@@ -91,6 +96,11 @@ std::string Column::state() const {
 
 void Column::restore(const std::string& state) {
   checkpoint::unpack(state, edge_, water_, time_s_);
+}
+
+/// What blockweir-column runs; its folder is for pictures, and the column has none.
+std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::filesystem::path& /*folder*/) {
+  return std::make_unique<Column>(scene);
 }
 
 }  // namespace blockweir::column

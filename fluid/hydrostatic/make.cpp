@@ -3,16 +3,17 @@
 #include "bridge/results/folder.hpp"
 #include "fluid/hydrostatic/reservoir_output.hpp"
 
-namespace blockweir::process {
+namespace blockweir::hydrostatic {
 
-std::unique_ptr<schedule::FluidSide> make_hydrostatic(const scene::Scene& scene, const std::filesystem::path& folder) {
-  require_fluid(scene, scene::FluidModel::hydrostatic);
-  if (!scene.output.reservoir) return std::make_unique<hydrostatic::HydrostaticModel>(scene);
+std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::filesystem::path& folder) {
+  process::require_fluid(scene, scene::FluidModel::hydrostatic);
+  if (!scene.output.reservoir) return std::make_unique<HydrostaticModel>(scene);
   if (folder.empty()) {
-    throw std::invalid_argument("[output] reservoir = true: say with --out where its files shall go");
+    throw std::invalid_argument(
+        "[output] reservoir = true, and no --out: say with --out where the files of the reservoir go");
   }
   results::make_folder(folder);
-  return std::make_unique<hydrostatic::RecordedModel>(scene, folder);
+  return std::make_unique<RecordedModel>(scene, folder);
 }
 
-}  // namespace blockweir::process
+}  // namespace blockweir::hydrostatic

@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   std::string scene_path;
   std::vector<std::string> overrides;
   openfoam::RunOptions options;
-  CLI::App app{"blockweir-openfoam: water that moves, by OpenFOAM's interFoam"};
+  const scene::FluidEntry& entry = scene::fluid_entry(scene::FluidModel::openfoam);
+  CLI::App app{std::string(entry.program) + ": " + entry.about};
   app.add_option("scene", scene_path, "scene file or case folder")->required();
   channel::add_line_options(app, options.line);
   app.add_option("--out", options.folder, "folder for the case and its results")->required();
@@ -29,7 +30,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return process::exit_status("blockweir-openfoam", [&] {
+  return process::exit_status(entry.program, [&] {
     const scene::Scene scene = scene::read(scene_path, overrides).scene;
     return openfoam::run_case(scene, options);
   });

@@ -9,6 +9,7 @@
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/checkpoint/checkpoints.hpp"
+#include "bridge/process/fluid_program.hpp"
 #include "bridge/results/peak_memory.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/saving.hpp"
@@ -141,9 +142,7 @@ int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptio
 }  // namespace
 
 int run_case(const scene::Scene& scene, const RunOptions& options) {
-  if (scene.fluid != scene::FluidModel::openfoam) {
-    throw std::invalid_argument("the scene's fluid is not OpenFOAM: set model = \"openfoam\" in [fluid]");
-  }
+  process::require_fluid(scene, scene::FluidModel::openfoam);
   if (!options.case_only || !scene.openfoam.own_case.empty()) find_openfoam();
   require_water_columns(scene);
   const CaseOptions writing{fs::absolute(options.folder), find_plugin(), options.line.endpoint};

@@ -107,7 +107,9 @@ double water_quantity(const Columns& columns, const scene::Scene& scene, const s
   const auto column = [&](const std::string& name) -> const Column& {
     const auto found = columns.find(name);
     if (found != columns.end()) return found->second;
-    throw std::runtime_error(fmt::format("[[expect_water]] {}: water.csv has no \"{}\"", e.quantity, name));
+    throw std::runtime_error(fmt::format(
+        "[[expect_water]] {}: water.csv has no column \"{}\"; run the scene anew, the file is of another version",
+        e.quantity, name));
   };
   const auto of_block = [&](const char* what) -> const Column& { return column(e.of + "." + what); };
   if (columns.empty()) return nan;  // not a row

@@ -31,7 +31,10 @@ PlaneJoint plane_joint(const Scene& s, const std::string& name) {
     if (higher_of(joint) != upper) continue;
     const auto trace = scene::trace_joint(s.blocks[at(joint.between[0])], s.blocks[at(joint.between[1])], touching_m);
     if (&joint == &named && trace.pieces.empty())
-      throw std::runtime_error(fmt::format("the blocks of joint \"{}\" do not touch", name));
+      throw std::runtime_error(
+          fmt::format("the blocks of joint \"{}\" do not touch; expected an edge of one on the other; name a joint "
+                      "that has a length",
+                      name));
     if (&joint == &named) plane.mouth = trace.mouth();
     plane.length += trace.length_m;
     plane.cohesion += joint.law.cohesion_pa * joint.law.bonded_length_m.value_or(trace.length_m);

@@ -20,7 +20,9 @@ namespace {
 /// omega of a block that stands with two corners on springs of the contact's stiffness.
 double contact_frequency(const Scene& s, const std::string& of) {
   const scene::Block& b = block_named(s, of);
-  if (!s.contact.stiffness_n_per_m2) throw std::runtime_error("[contact] states no stiffness_n_per_m2");
+  if (!s.contact.stiffness_n_per_m2)
+    throw std::runtime_error(
+        "[contact] states no stiffness_n_per_m2; expected formulation = \"penalty\" with one; state it");
   const double mass = geometry::signed_area(b.vertices) * material_of(s, b).density_kg_per_m3;
   return std::sqrt(2 * *s.contact.stiffness_n_per_m2 / mass);
 }

@@ -90,7 +90,8 @@ class HalfArch {
 double arch_thickness(const Scene& s, const std::string& of) {
   const auto arch = std::find_if(s.arches.begin(), s.arches.end(), [&](const auto& a) { return a.name == of; });
   if (arch == s.arches.end()) throw std::runtime_error("[[expect]] of = \"" + of + "\" names no arch");
-  if (s.analysis.gravity_tilt_deg != 0) throw std::runtime_error("arch-thickness is for gravity that is not tilted");
+  if (s.analysis.gravity_tilt_deg != 0)
+    throw std::runtime_error("arch-thickness is for gravity that is not tilted; set gravity_tilt_deg = 0");
   double falls = 0;
   double stands = arch->mean_radius_m;
   for (int i = 0; i < 50; ++i) {

@@ -31,7 +31,7 @@ std::vector<Column> columns(const Scene& s) {
     for (const Point& v : block.vertices) box.extend(v);
     if (std::abs(geometry::signed_area(block.vertices) / box.volume() - 1) > 1e-9) {
       throw std::runtime_error("toppling-slope-friction is for rectangles along the axes, not for \"" + block.name +
-                               "\"");
+                               "\"; draw it as one, or state a value in place of the formula");
     }
     all.push_back({weight(s, block), box.max().x(), box.sizes().x(), box.min().y(), box.max().y()});
   }
@@ -64,7 +64,11 @@ double toppling_slope_friction(const Scene& s, const std::string&) {
   const double tilt = s.analysis.gravity_tilt_deg * std::numbers::pi / 180;
   double moves = 0;
   double stands = 1 - 1e-9;
-  if (force_at_toe(slope, tilt, stands) >= 0) throw std::runtime_error("no friction below 45 degrees holds the slope");
+  if (force_at_toe(slope, tilt, stands) >= 0) {
+    throw std::runtime_error(
+        "toppling-slope-friction: no friction below 45 degrees holds the slope; expected one that does; lower "
+        "gravity_tilt_deg or the columns");
+  }
   for (int i = 0; i < 50; ++i) {
     const double t = (moves + stands) / 2;
     (force_at_toe(slope, tilt, t) < 0 ? stands : moves) = t;

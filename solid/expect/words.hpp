@@ -15,7 +15,7 @@ bool is_word(const std::string& quantity);
 /// "invariants": "hold", or "energy made" where a run made more than 1e-5 of what it had and of what a fall by the
 /// model's size has, "in each other" where blocks entered each other by more than 1e-4 of the model's size;
 /// "stability": "grows" where the exchange makes energy, else "stable"; "mode": how the block (of a joint: the upper
-/// one) fails, or the first that does where none is named; "moving" where the run ended on the move; "stands".
+/// one) fails, or the first that does where none is named; "moving" where blocks moved as the run ended; "stands".
 std::string word(const Outcome& outcome, const scene::Expectation& expectation);
 
 std::vector<std::string> word_quantity_names();

@@ -33,7 +33,8 @@ LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, con
     found.at_it = structure.largest_factor(empty, reservoir_at(found.level_m));
     if (found.at_it.bearing == Bearing::bears_none) {
       throw std::runtime_error(
-          "limit analysis: the structure bears the empty reservoir, and yet no part of the full one");
+          "limit analysis: the structure bears the empty reservoir, and yet no part of the full one; expected "
+          "a level between them; look for loads or strengths in wrong units");
     }
     const bool bears = found.at_it.bearing == Bearing::bears_any || found.at_it.factor >= 1 - level_width;
     if (bears) break;

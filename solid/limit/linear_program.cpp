@@ -124,7 +124,7 @@ ProgramStatus LinearProgram::maximize() {
   }
   throw std::runtime_error(fmt::format(
       "limit analysis: the simplex method ended with code {}, status {} on a linear program of {} rows and {} "
-      "variables; expected an optimum",
+      "variables; expected an optimum; loads or strengths in wrong units may be the cause",
       failed, glp_get_status(program_.get()), glp_get_num_rows(program_.get()), glp_get_num_cols(program_.get())));
 }
 

@@ -23,7 +23,9 @@ json number_check(const expect::Outcome& outcome, const scene::Expectation& e) {
   } catch (const expect::NoFigure& none) {
     why_none = none.what();
   }
-  if (!e.word.empty()) throw std::runtime_error(fmt::format("{} is a number, and the answer a word", e.quantity));
+  if (!e.word.empty())
+    throw std::runtime_error(
+        fmt::format("{} is a number; found word = \"{}\"; state value = a number in its place", e.quantity, e.word));
   const double expected = e.value ? *e.value : expect::formula(outcome.solid.scene(), e);
   const double error = expected == 0 ? std::abs(got) : std::abs(got / expected - 1);
   json check = {{"expected", expected},
@@ -38,7 +40,9 @@ json number_check(const expect::Outcome& outcome, const scene::Expectation& e) {
 /// Right or wrong: a word has no error between.
 json word_check(const expect::Outcome& outcome, const scene::Expectation& e) {
   const std::string got = expect::word(outcome, e);
-  if (e.value) throw std::runtime_error(fmt::format("{} is a word, and the answer a number", e.quantity));
+  if (e.value)
+    throw std::runtime_error(
+        fmt::format("{} is a word; found value = {}; state word = \"...\" in its place", e.quantity, *e.value));
   const std::string expected = e.word.empty() ? expect::word_formula(outcome.solid.scene(), e) : e.word;
   return {{"expected", expected},
           {"got", got},

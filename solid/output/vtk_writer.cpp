@@ -13,6 +13,20 @@ namespace {
 using vtk::add_vector;
 using vtk::Grid;
 
+template <class Array>
+void name_components(Array& stress) {
+  stress.SetComponentName(0, "xx");
+  stress.SetComponentName(1, "yy");
+  stress.SetComponentName(2, "xy");
+}
+
+template <class Array>
+void add_principal(Array& principal, double xx, double yy, double xy) {
+  const double mean = (xx + yy) / 2;
+  const double radius = std::hypot((xx - yy) / 2, xy);
+  principal.InsertNextTuple2(mean + radius, mean - radius);
+}
+
 /// Polygons go as VTK_POLYGON cells: ParaView cuts those into triangles by their ears, so that concave blocks look
 /// right, which the fans of plain poly data do not promise.
 void fill_blocks(const Frame& frame, Grid& grid) {
@@ -22,9 +36,7 @@ void fill_blocks(const Frame& frame, Grid& grid) {
   auto* stress = grid.cell_data("stress_pa", 3);
   auto* principal = grid.cell_data("principal_stress_pa", 2);
   auto* rotation = grid.cell_data("rotation_rad", 1);
-  stress->SetComponentName(0, "xx");
-  stress->SetComponentName(1, "yy");
-  stress->SetComponentName(2, "xy");
+  name_components(*stress);
   for (std::size_t b = 0; b < frame.blocks.size(); ++b) {
     const BlockRow& block = frame.blocks[b];
     std::vector<vtkIdType> ids;
@@ -36,9 +48,7 @@ void fill_blocks(const Frame& frame, Grid& grid) {
     grid.cell(VTK_POLYGON, ids);
     id->InsertNextValue(static_cast<double>(b));
     stress->InsertNextTuple3(block.stress_xx_pa, block.stress_yy_pa, block.stress_xy_pa);
-    const double mean = (block.stress_xx_pa + block.stress_yy_pa) / 2;
-    const double radius = std::hypot((block.stress_xx_pa - block.stress_yy_pa) / 2, block.stress_xy_pa);
-    principal->InsertNextTuple2(mean + radius, mean - radius);
+    add_principal(*principal, block.stress_xx_pa, block.stress_yy_pa, block.stress_xy_pa);
     rotation->InsertNextValue(block.rotation_rad);
   }
 }
@@ -49,9 +59,7 @@ void fill_mesh(const Frame& frame, Grid& grid) {
   auto* stress = grid.point_data("stress_pa", 3);
   auto* principal = grid.point_data("principal_stress_pa", 2);
   auto* block = grid.cell_data("block", 1);
-  stress->SetComponentName(0, "xx");
-  stress->SetComponentName(1, "yy");
-  stress->SetComponentName(2, "xy");
+  name_components(*stress);
   for (const MeshRow& mesh : frame.meshes) {
     std::vector<vtkIdType> ids;
     for (std::size_t n = 0; n < mesh.nodes_m.size(); ++n) {
@@ -59,8 +67,7 @@ void fill_mesh(const Frame& frame, Grid& grid) {
       ids.push_back(grid.point(mesh.nodes_m[n]));
       add_vector(displacement, mesh.displacement_m[n]);
       stress->InsertNextTuple3(s[0], s[1], s[2]);
-      const double radius = std::hypot((s[0] - s[1]) / 2, s[2]);
-      principal->InsertNextTuple2((s[0] + s[1]) / 2 + radius, (s[0] + s[1]) / 2 - radius);
+      add_principal(*principal, s[0], s[1], s[2]);
     }
     for (const auto& t : mesh.triangles) {
       const auto id = [&](int corner) { return ids[static_cast<std::size_t>(corner)]; };

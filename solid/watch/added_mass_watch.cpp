@@ -48,8 +48,9 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
   const scene::Scene& scene = solid.scene();
   if (load.added_mass.empty() || scene.analysis.kind != scene::AnalysisKind::dynamic) return {};
   if (load.added_mass.size() != solid.described()) {
-    throw std::runtime_error(fmt::format("the fluid process says added masses of {} blocks, the scene has {}",
-                                         load.added_mass.size(), solid.described()));
+    throw std::runtime_error(
+        fmt::format("the fluid process states added masses of {} blocks; the scene has {}; give both sides one scene",
+                    load.added_mass.size(), solid.described()));
   }
   const scene::Coupling& coupling = scene.coupling;
   if (!limit_) {

@@ -92,7 +92,7 @@ std::string InterfaceEnergy::trouble(double ratio) const {
                      "the schedule is unstable in spite of the added-mass guard{}; shorten [coupling] window_s (now "
                      "{:.3g}), or take schedule = \"serial\" with load_in_window = \"held\"",
                      ratio > 0 ? fmt::format(", for water {:.3g} times as heavy as a block", ratio)
-                               : ", which the fluid tells no added masses",
+                               : ", for which the fluid states no added mass",
                      coupling.window_s);
 }
 

@@ -85,7 +85,7 @@ TEST_F(Bench, ASettingThatDoesNotRunIsTold) {
 TEST_F(Bench, WhatIsWrongIsFoundBeforeAnythingRuns) {
   write_scene("");
   EXPECT_EQ(bench(), 2);
-  EXPECT_THAT(text("out"), HasSubstr("s.toml has no [[bench]]"));
+  EXPECT_THAT(text("out"), HasSubstr("s.toml: found no [[bench]]"));
   write_scene("[[bench]]\nname = 'x'\nkey = 'analysis.step_s'\nvalues = [0.01]\n", "");
   EXPECT_EQ(bench(), 2);
   EXPECT_THAT(text("out"), HasSubstr("no figure whose error could be measured"));

@@ -42,7 +42,7 @@ TEST_F(Inproc, AFluidThatNeedsAProcessIsRefusedAndNothingIsTouched) {
   EXPECT_THAT(text("out"), HasSubstr("--inproc: found model = \"column\" in [fluid]; only \"hydrostatic\" runs"));
   EXPECT_FALSE(fs::exists(folder / "o"));
   EXPECT_EQ(shell(programs + "/blockweir-inproc " + cases + "water-column --out o"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("the scene's fluid is \"column\", not \"hydrostatic\""));
+  EXPECT_THAT(text("out"), HasSubstr("[fluid] model: found \"column\"; expected \"hydrostatic\""));
 }
 
 TEST_F(Inproc, IsStoppedAndGoesOnEitherWay) {

@@ -40,7 +40,7 @@ class ProfileCost : public Processes {
                           .folder = folder / "o",
                           .overrides = {"analysis.duration_s=4"},
                           .progress_fd = silence_,
-                          .make_fluid = process::make_hydrostatic});
+                          .make_fluid = hydrostatic::make});
     return seconds_of_processor() - start_s;
   }
 

@@ -112,7 +112,7 @@ TEST_F(Stress, MapsOfTheCasesHaveNoWrongCellInShort) {
 TEST_F(Stress, WhatIsNoMapIsNamed) {
   write_scene("");
   EXPECT_EQ(stress(), 2);
-  EXPECT_THAT(text("out"), HasSubstr("s.toml has no [[map]]"));
+  EXPECT_THAT(text("out"), HasSubstr("s.toml: found no [[map]]"));
   EXPECT_EQ(shell(programs + "/blockweir stress penalti"), 2);
   EXPECT_THAT(text("out"), HasSubstr("did you mean \"penalty\"?"));
 }

@@ -154,7 +154,7 @@ TEST_F(Studies, AnOrderThatCannotBeSaysWhy) {
   const std::string weight = "quantity = 'reaction_n_per_m'\nof = 'plane'\nvalue = 1\n";
   EXPECT_THAT(order(weight + "values = [0.01, 0.01, 0.01]\n"), HasSubstr("no order: all values are the same"));
   EXPECT_THAT(order("quantity = 'failure_time_s'\nvalue = 1\nvalues = [0.01, 0.005, 0.002]\n"),
-              HasSubstr("no order: failure_time_s has no number"));
+              HasSubstr("no order: the run gave no number for failure_time_s"));
   EXPECT_THAT(order("quantity = 'displacement_m'\nof = 'plane'\nvalue = 0\nvalues = [0.01, 0.005, 0.002]\n"),
               HasSubstr("no order: displacement_m is exact at analysis.step_s = 0.01"));
 }
@@ -174,7 +174,7 @@ TEST_F(Studies, AMapCountsItsWrongCells) {
 TEST_F(Studies, OneThatIsNotThereIsNamed) {
   write_scene("");
   EXPECT_EQ(shell(programs + "/blockweir study scene.toml"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("the scene has no study"));
+  EXPECT_THAT(text("out"), HasSubstr("found no study; expected [[study]]"));
 }
 
 }  // namespace

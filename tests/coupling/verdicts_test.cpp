@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // What a run says of a structure: that it stands, fails, or moves when the run ends; how, where and at which level.
-// Levels are those of limit equilibrium, worked out beside each scene.
+// Levels are those of limit equilibrium, worked out beside each scene. Long, as each verdict needs a scene of its own.
 #include <fmt/format.h>
 
 #include <cmath>

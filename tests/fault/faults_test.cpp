@@ -159,7 +159,7 @@ TEST_F(Faults, AReservoirWithoutAFolderForItIsRefused) {
   EXPECT_EQ(shell(programs + "/blockweir-hydrostatic " + cases +
                   "hydrostatic-wall --endpoint ipc://line --set output.reservoir=true"),
             2);
-  EXPECT_THAT(text("out"), HasSubstr("[output] reservoir = true: say with --out where its files shall go"));
+  EXPECT_THAT(text("out"), HasSubstr("[output] reservoir = true, and no --out"));
 }
 
 TEST_F(Faults, APlaceForTemporaryFilesThatIsNoneIsNamed) {
@@ -182,7 +182,12 @@ TEST_F(Faults, AnUnknownVariantIsRefused) {
 
 TEST_F(Faults, APlotOfNoRunIsRefused) {
   EXPECT_EQ(shell(programs + "/blockweir plot nowhere"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("is this the folder of a run?"));
+  EXPECT_THAT(text("out"), HasSubstr("found no such file, or an empty one; expected the folder of a run"));
+}
+
+TEST_F(Faults, AProgramOfAnotherFluidThanTheScenesIsRefused) {
+  EXPECT_EQ(shell(programs + "/blockweir-openfoam " + cases + "incline --out o --case-only"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("[fluid] model: found \"none\"; expected \"openfoam\""));
 }
 
 TEST_F(Faults, ADiskThatFillsUpEndsTheRunWithOneLine) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Long, as each kind of structure is a function that draws one, and they share the dam's section and its laws.
 #include "tests/independent/random_structures.hpp"
 
 #include <cmath>

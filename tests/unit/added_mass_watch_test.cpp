@@ -136,7 +136,8 @@ TEST(AddedMassWatch, WhatIsNoInertiaIsRefused) {
               HasSubstr("the added mass on block \"gate\" is -0.2 of its own in one mode"));
   wire::Load load = load_of({}, {});
   load.added_mass.own().pop_back();
-  EXPECT_EQ(refusal(two_blocks(), load), "the fluid process says added masses of 2 blocks, the scene has 3");
+  EXPECT_EQ(refusal(two_blocks(), load),
+            "the fluid process states added masses of 2 blocks; the scene has 3; give both sides one scene");
 }
 
 /// A run's results.

@@ -94,7 +94,7 @@ TEST(Architecture, TheReadmeHasEveryFolderOfSourcesOnItsMap) {
   }
   std::set<std::string> in_the_tree;
   for (const Source& source : sources()) in_the_tree.insert(source.folder);
-  for (const char* inner : {"solid", "fluid/openfoam/plugin"}) in_the_tree.erase(inner);
+  for (const char* inner : {"solid", "fluid", "fluid/openfoam/plugin"}) in_the_tree.erase(inner);
   EXPECT_EQ(on_the_map, in_the_tree);
 }
 
@@ -156,7 +156,7 @@ TEST(Architecture, EverySourceHasItsLicenceAndAReadableLength) {
   for (const Source& source : sources({"bridge", "solid", "fluid", "tests/independent"})) {
     ASSERT_FALSE(source.lines.empty()) << source.path;
     EXPECT_EQ(source.lines.front(), "// SPDX-License-Identifier: GPL-3.0-or-later") << source.path;
-    EXPECT_LE(source.lines.size(), 400U) << source.path;
+    EXPECT_LE(source.lines.size(), source.folder == "tests/independent" ? 400U : 300U) << source.path;
   }
 }
 

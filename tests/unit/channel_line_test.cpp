@@ -46,7 +46,7 @@ TEST_F(Line, EndpointsThatCannotBeAreRefused) {
   }
   EXPECT_THAT(refusal("ipc://" + std::string(200, 'x')),
               HasSubstr("the path has 200 bytes, at most 107 fit a socket; choose a shorter one"));
-  EXPECT_THAT(refusal("ipc://" + (folder / "no/line").string(), false), HasSubstr("there is no such folder"));
+  EXPECT_THAT(refusal("ipc://" + (folder / "no/line").string(), false), HasSubstr("there is no folder"));
 }
 
 TEST_F(Line, AFileThatIsNoSocketIsNotRemoved) {

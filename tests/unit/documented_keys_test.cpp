@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_scene_read
 // bridge/scene/KEYS.md says of each key what the reader does: its name, its unit, its default, whether it is required.
+// Long, as the page is parsed here, and every section needs a sound scene to which its keys are added.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

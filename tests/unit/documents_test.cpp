@@ -65,6 +65,25 @@ TEST(Documents, AFluidOfOnesOwnFindsAllThatItIsTold) {
   }
 }
 
+TEST(Documents, TheCountOfFilesThatAnAdditionTakesIsThatOfTheFilesNamed) {
+  std::istringstream rows(section("bridge/README.md", "To add something"));
+  const std::regex row_of("\\| an? ([^|]+) \\| ([0-9]+)[^|]*\\| (.*) \\|");
+  int counted = 0;
+  for (std::string row; std::getline(rows, row);) {
+    std::smatch cells;
+    if (!std::regex_match(row, cells, row_of)) continue;
+    ++counted;
+    const std::vector<std::string> files = quoted(cells[3]);
+    EXPECT_EQ(static_cast<std::size_t>(std::stoi(cells[2])), files.size()) << row;
+    for (const std::string& file : files) {
+      const bool pattern = file.find("NAME") != std::string::npos || file.find('*') != std::string::npos;
+      const bool there = fs::exists(root / file) || fs::exists(root / "bridge" / file);
+      EXPECT_TRUE(pattern || there) << file;
+    }
+  }
+  EXPECT_EQ(counted, 6);
+}
+
 /// In the first column of the table whose heading begins so.
 std::multiset<std::string> listed(const std::string& heading) {
   const std::string all = text_of(root / "bridge/scene/KEYS.md");

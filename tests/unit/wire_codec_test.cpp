@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_channel
-// Messages survive the wire; what is no message, or says what cannot be, is refused by name.
+// Messages survive the wire; what is no message, or says what cannot be, is refused by name. Long, as each rule of a
+// message has a test that breaks it.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

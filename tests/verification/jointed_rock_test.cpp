@@ -12,16 +12,7 @@
 namespace blockweir::solid {
 namespace {
 
-std::string dam_on_rock(test::Random& random, const std::string& formulation) {
-  const double water = random.between(15, 20);
-  const double dip = random.between(-25, 25);
-  const double spacing = random.between(3, 6);
-  const double steep_dip = (random.between(0, 1) < 0.5 ? -1 : 1) * random.between(60, 85);
-  const double steep_spacing = random.between(4, 8);
-  const double persistence = random.between(0.6, 1);
-  const int seed = random.integer(1, 1000);
-  const double mesh_size = random.between(2, 4);
-  return fmt::format(R"(
+constexpr const char* dam_and_rock = R"(
 [analysis]
 duration_s = 1
 step_s = 0.01
@@ -76,9 +67,19 @@ from_m = [0, 0]
 to_m = [0, 15]
 pressure_from_pa = {8}
 pressure_to_pa = {9}
-)",
-                     formulation, dip, spacing, steep_dip, steep_spacing, persistence, seed, mesh_size, 9810 * water,
-                     9810 * (water - 15));
+)";
+
+std::string dam_on_rock(test::Random& random, const std::string& formulation) {
+  const double water = random.between(15, 20);
+  const double dip = random.between(-25, 25);
+  const double spacing = random.between(3, 6);
+  const double steep_dip = (random.between(0, 1) < 0.5 ? -1 : 1) * random.between(60, 85);
+  const double steep_spacing = random.between(4, 8);
+  const double persistence = random.between(0.6, 1);
+  const int seed = random.integer(1, 1000);
+  const double mesh_size = random.between(2, 4);
+  return fmt::format(dam_and_rock, formulation, dip, spacing, steep_dip, steep_spacing, persistence, seed, mesh_size,
+                     9810 * water, 9810 * (water - 15));
 }
 
 /// What acts from above on blocks that do not move.

@@ -24,7 +24,7 @@ class RandomLevels : public RandomTrials {
     return scene::read_text(text, "scene.toml").scene;
   }
   [[nodiscard]] nlohmann::json level_of(const RandomStructure& one) const {
-    return process::level_answer(scene_of(one, one.level_m), process::make_hydrostatic);
+    return process::level_answer(scene_of(one, one.level_m), hydrostatic::make);
   }
   /// All three ways to a level.
   [[nodiscard]] std::string wrong_levels(const RandomStructure& one) const {
@@ -59,7 +59,7 @@ TEST_F(RandomLevels, StrengthReductionIsTheSlidingFactorByHand) {
   each({gravity_section}, 40, [this](const RandomStructure& one) {
     const double level_m = 0.9 * one.level_m;
     const double factor = sliding_factor(one.stacks.front(), level_m);
-    const nlohmann::json answer = process::safety_answer(scene_of(one, level_m), process::make_hydrostatic);
+    const nlohmann::json answer = process::safety_answer(scene_of(one, level_m), hydrostatic::make);
     std::string all;
     for (const char* whose : {"factor", "limit_analysis_factor"}) {
       if (!answer[whose].is_number()) {
@@ -79,11 +79,11 @@ TEST_F(RandomLevels, TheMarginIsToldOfTheSurfaceThatFailsWhenTheLevelIsRaised) {
   each({on_rock, bricks, voronoi}, 4, [&](const RandomStructure& one) {
     constexpr double coarse = 1e-3;
     const scene::Scene scene = scene_of(one, one.level_m);
-    solid::StillWater water(scene, process::make_hydrostatic);
+    solid::StillWater water(scene, hydrostatic::make);
     const auto failing = solid::attempt([&] { return solid::static_level(scene, water, coarse); });
     if (!failing.value || !failing.value->failure) return std::string();
     const scene::Scene below = scene_of(one, 0.95 * one.level_m);
-    const nlohmann::json margin = process::margin_answer(below, process::make_hydrostatic);
+    const nlohmann::json margin = process::margin_answer(below, hydrostatic::make);
     if (!margin.contains("mechanism")) return std::string();
     ++told;
     const auto joints = margin["mechanism"]["joints"].get<std::vector<std::string>>();
@@ -106,7 +106,7 @@ TEST_F(RandomLevels, BlocksWhoseDilationIsTheirFrictionFailAtTheLevelOfLimitAnal
     };
     dilate(scene.default_joint);
     for (scene::Joint& joint : scene.joints) dilate(joint.law);
-    solid::StillWater water(scene, process::make_hydrostatic);
+    solid::StillWater water(scene, hydrostatic::make);
     const solid::StaticLevel found = solid::static_level(scene, water, width);
     const double off = found.level_m - one.level_m;
     const double rise_m = water.range().full_m - water.range().empty_m;

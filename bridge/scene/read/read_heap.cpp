@@ -42,7 +42,7 @@ std::vector<Point> rectangle(const Point& low, const Point& high) {
 void read_heap(TableReader& table, Reading& reading) {
   Heap heap;
   Block block;
-  const Range length{[](double l) { return l > 0 && l < 1e6; }, "a number above 0, below 1e6"};
+  const Range length = drawn_length();
   const std::size_t errors = reading.problems.count();
   table.text("name", heap.name, true);
   block.material = table.reference("material", reading.materials);

@@ -60,8 +60,7 @@ void read_arch(TableReader& table, Reading& reading) {
   block.material = table.reference("material", reading.materials);
   block.line = table.place().line;
   table.point("centre_m", arch.centre_m);
-  table.number("mean_radius_m", arch.mean_radius_m,
-               {[](double r) { return r > 0 && r < 1e6; }, "a number above 0, below 1e6"}, true);
+  table.number("mean_radius_m", arch.mean_radius_m, drawn_length(), true);
   const double radius = arch.mean_radius_m;
   table.number(
       "thickness_m", arch.thickness_m,
@@ -116,7 +115,7 @@ std::vector<double> brick_ends(const Wall& wall, int row) {
 void read_wall(TableReader& table, Reading& reading) {
   Wall wall;
   Block block;
-  const Range length{[](double l) { return l > 0 && l < 1e6; }, "a number above 0, below 1e6"};
+  const Range length = drawn_length();
   const std::size_t errors = reading.problems.count();
   table.text("name", wall.name, true);
   block.material = table.reference("material", reading.materials);

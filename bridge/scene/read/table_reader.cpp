@@ -46,6 +46,10 @@ Range not_negative() {
   return {[](double x) { return x >= 0; }, "a number of at least 0"};
 }
 
+Range drawn_length() {
+  return {[](double x) { return x > 0 && x < 1e6; }, "a number above 0, below 1e6"};
+}
+
 TableReader::TableReader(Problems& problems, const toml::table* table, std::string name)
     : problems_(problems), table_(table), name_(std::move(name)) {}
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads one TOML table key by key: types, ranges, defaults, and which keys nobody asked for.
+// Reads one TOML table key by key: types, ranges, defaults, and which keys nobody asked for. One short function for
+// each kind of value, which is why there are many.
 #pragma once
 
 #include <toml++/toml.h>
@@ -23,6 +24,8 @@ struct Range {
 Range any_number();
 Range positive();
 Range not_negative();
+/// Of a length that a drawing can have: above 0, below 1e6 m.
+Range drawn_length();
 
 /// A value that is wrong is reported and leaves `into` as it was; so does a key that is absent, unless required.
 class TableReader {

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bridge/scene/at.hpp"
+#include "solid/watch/joint_name.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+using nlohmann::json;
+
+/// "block "a"", "blocks "a" and "b"", and so on; of many the first few.
+std::string named(const Solid& solid, const std::vector<int>& blocks) {
+  constexpr std::size_t most = 4;
+  const auto name = [&](std::size_t i) { return fmt::format("\"{}\"", solid.blocks()[at(blocks[i])].name); };
+  if (blocks.size() == 1) return "block " + name(0);
+  std::string text = "blocks " + name(0);
+  const std::size_t shown = std::min(most, blocks.size());
+  for (std::size_t i = 1; i < shown; ++i) text += (i + 1 == blocks.size() ? " and " : ", ") + name(i);
+  return shown == blocks.size() ? text : fmt::format("{} and {} more", text, blocks.size() - shown);
+}
+
+std::string failure_text(const Solid& solid, const Failure& f) {
+  const bool one = f.blocks.size() == 1;
+  std::string text = fmt::format("{} {} by {}", named(solid, f.blocks), one ? "fails" : "fail together", f.mode);
+  const bool leaves = f.mode == "lifting" || f.mode == "falling";
+  if (!f.joint.empty()) text += fmt::format(" {} joint \"{}\"", leaves ? "off" : "on", f.joint);
+  return text;
+}
+
+/// What the level is good for; empty where it is that of slow filling to a thousandth of the head.
+std::string doubt(const Solid& solid, const Failure& f) {
+  if (std::isnan(f.level_m)) return {};
+  if (f.bound && solid.scene().analysis.kind == scene::AnalysisKind::at_rest) {
+    return "a static analysis looks at one level: try lower ones, or let the level rise in a dynamic analysis";
+  }
+  if (f.bound) return "it moves from the start: begin with a lower level";
+  constexpr double exact = 1e-3;  // of the head
+  if (!(f.level_uncertainty_m > exact * f.head_m)) return {};
+  if (f.window_rise_m > f.level_uncertainty_m / 2) {
+    return fmt::format(
+        "this level is accurate to {:.2g} m, its rise in one window: fill more slowly or shorten window_s",
+        f.level_uncertainty_m);
+  }
+  if (solid.scene().base_motion) {
+    return fmt::format("the ground shakes: this level is good to {:.2g} m", f.level_uncertainty_m);
+  }
+  return fmt::format(
+      "this level depends on the speed of filling: while the structure is shaken it is good to {:.2g} m; the static "
+      "level is found by filling more slowly, or with kind = \"static\" at single levels",
+      f.level_uncertainty_m);
+}
+
+json failure(const expect::Outcome& o) {
+  const Failure& first = o.failure.failures().front();
+  json names = json::array();
+  for (const Failure& f : o.failure.failures()) {
+    for (const int block : f.blocks) names.push_back(o.solid.blocks()[at(block)].name);
+  }
+  // NaN (no pool) becomes null.
+  json found = {{"level_m", first.level_m},
+                {"pool", first.downstream ? "downstream" : "upstream"},
+                {"head_m", first.head_m},
+                {"level_is_bound", first.bound},
+                {"level_uncertainty_m", first.level_uncertainty_m},
+                {"time_s", first.time_s},
+                {"mode", first.mode},
+                {"joint", first.joint},
+                {"blocks", names},
+                {"text", failure_text(o.solid, first)}};
+  std::string text = doubt(o.solid, first);
+  if (o.solid.scene().analysis.kind == scene::AnalysisKind::dynamic && o.failure.rests_again()) {
+    text += fmt::format(
+        "{}the blocks that failed came to rest again before the run ended, at most {:.3g} m from where they were "
+        "drawn: if that is acceptable, state a larger failure_displacement_m",
+        text.empty() ? "" : "; ", o.last.largest_displacement_m);
+  }
+  if (!text.empty()) found["doubt"] = text;
+  return found;
+}
+
+/// A run that ends while something moves has not shown that the structure stands.
+json moving(const Solid& solid, const Moving& m) {
+  const std::string& name = solid.blocks()[at(m.block)].name;
+  return {
+      {"block", name},
+      {"speed_m_per_s", m.speed_m_per_s},
+      {"travel_m", m.travel_m},
+      {"text", fmt::format("block \"{}\" moved at {:.3g} m/s when the run ended, {:.3g} m from where it last stood: "
+                           "whether it stands is not decided; lengthen duration_s",
+                           name, m.speed_m_per_s, m.travel_m)}};
+}
+
+json margin(const expect::Outcome& o) {
+  const auto place = [](const Margin& m) {
+    return fmt::format(" joint \"{}\" at {:.4g} s", m.joint, m.time_s) +
+           (std::isnan(m.level_m) ? "" : fmt::format(", level {:.5g} m", m.level_m));
+  };
+  json found;
+  std::string text =
+      o.margins.buttressed()    ? "no sliding factor: blocks downstream support every surface that carries shear"
+      : o.margins.any_surface() ? "no surface that runs through carries shear"
+                                : "no sliding factor: no joint, and no line of joints, runs through the structure";
+  if (const auto& m = o.margins.sliding()) {
+    found = {{"sliding_factor", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
+    text = fmt::format("lowest sliding factor {:.4g} on", m->value) + place(*m);
+  }
+  if (const auto& m = o.margins.overturning()) {
+    found["overturning"] = {{"end_distance", m->value},
+                            {"end", m->end},
+                            {"joint", m->joint},
+                            {"level_m", m->level_m},
+                            {"time_s", m->time_s}};
+    text += m->value < 0 ? fmt::format("; resultant beyond the {} end: tension strength holds", m->end)
+                         : fmt::format(
+                               "; resultant nearest to an end (0: overturns): {:.4g} of the length from the {} "
+                               "end of",
+                               m->value, m->end);
+    text += place(*m);
+  }
+  const ContactRow* slipped = nullptr;
+  for (const ContactRow& c : o.last.contacts) {
+    if (slipped == nullptr || std::abs(c.slip_m) > std::abs(slipped->slip_m)) slipped = &c;
+  }
+  constexpr double seen = 0.1;  // of a failure: what strains slips by less
+  if (slipped != nullptr && std::abs(slipped->slip_m) > seen * o.solid.scene().analysis.failure_displacement_m) {
+    const std::string joint = joint_name(o.solid, slipped->vertex_block, slipped->edge_block);
+    found["slip_m"] = std::abs(slipped->slip_m);
+    found["slip_joint"] = joint;
+    text += fmt::format("; it has slipped by {:.3g} m on joint \"{}\"", std::abs(slipped->slip_m), joint);
+  }
+  found["text"] = text;
+  return found;
+}
+
+/// A pool whose level at the end has not acted: a window holds the level that it begins with.
+void add_levels_not_reached(const expect::Outcome& o, json& warnings) {
+  const scene::Scene& scene = o.solid.scene();
+  if (scene.fluid != scene::FluidModel::hydrostatic || o.last.time_s < scene.analysis.duration_s) return;
+  const auto look = [&](const char* pool, const std::optional<scene::TimeTable>& table, double acted_m) {
+    constexpr double far = 1e-3;  // of the structure
+    if (!table || std::isnan(acted_m)) return;
+    const double end_m = table->at(scene.analysis.duration_s);
+    if (std::abs(end_m - acted_m) <= far * 2 * o.solid.size_m()) return;
+    warnings.push_back(
+        fmt::format("the run ends before the last {} level, {:.6g} m, has acted: the last window used {:.6g} m; "
+                    "shorten window_s, or hold the level for a while",
+                    pool, end_m, acted_m));
+  };
+  look("upstream", scene.water.upstream_level_m, o.last.upstream_level_m);
+  look("downstream", scene.water.downstream_level_m, o.last.downstream_level_m);
+}
+
+/// Stands, fails or moving, and what belongs to it.
+void add_outcome(const expect::Outcome& outcome, json& text) {
+  if (!outcome.failure.failures().empty()) {
+    text["outcome"] = "fails";
+    text["failure"] = failure(outcome);
+  } else {
+    const auto still = outcome.failure.moving();
+    text["outcome"] = still ? "moving" : "stands";
+    if (still) text["moving"] = moving(outcome.solid, *still);
+    text["margin"] = margin(outcome);
+    add_levels_not_reached(outcome, text["warnings"]);
+  }
+}
+
+/// A static analysis that finds no equilibrium, and no failure, has stopped.
+void add_rest(const expect::Outcome& outcome, json& text) {
+  if (outcome.solid.scene().analysis.kind != scene::AnalysisKind::at_rest) return;
+  const Rest& rest = outcome.solid.rest();
+  const auto steps = outcome.solid.counts().steps;
+  text["rest"] = {{"found", rest.found}, {"unbalanced_ratio", rest.unbalanced}, {"steps", steps}};
+  text["rest"]["text"] =
+      rest.found ? fmt::format("at rest after {} steps, {:.3g} of the weight unbalanced", steps, rest.unbalanced)
+                 : fmt::format(
+                       "no equilibrium: {:.3g} of the weight unbalanced after {} steps, largest displacement "
+                       "{:.4g} m",
+                       rest.unbalanced, steps, outcome.last.largest_displacement_m);
+  if (!rest.found && outcome.failure.failures().empty()) {
+    text["outcome"] = "stopped";
+    text["stopped"] = text["rest"]["text"];
+  }
+}
+
+void add_breach(const expect::Outcome& outcome, json& text) {
+  if (!outcome.breached_s) return;
+  const bool flows = outcome.solid.scene().fluid == scene::FluidModel::openfoam;
+  text["breach"] = {{"time_s", *outcome.breached_s},
+                    {"text", flows ? "open water passes the structure"
+                                   : "open water passes the structure; from then on water would flow, and the "
+                                     "pressures of still water no longer apply"}};
+}
+
+}  // namespace
+
+void add_verdict(const expect::Outcome& outcome, json& text) {
+  add_outcome(outcome, text);
+  add_rest(outcome, text);
+  add_breach(outcome, text);
+}
+
+}  // namespace blockweir::solid::output
