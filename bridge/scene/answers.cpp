@@ -33,6 +33,8 @@ constexpr Answer all_quantities[] = {
     {"bolt_force_n_per_m", Subject::bolt},
     {"bolt_elongation_m", Subject::bolt},
     {"hinges", Subject::arch},
+    {"pile_width_m"},
+    {"pile_height_m"},
     {"decay_per_step", Subject::block},
     {"oscillation_period_s", Subject::block},
     {"oscillation_damping_ratio", Subject::block},

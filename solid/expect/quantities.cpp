@@ -15,6 +15,7 @@ namespace {
 const Quantities& quantities() {
   static const Quantities all = [] {
     Quantities sum = state_quantities();
+    sum.insert(pile_quantities().begin(), pile_quantities().end());
     sum.insert(series_quantities().begin(), series_quantities().end());
     return sum;
   }();

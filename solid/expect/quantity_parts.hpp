@@ -15,6 +15,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();  ///< a figure 
 /// By name; each gets the finished run and what the expectation is `of`.
 using Quantities = std::map<std::string, double (*)(const Outcome&, const std::string&)>;
 const Quantities& state_quantities();   ///< from the first and last frames, and from watches over the run
+const Quantities& pile_quantities();    ///< from where blocks lie in the end
 const Quantities& series_quantities();  ///< from the course of a block's motion
 
 double slip_over_balance(const Outcome& o, const std::string& of);

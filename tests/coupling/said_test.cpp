@@ -129,6 +129,8 @@ TEST_F(Said, FiguresThatARunDoesNotHoldSayWhy) {
       "no front: the run ends before it has passed the block");
   scene(block);
   EXPECT_EQ(why("s.toml", "{quantity='failure_time_s',value=1}"), "no failure");
+  EXPECT_EQ(why("s.toml", "{quantity='pile_width_m',value=1}"),
+            "no pile: no two blocks that can move touch each other");
   EXPECT_EQ(why("s.toml", "{quantity='acceleration_m_per_s2',value=1,of='block'}"),
             "no motion: the block stays where it is");
   EXPECT_EQ(why("s.toml", "{quantity='angular_momentum_error',value=1,of='block'}"),

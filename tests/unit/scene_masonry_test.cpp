@@ -142,12 +142,21 @@ TEST(SceneMasonry, NamesMaterialsAndBondsAreKnown) {
   EXPECT_THAT(twice, testing::Contains(testing::HasSubstr("a second block is called \"h-floor\"")));
 }
 
+TEST(SceneHeap, ItMayStandOnGroundOfTheScenesOwnWithStonesOfAsManyCornersAsItSays) {
+  const std::string ground =
+      "[[block]]\nname = 'g'\nmaterial = 'm'\nfixed = true\nvertices_m = [[-9, -1], [9, -1], [9, 0], [-9, 0]]\n";
+  const auto blocks = blocks_of(ground + heap + "blocks = 7\ncorners = 8\nbox = false\n");
+  ASSERT_EQ(blocks.size(), 8U);
+  for (const Block& block : blocks) EXPECT_EQ(block.vertices.size(), block.fixed ? 4U : 8U) << block.name;
+}
+
 TEST(SceneHeap, ItsBlocksFitTheBox) {
   sample::expect_error(scene_of(sample::with("0.9", "6", heap)), 7,
                        {"has 20 blocks of 6 m in a box of 5 m", "none wider than the box"});
   sample::expect_error(scene_of(heap + "blocks = 100001\n"), 7, {"has 100001 blocks", "at most 100000 blocks"});
   sample::expect_error(scene_of(heap + "blocks = 0\n"), 12, {"blocks"});
   sample::expect_error(scene_of(heap + "seed = -1\n"), 12, {"seed"});
+  sample::expect_error(scene_of(heap + "corners = 2\n"), 12, {"corners", "3"});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A box of random convex polygons that are about to fall into a heap.
+// Random convex polygons that are about to fall into a heap, in a box of their own or between blocks of the scene.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,13 +19,15 @@ struct Heap {
   double width_m = 0;
   double size_m = 0;  ///< largest diameter of a block
   int blocks = 20;
+  int corners = 0;  ///< of a block; 0: 3 to 6, at random
   int seed = 1;
+  bool box = true;
 };
 
 /// Corners on a circle, so that the polygon is convex, none nearer to the next than a third of the mean distance.
-std::vector<Point> random_polygon(const Point& centre, double largest_radius, Uniform& uniform) {
-  const double radius = largest_radius * (0.6 + 0.4 * uniform());
-  const double corners = 3 + std::floor(4 * uniform());
+std::vector<Point> random_polygon(const Point& centre, const Heap& heap, Uniform& uniform) {
+  const double radius = heap.size_m / 2 * (0.6 + 0.4 * uniform());
+  const double corners = heap.corners > 0 ? heap.corners : 3 + std::floor(4 * uniform());
   const double turn = uniform();
   std::vector<Point> polygon;
   for (double k = 0; k < corners; ++k) {
@@ -51,7 +53,9 @@ void read_heap(TableReader& table, Reading& reading) {
   table.number("width_m", heap.width_m, length, true);
   table.number("size_m", heap.size_m, length, true);
   table.integer("blocks", heap.blocks, 1);
+  if (table.has("corners")) table.integer("corners", heap.corners, 3);
   table.integer("seed", heap.seed, 0);
+  table.flag("box", heap.box);
   if (reading.problems.count() > errors || !few_enough(reading, table, heap.blocks)) return;
   if (heap.size_m > heap.width_m) {
     reading.problems.error(
@@ -75,13 +79,15 @@ void read_heap(TableReader& table, Reading& reading) {
   const auto wall = [&](const std::string& name, double x0, double y0, double x1, double y1) {
     add(name, rectangle(heap.origin_m + Point(x0, y0), heap.origin_m + Point(x1, y1)), true);
   };
-  wall("-floor", -cell, -cell, heap.width_m + cell, 0);
-  wall("-left", -cell, 0, 0, height);
-  wall("-right", heap.width_m, 0, heap.width_m + cell, height);
+  if (heap.box) {
+    wall("-floor", -cell, -cell, heap.width_m + cell, 0);
+    wall("-left", -cell, 0, 0, height);
+    wall("-right", heap.width_m, 0, heap.width_m + cell, height);
+  }
   Uniform uniform(static_cast<std::uint64_t>(heap.seed));
   for (int k = 0; k < heap.blocks; ++k) {
     const Point centre(std::fmod(k, columns) + 0.5, std::floor(k / columns) + 0.5);
-    add(std::to_string(k + 1), random_polygon(heap.origin_m + cell * centre, heap.size_m / 2, uniform), false);
+    add(std::to_string(k + 1), random_polygon(heap.origin_m + cell * centre, heap, uniform), false);
   }
 }
 
