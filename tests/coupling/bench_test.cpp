@@ -117,7 +117,8 @@ TEST_F(Bench, HoldsTheMotionAgainstARunWithFinerSteps) {
   ASSERT_EQ(bench(), 0) << text("out");
   EXPECT_THAT(row()["figure"].get<std::string>(), HasSubstr("motion until 0.2 s, by steps 8 times smaller"));
   std::map<std::string, double> error;
-  for (const auto& point : row()["points"]) {
+  const nlohmann::json points = row()["points"];
+  for (const auto& point : points) {
     error[point["setting"]] = point["relative_error"];
     EXPECT_LT(point["energy_gain"].get<double>(), 1e-9);
   }
