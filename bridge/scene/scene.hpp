@@ -248,7 +248,7 @@ struct MapStudy : Study {
   bool operator==(const MapStudy&) const = default;
 };
 
-/// A curve of wall time against the error of the scene's first figure.
+/// A curve of wall time against the error of the scene's first figure, or of its motion.
 struct Bench {
   std::string name;
   std::vector<std::string> set;  ///< holds in all its runs, as --set takes it
@@ -257,11 +257,19 @@ struct Bench {
   bool operator==(const Bench&) const = default;
 };
 
+/// A bench whose error is that of the motion: runs end at `until_s`, and are held against one with finer steps.
+struct BenchMotion {
+  double until_s = 0;
+  int finer = 16;  ///< its steps are so many times smaller than the scene's
+  bool operator==(const BenchMotion&) const = default;
+};
+
 struct Studies {
   std::vector<LimitStudy> limits;
   std::vector<OrderStudy> orders;
   std::vector<MapStudy> maps;
   std::vector<Bench> benches;
+  std::optional<BenchMotion> bench_motion;
   bool operator==(const Studies&) const = default;
 };
 

@@ -10,12 +10,10 @@
 #include "bridge/process/run.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
-#include "bridge/scene/read/entry.hpp"
-#include "bridge/scene/read/gathered.hpp"
-#include "bridge/scene/read/read.hpp"
+#include "bridge/study/bench_case.hpp"
 #include "bridge/study/bench_figure.hpp"
+#include "bridge/study/bench_motion.hpp"
 #include "bridge/study/cases_folder.hpp"
-#include "bridge/study/study.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -27,79 +25,14 @@ using process::RunResult;
 using process::TemporaryFolder;
 using Clock = std::chrono::steady_clock;
 
-/// A point before it has been measured.
-struct Setting {
-  std::string curve;
-  std::string key_and_value;
-  scene::SettingEntry entry;  ///< that states it, with what holds for the curve
-  Settings all{};             ///< with those of the command line
-  bool inproc = false;
-};
-
-/// The same scene, launched otherwise: no setting that a scene could take over.
-constexpr const char* one_process = "--inproc";
-
-struct Case {
-  fs::path scene;
-  std::vector<Setting> settings;  ///< the first is the scene as it stands
-};
-
-/// `kind`: [[bench]] or [[order]].
-template <class Curve>
-void add_curve(Case& bench, const char* kind, const Curve& curve, scene::Sweep sweep, bool brief) {
-  if (brief && sweep.values.size() > 2) sweep.values = {sweep.values.front(), sweep.values.back()};
-  for (const std::string& value : sweep.values) {
-    const std::string key_and_value = sweep.key + "=" + value;
-    bench.settings.push_back(
-        {curve.name,
-         key_and_value,
-         {fmt::format("{} \"{}\"", kind, curve.name), curve.line, joined(curve.set, {key_and_value})}});
-  }
-}
-
-bool is_first(const scene::Scene& scene, const scene::Expectation& expected) {
-  if (scene.expectations.empty()) return false;
-  const scene::Expectation& first = scene.expectations.front();
-  return expected.quantity == first.quantity && expected.of == first.of;
-}
-
 std::string in_words(const std::string& curve, const std::string& setting) {
   return setting.empty() ? curve : fmt::format("{}, {}", curve, setting);
 }
 
-/// Curves of the scene: its [[bench]], and each [[order]] of its first figure. Every setting is checked.
-Case case_of(const fs::path& path, const Settings& overrides, bool brief) {
-  const scene::Scene scene = scene::read(path, overrides).scene;
-  Case bench{.scene = path, .settings = {{"as it stands", "", {}}}};
-  for (const scene::Bench& b : scene.studies.benches) add_curve(bench, "[[bench]]", b, b.sweep, brief);
-  if (bench.settings.size() == 1) return bench;
-  for (const scene::OrderStudy& order : scene.studies.orders) {
-    if (!is_first(scene, order.expected)) continue;
-    scene::Sweep sweep{order.key, {}};
-    for (const double value : order.values) sweep.values.push_back(fmt::format("{}", value));
-    add_curve(bench, "[[order]]", order, sweep, brief);
-  }
-  if (scene.fluid == scene::FluidModel::hydrostatic)
-    bench.settings.push_back({"compute still water in the solid's process", one_process, {}, {}, true});
-  scene::Gathered wrong;
-  if (scene.expectations.empty() && scene.water_expectations.empty()) {
-    const scene::Bench& first = scene.studies.benches.front();
-    wrong.add({scene::Diagnostic::Severity::error, scene.file.string(), first.line,
-               fmt::format("[[bench]] \"{}\" finds no figure whose error could be measured", first.name),
-               "a scene with an [[expect]]", "add one"});
-  }
-  for (Setting& setting : bench.settings) {
-    setting.all = joined(overrides, setting.entry.settings);
-    wrong.from([&] { scene::read_entry(path, setting.entry, setting.all); });
-  }
-  wrong.report();
-  return bench;
-}
-
-std::vector<Case> chosen(const BenchOptions& options) {
-  std::vector<Case> all;
+std::vector<BenchCase> chosen(const BenchOptions& options) {
+  std::vector<BenchCase> all;
   for (const fs::path& path : options.cases.empty() ? all_cases() : options.cases) {
-    Case bench = case_of(path, options.overrides, options.brief);
+    BenchCase bench = bench_case(path, options.overrides, options.brief);
     if (bench.settings.size() > 1) {
       all.push_back(std::move(bench));
     } else if (!options.cases.empty()) {
@@ -112,13 +45,14 @@ std::vector<Case> chosen(const BenchOptions& options) {
 /// Runs a case's settings, as `blockweir run` does.
 class Runs {
  public:
-  explicit Runs(const Case& bench) : bench_(bench) {}
+  explicit Runs(const BenchCase& bench) : bench_(bench) {}
 
-  [[nodiscard]] RunResult of(std::size_t i) const {
+  [[nodiscard]] RunResult of(std::size_t i) const { return of(bench_.settings[i]); }
+  [[nodiscard]] RunResult of(const BenchSetting& setting) const {
     RunResult result = run({.scene = bench_.scene,
                             .out = scratch_.path() / "run",
-                            .overrides = bench_.settings[i].all,
-                            .inproc = bench_.settings[i].inproc,
+                            .overrides = setting.all,
+                            .inproc = setting.inproc,
                             .quiet = true});
     if (result.exit_code == 130) throw Interrupted();
     return result;
@@ -141,7 +75,7 @@ class Runs {
   }
 
  private:
-  const Case& bench_;
+  const BenchCase& bench_;
   TemporaryFolder scratch_;
 };
 
@@ -150,11 +84,12 @@ class Runs {
 /// run again, by turns with it alone.
 class Measured {
  public:
-  Measured(const Case& bench, bool brief) {
+  Measured(const BenchCase& bench, bool brief) {
     const Runs runs(bench);
-    for (const Setting& setting : bench.settings)
+    for (const BenchSetting& setting : bench.settings)
       points.push_back({setting.curve, setting.key_and_value, std::numeric_limits<double>::infinity(), 0});
     std::vector<std::string> troubles(points.size());
+    if (bench.finer_steps) hold_against(runs.of(*bench.finer_steps), bench.finer_steps->curve);
     if (!brief) (void)runs.of(0);  // the first run after others finds programs and files cold
     const auto begin = Clock::now();
     const auto is_short = [&] { return Clock::now() - begin < std::chrono::seconds(30); };
@@ -162,7 +97,7 @@ class Measured {
       for (std::size_t i = 0; i < points.size(); ++i) {
         if (!troubles[i].empty()) continue;
         const RunResult result = runs.of(i);
-        troubles[i] = result.trouble.empty() ? take(points[i], result.summary) : result.trouble;
+        troubles[i] = result.trouble.empty() ? take(points[i], result) : result.trouble;
       }
     }
     for (std::size_t i = 1; i < points.size() && troubles.front().empty(); ++i) {
@@ -184,15 +119,28 @@ class Measured {
   std::vector<Point> points;
   std::vector<Failed> failed;
   std::string figure;
+  std::vector<Eigen::Vector2d> finer;  ///< ways in the run with finer steps; empty: the figure is the scene's first
 
  private:
+  void hold_against(const RunResult& result, const std::string& steps) {
+    if (!result.trouble.empty()) throw std::runtime_error(result.trouble);
+    finer = ways_of(result.folder);
+    figure = fmt::format("motion until {:.4g} s, by {}", result.summary.at("simulated_s").get<double>(), steps);
+  }
+
   /// What is wrong with the figure, else nothing.
-  std::string take(Point& point, const json& summary) {
+  std::string take(Point& point, const RunResult& result) {
+    const json& summary = result.summary;
+    point.time_s = std::min(point.time_s, summary["wall_time_s"].get<double>());
+    point.energy_gain = std::max(point.energy_gain, summary["energy_gain"].get<double>());
+    if (!finer.empty()) {
+      point.error = motion_error(ways_of(result.folder), finer);
+      return "";
+    }
     const json& check = summary["checks"].at(0);
     figure = check["name"].get<std::string>();
     if (!check["relative_error"].is_number()) return fmt::format("the run has no {}", figure);
     point.error = check["relative_error"].get<double>();
-    point.time_s = std::min(point.time_s, summary["wall_time_s"].get<double>());
     return "";
   }
 };
@@ -214,13 +162,25 @@ std::vector<Point> better_ones(const std::vector<Point>& points) {
 }
 
 json as_json(const Point& p) {
-  json row = {{"curve", p.curve}, {"setting", p.setting}, {"relative_error", p.error}, {"wall_time_s", p.time_s}};
+  json row = {{"curve", p.curve},
+              {"setting", p.setting},
+              {"relative_error", p.error},
+              {"energy_gain", p.energy_gain},
+              {"wall_time_s", p.time_s}};
   if (p.beside > 0) row["wall_time_beside"] = p.beside;
   return row;
 }
 
+void draw(const std::string& name, const Measured& measured, const fs::path& out) {
+  draw_bench(out / (name + ".png"), name, "relative error of " + measured.figure, measured.points);
+  if (measured.finer.empty()) return;
+  std::vector<Point> energy = measured.points;
+  for (Point& p : energy) p.error = p.energy_gain;
+  draw_bench(out / (name + "-energy.png"), name, "energy made over what the run had", energy);
+}
+
 /// Prints the case's rows and draws it; what is said of it at the end comes back under "verdict".
-json told(const Case& bench, const Measured& measured, const fs::path& out) {
+json told(const BenchCase& bench, const Measured& measured, const fs::path& out) {
   const std::string name = case_name(bench.scene);
   const std::vector<std::size_t> best = front(measured.points);
   json row = {{"case", name}, {"figure", measured.figure}, {"points", json::array()}, {"failed", json::array()}};
@@ -228,7 +188,8 @@ json told(const Case& bench, const Measured& measured, const fs::path& out) {
   for (std::size_t i = 0; i < measured.points.size(); ++i) {
     const Point& p = measured.points[i];
     const bool on_front = std::find(best.begin(), best.end(), i) != best.end();
-    fmt::print("  {:<74} error {:>9.2e}  {:>8.3f} s{}\n", in_words(p.curve, p.setting), p.error, p.time_s,
+    fmt::print("  {:<74} error {:>9.2e}  {}{:>8.3f} s{}\n", in_words(p.curve, p.setting), p.error,
+               measured.finer.empty() ? "" : fmt::format("energy made {:>7.1e}  ", p.energy_gain), p.time_s,
                on_front ? "  *" : "");
     row["points"].push_back(as_json(p));
     row["points"].back()["on_front"] = on_front;
@@ -256,22 +217,22 @@ json told(const Case& bench, const Measured& measured, const fs::path& out) {
     if (p.setting == one_process) verdict += fmt::format("\n    {}: {:.2g} of its time", one_process, p.beside);
   }
   row["verdict"] = verdict;
-  draw_bench(out / (name + ".png"), name, measured.figure, measured.points);
+  draw(name, measured, out);
   return row;
 }
 
 }  // namespace
 
 std::size_t bench_settings(const fs::path& scene, const Settings& overrides) {
-  return case_of(scene, overrides, false).settings.size() - 1;
+  return bench_case(scene, overrides, false).settings.size() - 1;
 }
 
 int bench(const BenchOptions& options) {
-  const std::vector<Case> cases = chosen(options);
+  const std::vector<BenchCase> cases = chosen(options);
   results::make_folder(options.out);
   json rows = json::array();
   try {
-    for (const Case& one : cases) rows.push_back(told(one, Measured(one, options.brief), options.out));
+    for (const BenchCase& one : cases) rows.push_back(told(one, Measured(one, options.brief), options.out));
   } catch (const Interrupted&) {
     fmt::print(stderr, "stopped on request\n");
     return 130;

@@ -46,14 +46,13 @@ std::string time_tics() {
 
 }  // namespace
 
-void draw_bench(const std::filesystem::path& file, const std::string& title, const std::string& figure,
+void draw_bench(const std::filesystem::path& file, const std::string& title, const std::string& error,
                 const std::vector<Point>& points) {
   std::string script = fmt::format(
       "set terminal pngcairo font 'sans,11' size 1100,560\nset output {}\nset title {}\nset logscale xy\n"
       "set format x '%g'\nset format y '%.0e'\nset xlabel 'wall time [s]'\nset ylabel {}\nset grid\n"
       "set key outside right top Left reverse font ',9'\n{}{}",
-      gnuplot_path(file), gnuplot_text(title), gnuplot_text("relative error of " + figure), ranges(points),
-      time_tics());
+      gnuplot_path(file), gnuplot_text(title), gnuplot_text(error), ranges(points), time_tics());
   std::string plots;
   const auto plot = [&](const std::string& data, const std::string& style) {
     const auto number = std::count(plots.begin(), plots.end(), '$');

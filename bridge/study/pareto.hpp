@@ -9,11 +9,12 @@ namespace blockweir::study {
 
 /// A run of a bench.
 struct Point {
-  std::string curve;    ///< the setting that it belongs to
-  std::string setting;  ///< "key=value"; empty: the scene as it stands
-  double time_s = 0;    ///< least wall time of its repeats
-  double error = 0;     ///< relative, of the scene's first figure
-  double beside = 0;    ///< its wall time over the scene's as it stands, run by turns with it alone; 0: was not
+  std::string curve;       ///< the setting that it belongs to
+  std::string setting;     ///< "key=value"; empty: the scene as it stands
+  double time_s = 0;       ///< least wall time of its repeats
+  double error = 0;        ///< relative, of the scene's first figure or of its motion
+  double beside = 0;       ///< its wall time over the scene's as it stands, run by turns with it alone; 0: was not
+  double energy_gain = 0;  ///< largest of its repeats: energy made, of what the run had
 };
 
 /// Errors below it are round-off, and equal.

@@ -109,5 +109,27 @@ TEST_F(Bench, SettingsOfTheCasesAreSoundAndOneRunsInShort) {
   EXPECT_GT(row()["points"].size(), 12U);
 }
 
+TEST_F(Bench, HoldsTheMotionAgainstARunWithFinerSteps) {
+  write_scene(
+      "[bench_motion]\nuntil_s = 0.2\nfiner = 8\n"
+      "[[bench]]\nname = 'step'\nkey = 'analysis.step_s'\nvalues = [0.0025, 0.005, 0.02]\n",
+      "");
+  ASSERT_EQ(bench(), 0) << text("out");
+  EXPECT_THAT(row()["figure"].get<std::string>(), HasSubstr("motion until 0.2 s, by steps 8 times smaller"));
+  std::map<std::string, double> error;
+  const nlohmann::json points = row()["points"];
+  for (const auto& point : points) {
+    error[point["setting"]] = point["relative_error"];
+    EXPECT_LT(point["energy_gain"].get<double>(), 1e-9);
+  }
+  const auto step = [&](const std::string& s) { return error.at("analysis.step_s=" + s); };
+  EXPECT_GT(step("0.02"), 2 * step("0.005"));
+  EXPECT_GT(step("0.005"), 2 * step("0.0025"));
+  EXPECT_GT(fs::file_size(folder / "b/s-energy.png"), 1000U);
+  write_scene("[bench_motion]\nuntil_s = 0.2\n");
+  EXPECT_EQ(bench(), 2);
+  EXPECT_THAT(text("out"), HasSubstr("[bench_motion] has no effect without a curve; expected a [[bench]]"));
+}
+
 }  // namespace
 }  // namespace blockweir::test

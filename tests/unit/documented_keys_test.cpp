@@ -155,6 +155,8 @@ word = "stands"
 name = "c"
 key = "analysis.step_s"
 values = [0.001]
+[bench_motion]
+until_s = 0.01
 [[load_case]]
 name = "flood"
 set = ["analysis.step_s=0.01"]

@@ -99,6 +99,19 @@ void read_bench(TableReader& table, Reading& reading, Known& known) {
   reading.scene.studies.benches.push_back(std::move(bench));
 }
 
+void read_bench_motion(Reading& reading) {
+  TableReader table(reading.problems, reading.section("bench_motion"), "[bench_motion]");
+  if (!table.present()) return;
+  BenchMotion motion;
+  table.number("until_s", motion.until_s, positive(), true);
+  table.integer("finer", motion.finer, 2);
+  if (reading.scene.studies.benches.empty()) {
+    reading.problems.error(table.place(), "[bench_motion] has no effect without a curve",
+                           "a [[bench]] whose runs are compared", "add one, or leave [bench_motion] out");
+  }
+  reading.scene.studies.bench_motion = motion;
+}
+
 }  // namespace
 
 void read_studies(Reading& reading) {
@@ -110,6 +123,7 @@ void read_studies(Reading& reading) {
   reading.each("order", [&](TableReader& table) { read_order(table, reading, known); });
   reading.each("map", [&](TableReader& table) { read_map(table, reading, known); });
   reading.each("bench", [&](TableReader& table) { read_bench(table, reading, known); });
+  read_bench_motion(reading);
 }
 
 }  // namespace blockweir::scene
