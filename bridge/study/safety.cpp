@@ -30,6 +30,29 @@ json satisfied(const json& answer, const std::optional<double>& required) {
                                       : answer["outcome"].get<std::string>() == "stands";
 }
 
+/// The key of "key=value".
+std::string key_of(const std::string& setting) {
+  return setting.substr(0, setting.find('='));
+}
+
+/// Is one of two keys the other, or a table that holds it?
+bool meet(const std::string& a, const std::string& b) {
+  const auto& [shorter, longer] = std::minmax(a, b, [](const auto& x, const auto& y) { return x.size() < y.size(); });
+  return longer == shorter || longer.starts_with(shorter + ".");
+}
+
+/// Of the command line's settings, those over which the load case goes with its own.
+std::vector<std::string> without_effect(const Settings& overrides, const scene::LoadCase& load_case) {
+  std::vector<std::string> warnings;
+  for (const std::string& setting : overrides) {
+    for (const std::string& own : load_case.set) {
+      if (!meet(key_of(setting), key_of(own))) continue;
+      warnings.push_back(fmt::format("--set {} is not what counts here: the load case sets {}", setting, own));
+    }
+  }
+  return warnings;
+}
+
 /// Asks for one case, draws its mechanism, and adds what the scene says of it.
 json answer_of(const scene::LoadCase& load_case, const process::AskOptions& options) {
   const process::Asked asked = process::ask("safety", options);
@@ -149,7 +172,7 @@ std::string joints_text(const json& answer) {
 
 void require_sound(const scene::LoadCase& load_case, const fs::path& scene, const Settings& overrides) {
   scene::read_entry(scene, {fmt::format("[[load_case]] \"{}\"", load_case.name), load_case.line, load_case.set},
-                    joined(load_case.set, overrides));
+                    joined(overrides, load_case.set));
 }
 
 json safety_answers(const process::AskOptions& options) {
@@ -164,9 +187,13 @@ json safety_answers(const process::AskOptions& options) {
   const auto answer = [&](const scene::LoadCase& load_case, const fs::path& out, bool quiet) {
     process::AskOptions one = options;
     one.out = out;
-    one.overrides = joined(load_case.set, options.overrides);
+    one.overrides = joined(options.overrides, load_case.set);
     one.quiet = quiet;
-    cases.push_back(answer_of(load_case, one));
+    json found = answer_of(load_case, one);
+    for (std::string& warning : without_effect(options.overrides, load_case)) {
+      found["warnings"].push_back(std::move(warning));
+    }
+    cases.push_back(std::move(found));
   };
   answer({.name = "as it stands"}, options.out, options.quiet);
   for (const scene::LoadCase& load_case : load_cases) {

@@ -14,6 +14,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 class Answers : public SameResults {
  protected:
@@ -88,6 +89,21 @@ TEST_F(Answers, LoadCasesHaveTheirFactorsAndSayWhetherTheyAreEnough) {
   EXPECT_NEAR((up + joint["normal_n_per_m"].get<double>()) / weight, 0, 1e-6);
   EXPECT_NEAR((right - joint["shear_n_per_m"].get<double>()) / weight, 0, 1e-6);
   EXPECT_EQ(joint["sums"][0]["name"], "weight");
+}
+
+TEST_F(Answers, ALoadCaseSetsItsKeysOverTheCommandLine) {
+  write("s.toml", text(cases + "monolith-slides/scene.toml") +
+                      "\n[[load_case]]\nname = 'flood'\nset = ['water.upstream_level_m=7.9']\n");
+  ASSERT_EQ(ask("safety s.toml --json a.json --set water.upstream_level_m=3"), 0) << text("out");
+  const json load_cases = answer("a.json")["load_cases"];
+  EXPECT_EQ(load_cases[0]["outcome"], "stands");
+  EXPECT_EQ(load_cases[0]["level_m"], 3);
+  EXPECT_EQ(load_cases[1]["outcome"], "fails");
+  EXPECT_EQ(load_cases[1]["level_m"], 7.9);
+  EXPECT_THAT(text("out"), HasSubstr("flood: WARNING --set water.upstream_level_m=3 is not what counts here: the load "
+                                     "case sets water.upstream_level_m=7.9"));
+  ASSERT_EQ(ask("safety s.toml --set joint.friction_angle_deg=20"), 0) << text("out");
+  EXPECT_THAT(text("out"), Not(HasSubstr("is not what counts here")));
 }
 
 TEST_F(Answers, TellAFactorBelowOneOfWhatFails) {
