@@ -11,6 +11,7 @@
 #include "bridge/statics/loads.hpp"
 #include "solid/answer_parts.hpp"
 #include "solid/limit/limit_strength.hpp"
+#include "solid/reservoir_parts.hpp"
 #include "solid/situation.hpp"
 #include "solid/static_blocks.hpp"
 #include "solid/static_strength.hpp"
@@ -63,7 +64,7 @@ json table_json(const std::vector<solid::JointRow>& rows) {
 }
 
 /// Forces on joints as the scene stands; where it does not, with just the strength with which it would.
-void add_joints(Situation& now, const StaticStrength& found, json& answer) {
+void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStrength& found, json& answer) {
   constexpr double just_stands = 1 - 1e-6;
   if (found.bearing == Bearing::bears_none) return;
   const bool stands = found.bearing == Bearing::bears_any || found.factor >= 1;
@@ -72,7 +73,9 @@ void add_joints(Situation& now, const StaticStrength& found, json& answer) {
   solid::Effort effort("forces on joints");
   solid::StaticBlocks blocks(scene, now.water_if_any(), effort);
   if (!blocks.begin(now.level_m)) return;
-  answer["joints"] = table_json(solid::joint_table(blocks.solid(), blocks.pressures(now.level_m)));
+  const auto parts =
+      now.water ? solid::reservoir_parts(scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
+  answer["joints"] = table_json(solid::joint_table(blocks.solid(), blocks.pressures(now.level_m), parts));
   if (!stands) answer["joints_with_strength_times"] = 1 / reduction;
   solid::EdgeTension edge;
   edge.look(blocks.solid(), std::numeric_limits<double>::quiet_NaN(), now.level_m);
@@ -116,6 +119,8 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
       solid::attempt([&] { return solid::static_strength(scene, now.water_if_any(), now.level_m, guess); });
   if (!blocks.value && !by_limit.value) throw std::runtime_error(blocks.why_not + "; " + by_limit.why_not);
   json answer = {{"outcome", outcome(blocks)}, {"level_m", std::isnan(now.level_m) ? json() : json(now.level_m)}};
+  const auto& tailwater = scene.water.downstream_level_m;
+  answer["tailwater_m"] = tailwater ? json(tailwater->at(scene.analysis.duration_s)) : json();
   add_factor(blocks, "factor", "why_no_factor", answer);
   if (blocks.value) answer["factor_width"] = blocks.value->width;
   if (blocks.value && !blocks.value->stopped.empty()) answer["stopped"] = blocks.value->stopped;
@@ -133,7 +138,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   solid::add_water_in_an_earthquake(scene, answer);
   answer["joints"] = json::array();
   answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
-  if (blocks.value) solid::attempt([&] { return add_joints(now, *blocks.value, answer), true; });
+  if (blocks.value) solid::attempt([&] { return add_joints(now, make_fluid, *blocks.value, answer), true; });
   return answer;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/picture/report_section.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -27,16 +30,26 @@ json outline_of(const std::vector<Point>& points) {
   return list;
 }
 
+/// The law of the water in a joint, with what the scene states of it.
+std::string water_in(const scene::JointLaw& law) {
+  std::string text = scene::named(law.uplift).name;
+  if (const auto& drain = law.known_heads.drain) {
+    text += fmt::format(", drain at {:.4g} m from the upstream end, efficiency {:.4g}", drain->station_m,
+                        drain->efficiency);
+    if (std::isfinite(drain->head_m)) text += fmt::format(", to a head at {:.4g} m", drain->head_m);
+  }
+  const std::size_t piezometers = law.known_heads.piezometers.size();
+  if (piezometers > 0) text += fmt::format(" of {} piezometer{}", piezometers, piezometers == 1 ? "" : "s");
+  return text;
+}
+
 json law(const std::string& name, const scene::JointLaw& law) {
-  const char* uplift = law.uplift == scene::Uplift::none         ? "none"
-                       : law.uplift == scene::Uplift::triangular ? "triangular"
-                                                                 : "full";
   return {{"name", name},
           {"friction", law.friction_angle_deg},
           {"residual", law.residual_friction_angle_deg},
           {"cohesion", law.cohesion_pa},
           {"tension", law.tension_strength_pa},
-          {"uplift", uplift}};
+          {"uplift", water_in(law)}};
 }
 
 /// Joints of one set, cut or region share a name and a law: the first of them stands for all.

@@ -2,8 +2,10 @@
 #include "bridge/study/safety.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bridge/picture/mechanism.hpp"
 #include "bridge/process/programs.hpp"
@@ -14,6 +16,7 @@
 #include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "bridge/scene/read/stated_loads.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::study {
@@ -30,6 +33,39 @@ json satisfied(const json& answer, const std::optional<double>& required) {
                                       : answer["outcome"].get<std::string>() == "stands";
 }
 
+/// What a factor on the stated loads leaves as it is.
+std::vector<std::string> constant_loads(const scene::Scene& scene) {
+  std::vector<std::string> all{"weight"};
+  if (!scene.bolts.empty()) all.emplace_back("bolts");
+  if (scene.fluid != scene::FluidModel::none) all.emplace_back("water");
+  if (scene.water.ice) all.emplace_back("ice");
+  if (scene.water.earthquake_coefficient != 0) all.emplace_back("the earthquake's added water");
+  return all;
+}
+
+/// The key of "key=value".
+std::string key_of(const std::string& setting) {
+  return setting.substr(0, setting.find('='));
+}
+
+/// Is one of two keys the other, or a table that holds it?
+bool meet(const std::string& a, const std::string& b) {
+  const auto& [shorter, longer] = std::minmax(a, b, [](const auto& x, const auto& y) { return x.size() < y.size(); });
+  return longer == shorter || longer.starts_with(shorter + ".");
+}
+
+/// Of the command line's settings, those over which the load case goes with its own.
+std::vector<std::string> without_effect(const Settings& overrides, const scene::LoadCase& load_case) {
+  std::vector<std::string> warnings;
+  for (const std::string& setting : overrides) {
+    for (const std::string& own : load_case.set) {
+      if (!meet(key_of(setting), key_of(own))) continue;
+      warnings.push_back(fmt::format("--set {} is not what counts here: the load case sets {}", setting, own));
+    }
+  }
+  return warnings;
+}
+
 /// Asks for one case, draws its mechanism, and adds what the scene says of it.
 json answer_of(const scene::LoadCase& load_case, const process::AskOptions& options) {
   const process::Asked asked = process::ask("safety", options);
@@ -43,6 +79,10 @@ json answer_of(const scene::LoadCase& load_case, const process::AskOptions& opti
   };
   draw(answer, "mechanism.png");
   draw(answer.value("load_factor", json::object()), "mechanism-loads.png");
+  if (answer.contains("load_factor")) {
+    answer["load_factor"]["loads"] = scene::stated_loads(asked.scene.text);
+    answer["load_factor"]["constant"] = constant_loads(asked.scene);
+  }
   answer["name"] = load_case.name;
   answer["class"] = load_case.kind;
   answer["set"] = load_case.set;
@@ -56,14 +96,23 @@ std::string scaled(const json& value, const char* format, double scale = 1) {
   return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>() * scale) : "-";
 }
 
+/// Which loads grow by the factor, and what stays as it is.
+std::string load_factor_text(const json& found) {
+  const auto list = [&](const char* key) {
+    return fmt::format("{}", fmt::join(found[key].get<std::vector<std::string>>(), " and "));
+  };
+  return fmt::format("{:.5g} times {}, by limit analysis; as stated: {}", found["factor"].get<double>(), list("loads"),
+                     list("constant"));
+}
+
 std::string factors_text(const json& cases) {
-  constexpr const char* row = "{:<23.23} {:<10.10} {:<9} {:>8} {:>8} {:>8} {:>8}\n";
-  std::string text =
-      fmt::format(fmt::runtime(row), "LOAD CASE", "class", "outcome", "factor", "limit", "required", "enough");
+  constexpr const char* row = "{:<22.22} {:<7.7} {:<9} {:>7} {:>7} {:>7} {:>8} {:>6}\n";
+  std::string text = fmt::format(fmt::runtime(row), "LOAD CASE", "class", "outcome", "level m", "factor", "limit",
+                                 "required", "enough");
   for (const json& c : cases) {
     const json& enough = c["satisfied"];
     text += fmt::format(fmt::runtime(row), c["name"].get<std::string>(), c["class"].get<std::string>(),
-                        c["outcome"].get<std::string>(), scaled(c["factor"], "{:.5g}"),
+                        c["outcome"].get<std::string>(), scaled(c["level_m"], "{:.5g}"), scaled(c["factor"], "{:.5g}"),
                         scaled(c["limit_analysis_factor"], "{:.5g}"), scaled(c["required"], "{:.4g}"),
                         enough.is_null()     ? "-"
                         : enough.get<bool>() ? "yes"
@@ -73,11 +122,11 @@ std::string factors_text(const json& cases) {
     const auto tell = [&](const char* what, const json& why) {
       text += fmt::format("{}: {}{}\n", c["name"].get<std::string>(), what, why.get<std::string>());
     };
+    if (c["tailwater_m"].is_number()) tell("tailwater at ", scaled(c["tailwater_m"], "{:.5g} m"));
     if (c["outcome"] == "not found" && !c.contains("stopped")) tell("no answer: ", c["why_no_factor"]);
     if (c.contains("stopped")) tell("a lower bound, ", c["stopped"]);
     if (c.contains("load_factor")) {
-      text += fmt::format("{}: it bears {:.5g} times the stated loads, by limit analysis\n",
-                          c["name"].get<std::string>(), c["load_factor"]["factor"].get<double>());
+      tell("it bears ", load_factor_text(c["load_factor"]));
     }
     for (const json& warning : c["warnings"]) tell("WARNING ", warning);
     if (c.contains("added_water_pressure")) {
@@ -94,9 +143,13 @@ std::string sums_text(const json& joints) {
   constexpr const char* row = "{:<32.32} {:>12} {:>12} {:>14}\n";
   std::string text;
   for (const json& j : joints) {
-    text +=
-        fmt::format("\nforces on what stands on {}, moments about ({:.4g}, {:.4g}) m\n", j["name"].get<std::string>(),
-                    j["downstream_end_m"][0].get<double>(), j["downstream_end_m"][1].get<double>());
+    const auto coordinate = [&](std::size_t i) {
+      constexpr double rounding = 1e-9;
+      const double x = j["downstream_end_m"][i];
+      return std::abs(x) < rounding * j["length_m"].get<double>() ? 0 : x;
+    };
+    text += fmt::format("\nforces on what stands on {}, moments about ({:.4g}, {:.4g}) m\n",
+                        j["name"].get<std::string>(), coordinate(0), coordinate(1));
     text += fmt::format(fmt::runtime(row), "", "x kN/m", "y kN/m", "moment kN");
     const auto add = [&](const std::string& name, double x, double y, double moment) {
       text += fmt::format(fmt::runtime(row), name, fmt::format("{:.2f}", x / 1e3), fmt::format("{:.2f}", y / 1e3),
@@ -149,7 +202,7 @@ std::string joints_text(const json& answer) {
 
 void require_sound(const scene::LoadCase& load_case, const fs::path& scene, const Settings& overrides) {
   scene::read_entry(scene, {fmt::format("[[load_case]] \"{}\"", load_case.name), load_case.line, load_case.set},
-                    joined(load_case.set, overrides));
+                    joined(overrides, load_case.set));
 }
 
 json safety_answers(const process::AskOptions& options) {
@@ -164,9 +217,13 @@ json safety_answers(const process::AskOptions& options) {
   const auto answer = [&](const scene::LoadCase& load_case, const fs::path& out, bool quiet) {
     process::AskOptions one = options;
     one.out = out;
-    one.overrides = joined(load_case.set, options.overrides);
+    one.overrides = joined(options.overrides, load_case.set);
     one.quiet = quiet;
-    cases.push_back(answer_of(load_case, one));
+    json found = answer_of(load_case, one);
+    for (std::string& warning : without_effect(options.overrides, load_case)) {
+      found["warnings"].push_back(std::move(warning));
+    }
+    cases.push_back(std::move(found));
   };
   answer({.name = "as it stands"}, options.out, options.quiet);
   for (const scene::LoadCase& load_case : load_cases) {

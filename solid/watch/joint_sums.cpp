@@ -15,13 +15,13 @@ scene::Scene with_bolts_as_they_pull(scene::Scene scene, const std::vector<Bolt>
 
 }  // namespace
 
-std::vector<ForceSum> force_sums(const Solid& solid, const wire::Load& water,
+std::vector<ForceSum> force_sums(const Solid& solid, const wire::Load& water, const std::vector<WaterPart>& parts,
                                  const std::set<std::pair<int, int>>& joints, const Point& about) {
   const scene::Scene& scene = solid.scene();
   const std::vector<int> above = scene::parted_by(scene, joints);
   const std::vector<Point> centroids = statics::centroids_of(scene);
   std::vector<ForceSum> sums;
-  const auto add = [&](const char* name, const statics::Wrenches& wrenches) {
+  const auto add = [&](const std::string& name, const statics::Wrenches& wrenches) {
     ForceSum sum{.name = name, .force = Point::Zero()};
     for (const int b : above) {
       const statics::Wrench& w = wrenches[at(b)];
@@ -33,7 +33,10 @@ std::vector<ForceSum> force_sums(const Solid& solid, const wire::Load& water,
   add("weight", statics::weights_of(scene));
   add("loads", statics::stated_loads_of(scene, scene.analysis.duration_s));
   add("bolts", statics::prestress_of(with_bolts_as_they_pull(scene, solid.bolts())));
-  add("open water", statics::water_forces(scene, water, 0, water.cracks_from));
+  statics::Wrenches at_rest = statics::water_forces(scene, water, 0, water.cracks_from);
+  for (const WaterPart& part : parts) at_rest = statics::combined(std::move(at_rest), -1, part.wrenches);
+  add("open water", at_rest);
+  for (const WaterPart& part : parts) add(part.name, part.wrenches);
   add("water in joints", statics::water_forces(scene, water, water.cracks_from, water.block.size()));
   return sums;
 }

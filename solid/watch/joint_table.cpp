@@ -67,7 +67,7 @@ std::vector<double> uplifts(const Solid& solid, const Surfaces& surfaces, const 
 
 }  // namespace
 
-std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water) {
+std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, const std::vector<WaterPart>& parts) {
   const Surfaces surfaces(solid);
   const std::vector<SurfaceSum> sums = surface_sums(solid, surfaces);
   const std::vector<double> uplift = uplifts(solid, surfaces, sums, water);
@@ -86,7 +86,7 @@ std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water) {
       row.residual_sliding_factor = sum.residual_sliding_factor();
     }
     row.downstream_end_m = sum.downstream_end();
-    row.sums = force_sums(solid, water, joints[i], row.downstream_end_m);
+    row.sums = force_sums(solid, water, parts, joints[i], row.downstream_end_m);
     if (sum.is_pressed()) {
       const double r = sum.resultant_from_downstream();
       row.resultant_from_downstream = r;

@@ -32,6 +32,6 @@ struct JointRow {
 };
 
 /// `water`: what presses on the blocks now.
-std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water);
+std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, const std::vector<WaterPart>& parts);
 
 }  // namespace blockweir::solid

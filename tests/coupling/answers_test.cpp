@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <numbers>
 
 #include "tests/same_results.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 class Answers : public SameResults {
  protected:
@@ -90,6 +92,21 @@ TEST_F(Answers, LoadCasesHaveTheirFactorsAndSayWhetherTheyAreEnough) {
   EXPECT_EQ(joint["sums"][0]["name"], "weight");
 }
 
+TEST_F(Answers, ALoadCaseSetsItsKeysOverTheCommandLine) {
+  write("s.toml", text(cases + "monolith-slides/scene.toml") +
+                      "\n[[load_case]]\nname = 'flood'\nset = ['water.upstream_level_m=7.9']\n");
+  ASSERT_EQ(ask("safety s.toml --json a.json --set water.upstream_level_m=3"), 0) << text("out");
+  const json load_cases = answer("a.json")["load_cases"];
+  EXPECT_EQ(load_cases[0]["outcome"], "stands");
+  EXPECT_EQ(load_cases[0]["level_m"], 3);
+  EXPECT_EQ(load_cases[1]["outcome"], "fails");
+  EXPECT_EQ(load_cases[1]["level_m"], 7.9);
+  EXPECT_THAT(text("out"), HasSubstr("flood: WARNING --set water.upstream_level_m=3 is not what counts here: the load "
+                                     "case sets water.upstream_level_m=7.9"));
+  ASSERT_EQ(ask("safety s.toml --set joint.friction_angle_deg=20"), 0) << text("out");
+  EXPECT_THAT(text("out"), Not(HasSubstr("is not what counts here")));
+}
+
 TEST_F(Answers, TellAFactorBelowOneOfWhatFails) {
   ASSERT_EQ(ask("safety " + cases + "monolith-slides --json a.json --set water.upstream_level_m=7.9"), 0)
       << text("out");
@@ -98,6 +115,29 @@ TEST_F(Answers, TellAFactorBelowOneOfWhatFails) {
   EXPECT_LT(found["factor"], 1);
   EXPECT_GT(found["factor"], 0.9);
   EXPECT_NEAR(found["factor"].get<double>() / found["limit_analysis_factor"].get<double>(), 1, 1e-5);
+}
+
+TEST_F(Answers, IceAndTheEarthquakesWaterHaveSumsOfTheirOwnAndTheLoadsThatGrowAreNamed) {
+  write("s.toml", text(cases + "monolith-slides/scene.toml") +
+                      "\n[ice]\nthrust_n_per_m = 20e3\nthickness_m = 0.5\n[earthquake]\nhorizontal_coefficient = 0.02\n"
+                      "[silt]\nlevel_m = 1\nsubmerged_density_kg_per_m3 = 900\npressure_coefficient = 0.5\n");
+  ASSERT_EQ(ask("safety s.toml --json a.json --set water.upstream_level_m=4 --set water.downstream_level_m=1 --set "
+                "expect=[] --set variant=[] --set face_pressure=[]"),
+            0)
+      << text("out");
+  const json found = answer("a.json")["load_cases"][0];
+  std::map<std::string, json> sums;
+  for (const json& sum : found["joints"][0]["sums"]) sums[sum["name"]] = sum;
+  constexpr double water = 9810.0 * (16 - 1) / 2;
+  EXPECT_NEAR(sums["open water"]["x_n_per_m"].get<double>() / water, 1, 1e-5);  // on blocks that have settled
+  EXPECT_NEAR(sums["ice"]["x_n_per_m"].get<double>() / 20e3, 1, 1e-6);
+  const double westergaard = 7.0 / 12 * 0.02 * 9810 * 16;  // on an upright face
+  EXPECT_NEAR(sums["added water (Westergaard)"]["x_n_per_m"].get<double>() / westergaard, 1, 1e-6);
+  EXPECT_EQ(found["tailwater_m"], 1);
+  EXPECT_THAT(text("out"),
+              HasSubstr("times [silt] and [earthquake], by limit analysis; as stated: weight and water and ice and"));
+  EXPECT_THAT(text("out"), HasSubstr("as it stands: tailwater at 1 m"));
+  EXPECT_THAT(text("out"), HasSubstr("moments about (3.5, 0) m"));
 }
 
 TEST_F(Answers, TheEarthquakesWaterIsToldToBeWestergaards) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_picture
 // What a report takes from a scene and a run.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,6 +30,20 @@ TEST(ReportSection, HasJointsLoadsAndDimensionsOfTheScene) {
   ASSERT_EQ(data["loads"].size(), 2U);
   EXPECT_EQ(data["loads"][0]["force"], json::parse("[100,-200]"));
   EXPECT_LT(data["loads"][1]["force_from"][0].get<double>(), 0) << "a pressure on the downstream face acts upstream";
+}
+
+TEST(ReportSection, NamesTheLawOfTheWaterInEachJoint) {
+  const auto water_in = [](const std::vector<std::string>& overrides) {
+    return section_data(scene::read_text(scene::sample::text, "s.toml", overrides).scene)["laws"][0]["uplift"];
+  };
+  for (const char* law : {"none", "triangular", "full", "cracked"}) {
+    EXPECT_EQ(water_in({fmt::format("joints.crack.uplift={}", law)}), law);
+  }
+  EXPECT_EQ(water_in({"joints.crack.uplift=drained", "joints.crack.drain_m=0.5", "joints.crack.drain_efficiency=0.6"}),
+            "drained, drain at 0.5 m from the upstream end, efficiency 0.6");
+  EXPECT_EQ(water_in({"joints.crack.uplift=heads", "joints.crack.piezometers_m=[[1, 2.5]]",
+                      "joints.crack.piezometers_level_m=3"}),
+            "heads of 1 piezometer");
 }
 
 class ReportRun : public test::OwnFolder {

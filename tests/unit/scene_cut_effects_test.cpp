@@ -51,6 +51,32 @@ TEST(CutEffects, ACutOnAnotherHasALawThatNoJointHas) {
                  {"the law of [[cut]] \"crack\" has no effect: other cuts lie on it"});
 }
 
+/// All that rests on the lower metre rests on a joint of this name.
+TEST(CutEffects, ACutAlongTheOutlineOfARegionGivesItItsLaw) {
+  const std::string lower = "[[region]]\nmaterial = \"m\"\noutline_m = [[0, 0], [4, 0], [4, 1], [0, 1]]\n";
+  const std::string upper = "[[region]]\nmaterial = \"m\"\noutline_m = [[0, 1], [4, 1], [4, 4], [0, 4]]\n";
+  for (const std::string& regions : {lower, lower + upper}) {
+    for (const char* points : {"[[0, 1], [4, 1]]", "[[-1, 1], [9, 1]]"}) {
+      const ReadScene read =
+          read_text(section + regions + "[[cut]]\nname = \"base\"\ncohesion_pa = 7e4\npoints_m = " + points, "s.toml");
+      EXPECT_THAT(read.warnings, IsEmpty());
+      EXPECT_EQ(std::count_if(read.scene.joints.begin(), read.scene.joints.end(),
+                              [](const Joint& joint) { return joint.set == "base" && joint.law.cohesion_pa == 7e4; }),
+                1);
+    }
+  }
+}
+
+TEST(CutEffects, ACutAlongTheShorterPartOfARegionsOutlineIsAnError) {
+  expect_error(section +
+                   "[[region]]\nmaterial = \"m\"\noutline_m = [[0, 0], [4, 0], [4, 1.5], [3, 1.5], [3, 1], [0, 1]]\n"
+                   "[[cut]]\nname = \"base\"\ncohesion_pa = 7e4\npoints_m = [[3, 1.5], [4, 1.5]]\n",
+               25,
+               {"the law of [[cut]] \"base\" has no effect: its two blocks meet along a longer part of a [[region]]'s "
+                "outline",
+                "lead the cut along all of that boundary"});
+}
+
 TEST(CutEffects, SomeLinesOfANamePartNothing) {
   const std::string first = "[[cut]]\nname = \"crack\"\npoints_m = [[0, 1], [4, 1]]\n";
   expect_warning(section + first + "[[cut]]\nname = \"crack\"\npoints_m = [[0, 3], [3, 3]]\n", 25,

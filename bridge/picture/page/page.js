@@ -8,6 +8,25 @@ function writeHead() {
   document.getElementById('note').textContent = report.note;
 }
 
+/// How many load cases reach their required factor, and which do not; nothing where the scene has none.
+function loadCasesInWords() {
+  if (report.safety.trouble || report.safety.length < 2) return [];
+  const cases = report.safety.slice(1);  // the first is the scene as it stands
+  const named = list => list.map(c => `"${c.name}"`).join(', ');
+  const judged = cases.filter(c => c.satisfied !== null);
+  const short = judged.filter(c => !c.satisfied);
+  const others = cases.filter(c => c.satisfied === null);
+  const fallen = others.filter(c => c.outcome === 'fails');
+  const unknown = others.filter(c => c.outcome === 'not found');
+  const lines = [];
+  if (judged.length > 0) {
+    lines.push(`Load cases: ${judged.length - short.length} of ${judged.length} reach their required factor` + (short.length > 0 ? `; not ${named(short)}.` : '.'));
+  }
+  if (fallen.length > 0) lines.push(`Load cases without a required factor that fail: ${named(fallen)}.`);
+  if (unknown.length > 0) lines.push(`Load cases without an answer: ${named(unknown)}.`);
+  return lines;
+}
+
 function writeVerdict() {
   const s = report.summary;
   const words = {fails: 'The structure FAILS', stands: 'The structure STANDS', moving: 'UNDECIDED: something still moves at the end', stopped: 'STOPPED'};
@@ -28,6 +47,7 @@ function writeVerdict() {
   if (s.stopped) lines.push(s.stopped);
   if (s.breach) lines.push(`After ${number(s.breach.time_s)} s: ${s.breach.text}.`);
   if (s.rest) lines.push(s.rest.text + '.');
+  lines.push(...loadCasesInWords());
   for (const line of lines) chapter('verdict').append(paragraph(line.charAt(0).toUpperCase() + line.slice(1)));
   for (const warning of s.warnings || []) chapter('verdict').append(paragraph('Warning: ' + warning, 'bad'));
   const skips = (s.skips || []).length;
@@ -46,11 +66,15 @@ function writeCases() {
   const to = chapter('cases');
   if (report.safety.trouble) return to.append(paragraph('No factor was found: ' + report.safety.trouble));
   const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied ? 'good' : 'bad'}, c.satisfied ? 'yes' : 'NO'));
-  to.append(table(['load case', 'class', 'outcome', 'factor', 'by limit analysis', 'required', 'satisfied', 'source'],
-    report.safety.map(c => [c.name, c.class || '-', c.outcome, number(c.factor), number(c.limit_analysis_factor), number(c.required, 4), answer(c), c.source || '-'])),
+  to.append(table(['load case', 'class', 'level m', 'tailwater m', 'outcome', 'factor', 'by limit analysis', 'required', 'satisfied', 'source'],
+    report.safety.map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), number(c.required, 4), answer(c), c.source || '-'])),
   paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis.', 'quiet'));
   for (const c of report.safety) {
     if (!is(c.factor) && c.why_no_factor) to.append(paragraph(`Load case "${c.name}": no factor, as ${c.why_no_factor}.`, 'quiet'));
+  }
+  for (const c of report.safety.filter(c => c.load_factor)) {
+    const grown = c.load_factor;
+    to.append(paragraph(`Load case "${c.name}": it bears ${number(grown.factor)} times ${grown.loads.join(' and ')} by limit analysis; as stated: ${grown.constant.join(' and ')}.`, 'quiet'));
   }
   for (const c of report.safety) {
     if (!c.joints || c.joints.length === 0) continue;

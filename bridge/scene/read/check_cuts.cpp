@@ -19,33 +19,40 @@ struct Effect {
   std::size_t parting = 0;     ///< of them, those along which blocks touch
   bool law = false;            ///< some joint has it
   double longest_joint_m = 0;  ///< of those
+  bool beside_region = false;  ///< along some boundary whose law is that of a region's outline
   const Cuts::Source* first_idle = nullptr;
   const Cuts::Source* source = nullptr;
   double bonded_length_m = 0;
 };
 
-bool lies_on(const Point& p, const geometry::Line& line, double tolerance_m) {
-  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-    if (geometry::distance_to_segment(p, line.points[i], line.points[i + 1]) <= tolerance_m) return true;
-  }
-  return false;
-}
-
-/// Middles of all straight parts of the boundaries between blocks, and the length of each boundary.
-struct Boundaries {
+/// Middles of the straight parts of a boundary between two blocks, and its length.
+struct Boundary {
   std::vector<Point> middles;
-  std::vector<double> lengths_m;
+  double length_m = 0;
+  int id = 0;  ///< of the line whose law it has
 };
 
-Boundaries boundaries_of(const Reading& reading, const geometry::Cut& cut, std::size_t first, double tolerance_m) {
-  Boundaries all;
+std::vector<Boundary> boundaries_of(const Reading& reading, const geometry::Cut& cut, std::size_t first,
+                                    double tolerance_m) {
+  std::vector<Boundary> all;
   const auto& blocks = reading.scene.blocks;
   for (const geometry::Neighbours& pair : cut.neighbours) {
     const JointTrace trace = trace_joint(blocks[first + at(pair.a)], blocks[first + at(pair.b)], tolerance_m);
-    all.lengths_m.push_back(trace.length_m);
-    for (const TracePiece& piece : trace.pieces) all.middles.emplace_back((piece.from_m + piece.to_m) / 2);
+    Boundary& boundary = all.emplace_back(Boundary{.length_m = trace.length_m, .id = pair.id});
+    for (const TracePiece& piece : trace.pieces) boundary.middles.emplace_back((piece.from_m + piece.to_m) / 2);
   }
   return all;
+}
+
+/// Does the line run along some straight part of the boundary?
+bool runs_along(const geometry::Line& line, const Boundary& boundary, double tolerance_m) {
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+    const auto lies_on = [&](const Point& p) {
+      return geometry::distance_to_segment(p, line.points[i], line.points[i + 1]) <= tolerance_m;
+    };
+    if (std::any_of(boundary.middles.begin(), boundary.middles.end(), lies_on)) return true;
+  }
+  return false;
 }
 
 void report(Reading& reading, const Effect& effect) {
@@ -62,6 +69,14 @@ void report(Reading& reading, const Effect& effect) {
                      fmt::format("{} of {} lines of {} have no effect: they part no block of the section",
                                  effect.lines - effect.parting, effect.lines, source.name),
                      "lines that part blocks", remedy);
+  }
+  if (!effect.law && effect.beside_region && !source.by_chance) {
+    return problems.error(source.place,
+                          fmt::format("the law of {} has no effect: its two blocks meet along a longer part of a "
+                                      "[[region]]'s outline, which has the law of [joint]",
+                                      source.name),
+                          "one law for each boundary of two blocks",
+                          "lead the cut along all of that boundary, or part one of the blocks where the cut ends");
   }
   if (!effect.law) {
     return problems.warning(source.place,
@@ -85,13 +100,18 @@ void check_cuts(Reading& reading, const Cuts& cuts, const geometry::Cut& cut, st
   double size_m = 0;
   for (const geometry::Piece& piece : cut.pieces) size_m = std::max(size_m, geometry::bounds_of(piece.vertices).size());
   const double tolerance_m = 1e-6 * size_m;
-  const Boundaries boundaries = boundaries_of(reading, cut, first_block, tolerance_m);
-  std::vector<bool> parts(cuts.joints.size(), false);
-  for (const geometry::Neighbours& pair : cut.neighbours) parts[at(pair.id)] = true;
+  const std::vector<Boundary> boundaries = boundaries_of(reading, cut, first_block, tolerance_m);
+  std::vector<bool> has_law(cuts.joints.size(), false);
+  for (const Boundary& boundary : boundaries) has_law[at(boundary.id)] = true;
+  std::vector<bool> parts = has_law;
+  std::vector<bool> beside_region(cuts.joints.size(), false);
   for (const geometry::Line& line : cuts.lines) {
-    if (parts[at(line.id)]) continue;
-    parts[at(line.id)] = std::any_of(boundaries.middles.begin(), boundaries.middles.end(),
-                                     [&](const Point& p) { return lies_on(p, line, tolerance_m); });
+    if (has_law[at(line.id)]) continue;
+    for (const Boundary& boundary : boundaries) {
+      if (!runs_along(line, boundary, tolerance_m)) continue;
+      parts[at(line.id)] = true;
+      if (cuts.sources[at(boundary.id)].name.empty()) beside_region[at(line.id)] = true;
+    }
   }
   std::map<std::string, Effect> effects;
   for (std::size_t id = 0; id < cuts.sources.size(); ++id) {
@@ -101,15 +121,16 @@ void check_cuts(Reading& reading, const Cuts& cuts, const geometry::Cut& cut, st
     if (effect.source == nullptr) effect.source = &source;
     ++effect.lines;
     if (parts[id]) ++effect.parting;
+    if (beside_region[id]) effect.beside_region = true;
     if (!parts[id] && effect.first_idle == nullptr) effect.first_idle = &source;
     effect.bonded_length_m = cuts.joints[id].law.bonded_length_m.value_or(0);
   }
-  for (std::size_t n = 0; n < cut.neighbours.size(); ++n) {
-    const Cuts::Source& source = cuts.sources[at(cut.neighbours[n].id)];
+  for (const Boundary& boundary : boundaries) {
+    const Cuts::Source& source = cuts.sources[at(boundary.id)];
     if (source.name.empty()) continue;
     Effect& effect = effects[source.name];
     effect.law = true;
-    effect.longest_joint_m = std::max(effect.longest_joint_m, boundaries.lengths_m[n]);
+    effect.longest_joint_m = std::max(effect.longest_joint_m, boundary.length_m);
   }
   for (const auto& [name, effect] : effects) report(reading, effect);
 }

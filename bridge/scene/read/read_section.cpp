@@ -206,8 +206,8 @@ void read_section(Reading& reading) {
   const geometry::Bounds bounds =
       ready ? geometry::bounds_of(section.outline) : geometry::Bounds{Point::Zero(), Point::Ones()};
   const std::size_t errors = reading.problems.count();
+  read_cuts(reading, cuts);  // first, as a cut along the outline of a region gives that its law
   std::vector<Region> regions = read_regions(reading, whole.mesh_size_m, cuts);
-  read_cuts(reading, cuts);
   read_joint_sets(reading, bounds, regions, cuts);
   if (!table.present() && !cuts.joints.empty()) {
     reading.problems.error(reading.problems.at(0),

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/scene/read/stated_loads.hpp"
+
+#include <toml++/toml.h>
+
+namespace blockweir::scene {
+
+std::vector<std::string> stated_loads(const std::string& text) {
+  constexpr const char* tables[] = {"point_load", "face_pressure", "line_load",  "body_load",
+                                    "silt",       "earthquake",    "base_motion"};
+  const toml::table file = toml::parse(text);
+  std::vector<std::string> stated;
+  for (const char* name : tables) {
+    const toml::node* node = file.get(name);
+    if (node == nullptr || (node->is_array() && node->as_array()->empty())) continue;
+    const std::string table = std::string("[") + name + "]";
+    stated.push_back(node->is_array() ? "[" + table + "]" : table);
+  }
+  return stated;
+}
+
+}  // namespace blockweir::scene

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which loads a scene states beside weight and water, as its file calls them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace blockweir::scene {
+
+/// The tables of loads in a scene's text: "[silt]", "[[point_load]]", ... The text is one that has been read.
+std::vector<std::string> stated_loads(const std::string& text);
+
+}  // namespace blockweir::scene
