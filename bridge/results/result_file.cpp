@@ -37,16 +37,27 @@ void ResultFile::line(const std::string& text) {
   size_ += text.size() + 1;
 }
 
+namespace {
+
+/// A device, as /dev/full, is neither removed nor replaced.
+bool is_or_may_be_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return !std::filesystem::exists(path, ignored) || std::filesystem::is_regular_file(path, ignored);
+}
+
+}  // namespace
+
 void write_file(const std::filesystem::path& path, const std::string& text) {
   std::ofstream stream(path, std::ios::trunc);
   if (stream << text << std::flush) return;
   stream.close();
   std::error_code ignored;
-  std::filesystem::remove(path, ignored);
+  if (is_or_may_be_file(path)) std::filesystem::remove(path, ignored);
   cannot_write(path);
 }
 
 void replace_file(const std::filesystem::path& path, const std::string& text) {
+  if (!is_or_may_be_file(path)) return write_file(path, text);
   std::filesystem::path fresh = path;
   fresh += ".new";
   std::error_code error;

@@ -127,7 +127,7 @@ void HydrostaticModel::press(double to_s, wire::Load& load) {
   const Pools::State water = pools_.find(structure_, last_upstream_m_ + ground_m, last_downstream_m_ + ground_m);
   load.breached = water.breached;
   for (const WaterBody& body : water.bodies) add_body(body, load);
-  if (!std::isnan(last_upstream_m_)) add_reservoir_loads(scene_, structure_.outlines, water.bodies.front(), load);
+  if (!std::isnan(last_upstream_m_)) add_reservoir_loads(scene_, structure_.outlines, water.bodies, load);
   add_cracks(water.bodies, to_s, load);
 }
 
@@ -193,12 +193,12 @@ void HydrostaticModel::place(const wire::Motion& motion) {
 
 void HydrostaticModel::add_body(const WaterBody& body, wire::Load& load) {
   const scene::Water& w = scene_.water;
-  const scene::Hydrostatics water = scene::on_wet_faces(scene_, body.level_m);
-  add_wet_elements(structure_.outlines, body.wet->intervals, water, w.elements_per_face, load);
-  if (!scene_.output.reservoir) return;
-  PoolSection& section = sections_.emplace_back(PoolSection{water, body.wet->region, {}});
+  add_wet_elements(structure_.outlines, body.wet->intervals, scene_, body.surface, w.elements_per_face, load);
+  if (!scene_.output.reservoir || body.wet->region.empty()) return;
+  PoolSection& section =
+      sections_.emplace_back(PoolSection{scene::on_wet_faces(scene_, body.surface.from_m.y()), body.wet->region, {}});
   wire::Load drawn;
-  add_wet_elements(structure_.outlines, body.wet->intervals, water, elements_drawn(w), drawn);
+  add_wet_elements(structure_.outlines, body.wet->intervals, scene_, body.surface, elements_drawn(w), drawn);
   for (std::size_t i = 0; i < drawn.block.size(); ++i) {
     const auto& outline = structure_.outlines[drawn.block[i]];
     const Point& a = outline[drawn.edge[i]];

@@ -6,13 +6,14 @@
 
 #include "bridge/scene/hydrostatics.hpp"
 #include "bridge/wire/message.hpp"
-#include "fluid/hydrostatic/wet_faces.hpp"
+#include "fluid/hydrostatic/crest_water.hpp"
 
 namespace blockweir::hydrostatic {
 
-/// Adds the elements of wet intervals to `load`. Elements are counted from an edge's ends, n to an edge, so that
-/// they stay where they are when the level moves; the one that the surface cuts keeps its wet part.
+/// Adds the elements of intervals that water under a surface wets to `load`. Elements are counted from an edge's ends,
+/// n to an edge, so that they stay where they are when the level moves; the one that the surface cuts keeps its wet
+/// part.
 void add_wet_elements(const std::vector<std::vector<Point>>& outlines, const std::vector<WetInterval>& wet,
-                      const scene::Hydrostatics& water, int elements_per_face, wire::Load& load);
+                      const scene::Scene& scene, const Surface& surface, int elements_per_face, wire::Load& load);
 
 }  // namespace blockweir::hydrostatic

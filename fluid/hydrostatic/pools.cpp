@@ -17,21 +17,35 @@ bool as_high(double a_m, double b_m) {
 }  // namespace
 
 Pools::State Pools::find(const Structure& structure, double upstream_m, double downstream_m) {
-  if (as_high(upstream_m, downstream_m)) return {{{upstream_m, &wet(structure, both, upstream_m)}}, false};
+  if (as_high(upstream_m, downstream_m)) {
+    return {{{Surface::level(upstream_m), &wet(structure, both, upstream_m)}}, false};
+  }
   State state;
   const auto add = [&](Kind kind, double level_m) {
     if (std::isnan(level_m)) return;
     const WetFaces& faces = wet(structure, kind, level_m);
     state.breached = state.breached || faces.breached;
-    state.bodies.push_back({level_m, &faces});
+    state.bodies.push_back({Surface::level(level_m), &faces});
   };
   add(upstream, upstream_m);
   add(downstream, downstream_m);
-  if (state.breached && state.bodies.size() == 2) {
-    state.bodies = {{upstream_m, &wet(structure, upstream_part, upstream_m)},
-                    {downstream_m, &wet(structure, downstream_part, downstream_m)}};
+  if (state.bodies.size() < 2) return state;
+  const double lower_m = std::min(upstream_m, downstream_m);
+  if (state.breached) {
+    state.bodies = {{Surface::level(upstream_m), &wet(structure, upstream_part, upstream_m)},
+                    {Surface::level(downstream_m), &wet(structure, downstream_part, downstream_m)}};
+  } else if (lower_m > crest_m(structure)) {
+    state.bodies.push_back(
+        {over_the_crest(structure, upstream_m, downstream_m), &over_crest(structure, state, lower_m)});
   }
   return state;
+}
+
+const WetFaces& Pools::over_crest(const Structure& structure, const State& pools, double lower_m) {
+  over_crest_ = {without(wet(structure, both, lower_m).intervals,
+                         {&pools.bodies[0].wet->intervals, &pools.bodies[1].wet->intervals}),
+                 {}};
+  return over_crest_;
 }
 
 const WetFaces& Pools::wet(const Structure& structure, Kind kind, double level_m) {

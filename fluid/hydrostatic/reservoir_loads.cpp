@@ -109,24 +109,27 @@ std::vector<CrestEdge> crest_edges(const scene::Scene& scene, const std::vector<
   return edges;
 }
 
-void add_crest(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines, const WaterBody& reservoir,
-               wire::Load& load) {
+void add_crest(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines,
+               const std::vector<WaterBody>& bodies, wire::Load& load) {
   double crest_m = 0;
   const std::vector<CrestEdge> edges = crest_edges(scene, outlines, crest_m);
-  if (edges.empty() || reservoir.level_m <= crest_m) return;
+  const double level_m = bodies.front().surface.from_m.y();
+  if (edges.empty() || level_m <= crest_m) return;
   const auto is_wet = [&](const CrestEdge& edge) {
-    const auto& wet = reservoir.wet->intervals;
-    return std::any_of(wet.begin(), wet.end(),
-                       [&](const WetInterval& w) { return w.block == edge.block && w.edge == edge.edge; });
+    return std::any_of(bodies.begin(), bodies.end(), [&](const WaterBody& body) {
+      const auto& wet = body.wet->intervals;
+      return std::any_of(wet.begin(), wet.end(),
+                         [&](const WetInterval& w) { return w.block == edge.block && w.edge == edge.edge; });
+    });
   };
   double left = std::numeric_limits<double>::infinity();
   double right = -left;
   for (const CrestEdge& edge : edges) {
-    if (is_wet(edge)) return;  // a body of water on both sides presses there already
+    if (is_wet(edge)) return;  // water between two pools presses there already
     left = std::min(left, edge.left_m);
     right = std::max(right, edge.right_m);
   }
-  const double head = scene::in_joints(scene, reservoir.level_m).pressure(crest_m);
+  const double head = scene::in_joints(scene, level_m).pressure(crest_m);
   const bool falls = scene.water.crest_pressure == scene::CrestPressure::triangular;
   const auto pressure = [&](double x) { return falls ? head * (right - x) / (right - left) : head; };
   for (const CrestEdge& edge : edges) {
@@ -137,14 +140,15 @@ void add_crest(const scene::Scene& scene, const std::vector<std::vector<Point>>&
 }  // namespace
 
 void add_reservoir_loads(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines,
-                         const WaterBody& reservoir, wire::Load& load) {
+                         const std::vector<WaterBody>& bodies, wire::Load& load) {
   const scene::Water& water = scene.water;
-  if (water.crest_pressure != scene::CrestPressure::none) add_crest(scene, outlines, reservoir, load);
+  if (water.crest_pressure != scene::CrestPressure::none) add_crest(scene, outlines, bodies, load);
   if (!water.ice && water.earthquake_coefficient == 0) return;
-  const std::vector<UpstreamFace> faces = upstream_faces(scene, outlines, reservoir);
-  if (water.ice) add_ice(faces, *water.ice, reservoir.level_m, load);
+  const std::vector<UpstreamFace> faces = upstream_faces(scene, outlines, bodies.front());
+  const double level_m = bodies.front().surface.from_m.y();
+  if (water.ice) add_ice(faces, *water.ice, level_m, load);
   if (water.earthquake_coefficient != 0) {
-    add_westergaard(faces, water.earthquake_coefficient * scene::unit_weight_of_water(scene), reservoir.level_m, load);
+    add_westergaard(faces, water.earthquake_coefficient * scene::unit_weight_of_water(scene), level_m, load);
   }
 }
 

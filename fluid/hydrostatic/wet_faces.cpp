@@ -28,9 +28,7 @@ Extent extent_of(const Structure& structure) {
   return all;
 }
 
-/// The crest's corner on the pool's side: of all vertices that are as high as the highest but for a little, the one
-/// nearest to the pool, so that a crest which tilts a little as the block moves stays the same crest.
-Point crest_corner(const Structure& structure, const Extent& all, Pool pool) {
+Point corner_of_crest(const Structure& structure, const Extent& all, Pool pool) {
   const double low = all.max().y() - 2e-3 * all.sizes().y();
   const bool upstream = pool == Pool::upstream;
   Point corner(upstream ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity(), 0);
@@ -96,7 +94,7 @@ class Search {
   }
   [[nodiscard]] double left() const { return all_.min().x() - pad_; }
   [[nodiscard]] double right() const { return all_.max().x() + pad_; }
-  [[nodiscard]] Point crest(Pool pool) const { return crest_corner(structure_, all_, pool); }
+  [[nodiscard]] Point crest(Pool pool) const { return corner_of_crest(structure_, all_, pool); }
 
   /// On the crest's corner, and where its middle is.
   double add_wall(Pool pool) {
@@ -206,6 +204,14 @@ bool dry(const Structure& structure, double level_m) {
 }
 
 }  // namespace
+
+Point crest_corner(const Structure& structure, Pool pool) {
+  return corner_of_crest(structure, extent_of(structure), pool);
+}
+
+double crest_m(const Structure& structure) {
+  return extent_of(structure).max().y();
+}
 
 WetFaces wet_faces(const Structure& structure, Pool pool, double level_m, bool expected_behind) {
   if (dry(structure, level_m)) return {};

@@ -35,6 +35,12 @@ struct WetFaces {
 /// found.
 WetFaces wet_faces(const Structure& structure, Pool pool, double level_m, bool expected_behind = false);
 
+/// The crest's corner on the pool's side: of all vertices that are as high as the highest but for a little, the one
+/// nearest to the pool, so that a crest which tilts a little as the block moves stays the same crest.
+Point crest_corner(const Structure& structure, Pool pool);
+/// The structure's highest point.
+double crest_m(const Structure& structure);
+
 /// Of a pool that ends at the upright line through the middle of the crest.
 WetFaces wet_faces_up_to_the_crest(const Structure& structure, Pool pool, double level_m);
 

@@ -10,6 +10,7 @@
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "solid/limit/corner_contacts.hpp"
 #include "solid/limit/linear_program.hpp"
 
 namespace blockweir::solid::limit {
@@ -43,7 +44,7 @@ std::vector<std::pair<int, int>> neighbours(const scene::Scene& scene, double to
 /// `bonded`: the share of the joint's length that has cohesion and tension strength.
 Face face_of(const scene::TracePiece& piece, int a, int b, int joint, const scene::JointLaw& law, double bonded) {
   Face face{.a = a, .b = b, .joint = joint, .from_m = piece.from_m, .to_m = piece.to_m};
-  const Point along = face.along();
+  const Point along = (face.to_m - face.from_m).normalized();
   // Outlines run counter-clockwise: what lies to the right of an edge is out of its block.
   const Point forwards = piece.s_from_a < piece.s_to_a ? along : Point(-along);
   face.normal = Point(forwards.y(), -forwards.x());
@@ -70,6 +71,15 @@ std::vector<Face> faces_of(const scene::Scene& scene) {
     const scene::JointLaw& law = joint < 0 ? scene.default_joint : scene.joints[at(joint)].law;
     const double bonded = law.bonded_length_m ? std::min(1.0, *law.bonded_length_m / trace.length_m) : 1;
     for (const scene::TracePiece& piece : trace.pieces) faces.push_back(face_of(piece, a, b, joint, law, bonded));
+    for (const CornerContact& corner : corner_contacts(scene.blocks[at(a)], scene.blocks[at(b)], trace, touching_m)) {
+      faces.push_back({.a = a,
+                       .b = b,
+                       .joint = joint,
+                       .from_m = corner.at_m,
+                       .to_m = corner.at_m,
+                       .normal = corner.normal,
+                       .friction = law.friction()});
+    }
   }
   return faces;
 }

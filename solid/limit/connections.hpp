@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds rigid blocks: straight faces between two of them, and ties, which are bolts and held points.
+// What holds rigid blocks: straight faces between two of them, points in which a corner of one meets the other, and
+// ties, which are bolts and held points.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace blockweir::solid::limit {
 
-/// A straight piece of the common boundary of two blocks, in the scene's outline.
+/// A straight piece of the common boundary of two blocks, in the scene's outline, or a point of no length.
 struct Face {
   int a = 0;  ///< blocks
   int b = 0;
@@ -22,7 +23,11 @@ struct Face {
   double tension_n_per_m = 0;   ///< T L, not beyond the apex of Mohr-Coulomb's cone
 
   [[nodiscard]] double length_m() const { return (to_m - from_m).norm(); }
-  [[nodiscard]] Point along() const { return (to_m - from_m).normalized(); }
+  [[nodiscard]] Point along() const { return {-normal.y(), normal.x()}; }
+  /// Where its normal forces act: one place of a point.
+  [[nodiscard]] std::vector<Point> ends() const {
+    return length_m() == 0 ? std::vector<Point>{from_m} : std::vector<Point>{from_m, to_m};
+  }
 };
 
 /// A force between two points along a fixed direction.

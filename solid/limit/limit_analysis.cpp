@@ -76,7 +76,8 @@ class LimitAnalysis::Program {
   [[nodiscard]] double priced_strength() const {
     double sum = 0;
     for (const Strength& s : strengths_) {
-      const double normal = lp_.value(s.normal[0]) + lp_.value(s.normal[1]);
+      double normal = 0;
+      for (const int variable : s.normal) normal += lp_.value(variable);
       sum += (lp_.dual(s.forth) + lp_.dual(s.back)) * (s.cohesion + s.friction * normal);
     }
     return sum;
@@ -86,7 +87,7 @@ class LimitAnalysis::Program {
   struct Strength {
     int forth;  ///< rows of shear along the face and against it
     int back;
-    std::array<int, 2> normal;  ///< variables
+    std::vector<int> normal;  ///< variables
     double cohesion;
     double friction;
   };
@@ -120,12 +121,11 @@ class LimitAnalysis::Program {
       append(face.a, -on_b, place, entries);
       return entries;
     };
-    int end = 0;
-    for (const Point& place : {face.from_m, face.to_m}) {
+    for (const Point& place : face.ends()) {
       LinearProgram::Entries entries = on_both(face.normal, place);
       entries.insert(entries.end(),
                      {{strength.forth, -face.friction / reduction}, {strength.back, -face.friction / reduction}});
-      strength.normal[at(end++)] = lp_.add_variable(-tension, infinite, entries);
+      strength.normal.push_back(lp_.add_variable(-tension, infinite, entries));
     }
     LinearProgram::Entries shear = on_both(face.along(), face.from_m);
     shear.insert(shear.end(), {{strength.forth, 1}, {strength.back, -1}});
@@ -198,7 +198,7 @@ double LimitAnalysis::resistance(const Twists& mechanism, double reduction) cons
   for (const Face& face : faces_) {
     const double slip = std::abs(face.along().dot(jump(face, mechanism, face.from_m)));
     sum += face.cohesion_n_per_m / reduction * slip;
-    for (const Point& end : {face.from_m, face.to_m}) {
+    for (const Point& end : face.ends()) {
       const double opening = face.normal.dot(jump(face, mechanism, end));
       sum += face.tension_n_per_m / 2 * std::max(0.0, opening - face.friction / reduction * slip);
     }

@@ -64,7 +64,10 @@ LimitStrength limit_strength(const LimitAnalysis& structure, const Wrenches& loa
   LimitStrength found{.bearing = Bearing::fails_at_a_factor, .factor = narrowed(structure, loads, bracket)};
   found.mechanism = bracket.shortage.mechanism;
   double powers = 0;
-  for (std::size_t b = 0; b < loads.size(); ++b) powers += loads[b].cwiseAbs().dot(found.mechanism[b].cwiseAbs());
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    powers += loads[b].head<2>().norm() * found.mechanism[b].head<2>().norm();
+    powers += std::abs(loads[b][2] * found.mechanism[b][2]);
+  }
   found.gap =
       std::abs(power(loads, found.mechanism) - structure.resistance(found.mechanism, bracket.short_of)) / powers;
   return found;

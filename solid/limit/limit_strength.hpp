@@ -11,7 +11,7 @@ struct LimitStrength {
   Bearing bearing = Bearing::bears_none;  ///< any: no joint needs shear strength; none: no shear strength would do
   double factor = 0;
   Twists mechanism;
-  double gap = 0;  ///< power of loads less resistance, over the sum of the sizes of its parts
+  double gap = 0;  ///< power of loads less resistance, over the sum of loads times velocities in size
 };
 
 LimitStrength limit_strength(const LimitAnalysis& structure, const Wrenches& loads);

@@ -140,6 +140,29 @@ TEST_F(Answers, IceAndTheEarthquakesWaterHaveSumsOfTheirOwnAndTheLoadsThatGrowAr
   EXPECT_THAT(text("out"), HasSubstr("moments about (3.5, 0) m"));
 }
 
+/// A wall on a joint that dips to level rock at its toe: 1.2611 at 4.9 m by a linear program written for it alone.
+TEST_F(Answers, AToeInAReflexCornerOfTheRockIsHeldByBothEdges) {
+  write("s.toml", R"(
+analysis = { duration_s = 3, rigid = "all" }
+water.upstream_level_m = 4.9
+joint.friction_angle_deg = 30
+material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-10, -4], [14, -4], [14, -0.5], [3, -0.5], [0, 0], [-10, 0]]
+[[block]]
+name = "wall"
+material = "m"
+vertices_m = [[0, 0], [3, -0.5], [2, 5], [0, 5]]
+)");
+  ASSERT_EQ(ask("safety s.toml --json a.json"), 0) << text("out");
+  const json found = answer("a.json")["load_cases"][0];
+  EXPECT_NEAR(found["factor"], 1.2611, 1e-4);
+  EXPECT_NEAR(found["limit_analysis_factor"], 1.2611, 1e-4);
+}
+
 TEST_F(Answers, TheEarthquakesWaterIsToldToBeWestergaards) {
   write("s.toml", text(cases + "monolith-slides/scene.toml") + "\n[earthquake]\nhorizontal_coefficient = 0.05\n");
   ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");

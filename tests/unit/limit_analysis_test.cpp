@@ -156,6 +156,65 @@ TEST(LimitAnalysis, AStructureThatDoesNotStandEmptyOrFailsAtNoLevelIsAnAnswer) {
   EXPECT_EQ(limit_level(LimitAnalysis(stands), statics::weights_of(stands), none, {0, 1}).outcome, Filled::stands_full);
 }
 
+/// A ladder against a wall: two corners on two edges and no face. At its limit both corners slide, and with G the
+/// middle of the ladder x_G (1 + m^2) = m y_B + m^2 x_B, m the reduced friction, counted from the foot.
+TEST(LimitAnalysis, ALadderIsHeldByItsCorners) {
+  for (const auto& [slope_deg, friction_deg, thickness] :
+       {std::tuple{60.0, 35.0, 0.2}, {45.0, 20.0, 0.01}, {75.0, 50.0, 1.0}}) {
+    const Point along(std::cos(radians(slope_deg)), std::sin(radians(slope_deg)));
+    const Point top = 5 * along;
+    const Point across = thickness * Point(-along.y(), along.x());
+    const scene::Scene scene =
+        read(fmt::format("analysis.duration_s = 1\njoint.friction_angle_deg = {0}\n"
+                         "material.m = {{youngs_modulus_pa = 1e10, poissons_ratio = 0.2, density_kg_per_m3 = 2000}}\n"
+                         "[[block]]\nname = 'rock'\nmaterial = 'm'\nfixed = true\n"
+                         "vertices_m = [[-9, -1], [{1}, -1], [{1}, 0], [-9, 0]]\n"
+                         "[[block]]\nname = 'wall'\nmaterial = 'm'\nfixed = true\n"
+                         "vertices_m = [[{1}, 0], [{2}, 0], [{2}, 9], [{1}, 9]]\n"
+                         "[[block]]\nname = 'ladder'\nmaterial = 'm'\n"
+                         "vertices_m = [[0, 0], [{1}, {3}], [{4}, {5}], [{6}, {7}]]\n",
+                         friction_deg, top.x(), top.x() + 1, top.y(), top.x() + across.x(), top.y() + across.y(),
+                         across.x(), across.y()));
+    const double middle = (top.x() + across.x()) / 2;
+    const double needed = 2 * middle / (top.y() + std::sqrt(top.y() * top.y() - 4 * (middle - top.x()) * middle));
+    const LimitStrength found = limit_strength(LimitAnalysis(scene), statics::weights_of(scene));
+    ASSERT_EQ(found.bearing, Bearing::fails_at_a_factor);
+    EXPECT_NEAR(found.factor / (std::tan(radians(friction_deg)) / needed), 1, 1e-8) << slope_deg;
+    EXPECT_LT(found.gap, 1e-8);
+  }
+}
+
+/// A wall on a joint that dips to level rock at its toe. `ledge`: length of a level joint at the toe.
+scene::Scene on_a_dip(double dip, double breadth, double friction_deg, double push, double ledge) {
+  return read(
+      fmt::format("analysis.duration_s = 1\njoint.friction_angle_deg = {0}\n"
+                  "material.m = {{youngs_modulus_pa = 1e10, poissons_ratio = 0.2, density_kg_per_m3 = 2300}}\n"
+                  "[[body_load]]\nblocks = ['wall']\nacceleration_x_m_per_s2 = {1}\n"
+                  "[[block]]\nname = 'rock'\nmaterial = 'm'\nfixed = true\n"
+                  "vertices_m = [[-9, -4], [14, -4], [14, {2}], [{3}, {2}], [0, 0], [-9, 0]]\n"
+                  "[[block]]\nname = 'wall'\nmaterial = 'm'\nvertices_m = [[0, 0], [{3}, {2}], {4}[2, 5], [0, 5]]\n",
+                  friction_deg, push, -dip * breadth, breadth,
+                  ledge == 0 ? "" : fmt::format("[{}, {}], ", breadth + ledge, -dip * breadth)));
+}
+
+/// In a point as on a ledge of next to no length.
+TEST(LimitAnalysis, ACornerInAReflexCornerOfTheGroundIsHeldByBothItsEdges) {
+  std::mt19937 random(25);
+  const auto between = [&](double low, double high) { return low + (high - low) * random() / 4294967296.0; };
+  for (int i = 0; i < 20; ++i) {
+    const double dip = between(0.02, 0.5);
+    const double breadth = between(2.5, 5);
+    const double friction_deg = between(20, 50);
+    const double push = between(0.5, 3);
+    const auto factor = [&](double ledge) {
+      const scene::Scene scene = on_a_dip(dip, breadth, friction_deg, push, ledge);
+      const Wrenches loads = combined(statics::weights_of(scene), 1, statics::stated_loads_of(scene, 1));
+      return limit_strength(LimitAnalysis(scene), loads).factor;
+    };
+    EXPECT_NEAR(factor(0) / factor(1e-4), 1, 1e-3) << i;
+  }
+}
+
 /// Rows of bricks without mortar, under a push to the right of g.
 std::string wall_of_bricks(std::mt19937& random) {
   const auto between = [&](double low, double high) { return low + (high - low) * random() / 4294967296.0; };
