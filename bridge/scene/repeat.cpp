@@ -34,7 +34,7 @@ std::string repeat_text(const Scene& scene, double duration_s, const std::vector
   toml::table file = toml::parse(scene.text);
   file["analysis"].as_table()->insert_or_assign("duration_s", duration_s);
   for (const char* section : {"water", "fluid", "coupling", "expect", "expect_water", "variant", "load_case", "limit",
-                              "order", "map", "bench"}) {
+                              "order", "map", "bench", "bench_motion"}) {
     file.erase(section);
   }
   dry(file);
