@@ -75,7 +75,7 @@ class Animation {
     const frame = this.report.frames[index];
     const {scale, report} = this;
     this.inside.replaceChildren(...waterShapes(frame, scale), ...blockShapes(report, frame, scale),
-      ...(this.pressures.checked ? pressureShapes(frame, scale, report.size_m).shapes : []), ...boltShapes(frame, scale), ...contactShapes(frame, scale), ...levelShapes(report, frame, scale));
+      ...(this.pressures.checked ? pressureShapes(pressureDiagrams(frame, report.size_m).diagrams, scale) : []), ...boltShapes(frame, scale), ...contactShapes(frame, scale), ...levelShapes(report, frame, scale));
     this.bar.value = index;
     this.told.value = momentText(frame);
   }

@@ -65,14 +65,16 @@ class Chart {
       }
     }
     if (low > high) [low, high] = [0, 1];
+    const only = high - low <= 1e-9 * Math.max(Math.abs(low), Math.abs(high)) ? [low] : null;
     const least = Math.max(this.group.rest, 1e-9 * Math.max(Math.abs(low), Math.abs(high)));
     const edge = Math.max(0.05 * (high - low), least - (high - low) / 2);
     [low, high] = [low - edge, high + edge];
     const y = value => bottom - (value - low) / (high - low) * (bottom - top);
     const parts = [element('rect', {x: left, y: top, width: right - left, height: bottom - top, fill: 'white', stroke: '#9aa3ad'})];
-    for (const value of ticks(low, high, 4)) {
+    const levels = only || ticks(low, high, 4);
+    for (const value of levels) {
       parts.push(element('line', {x1: left, x2: right, y1: y(value), y2: y(value), stroke: '#e3e7ec'}),
-        element('text', {x: left - 6, y: y(value) + 4, 'text-anchor': 'end'}, number(value)));
+        element('text', {x: left - 6, y: y(value) + 4, 'text-anchor': 'end'}, tickText(value, levels)));
     }
     for (const t of ticks(this.clock.from, this.clock.to, 10)) {
       parts.push(element('line', {x1: this.x(t), x2: this.x(t), y1: top, y2: bottom, stroke: '#e3e7ec'}),

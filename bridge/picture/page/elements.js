@@ -18,8 +18,8 @@ const kilo = (value, decimals) => fixed(is(value) ? value / 1000 : NaN, decimals
 function table(headings, rows) {
   const cell = (kind, content, right) => element(kind, right ? {class: 'number'} : {}, content);
   const right = headings.map((_, i) => rows.some(row => /^-?[\d.]/.test(row[i])));
-  return element('table', {},
-    element('thead', {}, element('tr', {}, ...headings.map((h, i) => cell('th', h, right[i])))),
+  const head = headings.some(h => h !== '') ? [element('thead', {}, element('tr', {}, ...headings.map((h, i) => cell('th', h, right[i]))))] : [];
+  return element('table', {}, ...head,
     element('tbody', {}, ...rows.map(row => element('tr', {}, ...row.map((c, i) => cell('td', c, right[i]))))));
 }
 
@@ -32,6 +32,12 @@ function roundStep(span, count) {
   const raw = span / count;
   const power = Math.pow(10, Math.floor(Math.log10(raw)));
   return power * [1, 2, 5, 10].find(m => m * power >= raw * 0.999);
+}
+
+/// A tick's value with as many decimals as its step has.
+function tickText(value, all) {
+  if (all.length < 2) return number(value);
+  return value.toFixed(Math.min(12, Math.max(0, -Math.floor(Math.log10(all[1] - all[0]) + 1e-9))));
 }
 
 function ticks(from, to, count) {

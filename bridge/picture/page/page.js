@@ -36,7 +36,7 @@ function writeVerdict() {
     const f = s.failure;
     lines.push(f.text + '.');
     if (is(f.level_m)) {
-      lines.push(`It begins at a level of ${f.level_is_bound ? 'at most ' : ''}${number(f.level_m, 6)} m` + (is(f.head_m) ? `, a head of ${number(f.head_m, 6)} m above the joint that failed` : '') +
+      lines.push(`It begins at a level of ${f.level_is_bound ? 'at most ' : ''}${number(f.level_m, 6)} m` + (is(f.head_m) ? (f.head_m < 0 ? `, ${number(-f.head_m, 6)} m below the joint that failed` : `, a head of ${number(f.head_m, 6)} m above the joint that failed`) : '') +
         `, after ${number(f.time_s)} s` + (is(f.level_uncertainty_m) ? `. The speed of filling moves this level by some ${number(f.level_uncertainty_m, 2)} m.` : '.'));
     } else lines.push(`It begins after ${number(f.time_s)} s.`);
     if (f.doubt) lines.push(f.doubt);
@@ -80,10 +80,10 @@ function writeCases() {
     if (!c.joints || c.joints.length === 0) continue;
     const scaled = c.joints_with_strength_times;
     to.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));
+    if (c.set.length > 0) to.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
     if (is(scaled)) to.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength.`, 'quiet'));
     to.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'sliding factor', 'resultant', 'crack m', 'heel kPa', 'toe kPa'],
       c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), number(j.sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
-    if (c.set.length > 0) to.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
   }
 }
 
