@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
+#include "bridge/results/counted.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
@@ -17,6 +18,8 @@
 
 namespace blockweir::launch {
 namespace {
+
+using results::counted;
 
 struct CheckOptions {
   std::filesystem::path scene;
@@ -51,18 +54,23 @@ int check(const CheckOptions& options) {
   wrong.from([&] { studies += study::study_tasks(path, overrides).size(); });
   wrong.from([&] { studies += study::open_study_tasks(path, overrides, /*jobs=*/1).size(); });
   wrong.from([&] { study::bench_settings(path, overrides); });
+  for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
+  if (!strict) {
+    for (const auto& warning : warnings) fmt::print(stderr, "{}\n", warning.text());
+  }
   wrong.report();
   if (strict) scene::refuse_warnings(warnings);
-  for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
-  for (const auto& warning : warnings) fmt::print(stderr, "{}\n", warning.text());
   const scene::Scene& s = read.scene;
-  const double touching_m = scene::rounding_ratio * scene::structure_size_m(s.blocks);
+  const auto touching = scene::touching_pairs(s, scene::rounding_ratio * scene::structure_size_m(s.blocks));
+  const auto named = std::count_if(s.joints.begin(), s.joints.end(), [&](const scene::Joint& joint) {
+    return touching.contains(std::minmax(joint.between[0], joint.between[1]));
+  });
   fmt::print(
-      "{}: sound{}; {} blocks, {} joints ({} with a name), {} variants, {} studies, {} s in steps of {} s\n",
-      s.file.string(),
+      "{}: sound{}; {}, {} ({} with a name), {}, {}, {}, {} s in steps of {} s\n", s.file.string(),
       warnings.empty() ? "" : fmt::format(", with {} warning{}", warnings.size(), warnings.size() == 1 ? "" : "s"),
-      s.blocks.size(), scene::count_touching_pairs(s, touching_m), s.joints.size(), s.variants.size(), studies,
-      s.analysis.duration_s, s.analysis.step_s);
+      counted(s.blocks.size(), "block"), counted(touching.size(), "joint"), named,
+      counted(s.variants.size(), "variant"), counted(read.load_cases.size(), "load case"),
+      counted(studies, "study", "studies"), s.analysis.duration_s, s.analysis.step_s);
   fmt::print(
       "structure of {:.4g} m: failure_displacement_m = {:.3g}, rest_speed_m_per_s = {:.3g}, penetration_tolerance_m = "
       "{:.3g}{}\n",

@@ -8,9 +8,13 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/results/counted.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/scene/block_facts.hpp"
+#include "bridge/scene/read/check.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "bridge/scene/structure_size.hpp"
+#include "bridge/scene/touching_pairs.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -63,8 +67,9 @@ void cut(const CutOptions& options) {
   for (const scene::Block& block : scene.blocks) areas.push_back(geometry::signed_area(block.vertices));
   const auto [smallest, largest] = std::minmax_element(areas.begin(), areas.end());
   const auto fixed = std::count_if(scene.blocks.begin(), scene.blocks.end(), [](const auto& b) { return b.fixed; });
-  fmt::print("{} blocks ({} fixed) of {:.4g} to {:.4g} m2, {} joints; drawn in {}\n", areas.size(), fixed, *smallest,
-             *largest, scene.joints.size(), options.out.string());
+  const auto touching = scene::touching_pairs(scene, scene::rounding_ratio * scene::structure_size_m(scene.blocks));
+  fmt::print("{} ({} fixed) of {:.4g} to {:.4g} m2, {}; drawn in {}\n", results::counted(areas.size(), "block"), fixed,
+             *smallest, *largest, results::counted(touching.size(), "joint"), options.out.string());
 }
 
 }  // namespace blockweir::picture

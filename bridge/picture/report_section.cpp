@@ -12,6 +12,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/read/stated_loads.hpp"
 #include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::picture {
@@ -104,8 +105,11 @@ json loads(const scene::Scene& scene) {
                     {"at", pair(load.point_m)},
                     {"force", {load.force_x_n_per_m.at(0.0), load.force_y_n_per_m.at(0.0)}}});
   }
-  for (const auto& load : scene.line_loads) {
+  const std::size_t stated = scene::count_tables(scene.text, "line_load");  // those of silt come after them
+  for (std::size_t i = 0; i < scene.line_loads.size(); ++i) {
+    const scene::LineLoad& load = scene.line_loads[i];
     list.push_back({{"kind", "line"},
+                    {"name", i < stated ? "" : "silt"},
                     {"from", pair(load.from_m)},
                     {"to", pair(load.to_m)},
                     {"force_from", {load.force_from_n_per_m2[0].at(0.0), load.force_from_n_per_m2[1].at(0.0)}},

@@ -4,13 +4,20 @@
 
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <stdexcept>
 
 #include "bridge/scene/diagnostic.hpp"
 
 namespace blockweir::process {
 
-/// What `work` returns; where it throws, a message on standard error and 2 when the scene or the command is wrong
+/// Has all that was said reached standard output? A full disk shows when the last of it is written.
+inline bool output_is_written() {
+  std::cout.flush();
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+}
+
+/// What `work` returns, 1 where that was 0 and standard output did not take what it said; where it throws, a message on standard error and 2 when the scene or the command is wrong
 /// (SceneError, std::invalid_argument), else 1. Plain fputs: where even the message cannot be written, the status says
 /// enough.
 template <class Work>
@@ -22,7 +29,11 @@ int exit_status(const char* program, Work work) noexcept {
     std::fputs("\n", stderr);
   };
   try {
-    return work();
+    const int status = work();
+    if (output_is_written()) return status;
+    std::fputs(program, stderr);
+    std::fputs(": standard output cannot be written: is the disk full?\n", stderr);
+    return status == 0 ? 1 : status;
   } catch (const scene::SceneError& error) {
     std::fputs(error.what(), stderr);
     std::fputs("\n", stderr);

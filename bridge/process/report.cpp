@@ -2,9 +2,12 @@
 // What a run's summary says, for people.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "bridge/process/former_run.hpp"
 #include "bridge/process/run.hpp"
 #include "bridge/results/figure.hpp"
+#include "bridge/results/shell_word.hpp"
 
 namespace blockweir::process {
 
@@ -20,8 +23,10 @@ std::string failure_text(const json& f, const char* word) {
   std::string text = fmt::format("{}{}\n", word, f["text"].get<std::string>());
   if (f["level_m"].is_number()) {
     const std::string pool = f.value("pool", "upstream") == "downstream" ? " (downstream pool)" : "";
-    const std::string head =
-        f["head_m"].is_number() ? fmt::format(", {} m above the joint that failed", number(f["head_m"])) : "";
+    const std::string head = f["head_m"].is_number() ? fmt::format(", {:.6g} m {} the joint that failed",
+                                                                   std::abs(f["head_m"].get<double>()),
+                                                                   f["head_m"].get<double>() < 0 ? "below" : "above")
+                                                     : "";
     text += fmt::format("        at a level of {}{} m{}{}, after {} s\n",
                         f.value("level_is_bound", false) ? "at most " : "", number(f["level_m"]), pool, head,
                         number(f["time_s"]));
@@ -78,7 +83,7 @@ std::string report(const RunResult& result) {
   }
   if (const std::size_t skips = s.value("skips", json::array()).size(); skips > 0) {
     text += fmt::format("skipped {} kinds of work that the result does not need; \"blockweir profile {}\" lists them\n",
-                        skips, result.folder.string());
+                        skips, results::shell_word(result.folder.string()));
   }
   const json simulated = s.value("simulated_s", json());
   text += fmt::format("time    {} s of wall time{}\n", number(s["wall_time_s"]),
@@ -86,7 +91,8 @@ std::string report(const RunResult& result) {
   const std::string folder = result.folder.string();
   text += fmt::format("results {} {}\n", folder,
                       has_frames(result.folder)
-                          ? fmt::format("(blocks.pvd opens in ParaView; \"blockweir plot {}\" draws figures)", folder)
+                          ? fmt::format("(blocks.pvd opens in ParaView; \"blockweir plot {}\" draws figures)",
+                                        results::shell_word(folder))
                           : "(without a frame; solid.log has the solid's own words)");
   return text;
 }

@@ -25,6 +25,7 @@
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/seconds.hpp"
+#include "bridge/results/shell_word.hpp"
 #include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/read.hpp"
 
@@ -135,8 +136,8 @@ void refuse_finished(const fs::path& folder) {
 /// What to do about a run that did not end well; `too_early`: it was stopped before its first checkpoint.
 std::string advice_of(const fs::path& folder, bool goes_on, bool too_early) {
   const fs::path repeat = folder / "repeat.toml";
-  if (fs::exists(repeat)) return fmt::format("\"blockweir run {}\" repeats it", repeat.string());
-  if (goes_on) return fmt::format("\"blockweir resume {}\" goes on", folder.string());
+  if (fs::exists(repeat)) return fmt::format("\"blockweir run {}\" repeats it", results::shell_word(repeat.string()));
+  if (goes_on) return fmt::format("\"blockweir resume {}\" goes on", results::shell_word(folder.string()));
   return too_early ? "it has no checkpoint yet to resume from: run it anew" : "";
 }
 

@@ -7,6 +7,21 @@
 
 namespace blockweir::results {
 
+namespace {
+
+/// A device or a pipe: a file may not take its place.
+bool is_no_file(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+}
+
+void write_through(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream stream(path);
+  if (!(stream << text << std::flush)) cannot_write(path);
+}
+
+}  // namespace
+
 void cannot_write(const std::filesystem::path& path) {
   throw std::runtime_error(
       fmt::format("cannot write {}: is the disk full, or the folder not writable?", path.string()));
@@ -37,27 +52,17 @@ void ResultFile::line(const std::string& text) {
   size_ += text.size() + 1;
 }
 
-namespace {
-
-/// A device, as /dev/full, is neither removed nor replaced.
-bool is_or_may_be_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  return !std::filesystem::exists(path, ignored) || std::filesystem::is_regular_file(path, ignored);
-}
-
-}  // namespace
-
 void write_file(const std::filesystem::path& path, const std::string& text) {
   std::ofstream stream(path, std::ios::trunc);
   if (stream << text << std::flush) return;
   stream.close();
   std::error_code ignored;
-  if (is_or_may_be_file(path)) std::filesystem::remove(path, ignored);
+  std::filesystem::remove(path, ignored);
   cannot_write(path);
 }
 
 void replace_file(const std::filesystem::path& path, const std::string& text) {
-  if (!is_or_may_be_file(path)) return write_file(path, text);
+  if (is_no_file(path)) return write_through(path, text);
   std::filesystem::path fresh = path;
   fresh += ".new";
   std::error_code error;

@@ -2,14 +2,17 @@
 // Joints that a scene has where blocks touch, whether or not it states them.
 #pragma once
 
+#include <set>
+#include <utility>
+
 #include <cstddef>
 
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::scene {
 
-/// Pairs of blocks that share a part of their outlines, of which one at least is not fixed. What is nearer than
+/// Pairs of blocks, the lower index first, that share a part of their outlines, of which one at least is not fixed. What is nearer than
 /// `touching_m` touches.
-std::size_t count_touching_pairs(const Scene& scene, double touching_m);
+std::set<std::pair<int, int>> touching_pairs(const Scene& scene, double touching_m);
 
 }  // namespace blockweir::scene

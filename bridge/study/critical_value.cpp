@@ -77,11 +77,13 @@ class Search {
   }
 
   [[noreturn]] void no_change() const {
-    throw std::runtime_error(fmt::format(
-        "no change found: the outcome is \"{}\" with {} and \"{}\" with {}; expected \"{}\" at one of both alone; move "
-        "from or to",
-        shown_word(finding_.runs[0]), finding_.runs[0]["settings"][0].get<std::string>(), shown_word(finding_.runs[1]),
-        finding_.runs[1]["settings"][0].get<std::string>(), critical_.outcome));
+    throw std::runtime_error(
+        fmt::format("no change found: the outcome is \"{}\" with {} and \"{}\" with {}; expected \"{}\"{} at one of "
+                    "both alone; move "
+                    "from or to",
+                    shown_word(finding_.runs[0]), finding_.runs[0]["settings"][0].get<std::string>(),
+                    shown_word(finding_.runs[1]), finding_.runs[1]["settings"][0].get<std::string>(), critical_.outcome,
+                    critical_.outcome == "fails" ? " (by any mode)" : ""));
   }
 
   Finding told(const Bracket& bracket) {

@@ -2,6 +2,9 @@
 #include "bridge/study/open_study.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "bridge/results/csv.hpp"
 #include "bridge/results/file_name.hpp"
@@ -18,8 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::array table_columns = {"outcome", "mode",           "joint",       "level_m",     "head_m",
-                                      "time_s",  "sliding_factor", "simulated_s", "wall_time_s", "trouble"};
+constexpr std::array table_columns = {"outcome",        "mode",   "joint",  "level_m",        "level_uncertainty_m",
+                                      "level_is_bound", "head_m", "time_s", "sliding_factor", "simulated_s",
+                                      "wall_time_s",    "trouble"};
 
 std::string cell(const json& value) {
   if (value.is_null()) return "";
@@ -30,6 +34,16 @@ OpenStudyTask task_of(const scene::OpenStudy& study, const fs::path& scene, int 
   if (std::holds_alternative<scene::CriticalValue>(study.question)) return critical_task(study, jobs);
   if (std::holds_alternative<scene::OutcomeMap>(study.question)) return outcome_map_task(study);
   return sample_task(study, scene);
+}
+
+/// What the runs warn of their levels, with the first that does; empty where none does.
+std::string levels_in_doubt(const std::vector<Outcome>& runs) {
+  const auto in_doubt = [](const Outcome& run) { return run.value("level_doubt", json()).is_string(); };
+  const auto first = std::find_if(runs.begin(), runs.end(), in_doubt);
+  if (first == runs.end()) return "";
+  return fmt::format("  WARNING {} of {} runs doubt their level (see level_uncertainty_m and level_is_bound); {}: {}\n",
+                     std::count_if(runs.begin(), runs.end(), in_doubt), runs.size(),
+                     fmt::join((*first)["settings"].get<Settings>(), ", "), (*first)["level_doubt"].get<std::string>());
 }
 
 /// What was done before a stop, in the order in which it ended.
@@ -113,7 +127,7 @@ bool perform(const OpenStudyTask& task, const fs::path& scene, const Settings& o
     fmt::print("{}\nSTOPPED {}\n", task.name, error.what());
     return false;
   }
-  fmt::print("{}\n{}", task.name, finding.text);
+  fmt::print("{}\n{}{}", task.name, finding.text, levels_in_doubt(finding.runs));
   write_results(task, scene, finding, file);
   fmt::print("{0}.csv\n{0}.json\n", file.string());
   return true;

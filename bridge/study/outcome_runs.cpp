@@ -37,10 +37,14 @@ Outcome outcome_of(const json& summary) {
   const json failure = summary.value("failure", json::object());
   const json margin = summary.value("margin", json::object());
   const bool fails = summary.value("outcome", "stopped") == "fails";
+  const bool has_level = fails && failure.value("level_m", none).is_number();
   return {{"outcome", summary.value("outcome", "stopped")},
           {"mode", fails ? failure.value("mode", none) : none},
           {"joint", fails ? failure.value("joint", none) : none},
           {"level_m", fails ? failure.value("level_m", none) : none},
+          {"level_uncertainty_m", fails ? failure.value("level_uncertainty_m", none) : none},
+          {"level_is_bound", has_level ? failure.value("level_is_bound", none) : none},
+          {"level_doubt", has_level ? failure.value("doubt", none) : none},
           {"head_m", fails ? failure.value("head_m", none) : none},
           {"time_s", fails ? failure.value("time_s", none) : none},
           {"sliding_factor", margin.value("sliding_factor", none)},

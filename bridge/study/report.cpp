@@ -13,6 +13,7 @@
 #include "bridge/process/temporary_folder.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/shell_word.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/safety.hpp"
 
@@ -44,7 +45,7 @@ json summary_of(const fs::path& run) {
   if (summary.is_object()) return summary;
   throw std::invalid_argument(
       fmt::format("{}: found a run without a summary.json; expected one that has ended; blockweir resume {} may end it",
-                  run.string(), run.string()));
+                  run.string(), results::shell_word(run.string())));
 }
 
 picture::ReportParts parts_of(const fs::path& run, const std::string& program) {

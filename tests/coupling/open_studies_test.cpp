@@ -54,6 +54,7 @@ TEST_F(OpenStudies, WithoutAChangeThereIsNoAnswer) {
   write_scene("[[study]]\nname = 'slope'\nkind = 'critical'\nkey = 'analysis.gravity_tilt_deg'\nfrom = 10\nto = 20\n");
   EXPECT_EQ(study(), 1);
   EXPECT_THAT(text("out"), HasSubstr("STOPPED no change found: the outcome is \"stands\" with"));
+  EXPECT_THAT(text("out"), HasSubstr("expected \"fails\" (by any mode) at one of both alone"));
   EXPECT_FALSE(fs::exists(folder / "s/slope.csv"));
 }
 
@@ -65,6 +66,19 @@ TEST_F(OpenStudies, AMapHasAnOutcomeForEachPair) {
   EXPECT_THAT(text("out"), HasSubstr("            30  .  s \n            15  s  s \n"));
   EXPECT_THAT(text("s/m.csv"), HasSubstr("run,analysis.gravity_tilt_deg,joint.friction_angle_deg,outcome,mode,"));
   EXPECT_GT(fs::file_size(folder / "s/m.png"), 1000U);
+}
+
+TEST_F(OpenStudies, LevelsThatAreOnlyBoundsAreTold) {
+  std::ofstream(folder / "scene.toml") << text(cases + "monolith-slides/scene.toml") +
+                                              "[[study]]\nname = 'm'\nkind = 'map'\nx_key = "
+                                              "'joint.friction_angle_deg'\nx_values = [5, 60]\ny_key = "
+                                              "'analysis.duration_s'\ny_values = [0.5]\n";
+  ASSERT_EQ(study("--name m --set expect=[]"), 0) << text("out");
+  EXPECT_THAT(text("s/m.csv"), HasSubstr(",level_m,level_uncertainty_m,level_is_bound,head_m,"));
+  EXPECT_THAT(text("s/m.csv"), HasSubstr(",true,"));
+  EXPECT_THAT(text("out"), HasSubstr("WARNING 1 of 2 runs doubt their level (see level_uncertainty_m and "
+                                     "level_is_bound); joint.friction_angle_deg=5, analysis.duration_s=0.5: it moves "
+                                     "from the start: begin with a lower level"));
 }
 
 TEST_F(OpenStudies, ASampleTellsSharesAndHasARowForEachRun) {

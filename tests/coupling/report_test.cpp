@@ -84,6 +84,7 @@ TEST_F(Report, OpensInABrowserAndCanBeUsed) {
   }
   EXPECT_EQ(seen["chapters"].size(), 8U);
   EXPECT_THAT(seen["verdict"].get<std::string>(), HasSubstr("The structure FAILS"));
+  EXPECT_THAT(seen["verdict"].get<std::string>(), HasSubstr("Load cases: 1 of 1 reach their required factor."));
   EXPECT_THAT(seen["joints"].get<std::string>(), testing::AllOf(HasSubstr("low water"), HasSubstr("a guideline")));
   EXPECT_THAT(seen["level"].get<std::string>(), HasSubstr("limit analysis"));
   EXPECT_THAT(seen["scene"].get<std::string>(), HasSubstr("a wall </script><b>holds</b> a pond"));

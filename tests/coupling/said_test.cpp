@@ -54,6 +54,29 @@ TEST_F(Said, StrictMakesAnErrorOfAWarning) {
   EXPECT_EQ(shell(programs + "/blockweir run s.toml --strict --out o --set material.m.density_kg_per_m3=2400"), 0);
 }
 
+TEST_F(Said, CheckAndCutCountTheSameJointsAndLoadCases) {
+  scene(block + "[[load_case]]\nname = 'slippery'\nset = ['joint.friction_angle_deg=6']\n" +
+        "[section]\nmaterial = 'm'\noutline_m = [[2, -1], [5, -1], [5, 2], [2, 2]]\n"
+        "[[region]]\nmaterial = 'm'\nfixed = true\noutline_m = [[2, -1], [5, -1], [5, 1], [2, 1]]\n"
+        "[[cut]]\nname = 'through'\npoints_m = [[3, -1], [3, 2]]\n");
+  EXPECT_EQ(shell(programs + "/blockweir check s.toml --set block.ground.vertices_m=[[-2,-1],[1.5,-1],[1.5,0],[-2,0]]"),
+            0)
+      << text("out");
+  // The cut parts the fixed rock, too, where no joint moves; the block on the ground has a joint without a name.
+  EXPECT_THAT(text("out"), HasSubstr("6 blocks, 4 joints (3 with a name), 0 variants, 1 load case, 0 studies"));
+  EXPECT_EQ(shell(programs + "/blockweir cut s.toml --set block.ground.vertices_m=[[-2,-1],[1.5,-1],[1.5,0],[-2,0]]"),
+            0)
+      << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("6 blocks (3 fixed) of"));
+  EXPECT_THAT(text("out"), HasSubstr(", 4 joints; drawn in"));
+}
+
+TEST_F(Said, SuggestedCommandsAreQuotedForTheShell) {
+  scene(block);
+  ASSERT_EQ(shell(programs + "/blockweir run s.toml --out \"it's so\""), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr(R"("blockweir plot 'it'\''s so'" draws figures)"));
+}
+
 TEST_F(Said, CheckWarnsOfVariantsToo) {
   scene(block + "[[variant]]\nname = \"slippery\"\nset = [\"joint.friction_angle_deg=0.6\"]\n");
   EXPECT_EQ(shell(programs + "/blockweir check s.toml --strict --set material.m.density_kg_per_m3=2400"), 2);

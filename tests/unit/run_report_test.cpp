@@ -29,5 +29,15 @@ TEST(RunReport, AStoppedRunTellsWhatHadFailedBefore) {
                                              HasSubstr("WARNING no open water reaches it")));
 }
 
+TEST(RunReport, ALevelUnderTheJointThatFailedIsBelowIt) {
+  RunResult result{.exit_code = 0, .folder = "it's so"};
+  result.summary = {{"outcome", "fails"},
+                    {"wall_time_s", 1},
+                    {"skips", {"one"}},
+                    {"failure", {{"text", "block fails"}, {"level_m", 2}, {"head_m", -8}, {"time_s", 3}}}};
+  EXPECT_THAT(report(result), testing::AllOf(HasSubstr("at a level of 2 m, 8 m below the joint that failed"),
+                                             HasSubstr(R"("blockweir profile 'it'\''s so'" lists them)")));
+}
+
 }  // namespace
 }  // namespace blockweir::process

@@ -141,7 +141,25 @@ TEST_F(SceneFile, OfMoreThan16MegabytesIsRefused) {
 }
 
 TEST_F(SceneFile, ThatIsNotTextIsRefused) {
-  EXPECT_THAT(error(write("binary.toml", "\x7f\x45LF\x01\xff\xfe")), HasSubstr("binary.toml:1: error: a syntax error"));
+  EXPECT_THAT(error(write("binary.toml", "\x7f\x45LF\x01\xff\xfe")),
+              HasSubstr("binary.toml:1: error: a byte 0xff that is no character; expected text in UTF-8"));
+}
+
+TEST_F(SceneFile, InAnotherEncodingSaysHowToSaveIt) {
+  EXPECT_THAT(error(write("latin1.toml", "title = 'x'\nnote = 'H\xf6he'\n")),
+              HasSubstr("latin1.toml:2: error: a byte 0xf6 that is no character; expected text in UTF-8; save the file "
+                        "as UTF-8"));
+  EXPECT_THAT(error(write("utf16.toml", std::string("\xff\xfet\0i\0", 6))),
+              HasSubstr("utf16.toml:1: error: text in UTF-16; expected text in UTF-8; save the file as UTF-8"));
+  EXPECT_THAT(error(write("utf16-without-a-mark.toml", std::string("t\0i\0", 4))), HasSubstr("save the file as UTF-8"));
+  EXPECT_EQ(read(write("utf8.toml", "\xef\xbb\xbf" + text + "# H\xc3\xb6he \xe5\xa0\xb0\n")).scene.title, "sample");
+}
+
+TEST_F(SceneFile, WarningsStandBesideErrors) {
+  const std::string wrong = error(write("s.toml", sample::with("youngs_modulus_pa = 50e9\npoissons_ratio = 0.2",
+                                                               "youngs_modulus_pa = 50\npoissons_ratio = 20", text)));
+  EXPECT_THAT(wrong, testing::AllOf(HasSubstr("error: poissons_ratio"), HasSubstr("warning: youngs_modulus_pa"),
+                                    HasSubstr("if it is in GPa, write 50e9")));
 }
 
 TEST_F(SceneFile, AVariantSetsItsKeysAndTheCommandLineItsOwnOverThem) {

@@ -83,13 +83,15 @@ inline std::string with(const std::string& from, const std::string& to, std::str
   return scene.replace(at, from.size(), to);
 }
 
-/// All that the reader reports, a line each; empty when it reads the scene.
+/// All that is wrong, a line each; empty when it reads the scene.
 inline std::vector<std::string> errors(const std::string& scene, const std::vector<std::string>& overrides = {}) {
   std::vector<std::string> texts;
   try {
     read_text(scene, "s.toml", overrides);
   } catch (const SceneError& error) {
-    for (const Diagnostic& d : error.diagnostics()) texts.push_back(d.text());
+    for (const Diagnostic& d : error.diagnostics()) {
+      if (d.severity == Diagnostic::Severity::error) texts.push_back(d.text());
+    }
   }
   return texts;
 }

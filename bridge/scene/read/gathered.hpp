@@ -17,7 +17,9 @@ class Gathered {
     try {
       read();
     } catch (const SceneError& error) {
-      for (const Diagnostic& d : error.diagnostics()) add(d);
+      for (const Diagnostic& d : error.diagnostics()) {
+        if (d.severity == Diagnostic::Severity::error) add(d);  // the scene's own warnings are told once
+      }
     }
   }
 

@@ -174,12 +174,16 @@ std::string likely_meaning(const Magnitude& row, double value) {
   return *row.remark == '\0' ? text : fmt::format("{}; {}", text, row.remark);
 }
 
-void check_magnitudes(const toml::table& file, const Scene& scene, Problems& problems) {
-  const double size_m = structure_size_m(scene.blocks);
+void check_ranges(const toml::table& file, double size_m, Problems& problems) {
   for (const Magnitude& row : table_of_magnitudes) {
     const double shrunk = row.grows_with_size ? std::min(1.0, size_m / 10) : 1;
     check_row(row, shrunk * row.least, file, problems);
   }
+}
+
+void check_magnitudes(const toml::table& file, const Scene& scene, Problems& problems) {
+  const double size_m = structure_size_m(scene.blocks);
+  check_ranges(file, size_m, problems);
   check_steps(file, scene, problems);
   check_size(scene, size_m, problems);
   check_crack_width(file, scene, size_m, problems);

@@ -36,8 +36,11 @@ std::span<const Magnitude> magnitudes();
 /// write.
 std::string likely_meaning(const Magnitude& row, double value);
 
-/// Warns of numbers beyond their usual magnitudes, and of times, levels, lengths and gaps that are unusual beside each
-/// other. The scene is sound.
+/// Warns of numbers beyond their usual magnitudes. Some are smaller in a small structure: at 0 m, where its size is not
+/// known, these are never too small.
+void check_ranges(const toml::table& file, double size_m, Problems& problems);
+
+/// Warns of those, and of times, levels, lengths and gaps that are unusual beside each other. The scene is sound.
 void check_magnitudes(const toml::table& file, const Scene& scene, Problems& problems);
 
 /// Warns of faces beside each other that are nearly, but not quite, in touch while a structure begins at rest.

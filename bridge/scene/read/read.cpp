@@ -10,6 +10,7 @@
 
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/read/digest.hpp"
+#include "bridge/scene/read/encoding.hpp"
 #include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/key_depth.hpp"
 #include "bridge/scene/read/magnitudes.hpp"
@@ -51,6 +52,10 @@ std::string text_of(const std::filesystem::path& file) {
 }
 
 toml::table parse(const std::string& text, const std::string& name) {
+  if (const auto foreign = foreign_text(text)) {
+    refuse(name, foreign->line, foreign->found, "text in UTF-8",
+           "save the file as UTF-8: editors ask for the encoding under \"Save as\"");
+  }
   if (const DeepKey key = deepest_key(text); key.parts > deepest_sound_key) {
     refuse(name, key.line, fmt::format("a key of {} parts", key.parts), "keys like [material.concrete]",
            "take out the dots that do not belong");
@@ -82,9 +87,17 @@ void read_sections(Reading& reading, ReadScene& result) {
   // A wrong block or support would be followed by an error for each block that it holds.
   if (structure_sound) check_held(reading.scene, reading.problems);
   if (reading.problems.count() == before) check_cracks(reading);
-  if (reading.problems.count() > 0) return;
+  if (reading.problems.count() > 0) return check_ranges(reading.file, /*size_m=*/0, reading.problems);
   check_effects(reading);
   check_magnitudes(reading.file, reading.scene, reading.problems);
+}
+
+/// Errors, and after them the warnings: a wrong unit that is only warned of may be what is behind an error.
+[[noreturn]] void refuse_all(const Problems& problems) {
+  std::vector<Diagnostic> all = problems.errors();
+  const std::vector<Diagnostic> warned = problems.warnings();
+  all.insert(all.end(), warned.begin(), warned.end());
+  throw SceneError(std::move(all));
 }
 
 }  // namespace
@@ -117,7 +130,7 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   scene.digest = digest(scene.text);
   Reading reading{file, problems, scene};
   read_sections(reading, result);
-  if (problems.count() > 0) throw SceneError(problems.errors());
+  if (problems.count() > 0) refuse_all(problems);
   result.notes = problems.notes();
   result.warnings = problems.warnings();
   for (const Diagnostic& warning : result.warnings) scene.warnings.push_back(warning.message());

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_results nlohmann_json::nlohmann_json
+// Standard output, or a file of results, that takes nothing: one error, and a status that is not 0.
+#include "bridge/results/result_file.hpp"
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+class FullOutput : public Processes {
+ protected:
+  /// Exit status of a command whose standard output is a full disk; what it says of that is in the file "out".
+  [[nodiscard]] int full(const std::string& words) const {
+    return shell("{ " + programs + "/blockweir " + words + " >/dev/full; }");
+  }
+};
+
+TEST_F(FullOutput, IsAnErrorOfEachCommand) {
+  const std::string scene = cases + "monolith-slides";
+  for (const std::string& command :
+       {std::string("--help"), std::string("--version"), std::string("run --help"), "check " + scene,
+        "run " + scene + " --out r --set analysis.duration_s=0.1 --set expect=[] --set variant=[]",
+        "level " + scene + " --out l", "cut " + scene + " --out cut.png", std::string("man")}) {
+    EXPECT_EQ(full(command), 1) << command << "\n" << text("out");
+    const std::string said = text("out");
+    const auto at = said.find("blockweir: ");
+    ASSERT_NE(at, std::string::npos) << command << ": " << said;
+    EXPECT_EQ(said.find("blockweir: ", at + 1), std::string::npos) << "more than one error: " << said;
+    EXPECT_THAT(said.substr(at),
+                testing::AnyOf(HasSubstr("standard output cannot be written"), HasSubstr("cannot write to file")))
+        << command;
+  }
+}
+
+TEST_F(FullOutput, AStatusOfItsOwnStays) {
+  EXPECT_EQ(full("check no-such-scene.toml"), 2);
+}
+
+TEST_F(FullOutput, ADeviceIsWrittenAndNotReplaced) {
+  fs::create_symlink("/dev/full", folder / "full");
+  try {
+    results::replace_file(folder / "full", "text");
+    FAIL() << "a full disk took it";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("full: is the disk full"));
+  }
+  EXPECT_TRUE(fs::is_symlink(folder / "full"));
+  fs::create_symlink("/dev/null", folder / "null");
+  results::replace_file(folder / "null", "text");
+  EXPECT_TRUE(fs::is_symlink(folder / "null"));
+}
+
+}  // namespace
+}  // namespace blockweir::test
