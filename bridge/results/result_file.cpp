@@ -57,7 +57,7 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (stream << text << std::flush) return;
   stream.close();
   std::error_code ignored;
-  std::filesystem::remove(path, ignored);
+  if (!is_no_file(path)) std::filesystem::remove(path, ignored);
   cannot_write(path);
 }
 
