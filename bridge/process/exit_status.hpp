@@ -17,9 +17,9 @@ inline bool output_is_written() {
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
 }
 
-/// What `work` returns, 1 where that was 0 and standard output did not take what it said; where it throws, a message on standard error and 2 when the scene or the command is wrong
-/// (SceneError, std::invalid_argument), else 1. Plain fputs: where even the message cannot be written, the status says
-/// enough.
+/// What `work` returns, 1 where that was 0 and standard output did not take what it said; where it throws, a message on
+/// standard error and 2 when the scene or the command is wrong (SceneError, std::invalid_argument), else 1. Plain
+/// fputs: where even the message cannot be written, the status says enough.
 template <class Work>
 int exit_status(const char* program, Work work) noexcept {
   const auto say = [program](const std::exception& error) {

@@ -11,8 +11,8 @@
 
 namespace blockweir::scene {
 
-/// Pairs of blocks, the lower index first, that share a part of their outlines, of which one at least is not fixed. What is nearer than
-/// `touching_m` touches.
+/// Pairs of blocks, the lower index first, that share a part of their outlines, of which one at least is not fixed.
+/// What is nearer than `touching_m` touches.
 std::set<std::pair<int, int>> touching_pairs(const Scene& scene, double touching_m);
 
 }  // namespace blockweir::scene
