@@ -13,7 +13,7 @@ class FullOutput : public Processes {
  protected:
   /// Exit status of a command whose standard output is a full disk; what it says of that is in the file "out".
   [[nodiscard]] int full(const std::string& words) const {
-    return shell("{ " + programs + "/blockweir " + words + " >/dev/full; }");
+    return shell("sh -c '" + programs + "/blockweir " + words + " >/dev/full'");
   }
 };
 

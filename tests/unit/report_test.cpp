@@ -50,7 +50,8 @@ TEST(ReportSection, CallsTheSiltByItsName) {
   const std::string line = "[[line_load]]\nblock = \"top\"\nfrom_m = [0, 4]\nto_m = [0, 3]\nforce_x_n_per_m2 = 10\n";
   const std::string silt = "[silt]\nlevel_m = 1\nsubmerged_density_kg_per_m3 = 900\npressure_coefficient = 0.5\n";
   std::vector<std::string> names;
-  for (const json& load : section_data(scene::read_text(scene::sample::text + line + silt, "s.toml").scene)["loads"]) {
+  const json data = section_data(scene::read_text(scene::sample::text + line + silt, "s.toml").scene);
+  for (const json& load : data["loads"]) {
     if (load.contains("name")) names.push_back(load["name"]);
   }
   EXPECT_THAT(names, testing::ElementsAre("", "silt"));

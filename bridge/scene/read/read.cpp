@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -21,6 +22,7 @@
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/read/section_drawing.hpp"
 #include "bridge/scene/read/time_record.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -87,7 +89,10 @@ void read_sections(Reading& reading, ReadScene& result) {
   // A wrong block or support would be followed by an error for each block that it holds.
   if (structure_sound) check_held(reading.scene, reading.problems);
   if (reading.problems.count() == before) check_cracks(reading);
-  if (reading.problems.count() > 0) return check_ranges(reading.file, /*size_m=*/0, reading.problems);
+  if (reading.problems.count() > 0) {
+    const double size_m = reading.scene.blocks.empty() ? 0 : structure_size_m(reading.scene.blocks);
+    return check_ranges(reading.file, size_m, reading.problems);
+  }
   check_effects(reading);
   check_magnitudes(reading.file, reading.scene, reading.problems);
 }
@@ -95,8 +100,14 @@ void read_sections(Reading& reading, ReadScene& result) {
 /// Errors, and after them the warnings: a wrong unit that is only warned of may be what is behind an error.
 [[noreturn]] void refuse_all(const Problems& problems) {
   std::vector<Diagnostic> all = problems.errors();
-  const std::vector<Diagnostic> warned = problems.warnings();
-  all.insert(all.end(), warned.begin(), warned.end());
+  const auto key_of = [](const Diagnostic& d) { return d.found.substr(0, d.found.find(' ')); };
+  const std::vector<Diagnostic> errors = all;
+  for (const Diagnostic& warning : problems.warnings()) {
+    const bool wrong = std::any_of(errors.begin(), errors.end(), [&](const Diagnostic& e) {
+      return e.line == warning.line && key_of(e) == key_of(warning);
+    });
+    if (!wrong) all.push_back(warning);
+  }
   throw SceneError(std::move(all));
 }
 
