@@ -17,6 +17,13 @@ nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit
   return {{"text", words.text}, {"mode", words.mode}, {"joints", words.joints}, {"blocks", moving}};
 }
 
+void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohmann::json& answer) {
+  answer["upper_bound"] = !structure.is_exact();
+  if (structure.holds_any_force()) {
+    answer["limit_analysis_note"] = "anchors hold any force: state yield_n_per_m of each [[bolt]]";
+  }
+}
+
 void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answer) {
   if (scene.water.earthquake_coefficient != 0) answer["added_water_pressure"] = "Westergaard";
 }

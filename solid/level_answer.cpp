@@ -159,6 +159,7 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   }
   json answer = blocks_json(scene, levels.blocks);
   answer["limit_analysis"] = limit_json(structure, levels.limit);
+  solid::add_what_limit_analysis_takes(structure, answer["limit_analysis"]);
   if (strains) answer["rigid_blocks"] = blocks_json(scene, levels.rigid);
   answer["difference"] = difference_json(levels);
   solid::add_water_in_an_earthquake(scene, answer);

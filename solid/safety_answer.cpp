@@ -125,6 +125,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   if (blocks.value) answer["factor_width"] = blocks.value->width;
   if (blocks.value && !blocks.value->stopped.empty()) answer["stopped"] = blocks.value->stopped;
   add_factor(by_limit, "limit_analysis_factor", "why_no_limit_analysis_factor", answer);
+  solid::add_what_limit_analysis_takes(structure, answer);
   if (has_limit) {
     answer["gap"] = by_limit.value->gap;
     answer["mechanism"] = solid::mechanism_json(structure, by_limit.value->mechanism);

@@ -17,15 +17,20 @@ using nlohmann::json;
 std::string text_of(const json& found, bool fails) {
   const std::string level =
       found["level_m"].is_number() ? fmt::format(" at a level of {:.6g} m", found["level_m"].get<double>()) : "";
-  const auto how = [&] { return found["mechanism"]["text"].get<std::string>(); };
+  const std::string note = found.contains("limit_analysis_note") && found.contains("mechanism")
+                               ? "; " + found["limit_analysis_note"].get<std::string>()
+                               : "";
+  const auto how = [&] { return found["mechanism"]["text"].get<std::string>() + note; };
+  const char* bound = found.value("upper_bound", false) ? "at most " : "";
   if (found["factor"].is_number()) {
     const double factor = found["factor"];
-    return fmt::format("{:.4g} on the strength of the joints{}: {}{}", factor, level, how(),
+    return fmt::format("{}{:.4g} on the strength of the joints{}: {}{}", bound, factor, level, how(),
                        fails && factor >= 1 ? "; above 1 although it fails, as an upper bound may be" : "");
   }
   if (found.contains("reservoir_factor")) {
-    return fmt::format("{:.4g} on the reservoir's forces{}, as {}: {}", found["reservoir_factor"].get<double>(), level,
-                       found["why_no_factor"].get<std::string>(), how());
+    return fmt::format("{}{:.4g} on the reservoir's forces{}, as {}: {}", bound,
+                       found["reservoir_factor"].get<double>(), level, found["why_no_factor"].get<std::string>(),
+                       how());
   }
   return fmt::format("none: {}", found["why_no_factor"].get<std::string>());
 }

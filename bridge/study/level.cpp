@@ -55,6 +55,9 @@ std::string limit_text(const json& found) {
     text += fmt::format("\n        it bears {:.6g} times the reservoir's forces at the highest",
                         found["load_factor"].get<double>());
   }
+  if (found.contains("limit_analysis_note")) {
+    text += "\n        " + found["limit_analysis_note"].get<std::string>();
+  }
   if (found.contains("mechanism")) text += "\n        " + found["mechanism"]["text"].get<std::string>();
   if (found.contains("gap")) {
     text += fmt::format("\n        forces and mechanism agree to {:.1g} (gap)", found["gap"].get<double>());

@@ -128,6 +128,7 @@ std::string factors_text(const json& cases) {
     if (c.contains("load_factor")) {
       tell("it bears ", load_factor_text(c["load_factor"]));
     }
+    if (c.contains("limit_analysis_note")) tell("limit: ", c["limit_analysis_note"]);
     for (const json& warning : c["warnings"]) tell("WARNING ", warning);
     if (c.contains("added_water_pressure")) {
       tell("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);

@@ -84,6 +84,15 @@ std::vector<Face> faces_of(const scene::Scene& scene) {
   return faces;
 }
 
+/// Ends that move as far as a failure, and no farther, leave a bolt this force at least [N/m].
+double least_force(const scene::Scene& scene, const scene::Bolt& bolt) {
+  const auto moves = [&](int block) { return block >= 0 && !scene.blocks[at(block)].fixed; };
+  const double shortening_m = static_cast<double>(std::count_if(bolt.blocks.begin(), bolt.blocks.end(), moves)) *
+                              scene.analysis.failure_displacement_m;
+  const double slack = bolt.takes_compression ? -bolt.yield_n_per_m.value_or(infinite) : 0;
+  return std::max(slack, bolt.prestress_n_per_m - bolt.stiffness_n_per_m2 * shortening_m);
+}
+
 std::vector<Tie> ties_of(const scene::Scene& scene) {
   std::vector<Tie> ties;
   const auto is_fixed = [&](int block) { return block < 0 || scene.blocks[at(block)].fixed; };
@@ -106,7 +115,7 @@ std::vector<Tie> ties_of(const scene::Scene& scene) {
             .at_b_m = bolt.to_m,
             .direction = (bolt.to_m - bolt.from_m).normalized(),
             .high_n_per_m = bolt.yield_n_per_m.value_or(infinite)};
-    if (bolt.takes_compression) tie.low_n_per_m = -tie.high_n_per_m;
+    tie.low_n_per_m = least_force(scene, bolt);
     if (tie.a < 0) {
       std::swap(tie.a, tie.b);
       std::swap(tie.at_a_m, tie.at_b_m);

@@ -10,6 +10,7 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/statics/loads.hpp"
+#include "solid/limit/determinacy.hpp"
 #include "solid/limit/linear_program.hpp"
 
 namespace blockweir::solid::limit {
@@ -151,6 +152,7 @@ LimitAnalysis::LimitAnalysis(const scene::Scene& scene)
       centroids_(statics::centroids_of(scene)),
       faces_(faces_of(scene)),
       ties_(ties_of(scene)),
+      is_exact_(follow_from_equilibrium(scene, faces_, ties_)),
       size_m_(scene::structure_size_m(scene.blocks)) {
   if (!any_moves(scene)) {
     throw std::invalid_argument("limit analysis: all blocks are fixed; expected one that can move, set fixed = false");
@@ -160,6 +162,10 @@ LimitAnalysis::LimitAnalysis(const scene::Scene& scene)
     if (!scene.blocks[b].fixed) weight_n_per_m_ += weights[b].head<2>().norm();
   }
   if (weight_n_per_m_ == 0) weight_n_per_m_ = 1;
+}
+
+bool LimitAnalysis::holds_any_force() const {
+  return std::any_of(scene_.bolts.begin(), scene_.bolts.end(), [](const auto& bolt) { return !bolt.yield_n_per_m; });
 }
 
 LargestFactor LimitAnalysis::largest_factor(const Wrenches& dead, const Wrenches& live) const {

@@ -42,6 +42,11 @@ class LimitAnalysis {
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
   [[nodiscard]] const std::vector<Point>& centroids() const { return centroids_; }
 
+  /// Else factors and levels are upper bounds where friction is Coulomb's.
+  [[nodiscard]] bool is_exact() const { return is_exact_; }
+  /// Bolts without a yield strength: they hold whatever would stretch them.
+  [[nodiscard]] bool holds_any_force() const;
+
   /// Of `live` beside `dead`, from 0 up.
   [[nodiscard]] LargestFactor largest_factor(const Wrenches& dead, const Wrenches& live) const;
   [[nodiscard]] bool bears(const Wrenches& loads) const;
@@ -63,6 +68,7 @@ class LimitAnalysis {
   std::vector<Point> centroids_;
   std::vector<Face> faces_;
   std::vector<Tie> ties_;
+  bool is_exact_ = false;
   double size_m_ = 0;          ///< by which lengths are scaled
   double weight_n_per_m_ = 0;  ///< by which forces are
 };

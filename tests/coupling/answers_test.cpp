@@ -163,6 +163,42 @@ vertices_m = [[0, 0], [3, -0.5], [2, 5], [0, 5]]
   EXPECT_NEAR(found["limit_analysis_factor"], 1.2611, 1e-4);
 }
 
+/// A soft anchor that pulls down and downstream: 1.191 by hand; going slack it would be 1.897.
+TEST_F(Answers, AnAnchorKeepsItsPrestressAndWhatHoldsAnyForceIsTold) {
+  const std::string scene = R"(
+analysis = { duration_s = 0.5, rigid = "all" }
+water.upstream_level_m = 3.5
+joint.friction_angle_deg = 30
+material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-10, -5], [12, -5], [12, 0], [-10, 0]]
+[[block]]
+name = "wall"
+material = "m"
+vertices_m = [[0, 0], [2.5, 0], [1, 5], [0, 5]]
+[[bolt]]
+name = "a"
+from_block = "wall"
+from_m = [0.3, 4.5]
+to_m = [7, -4]
+stiffness_n_per_m2 = 1e3
+prestress_n_per_m = 150e3
+)";
+  write("s.toml", scene + "yield_n_per_m = 150e3\n");
+  ASSERT_EQ(ask("run s.toml --quiet --out r"), 0) << text("out");
+  EXPECT_NEAR(answer("r/summary.json")["limit_analysis"]["factor"], 1.191, 1e-3);
+  EXPECT_THAT(text("out"), HasSubstr("\nFACTOR  at most 1.19"));
+  EXPECT_THAT(text("out"), testing::Not(HasSubstr("anchors hold any force")));
+  write("s.toml", scene);
+  ASSERT_EQ(ask("run s.toml --quiet --out r"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("anchors hold any force: state yield_n_per_m"));
+  ASSERT_EQ(ask("safety s.toml --out o"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("limit: anchors hold any force"));
+}
+
 TEST_F(Answers, TheEarthquakesWaterIsToldToBeWestergaards) {
   write("s.toml", text(cases + "monolith-slides/scene.toml") + "\n[earthquake]\nhorizontal_coefficient = 0.05\n");
   ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");

@@ -156,6 +156,55 @@ TEST(LimitAnalysis, AStructureThatDoesNotStandEmptyOrFailsAtNoLevelIsAnAnswer) {
   EXPECT_EQ(limit_level(LimitAnalysis(stands), statics::weights_of(stands), none, {0, 1}).outcome, Filled::stands_full);
 }
 
+/// An anchor that leads down and downstream, and so shortens as the block slides: it keeps what a failure's
+/// displacement leaves of its prestress, none below zero, and less where it is a strut.
+TEST(LimitAnalysis, AnAnchorHoldsAtLeastWhatAFailuresDisplacementLeavesOfItsPrestress) {
+  const auto factor = [](double stiffness, const std::string& more) {
+    const scene::Scene scene =
+        read(pushed_block(4, 1, 30) +
+                 fmt::format("[[bolt]]\nname = 'a'\nfrom_block = 'block'\nfrom_m = [1, 0.5]\nto_m = [1.4, 0.2]\n"
+                             "stiffness_n_per_m2 = {}\nprestress_n_per_m = 50e3\nyield_n_per_m = 50e3\n{}",
+                             stiffness, more),
+             {"analysis.failure_displacement_m=0.01", "body_load.0.acceleration_x_m_per_s2=2"});
+    return limit_strength(LimitAnalysis(scene),
+                          combined(statics::weights_of(scene), 1, statics::stated_loads_of(scene, 1)))
+        .factor;
+  };
+  const double weight = 2000 * 9.81 * 4;
+  const auto by_hand = [&](double pull) {
+    return (weight + 0.6 * pull) * std::tan(radians(30)) / (2000 * 2 * 4 + 0.8 * pull);
+  };
+  EXPECT_NEAR(factor(1e-6, "") / by_hand(50e3), 1, 1e-9);
+  EXPECT_NEAR(factor(2e6, "") / by_hand(30e3), 1, 1e-9);
+  EXPECT_NEAR(factor(1e9, "") / by_hand(0), 1, 1e-9);
+  EXPECT_NEAR(factor(6e6, "takes_compression = true") / by_hand(-10e3), 1, 1e-9);
+}
+
+TEST(LimitAnalysis, IsExactWhereForcesFollowFromEquilibriumAlone) {
+  const scene::Scene one = read(pushed_block(4, 1, 30));
+  EXPECT_TRUE(LimitAnalysis(one).is_exact());
+  const auto on_top = [](const std::string& name, double from, double to) {
+    return fmt::format(
+        "[[block]]\nname = '{0}'\nmaterial = 'stone'\nvertices_m = [[{1}, 1], [{2}, 1], [{2}, 2], [{1}, 2]]\n", name,
+        from, to);
+  };
+  const scene::Scene stack = read(pushed_block(4, 1, 30) + on_top("top", 1, 3));
+  EXPECT_TRUE(LimitAnalysis(stack).is_exact());
+  const scene::Scene beside = read(pushed_block(4, 1, 30) + on_top("left", 0, 2) + on_top("right", 2, 4));
+  EXPECT_FALSE(LimitAnalysis(beside).is_exact());
+  const scene::Scene apart = read(pushed_block(4, 1, 30) + on_top("left", 0, 1) + on_top("right", 2, 4));
+  EXPECT_TRUE(LimitAnalysis(apart).is_exact());
+  const scene::Scene bonded = read(pushed_block(4, 1, 30, "cohesion_pa = 1e3"));
+  EXPECT_FALSE(LimitAnalysis(bonded).is_exact());
+  const std::string bolt =
+      "[[bolt]]\nname = 'a'\nfrom_block = 'block'\nfrom_m = [1, 0.5]\nto_m = [1, -0.5]\nstiffness_n_per_m2 = 1e6\n";
+  const scene::Scene tied = read(pushed_block(4, 1, 30) + bolt);
+  EXPECT_FALSE(LimitAnalysis(tied).is_exact());
+  EXPECT_TRUE(LimitAnalysis(tied).holds_any_force());
+  const scene::Scene yields = read(pushed_block(4, 1, 30) + bolt + "yield_n_per_m = 1e5\n");
+  EXPECT_FALSE(LimitAnalysis(yields).holds_any_force());
+}
+
 /// A ladder against a wall: two corners on two edges and no face. At its limit both corners slide, and with G the
 /// middle of the ladder x_G (1 + m^2) = m y_B + m^2 x_B, m the reduced friction, counted from the foot.
 TEST(LimitAnalysis, ALadderIsHeldByItsCorners) {
