@@ -28,9 +28,10 @@ auto attempt(Way way) -> Attempt<decltype(way())> {
   }
 }
 
-/// In words, with the motion of each block that moves.
 /// Adds "upper_bound", and a "limit_analysis_note" on what the user has left open.
 void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohmann::json& answer);
+
+/// In words, with the motion of each block that moves.
 nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit::Twists& mechanism);
 
 /// Says after whom the water answers to an earthquake, where the scene has one.

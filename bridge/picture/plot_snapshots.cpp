@@ -99,6 +99,21 @@ std::string flow(const std::vector<WaterBox>& boxes, const View& view, double fa
   return text + "E\n";
 }
 
+/// Of the points that mark contacts: no larger than a block can carry.
+double marker_size(const json& frame, const View& view) {
+  constexpr double most_per_width = 40;  // points of size 1 beside each other, over a panel
+  double narrowest = view.right - view.left;
+  for (const json& block : frame["blocks"]) {
+    if (block["fixed"].get<bool>()) continue;
+    double low = view.right;
+    double high = view.left;
+    for (const json& p : block["outline"])
+      low = std::min(low, p[0].get<double>()), high = std::max(high, p[0].get<double>());
+    narrowest = std::min(narrowest, std::max(0.0, high - low));
+  }
+  return std::clamp(most_per_width / 2 * narrowest / (view.right - view.left), 0.2, 1.0);
+}
+
 /// `breached_s`: from then on still water has no place; infinite where it keeps its own.
 std::string moment(const json& frame, const View& view, double breached_s, bool contacts,
                    const std::string& water = "") {
@@ -142,9 +157,9 @@ std::string moment(const json& frame, const View& view, double breached_s, bool 
   if (points.empty()) return text + "plot NaN notitle\n";
   text += fmt::format("$contacts << E\n{}E\n", points);
   return text + fmt::format(
-                    "plot {}$contacts using 1:2:($3 == 2 ? 0xd00000 : 0x1a7f37) with points pt 7 ps 1 lc rgb variable "
-                    "notitle\n",
-                    largest > 0 ? "NaN with points palette notitle, " : "");
+                    "plot {}$contacts using 1:2:($3 == 2 ? 0xd00000 : 0x1a7f37) with points pt 7 ps {:.2g} lc rgb "
+                    "variable notitle\n",
+                    largest > 0 ? "NaN with points palette notitle, " : "", marker_size(frame, view));
 }
 
 /// At least `least`: 1, 2 or 5 times a power of ten.

@@ -43,7 +43,7 @@ class ResultFile {
 };
 
 /// Puts `text` in place of the file in one go: a reader sees the old one or the new one. Throws std::runtime_error
-/// and leaves the old one when that fails.
+/// and leaves the old one when that fails. A device is written to.
 void replace_file(const std::filesystem::path& path, const std::string& text);
 
 /// Writes a file that nobody reads yet: whole, or not at all when it throws std::runtime_error.

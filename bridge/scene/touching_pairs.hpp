@@ -5,8 +5,6 @@
 #include <set>
 #include <utility>
 
-#include <cstddef>
-
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::scene {

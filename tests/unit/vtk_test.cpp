@@ -17,7 +17,6 @@
 #include <iterator>
 #include <sstream>
 
-#include "bridge/results/result_file.hpp"
 #include "solid/output/history_writer.hpp"
 #include "solid/output/vtk_writer.hpp"
 #include "tests/own_folder.hpp"
@@ -128,18 +127,6 @@ TEST(History, AFullDiskGivesOneClearError) {
     EXPECT_THAT(error.what(), testing::HasSubstr("history.csv: is the disk full"));
   }
   fs::remove_all(folder);
-}
-
-/// As root one could remove it, or put a file in its place.
-TEST(ResultFile, ADeviceIsWrittenToAndStaysWhatItIs) {
-  const fs::path full = "/dev/full";
-  const auto writes = {&results::write_file, &results::replace_file};
-  for (const auto& write : writes) {
-    EXPECT_THROW(write(full, std::string(100000, 'x')), std::runtime_error);
-    EXPECT_TRUE(fs::is_character_file(full));
-    EXPECT_NO_THROW(write("/dev/null", "text"));
-    EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  }
 }
 
 }  // namespace
