@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // Columns of stones that collapse: the run-out of a short one goes with its height, that of a tall one with a lower
-// power. Rods of aluminium have 0.96 and 0.73; stones with corners run out less far, but with the same powers.
+// power. Rods of aluminium have 0.96 and 0.73; stones with corners are to have the same
+// powers, which the campaign does not find (cases/granular-column/README.md).
 // BLOCKWEIR_COLUMNS=N takes N seeds at five heights; CI takes one at two.
 #include <fmt/format.h>
 
