@@ -39,7 +39,8 @@ void add_warnings(const scene::ReadScene& read, const scene::Variant& variant, s
 }
 
 int check(const CheckOptions& options) {
-  const auto& [path, overrides, strict] = options;
+  const std::filesystem::path& path = options.scene;
+  const auto& overrides = options.overrides;
   const scene::ReadScene read = scene::read(path, overrides);
   std::vector<scene::Diagnostic> warnings = read.warnings;
   std::size_t studies = 0;
@@ -55,11 +56,11 @@ int check(const CheckOptions& options) {
   wrong.from([&] { studies += study::open_study_tasks(path, overrides, /*jobs=*/1).size(); });
   wrong.from([&] { study::bench_settings(path, overrides); });
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
-  if (!strict) {
+  if (!options.strict) {
     for (const auto& warning : warnings) fmt::print(stderr, "{}\n", warning.text());
   }
   wrong.report();
-  if (strict) scene::refuse_warnings(warnings);
+  if (options.strict) scene::refuse_warnings(warnings);
   const scene::Scene& s = read.scene;
   const auto touching = scene::touching_pairs(s, scene::rounding_ratio * scene::structure_size_m(s.blocks));
   const auto named = std::count_if(s.joints.begin(), s.joints.end(), [&](const scene::Joint& joint) {

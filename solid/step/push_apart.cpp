@@ -92,7 +92,7 @@ void PushApart::push_once(const IslandEquations& s) {
   for (const int k : s.island.contacts) {
     const Meeting m = meeting_now(state_.contacts[at(k)]);
     const Point& n = m.normal;
-    Overlap& o = overlaps.emplace_back(m.gap);
+    Overlap& o = overlaps.emplace_back(Overlap{m.gap, {}});
     for (const bool second : {false, true}) {
       const int b = second ? m.face_block : m.corner_block;
       const double turns = n.dot(perpendicular(m.corner - state_.placements[at(b)].centre()));

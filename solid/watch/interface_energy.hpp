@@ -33,8 +33,8 @@ class InterfaceEnergy {
 
   /// Where an instability began.
   struct Growth {
-    std::uint64_t window = 0;
-    double time_s = 0;
+    std::uint64_t window;
+    double time_s;
     template <class Archive>
     void serialize(Archive& archive) {
       archive(window, time_s);

@@ -127,7 +127,8 @@ TEST(LimitAnalysis, NoStrengthHelpsWhatOverturnsAndNoneIsNeededOnLevelGround) {
 
 /// Water on the left of a block b x h: slides at sqrt(2 W mu/(rho g)), turns at cbrt(3 W b/(rho g)).
 TEST(LimitAnalysis, TheLevelOfAWallUnderWater) {
-  for (const auto& [breadth, friction_deg] : {std::pair{6.0, 15.0}, {2.0, 60.0}}) {
+  for (const auto& [width, friction_deg] : {std::pair{6.0, 15.0}, {2.0, 60.0}}) {
+    const double breadth = width;
     const scene::Scene scene = read(pushed_block(breadth, 10, friction_deg), {"body_load=[]"});
     const double water = 9810;
     const auto at_level = [&](double level_m) {

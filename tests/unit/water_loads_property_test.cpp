@@ -41,12 +41,12 @@ struct Resultant {
 
 std::vector<Resultant> expected(const Model& model) {
   std::vector<Resultant> sums(model.outlines.size());
-  for (const auto& [block, a, b, pressure_a, pressure_b] : model.loaded) {
-    const Point centre = geometry::centroid(model.outlines[at(block)]);
-    const Point inward(-(b - a).y(), (b - a).x());
+  for (const Loaded& l : model.loaded) {
+    const Point centre = geometry::centroid(model.outlines[at(l.block)]);
+    const Point inward(-(l.b - l.a).y(), (l.b - l.a).x());
     const auto part = [&](double share, double of_it) {  // Simpson's rule, exact for p linear and x linear
-      const double p = pressure_a + share * (pressure_b - pressure_a);
-      sums[at(block)].add(of_it * p * inward, a + share * (b - a) - centre);
+      const double p = l.pressure_a + share * (l.pressure_b - l.pressure_a);
+      sums[at(l.block)].add(of_it * p * inward, l.a + share * (l.b - l.a) - centre);
     };
     part(0, 1.0 / 6), part(0.5, 4.0 / 6), part(1, 1.0 / 6);
   }
