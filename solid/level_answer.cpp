@@ -10,6 +10,7 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/statics/loads.hpp"
 #include "solid/answer_parts.hpp"
+#include "solid/crushed_corners.hpp"
 #include "solid/expect/formula_parts.hpp"
 #include "solid/expect/formulas.hpp"
 #include "solid/limit/limit_level.hpp"
@@ -166,6 +167,9 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["warnings"] = water.warnings();
   if (levels.blocks.value && !levels.blocks.value->warning.empty()) {
     answer["warnings"].push_back(levels.blocks.value->warning);
+  }
+  if (levels.limit.value) {
+    solid::add_level_with_crushed_corners(structure, dead, water_at, water.range(), *levels.limit.value, answer);
   }
   if (const json formula = formula_json(scene); !formula.is_null()) answer["formula"] = formula;
   return answer;

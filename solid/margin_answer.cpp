@@ -7,6 +7,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
 #include "solid/answer_parts.hpp"
+#include "solid/crushed_corners.hpp"
 #include "solid/limit/limit_strength.hpp"
 #include "solid/situation.hpp"
 
@@ -36,15 +37,20 @@ json add_reservoir_factor(solid::Situation& now, const limit::LimitAnalysis& str
 
 json margin_of(solid::Situation& now, const limit::LimitAnalysis& structure, const limit::Wrenches& loads) {
   const limit::LimitStrength found = limit::limit_strength(structure, loads);
+  json answer;
   if (found.bearing == Bearing::fails_at_a_factor) {
-    return {
+    answer = {
         {"factor", found.factor}, {"gap", found.gap}, {"mechanism", solid::mechanism_json(structure, found.mechanism)}};
+  } else {
+    const bool any = found.bearing == Bearing::bears_any;
+    answer =
+        add_reservoir_factor(now, structure, loads,
+                             {{"factor", nullptr},
+                              {"why_no_factor", any ? "no joint needs shear strength"
+                                                    : "no shear strength of the joints would hold the structure"}});
   }
-  const bool any = found.bearing == Bearing::bears_any;
-  return add_reservoir_factor(now, structure, loads,
-                              {{"factor", nullptr},
-                               {"why_no_factor", any ? "no joint needs shear strength"
-                                                     : "no shear strength of the joints would hold the structure"}});
+  solid::add_strength_with_crushed_corners(structure, loads, found, answer);
+  return answer;
 }
 
 }  // namespace

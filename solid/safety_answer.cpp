@@ -10,6 +10,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
 #include "solid/answer_parts.hpp"
+#include "solid/crushed_corners.hpp"
 #include "solid/limit/limit_strength.hpp"
 #include "solid/reservoir_parts.hpp"
 #include "solid/situation.hpp"
@@ -139,6 +140,9 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   solid::add_water_in_an_earthquake(scene, answer);
   answer["joints"] = json::array();
   answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
+  if (by_limit.value) {
+    solid::add_strength_with_crushed_corners(structure, limit::combined(dead, 1, stated), *by_limit.value, answer);
+  }
   if (blocks.value) solid::attempt([&] { return add_joints(now, make_fluid, *blocks.value, answer), true; });
   return answer;
 }

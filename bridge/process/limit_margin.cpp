@@ -66,6 +66,7 @@ void LimitMargin::add_to(json& summary) const {
         {"factor", nullptr}, {"level_m", nullptr}, {"why_no_factor", why.empty() ? "limit analysis was stopped" : why}};
   }
   found["text"] = text_of(found, outcome == "fails");
+  for (const json& warning : found.value("warnings", json::array())) summary["warnings"].push_back(warning);
   summary["limit_analysis"] = found;
 }
 

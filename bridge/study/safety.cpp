@@ -25,10 +25,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Does the factor that the blocks themselves have reach what is required? Null where nothing is, or where they have no
-/// answer.
+/// Does the factor that the blocks themselves have reach what is required, and that with crushed corners? Null where
+/// nothing is, or where they have no answer.
 json satisfied(const json& answer, const std::optional<double>& required) {
   if (!required || answer["outcome"] == "not found") return nullptr;
+  if (answer.contains("with_crushed_corners") && answer["with_crushed_corners"]["factor"] < *required) return false;
   return answer["factor"].is_number() ? answer["factor"].get<double>() >= *required
                                       : answer["outcome"].get<std::string>() == "stands";
 }

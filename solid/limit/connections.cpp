@@ -78,6 +78,7 @@ std::vector<Face> faces_of(const scene::Scene& scene) {
                        .from_m = corner.at_m,
                        .to_m = corner.at_m,
                        .normal = corner.normal,
+                       .in_kink = corner.in_kink,
                        .friction = law.friction()});
     }
   }

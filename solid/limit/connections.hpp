@@ -18,6 +18,7 @@ struct Face {
   Point from_m;
   Point to_m;
   Point normal;                 ///< out of a
+  bool in_kink = false;         ///< a point: the corner of one block in a reflex corner of the other
   double friction = 0;          ///< tan(phi)
   double cohesion_n_per_m = 0;  ///< c L, L what is bonded of it
   double tension_n_per_m = 0;   ///< T L, not beyond the apex of Mohr-Coulomb's cone

@@ -27,6 +27,18 @@ bool is_convex(const Outline& outline, std::size_t vertex) {
   return cross(direction(outline, before), direction(outline, vertex)) > parallel;
 }
 
+bool is_reflex(const Outline& outline, std::size_t vertex) {
+  const std::size_t before = (vertex + outline.size() - 1) % outline.size();
+  return cross(direction(outline, before), direction(outline, vertex)) < -parallel;
+}
+
+bool in_kink(const Outline& outline, std::size_t edge, const Point& p, double touching_m) {
+  const auto stands_in = [&](std::size_t vertex) {
+    return (p - outline[vertex]).norm() <= touching_m && is_reflex(outline, vertex);
+  };
+  return stands_in(edge) || stands_in(next(outline, edge));
+}
+
 /// Does the edge hold a corner of another block at p?
 bool holds(const Outline& outline, std::size_t edge, const Point& p, double touching_m) {
   const Point& from = outline[edge];
@@ -63,7 +75,7 @@ std::vector<CornerContact> corner_contacts(const scene::Block& a, const scene::B
       for (std::size_t e = 0; e < edges.size(); ++e) {
         if (!holds(edges, e, p, touching_m) || face_reaches(trace, edge_of, edges, e, p, touching_m)) continue;
         const Point along = direction(edges, e);
-        const CornerContact found{p, sign * Point(along.y(), -along.x())};
+        const CornerContact found{p, sign * Point(along.y(), -along.x()), in_kink(edges, e, p, touching_m)};
         if (!known(contacts, found, touching_m)) contacts.push_back(found);
       }
     }

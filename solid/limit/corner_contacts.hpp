@@ -12,6 +12,7 @@ namespace blockweir::solid::limit {
 struct CornerContact {
   Point at_m;
   Point normal;  ///< out of block a
+  bool in_kink;  ///< in a reflex corner of the other block
 };
 
 /// A corner on an edge, or in a reflex corner of the other block, which holds it by both of its edges. Not where a face

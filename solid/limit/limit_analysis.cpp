@@ -22,6 +22,12 @@ bool any_moves(const scene::Scene& scene) {
   return std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const auto& block) { return !block.fixed; });
 }
 
+std::vector<Face> held_by(const scene::Scene& scene, Kinks kinks) {
+  std::vector<Face> faces = faces_of(scene);
+  if (kinks == Kinks::give_way) std::erase_if(faces, [](const Face& face) { return face.in_kink; });
+  return faces;
+}
+
 }  // namespace
 
 /// Balance and strength, forces in units of the weight and moments in that times the size.
@@ -147,10 +153,10 @@ class LimitAnalysis::Program {
   LinearProgram lp_;
 };
 
-LimitAnalysis::LimitAnalysis(const scene::Scene& scene)
+LimitAnalysis::LimitAnalysis(const scene::Scene& scene, Kinks kinks)
     : scene_(scene),
       centroids_(statics::centroids_of(scene)),
-      faces_(faces_of(scene)),
+      faces_(held_by(scene, kinks)),
       ties_(ties_of(scene)),
       is_exact_(follow_from_equilibrium(scene, faces_, ties_)),
       size_m_(scene::structure_size_m(scene.blocks)) {

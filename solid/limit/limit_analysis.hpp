@@ -33,10 +33,13 @@ struct Shortage {
   Twists mechanism;          ///< as above; zero where nothing is short
 };
 
+/// A corner in a kink of another block holds in a point, whatever the force. A real one is crushed.
+enum class Kinks { hold, give_way };
+
 class LimitAnalysis {
  public:
   /// Throws std::invalid_argument where no block can move. The scene must outlive it.
-  explicit LimitAnalysis(const scene::Scene& scene);
+  explicit LimitAnalysis(const scene::Scene& scene, Kinks kinks = Kinks::hold);
 
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }

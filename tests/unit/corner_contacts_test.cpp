@@ -25,6 +25,7 @@ TEST(CornerContacts, ACornerOnAnEdgeIsHeldSquareToIt) {
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].at_m, Point(1, 0));
     EXPECT_NEAR(found[0].normal.y(), swapped ? -1 : 1, 1e-12);
+    EXPECT_FALSE(found[0].in_kink);
   }
 }
 
@@ -41,6 +42,7 @@ TEST(CornerContacts, AReflexCornerHoldsByTheEdgeThatNoFaceRunsAlong) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].at_m, Point(3, -0.5));
   EXPECT_NEAR((found[0].normal - Point(0, 1)).norm(), 0, 1e-12);
+  EXPECT_TRUE(found[0].in_kink);
   const std::vector<Point> notch = {{-5, -2}, {9, -2}, {9, 0}, {1, -1}, {0, 0}, {-5, 0}};
   EXPECT_EQ(contacts(notch, {{1, -1}, {2, 1}, {0, 1}}).size(), 2U);  // a tip in a notch that is wider
 }
