@@ -40,7 +40,7 @@ std::string text_of(const json& found, bool fails) {
 LimitMargin::LimitMargin(const fs::path& scratch) : answer_(scratch / "margin.json"), log_(scratch / "margin.log") {}
 
 bool LimitMargin::suits(const scene::Scene& scene) {
-  const bool still = scene.fluid == scene::FluidModel::none || scene.fluid == scene::FluidModel::hydrostatic;
+  const bool still = scene.fluid == scene::FluidModel::none || scene::still_pools(scene.fluid);
   const bool any_moves =
       std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const scene::Block& b) { return !b.fixed; });
   return still && any_moves && !scene.base_motion &&

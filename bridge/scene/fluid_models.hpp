@@ -7,7 +7,7 @@
 
 namespace blockweir::scene {
 
-enum class FluidModel { none, hydrostatic, openfoam, column };
+enum class FluidModel { none, hydrostatic, reservoir, openfoam, column };
 
 struct FluidEntry {
   FluidModel model;
@@ -17,6 +17,7 @@ struct FluidEntry {
   const char* about = "";         ///< what the program computes, for its --help
   const char* role = "";          ///< as which it greets the solid, and by which its log and checkpoints are named
   const char* folder = "";        ///< of its own within the run's
+  bool still_pools = false;       ///< levels are those of their tables, and what is wet follows from geometry
   bool remembers = false;         ///< its pressures depend on what has been: it goes on from a checkpoint of its own
   bool reads_files = false;       ///< that the scene names, beside the scene's text
   double timeout_s = 20;          ///< for which the solid waits for a sign of life, by default
@@ -29,7 +30,16 @@ inline constexpr std::array fluid_models = {
                .name = "hydrostatic",
                .program = "blockweir-hydrostatic",
                .about = "still water that presses on the blocks of a scene",
-               .role = "hydrostatic"},
+               .role = "hydrostatic",
+               .still_pools = true},
+    FluidEntry{.model = FluidModel::reservoir,
+               .key = "reservoir",
+               .name = "reservoir",
+               .program = "blockweir-reservoir",
+               .about = "still water that answers accelerations, by finite elements",
+               .role = "reservoir",
+               .still_pools = true,
+               .remembers = true},
     FluidEntry{.model = FluidModel::openfoam,
                .key = "openfoam",
                .name = "OpenFOAM",
@@ -51,6 +61,10 @@ inline constexpr std::array fluid_models = {
 
 constexpr const FluidEntry& fluid_entry(FluidModel model) {
   return *std::find_if(fluid_models.begin(), fluid_models.end(), [&](const FluidEntry& e) { return e.model == model; });
+}
+
+constexpr bool still_pools(FluidModel model) {
+  return fluid_entry(model).still_pools;
 }
 
 /// As messages call it.

@@ -161,6 +161,7 @@ struct Scene {
   Water water;
   FluidModel fluid = FluidModel::none;
   OpenFoam openfoam;
+  Reservoir reservoir;
   Column column;
   Coupling coupling;
   Output output;

@@ -87,6 +87,15 @@ inline bool comes_in(const OpenFoam& o) {
   return o.wave && o.wave->kind == WaveKind::regular;
 }
 
+/// [fluid] model = "reservoir": finite elements of water that answers accelerations. fluid/reservoir says its equation.
+struct Reservoir {
+  std::optional<double> upstream_wall_m;    ///< x of a wall that moves with the ground; none: the reservoir is long
+  std::optional<double> downstream_wall_m;  ///< the same, of the tailwater
+  double element_ratio = 0.25;              ///< longest side of a triangle over the depth
+  double move_tolerance = 1e-3;             ///< of the depth: what has moved by less is where it was
+  bool operator==(const Reservoir&) const = default;
+};
+
 /// [fluid] model = "column": water in a pipe of constant width that ends at the edge of a block, for schedules to be
 /// measured by. fluid/column says its equations.
 struct Column {

@@ -19,7 +19,7 @@ Windows::Windows(const scene::Scene& scene)
       ticks_(static_cast<std::uint64_t>(std::max(1.0, std::ceil(duration_s_ / window_s_ * (1 - round_off))))),
       longest_(static_cast<std::uint64_t>(
           std::max(1.0, std::floor(scene.coupling.longest_window_s / window_s_ * (1 + round_off))))) {
-  if (scene.fluid == scene::FluidModel::hydrostatic && !at_rest_) {
+  if (scene::still_pools(scene.fluid) && !at_rest_) {
     for (const auto* level : {&scene.water.upstream_level_m, &scene.water.downstream_level_m}) {
       if (*level) levels_.push_back(**level);
     }

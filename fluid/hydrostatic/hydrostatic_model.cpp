@@ -126,7 +126,8 @@ void HydrostaticModel::press(double to_s, wire::Load& load) {
   const double ground_m = ground_displacement().y();
   const Pools::State water = pools_.find(structure_, last_upstream_m_ + ground_m, last_downstream_m_ + ground_m);
   load.breached = water.breached;
-  for (const WaterBody& body : water.bodies) add_body(body, load);
+  bodies_ = water.bodies;
+  for (const WaterBody& body : bodies_) add_body(body, load);
   if (!std::isnan(last_upstream_m_)) add_reservoir_loads(scene_, structure_.outlines, water.bodies, load);
   add_cracks(water.bodies, to_s, load);
 }

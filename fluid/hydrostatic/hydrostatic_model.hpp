@@ -39,6 +39,9 @@ class HydrostaticModel final : public schedule::FluidSide {
 
   /// The bodies of water as they were at the last advance().
   [[nodiscard]] const std::vector<PoolSection>& sections() const { return sections_; }
+  [[nodiscard]] const std::vector<WaterBody>& bodies() const { return bodies_; }
+  /// Where the blocks were told to be.
+  [[nodiscard]] const std::vector<std::vector<Point>>& outlines() const { return structure_.outlines; }
   [[nodiscard]] long updates() const { return updates_; }  ///< windows whose pressures were computed
   [[nodiscard]] schedule::FluidReport report() const override;
 
@@ -59,6 +62,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   CrackEnds crack_ends_;
   Structure structure_;  ///< current
   Pools pools_;
+  std::vector<WaterBody> bodies_;
   std::vector<PoolSection> sections_;
   wire::Motion last_motion_;
   double last_upstream_m_ = 0;

@@ -141,7 +141,7 @@ json margin(const expect::Outcome& o) {
 /// A pool whose level at the end has not acted: a window holds the level that it begins with.
 void add_levels_not_reached(const expect::Outcome& o, json& warnings) {
   const scene::Scene& scene = o.solid.scene();
-  if (scene.fluid != scene::FluidModel::hydrostatic || o.last.time_s < scene.analysis.duration_s) return;
+  if (!scene::still_pools(scene.fluid) || o.last.time_s < scene.analysis.duration_s) return;
   const auto look = [&](const char* pool, const std::optional<scene::TimeTable>& table, double acted_m) {
     constexpr double far = 1e-3;  // of the structure
     if (!table || std::isnan(acted_m)) return;

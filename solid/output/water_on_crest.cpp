@@ -50,7 +50,7 @@ double highest_alone_m(const scene::Water& water, double crest, double end_s) {
 std::string water_on_crest_warning(const expect::Outcome& o) {
   constexpr double seen = 1e-3;  // of the structure
   const scene::Scene& scene = o.solid.scene();
-  if (scene.fluid != scene::FluidModel::hydrostatic) return {};
+  if (!scene::still_pools(scene.fluid)) return {};
   if (scene.water.crest_pressure != scene::CrestPressure::none) return {};
   const auto& failures = o.failure.failures();
   const double end_s = failures.empty() ? o.last.time_s : failures.front().time_s;

@@ -29,7 +29,7 @@ bool dry(const Scene& s) {
   return s.fluid == FluidModel::none;
 }
 bool not_still_water(const Scene& s) {
-  return s.fluid != FluidModel::hydrostatic && !dry(s);
+  return !still_pools(s.fluid) && !dry(s);
 }
 
 constexpr IdleKey idle_keys[] = {
@@ -103,7 +103,7 @@ void check_reach_of_water(const Reading& reading) {
     return quantity != nullptr && quantity->needs == Need::water;
   };
   const auto& expected = scene.expectations;
-  if (scene.fluid != FluidModel::hydrostatic || std::any_of(expected.begin(), expected.end(), about_water)) return;
+  if (!still_pools(scene.fluid) || std::any_of(expected.begin(), expected.end(), about_water)) return;
   double lowest = std::numeric_limits<double>::infinity();
   for (const Block& block : scene.blocks) {
     if (!block.fixed) lowest = std::min(lowest, geometry::bounds_of(block.vertices).low.y());
@@ -161,11 +161,13 @@ void check_base_motion(const Reading& reading) {
   };
   look("acceleration_x_m_per_s2", scene.base_motion->acceleration_x_m_per_s2);
   look("acceleration_y_m_per_s2", scene.base_motion->acceleration_y_m_per_s2);
-  if (scene.fluid != FluidModel::hydrostatic || stated == nullptr) return;
-  reading.problems.warning(reading.problems.at(stated->source()),
-                           "still water has no inertia: the hydrodynamic pressure of the ground's motion is left out",
-                           "model = \"openfoam\" in [fluid], or [[face_pressure]] for the hydrodynamic pressure",
-                           "take one of both, or know that the water's part is missing");
+  if (!still_pools(scene.fluid) || stated == nullptr) return;
+  if (scene.fluid == FluidModel::hydrostatic) {
+    reading.problems.warning(reading.problems.at(stated->source()),
+                             "still water has no inertia: the hydrodynamic pressure of the ground's motion is left out",
+                             "model = \"reservoir\" in [fluid], whose water answers, or model = \"openfoam\"",
+                             "take one of both, or know that the water's part is missing");
+  }
   const bool grounded = std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const Block& b) { return b.fixed; });
   const bool lifts = scene.base_motion->form == BaseForm::support && stated->contains("acceleration_y_m_per_s2");
   if (grounded || !lifts) return;
@@ -178,7 +180,7 @@ void check_base_motion(const Reading& reading) {
 void check_dipping_uplift(const Reading& reading) {
   constexpr double much = 0.1;  // of the head at the mouth
   const Scene& scene = reading.scene;
-  if (scene.fluid != FluidModel::hydrostatic || !scene.water.upstream_level_m) return;
+  if (!still_pools(scene.fluid) || !scene.water.upstream_level_m) return;
   const double level = highest(*scene.water.upstream_level_m, scene.analysis.duration_s);
   const double touching_m = 0.5e-6 * structure_size_m(scene.blocks);
   for (const Joint& joint : scene.joints) {

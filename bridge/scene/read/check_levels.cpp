@@ -120,11 +120,11 @@ void check_levels(const toml::table& file, const Scene& scene, Problems& problem
     check_rate(key, **level, file, scene, bottom_m, problems);
     const bool follows_table =
         scene.fluid == FluidModel::openfoam && scene.openfoam.level_control == LevelControl::table;
-    if (scene.fluid == FluidModel::hydrostatic || follows_table) {
+    if (still_pools(scene.fluid) || follows_table) {
       check_windows(key, **level, file, scene, bottom_m, problems);
     }
     // OpenFOAM's mesh is as high as the table, whenever it comes there.
-    if (scene.fluid == FluidModel::hydrostatic) check_end(key, **level, file, scene, problems);
+    if (still_pools(scene.fluid)) check_end(key, **level, file, scene, problems);
   }
   if (!up || !down) return;
   std::vector<double> times = corners(*up, scene.analysis.duration_s);

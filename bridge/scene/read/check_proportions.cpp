@@ -39,7 +39,7 @@ void check_ground(const Scene& scene, const geometry::Bounds& structure, Problem
 
 void check_depth(const toml::table& file, const Scene& scene, const geometry::Bounds& structure, Problems& problems) {
   constexpr double least = 0.015;
-  if (scene.fluid != FluidModel::hydrostatic || !scene.water.upstream_level_m) return;
+  if (!still_pools(scene.fluid) || !scene.water.upstream_level_m) return;
   const TimeTable& level = *scene.water.upstream_level_m;
   double highest = level.rows_at(0);
   for (std::size_t row = 0; row < level.time_s.size(); ++row) highest = std::max(highest, level.value[row]);

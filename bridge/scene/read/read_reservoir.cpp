@@ -10,7 +10,7 @@ namespace {
 
 /// Reports what acts through the reservoir where there is none that stands still.
 void require_still_water(TableReader& table, Reading& reading) {
-  if (reading.scene.fluid == FluidModel::hydrostatic && reading.scene.water.upstream_level_m) return;
+  if (still_pools(reading.scene.fluid) && reading.scene.water.upstream_level_m) return;
   const bool openfoam = reading.scene.fluid == FluidModel::openfoam;
   reading.problems.error(table.place(),
                          openfoam ? fmt::format("{} with model = \"openfoam\"", table.name())

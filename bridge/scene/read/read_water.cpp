@@ -112,6 +112,7 @@ void read_fluid(Reading& reading) {
     reading.problems.error(table.place("model"), "a fluid, but no [water]", "[water] with a level",
                            "add [water], or set model = \"none\"");
   }
+  read_reservoir_model(table, reading);
   read_column(table, reading);
   read_openfoam(table, reading);
 }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pressures of a body of water by unit accelerations of all that it wets, and the added mass of all blocks with all.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "fluid/reservoir/pressure_equation.hpp"
+
+namespace blockweir::reservoir {
+
+/// A rigid motion that the water feels: of a block (0, 1: along x, y; 2: turn about its centroid), or of the ground (x,
+/// y), which are the fixed blocks, the bed and a far end that is a wall.
+struct Mode {
+  int block = -1;  ///< -1: the ground
+  int axis = 0;
+};
+
+/// A side of the mesh on a block's face, in the sense of the block's edge: fractions s_from < s_to.
+struct WetPanel {
+  int block = 0;
+  int edge = 0;
+  double s_from = 0;
+  double s_to = 0;
+};
+
+/// The answer of one geometry, factored once.
+struct WaterAnswer {
+  std::vector<Mode> modes;  ///< those of blocks in threes, the ground's two last
+  std::vector<WetPanel> panels;
+  Eigen::MatrixXd pressure;  ///< 2 panels x modes, at s_from and s_to of each [Pa per m/s2 or rad/s2]
+  Eigen::MatrixXd mass;      ///< modes x modes: the water's force on i is -sum mass_ij a_j [kg/m, kg, kg m]
+};
+
+/// `centroids`: where those of the blocks are now. `fixed`: which belong to the ground.
+WaterAnswer answer_of(const WaterMesh& mesh, double density_kg_per_m3, const std::vector<Point>& centroids,
+                      const std::vector<bool>& fixed);
+
+}  // namespace blockweir::reservoir

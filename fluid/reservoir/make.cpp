@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/process/fluid_program.hpp"
+#include "fluid/reservoir/reservoir_model.hpp"
+
+namespace blockweir::reservoir {
+
+std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::filesystem::path& /*folder*/) {
+  process::require_fluid(scene, scene::FluidModel::reservoir);
+  return std::make_unique<ReservoirModel>(scene);
+}
+
+}  // namespace blockweir::reservoir

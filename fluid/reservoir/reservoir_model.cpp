@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/reservoir/reservoir_model.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bridge/checkpoint/archive.hpp"
+#include "bridge/geometry/polygon.hpp"
+#include "bridge/results/saving.hpp"
+#include "bridge/results/stopwatch.hpp"
+#include "bridge/scene/at.hpp"
+#include "bridge/wire/panels.hpp"
+
+namespace blockweir::reservoir {
+namespace {
+
+/// Far end of long water: the motion that reaches farthest, exp(-pi x/2H), has sunk to 1e-6 of itself there and back.
+constexpr double long_in_depths = 5;
+
+Fineness fineness_of(const scene::Scene& scene) {
+  constexpr double corner = 0.01;  // of the widest
+  constexpr double growth = 0.35;
+  const double widest = scene.reservoir.element_ratio;
+  return {widest, corner * widest, growth};
+}
+
+FarEnds far_ends(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines, double deep_m) {
+  double left = std::numeric_limits<double>::infinity();
+  double right = -left;
+  for (const auto& outline : outlines) {
+    for (const Point& p : outline) left = std::min(left, p.x()), right = std::max(right, p.x());
+  }
+  const auto& upstream = scene.reservoir.upstream_wall_m;
+  const auto& downstream = scene.reservoir.downstream_wall_m;
+  return {{upstream.value_or(left - long_in_depths * deep_m), upstream.has_value()},
+          {downstream.value_or(right + long_in_depths * deep_m), downstream.has_value()}};
+}
+
+/// Where the centroids of the blocks are.
+std::vector<Point> centroids_of(const std::vector<std::vector<Point>>& outlines) {
+  std::vector<Point> centroids;
+  for (const auto& outline : outlines) centroids.push_back(geometry::centroid(outline));
+  return centroids;
+}
+
+/// q, the largest mass of all blocks together over that of each alone, D: M <= q D. The guard knows each block alone,
+/// and would know too little of blocks that push the same water.
+double together_over_alone(const Eigen::MatrixXd& mass) {
+  Eigen::MatrixXd alone = Eigen::MatrixXd::Zero(mass.rows(), mass.cols());
+  const double least = 1e-12 * mass.diagonal().maxCoeff();
+  for (Eigen::Index i = 0; i < mass.rows(); i += 3) {
+    alone.block<3, 3>(i, i) = mass.block<3, 3>(i, i) + least * Eigen::Matrix3d::Identity();
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ratios(mass, alone, Eigen::EigenvaluesOnly);
+  return ratios.eigenvalues().maxCoeff();
+}
+
+void copy_panels(const wire::Load& from, std::size_t first, std::size_t last, wire::Load& to) {
+  for (std::size_t i = first; i < last; ++i) {
+    wire::add_panel(to, static_cast<int>(from.block[i]), static_cast<int>(from.edge[i]), from.s_from[i], from.s_to[i],
+                    from.pressure_from_pa[i], from.pressure_to_pa[i]);
+  }
+}
+
+std::array<double, 2> levels_of(const wire::Load& load) {
+  return {load.upstream_level_m, load.downstream_level_m};
+}
+
+}  // namespace
+
+ReservoirModel::ReservoirModel(const scene::Scene& scene) : scene_(scene), still_(scene) {
+  for (const scene::Block& block : scene.blocks) fixed_.push_back(block.fixed);
+  accelerations_.assign(scene.blocks.size(), Eigen::Vector3d::Zero());
+}
+
+void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
+  take_accelerations(motion, to_s);
+  still_.advance(motion, to_s, still_load_);
+  if (outdated()) {
+    solved_ = {{}, to_s, still_.outlines(), levels_of(still_load_)};
+    solved_.motion.displacement = motion.displacement.values();
+    solve(still_);
+  } else {
+    ++kept_;
+  }
+  wire::clear_panels(load);
+  load.upstream_level_m = still_load_.upstream_level_m;
+  load.downstream_level_m = still_load_.downstream_level_m;
+  load.breached = still_load_.breached;
+  copy_panels(still_load_, 0, still_load_.cracks_from, load);
+  add_answer(load);
+  load.cracks_from = static_cast<std::uint32_t>(load.block.size());
+  copy_panels(still_load_, still_load_.cracks_from, still_load_.block.size(), load);
+  load.added_mass.own() = guarded_;
+  const bool calm = !scene_.base_motion && std::all_of(accelerations_.begin(), accelerations_.end(),
+                                                       [](const auto& a) { return a.isZero(0); });
+  load.holds_until_s = calm ? still_load_.holds_until_s : to_s;
+}
+
+void ReservoirModel::take_accelerations(const wire::Motion& motion, double to_s) {
+  std::vector<Eigen::Vector3d> velocities;
+  for (const auto& v : motion.velocity) velocities.emplace_back(v[0], v[1], v[2]);
+  if (told_ && velocities.size() == velocities_.size() && to_s > time_s_) {
+    for (std::size_t b = 0; b < velocities.size(); ++b) {
+      accelerations_[b] = (velocities[b] - velocities_[b]) / (to_s - time_s_);
+    }
+    ground_ = ground_acceleration(time_s_, to_s);
+  }
+  velocities_ = std::move(velocities);
+  time_s_ = to_s;
+  told_ = true;
+}
+
+Point ReservoirModel::ground_acceleration(double from_s, double to_s) const {
+  if (!scene_.base_motion) return Point::Zero();
+  if (scene_.base_motion->form == scene::BaseForm::inertia) {
+    const scene::TimeSpan window{from_s, to_s};
+    return {scene_.base_motion->acceleration_x_m_per_s2.at(window),
+            scene_.base_motion->acceleration_y_m_per_s2.at(window)};
+  }
+  const auto ground = std::find(fixed_.begin(), fixed_.end(), true);
+  if (ground == fixed_.end()) return Point::Zero();
+  return accelerations_[static_cast<std::size_t>(ground - fixed_.begin())].head<2>();
+}
+
+/// Has a corner, or a level, moved by more than a share of the depth since the water was solved for?
+bool ReservoirModel::outdated() const {
+  if (solved_.outlines.empty()) return true;
+  const double tolerance = scene_.reservoir.move_tolerance * deepest_m_;
+  const std::array<double, 2> levels = levels_of(still_load_);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (std::abs(levels[i] - solved_.levels_m[i]) > tolerance) return true;
+  }
+  for (std::size_t b = 0; b < solved_.outlines.size(); ++b) {
+    for (std::size_t v = 0; v < solved_.outlines[b].size(); ++v) {
+      if ((still_.outlines()[b][v] - solved_.outlines[b][v]).norm() > tolerance) return true;
+    }
+  }
+  return false;
+}
+
+void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
+  const Stopwatch watch(solve_s_);
+  ++solutions_;
+  answers_.clear();
+  deepest_m_ = 0;
+  guarded_.assign(scene_.blocks.size(), {});
+  for (const hydrostatic::WaterBody& body : water.bodies()) {
+    const double deep = depth(body);
+    deepest_m_ = std::max(deepest_m_, deep);
+    const WaterMesh mesh =
+        mesh_water(body, water.outlines(), far_ends(scene_, water.outlines(), deep), fineness_of(scene_));
+    if (mesh.triangle.empty()) continue;
+    answers_.push_back(answer_of(mesh, scene_.water.density_kg_per_m3, centroids_of(water.outlines()), fixed_));
+    guard(answers_.back());
+  }
+}
+
+/// Adds what the guard is told of the blocks that this body wets.
+void ReservoirModel::guard(const WaterAnswer& answer) {
+  const Eigen::Index count = answer.mass.rows() - 2;  // without the ground's
+  if (count == 0) return;
+  const double together = std::max(1.0, together_over_alone(answer.mass.topLeftCorner(count, count)));
+  for (Eigen::Index i = 0; i < count; i += 3) {
+    const Eigen::Matrix3d m = together * answer.mass.block<3, 3>(i, i);
+    const std::array<double, 6> more{m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
+    auto& row = guarded_[at(answer.modes[static_cast<std::size_t>(i)].block)];
+    std::transform(row.begin(), row.end(), more.begin(), row.begin(), std::plus<>());
+  }
+}
+
+Eigen::VectorXd ReservoirModel::accelerations_of(const WaterAnswer& answer) const {
+  const bool inertia = scene_.base_motion && scene_.base_motion->form == scene::BaseForm::inertia;
+  Eigen::VectorXd a(static_cast<Eigen::Index>(answer.modes.size()));
+  for (std::size_t k = 0; k < answer.modes.size(); ++k) {
+    const auto [block, axis] = answer.modes[k];
+    const double of_ground = axis < 2 ? ground_[axis] : 0;
+    const bool with_ground = block < 0 || inertia;
+    a[static_cast<Eigen::Index>(k)] = (block < 0 ? 0 : accelerations_[at(block)][axis]) + (with_ground ? of_ground : 0);
+  }
+  return a;
+}
+
+void ReservoirModel::add_answer(wire::Load& load) const {
+  for (const WaterAnswer& answer : answers_) {
+    const Eigen::VectorXd a = accelerations_of(answer);
+    if (a.isZero(0)) continue;
+    const Eigen::VectorXd p = answer.pressure * a;
+    for (std::size_t i = 0; i < answer.panels.size(); ++i) {
+      const WetPanel& panel = answer.panels[i];
+      const auto row = static_cast<Eigen::Index>(2 * i);
+      wire::add_panel(load, panel.block, panel.edge, panel.s_from, panel.s_to, p[row], p[row + 1]);
+    }
+  }
+}
+
+std::string ReservoirModel::state() const {
+  return checkpoint::pack(still_.state(), solved_.motion.displacement, solved_.time_s, velocities_, accelerations_,
+                          ground_, time_s_, told_, solutions_, kept_);
+}
+
+void ReservoirModel::restore(const std::string& state) {
+  std::string of_still;
+  checkpoint::unpack(state, of_still, solved_.motion.displacement, solved_.time_s, velocities_, accelerations_, ground_,
+                     time_s_, told_, solutions_, kept_);
+  still_.restore(of_still);
+  if (!told_) return;
+  hydrostatic::HydrostaticModel then(scene_);
+  wire::Load load;
+  then.advance(solved_.motion, solved_.time_s, load);
+  solved_.outlines = then.outlines();
+  solved_.levels_m = levels_of(load);
+  solve(then);
+  --solutions_;
+}
+
+schedule::FluidReport ReservoirModel::report() const {
+  schedule::FluidReport report = still_.report();
+  report.seconds["reservoir"] = solve_s_;
+  report.counts["reservoir solutions"] = solutions_;
+  if (kept_ > 0) {
+    report.skips.push_back(fmt::format(
+        "the reservoir's mesh and factors in {} of {} windows: neither a level nor a corner had moved by {} of the "
+        "depth{}",
+        kept_, kept_ + solutions_, scene_.reservoir.move_tolerance, results::saved(solve_s_, solutions_, kept_)));
+  }
+  return report;
+}
+
+}  // namespace blockweir::reservoir

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Water that answers accelerations: still water and cracks as the reference has them, and the pressure of linear,
+// incompressible water in both pools.
+#pragma once
+
+#include "bridge/schedule/sides.hpp"
+#include "fluid/hydrostatic/hydrostatic_model.hpp"
+#include "fluid/reservoir/added_mass.hpp"
+
+namespace blockweir::reservoir {
+
+class ReservoirModel final : public schedule::FluidSide {
+ public:
+  explicit ReservoirModel(const scene::Scene& scene);
+
+  /// Pressures at to_s. Accelerations are the changes of the velocities told, over the time between, and those of the
+  /// ground that the scene states.
+  void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
+  [[nodiscard]] std::string state() const override;
+  void restore(const std::string& state) override;
+  [[nodiscard]] schedule::FluidReport report() const override;
+
+ private:
+  /// Where blocks and levels were when the water was solved for.
+  struct Geometry {
+    wire::Motion motion;
+    double time_s = 0;
+    std::vector<std::vector<Point>> outlines;
+    std::array<double, 2> levels_m{};
+  };
+
+  void take_accelerations(const wire::Motion& motion, double to_s);
+  [[nodiscard]] Point ground_acceleration(double from_s, double to_s) const;
+  [[nodiscard]] bool outdated() const;
+  void solve(const hydrostatic::HydrostaticModel& water);
+  void guard(const WaterAnswer& answer);
+  void add_answer(wire::Load& load) const;
+  [[nodiscard]] Eigen::VectorXd accelerations_of(const WaterAnswer& answer) const;
+
+  const scene::Scene& scene_;
+  hydrostatic::HydrostaticModel still_;
+  wire::Load still_load_;
+  std::vector<bool> fixed_;
+  Geometry solved_;
+  std::vector<WaterAnswer> answers_;            ///< one a body of water
+  double deepest_m_ = 0;                        ///< of the bodies
+  std::vector<std::array<double, 6>> guarded_;  ///< added mass a block, as wire::Load has it
+  std::vector<Eigen::Vector3d> velocities_;     ///< last told
+  std::vector<Eigen::Vector3d> accelerations_;  ///< of the blocks, in the frame of the scene
+  Point ground_ = Point::Zero();                ///< acceleration
+  double time_s_ = 0;
+  bool told_ = false;
+  long solutions_ = 0;
+  long kept_ = 0;  ///< windows that took the factors of one before
+  double solve_s_ = 0;
+};
+
+}  // namespace blockweir::reservoir

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Triangles of a region, whose sides grow with the distance from given points.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fluid/hydrostatic/water_grid.hpp"
+
+namespace blockweir::reservoir {
+
+using geometry::Point;
+using hydrostatic::Ring;
+
+/// A side of a triangle is at most min(widest, at_point + growth times the distance from the nearest point) [m].
+struct Sizes {
+  std::vector<Point> points;
+  double at_point_m = 0;
+  double widest_m = 0;
+  double growth = 0;
+
+  [[nodiscard]] double at(const Point& x) const;
+};
+
+struct Triangulated {
+  std::vector<Point> node;
+  std::vector<std::array<int, 3>> triangle;  ///< counter-clockwise
+};
+
+/// Delaunay refinement of what the rings enclose, holes among them.
+Triangulated triangulate(const std::vector<Ring>& rings, const Sizes& sizes);
+
+}  // namespace blockweir::reservoir

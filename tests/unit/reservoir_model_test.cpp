@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: fluid_reservoir bridge_scene_read
+// Water that answers accelerations, as the schedules see it.
+#include "fluid/reservoir/reservoir_model.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "bridge/scene/read/read.hpp"
+
+namespace blockweir::reservoir {
+namespace {
+
+scene::Scene dam_of_two(const std::string& more = "") {
+  const std::string text = R"(analysis = { duration_s = 1, rigid = "all" }
+water = { upstream_level_m = 20 }
+joint = { friction_angle_deg = 30, uplift = "triangular" }
+material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-50, -10], [80, -10], [80, 0], [-50, 0]]
+[[block]]
+name = "low"
+material = "m"
+vertices_m = [[0, 0], [16, 0], [16, 10], [0, 10]]
+[[block]]
+name = "top"
+material = "m"
+vertices_m = [[0, 10], [16, 10], [16, 22], [0, 22]]
+)" + (more.empty() ? "[fluid]\nmodel = \"reservoir\"\n" : more);
+  return scene::read_text(text, "dam").scene;
+}
+
+/// Both blocks move together, x along and v its rate.
+wire::Motion moved(double x, double v) {
+  wire::Motion motion;
+  motion.displacement.own() = {{}, {x, 0, 0, 0, 0, 0}, {x, 0, 0, 0, 0, 0}};
+  motion.velocity.own() = {{}, {v, 0, 0, 0, 0, 0}, {v, 0, 0, 0, 0, 0}};
+  return motion;
+}
+
+/// Of open water on faces that look upstream.
+double thrust(const wire::Load& load) {
+  const std::array<double, 3> height{0, 10, 12};
+  double sum = 0;
+  for (std::size_t i = 0; i < load.cracks_from; ++i) {
+    if (load.edge[i] != 3) continue;
+    sum += (load.s_to[i] - load.s_from[i]) * height[load.block[i]] *
+           (load.pressure_from_pa[i] + load.pressure_to_pa[i]) / 2;
+  }
+  return sum;
+}
+
+constexpr double still = 1000 * 9.81 * 20 * 20 / 2;
+constexpr double added = 0.5427545 * 1000 * 20 * 20;
+
+TEST(ReservoirModel, AnAccelerationAddsItsPressureToStillWater) {
+  const scene::Scene scene = dam_of_two();
+  ReservoirModel water(scene);
+  wire::Load load;
+  water.advance(moved(0, 0), 0, load);
+  EXPECT_NEAR(thrust(load), still, 1e-9 * still);
+  water.advance(moved(1e-5, 2e-3), 0.01, load);  // 0.2 m/s2, away from the water
+  EXPECT_NEAR(thrust(load), still - 0.2 * added, 1e-4 * added);
+  water.advance(moved(3e-5, 2e-3), 0.02, load);
+  EXPECT_NEAR(thrust(load), still, 1e-9 * still);
+  EXPECT_LT(load.cracks_from, load.block.size());  // uplift is there as it was
+}
+
+TEST(ReservoirModel, WhatIsRestoredGoesOnWithTheSameBits) {
+  const scene::Scene scene = dam_of_two();
+  ReservoirModel water(scene);
+  wire::Load load;
+  double x = 0;
+  for (int i = 0; i < 20; ++i) water.advance(moved(x += 0.003, 0.3 * std::sin(i)), 0.01 * i, load);
+  ReservoirModel again(scene);
+  again.restore(water.state());
+  for (int i = 20; i < 40; ++i) {
+    wire::Load other;
+    x += 0.003;
+    water.advance(moved(x, 0.3 * std::sin(i)), 0.01 * i, load);
+    again.advance(moved(x, 0.3 * std::sin(i)), 0.01 * i, other);
+    EXPECT_EQ(load.pressure_from_pa.values(), other.pressure_from_pa.values());
+    EXPECT_EQ(load.added_mass.values(), other.added_mass.values());
+  }
+  EXPECT_EQ(water.report().counts.at("reservoir solutions"), again.report().counts.at("reservoir solutions"));
+}
+
+TEST(ReservoirModel, FactorsAreKeptUntilACornerHasMovedAndChangeThePressuresByNoMore) {
+  const scene::Scene kept = dam_of_two();
+  const scene::Scene anew = dam_of_two("[fluid]\nmodel = \"reservoir\"\nreservoir = { move_tolerance = 0 }\n");
+  ReservoirModel one(kept);
+  ReservoirModel other(anew);
+  wire::Load a;
+  wire::Load b;
+  for (int i = 0; i < 30; ++i) {
+    const wire::Motion motion = moved(0.0015 * i, 0.01 * i);
+    one.advance(motion, 0.01 * i, a);
+    other.advance(motion, 0.01 * i, b);
+    EXPECT_NEAR(thrust(a), thrust(b), 1e-3 * added) << i;
+  }
+  EXPECT_EQ(one.report().counts.at("reservoir solutions"), 3);
+  EXPECT_EQ(other.report().counts.at("reservoir solutions"), 30);
+  EXPECT_THAT(one.report().skips, testing::Contains(testing::HasSubstr("mesh and factors in 27 of 30 windows")));
+}
+
+TEST(ReservoirModel, TheGuardIsToldNoLessThanBlocksPushTogether) {
+  const scene::Scene scene = dam_of_two();
+  ReservoirModel water(scene);
+  wire::Load load;
+  water.advance(moved(0, 0), 0, load);
+  ASSERT_EQ(load.added_mass.size(), 3U);
+  EXPECT_EQ(load.added_mass[0], (std::array<double, 6>{}));  // the ground is held
+  EXPECT_GT(load.added_mass[1][0] + load.added_mass[2][0], added);
+}
+
+TEST(ReservoirModel, AFarWallWithinTheModelAndKeysOfAnotherModelAreErrors) {
+  const auto error = [](const std::string& more) -> std::string {
+    try {
+      dam_of_two(more);
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { upstream_wall_m = -20 }\n"),
+              testing::HasSubstr("upstream_wall_m is -20 m, within the model, which ends at -50 m"));
+  EXPECT_THAT(error("[fluid]\nreservoir = { element_ratio = 0.2 }\n"),
+              testing::HasSubstr("[fluid.reservoir] beside another model"));
+  EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { element_ratio = 0 }\n"),
+              testing::HasSubstr("a number from 0.005 to 1"));
+}
+
+}  // namespace
+}  // namespace blockweir::reservoir

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: fluid_reservoir
+// Added masses of walls against closed forms: PHYSICS of Westergaard's series, basins and parts of a wall.
+#include <gmock/gmock.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bridge/scene/at.hpp"
+#include "fluid/reservoir/added_mass.hpp"
+
+namespace blockweir::reservoir {
+namespace {
+
+constexpr double rho = 1000;
+constexpr double pi = std::numbers::pi;
+
+/// A wall on the right of a reservoir `H` deep, cut at `cut_m` into two blocks, on ground that it shares.
+struct Wall {
+  double H = 20;
+  double lean = 0;  ///< of its face, from the vertical: the foot lies upstream
+  double cut_m = 0;
+  std::optional<double> far_wall_m;
+
+  [[nodiscard]] std::vector<std::vector<Point>> outlines() const {
+    const auto face = [&](double y) { return -(H - y) * std::tan(lean); };
+    const double top = 1.1 * H;
+    const double bed = far_wall_m.value_or(-100);
+    std::vector<std::vector<Point>> blocks{{{bed, -5}, {40, -5}, {40, 0}, {bed, 0}}};
+    if (cut_m > 0) blocks.push_back({{face(0), 0}, {30, 0}, {30, cut_m}, {face(cut_m), cut_m}});
+    blocks.push_back({{face(cut_m), cut_m}, {30, cut_m}, {30, top}, {face(top), top}});
+    return blocks;
+  }
+};
+
+struct Solved {
+  WaterMesh mesh;
+  WaterAnswer answer;
+  Eigen::Index top;  ///< first mode of the uppermost block
+};
+
+/// By a field of acceleration on the sides that move, at the node nearest to x.
+double pressure(const WaterMesh& mesh, const PressureEquation::Moves& moves, const Point& along, const Point& x) {
+  const PressureEquation equation(mesh, rho);
+  const Eigen::VectorXd p = equation.pressure(equation.flux(moves, [&](const Point&) { return along; }));
+  const auto nearest = std::min_element(mesh.node.begin(), mesh.node.end(), [&](const Point& a, const Point& b) {
+    return (a - x).norm() < (b - x).norm();
+  });
+  return p[nearest - mesh.node.begin()];
+}
+
+Solved solve(const Wall& wall, double ratio) {
+  hydrostatic::Structure structure;
+  structure.outlines = wall.outlines();
+  structure.open_crack_width_m = 1e-3;
+  structure.ground.left = hydrostatic::GroundEnd{0, 3};
+  hydrostatic::Pools pools;
+  const auto water = pools.find(structure, wall.H, std::numeric_limits<double>::quiet_NaN());
+  FarEnds ends{{wall.far_wall_m.value_or(-6 * wall.H - 100), wall.far_wall_m.has_value()}, {}};
+  const WaterMesh mesh = mesh_water(water.bodies.front(), structure.outlines, ends, {ratio, ratio / 100, 0.35});
+  std::vector<Point> centroids(structure.outlines.size(), Point(0, 0));
+  std::vector<bool> fixed(structure.outlines.size(), false);
+  fixed[0] = true;
+  Solved solved{mesh, answer_of(mesh, rho, centroids, fixed), 0};
+  for (std::size_t k = 0; k < solved.answer.modes.size(); ++k) {
+    if (solved.answer.modes[k].block == static_cast<int>(structure.outlines.size()) - 1 &&
+        solved.answer.modes[k].axis == 0)
+      solved.top = static_cast<Eigen::Index>(k);
+  }
+  return solved;
+}
+
+double force(const Solved& s) {
+  return s.answer.mass(s.top, s.top);
+}
+
+TEST(ReservoirWater, ARigidWallHasWestergaardsSeries) {
+  constexpr double H = 20;
+  const Solved s = solve({}, 0.25);
+  const auto wall = [](const BoundarySide& side) { return side.block == 1; };
+  EXPECT_NEAR(pressure(s.mesh, wall, {-1, 0}, {0, 0}) / (rho * H), 0.742454, 1e-4 * 0.742454);
+  EXPECT_NEAR(force(s) / (rho * H * H), 0.5427545, 1e-4 * 0.5427545);
+  EXPECT_NEAR(-s.answer.mass(s.top, s.top + 2) / (rho * H * H * H), 0.217875, 1e-4 * 0.217875);
+}
+
+TEST(ReservoirWater, TheForceConvergesWithTheSquareOfTheSize) {
+  const double exact = 0.54275453 * rho * 400;  // 16 zeta(3) (1 - 1/8)/pi^3
+  const double coarse = std::abs(force(solve({}, 0.4)) - exact);
+  const double fine = std::abs(force(solve({}, 0.1)) - exact);
+  EXPECT_GT(std::log(coarse / fine) / std::log(4), 1.7);
+}
+
+TEST(ReservoirWater, AFarWallAddsToTheMass) {
+  for (const auto& [depths, expected] : {std::pair{1.0, 0.58937}, {2.0, 0.54469}}) {
+    EXPECT_NEAR(force(solve({.far_wall_m = -20 * depths}, 0.25)) / (rho * 400), expected, 1e-4 * expected) << depths;
+  }
+}
+
+TEST(ReservoirWater, ABasinShakenAsAWholeHasTheSeriesWithTanh) {
+  const Solved s = solve({.far_wall_m = -20}, 0.25);
+  const Eigen::Index ground = s.answer.mass.cols() - 2;
+  const double both = s.answer.mass(s.top, s.top) + s.answer.mass(s.top, ground);
+  EXPECT_NEAR(both / (rho * 400), 0.36479, 1e-4 * 0.36479);
+}
+
+TEST(ReservoirWater, ThePartOfAWallAboveACrackHasItsOwnMass) {
+  EXPECT_NEAR(force(solve({.H = 22, .cut_m = 15}, 0.25)), 21957, 1e-4 * 21957);
+  EXPECT_NEAR(force(solve({.H = 20.57, .cut_m = 3.5}, 0.25)), 145401, 1e-4 * 145401);
+}
+
+TEST(ReservoirWater, ASlopingFaceIsPushedLess) {
+  const auto check = [](double degrees, double x, double y) {
+    const Solved s = solve({.lean = degrees * pi / 180}, 0.2);
+    EXPECT_NEAR(force(s) / (rho * 400), x, 1.5e-4) << degrees;
+    EXPECT_NEAR(std::abs(s.answer.mass(s.top, s.top + 1)) / (rho * 400), y, 1.5e-4) << degrees;
+  };
+  check(30, 0.3744, 0.2162);
+  check(60, 0.2106, 0.3647);
+}
+
+TEST(ReservoirWater, GroundThatRisesLiftsAllOfTheWater) {
+  const Solved s = solve({}, 0.4);
+  double worst = 0;
+  const auto ground = [](const BoundarySide& side) { return side.block == 0 || side.kind == BoundarySide::Kind::bed; };
+  const auto dam = [](const BoundarySide& side) { return side.block == 1; };
+  for (const double y : {0.0, 7.0, 13.0}) {
+    const Point x(-90, y);
+    const auto nearest = std::min_element(s.mesh.node.begin(), s.mesh.node.end(), [&](const Point& a, const Point& b) {
+      return (a - x).norm() < (b - x).norm();
+    });
+    const double lifted = pressure(s.mesh, ground, {0, 1}, *nearest) + pressure(s.mesh, dam, {0, 1}, *nearest);
+    worst = std::max(worst, std::abs(lifted / (rho * (20 - nearest->y())) - 1));
+  }
+  EXPECT_LT(worst, 1e-12);
+}
+
+TEST(ReservoirWater, TheAddedMassesOfAllBlocksAreOneSymmetricPositiveMatrix) {
+  const Solved s = solve({.cut_m = 8}, 0.25);
+  const auto& M = s.answer.mass;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(M);
+  EXPECT_GT(modes.eigenvalues().minCoeff(), -1e-9 * modes.eigenvalues().maxCoeff());
+  // Both parts together are the wall.
+  EXPECT_NEAR(M(0, 0) + 2 * M(0, 3) + M(3, 3), 0.5427545 * rho * 400, 1e-4 * 217000);
+}
+
+}  // namespace
+}  // namespace blockweir::reservoir
