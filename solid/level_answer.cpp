@@ -119,6 +119,9 @@ struct Levels {
     const bool lower = limit.value->outcome != Filled::does_not_stand_empty &&
                        (blocks.value->outcome == Filled::does_not_stand_empty ||
                         (blocks.value->outcome == Filled::fails && off(*blocks.value) < 0));
+    if (lower && blocks.value->slips_add_up) {
+      return "slips that add up to failure_displacement_m: limit analysis asks for equilibrium alone";
+    }
     if (lower && solid::has_bonds(scene)) {
       return "history of joint forces: bonds break one after the other, and limit analysis lets all act at once";
     }

@@ -27,6 +27,8 @@ class StaticBlocks {
 
   /// Has anything gone as far as a failure since rests_at() was asked last?
   [[nodiscard]] bool went_far() const;
+  /// Has anything slipped by more than a failure since the scene's outline, as rests_at() has it?
+  [[nodiscard]] bool slipped_away() const;
 
   /// Of a StaticBlocks of the same scene.
   [[nodiscard]] std::string state() const;
@@ -38,8 +40,6 @@ class StaticBlocks {
   Levels levels(double level_m);
 
  private:
-  [[nodiscard]] bool slipped_away() const;
-
   scene::Scene scene_;  ///< as its analyses are made
   double far_m_;        ///< its own failure displacement
   Solid solid_;

@@ -8,6 +8,7 @@
 
 #include "solid/static_blocks.hpp"
 #include "solid/watch/edge_tension.hpp"
+#include "solid/watch/slipped_body.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -98,7 +99,11 @@ class LevelSearch {
     }
     watch.look(1, blocks_.levels(beyond_m));
     if (!watch.failures().empty()) found.failure = watch.failures().front();
-    if (!found.failure && !blocks_.went_far()) {
+    if (found.failure) return false;
+    found.slips_add_up = blocks_.slipped_away();
+    if (blocks_.went_far()) {
+      found.failure = slipped_body(blocks_.solid(), beyond_m);
+    } else {
       throw std::runtime_error(fmt::format(
           "level by the blocks: they rest up to {:.9g} m; at {:.9g} m no equilibrium was found, and no block "
           "had gone as far as a failure; expected one of both; run the scene at that level and look at its motion",

@@ -16,6 +16,7 @@ struct StaticLevel {
   double level_m = 0;               ///< where it fails, the middle of the bracket; else that of the full reservoir
   double width_m = 0;               ///< of the bracket
   std::optional<Failure> failure;   ///< how; none where that was not seen
+  bool slips_add_up = false;        ///< that is of many slips: no unbroken motion was seen
   std::optional<double> settles_m;  ///< the lowest level at which blocks slip a little and then rest, if there is one
   std::string stopped;              ///< why the bracket is no narrower; empty where it is as narrow as it is to be
   std::string warning;              ///< of the blocks at the highest level at which they rest; empty: none

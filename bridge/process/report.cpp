@@ -22,14 +22,20 @@ std::string number(const json& value) {
 std::string failure_text(const json& f, const char* word) {
   std::string text = fmt::format("{}{}\n", word, f["text"].get<std::string>());
   if (f["level_m"].is_number()) {
-    const std::string pool = f.value("pool", "upstream") == "downstream" ? " (downstream pool)" : "";
+    const std::string name = f.value("pool", "upstream");
+    const bool falls = f.value("level_falls", false);
+    const std::string pool = falls                  ? fmt::format(" ({} pool, falling)", name)
+                             : name == "downstream" ? " (downstream pool)"
+                                                    : "";
     const std::string head = f["head_m"].is_number() ? fmt::format(", {:.6g} m {} the joint that failed",
                                                                    std::abs(f["head_m"].get<double>()),
                                                                    f["head_m"].get<double>() < 0 ? "below" : "above")
                                                      : "";
     text += fmt::format("        at a level of {}{} m{}{}, after {} s\n",
-                        f.value("level_is_bound", false) ? "at most " : "", number(f["level_m"]), pool, head,
-                        number(f["time_s"]));
+                        !f.value("level_is_bound", false) ? ""
+                        : falls                           ? "at least "
+                                                          : "at most ",
+                        number(f["level_m"]), pool, head, number(f["time_s"]));
   } else {
     text += fmt::format("        after {} s\n", number(f["time_s"]));
   }

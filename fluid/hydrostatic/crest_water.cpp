@@ -11,7 +11,11 @@ double Surface::at(double x) const {
   return from_m.y() + share * (to_m.y() - from_m.y());
 }
 
-Surface over_the_crest(const Structure& structure, double upstream_m, double downstream_m) {
+Surface over_the_crest(const Structure& structure, double upstream_m, double downstream_m, scene::CrestPressure law) {
+  if (law == scene::CrestPressure::none || downstream_m > upstream_m) {
+    return Surface::level(std::min(upstream_m, downstream_m));
+  }
+  if (law == scene::CrestPressure::full) return Surface::level(upstream_m);
   return {{crest_corner(structure, Pool::upstream).x(), upstream_m},
           {crest_corner(structure, Pool::downstream).x(), downstream_m}};
 }

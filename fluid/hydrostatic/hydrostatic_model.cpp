@@ -124,7 +124,8 @@ void HydrostaticModel::press(double to_s, wire::Load& load) {
   load.upstream_level_m = last_upstream_m_;
   load.downstream_level_m = last_downstream_m_;
   const double ground_m = ground_displacement().y();
-  const Pools::State water = pools_.find(structure_, last_upstream_m_ + ground_m, last_downstream_m_ + ground_m);
+  const Pools::State water =
+      pools_.find(structure_, last_upstream_m_ + ground_m, last_downstream_m_ + ground_m, scene_.water.crest_pressure);
   load.breached = water.breached;
   bodies_ = water.bodies;
   for (const WaterBody& body : bodies_) add_body(body, load);

@@ -16,7 +16,7 @@ bool as_high(double a_m, double b_m) {
 
 }  // namespace
 
-Pools::State Pools::find(const Structure& structure, double upstream_m, double downstream_m) {
+Pools::State Pools::find(const Structure& structure, double upstream_m, double downstream_m, scene::CrestPressure law) {
   if (as_high(upstream_m, downstream_m)) {
     return {{{Surface::level(upstream_m), &wet(structure, both, upstream_m)}}, false};
   }
@@ -36,7 +36,7 @@ Pools::State Pools::find(const Structure& structure, double upstream_m, double d
                     {Surface::level(downstream_m), &wet(structure, downstream_part, downstream_m)}};
   } else if (lower_m > crest_m(structure)) {
     state.bodies.push_back(
-        {over_the_crest(structure, upstream_m, downstream_m), &over_crest(structure, state, lower_m)});
+        {over_the_crest(structure, upstream_m, downstream_m, law), &over_crest(structure, state, lower_m)});
   }
   return state;
 }

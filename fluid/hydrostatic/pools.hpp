@@ -19,7 +19,7 @@ struct WaterBody {
 /// Two pools of one level are one body of water. Of two levels the pools are apart; where open water connects them it
 /// would flow, which is a breach: each then wets what lies on its side of the upright line through the crest's middle.
 /// Where both stand above the crest without a breach, what only the lower of them would reach over it is wet by a third
-/// body, whose surface leads from one pool to the other.
+/// body: over_the_crest().
 /// What is found is kept until blocks_moved().
 class Pools {
  public:
@@ -30,7 +30,7 @@ class Pools {
   };
 
   /// NaN stands for a side without a pool.
-  State find(const Structure& structure, double upstream_m, double downstream_m);
+  State find(const Structure& structure, double upstream_m, double downstream_m, scene::CrestPressure law);
   void blocks_moved() { kept_ = {}; }
 
   [[nodiscard]] long searches() const { return searches_; }

@@ -125,7 +125,7 @@ void add_crest(const scene::Scene& scene, const std::vector<std::vector<Point>>&
   double left = std::numeric_limits<double>::infinity();
   double right = -left;
   for (const CrestEdge& edge : edges) {
-    if (is_wet(edge)) return;  // water between two pools presses there already
+    if (is_wet(edge)) return;  // water between two pools presses there already, by the same law
     left = std::min(left, edge.left_m);
     right = std::max(right, edge.right_m);
   }

@@ -54,6 +54,50 @@ Face face_of(const scene::TracePiece& piece, int a, int b, int joint, const scen
   return face;
 }
 
+/// What acts as one body on a block: another block, or all of the ground that it meets.
+class Bodies {
+ public:
+  Bodies(const scene::Scene& scene, const std::vector<std::pair<int, int>>& pairs, double touching_m)
+      : scene_(scene), touching_m_(touching_m) {
+    for (const auto& [a, b] : pairs) {
+      if (scene.blocks[at(a)].fixed != scene.blocks[at(b)].fixed) {
+        const auto [fixed, moves] = scene.blocks[at(a)].fixed ? std::pair(a, b) : std::pair(b, a);
+        on_ground_[moves].push_back(meeting(moves, fixed));
+      }
+    }
+  }
+  /// Corners of one of a pair in the other one, as faces of no length.
+  [[nodiscard]] std::vector<Face> corners(int a, int b, int joint, const scene::JointLaw& law) const {
+    const bool turned = scene_.blocks[at(a)].fixed;
+    const int block = turned ? b : a;
+    const int other = turned ? a : b;
+    const bool ground = scene_.blocks[at(other)].fixed;
+    const std::vector<Neighbour> body = ground ? on_ground_.at(block) : std::vector{meeting(block, other)};
+    const auto of = std::find_if(body.begin(), body.end(), [&](const Neighbour& n) { return n.index == other; });
+    std::vector<Face> faces;
+    for (const CornerContact& corner : corner_contacts(scene_.blocks[at(block)], body, *of, touching_m_)) {
+      faces.push_back({.a = a,
+                       .b = b,
+                       .joint = joint,
+                       .from_m = corner.at_m,
+                       .to_m = corner.at_m,
+                       .normal = turned ? Point(-corner.normal) : corner.normal,
+                       .in_kink = corner.in_kink,
+                       .friction = law.friction()});
+    }
+    return faces;
+  }
+
+ private:
+  [[nodiscard]] Neighbour meeting(int block, int other) const {
+    const scene::Block& second = scene_.blocks[at(other)];
+    return {other, &second, scene::trace_joint(scene_.blocks[at(block)], second, touching_m_)};
+  }
+  const scene::Scene& scene_;
+  double touching_m_;
+  std::map<int, std::vector<Neighbour>> on_ground_;  ///< by block that can move
+};
+
 }  // namespace
 
 std::vector<Face> faces_of(const scene::Scene& scene) {
@@ -62,8 +106,10 @@ std::vector<Face> faces_of(const scene::Scene& scene) {
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     joints[std::minmax(scene.joints[j].between[0], scene.joints[j].between[1])] = static_cast<int>(j);
   }
+  const std::vector<std::pair<int, int>> pairs = neighbours(scene, touching_m);
+  const Bodies bodies(scene, pairs, touching_m);
   std::vector<Face> faces;
-  for (const auto& [a, b] : neighbours(scene, touching_m)) {
+  for (const auto& [a, b] : pairs) {
     if (scene.blocks[at(a)].fixed && scene.blocks[at(b)].fixed) continue;
     const scene::JointTrace trace = scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], touching_m);
     const auto found = joints.find({a, b});
@@ -71,16 +117,7 @@ std::vector<Face> faces_of(const scene::Scene& scene) {
     const scene::JointLaw& law = joint < 0 ? scene.default_joint : scene.joints[at(joint)].law;
     const double bonded = law.bonded_length_m ? std::min(1.0, *law.bonded_length_m / trace.length_m) : 1;
     for (const scene::TracePiece& piece : trace.pieces) faces.push_back(face_of(piece, a, b, joint, law, bonded));
-    for (const CornerContact& corner : corner_contacts(scene.blocks[at(a)], scene.blocks[at(b)], trace, touching_m)) {
-      faces.push_back({.a = a,
-                       .b = b,
-                       .joint = joint,
-                       .from_m = corner.at_m,
-                       .to_m = corner.at_m,
-                       .normal = corner.normal,
-                       .in_kink = corner.in_kink,
-                       .friction = law.friction()});
-    }
+    for (const Face& corner : bodies.corners(a, b, joint, law)) faces.push_back(corner);
   }
   return faces;
 }

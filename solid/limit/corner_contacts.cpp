@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
@@ -15,6 +17,7 @@ using geometry::cross;
 using Outline = std::vector<Point>;
 
 constexpr double parallel = 1e-6;  // rad
+constexpr double rounding = 1e-3;  // rad: outlines within the tolerance overlap by less, even along short edges
 
 std::size_t next(const Outline& outline, std::size_t i) {
   return (i + 1) % outline.size();
@@ -39,7 +42,7 @@ bool in_kink(const Outline& outline, std::size_t edge, const Point& p, double to
   return stands_in(edge) || stands_in(next(outline, edge));
 }
 
-/// Does the edge hold a corner of another block at p?
+/// Does the edge hold a corner of another block at p, taken by itself?
 bool holds(const Outline& outline, std::size_t edge, const Point& p, double touching_m) {
   const Point& from = outline[edge];
   const Point& to = outline[next(outline, edge)];
@@ -49,13 +52,68 @@ bool holds(const Outline& outline, std::size_t edge, const Point& p, double touc
   return true;
 }
 
-/// Does a face that runs along the edge reach p? `edge_of`: the face's edge in that outline.
-bool face_reaches(const scene::JointTrace& trace, int scene::TracePiece::*edge_of, const Outline& outline,
+/// Angle from one direction to the other, counter-clockwise, 0 to 2 pi; none where rounding turns it back.
+double turn(const Point& from, const Point& to) {
+  const double angle = std::atan2(cross(from, to), from.dot(to));
+  return angle < -rounding ? angle + 2 * std::numbers::pi : std::max(angle, 0.0);
+}
+
+/// What an outline fills around a point of it: from one direction counter-clockwise to the other.
+struct Sector {
+  Point from;
+  Point to;
+};
+std::optional<Sector> sector_at(const Outline& outline, const Point& p, double touching_m) {
+  for (std::size_t e = 0; e < outline.size(); ++e) {
+    if ((p - outline[e]).norm() > touching_m) continue;
+    return Sector{direction(outline, e), -direction(outline, (e + outline.size() - 1) % outline.size())};
+  }
+  for (std::size_t e = 0; e < outline.size(); ++e) {
+    if (geometry::distance_to_segment(p, outline[e], outline[next(outline, e)]) > touching_m) continue;
+    return Sector{direction(outline, e), -direction(outline, e)};
+  }
+  return std::nullopt;
+}
+
+/// The free sector of a body in which a corner of a block stands: between the edges of the body next to it.
+Sector room_of(const Sector& corner, const std::vector<Sector>& filled) {
+  const auto before = [&](const Sector& s) { return turn(s.to, corner.from); };
+  const auto after = [&](const Sector& s) { return turn(corner.to, s.from); };
+  const auto nearer = [](const auto& gap) {
+    return [&gap](const Sector& s, const Sector& t) { return gap(s) < gap(t); };
+  };
+  return {std::min_element(filled.begin(), filled.end(), nearer(before))->to,
+          std::min_element(filled.begin(), filled.end(), nearer(after))->from};
+}
+
+/// The angle of the room of the block's corner at p, where the edge bounds it and it is no wider than a half plane.
+std::optional<double> room_bounded_by(const Outline& outline, std::size_t edge, const scene::Block& block,
+                                      const std::vector<Neighbour>& body, const Point& p, double touching_m) {
+  if (geometry::distance_to_segment(p, outline[edge], outline[next(outline, edge)]) > touching_m) return std::nullopt;
+  std::vector<Sector> filled;
+  for (const Neighbour& part : body) {
+    if (const auto sector = sector_at(part.block->vertices, p, touching_m)) filled.push_back(*sector);
+  }
+  const Sector room = room_of(*sector_at(block.vertices, p, touching_m), filled);
+  const double angle = turn(room.from, room.to);
+  if (angle > std::numbers::pi + parallel) return std::nullopt;
+  const Point along = direction(outline, edge);
+  const bool bounds = (along + room.from).norm() < parallel || (along - room.to).norm() < parallel;
+  return bounds ? std::optional(angle) : std::nullopt;
+}
+
+/// Does a face of the block with the body that runs along the edge reach p? `edge_of`: the face's edge in that outline.
+bool face_reaches(const std::vector<Neighbour>& body, int scene::TracePiece::*edge_of, const Outline& outline,
                   std::size_t edge, const Point& p, double touching_m) {
-  return std::any_of(trace.pieces.begin(), trace.pieces.end(), [&](const scene::TracePiece& piece) {
-    const bool along = at(piece.*edge_of) == edge ||
+  const auto reaches = [&](const scene::TracePiece& piece, bool own) {
+    const bool along = (own && at(piece.*edge_of) == edge) ||
                        std::abs(cross((piece.to_m - piece.from_m).normalized(), direction(outline, edge))) < parallel;
     return along && geometry::distance_to_segment(p, piece.from_m, piece.to_m) <= touching_m;
+  };
+  return std::any_of(body.begin(), body.end(), [&](const Neighbour& part) {
+    const bool own = edge_of == &scene::TracePiece::edge_a || &part.block->vertices == &outline;
+    return std::any_of(part.trace.pieces.begin(), part.trace.pieces.end(),
+                       [&](const scene::TracePiece& piece) { return reaches(piece, own); });
   });
 }
 
@@ -67,21 +125,31 @@ bool known(const std::vector<CornerContact>& contacts, const CornerContact& one,
 
 }  // namespace
 
-std::vector<CornerContact> corner_contacts(const scene::Block& a, const scene::Block& b, const scene::JointTrace& trace,
-                                           double touching_m) {
+std::vector<CornerContact> corner_contacts(const scene::Block& block, const std::vector<Neighbour>& body,
+                                           const Neighbour& of, double touching_m) {
   std::vector<CornerContact> contacts;
-  const auto add = [&](const Outline& corners, const Outline& edges, int scene::TracePiece::*edge_of, double sign) {
-    for (const Point& p : corners) {
-      for (std::size_t e = 0; e < edges.size(); ++e) {
-        if (!holds(edges, e, p, touching_m) || face_reaches(trace, edge_of, edges, e, p, touching_m)) continue;
-        const Point along = direction(edges, e);
-        const CornerContact found{p, sign * Point(along.y(), -along.x()), in_kink(edges, e, p, touching_m)};
-        if (!known(contacts, found, touching_m)) contacts.push_back(found);
+  const auto add = [&](const Point& p, const Outline& outline, std::size_t edge, double sign, bool kink) {
+    const Point along = direction(outline, edge);
+    const CornerContact found{p, sign * Point(along.y(), -along.x()), kink};
+    if (!known(contacts, found, touching_m)) contacts.push_back(found);
+  };
+  const Outline& own = block.vertices;
+  const Outline& others = of.block->vertices;
+  for (const Point& p : own) {
+    for (std::size_t e = 0; e < others.size(); ++e) {
+      const std::optional<double> room = room_bounded_by(others, e, block, body, p, touching_m);
+      if (room && !face_reaches(body, &scene::TracePiece::edge_b, others, e, p, touching_m)) {
+        add(p, others, e, -1, *room < std::numbers::pi - rounding);
       }
     }
-  };
-  add(a.vertices, b.vertices, &scene::TracePiece::edge_b, -1);
-  add(b.vertices, a.vertices, &scene::TracePiece::edge_a, 1);
+  }
+  for (const Point& p : others) {
+    for (std::size_t e = 0; e < own.size(); ++e) {
+      if (holds(own, e, p, touching_m) && !face_reaches(body, &scene::TracePiece::edge_a, own, e, p, touching_m)) {
+        add(p, own, e, 1, in_kink(own, e, p, touching_m));
+      }
+    }
+  }
   return contacts;
 }
 

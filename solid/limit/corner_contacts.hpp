@@ -11,14 +11,22 @@ namespace blockweir::solid::limit {
 
 struct CornerContact {
   Point at_m;
-  Point normal;  ///< out of block a
-  bool in_kink;  ///< in a reflex corner of the other block
+  Point normal;  ///< out of the block
+  bool in_kink;  ///< in a reflex corner of the other
 };
 
-/// A corner on an edge, or in a reflex corner of the other block, which holds it by both of its edges. Not where a face
-/// of the trace along that edge reaches the corner: the face holds it there. Two convex corners that meet hold nothing:
-/// they may pass on either side.
-std::vector<CornerContact> corner_contacts(const scene::Block& a, const scene::Block& b, const scene::JointTrace& trace,
-                                           double touching_m);
+/// What a block meets. `trace`: their common boundary, `block` its second.
+struct Neighbour {
+  int index = 0;
+  const scene::Block* block = nullptr;
+  scene::JointTrace trace;
+};
+
+/// A corner on an edge, or in a reflex corner of a body, which holds it by both of its edges. Not where a face along
+/// that edge reaches the corner: the face holds it there. Two convex corners that meet hold nothing: they may pass on
+/// either side. `body`: a block, or all blocks of the ground, which move as one, so that two of them form a reflex
+/// corner as one alone does. Of those contacts the ones with `of`, which is in it.
+std::vector<CornerContact> corner_contacts(const scene::Block& block, const std::vector<Neighbour>& body,
+                                           const Neighbour& of, double touching_m);
 
 }  // namespace blockweir::solid::limit

@@ -39,13 +39,12 @@ std::string doubt(const Solid& solid, const Failure& f) {
   if (f.bound && solid.scene().analysis.kind == scene::AnalysisKind::at_rest) {
     return "a static analysis looks at one level: try lower ones, or let the level rise in a dynamic analysis";
   }
-  if (f.bound) return "it moves from the start: begin with a lower level";
+  if (f.bound) return fmt::format("it moves from the start: begin with a {} level", f.falls ? "higher" : "lower");
   constexpr double exact = 1e-3;  // of the head
-  if (!(f.level_uncertainty_m > exact * f.head_m)) return {};
+  if (!(f.level_uncertainty_m > exact * std::abs(f.head_m))) return {};
   if (f.window_rise_m > f.level_uncertainty_m / 2) {
-    return fmt::format(
-        "this level is accurate to {:.2g} m, its rise in one window: fill more slowly or shorten window_s",
-        f.level_uncertainty_m);
+    return fmt::format("this level is accurate to {:.2g} m, its {} in one window: {} more slowly or shorten window_s",
+                       f.level_uncertainty_m, f.falls ? "fall" : "rise", f.falls ? "empty" : "fill");
   }
   if (solid.scene().base_motion) {
     return fmt::format("the ground shakes: this level is good to {:.2g} m", f.level_uncertainty_m);
@@ -65,6 +64,7 @@ json failure(const expect::Outcome& o) {
   // NaN (no pool) becomes null.
   json found = {{"level_m", first.level_m},
                 {"pool", first.downstream ? "downstream" : "upstream"},
+                {"level_falls", first.falls},
                 {"head_m", first.head_m},
                 {"level_is_bound", first.bound},
                 {"level_uncertainty_m", first.level_uncertainty_m},

@@ -24,8 +24,13 @@ double crest_m(const scene::Scene& scene) {
   return crest;
 }
 
-/// Highest level from time 0 to `end_s` above a crest that the other pool does not reach.
-double highest_alone_m(const scene::Water& water, double crest, double end_s) {
+/// A level above the crest, and its height above the crest or the other pool.
+struct Nappe {
+  double level_m = none;
+  double head_m = none;
+};
+/// The highest nappe from time 0 to `end_s`.
+Nappe highest_nappe(const scene::Water& water, double crest, double end_s) {
   std::vector<double> times = {0, end_s};
   for (const auto* level : {&water.upstream_level_m, &water.downstream_level_m}) {
     if (!*level) continue;
@@ -36,11 +41,12 @@ double highest_alone_m(const scene::Water& water, double crest, double end_s) {
   const auto at = [&](const std::optional<scene::TimeTable>& level, double time_s) {
     return level ? level->rows_at(time_s) + (level->sine ? std::abs(level->sine->amplitude) : 0) : none;
   };
-  double highest = none;
+  Nappe highest;
   for (const double time_s : times) {
     const auto [lower, higher] =
         std::minmax({at(water.upstream_level_m, time_s), at(water.downstream_level_m, time_s)});
-    if (lower <= crest) highest = std::max(highest, higher);
+    const double head = higher - std::max(lower, crest);
+    if (head > highest.head_m) highest = {higher, head};
   }
   return highest;
 }
@@ -55,13 +61,13 @@ std::string water_on_crest_warning(const expect::Outcome& o) {
   const auto& failures = o.failure.failures();
   const double end_s = failures.empty() ? o.last.time_s : failures.front().time_s;
   const double crest = crest_m(scene);
-  const double level = highest_alone_m(scene.water, crest, end_s);
-  if (!std::isfinite(crest) || !(level > crest + seen * 2 * o.solid.size_m())) return {};
+  const Nappe nappe = highest_nappe(scene.water, crest, end_s);
+  if (!std::isfinite(crest) || !(nappe.head_m > seen * 2 * o.solid.size_m())) return {};
   return fmt::format(
       "the water rose to {:.5g} m, {:.3g} m above the crest; unless both pools are above the crest, the weight of the "
-      "water on it is left out; that weight, up to {:.3g} kPa, would hold the structure down; state crest_pressure in "
-      "[water] to include it",
-      level, level - crest, scene::unit_weight_of_water(scene) * (level - crest) / 1000);
+      "water on it is left out, and where they are, that of the water above the lower pool; that weight, up to {:.3g} "
+      "kPa, would hold the structure down; state crest_pressure in [water] to include it",
+      nappe.level_m, nappe.level_m - crest, scene::unit_weight_of_water(scene) * nappe.head_m / 1000);
 }
 
 }  // namespace blockweir::solid::output

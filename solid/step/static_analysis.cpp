@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace blockweir::solid {
@@ -27,6 +28,8 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) 
   const double before_m = state_.largest_displacement_m(model_);
   const double slipped_m = state_.largest_slip_m();
   const double far_m = model_.scene.analysis.failure_displacement_m;
+  double failed = std::numeric_limits<double>::infinity();  // the last step length that found no states
+  Pause as_long;  // as it again: what creeps makes hundreds of steps, and one in vain costs as many
   state_.rest = {};
   for (double dt = longest; state_.rest.steps < most_steps && dt > shortest * longest;) {
     state_.stop();
@@ -36,6 +39,8 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) 
       outcome = time_step_.attempt(stretch, still.with_sweeps());  // a bond is about to break
     }
     if (outcome != Outcome::made) {
+      if (dt == failed) as_long.failed();
+      failed = dt;
       dt /= 4;
       continue;
     }
@@ -48,7 +53,8 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) 
     // What an anchor or a neighbour stops after such a slip has failed before. What strains as far slips by that, too.
     state_.rest.found = state_.rest.found && state_.largest_slip_m() - slipped_m <= far_m + before_m;
     if (state_.rest.found || (far && !settles)) break;
-    dt = settles ? std::min(std::max(longest, dt), 2 * dt) : 2 * dt;
+    const double longer = settles ? std::min(std::max(longest, dt), 2 * dt) : 2 * dt;
+    if (longer < failed || !as_long.skips()) dt = longer;
   }
   if (!state_.rest.found) return;  // velocities tell where it goes
   state_.stop();

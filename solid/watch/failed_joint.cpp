@@ -72,7 +72,7 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
     farthest = x;
     const std::string set = joint_set(solid, joint.inside, joint.outside);
     failed = {set.empty() ? joint_name(solid, joint.inside, joint.outside) : set, std::nullopt};
-    if (!untouched) failed.mouth = from_downstream ? joint.trace.end() : joint.trace.mouth();
+    if (!untouched) failed.line = {joint.trace.mouth(), joint.trace.end()};
   }
   return failed;
 }

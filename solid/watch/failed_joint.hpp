@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "bridge/geometry/point.hpp"
 #include "solid/watch/moving_body.hpp"
 
 namespace blockweir::solid {
@@ -12,8 +13,7 @@ namespace blockweir::solid {
 /// The joint on which a body leaves the others.
 struct FailedJoint {
   std::string name;
-  std::optional<Point>
-      mouth;  ///< m, end on the higher pool's side in the scene's outline; none where they did not touch
+  std::optional<geometry::Segment> line;  ///< m, from upstream in the scene's outline; none where they did not touch
 };
 
 /// Of the joints that the body leaves, the one that begins nearest to the higher pool; where it slides, of the surface

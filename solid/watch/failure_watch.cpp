@@ -192,6 +192,15 @@ bool FailureWatch::all_is_dry(double level_m) const {
   return true;
 }
 
+bool FailureWatch::changing_pool(const Watched& last) const {
+  if (last.next_s < 0) return last.levels.reversed();
+  const auto changes = [&](bool downstream) {
+    const double level_m = last.levels.of(downstream);
+    return std::abs(last.next.of(downstream) - level_m) > 0 && !all_is_dry(level_m);
+  };
+  return changes(false) == changes(true) ? last.levels.reversed() : changes(true);
+}
+
 Failure FailureWatch::describe(std::size_t b) const {
   std::vector<Vector6> displacement;
   std::vector<double> times;
@@ -204,11 +213,12 @@ Failure FailureWatch::describe(std::size_t b) const {
   const MovingBody body = moving_body(moved, pairs, stands_, static_cast<int>(b));
   const Watched& last = watched_[b];
   const bool in_time = solid_.scene().analysis.kind != scene::AnalysisKind::at_rest;
-  const bool downstream = last.levels.reversed();
+  const bool downstream = changing_pool(last);
   Failure failure{.blocks = body.blocks,
                   .time_s = in_time ? last.time_s : solid_.scene().analysis.duration_s,
                   .level_m = last.levels.of(downstream),
                   .downstream = downstream,
+                  .falls = last.next_s >= 0 && last.next.of(downstream) < last.levels.of(downstream),
                   .head_m = nan,
                   .bound = !in_time || last.time_s == 0,
                   .level_uncertainty_m = nan,
@@ -217,12 +227,12 @@ Failure FailureWatch::describe(std::size_t b) const {
                   .mode = "falling"};
   if (all_is_dry(failure.level_m)) failure.level_m = nan;
   const Mode mode = mode_of(moved, body, pairs);
-  const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns, downstream);
+  const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns, last.levels.reversed());
   if (joint.name.empty()) return failure;
   failure.joint = joint.name;
   failure.mode = mode.word();
-  if (!joint.mouth) return failure;
-  failure.head_m = failure.level_m - joint.mouth->y();
+  if (!joint.line) return failure;
+  failure.head_m = failure.level_m - (downstream ? joint.line->to : joint.line->from).y();
   if (!failure.bound) add_uncertainty(last, failure);
   return failure;
 }

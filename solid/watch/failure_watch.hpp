@@ -32,10 +32,11 @@ struct Levels {
 struct Failure {
   std::vector<int> blocks;  ///< in the scene's order
   double time_s = 0;        ///< when it last stood
-  double level_m = 0;       ///< of the higher pool then; NaN without a pool, or below all that can move
+  double level_m = 0;       ///< of a pool then: changing_pool(); NaN without a pool, or below all that can move
   bool downstream = false;  ///< that is the downstream one
+  bool falls = false;       ///< its level was going down
   double head_m = 0;        ///< of it above the end of the joint that failed on its side; NaN without a pool
-  bool bound = false;       ///< it has not stood at any lower level: that of failure is at most this
+  bool bound = false;  ///< it has not stood at any level before: that of failure is at most this, at least if it falls
   /// The level's rise in a window and while the body was too slow to be seen, and what it rose by while it stuck from
   /// time to time, or what inertia stands for: a fast filling, a structure that rings. NaN likewise, and for a bound.
   double level_uncertainty_m = 0;
@@ -46,8 +47,8 @@ struct Failure {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(blocks, time_s, level_m, downstream, head_m, bound, level_uncertainty_m, window_rise_m, travel_m, mode,
-            joint);
+    archive(blocks, time_s, level_m, downstream, falls, head_m, bound, level_uncertainty_m, window_rise_m, travel_m,
+            mode, joint);
   }
 };
 
@@ -106,6 +107,9 @@ class FailureWatch {
   [[nodiscard]] double travel(std::size_t block) const;
   [[nodiscard]] bool sets_out(std::size_t block) const;
   [[nodiscard]] bool all_is_dry(double level_m) const;
+  /// Is the downstream pool the one by which a body failed that stood then: the only one whose level went on to change;
+  /// else the higher.
+  [[nodiscard]] bool changing_pool(const Watched& last) const;
   [[nodiscard]] Failure describe(std::size_t block) const;
   void add_uncertainty(const Watched& last, Failure& failure) const;
 

@@ -216,6 +216,33 @@ TEST_F(Verdicts, TheLevelIsThatOfTheHigherPool) {
   EXPECT_THAT(text("out"), HasSubstr("(downstream pool)"));
 }
 
+/// Drawdown: either level falls while the other one stands, on a block that slides to either side.
+TEST_F(Verdicts, TheLevelIsThatOfThePoolThatFalls) {
+  Monolith dam;
+  dam.friction_angle_deg = 15;
+  const double tangent = std::tan(15 * std::numbers::pi / 180);
+  // With up and down: rho g |up^2 - down^2|/2 = (W - rho g B (up + down)/2) tan(phi).
+  const double stays = 18;
+  const double b = tangent * 12 / 2;
+  const double constant = stays * stays + 2 * b * stays - 2 * tangent * 2400 * 9.81 * 12 * 20 / weight_of_water;
+  const double falls = b + std::sqrt(b * b + constant);
+  for (const bool downstream : {false, true}) {
+    const std::string table = fmt::format("{{ table = [[0, {}], [24, {}]] }}", 1.05 * falls, 0.9 * falls);
+    const std::string fixed = fmt::format("{}", stays);
+    dam.level = fmt::format("{}\ndownstream_level_m = {}", downstream ? fixed : table, downstream ? table : fixed);
+    std::string scene = dam.scene();
+    const std::string drawn = "[[0, 0], [12, 0], [3, 20], [0, 20]]";
+    scene.replace(scene.find(drawn), drawn.size(), "[[0, 0], [12, 0], [12, 20], [0, 20]]");
+    const auto summary = run(scene);
+    ASSERT_EQ(summary["outcome"], "fails") << text("out");
+    const auto& failure = summary["failure"];
+    EXPECT_EQ(failure["pool"], downstream ? "downstream" : "upstream");
+    EXPECT_NEAR(failure["level_m"].get<double>() / falls, 1, 3e-3);
+    EXPECT_EQ(failure["head_m"], failure["level_m"]);
+    EXPECT_THAT(text("out"), HasSubstr(downstream ? "(downstream pool, falling)" : "(upstream pool, falling)"));
+  }
+}
+
 TEST_F(Verdicts, AStaticAnalysisThatFailsSaysThatItsLevelIsABound) {
   Monolith dam{.analysis = "kind = \"static\"\nduration_s = 1"};
   dam.level = fmt::format("{}", 1.1 * dam.sliding_level());

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "bridge/scene/read/read.hpp"
@@ -262,6 +263,51 @@ TEST(LimitAnalysis, ACornerInAReflexCornerOfTheGroundIsHeldByBothItsEdges) {
       return limit_strength(LimitAnalysis(scene), loads).factor;
     };
     EXPECT_NEAR(factor(0) / factor(1e-4), 1, 1e-3) << i;
+  }
+}
+
+/// A wall on a dip; at its toe the ground goes on level, or higher and against the toe, or away. `cut_x`: where the
+/// ground is drawn as two blocks, at the toe or beneath the wall.
+scene::Scene on_ground_of(double dip, double breadth, double beyond, double push, const std::optional<double>& cut_x) {
+  const double toe = -dip * breadth;
+  const auto block = [](const std::string& name, const std::string& vertices) {
+    return fmt::format("[[block]]\nname = '{}'\nmaterial = 'm'\nfixed = true\nvertices_m = [{}]\n", name, vertices);
+  };
+  const std::string right = fmt::format("[14, -9], [14, {}], [{}, {}]", beyond, breadth, toe);
+  const double x = cut_x.value_or(0);
+  const std::string cut_at = fmt::format("[{}, {}]", x, -dip * x);
+  const std::string top = x < breadth ? ", " + cut_at : "";
+  const std::string ground = cut_x ? block("left", fmt::format("[-9, -9], [{}, -9], {}, [0, 0], [-9, 0]", x, cut_at)) +
+                                         block("right", fmt::format("[{}, -9], {}{}", x, right, top))
+                                   : block("rock", fmt::format("[-9, -9], {}, [0, 0], [-9, 0]", right));
+  return read(
+      fmt::format("analysis.duration_s = 1\njoint.friction_angle_deg = 35\n"
+                  "material.m = {{youngs_modulus_pa = 1e10, poissons_ratio = 0.2, density_kg_per_m3 = 2300}}\n"
+                  "[[body_load]]\nblocks = ['wall']\nacceleration_x_m_per_s2 = {}\n{}"
+                  "[[block]]\nname = 'wall'\nmaterial = 'm'\n"
+                  "vertices_m = [[0, 0], [{}, {}], [2, 5], [0, 5]]\n",
+                  push, ground, breadth, toe));
+}
+
+TEST(LimitAnalysis, GroundDrawnAsOneBlockOrAsTwoHoldsAlike) {
+  std::mt19937 random(4);
+  const auto between = [&](double low, double high) { return low + (high - low) * random() / 4294967296.0; };
+  for (int i = 0; i < 30; ++i) {
+    const double dip = between(0.02, 0.5);
+    const double breadth = between(2.5, 5);
+    const double beyond = between(-6, 4);
+    const double push = between(0.5, 3);
+    const auto strength = [&](const std::optional<double>& cut_x) {
+      const scene::Scene scene = on_ground_of(dip, breadth, beyond, push, cut_x);
+      return limit_strength(LimitAnalysis(scene),
+                            combined(statics::weights_of(scene), 1, statics::stated_loads_of(scene, 1)));
+    };
+    const LimitStrength one = strength({});
+    for (const double cut_x : {breadth, between(0.1, 0.9) * breadth}) {
+      const LimitStrength two = strength(cut_x);
+      ASSERT_EQ(two.bearing, one.bearing) << i;
+      EXPECT_NEAR(two.factor, one.factor, 1e-7 * one.factor) << i;
+    }
   }
 }
 

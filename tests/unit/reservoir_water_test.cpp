@@ -57,7 +57,8 @@ Solved solve(const Wall& wall, double ratio) {
   structure.open_crack_width_m = 1e-3;
   structure.ground.left = hydrostatic::GroundEnd{0, 3};
   hydrostatic::Pools pools;
-  const auto water = pools.find(structure, wall.H, std::numeric_limits<double>::quiet_NaN());
+  const auto water =
+      pools.find(structure, wall.H, std::numeric_limits<double>::quiet_NaN(), scene::CrestPressure::none);
   FarEnds ends{{wall.far_wall_m.value_or(-6 * wall.H - 100), wall.far_wall_m.has_value()}, {}};
   const WaterMesh mesh = mesh_water(water.bodies.front(), structure.outlines, ends, {ratio, ratio / 100, 0.35});
   std::vector<Point> centroids(structure.outlines.size(), Point(0, 0));
