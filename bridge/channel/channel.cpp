@@ -11,7 +11,7 @@
 
 #include "bridge/channel/endpoint.hpp"
 #include "bridge/channel/gate.hpp"
-#include "bridge/channel/hello.hpp"
+#include "bridge/channel/handshake.hpp"
 #include "bridge/channel/incoming.hpp"
 #include "bridge/channel/outgoing.hpp"
 #include "bridge/channel/socket.hpp"

@@ -7,7 +7,7 @@
 
 #include "bridge/schedule/sides.hpp"
 #include "fluid/hydrostatic/crack_ends.hpp"
-#include "fluid/hydrostatic/interface_mesh.hpp"
+#include "fluid/hydrostatic/nodal_pressures.hpp"
 #include "fluid/hydrostatic/pools.hpp"
 #include "fluid/hydrostatic/reservoir_mesh.hpp"
 #include "fluid/joints/crack_length.hpp"

@@ -11,7 +11,7 @@
 #include <functional>
 #include <limits>
 
-#include "bridge/channel/hello.hpp"
+#include "bridge/channel/handshake.hpp"
 #include "bridge/wire/checksum.hpp"
 #include "bridge/wire/codec.hpp"
 #include "bridge/wire/messages_generated.h"

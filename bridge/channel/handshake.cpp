@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/channel/hello.hpp"
+#include "bridge/channel/handshake.hpp"
 
 #include <fmt/format.h>
 

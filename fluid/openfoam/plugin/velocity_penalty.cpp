@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fluid/openfoam/plugin/blocks_option.hpp"
+#include "fluid/openfoam/plugin/velocity_penalty.hpp"
 
 #include <addToRunTimeSelectionTable.H>
 #include <fvMatrices.H>
 
 namespace blockweir::openfoam {
 
-defineTypeNameAndDebug(BlocksOption, 0);
+defineTypeNameAndDebug(VelocityPenalty, 0);
 using Foam::fv::option;
-addToRunTimeSelectionTable(option, BlocksOption, dictionary);
+addToRunTimeSelectionTable(option, VelocityPenalty, dictionary);
 
-BlocksOption::BlocksOption(const Foam::word& name, const Foam::word& type, const Foam::dictionary& dict,
+VelocityPenalty::VelocityPenalty(const Foam::word& name, const Foam::word& type, const Foam::dictionary& dict,
                            const Foam::fvMesh& mesh)
     : Foam::fv::option(name, type, dict, mesh), session_(new Session(mesh)) {
   fieldNames_ = Foam::wordList(1, Foam::word("U"));
   applied_.setSize(1, false);
 }
 
-void BlocksOption::addSup(const Foam::volScalarField& rho, Foam::fvMatrix<Foam::vector>& eqn, const Foam::label) {
+void VelocityPenalty::addSup(const Foam::volScalarField& rho, Foam::fvMatrix<Foam::vector>& eqn, const Foam::label) {
   session_->begin_step();
   // Water seeps through blocks at eps dt grad(p)/rho; starting that flow changes the force on a dam by eps/100.
   constexpr double eps = 1e-6;

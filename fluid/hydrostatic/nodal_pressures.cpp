@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fluid/hydrostatic/interface_mesh.hpp"
+#include "fluid/hydrostatic/nodal_pressures.hpp"
 
 #include <algorithm>
 #include <cmath>
