@@ -33,8 +33,8 @@ class LevelSearch {
 
   StaticLevel found(std::optional<double> suspect_m) {
     StaticLevel found = after_a_rise();
-    if (found.outcome != limit::Filled::does_not_stand_empty && found.stopped.empty())
-      look_without_history(suspect_m, found);
+    const bool stands_empty = found.outcome != limit::Filled::does_not_stand_empty;
+    if (stands_empty && found.stopped.empty()) look_without_history(suspect_m, found);
     return found;
   }
 

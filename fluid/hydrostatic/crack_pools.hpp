@@ -33,7 +33,7 @@ class CrackPools {
 
   static Beyond beyond(const scene::Block& block, int number, int edge, double s, double s_inside);
 
-  double near_m_;
+  double near_m_ = 0;
   std::vector<std::array<Beside, 2>> ends_;  ///< mouth, end
 };
 
