@@ -65,6 +65,7 @@ json blocks_json(const scene::Scene& scene, const Attempt<StaticLevel>& by_block
   const StaticLevel& found = *by_blocks.value;
   json answer = outcome_json(found.outcome, found.level_m);
   if (found.settles_m) answer["settles_at_m"] = *found.settles_m;
+  if (found.slow_rise) answer["slow_rise"] = outcome_json(found.slow_rise->outcome, found.slow_rise->level_m);
   if (found.outcome != Filled::fails) return answer;
   answer["level_width_m"] = found.width_m;
   if (!found.stopped.empty()) answer["stopped"] = found.stopped;
@@ -108,14 +109,42 @@ struct Levels {
     constexpr double same = 1e-8;
     return found.outcome == limit.value->outcome && (found.outcome != Filled::fails || std::abs(off(found)) <= same);
   }
-  /// Why the blocks' level is not that of limit analysis.
+  [[nodiscard]] std::optional<double> rigid_level() const {
+    if (!rigid.value || rigid.value->outcome != Filled::fails) return std::nullopt;
+    return rigid.value->level_m;
+  }
+  /// Do blocks that do not strain fail at a level that the blocks are said to bear?
+  [[nodiscard]] bool rigid_fails_lower() const {
+    constexpr double strain = 1e-3;  // what strain alone makes of a level, over the rise
+    return rigid_level() && *rigid_level() < blocks.value->level_m - strain * (blocks.value->level_m - empty_m);
+  }
+  /// Why the blocks' level is not that of limit analysis, nor that of blocks that do not strain.
   [[nodiscard]] std::string reason() const {
     if (!blocks.value || !limit.value) return "none is known: only one of the two has an answer";
     if (!blocks.value->stopped.empty()) return "none is known: the blocks' level is known to level_width_m alone";
+    const std::string rigid_too =
+        rigid_fails_lower() ? fmt::format("blocks that do not strain fail at {:.6g} m", rigid.value->level_m) : "";
+    if (blocks.value->slow_rise) return of_friction_history() + (rigid_too.empty() ? "" : "; " + rigid_too);
+    if (!rigid_too.empty()) {
+      return "history of joint forces: the level depends on how the friction in the joints came about; " + rigid_too +
+             ", the others bear more";
+    }
     if (agrees(*blocks.value)) return "none: the two agree";
     if (rigid.value && agrees(*rigid.value)) {
       return "deformation: blocks that do not strain fail at the level of limit analysis";
     }
+    return of_an_upper_bound();
+  }
+
+ private:
+  [[nodiscard]] std::string of_friction_history() const {
+    const StaticLevel::SlowRise& rise = *blocks.value->slow_rise;
+    return fmt::format(
+        "history of joint forces: the level depends on how the friction in the joints came about; all loads at once "
+        "fail at {:.6g} m, under a level that rises slowly the blocks {} {:.6g} m",
+        blocks.value->level_m, rise.outcome == Filled::fails ? "fail at" : "stand up to", rise.level_m);
+  }
+  [[nodiscard]] std::string of_an_upper_bound() const {
     const bool lower = limit.value->outcome != Filled::does_not_stand_empty &&
                        (blocks.value->outcome == Filled::does_not_stand_empty ||
                         (blocks.value->outcome == Filled::fails && off(*blocks.value) < 0));
@@ -145,6 +174,7 @@ json difference_json(const Levels& levels) {
 }  // namespace
 
 json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
+  constexpr double exact = 1e-10;
   StillWater water(scene, make_fluid);
   const limit::LimitAnalysis structure(scene);
   const limit::Wrenches dead =
@@ -152,14 +182,14 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   const auto water_at = [&](double level_m) { return statics::water_forces(scene, water.at(level_m)); };
   Levels levels{.scene = scene,
                 .empty_m = water.range().empty_m,
-                .limit = solid::attempt([&] { return limit_level(structure, dead, water_at, water.range()); }),
-                .blocks = solid::attempt([&] { return solid::static_level(scene, water); })};
-  if (!levels.limit.value && !levels.blocks.value) {
-    throw std::runtime_error(levels.blocks.why_not + "; " + levels.limit.why_not);
-  }
+                .limit = solid::attempt([&] { return limit_level(structure, dead, water_at, water.range()); })};
   const bool strains = solid::strains(scene);
   if (strains) {
     levels.rigid = solid::attempt([&] { return solid::static_level(solid::with_rigid_blocks(scene), water); });
+  }
+  levels.blocks = solid::attempt([&] { return solid::static_level(scene, water, exact, levels.rigid_level()); });
+  if (!levels.limit.value && !levels.blocks.value) {
+    throw std::runtime_error(levels.blocks.why_not + "; " + levels.limit.why_not);
   }
   json answer = blocks_json(scene, levels.blocks);
   answer["limit_analysis"] = limit_json(structure, levels.limit);

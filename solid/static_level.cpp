@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "solid/fresh_level.hpp"
 #include "solid/static_blocks.hpp"
 #include "solid/watch/edge_tension.hpp"
 #include "solid/watch/slipped_body.hpp"
@@ -23,13 +24,23 @@ std::string warning_of(StaticBlocks& blocks, const std::string& resting, double 
 class LevelSearch {
  public:
   LevelSearch(const scene::Scene& scene, StillWater& water, double width)
-      : full_m_(water.range().full_m),
+      : scene_(scene),
+        water_(water),
+        full_m_(water.range().full_m),
         range_m_(full_m_ - water.range().empty_m),
         width_m_(width * range_m_),
         rests_m_(water.range().empty_m),
         blocks_(scene, &water, effort_) {}
 
-  StaticLevel found() {
+  StaticLevel found(std::optional<double> suspect_m) {
+    StaticLevel found = after_a_rise();
+    const bool stands_empty = found.outcome != limit::Filled::does_not_stand_empty;
+    if (stands_empty && found.stopped.empty()) look_without_history(suspect_m, found);
+    return found;
+  }
+
+ private:
+  StaticLevel after_a_rise() {
     if (!blocks_.begin(rests_m_)) {
       if (!blocks_.went_far())
         throw std::runtime_error(
@@ -55,7 +66,30 @@ class LevelSearch {
     return found;
   }
 
- private:
+  /// Just below the levels, so that a level which does not depend on the history costs an analysis.
+  void look_without_history(std::optional<double> suspect_m, StaticLevel& found) {
+    constexpr double below = 1e-3;
+    const double empty_m = water_.range().empty_m;
+    const auto just_below = [&](double level_m) { return level_m - below * (level_m - empty_m); };
+    const bool fails = found.outcome == limit::Filled::fails;
+    std::vector<double> levels = {fails ? std::min(rests_m_, just_below(found.level_m)) : full_m_};
+    if (suspect_m && *suspect_m < found.level_m) levels.push_back(just_below(*suspect_m));
+    std::optional<FreshLevel> fresh;
+    try {
+      fresh = fresh_level(scene_, water_, effort_, empty_m, levels);
+    } catch (const TookTooLong& stopped) {
+      found.stopped = stopped.what();
+    }
+    if (!fresh) return;
+    found.slow_rise = {found.outcome, found.level_m};
+    found.outcome = limit::Filled::fails;
+    found.level_m = (fresh->stands_m + fresh->fails_m) / 2;
+    found.width_m = fresh->fails_m - fresh->stands_m;
+    found.failure = fresh->failure;
+    found.stopped = fresh->stopped;
+    found.warning = fresh->warning;
+  }
+
   [[nodiscard]] bool has_bracket() const { return fails_m_ <= full_m_; }
 
   void narrow() {
@@ -115,6 +149,8 @@ class LevelSearch {
   static constexpr double unknown = std::numeric_limits<double>::infinity();
   static constexpr double settled_width = 1e-6;  // each level past the bracket takes a slip of the whole way
 
+  const scene::Scene& scene_;
+  StillWater& water_;
   double full_m_;
   double range_m_;
   double width_m_;
@@ -129,8 +165,8 @@ class LevelSearch {
 
 }  // namespace
 
-StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width) {
-  return LevelSearch(scene, water, width).found();
+StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width, std::optional<double> suspect_m) {
+  return LevelSearch(scene, water, width).found(suspect_m);
 }
 
 }  // namespace blockweir::solid

@@ -35,6 +35,10 @@ std::string blocks_text(const json& found) {
     text += fmt::format("\n        to {:.2g} m: {}", found["level_width_m"].get<double>(),
                         found["stopped"].get<std::string>());
   }
+  if (found.contains("slow_rise")) {
+    text += fmt::format("\n        all loads at once; under a level that rises slowly it {}",
+                        level_text(found["slow_rise"]));
+  }
   if (found.contains("settles_at_m")) {
     text += fmt::format("\n        from {:.6g} m on blocks slip a little and then rest again",
                         found["settles_at_m"].get<double>());

@@ -74,7 +74,7 @@ std::string dry_end(const scene::Scene& scene, const char* side, const GroundEnd
 }  // namespace
 
 HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
-    : scene_(scene), cracks_(scene::find_cracks(scene)), crack_ends_(scene, cracks_) {
+    : scene_(scene), cracks_(scene::find_cracks(scene)), crack_pools_(scene, cracks_), crack_ends_(scene, cracks_) {
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
     if (cracks_[k].law == scene::Uplift::cracked) parted_.emplace(k, joints::Parted(scene, cracks_[k]));
   }
@@ -227,8 +227,10 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_
     const scene::Crack& crack = cracks_[k];
     const auto end_of = [&](bool upstream, const scene::CrackPart& part, const Point& outline_point) {
       const auto b = at(part.block_a);
-      const double level_m = (upstream ? last_upstream_m_ : last_downstream_m_) + ground_m.y();
       const Point place = wire::place(centroids_[b], last_motion_.displacement[b], outline_point);
+      // Where no open water comes to the end, that of its side is taken to come by what is not drawn.
+      const double side_m = (upstream ? last_upstream_m_ : last_downstream_m_) + ground_m.y();
+      const double level_m = crack_pools_.level(k, upstream, place, side_m, open, structure_.outlines).value_or(side_m);
       const double pressure_pa = scene::in_joints(scene_, level_m).pressure(place.y());
       const auto has_moved = [&](int block) {
         const Point now = wire::place(centroids_[at(block)], last_motion_.displacement[at(block)], outline_point);

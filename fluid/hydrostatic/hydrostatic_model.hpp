@@ -7,6 +7,7 @@
 
 #include "bridge/schedule/sides.hpp"
 #include "fluid/hydrostatic/crack_ends.hpp"
+#include "fluid/hydrostatic/crack_pools.hpp"
 #include "fluid/hydrostatic/nodal_pressures.hpp"
 #include "fluid/hydrostatic/pools.hpp"
 #include "fluid/hydrostatic/reservoir_mesh.hpp"
@@ -59,6 +60,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   std::vector<Point> centroids_;
   std::vector<scene::Crack> cracks_;
   std::map<std::size_t, joints::Parted> parted_;  ///< by cracks whose length follows the forces on them
+  CrackPools crack_pools_;
   CrackEnds crack_ends_;
   Structure structure_;  ///< current
   Pools pools_;

@@ -95,7 +95,8 @@ function writeLevel() {
     const level = f.outcome === 'stands' ? `stands up to ${number(f.highest_level_m, 9)}` : f.outcome === 'does not stand empty' ? 'does not stand empty' : fixed(f.level_m, 6);
     return [name, level, fixed(f.head_m, 6), f.mode || (f.mechanism ? f.mechanism.mode : '-'), f.joint || (f.mechanism ? f.mechanism.joints.join(', ') : '-')];
   };
-  const rows = [row('statics of the blocks', found)];
+  const rows = [row('statics of the blocks' + (found.slow_rise ? ', all loads at once' : ''), found)];
+  if (found.slow_rise) rows.push(row('the same, under a level that rises slowly', found.slow_rise));
   if (found.rigid_blocks) rows.push(row('the same, blocks that do not strain', found.rigid_blocks));
   rows.push(row('limit analysis', found.limit_analysis));
   if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 6), fixed(found.formula.head_m, 6), '-', found.formula.joint]);
