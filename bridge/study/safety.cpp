@@ -85,6 +85,7 @@ json answer_of(const scene::LoadCase& load_case, const process::AskOptions& opti
     answer["load_factor"]["constant"] = constant_loads(asked.scene);
   }
   answer["name"] = load_case.name;
+  answer["scene_warnings"] = asked.scene.warnings;
   answer["class"] = load_case.kind;
   answer["set"] = load_case.set;
   answer["required"] = load_case.required_factor ? json(*load_case.required_factor) : json();
@@ -130,6 +131,10 @@ std::string factors_text(const json& cases) {
       tell("it bears ", load_factor_text(c["load_factor"]));
     }
     if (c.contains("limit_analysis_note")) tell("limit: ", c["limit_analysis_note"]);
+    for (const json& warning : c["scene_warnings"]) {  // those of the scene as it stands are told by its reading
+      const json& told = cases[0]["scene_warnings"];
+      if (std::find(told.begin(), told.end(), warning) == told.end()) tell("WARNING ", warning);
+    }
     for (const json& warning : c["warnings"]) tell("WARNING ", warning);
     if (c.contains("added_water_pressure")) {
       tell("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);
