@@ -25,11 +25,13 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Does the factor that the blocks themselves have reach what is required, and that with crushed corners? Null where
-/// nothing is, or where they have no answer.
+/// Does the factor that the blocks themselves have reach what is required, and those with crushed corners and with
+/// cracked joints? Null where nothing is, or where they have no answer.
 json satisfied(const json& answer, const std::optional<double>& required) {
   if (!required || answer["outcome"] == "not found") return nullptr;
-  if (answer.contains("with_crushed_corners") && answer["with_crushed_corners"]["factor"] < *required) return false;
+  for (const char* lower : {"with_crushed_corners", "with_cracked_joint"}) {
+    if (answer.contains(lower) && answer[lower]["factor"] < *required) return false;
+  }
   return answer["factor"].is_number() ? answer["factor"].get<double>() >= *required
                                       : answer["outcome"].get<std::string>() == "stands";
 }
@@ -129,6 +131,9 @@ std::string factors_text(const json& cases) {
     if (c.contains("stopped")) tell("a lower bound, ", c["stopped"]);
     if (c.contains("load_factor")) {
       tell("it bears ", load_factor_text(c["load_factor"]));
+    }
+    if (c.contains("with_cracked_joint") && c["satisfied"] == false) {
+      tell("not enough: ", c["with_cracked_joint"]["text"]);
     }
     if (c.contains("limit_analysis_note")) tell("limit: ", c["limit_analysis_note"]);
     for (const json& warning : c["scene_warnings"]) {  // those of the scene as it stands are told by its reading

@@ -279,6 +279,27 @@ TEST_F(Answers, ABondThatHoldsByItsTensionIsWarnedOfWithoutARun) {
   }
 }
 
+/// With cohesion on all of the base the factor is 6.3, with that on the pressed half 4.3.
+TEST_F(Answers, ALoadCaseIsJudgedByTheCohesionOfWhatIsNotInTension) {
+  const std::string law = "friction_angle_deg = 45\ncohesion_pa = 300e3\n";
+  write("s.toml", block_on_rock(3, law) +
+                      "\n[[load_case]]\nname = 'high'\nset = ['water.upstream_level_m=7']\nrequired_factor = 5\n"
+                      "source = 'test'\n[[load_case]]\nname = 'low'\nset = ['water.upstream_level_m=2']\n"
+                      "required_factor = 5\nsource = 'test'\n");
+  ASSERT_EQ(ask("safety s.toml --json a.json"), 0) << text("out");
+  const json high = answer("a.json")["load_cases"][1];
+  EXPECT_GT(high["factor"], 5) << high.dump(1);
+  EXPECT_LT(high["with_cracked_joint"]["factor"], 5);
+  EXPECT_EQ(high["satisfied"], false);
+  EXPECT_THAT(text("out"), HasSubstr("high: not enough: with cohesion on what is not in tension alone"));
+  EXPECT_THAT(text("out"), HasSubstr("uplift = \"triangular\" takes it to be closed"));
+  EXPECT_THAT(text("out"), HasSubstr("state uplift = \"cracked\""));
+  const json low = answer("a.json")["load_cases"][2];
+  EXPECT_EQ(low["satisfied"], true) << low.dump(1);
+  EXPECT_FALSE(low.contains("with_cracked_joint"));
+  EXPECT_THAT(low["warnings"], testing::IsEmpty());
+}
+
 /// At 17 m the upright joints slip by a fraction of a millimetre, and the dam stands on.
 TEST_F(Answers, ASlipAfterWhichTheDamRestsIsNoFailure) {
   write("s.toml", R"(
