@@ -25,8 +25,7 @@ std::vector<LoadCase> read_load_cases(Reading& reading) {
                              "both or none", "add required_factor = ..., or leave source out");
     }
     if (!load_case.name.empty() && !names.add(load_case.name)) {
-      reading.problems.error(table.place("name"), fmt::format("a second load case is called \"{}\"", load_case.name),
-                             "names that differ", "rename one of them");
+      refuse_second(reading, table.place("name"), "load case", load_case.name, {"load_case"});
     }
     all.push_back(std::move(load_case));
   });

@@ -158,8 +158,7 @@ std::vector<OpenStudy> read_open_studies(Reading& reading) {
   reading.each("study", [&](TableReader& table) {
     OpenStudy study = read_open_study(table, reading);
     if (!study.name.empty() && !names.add(study.name)) {
-      reading.problems.error(table.place("name"), fmt::format("a second study is called \"{}\"", study.name),
-                             "names that differ", "rename one of them");
+      refuse_second(reading, table.place("name"), "study", study.name, {"limit", "order", "map", "bench", "study"});
     }
     all.push_back(std::move(study));
   });

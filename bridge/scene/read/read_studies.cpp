@@ -18,8 +18,7 @@ struct Known {
 
 void require_own_name(TableReader& table, Reading& reading, Known& known, const std::string& name) {
   if (name.empty() || known.studies.add(name)) return;
-  reading.problems.error(table.place("name"), fmt::format("a second study is called \"{}\"", name), "names that differ",
-                         "rename one of them");
+  refuse_second(reading, table.place("name"), "study", name, {"limit", "order", "map", "bench"});
 }
 
 /// What all kinds have in common; the quantity is that of the kind. False when `of` names nothing.

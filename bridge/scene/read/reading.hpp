@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ struct Reading {
   std::vector<const toml::table*> entries(const char* name);
   static std::string entry_name(const char* name, const toml::table& table);
 };
+
+/// Reports a second entry of a name, with the line of the first, which is sought in these sections.
+void refuse_second(Reading& reading, const Place& place, const char* kind, const std::string& name,
+                   std::initializer_list<const char*> sections);
 
 /// The law of a joint. `residual_given`: whether [joint] or this table states the residual angle; else it is the peak
 /// angle.
