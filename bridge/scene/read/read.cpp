@@ -94,6 +94,7 @@ void read_sections(Reading& reading, ReadScene& result) {
     return check_ranges(reading.file, size_m, reading.problems);
   }
   check_effects(reading);
+  check_reservoir(reading);
   check_magnitudes(reading.file, reading.scene, reading.problems);
 }
 

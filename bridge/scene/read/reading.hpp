@@ -121,6 +121,8 @@ void read_studies(Reading& reading);
 void resolve_lengths(Reading& reading);
 /// Warns of what a sound scene states to no effect.
 void check_effects(const Reading& reading);
+/// Warns of loads of the reservoir that do not act as a sound scene states them.
+void check_reservoir(const Reading& reading);
 /// After all others.
 void reject_unknown_sections(Reading& reading);
 
