@@ -69,8 +69,8 @@ TEST(SceneSection, ACutNamesItsJointAndGivesItsLaw) {
 TEST(SceneSection, NamesThatSetCannotTellApartAreRefusedWithBothLines) {
   const std::string cut = "[[cut]]\nname = \"lift\"\npoints_m = [[0, 3], [4, 3]]\n";
   const std::string set = "[[joint_set]]\nname = \"bedding\"\ndip_deg = 0\nspacing_m = 1\n";
-  EXPECT_THAT(errors(head + section + cut + cut),
-              testing::Contains(HasSubstr("s.toml:24: error: a second cut is called \"lift\", as that of line 20")));
+  EXPECT_THAT(errors(head + section + cut + cut + "[water]\nupstream_level_m = 3\n"),  // no other error follows
+              testing::ElementsAre(HasSubstr("s.toml:24: error: a second cut is called \"lift\", as that of line 20")));
   EXPECT_THAT(errors(head + section + set + set), testing::Contains(HasSubstr("\"bedding\", as that of line 20")));
 }
 

@@ -28,14 +28,11 @@ const Region* read_region(TableReader& table, const std::vector<Region>& regions
 }  // namespace
 
 void read_joint_sets(Reading& reading, const geometry::Bounds& bounds, const std::vector<Region>& regions, Cuts& cuts) {
-  Names names("joint set");
   reading.each("joint_set", [&](TableReader& table) {
     geometry::JointSet set;
     std::string name;
     JointLaw law = reading.scene.default_joint;
     table.text("name", name, true);
-    if (!name.empty() && !names.add(name))
-      refuse_second(reading, table.place("name"), "joint set", name, {"joint_set"});
     table.number("dip_deg", set.dip_deg, {[](double d) { return d >= -90 && d <= 90; }, "an angle from -90 to 90"},
                  true);
     const bool spaced = table.number("spacing_m", set.spacing_m, positive(), true);

@@ -33,11 +33,6 @@ std::vector<Region> read_regions(Reading& reading, double mesh_size_m, Cuts& cut
   reading.each("region", [&](TableReader& table) {
     Region region{.mesh_size_m = mesh_size_m, .outline = {}, .place = table.place()};
     table.text("name", region.name);
-    const bool second = std::any_of(regions.begin(), regions.end(),
-                                    [&](const Region& r) { return !r.name.empty() && r.name == region.name; });
-    if (second) {
-      refuse_second(reading, table.place("name"), "region", region.name, {"region"});
-    }
     region.material = table.reference("material", reading.materials);
     table.flag("fixed", region.fixed);
     table.points("outline_m", region.outline);
@@ -52,16 +47,12 @@ std::vector<Region> read_regions(Reading& reading, double mesh_size_m, Cuts& cut
 }
 
 void read_cuts(Reading& reading, Cuts& cuts) {
-  Names names("cut");
   reading.each("cut", [&](TableReader& table) {
     std::string name;
     JointLaw law = reading.scene.default_joint;
     std::vector<Point> points;
     table.text("name", name, true);
-    bool drawn = false;  // on one layer of a drawing: lines of one law
-    table.flag("drawn", drawn);
-    const bool first = names.add(name);
-    if (!drawn && !first && !name.empty()) refuse_second(reading, table.place("name"), "cut", name, {"cut"});
+    table.know("drawn");  // by a drawing: repeated_names() looks at it
     table.points("points_m", points, 2);
     bool own_residual = reading.residual_given;
     read_law(table, law, reading, own_residual);

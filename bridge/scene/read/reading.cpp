@@ -64,6 +64,20 @@ void refuse_second(Reading& reading, const Place& place, const char* kind, const
                          "names that differ", "rename one of them");
 }
 
+void refuse_repeated_names(Reading& reading) {
+  for (const auto& [section, kind] : {std::pair{"region", "region"}, {"cut", "cut"}, {"joint_set", "joint set"}}) {
+    Names names(kind);
+    const toml::array* list = reading.file[section].as_array();
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+      const toml::table* table = (*list)[i].as_table();
+      const auto name = table == nullptr ? std::nullopt : (*table)["name"].value<std::string>();
+      if (!name || name->empty() || names.add(*name)) continue;
+      if ((*table)["drawn"].value<bool>().value_or(false)) continue;  // lines on one layer, of one law
+      refuse_second(reading, reading.problems.at(table->get("name")->source()), kind, *name, {section});
+    }
+  }
+}
+
 void read_heading(Reading& reading) {
   for (auto [key, into] : {std::pair{"title", &reading.scene.title}, std::pair{"note", &reading.scene.note}}) {
     reading.sections.emplace_back(key);

@@ -50,6 +50,13 @@ struct Reading {
 void refuse_second(Reading& reading, const Place& place, const char* kind, const std::string& name,
                    std::initializer_list<const char*> sections);
 
+/// Reports a key that `set` states twice, or that the table itself varies and states.
+void check_settings(TableReader& table, Reading& reading, const std::vector<std::string>& set,
+                    const std::vector<std::string>& own_keys = {});
+
+/// Reports regions, cuts and joint sets of one name. After the section, which is cut all the same.
+void refuse_repeated_names(Reading& reading);
+
 /// The law of a joint. `residual_given`: whether [joint] or this table states the residual angle; else it is the peak
 /// angle.
 void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residual_given);
