@@ -142,6 +142,18 @@ std::string override_place(const std::string& argument) {
   return "--set " + argument;
 }
 
+std::string plain_key(const toml::table& file, const std::string& key) {
+  const std::vector<std::string> path = split(key + "=").path;
+  const toml::array* list = path.empty() ? nullptr : file[path.front()].as_array();
+  if (list == nullptr || path.size() < 2) return key;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::table* table = (*list)[i].as_table();
+    if (table == nullptr || (*table)["name"].value<std::string>() != path[1]) continue;
+    return fmt::format("{}.{}{}", path.front(), i, key.substr(path.front().size() + 1 + path[1].size()));
+  }
+  return key;
+}
+
 void apply_overrides(toml::table& file, const std::vector<std::string>& overrides, Problems& problems) {
   for (const std::string& argument : overrides) {
     const Override o = split(argument);

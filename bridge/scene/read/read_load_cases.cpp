@@ -13,6 +13,7 @@ std::vector<LoadCase> read_load_cases(Reading& reading) {
     table.text("name", load_case.name, true);
     table.text("class", load_case.kind);
     table.texts("set", load_case.set);
+    check_settings(table, reading, load_case.set);
     table.number("required_factor", load_case.required_factor, positive());
     table.text("source", load_case.source);
     if (load_case.required_factor && load_case.source.empty()) {

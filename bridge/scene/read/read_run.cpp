@@ -188,6 +188,7 @@ void read_variants(Reading& reading) {
     Variant variant{.line = table.place().line};
     table.text("name", variant.name, true);
     table.texts("set", variant.set);
+    check_settings(table, reading, variant.set);
     if (!variant.name.empty() && !names.add(variant.name)) {
       refuse_second(reading, table.place("name"), "variant", variant.name, {"variant"});
     }
