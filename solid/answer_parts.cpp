@@ -20,7 +20,7 @@ nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit
 void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohmann::json& answer) {
   answer["upper_bound"] = !structure.is_exact();
   if (structure.holds_any_force()) {
-    answer["limit_analysis_note"] = "anchors hold any force: state yield_n_per_m of each [[bolt]]";
+    answer["limit_analysis_note"] = anchors_note;
   }
 }
 

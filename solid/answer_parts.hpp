@@ -28,6 +28,10 @@ auto attempt(Way way) -> Attempt<decltype(way())> {
   }
 }
 
+/// Of bolts without yield_n_per_m: limit analysis knows no stretch.
+inline constexpr const char* anchors_note =
+    "in limit analysis anchors hold any force: state yield_n_per_m of each [[bolt]]";
+
 /// Adds "upper_bound", and a "limit_analysis_note" on what the user has left open.
 void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohmann::json& answer);
 

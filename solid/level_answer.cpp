@@ -14,6 +14,7 @@
 #include "solid/expect/formula_parts.hpp"
 #include "solid/expect/formulas.hpp"
 #include "solid/limit/limit_level.hpp"
+#include "solid/output/water_on_crest.hpp"
 #include "solid/static_level.hpp"
 
 namespace blockweir::process {
@@ -96,6 +97,7 @@ json formula_json(const scene::Scene& scene) {
 /// The levels of one scene.
 struct Levels {
   const scene::Scene& scene;
+  bool any_force = false;  ///< by anchors, in limit analysis
   double empty_m = 0;
   Attempt<limit::LimitLevel> limit;
   Attempt<StaticLevel> blocks;
@@ -151,6 +153,7 @@ struct Levels {
     if (lower && blocks.value->slips_add_up) {
       return "slips that add up to failure_displacement_m: limit analysis asks for equilibrium alone";
     }
+    if (lower && any_force) return std::string(solid::anchors_note) + "; the blocks' own bolts stretch";
     if (lower && solid::has_bonds(scene)) {
       return "history of joint forces: bonds break one after the other, and limit analysis lets all act at once";
     }
@@ -181,6 +184,7 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
       limit::combined(statics::weights_of(scene), 1, statics::stated_loads_of(scene, scene.analysis.duration_s));
   const auto water_at = [&](double level_m) { return statics::water_forces(scene, water.at(level_m)); };
   Levels levels{.scene = scene,
+                .any_force = structure.holds_any_force(),
                 .empty_m = water.range().empty_m,
                 .limit = solid::attempt([&] { return limit_level(structure, dead, water_at, water.range()); })};
   const bool strains = solid::strains(scene);
@@ -200,6 +204,10 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["warnings"] = water.warnings();
   if (levels.blocks.value && !levels.blocks.value->warning.empty()) {
     answer["warnings"].push_back(levels.blocks.value->warning);
+  }
+  if (levels.blocks.value && levels.blocks.value->outcome != Filled::does_not_stand_empty) {
+    const std::string crest = solid::output::water_on_crest_warning(scene, levels.blocks.value->level_m);
+    if (!crest.empty()) answer["warnings"].push_back(crest);
   }
   if (levels.limit.value) {
     solid::add_level_with_crushed_corners(structure, dead, water_at, water.range(), *levels.limit.value, answer);

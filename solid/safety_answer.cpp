@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The factor on strength by which a scene fails, found by the blocks' own equilibrium and by limit analysis, and the
 // forces on its joints.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,6 +20,7 @@
 #include "solid/static_strength.hpp"
 #include "solid/watch/edge_tension.hpp"
 #include "solid/watch/joint_table.hpp"
+#include "solid/watch/uplift_in_tension.hpp"
 
 namespace blockweir::process {
 namespace {
@@ -64,6 +67,21 @@ json table_json(const std::vector<solid::JointRow>& rows) {
   return table;
 }
 
+/// Warns of bonds that their tension holds, with the sliding factor that is left where their cohesion cracks.
+void add_cracked_joint(const solid::Solid& blocks, double level_m, json& answer) {
+  solid::EdgeTension edge;
+  edge.look(blocks, std::numeric_limits<double>::quiet_NaN(), level_m);
+  if (const std::string warning = edge.warning(); !warning.empty()) answer["warnings"].push_back(warning);
+  const auto cracked = solid::EdgeTension::weakest(blocks);
+  if (!cracked) return;
+  answer["with_cracked_joint"] = {
+      {"factor", cracked->factor},
+      {"text",
+       fmt::format("with cohesion on what is not in tension alone, joint \"{}\" has a sliding factor of {:.4g}, "
+                   "not {:.4g}",
+                   cracked->joint, cracked->factor, cracked->whole_factor)}};
+}
+
 /// Forces on joints as the scene stands; where it does not, with just the strength with which it would.
 void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStrength& found, json& answer) {
   constexpr double just_stands = 1 - 1e-6;
@@ -76,11 +94,11 @@ void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStreng
   if (!blocks.begin(now.level_m)) return;
   const auto parts =
       now.water ? solid::reservoir_parts(scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
-  answer["joints"] = table_json(solid::joint_table(blocks.solid(), blocks.pressures(now.level_m), parts));
+  const std::vector<solid::JointRow> table = solid::joint_table(blocks.solid(), blocks.pressures(now.level_m), parts);
+  answer["joints"] = table_json(table);
   if (!stands) answer["joints_with_strength_times"] = 1 / reduction;
-  solid::EdgeTension edge;
-  edge.look(blocks.solid(), std::numeric_limits<double>::quiet_NaN(), now.level_m);
-  if (const std::string warning = edge.warning(); stands && !warning.empty()) answer["warnings"].push_back(warning);
+  for (std::string& warning : solid::uplift_warnings(scene, table)) answer["warnings"].push_back(std::move(warning));
+  if (stands) add_cracked_joint(blocks.solid(), now.level_m, answer);
 }
 
 /// A factor where there is one, else why there is none; both ways of finding it have these fields.

@@ -32,7 +32,9 @@ std::string text_of(const json& found, bool fails) {
                        found["reservoir_factor"].get<double>(), level, found["why_no_factor"].get<std::string>(),
                        how());
   }
-  return fmt::format("none: {}", found["why_no_factor"].get<std::string>());
+  const std::string why = found["why_no_factor"];
+  if (!found.contains("limit_analysis_note")) return "none: " + why;
+  return fmt::format("none: {}, as {}", why, found["limit_analysis_note"].get<std::string>());
 }
 
 }  // namespace

@@ -54,7 +54,11 @@ picture::ReportParts parts_of(const fs::path& run, const std::string& program) {
   fmt::print(stderr, "asking for the level of failure and the factors of safety\n");
   const process::TemporaryFolder scratch;
   process::AskOptions question{.scene = process::scene_of(run), .out = scratch.path() / "level", .quiet = true};
-  parts.level = or_trouble([&] { return process::ask("level", question).answer; });
+  parts.level = or_trouble([&] {
+    process::Asked asked = process::ask("level", question);
+    asked.answer["scene_warnings"] = asked.scene.warnings;
+    return asked.answer;
+  });
   question.out = scratch.path() / "safety";
   parts.safety = or_trouble([&] { return safety_answers(question); });
   for (const char* command : {"run", "level", "safety", "report"}) {

@@ -25,11 +25,13 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Does the factor that the blocks themselves have reach what is required, and that with crushed corners? Null where
-/// nothing is, or where they have no answer.
+/// Does the factor that the blocks themselves have reach what is required, and those with crushed corners and with
+/// cracked joints? Null where nothing is, or where they have no answer.
 json satisfied(const json& answer, const std::optional<double>& required) {
   if (!required || answer["outcome"] == "not found") return nullptr;
-  if (answer.contains("with_crushed_corners") && answer["with_crushed_corners"]["factor"] < *required) return false;
+  for (const char* lower : {"with_crushed_corners", "with_cracked_joint"}) {
+    if (answer.contains(lower) && answer[lower]["factor"] < *required) return false;
+  }
   return answer["factor"].is_number() ? answer["factor"].get<double>() >= *required
                                       : answer["outcome"].get<std::string>() == "stands";
 }
@@ -85,6 +87,7 @@ json answer_of(const scene::LoadCase& load_case, const process::AskOptions& opti
     answer["load_factor"]["constant"] = constant_loads(asked.scene);
   }
   answer["name"] = load_case.name;
+  answer["scene_warnings"] = asked.scene.warnings;
   answer["class"] = load_case.kind;
   answer["set"] = load_case.set;
   answer["required"] = load_case.required_factor ? json(*load_case.required_factor) : json();
@@ -129,7 +132,14 @@ std::string factors_text(const json& cases) {
     if (c.contains("load_factor")) {
       tell("it bears ", load_factor_text(c["load_factor"]));
     }
+    if (c.contains("with_cracked_joint") && c["satisfied"] == false) {
+      tell("not enough: ", c["with_cracked_joint"]["text"]);
+    }
     if (c.contains("limit_analysis_note")) tell("limit: ", c["limit_analysis_note"]);
+    for (const json& warning : c["scene_warnings"]) {  // those of the scene as it stands are told by its reading
+      const json& told = cases[0]["scene_warnings"];
+      if (std::find(told.begin(), told.end(), warning) == told.end()) tell("WARNING ", warning);
+    }
     for (const json& warning : c["warnings"]) tell("WARNING ", warning);
     if (c.contains("added_water_pressure")) {
       tell("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bridge/scene/hydrostatics.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -51,23 +52,33 @@ Nappe highest_nappe(const scene::Water& water, double crest, double end_s) {
   return highest;
 }
 
-}  // namespace
-
-std::string water_on_crest_warning(const expect::Outcome& o) {
+std::string warning(const scene::Scene& scene, double crest, const Nappe& nappe) {
   constexpr double seen = 1e-3;  // of the structure
-  const scene::Scene& scene = o.solid.scene();
-  if (!scene::still_pools(scene.fluid)) return {};
   if (scene.water.crest_pressure != scene::CrestPressure::none) return {};
-  const auto& failures = o.failure.failures();
-  const double end_s = failures.empty() ? o.last.time_s : failures.front().time_s;
-  const double crest = crest_m(scene);
-  const Nappe nappe = highest_nappe(scene.water, crest, end_s);
-  if (!std::isfinite(crest) || !(nappe.head_m > seen * 2 * o.solid.size_m())) return {};
+  if (!std::isfinite(crest) || !(nappe.head_m > seen * scene::structure_size_m(scene.blocks))) return {};
   return fmt::format(
       "the water rose to {:.5g} m, {:.3g} m above the crest; unless both pools are above the crest, the weight of the "
       "water on it is left out, and where they are, that of the water above the lower pool; that weight, up to {:.3g} "
       "kPa, would hold the structure down; state crest_pressure in [water] to include it",
       nappe.level_m, nappe.level_m - crest, scene::unit_weight_of_water(scene) * nappe.head_m / 1000);
+}
+
+}  // namespace
+
+std::string water_on_crest_warning(const expect::Outcome& o) {
+  const scene::Scene& scene = o.solid.scene();
+  if (!scene::still_pools(scene.fluid)) return {};
+  const auto& failures = o.failure.failures();
+  const double end_s = failures.empty() ? o.last.time_s : failures.front().time_s;
+  const double crest = crest_m(scene);
+  return warning(scene, crest, highest_nappe(scene.water, crest, end_s));
+}
+
+std::string water_on_crest_warning(const scene::Scene& scene, double level_m) {
+  const double crest = crest_m(scene);
+  const auto& down = scene.water.downstream_level_m;
+  const double other = down ? std::max(crest, down->at(scene.analysis.duration_s)) : crest;
+  return warning(scene, crest, {level_m, level_m - other});
 }
 
 }  // namespace blockweir::solid::output

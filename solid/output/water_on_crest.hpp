@@ -10,5 +10,7 @@ namespace blockweir::solid::output {
 
 /// Empty where no level that decided, that of the failure or else the highest, was above the crest.
 std::string water_on_crest_warning(const expect::Outcome& outcome);
+/// Likewise of the scene's still water that rises to this level, the tailwater as at the end.
+std::string water_on_crest_warning(const scene::Scene& scene, double level_m);
 
 }  // namespace blockweir::solid::output

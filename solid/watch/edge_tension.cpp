@@ -89,23 +89,41 @@ EdgeTension::Bond EdgeTension::judged(const Solid& solid, const std::vector<cons
   return bond;
 }
 
-void EdgeTension::look(const Solid& solid, double time_s, double level_m) {
+std::vector<EdgeTension::Bond> EdgeTension::bonds_of(const Solid& solid) {
   std::map<std::pair<int, int>, std::vector<const ContactPoint*>> bonded;
   for (const ContactPoint& c : solid.contacts()) {
     if (!c.bonded() || !cracks(solid.laws()[c.law])) continue;
     const auto [a, b] = c.pair();
     if (!solid.blocks()[at(a)].meshed && !solid.blocks()[at(b)].meshed) bonded[c.pair()].push_back(&c);
   }
+  std::vector<Bond> bonds;
   for (const auto& [pair, joint] : bonded) {
     Bond bond = judged(solid, joint);
-    if (bond.stress_pa <= 0 || bond.excess <= worst_.excess) continue;
-    worst_ = std::move(bond);
-    worst_.joint = joint_name(solid, pair.first, pair.second);
+    if (bond.stress_pa <= 0) continue;
+    bond.joint = joint_name(solid, pair.first, pair.second);
     const bool first_fixed = solid.blocks()[at(pair.first)].fixed;
-    worst_.block = solid.blocks()[at(first_fixed ? pair.second : pair.first)].name;
+    bond.block = solid.blocks()[at(first_fixed ? pair.second : pair.first)].name;
+    bonds.push_back(std::move(bond));
+  }
+  return bonds;
+}
+
+void EdgeTension::look(const Solid& solid, double time_s, double level_m) {
+  for (Bond& bond : bonds_of(solid)) {
+    if (bond.excess <= worst_.excess) continue;
+    worst_ = std::move(bond);
     time_s_ = time_s;
     level_m_ = level_m;
   }
+}
+
+std::optional<CrackedJoint> EdgeTension::weakest(const Solid& solid) {
+  std::optional<CrackedJoint> found;
+  for (const Bond& bond : bonds_of(solid)) {
+    if (bond.excess <= 0 || !loses_cohesion(bond)) continue;
+    if (!found || bond.cracked_factor < found->factor) found = {bond.joint, bond.cracked_factor, bond.factor};
+  }
+  return found;
 }
 
 bool EdgeTension::loses_cohesion(const Bond& bond) {

@@ -7,11 +7,20 @@
 // resultant from the nearer end.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
+
+/// A joint part of which would crack, with its sliding factor once that part has no cohesion.
+struct CrackedJoint {
+  std::string joint;
+  double factor = 0;
+  double whole_factor = 0;  ///< with cohesion on all of it
+};
 
 class EdgeTension {
  public:
@@ -24,6 +33,9 @@ class EdgeTension {
   [[nodiscard]] double cracked() const { return worst_.cracked; }
   /// Shear strength over shear force of that joint with cohesion on what is not cracked alone.
   [[nodiscard]] double cracked_factor() const { return worst_.cracked_factor; }
+  /// Of the joints that bear more than their strength at an edge, that whose sliding factor is then lowest. None where
+  /// no joint loses cohesion by more than 1 % of its factor.
+  [[nodiscard]] static std::optional<CrackedJoint> weakest(const Solid& solid);
   /// Empty where no bond bears more than its strength at its edge.
   [[nodiscard]] std::string warning() const;
 
@@ -44,6 +56,7 @@ class EdgeTension {
     std::string joint;
     std::string block;  ///< that can have a mesh
   };
+  [[nodiscard]] static std::vector<Bond> bonds_of(const Solid& solid);
   [[nodiscard]] static Bond judged(const Solid& solid, const std::vector<const ContactPoint*>& joint);
   [[nodiscard]] static bool loses_cohesion(const Bond& bond);
 

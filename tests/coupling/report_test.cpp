@@ -91,6 +91,26 @@ TEST_F(Report, OpensInABrowserAndCanBeUsed) {
   EXPECT_GE(seen["mechanism"].get<int>(), 3);
 }
 
+TEST_F(Report, HasTheWarningsOfEveryLoadCaseAtTheVerdictAndAtItsTable) {
+  write_scene();
+  std::ofstream(folder / "wall.toml", std::ios::app) << R"([[load_case]]
+name = "glued"
+set = ["joints.base.cohesion_pa=60e3", "water.upstream_level_m=4.5"]
+[[load_case]]
+name = "full of silt"
+set = ["silt.level_m=5", "silt.submerged_density_kg_per_m3=400", "silt.pressure_coefficient=0.4", "water.density_kg_per_m3=2100"]
+)";
+  ASSERT_EQ(shell(programs + "/blockweir report wall.toml --out wall.html"), 0) << text("out");
+  const nlohmann::json seen = opened("wall.html");
+  ASSERT_TRUE(seen.is_object()) << text("out") << text("browser.log");
+  for (const char* chapter : {"verdict", "joints"}) {
+    const std::string said = seen[chapter];
+    EXPECT_THAT(said, HasSubstr("Warning, load case \"glued\": joint \"base\" has no tension_strength_pa")) << chapter;
+    EXPECT_THAT(said, HasSubstr("Warning, load case \"full of silt\": ")) << chapter;
+    EXPECT_THAT(said, HasSubstr("density_kg_per_m3 in [water] is 2100 kg/m3, which is unusual")) << chapter;
+  }
+}
+
 TEST_F(Report, OfARunThatIsThereTakesItsResults) {
   write_scene();
   ASSERT_EQ(shell(programs + "/blockweir run wall.toml --quiet --out run"), 0) << text("out");

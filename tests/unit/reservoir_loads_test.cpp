@@ -99,6 +99,18 @@ TEST(ReservoirLoads, IceActsUnderTheLevelAndFollowsIt) {
   for (const double level : {12.0, 18.5}) expect_wrench(added_by(ice, 0, level), 150e3, 0, -150e3 * (level - 0.4));
 }
 
+TEST(ReservoirLoads, IceThatLiesOnNoFaceIsWarnedOfWithWhatItLoses) {
+  const auto warned = [](double level, const char* thickness) {
+    const std::string ice = fmt::format("[ice]\nthrust_n_per_m = 150e3\nthickness_m = {}\n", thickness);
+    return testing::PrintToString(
+        read_text(dam(0, fmt::format("[water]\nupstream_level_m = {}\n", level) + ice), "s.toml").scene.warnings);
+  };
+  EXPECT_THAT(warned(10, "0.5"), testing::Not(HasSubstr("[ice]")));
+  EXPECT_THAT(warned(10, "50"), testing::AllOf(HasSubstr("thickness_m in [ice] is 50 m, which is unusual"),
+                                               HasSubstr("[ice] loses 80 % of its thrust")));
+  EXPECT_THAT(warned(0.2, "0.5"), HasSubstr("[ice] loses 60 % of its thrust"));
+}
+
 TEST(ReservoirLoads, TheNappePressesOnTheCrest) {
   const auto nappe = [](const char* law) {
     return added_by("", 0, 23, fmt::format("may_overtop = true\ncrest_pressure = '{}'\n", law));

@@ -34,12 +34,22 @@ TEST_F(LoadCases, ARequiredFactorNeedsItsSource) {
               HasSubstr("has a source and no required_factor"));
 }
 
+TEST_F(LoadCases, SetAKeyOnce) {
+  const auto set = [&](const std::string& two) {
+    return error(with("[[load_case]]\nname = 'a'\nset = [" + two + "]\n"));
+  };
+  EXPECT_THAT(set("'water.upstream_level_m=3', 'water.upstream_level_m=1'"),
+              HasSubstr("s.toml:58: error: set in [[load_case]] \"a\" has \"water.upstream_level_m=3\" and "
+                        "\"water.upstream_level_m=1\"; expected each key once"));
+  EXPECT_THAT(set("'block.base.fixed=true', 'block.1.fixed=false'"), HasSubstr("expected each key once"));
+}
+
 TEST_F(LoadCases, NeedANameOfTheirOwnAndSomethingThatTheySet) {
   EXPECT_THAT(error(with("[[load_case]]\nset = ['title=x']\n")), HasSubstr("name"));
   EXPECT_THAT(error(with("[[load_case]]\nname = 'flood'\n")), HasSubstr("set"));
   EXPECT_THAT(
       error(with("[[load_case]]\nname = 'a'\nset = ['title=x']\n[[load_case]]\nname = 'a'\nset = ['title=x']\n")),
-      HasSubstr("a second load case is called \"a\""));
+      HasSubstr("a second load case is called \"a\", as that of line 56"));
   EXPECT_THAT(error(with("[[load_case]]\nname = 'a'\nset = ['title=x']\nrequired_factr = 2\n")),
               HasSubstr("did you mean \"required_factor\"?"));
 }

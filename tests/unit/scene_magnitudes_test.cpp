@@ -36,7 +36,8 @@ std::string set(const Magnitude& row, double value) {
                                                               {"analysis", "[analysis]"},
                                                               {"joint", "[joint]"},
                                                               {"water", "[water]"},
-                                                              {"bolt[]", "[[bolt]]"}};
+                                                              {"bolt[]", "[[bolt]]"},
+                                                              {"ice", "[ice]"}};
   const std::string key = row.key;
   std::string scene = with("[water]", "[water]\natmosphere = \"wet-faces\"");
   if (row.section == std::string("analysis")) scene = scene.substr(0, scene.find("[water]"));
@@ -45,6 +46,7 @@ std::string set(const Magnitude& row, double value) {
   scene +=
       "[[bolt]]\nname = \"bar\"\nfrom_block = \"base\"\nfrom_m = [0, 1]\nto_m = [-3, 0]\narea_m2_per_m = 1e-3\n"
       "youngs_modulus_pa = 210e9\n";
+  if (row.section == std::string("ice")) scene += "[ice]\nthrust_n_per_m = 1e5\n";
   return set(scene, headings.at(row.section), key, value);
 }
 

@@ -70,6 +70,11 @@ TEST(SceneOpenStudies, KeysOfAnotherKindAreRefused) {
   expect_one_error("[[study]]\nname = 'c'\nkind = 'criticl'\n", {"did you mean \"critical\"?"});
 }
 
+TEST(SceneOpenStudies, AKeyIsNotBothVariedAndSet) {
+  expect_one_error(critical + "set = ['a=3']\n", {"varies \"a\", and states \"a=3\" beside it"});
+  expect_one_error(critical + "set = ['b=3', 'b=4']\n", {"has \"b=3\" and \"b=4\"", "each key once"});
+}
+
 TEST(SceneOpenStudies, NamesDifferFromThoseOfAllStudies) {
   expect_one_error(critical + critical, {"a second study is called \"c\""});
   expect_one_error(critical + "[[limit]]\nname = 'c'\nkey = 'a'\nfrom = 1\nto = 2\nvalue = 1\n",

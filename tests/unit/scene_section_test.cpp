@@ -66,6 +66,25 @@ TEST(SceneSection, ACutNamesItsJointAndGivesItsLaw) {
   EXPECT_EQ(crack.law.friction_angle_deg, 35);
 }
 
+TEST(SceneSection, NamesThatSetCannotTellApartAreRefusedWithBothLines) {
+  const std::string cut = "[[cut]]\nname = \"lift\"\npoints_m = [[0, 3], [4, 3]]\n";
+  const std::string set = "[[joint_set]]\nname = \"bedding\"\ndip_deg = 0\nspacing_m = 1\n";
+  EXPECT_THAT(errors(head + section + cut + cut + "[water]\nupstream_level_m = 3\n"),  // no other error follows
+              testing::ElementsAre(HasSubstr("s.toml:24: error: a second cut is called \"lift\", as that of line 20")));
+  EXPECT_THAT(errors(head + section + set + set), testing::Contains(HasSubstr("\"bedding\", as that of line 20")));
+}
+
+/// As lines on one layer of a drawing, in the scene of a run.
+TEST(SceneSection, DrawnCutsOfOneNameAreSetTogether) {
+  const std::string cut = "[[cut]]\nname = \"lift\"\ndrawn = true\npoints_m = ";
+  const Scene scene = read_text(head + section + cut + "[[0, 3], [4, 3]]\n" + cut + "[[0, 2], [4, 2]]\n", "s.toml",
+                                {"cut.lift.friction_angle_deg=20"})
+                          .scene;
+  ASSERT_THAT(scene.joints, SizeIs(3));
+  const auto has_it = [](const Joint& joint) { return joint.law.friction_angle_deg == 20; };
+  EXPECT_EQ(std::count_if(scene.joints.begin(), scene.joints.end(), has_it), 2);
+}
+
 TEST(SceneSection, JointsOfASetAreNamedByTheirBlocks) {
   const Scene scene =
       scene_of("[[joint_set]]\nname = \"bedding\"\ndip_deg = 0\nspacing_m = 1\nfriction_angle_deg = 20\n");
@@ -117,14 +136,15 @@ TEST(SceneSection, WhatIsWrongIsNamed) {
                  {"a block encloses a hole or a closed line at (", "add a [[cut]] from there"});
   expect_refusal("[[cut]]\nname = \"c\"\npoints_m = [[1, 2]]\n", {"a list of 2 to 10000 points"});
   expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 0\nspacing_m = 1e-5\n", {"would draw about", "spacing_m"});
-  const auto set = [](double dip_deg, double spacing_m) {
-    return fmt::format("[[joint_set]]\nname = \"b\"\ndip_deg = {}\nspacing_m = {}\n", dip_deg, spacing_m);
+  const auto set = [](double dip_deg, double spacing_m, const char* name = "b") {
+    return fmt::format("[[joint_set]]\nname = \"{}\"\ndip_deg = {}\nspacing_m = {}\n", name, dip_deg, spacing_m);
   };
   expect_refusal(set(0, 1) + "offset_m = 1e300\n", {"offset_m", "a number within 1e7"});
   expect_refusal(set(0, 1e9) + "persistence = 0.5\ntrace_length_m = 1e-300\n", {"would draw about"});
-  expect_refusal(set(10, 0.003) + set(10, 0.003) + set(10, 0.003),
+  expect_refusal(set(10, 0.003) + set(10, 0.003, "c") + set(10, 0.003, "d"),
                  {"the section has ", " edges, cuts and joints", "at most 5000"});
-  expect_refusal(set(10, 0.02) + set(80, 0.02), {"cross too often", "at most 20000", "spacing of its joints larger"});
+  expect_refusal(set(10, 0.02) + set(80, 0.02, "c"),
+                 {"cross too often", "at most 20000", "spacing of its joints larger"});
   expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 100\nspacing_m = 1\n", {"dip_deg", "an angle from -90 to 90"});
   expect_refusal("[[joint_set]]\nname = \"b\"\ndip_deg = 0\nspacing_m = 1\npersistence = 0.5\n",
                  {"has no \"trace_length_m\""});

@@ -27,6 +27,24 @@ function loadCasesInWords() {
   return lines;
 }
 
+/// Of a load case or the level: what its answer warns of, and what the reading of its scene does.
+const warningsOf = answer => [...(answer.scene_warnings || []), ...(answer.warnings || [])];
+
+/// Every warning once, in the words of the first answer that has it: the run, each load case, the level.
+function allWarnings() {
+  const told = new Set(report.summary.warnings || []);
+  const lines = [...told].map(text => 'Warning: ' + text);
+  const add = (who, answer) => {
+    for (const text of warningsOf(answer).filter(w => !told.has(w))) {
+      told.add(text);
+      lines.push(`Warning, ${who}: ${text}`);
+    }
+  };
+  if (!report.safety.trouble) for (const c of report.safety) add(`load case "${c.name}"`, c);
+  if (!report.level.trouble) add('level of failure', report.level);
+  return lines;
+}
+
 function writeVerdict() {
   const s = report.summary;
   const words = {fails: 'The structure FAILS', stands: 'The structure STANDS', moving: 'UNDECIDED: something still moves at the end', stopped: 'STOPPED'};
@@ -49,7 +67,7 @@ function writeVerdict() {
   if (s.rest) lines.push(s.rest.text + '.');
   lines.push(...loadCasesInWords());
   for (const line of lines) chapter('verdict').append(paragraph(line.charAt(0).toUpperCase() + line.slice(1)));
-  for (const warning of s.warnings || []) chapter('verdict').append(paragraph('Warning: ' + warning, 'bad'));
+  for (const warning of allWarnings()) chapter('verdict').append(paragraph(warning, 'bad'));
   const skips = (s.skips || []).length;
   if (skips > 0) chapter('verdict').append(paragraph(`${skips} kinds of work were skipped on which the result does not depend; "blockweir profile" lists them.`, 'quiet'));
 }
@@ -65,11 +83,14 @@ function writeSection() {
 function writeCases() {
   const to = chapter('cases');
   if (report.safety.trouble) return to.append(paragraph('No factor was found: ' + report.safety.trouble));
-  const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied ? 'good' : 'bad'}, c.satisfied ? 'yes' : 'NO'));
+  const doubt = c => (warningsOf(c).length > 0 ? ', see warning' : '');
+  const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied && !doubt(c) ? 'good' : 'bad'}, (c.satisfied ? 'yes' : 'NO') + doubt(c)));
   to.append(table(['load case', 'class', 'level m', 'tailwater m', 'outcome', 'factor', 'by limit analysis', 'required', 'satisfied', 'source'],
     report.safety.map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), number(c.required, 4), answer(c), c.source || '-'])),
   paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis.', 'quiet'));
   for (const c of report.safety) {
+    for (const warning of warningsOf(c)) to.append(paragraph(`Warning, load case "${c.name}": ${warning}`, 'bad'));
+    if (c.limit_analysis_note) to.append(paragraph(`Load case "${c.name}", limit analysis: ${c.limit_analysis_note}.`, 'quiet'));
     if (!is(c.factor) && c.why_no_factor) to.append(paragraph(`Load case "${c.name}": no factor, as ${c.why_no_factor}.`, 'quiet'));
   }
   for (const c of report.safety.filter(c => c.load_factor)) {
@@ -102,6 +123,8 @@ function writeLevel() {
   if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 6), fixed(found.formula.head_m, 6), '-', found.formula.joint]);
   to.append(table(['found by', 'level m', 'head m', 'mode', 'joint'], rows),
     paragraph('Blocks and limit analysis differ' + (is(found.difference.level_m) ? ` by ${number(found.difference.level_m, 3)} m` : '') + `. Reason: ${found.difference.reason}.`));
+  for (const warning of warningsOf(found)) to.append(paragraph('Warning: ' + warning, 'bad'));
+  if (found.limit_analysis.limit_analysis_note) to.append(paragraph(`Limit analysis: ${found.limit_analysis.limit_analysis_note}.`, 'quiet'));
   const mechanism = found.limit_analysis.mechanism;
   if (mechanism) to.append(mechanismFigure(report, mechanism, found.limit_analysis.level_m));
 }

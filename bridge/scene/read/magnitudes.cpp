@@ -41,6 +41,7 @@ constexpr Magnitude table_of_magnitudes[] = {
     {"joint", "tension_strength_pa", "Pa", 1000, 1e12, {megapascals, kilopascals}, "", grows_with_size},
     {"water", "density_kg_per_m3", "kg/m3", 500, 2000, {tonnes, {"kN/m3", 1000 / 9.81}}},
     {"water", "atmospheric_pressure_pa", "Pa", 3e4, 1.2e5, {kilopascals, {"hPa", 100}, {"bar", 1e5}}},
+    {"ice", "thickness_m", "m", 0.1, 2, {{"cm", 0.01}, {"mm", 0.001}}},
     {"bolt[]", "youngs_modulus_pa", "Pa", 1e9, 1e12, {gigapascals, megapascals}},
     {"bolt[]", "area_m2_per_m", "m2/m", 1e-9, 0.5, {{"mm2", 1e-6}, {"cm2", 1e-4}}},
 };

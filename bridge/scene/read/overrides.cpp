@@ -80,6 +80,21 @@ std::vector<std::string> names_in(const toml::array& list) {
   return names;
 }
 
+/// The override of each entry of a list that bears its name: lines on one layer of a drawing share one.
+std::vector<Override> of_each(const toml::table& file, const Override& o) {
+  constexpr std::size_t with_key = 3;
+  const toml::array* list = file[o.path.front()].as_array();
+  if (list == nullptr || o.path.size() < with_key) return {o};
+  std::vector<Override> all;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::table* table = (*list)[i].as_table();
+    if (table == nullptr || (*table)["name"].value<std::string>() != o.path[1]) continue;
+    all.push_back(o);
+    all.back().path[1] = std::to_string(i);
+  }
+  return all.size() > 1 ? all : std::vector<Override>{o};
+}
+
 class Descent {
  public:
   Descent(toml::table& file, const Override& o, Problems& problems) : here_(&file), override_(o), problems_(problems) {}
@@ -127,6 +142,18 @@ std::string override_place(const std::string& argument) {
   return "--set " + argument;
 }
 
+std::string plain_key(const toml::table& file, const std::string& key) {
+  const std::vector<std::string> path = split(key + "=").path;
+  const toml::array* list = path.empty() ? nullptr : file[path.front()].as_array();
+  if (list == nullptr || path.size() < 2) return key;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const toml::table* table = (*list)[i].as_table();
+    if (table == nullptr || (*table)["name"].value<std::string>() != path[1]) continue;
+    return fmt::format("{}.{}{}", path.front(), i, key.substr(path.front().size() + 1 + path[1].size()));
+  }
+  return key;
+}
+
 void apply_overrides(toml::table& file, const std::vector<std::string>& overrides, Problems& problems) {
   for (const std::string& argument : overrides) {
     const Override o = split(argument);
@@ -135,11 +162,13 @@ void apply_overrides(toml::table& file, const std::vector<std::string>& override
                      "write for example --set analysis.step_s=0.001 or --set block.top.fixed=true");
       continue;
     }
-    toml::table value = parse_value(o);
-    if (toml::table* table = Descent(file, o, problems).to_last()) {
-      // Moved, not copied: a copy of a node forgets its source.
-      value.get("value")->visit(
-          [&](auto& node) { table->insert_or_assign(key_of(o.path.back(), o), std::move(node)); });
+    for (const Override& one : of_each(file, o)) {
+      toml::table value = parse_value(one);
+      if (toml::table* table = Descent(file, one, problems).to_last()) {
+        // Moved, not copied: a copy of a node forgets its source.
+        value.get("value")->visit(
+            [&](auto& node) { table->insert_or_assign(key_of(one.path.back(), one), std::move(node)); });
+      }
     }
   }
 }

@@ -75,10 +75,26 @@ void read_sections(Reading& reading, ReadScene& result) {
   const std::size_t before = reading.problems.count();
   for (const auto read : {read_section, read_arches, read_walls, read_heaps, read_blocks, read_supports}) read(reading);
   const bool structure_sound = reading.problems.count() == before;
-  for (const auto read :
-       {read_joints, read_point_loads, read_face_pressures, read_line_loads, read_body_loads, read_bolts,
-        read_base_motion, read_water, read_fluid, read_silt, read_ice, read_earthquake, read_contact, read_coupling,
-        read_output, read_expectations, read_water_expectations, read_variants, read_studies}) {
+  for (const auto read : {refuse_repeated_names,
+                          read_joints,
+                          read_point_loads,
+                          read_face_pressures,
+                          read_line_loads,
+                          read_body_loads,
+                          read_bolts,
+                          read_base_motion,
+                          read_water,
+                          read_fluid,
+                          read_silt,
+                          read_ice,
+                          read_earthquake,
+                          read_contact,
+                          read_coupling,
+                          read_output,
+                          read_expectations,
+                          read_water_expectations,
+                          read_variants,
+                          read_studies}) {
     read(reading);
   }
   result.load_cases = read_load_cases(reading);
@@ -94,6 +110,7 @@ void read_sections(Reading& reading, ReadScene& result) {
     return check_ranges(reading.file, size_m, reading.problems);
   }
   check_effects(reading);
+  check_reservoir(reading);
   check_magnitudes(reading.file, reading.scene, reading.problems);
 }
 

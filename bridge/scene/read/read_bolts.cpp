@@ -76,8 +76,7 @@ void read_bolts(Reading& reading) {
                              "a prestress up to yield_n_per_m", "lower the prestress");
     }
     if (!bolt.name.empty() && !reading.bolts.add(bolt.name)) {
-      reading.problems.error(table.place("name"), fmt::format("a second bolt is called \"{}\"", bolt.name),
-                             "names that differ", "rename one of them");
+      refuse_second(reading, table.place("name"), "bolt", bolt.name, {"bolt"});
     }
     reading.scene.bolts.push_back(std::move(bolt));
   });

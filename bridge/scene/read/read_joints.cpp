@@ -126,8 +126,7 @@ void read_joints(Reading& reading) {
     check_joint(table, reading, joint, touching_m);
     const auto [low, high] = std::minmax(joint.between[0], joint.between[1]);
     if (!names.insert(joint.name).second && !joint.name.empty()) {
-      reading.problems.error(table.place("name"), fmt::format("a second joint is called \"{}\"", joint.name),
-                             "names that differ", "rename one of them");
+      refuse_second(reading, table.place("name"), "joint", joint.name, {"joints"});
     }
     if (low >= 0 && !pairs.insert({low, high}).second) {
       reading.problems.error(table.place("between"),

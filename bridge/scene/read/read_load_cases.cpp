@@ -13,6 +13,7 @@ std::vector<LoadCase> read_load_cases(Reading& reading) {
     table.text("name", load_case.name, true);
     table.text("class", load_case.kind);
     table.texts("set", load_case.set);
+    check_settings(table, reading, load_case.set);
     table.number("required_factor", load_case.required_factor, positive());
     table.text("source", load_case.source);
     if (load_case.required_factor && load_case.source.empty()) {
@@ -25,8 +26,7 @@ std::vector<LoadCase> read_load_cases(Reading& reading) {
                              "both or none", "add required_factor = ..., or leave source out");
     }
     if (!load_case.name.empty() && !names.add(load_case.name)) {
-      reading.problems.error(table.place("name"), fmt::format("a second load case is called \"{}\"", load_case.name),
-                             "names that differ", "rename one of them");
+      refuse_second(reading, table.place("name"), "load case", load_case.name, {"load_case"});
     }
     all.push_back(std::move(load_case));
   });

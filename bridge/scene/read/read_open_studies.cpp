@@ -136,6 +136,9 @@ OpenStudy read_open_study(TableReader& table, Reading& reading) {
   const CriticalValue critical = read_critical(table, reading, kind == "critical");
   const OutcomeMap map = read_outcome_map(table, kind == "map");
   const Sample sample = read_sample(table, reading, kind == "sample");
+  std::vector<std::string> own_keys{critical.key, map.axes[0].key, map.axes[1].key};
+  for (const Variable& variable : sample.variables) own_keys.push_back(variable.key);
+  check_settings(table, reading, study.set, own_keys);
   if (kind == "critical") study.question = critical;
   if (kind == "map") study.question = map;
   if (kind == "sample") study.question = sample;
@@ -158,8 +161,7 @@ std::vector<OpenStudy> read_open_studies(Reading& reading) {
   reading.each("study", [&](TableReader& table) {
     OpenStudy study = read_open_study(table, reading);
     if (!study.name.empty() && !names.add(study.name)) {
-      reading.problems.error(table.place("name"), fmt::format("a second study is called \"{}\"", study.name),
-                             "names that differ", "rename one of them");
+      refuse_second(reading, table.place("name"), "study", study.name, {"limit", "order", "map", "bench", "study"});
     }
     all.push_back(std::move(study));
   });

@@ -188,9 +188,9 @@ void read_variants(Reading& reading) {
     Variant variant{.line = table.place().line};
     table.text("name", variant.name, true);
     table.texts("set", variant.set);
+    check_settings(table, reading, variant.set);
     if (!variant.name.empty() && !names.add(variant.name)) {
-      reading.problems.error(table.place("name"), fmt::format("a second variant is called \"{}\"", variant.name),
-                             "names that differ", "rename one of them");
+      refuse_second(reading, table.place("name"), "variant", variant.name, {"variant"});
     }
     reading.scene.variants.push_back(std::move(variant));
   });

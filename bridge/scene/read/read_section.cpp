@@ -33,12 +33,6 @@ std::vector<Region> read_regions(Reading& reading, double mesh_size_m, Cuts& cut
   reading.each("region", [&](TableReader& table) {
     Region region{.mesh_size_m = mesh_size_m, .outline = {}, .place = table.place()};
     table.text("name", region.name);
-    const bool second = std::any_of(regions.begin(), regions.end(),
-                                    [&](const Region& r) { return !r.name.empty() && r.name == region.name; });
-    if (second) {
-      reading.problems.error(table.place("name"), fmt::format("a second region is called \"{}\"", region.name),
-                             "names that differ", "rename one of them");
-    }
     region.material = table.reference("material", reading.materials);
     table.flag("fixed", region.fixed);
     table.points("outline_m", region.outline);
@@ -58,6 +52,7 @@ void read_cuts(Reading& reading, Cuts& cuts) {
     JointLaw law = reading.scene.default_joint;
     std::vector<Point> points;
     table.text("name", name, true);
+    table.know("drawn");  // by a drawing: repeated_names() looks at it
     table.points("points_m", points, 2);
     bool own_residual = reading.residual_given;
     read_law(table, law, reading, own_residual);

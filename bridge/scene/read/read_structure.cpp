@@ -83,8 +83,7 @@ void mend_outline(std::vector<Point>& outline, const std::string& whose, Problem
 
 void add_block(Reading& reading, const Place& place, Block block) {
   if (!reading.blocks.add(block.name) && !block.name.empty()) {
-    reading.problems.error(place, fmt::format("a second block is called \"{}\"", block.name), "names that differ",
-                           "rename one of them");
+    refuse_second(reading, place, "block", block.name, {"block"});
   }
   reading.scene.blocks.push_back(std::move(block));
 }

@@ -18,8 +18,7 @@ struct Known {
 
 void require_own_name(TableReader& table, Reading& reading, Known& known, const std::string& name) {
   if (name.empty() || known.studies.add(name)) return;
-  reading.problems.error(table.place("name"), fmt::format("a second study is called \"{}\"", name), "names that differ",
-                         "rename one of them");
+  refuse_second(reading, table.place("name"), "study", name, {"limit", "order", "map", "bench"});
 }
 
 /// What all kinds have in common; the quantity is that of the kind. False when `of` names nothing.
@@ -53,6 +52,7 @@ void read_limit(TableReader& table, Reading& reading, Known& known) {
                            fmt::format("{} looks for a limit from {} to {}", table.name(), study.from, study.to),
                            "two values, with the limit between them", "move one of them");
   }
+  check_settings(table, reading, study.set, {study.key});
   reading.scene.studies.limits.push_back(std::move(study));
 }
 
@@ -67,6 +67,7 @@ void read_order(TableReader& table, Reading& reading, Known& known) {
   if (named) check_answer(table, reading, study.expected);
   table.number("order", study.order, any_number(), true);
   table.number("tolerance", study.order_tolerance, positive());
+  check_settings(table, reading, study.set, {study.key});
   reading.scene.studies.orders.push_back(std::move(study));
 }
 
@@ -86,6 +87,7 @@ void read_map(TableReader& table, Reading& reading, Known& known) {
   table.number("tolerance", study.expected.tolerance, positive());
   table.integer("may_refuse", study.may_refuse, 0);
   table.number("longest_s", study.longest_s, positive());
+  check_settings(table, reading, study.set, {study.axes[0].key, study.axes[1].key});
   reading.scene.studies.maps.push_back(std::move(study));
 }
 
@@ -96,6 +98,7 @@ void read_bench(TableReader& table, Reading& reading, Known& known) {
   table.text("key", bench.sweep.key, true);
   table.settings("values", bench.sweep.values);
   require_own_name(table, reading, known, bench.name);
+  check_settings(table, reading, bench.set, {bench.sweep.key});
   reading.scene.studies.benches.push_back(std::move(bench));
 }
 

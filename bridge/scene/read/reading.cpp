@@ -46,6 +46,38 @@ const Block* Reading::sound_block(int index) const {
   return block.vertices.empty() ? nullptr : &block;
 }
 
+void refuse_second(Reading& reading, const Place& place, const char* kind, const std::string& name,
+                   std::initializer_list<const char*> sections) {
+  int first = 0;
+  for (const char* section : sections) {
+    const toml::array* list = reading.file[section].as_array();
+    if (list == nullptr) continue;
+    for (const toml::node& node : *list) {
+      if (!node.is_table() || (*node.as_table())["name"].value<std::string>() != name) continue;
+      const int line = static_cast<int>(node.source().begin.line);
+      first = first == 0 ? line : std::min(first, line);
+    }
+  }
+  reading.problems.error(place,
+                         fmt::format("a second {} is called \"{}\"{}", kind, name,
+                                     first > 0 ? fmt::format(", as that of line {}", first) : ""),
+                         "names that differ", "rename one of them");
+}
+
+void refuse_repeated_names(Reading& reading) {
+  for (const auto& [section, kind] : {std::pair{"region", "region"}, {"cut", "cut"}, {"joint_set", "joint set"}}) {
+    Names names(kind);
+    const toml::array* list = reading.file[section].as_array();
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+      const toml::table* table = (*list)[i].as_table();
+      const auto name = table == nullptr ? std::nullopt : (*table)["name"].value<std::string>();
+      if (!name || name->empty() || names.add(*name)) continue;
+      if ((*table)["drawn"].value<bool>().value_or(false)) continue;  // lines on one layer, of one law
+      refuse_second(reading, reading.problems.at(table->get("name")->source()), kind, *name, {section});
+    }
+  }
+}
+
 void read_heading(Reading& reading) {
   for (auto [key, into] : {std::pair{"title", &reading.scene.title}, std::pair{"note", &reading.scene.note}}) {
     reading.sections.emplace_back(key);

@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,17 @@ struct Reading {
   std::vector<const toml::table*> entries(const char* name);
   static std::string entry_name(const char* name, const toml::table& table);
 };
+
+/// Reports a second entry of a name, with the line of the first, which is sought in these sections.
+void refuse_second(Reading& reading, const Place& place, const char* kind, const std::string& name,
+                   std::initializer_list<const char*> sections);
+
+/// Reports a key that `set` states twice, or that the table itself varies and states.
+void check_settings(TableReader& table, Reading& reading, const std::vector<std::string>& set,
+                    const std::vector<std::string>& own_keys = {});
+
+/// Reports regions, cuts and joint sets of one name. After the section, which is cut all the same.
+void refuse_repeated_names(Reading& reading);
 
 /// The law of a joint. `residual_given`: whether [joint] or this table states the residual angle; else it is the peak
 /// angle.
@@ -117,6 +129,8 @@ void read_studies(Reading& reading);
 void resolve_lengths(Reading& reading);
 /// Warns of what a sound scene states to no effect.
 void check_effects(const Reading& reading);
+/// Warns of loads of the reservoir that do not act as a sound scene states them.
+void check_reservoir(const Reading& reading);
 /// After all others.
 void reject_unknown_sections(Reading& reading);
 

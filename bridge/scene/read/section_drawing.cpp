@@ -76,6 +76,7 @@ toml::array cuts_of(const DxfDrawing& drawing, const toml::array& given) {
     if (name.empty()) continue;
     toml::table cut = law_of(given, name);
     cut.insert_or_assign("points_m", array_of(line.points));
+    cut.insert_or_assign("drawn", true);
     cuts.push_back(std::move(cut));
     drawn.push_back(name);
   }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Settings of a load case, variant or study that contradict each other: of two for one key the last would count.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "bridge/scene/read/overrides.hpp"
+#include "bridge/scene/read/reading.hpp"
+
+namespace blockweir::scene {
+
+void check_settings(TableReader& table, Reading& reading, const std::vector<std::string>& set,
+                    const std::vector<std::string>& own_keys) {
+  std::map<std::string, std::string> first;
+  for (const std::string& setting : set) {
+    const auto [other, is_new] = first.emplace(plain_key(reading.file, setting.substr(0, setting.find('='))), setting);
+    if (is_new) continue;
+    reading.problems.error(table.place("set"),
+                           fmt::format("set in {} has \"{}\" and \"{}\"", table.name(), other->second, setting),
+                           "each key once", "leave one of them out");
+  }
+  for (const std::string& key : own_keys) {
+    if (key.empty()) continue;
+    const auto [other, is_new] = first.emplace(plain_key(reading.file, key), key);
+    if (is_new) continue;
+    reading.problems.error(
+        table.place(table.has("set") ? "set" : "name"),
+        fmt::format("{} varies \"{}\", and states \"{}\" beside it", table.name(), key, other->second), "each key once",
+        "leave one of them out");
+  }
+}
+
+}  // namespace blockweir::scene
