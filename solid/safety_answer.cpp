@@ -113,6 +113,20 @@ void add_factor(const Attempt<Strength>& found, const char* key, const char* why
                     : "no shear strength of the joints would hold the structure";
 }
 
+/// Blocks cannot bear more than limit analysis says, but for what they strain. Those that do hold each other at slivers
+/// and tips, by less than counts as a failure.
+void add_what_is_above_the_bound(const StaticStrength& blocks, const limit::LimitStrength& bound, json& answer) {
+  constexpr double of_strain = 1e-2;
+  if (bound.bearing != Bearing::fails_at_a_factor || blocks.bearing == Bearing::bears_none) return;
+  if (blocks.bearing == Bearing::fails_at_a_factor && blocks.factor < bound.factor * (1 + of_strain)) return;
+  const std::string text = fmt::format(
+      "the blocks' factor lies above {:.5g}, which is an upper bound: the lower counts; blocks hold each other at thin "
+      "tips or slivers, or an anchor has stretched: look at what moves in a run with less strength",
+      bound.factor);
+  answer["above_upper_bound"] = {{"factor", bound.factor}, {"text", text}};
+  answer["warnings"].push_back(text);
+}
+
 const char* outcome(const Attempt<StaticStrength>& blocks) {
   if (!blocks.value) return "not found";
   if (blocks.value->factor < 1 && blocks.value->factor + blocks.value->width > 1 && !blocks.value->stopped.empty()) {
@@ -158,6 +172,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   solid::add_water_in_an_earthquake(scene, answer);
   answer["joints"] = json::array();
   answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
+  if (by_limit.value && blocks.value) add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
   if (by_limit.value) {
     solid::add_strength_with_crushed_corners(structure, limit::combined(dead, 1, stated), *by_limit.value, answer);
   }

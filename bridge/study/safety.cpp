@@ -25,11 +25,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Does the factor that the blocks themselves have reach what is required, and those with crushed corners and with
-/// cracked joints? Null where nothing is, or where they have no answer.
+/// Does the factor that the blocks themselves have reach what is required, and those with crushed corners, with
+/// cracked joints and of a bound that it is above? Null where nothing is, or where they have no answer.
 json satisfied(const json& answer, const std::optional<double>& required) {
   if (!required || answer["outcome"] == "not found") return nullptr;
-  for (const char* lower : {"with_crushed_corners", "with_cracked_joint"}) {
+  for (const char* lower : {"with_crushed_corners", "with_cracked_joint", "above_upper_bound"}) {
     if (answer.contains(lower) && answer[lower]["factor"] < *required) return false;
   }
   return answer["factor"].is_number() ? answer["factor"].get<double>() >= *required
