@@ -36,6 +36,19 @@ OpenStudyTask task_of(const scene::OpenStudy& study, const fs::path& scene, int 
   return sample_task(study, scene);
 }
 
+/// Is the reservoir to stay as it is? Then it has no level of failure, and none is in doubt.
+bool level_is_fixed(const OpenStudyTask& task, const fs::path& scene, const Settings& overrides) {
+  for (const Settings& extreme : task.extremes) {
+    try {
+      const auto level = scene::read(scene, joined(joined(task.set, overrides), extreme)).scene.water.upstream_level_m;
+      return level && !level->sine &&
+             std::all_of(level->value.begin(), level->value.end(), [&](double v) { return v == level->value.front(); });
+    } catch (const scene::SceneError&) {  // a draw that is refused: the next one tells
+    }
+  }
+  return false;
+}
+
 /// What the runs warn of their levels, with the first that does; empty where none does.
 std::string levels_in_doubt(const std::vector<Outcome>& runs) {
   const auto in_doubt = [](const Outcome& run) { return run.value("level_doubt", json()).is_string(); };
@@ -95,6 +108,20 @@ std::string outcome_table(const Settings& keys, const std::vector<Outcome>& runs
   return text;
 }
 
+/// Throws scene::SceneError where the scene is not sound with some extreme; of draws, where it is with none.
+static void require_sound(const OpenStudyTask& task, const fs::path& scene, const Settings& overrides) {
+  scene::Gathered wrong;
+  bool some_sound = false;
+  for (const Settings& extreme : task.extremes) {
+    const scene::SettingEntry entry{fmt::format("[[study]] \"{}\"", task.name), task.line, joined(task.set, extreme)};
+    wrong.from([&] {
+      scene::read_entry(scene, entry, joined(joined(task.set, overrides), extreme));
+      some_sound = true;
+    });
+  }
+  if (!task.may_refuse || !some_sound) wrong.report();
+}
+
 std::vector<OpenStudyTask> open_study_tasks(const fs::path& scene, const Settings& overrides, int jobs) {
   std::vector<OpenStudyTask> tasks;
   scene::Gathered wrong;
@@ -103,10 +130,7 @@ std::vector<OpenStudyTask> open_study_tasks(const fs::path& scene, const Setting
   }
   for (OpenStudyTask& task : tasks) {
     task.jobs = jobs;
-    for (const Settings& extreme : task.extremes) {
-      const scene::SettingEntry entry{fmt::format("[[study]] \"{}\"", task.name), task.line, joined(task.set, extreme)};
-      wrong.from([&] { scene::read_entry(scene, entry, joined(joined(task.set, overrides), extreme)); });
-    }
+    wrong.from([&] { require_sound(task, scene, overrides); });
   }
   wrong.report();
   return tasks;
@@ -127,7 +151,8 @@ bool perform(const OpenStudyTask& task, const fs::path& scene, const Settings& o
     fmt::print("{}\nSTOPPED {}\n", task.name, error.what());
     return false;
   }
-  fmt::print("{}\n{}{}", task.name, finding.text, levels_in_doubt(finding.runs));
+  const bool fixed = level_is_fixed(task, scene, overrides);
+  fmt::print("{}\n{}{}", task.name, finding.text, fixed ? "" : levels_in_doubt(finding.runs));
   write_results(task, scene, finding, file);
   fmt::print("{0}.csv\n{0}.json\n", file.string());
   return true;

@@ -127,7 +127,10 @@ std::string factors_text(const json& cases) {
       text += fmt::format("{}: {}{}\n", c["name"].get<std::string>(), what, why.get<std::string>());
     };
     if (c["tailwater_m"].is_number()) tell("tailwater at ", scaled(c["tailwater_m"], "{:.5g} m"));
-    if (c["outcome"] == "not found" && !c.contains("stopped")) tell("no answer: ", c["why_no_factor"]);
+    if (c["outcome"] == "not found" && !c.contains("stopped"))
+      tell("no answer: ", c["why_no_factor"]);
+    else if (c["factor"].is_null() && c.contains("why_no_factor"))
+      tell("no factor: ", c["why_no_factor"]);
     if (c.contains("stopped")) tell("a lower bound, ", c["stopped"]);
     if (c.contains("load_factor")) {
       tell("it bears ", load_factor_text(c["load_factor"]));

@@ -80,6 +80,7 @@ OpenStudyTask sample_task(const scene::OpenStudy& study, const std::filesystem::
   OpenStudyTask task{.name = study.name, .kind = "sample", .line = study.line, .set = study.set};
   for (const scene::Variable& variable : sample.variables) task.keys.push_back(variable.key);
   task.extremes = extremes_of(settings);
+  task.may_refuse = sample.file.empty();  // what a user has written into a file is to be sound
   task.find = [keys = task.keys, settings](OutcomeRuns& runs) { return draw_sample(keys, settings, runs); };
   return task;
 }

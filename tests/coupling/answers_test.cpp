@@ -235,6 +235,12 @@ std::string block_on_rock(double breadth_m, const std::string& law, bool rock_fi
          (rock_first ? rock + block : block + rock);
 }
 
+TEST_F(Answers, AFactorThatIsNotThereHasItsReason) {
+  write("s.toml", block_on_rock(3, "friction_angle_deg = 50\n"));
+  ASSERT_EQ(ask("safety s.toml --set joint.friction_angle_deg=0"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("as it stands: no factor: no shear strength of the joints would hold"));
+}
+
 TEST_F(Answers, ALevelAboveTheCrestIsWarnedOf) {
   write("s.toml", block_on_rock(30, "friction_angle_deg = 50\n"));
   ASSERT_EQ(ask("level s.toml --set water.may_overtop=true"), 0) << text("out");

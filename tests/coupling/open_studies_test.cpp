@@ -76,6 +76,11 @@ TEST_F(OpenStudies, LevelsThatAreOnlyBoundsAreTold) {
   ASSERT_EQ(study("--name m --set expect=[]"), 0) << text("out");
   EXPECT_THAT(text("s/m.csv"), HasSubstr(",level_m,level_uncertainty_m,level_is_bound,head_m,"));
   EXPECT_THAT(text("s/m.csv"), HasSubstr(",true,"));
+  const auto told = HasSubstr("runs doubt their level");
+  EXPECT_THAT(text("out"), told);
+  ASSERT_EQ(study("--name m --set expect=[] --set water.upstream_level_m=7"), 0) << text("out");
+  EXPECT_THAT(text("out"), testing::Not(told)) << "the level is fixed on purpose";
+  ASSERT_EQ(study("--name m --set expect=[]"), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("WARNING 1 of 2 runs doubt their level (see level_uncertainty_m and "
                                      "level_is_bound); joint.friction_angle_deg=5, analysis.duration_s=0.5: it moves "
                                      "from the start: begin with a lower level"));
@@ -101,6 +106,20 @@ TEST_F(OpenStudies, ASampleTellsSharesAndHasARowForEachRun) {
               "'fi' }]\n");
   EXPECT_EQ(study(), 2);
   EXPECT_THAT(text("out"), HasSubstr("v.csv has no column \"fi\"; expected one of phi"));
+}
+
+TEST_F(OpenStudies, ADrawThatNoSceneCanHaveIsRefusedForItsRowAlone) {
+  write_scene(
+      "[[study]]\nname = 'v'\nkind = 'sample'\nruns = 20\nvariable = [{ key = 'joint.cohesion_pa', distribution = "
+      "'normal', mean = 5e3, deviation = 9e3 }]\n");
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("refused"));
+  EXPECT_THAT(text("s/v.csv"), HasSubstr("cohesion_pa in [joint] is -"));
+  write_scene(
+      "[[study]]\nname = 'v'\nkind = 'sample'\nruns = 20\nvariable = [{ key = 'joint.cohesionn_pa', distribution = "
+      "'normal', mean = 5e3, deviation = 1 }]\n");
+  EXPECT_EQ(study(), 2) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("cohesionn_pa"));
 }
 
 TEST_F(OpenStudies, StoppedItLeavesATableAndGoesOn) {

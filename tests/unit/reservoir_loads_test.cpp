@@ -140,6 +140,8 @@ TEST(ReservoirLoads, SiltPressesDownstreamAndDownWhereAFaceLooksUp) {
 TEST(ReservoirLoads, AreRefusedWhereTheyCannotAct) {
   const auto refusal = [](const std::string& table) { return testing::PrintToString(errors(dam(0, table))); };
   EXPECT_THAT(refusal("[ice]\nthrust_n_per_m = 1e5\nthickness_m = 0.5\n"), HasSubstr("[ice] without a reservoir"));
+  EXPECT_THAT(refusal("[ice]\nthrust_n_per_m = 0\nthickness_m = 0.5\n"),
+              HasSubstr("without ice leave [ice] out, and set it in the load case"));
   EXPECT_THAT(refusal("[silt]\nlevel_m = -1\nsubmerged_density_kg_per_m3 = 900\npressure_coefficient = 0.4\n"),
               HasSubstr("s.toml:17: error: level_m in [silt] is -1 m, below every upstream face"));
   EXPECT_THAT(refusal("[earthquake]\nhorizontal_coefficient = 9.81\n"), HasSubstr("a share of gravity"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_scene_read
 // Laws of the water in joints: what is read, and what is refused.
+#include <fmt/format.h>
+
 #include "tests/unit/scene_sample.hpp"
 
 namespace {
@@ -33,6 +35,21 @@ TEST(SceneUplift, ADrainBeyondItsJointIsRefused) {
                {"the drain of joint \"crack\" lies at 3.5 m", "3 m long", "move it"});
   expect_error(crack("uplift = 'heads'\npiezometers_m = [[1, 2.8], [4, 2.2]]\npiezometers_level_m = 3"), 30,
                {"a piezometer of joint \"crack\" lies at 4 m"});
+}
+
+/// The crack lies at 2 m, the reservoir rises to 3 m.
+TEST(SceneUplift, ADrainAtAHeadThatTheWaterDoesNotHaveIsWarnedOf) {
+  const auto warned = [](double head_m, const std::string& pools = "") {
+    const std::string law = fmt::format("uplift = 'drained'\ndrain_m = 1\ndrain_head_m = {}", head_m);
+    std::string scene = crack(law);
+    scene.insert(scene.find("[water]\n") + 8, pools);
+    return testing::PrintToString(read_text(scene, "s.toml").scene.warnings);
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(warned(2.1), testing::Not(HasSubstr("drain_head_m")));
+  EXPECT_THAT(warned(1.5), HasSubstr("is 1.5 m, below the joint at the drain, 2 m"));
+  EXPECT_THAT(warned(4), HasSubstr("is 4 m, above the highest reservoir, 3 m"));
+  EXPECT_THAT(warned(2.1, "downstream_level_m = 2.5\n"), HasSubstr("is 2.1 m, below the tailwater at the end, 2.5 m"));
 }
 
 TEST(SceneUplift, HalfADrainOrNoneIsRefused) {

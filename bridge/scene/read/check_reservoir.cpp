@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the reservoir's loads do not act as they are stated: ice beside the face that it is to press on.
+// Where the reservoir's loads do not act as they are stated: ice beside the face that it is to press on, drains
+// at a head that the water does not have.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "bridge/scene/cracks.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/upstream_faces.hpp"
 
@@ -32,10 +35,57 @@ void check_ice(const Reading& reading) {
       "a sheet that lies on a face over all of its thickness", "correct thickness_m, in metres, or the level");
 }
 
+/// Where the crack is at this way from its mouth.
+Point place_at(const Crack& crack, double station_m) {
+  for (const CrackPart& part : crack.parts) {
+    for (const TracePiece& piece : part.trace.pieces) {
+      const double length_m = (piece.to_m - piece.from_m).norm();
+      if (station_m <= length_m) return piece.from_m + station_m / length_m * (piece.to_m - piece.from_m);
+      station_m -= length_m;
+    }
+  }
+  return crack.end();
+}
+
+/// Highest of the level's rows and its value at the end, with the crest of its waves.
+double highest_of(const TimeTable& level, double end_s) {
+  const double sine = level.sine ? std::abs(level.sine->amplitude) : 0;
+  return std::max(level.rows_at(end_s), *std::max_element(level.value.begin(), level.value.end())) + sine;
+}
+
+void check_drains(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  if (scene.fluid == FluidModel::none) return;
+  const double end_s = scene.analysis.duration_s;
+  for (const Crack& crack : find_cracks(scene)) {
+    if (!crack.known.drain || std::isnan(crack.known.drain->head_m)) continue;
+    const double head_m = crack.known.drain->head_m;
+    const auto warn = [&](const char* where, double other_m, const char* remedy) {
+      reading.problems.warning(
+          reading.problems.at(crack.known.line),
+          fmt::format("drain_head_m of joint \"{}\" is {:.6g} m, {} {:.6g} m", name_of(scene, crack), head_m, where,
+                      other_m),
+          "a height on the y axis from the joint at the drain, or the tailwater, up to the reservoir", remedy);
+    };
+    const double joint_m = place_at(crack, crack.known.drain->station_m).y();
+    const auto& up = scene.water.upstream_level_m;
+    const auto& down = scene.water.downstream_level_m;
+    if (head_m < joint_m) {
+      warn("below the joint at the drain,", joint_m, "a drain open to the air has the head of its own height");
+    } else if (down && head_m < down->at(end_s)) {
+      warn("below the tailwater at the end,", down->at(end_s), "raise it, if the gallery is not pumped dry");
+    } else if (up && head_m > highest_of(*up, end_s)) {
+      warn("above the highest reservoir,", highest_of(*up, end_s),
+           "state the gallery's height, not the depth under it");
+    }
+  }
+}
+
 }  // namespace
 
 void check_reservoir(const Reading& reading) {
   check_ice(reading);
+  check_drains(reading);
 }
 
 }  // namespace blockweir::scene
