@@ -11,7 +11,7 @@ using Foam::fv::option;
 addToRunTimeSelectionTable(option, VelocityPenalty, dictionary);
 
 VelocityPenalty::VelocityPenalty(const Foam::word& name, const Foam::word& type, const Foam::dictionary& dict,
-                           const Foam::fvMesh& mesh)
+                                 const Foam::fvMesh& mesh)
     : Foam::fv::option(name, type, dict, mesh), session_(new Session(mesh)) {
   fieldNames_ = Foam::wordList(1, Foam::word("U"));
   applied_.setSize(1, false);

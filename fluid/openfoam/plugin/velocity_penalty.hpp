@@ -17,7 +17,7 @@ class VelocityPenalty : public Foam::fv::option {
 
       /// Opens the line to the solid process: what goes wrong here ends interFoam, unlike in a function object.
       VelocityPenalty(const Foam::word& name, const Foam::word& type, const Foam::dictionary& dict,
-                   const Foam::fvMesh& mesh);
+                      const Foam::fvMesh& mesh);
 
   void addSup(const Foam::volScalarField& rho, Foam::fvMatrix<Foam::vector>& eqn, const Foam::label field) override;
 
