@@ -12,9 +12,9 @@
 namespace blockweir::solid {
 namespace {
 
-class Search {
+class FreshSearch {
  public:
-  Search(const scene::Scene& scene, StillWater& water, Effort& effort, double empty_m)
+  FreshSearch(const scene::Scene& scene, StillWater& water, Effort& effort, double empty_m)
       : scene_(scene), water_(water), effort_(effort), empty_m_(empty_m) {}
 
   std::optional<FreshLevel> found(std::vector<double> levels_m) {
@@ -109,7 +109,7 @@ class Search {
 
 std::optional<FreshLevel> fresh_level(const scene::Scene& scene, StillWater& water, Effort& effort, double empty_m,
                                       std::vector<double> levels_m) {
-  return Search(scene, water, effort, empty_m).found(std::move(levels_m));
+  return FreshSearch(scene, water, effort, empty_m).found(std::move(levels_m));
 }
 
 }  // namespace blockweir::solid

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "bridge/scene/load_tables.hpp"
 
@@ -29,8 +30,13 @@ scene::Scene filled(scene::Scene scene, const limit::LevelRange& range) {
   if (water.downstream_level_m) {
     water.downstream_level_m = scene::TimeTable::constant(water.downstream_level_m->at(scene.analysis.duration_s));
   }
-  water.upstream_level_m =
-      scene::TimeTable{.time_s = {0, range.full_m - range.empty_m}, .value = {range.empty_m, range.full_m}};
+  scene::TimeTable rises{.time_s = {0, range.full_m - range.empty_m}, .value = {range.empty_m, range.full_m}};
+  const double stated_m = water.upstream_level_m ? water.upstream_level_m->at(scene.analysis.duration_s) : range.full_m;
+  if (stated_m > range.full_m) {  // a factor is asked for at any level, the level of failure only up to the full one
+    rises.time_s.push_back(stated_m - range.empty_m);
+    rises.value.push_back(stated_m);
+  }
+  water.upstream_level_m = std::move(rises);
   // Time is the level: a crack whose length follows the loads is to have those of the run's end.
   const double end_s = scene.analysis.duration_s;
   scene::each_load_table(scene,
