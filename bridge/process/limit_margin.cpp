@@ -37,6 +37,16 @@ std::string text_of(const json& found, bool fails) {
   return fmt::format("none: {}, as {}", why, found["limit_analysis_note"].get<std::string>());
 }
 
+/// An upper bound below 1, of the scene as drawn, beside blocks that stand; empty where it is not.
+std::string doubt_of(const json& found) {
+  constexpr double of_strain = 1e-2;
+  if (!found["factor"].is_number() || found["factor"] >= 1 - of_strain) return {};
+  return fmt::format(
+      "it stands although limit analysis, an upper bound, has a factor of {:.4g}: by that no forces hold the structure "
+      "as it is drawn; it has moved to where it stands, or corners and slivers hold it; look at what has moved",
+      found["factor"].get<double>());
+}
+
 }  // namespace
 
 LimitMargin::LimitMargin(const fs::path& scratch) : answer_(scratch / "margin.json"), log_(scratch / "margin.log") {}
@@ -69,6 +79,9 @@ void LimitMargin::add_to(json& summary) const {
   }
   found["text"] = text_of(found, outcome == "fails");
   for (const json& warning : found.value("warnings", json::array())) summary["warnings"].push_back(warning);
+  if (const std::string doubt = doubt_of(found); outcome == "stands" && !doubt.empty()) {
+    summary["warnings"].push_back(doubt);
+  }
   summary["limit_analysis"] = found;
 }
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_process
+// What a run's summary takes from limit analysis beside it.
+#include "bridge/process/limit_margin.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+namespace blockweir::process {
+namespace {
+
+using nlohmann::json;
+
+/// The summary of a run with this outcome beside limit analysis with this factor.
+json told(const std::string& outcome, double factor) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "limit_margin";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "margin.json") << json{
+      {"factor", factor}, {"level_m", nullptr}, {"mechanism", {{"text", "block \"a\" slides"}}}};
+  json summary = {{"outcome", outcome}, {"warnings", json::array()}};
+  LimitMargin(folder).add_to(summary);
+  std::filesystem::remove_all(folder);
+  return summary;
+}
+
+TEST(LimitMargin, WhatStandsAboveAnUpperBoundIsWarnedOf) {
+  const json summary = told("stands", 0.93);
+  EXPECT_EQ(summary["limit_analysis"]["factor"], 0.93);
+  ASSERT_EQ(summary["warnings"].size(), 1U);
+  EXPECT_THAT(summary["warnings"][0].get<std::string>(),
+              testing::HasSubstr("it stands although limit analysis, an upper bound, has a factor of 0.93"));
+}
+
+TEST(LimitMargin, OtherwiseTheFactorIsToldAlone) {
+  for (const auto& [outcome, factor] : {std::pair{"stands", 0.9995}, {"stands", 1.5}, {"fails", 0.93}}) {
+    EXPECT_THAT(told(outcome, factor)["warnings"], testing::IsEmpty()) << outcome << factor;
+  }
+}
+
+}  // namespace
+}  // namespace blockweir::process
