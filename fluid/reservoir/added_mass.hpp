@@ -15,18 +15,10 @@ struct Mode {
   int axis = 0;
 };
 
-/// A side of the mesh on a block's face, in the sense of the block's edge: fractions s_from < s_to.
-struct WetPanel {
-  int block = 0;
-  int edge = 0;
-  double s_from = 0;
-  double s_to = 0;
-};
-
 /// The answer of one geometry, factored once.
 struct WaterAnswer {
-  std::vector<Mode> modes;  ///< those of blocks in threes, the ground's two last
-  std::vector<WetPanel> panels;
+  std::vector<Mode> modes;                       ///< those of blocks in threes, the ground's two last
+  std::vector<hydrostatic::WetInterval> panels;  ///< sides of the mesh on blocks' faces, along their edges
   Eigen::MatrixXd pressure;  ///< 2 panels x modes, at s_from and s_to of each [Pa per m/s2 or rad/s2]
   Eigen::MatrixXd mass;      ///< modes x modes: the water's force on i is -sum mass_ij a_j [kg/m, kg, kg m]
 };

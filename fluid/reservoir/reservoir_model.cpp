@@ -191,7 +191,7 @@ void ReservoirModel::add_answer(wire::Load& load) const {
     if (a.isZero(0)) continue;
     const Eigen::VectorXd p = answer.pressure * a;
     for (std::size_t i = 0; i < answer.panels.size(); ++i) {
-      const WetPanel& panel = answer.panels[i];
+      const hydrostatic::WetInterval& panel = answer.panels[i];
       const auto row = static_cast<Eigen::Index>(2 * i);
       wire::add_panel(load, panel.block, panel.edge, panel.s_from, panel.s_to, p[row], p[row + 1]);
     }
