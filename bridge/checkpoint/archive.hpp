@@ -15,11 +15,16 @@
 
 namespace cereal {
 
-/// Matrices of fixed size.
+/// Matrices of fixed size, and vectors of any.
 template <class Archive, class Scalar, int Rows, int Columns, int Options>
 void serialize(Archive& archive, Eigen::Matrix<Scalar, Rows, Columns, Options>& matrix) {
-  static_assert(Rows > 0 && Columns > 0);
-  archive(binary_data(matrix.data(), sizeof(Scalar) * static_cast<std::size_t>(Rows * Columns)));
+  static_assert(Columns > 0);
+  if constexpr (Rows == Eigen::Dynamic) {
+    Eigen::Index rows = matrix.rows();
+    archive(rows);
+    matrix.resize(rows, Columns);
+  }
+  archive(binary_data(matrix.data(), sizeof(Scalar) * static_cast<std::size_t>(matrix.size())));
 }
 
 }  // namespace cereal

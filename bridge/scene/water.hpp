@@ -93,6 +93,10 @@ struct Reservoir {
   std::optional<double> downstream_wall_m;  ///< the same, of the tailwater
   double element_ratio = 0.25;              ///< longest side of a triangle over the depth
   double move_tolerance = 1e-3;             ///< of the depth: what has moved by less is where it was
+  bool surface_waves = false;               ///< linear gravity waves; else the surface stays level
+  bool compressible = false;
+  double sound_speed_m_per_s = 1440;
+  double bottom_reflection = 1;  ///< share of a pressure wave that the ground throws back, where compressible
   bool operator==(const Reservoir&) const = default;
 };
 

@@ -48,34 +48,45 @@ bool moves(const BoundarySide& side, const Mode& mode, const std::vector<bool>& 
 
 }  // namespace
 
-WaterAnswer answer_of(const WaterMesh& mesh, double density_kg_per_m3, const std::vector<Point>& centroids,
+Eigen::VectorXd WaterAnswer::on_panels(const Eigen::VectorXd& p) const {
+  Eigen::VectorXd linear(static_cast<Eigen::Index>(2 * panel_nodes.size()));
+  for (std::size_t i = 0; i < panel_nodes.size(); ++i) {
+    const auto& [a, b, c] = panel_nodes[i];
+    linear.segment<2>(static_cast<Eigen::Index>(2 * i)) = linear_through({p[a], p[b], p[c]});
+  }
+  return linear;
+}
+
+WaterAnswer answer_of(const WaterMesh& mesh, const PressureEquation& equation, const std::vector<Point>& centroids,
                       const std::vector<bool>& fixed) {
-  const PressureEquation equation(mesh, density_kg_per_m3);
-  WaterAnswer answer{modes_of(mesh, fixed), {}, {}, {}};
-  std::vector<std::array<int, 3>> nodes;
+  WaterAnswer answer;
+  answer.modes = modes_of(mesh, fixed);
   for (const BoundarySide& side : mesh.side) {
     if (side.kind != BoundarySide::Kind::face) continue;
     const auto [from, to] = std::minmax(side.s_from, side.s_to);
     answer.panels.push_back({side.block, side.edge, from, to});
-    nodes.push_back(nodes_of(side));
+    answer.panel_nodes.push_back(nodes_of(side));
   }
   const auto count = static_cast<Eigen::Index>(answer.modes.size());
-  Eigen::MatrixXd flux(static_cast<Eigen::Index>(mesh.node.size()), count);
-  Eigen::MatrixXd pressure(flux.rows(), count);
-  answer.pressure.resize(static_cast<Eigen::Index>(2 * nodes.size()), count);
+  answer.flux.resize(static_cast<Eigen::Index>(mesh.node.size()), count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const Mode& mode = answer.modes[static_cast<std::size_t>(k)];
     const Point centre = mode.block < 0 ? Point::Zero() : centroids[at(mode.block)];
-    flux.col(k) = equation.flux([&](const BoundarySide& side) { return moves(side, mode, fixed); },
-                                [&](const Point& x) { return unit_acceleration(mode.axis, x - centre); });
-    pressure.col(k) = equation.pressure(flux.col(k));
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const auto& [a, b, c] = nodes[i];
-      answer.pressure.block<2, 1>(static_cast<Eigen::Index>(2 * i), k) =
-          linear_through({pressure(a, k), pressure(b, k), pressure(c, k)});
+    const Eigen::VectorXd flux =
+        equation.flux([&](const BoundarySide& side) { return moves(side, mode, fixed); },
+                      [&](const Point& x) { return unit_acceleration(mode.axis, x - centre); });
+    for (Eigen::Index i = 0; i < flux.size(); ++i) {
+      if (flux[i] != 0) answer.flux.insert(i, k) = flux[i];
     }
   }
-  const Eigen::MatrixXd work = flux.transpose() * pressure;  // the water's force on i by a unit of j
+  answer.flux.makeCompressed();
+  answer.pressure.resize(static_cast<Eigen::Index>(2 * answer.panels.size()), count);
+  Eigen::MatrixXd work(count, count);  // the water's force on i by a unit of j
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::VectorXd p = equation.pressure(answer.flux.col(k));
+    answer.pressure.col(k) = answer.on_panels(p);
+    work.col(k) = answer.flux.transpose() * p;
+  }
   answer.mass = -(work + work.transpose()) / 2;
   return answer;
 }

@@ -15,16 +15,21 @@ struct Mode {
   int axis = 0;
 };
 
-/// The answer of one geometry, factored once.
+/// The answer of one geometry to unit accelerations over one window, from rest.
 struct WaterAnswer {
   std::vector<Mode> modes;                       ///< those of blocks in threes, the ground's two last
   std::vector<hydrostatic::WetInterval> panels;  ///< sides of the mesh on blocks' faces, along their edges
+  std::vector<std::array<int, 3>> panel_nodes;   ///< at s_from, between and at s_to of each
+  Eigen::SparseMatrix<double> flux;              ///< nodes x modes, g of PressureEquation
   Eigen::MatrixXd pressure;  ///< 2 panels x modes, at s_from and s_to of each [Pa per m/s2 or rad/s2]
   Eigen::MatrixXd mass;      ///< modes x modes: the water's force on i is -sum mass_ij a_j [kg/m, kg, kg m]
+
+  /// Of panels, at s_from and s_to of each, of a pressure at the nodes: of the same force and moment [Pa].
+  [[nodiscard]] Eigen::VectorXd on_panels(const Eigen::VectorXd& p) const;
 };
 
 /// `centroids`: where those of the blocks are now. `fixed`: which belong to the ground.
-WaterAnswer answer_of(const WaterMesh& mesh, double density_kg_per_m3, const std::vector<Point>& centroids,
+WaterAnswer answer_of(const WaterMesh& mesh, const PressureEquation& equation, const std::vector<Point>& centroids,
                       const std::vector<bool>& fixed);
 
 }  // namespace blockweir::reservoir

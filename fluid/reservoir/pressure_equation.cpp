@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/reservoir/pressure_equation.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "bridge/scene/at.hpp"
@@ -8,69 +10,29 @@
 namespace blockweir::reservoir {
 namespace {
 
-/// Of one triangle: exact with the three middles as points of integration, as gradients are linear.
-Eigen::Matrix<double, 6, 6> stiffness_of(const std::array<Point, 3>& corner) {
-  std::array<Point, 3> gradient;  // of the barycentric coordinates
-  const Point a = corner[1] - corner[0];
-  const Point b = corner[2] - corner[0];
-  const double twice_area = a.x() * b.y() - a.y() * b.x();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Point opposite = corner[(i + 2) % 3] - corner[(i + 1) % 3];
-    gradient[i] = Point(-opposite.y(), opposite.x()) / twice_area;
-  }
-  Eigen::Matrix<double, 6, 6> K = Eigen::Matrix<double, 6, 6>::Zero();
-  for (std::size_t q = 0; q < 3; ++q) {
-    std::array<double, 3> l{};  // barycentric coordinates of the middle of side q
-    l[q] = l[(q + 1) % 3] = 0.5;
-    Eigen::Matrix<double, 2, 6> B;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      B.col(static_cast<Eigen::Index>(i)) = (4 * l[i] - 1) * gradient[i];
-      B.col(static_cast<Eigen::Index>(3 + i)) = 4 * (l[i] * gradient[j] + l[j] * gradient[i]);
-    }
-    K += twice_area / 6 * B.transpose() * B;
-  }
-  return K;
-}
+constexpr double stage = 2 - std::numbers::sqrt2;  ///< where the trapezoidal stage ends, over the window
+constexpr double stage_weight = stage / 2;         ///< b over the window, of both stages
 
 }  // namespace
 
-Eigen::Matrix3d side_mass() {
-  return (Eigen::Matrix3d() << 4, 2, -1, 2, 16, 2, -1, 2, 4).finished() / 30;
-}
-
-PressureEquation::PressureEquation(const WaterMesh& mesh, double density_kg_per_m3)
-    : mesh_(mesh), density_(density_kg_per_m3), unknown_(mesh.node.size(), 0) {
-  for (const BoundarySide& side : mesh.side) {
-    if (side.kind != BoundarySide::Kind::surface) continue;
-    for (const int node : side.node) unknown_[at(node)] = -1;
+PressureEquation::PressureEquation(const WaterMesh& mesh, const WaterPhysics& physics, const std::vector<bool>& ground,
+                                   double window_s)
+    : mesh_(mesh),
+      density_(physics.density_kg_per_m3),
+      remembers_(physics.remembers()),
+      window_s_(window_s),
+      unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))),
+      matrices_(matrices_of(mesh, unknowns_, physics, ground)) {
+  const double b = stage_weight * window_s;
+  const Eigen::SparseMatrix<double>& K = matrices_.K;
+  if (remembers_) {
+    factors_.compute(K + matrices_.C / b + matrices_.M / (b * b));
+  } else {
+    factors_.compute(K);
   }
-  for (int& unknown : unknown_) {
-    if (unknown == 0) unknown = static_cast<int>(free_++);
-  }
-  factors_.compute(stiffness());
   if (factors_.info() != Eigen::Success) {
     throw std::runtime_error("the reservoir's equation is singular: has its water a surface?");
   }
-}
-
-Eigen::SparseMatrix<double> PressureEquation::stiffness() const {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(21 * mesh_.triangle.size());
-  for (const QuadraticTriangle& t : mesh_.triangle) {
-    const auto K = stiffness_of({mesh_.node[at(t[0])], mesh_.node[at(t[1])], mesh_.node[at(t[2])]});
-    for (std::size_t i = 0; i < 6; ++i) {
-      for (std::size_t j = 0; j < 6; ++j) {
-        const int row = unknown_[at(t[i])];
-        const int column = unknown_[at(t[j])];
-        if (row < 0 || column < 0 || row < column) continue;  // the lower half
-        entries.emplace_back(row, column, K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-      }
-    }
-  }
-  Eigen::SparseMatrix<double> K(free_, free_);
-  K.setFromTriplets(entries.begin(), entries.end());
-  return K;
 }
 
 Eigen::VectorXd PressureEquation::flux(const Moves& moves, const Acceleration& acceleration) const {
@@ -90,17 +52,58 @@ Eigen::VectorXd PressureEquation::flux(const Moves& moves, const Acceleration& a
   return g;
 }
 
+PressureState PressureEquation::rest() const {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh_.node.size()));
+  return {none, none, none};
+}
+
+void PressureEquation::step(PressureState& state, const Eigen::VectorXd& flux) const {
+  const Eigen::VectorXd f = -density_ * at_unknowns(flux);
+  if (!remembers_) {
+    state.p = at_nodes(factors_.solve(f));
+    return;
+  }
+  const double b = stage_weight * window_s_;
+  const Eigen::VectorXd p0 = at_unknowns(state.p);
+  const Eigen::VectorXd v0 = at_unknowns(state.rate);
+  Eigen::VectorXd p;
+  Eigen::VectorXd v;
+  Eigen::VectorXd w = at_unknowns(state.second);
+  // The end of a stage that begins, but for b times the rates of its end, with p_from and v_from.
+  const auto finish = [&](const Eigen::VectorXd& p_from, const Eigen::VectorXd& v_from) {
+    const Eigen::VectorXd damped = matrices_.C.selfadjointView<Eigen::Lower>() * p_from;
+    const Eigen::VectorXd inert = matrices_.M.selfadjointView<Eigen::Lower>() * (p_from / b + v_from);
+    p = factors_.solve(f + (damped + inert) / b);
+    v = (p - p_from) / b;
+    w = (v - v_from) / b;
+  };
+  finish(p0 + b * v0, v0 + b * w);
+  constexpr double old = (1 - stage) * (1 - stage);
+  constexpr double all = stage * (2 - stage);
+  finish((p - old * p0) / all, (v - old * v0) / all);
+  state = {at_nodes(p), at_nodes(v), at_nodes(w)};
+}
+
 Eigen::VectorXd PressureEquation::pressure(const Eigen::VectorXd& flux) const {
-  Eigen::VectorXd right(free_);
-  for (std::size_t i = 0; i < unknown_.size(); ++i) {
-    if (unknown_[i] >= 0) right[unknown_[i]] = -density_ * flux[static_cast<Eigen::Index>(i)];
+  PressureState state = rest();
+  step(state, flux);
+  return state.p;
+}
+
+Eigen::VectorXd PressureEquation::at_unknowns(const Eigen::VectorXd& at_nodes) const {
+  Eigen::VectorXd values(unknowns_.count);
+  for (std::size_t i = 0; i < unknowns_.of_node.size(); ++i) {
+    if (unknowns_.of_node[i] >= 0) values[unknowns_.of_node[i]] = at_nodes[static_cast<Eigen::Index>(i)];
   }
-  const Eigen::VectorXd found = factors_.solve(right);
-  Eigen::VectorXd p = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh_.node.size()));
-  for (std::size_t i = 0; i < unknown_.size(); ++i) {
-    if (unknown_[i] >= 0) p[static_cast<Eigen::Index>(i)] = found[unknown_[i]];
+  return values;
+}
+
+Eigen::VectorXd PressureEquation::at_nodes(const Eigen::VectorXd& at_unknowns) const {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_.of_node.size()));
+  for (std::size_t i = 0; i < unknowns_.of_node.size(); ++i) {
+    if (unknowns_.of_node[i] >= 0) values[static_cast<Eigen::Index>(i)] = at_unknowns[unknowns_.of_node[i]];
   }
-  return p;
+  return values;
 }
 
 }  // namespace blockweir::reservoir

@@ -1,44 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pressure of linear, incompressible water beside boundaries that accelerate, by finite elements.
+// Pressure of linear water beside boundaries that accelerate, by finite elements.
 #pragma once
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 #include <functional>
 
-#include "fluid/reservoir/water_mesh.hpp"
+#include "fluid/reservoir/water_matrices.hpp"
 
 namespace blockweir::reservoir {
 
-/// Laplace's equation for the pressure p beyond that of still water, n out of the water:
-///
-///     div grad p = 0,   dp/dn = -rho a.n where the boundary has the acceleration a,   p = 0 at the surface.
-///
-/// Quadratic triangles: K p = -rho g, K_ij = int grad N_i . grad N_j dA, g_i = int N_i a.n ds.
+/// Pressure beyond that of still water at the nodes [Pa], and its first two rates.
+struct PressureState {
+  Eigen::VectorXd p;
+  Eigen::VectorXd rate;
+  Eigen::VectorXd second;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(p, rate, second);
+  }
+};
+
+/// M p'' + C p' + K p = -rho g over one window, g_i = int N_i a.n ds (water_matrices.hpp). TR-BDF2 (Bank et al. 1985,
+/// Hosea and Shampine 1996): of second order, and it damps what the mesh does not resolve. Both of its stages have the
+/// matrix K + C/b + M/b^2, b = (1 - 1/sqrt 2) T. Without M and C, K p = -rho g.
 class PressureEquation {
  public:
-  /// Factors K. `mesh` is to outlive it. Throws std::runtime_error where K is singular.
-  PressureEquation(const WaterMesh& mesh, double density_kg_per_m3);
+  /// `mesh` is to outlive it. `ground`: which blocks are part of it. Throws std::runtime_error where a body of water
+  /// has no surface.
+  PressureEquation(const WaterMesh& mesh, const WaterPhysics& physics, const std::vector<bool>& ground,
+                   double window_s);
 
   /// g of an acceleration that is linear along each side; only sides that `moves` names move.
   using Acceleration = std::function<Point(const Point& x)>;
   using Moves = std::function<bool(const BoundarySide& side)>;
   [[nodiscard]] Eigen::VectorXd flux(const Moves& moves, const Acceleration& acceleration) const;
-  /// p at the nodes [Pa].
+  [[nodiscard]] PressureState rest() const;
+  /// From one window's end to that of the next, in which `flux` is g.
+  void step(PressureState& state, const Eigen::VectorXd& flux) const;
+  /// p of water at rest after one window of `flux`.
   [[nodiscard]] Eigen::VectorXd pressure(const Eigen::VectorXd& flux) const;
-  [[nodiscard]] Eigen::Index unknowns() const { return free_; }
+  [[nodiscard]] double window_s() const { return window_s_; }
 
  private:
-  [[nodiscard]] Eigen::SparseMatrix<double> stiffness() const;
+  [[nodiscard]] Eigen::VectorXd at_unknowns(const Eigen::VectorXd& at_nodes) const;
+  [[nodiscard]] Eigen::VectorXd at_nodes(const Eigen::VectorXd& at_unknowns) const;
 
   const WaterMesh& mesh_;
   double density_;
-  std::vector<int> unknown_;  ///< of each node; -1 at the surface
-  Eigen::Index free_ = 0;
+  bool remembers_;
+  double window_s_;
+  Unknowns unknowns_;
+  WaterMatrices matrices_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
 };
-
-/// int N_i N_j ds over a side of unit length, nodes from, middle, to.
-Eigen::Matrix3d side_mass();
 
 }  // namespace blockweir::reservoir

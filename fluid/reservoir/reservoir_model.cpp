@@ -14,12 +14,28 @@
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/wire/panels.hpp"
+#include "fluid/reservoir/carry_over.hpp"
 
 namespace blockweir::reservoir {
 namespace {
 
 /// Far end of long water: the motion that reaches farthest, exp(-pi x/2H), has sunk to 1e-6 of itself there and back.
 constexpr double long_in_depths = 5;
+
+/// Waves are damped from the first to the second. Less than 1 % of them comes back (tests/unit/reservoir_waves_test):
+/// long ones need the way, and coarse triangles make it cheap.
+constexpr double absorbs_from_depths = 2;
+constexpr double absorbs_to_depths = 62;
+
+WaterPhysics physics_of(const scene::Scene& scene) {
+  WaterPhysics physics{.density_kg_per_m3 = scene.water.density_kg_per_m3};
+  if (scene.reservoir.compressible) {
+    physics.sound_speed_m_per_s = scene.reservoir.sound_speed_m_per_s;
+    physics.bottom_reflection = scene.reservoir.bottom_reflection;
+  }
+  if (scene.reservoir.surface_waves) physics.gravity_m_per_s2 = scene.analysis.gravity_m_per_s2;
+  return physics;
+}
 
 Fineness fineness_of(const scene::Scene& scene) {
   constexpr double corner = 0.01;  // of the widest
@@ -34,10 +50,12 @@ FarEnds far_ends(const scene::Scene& scene, const std::vector<std::vector<Point>
   for (const auto& outline : outlines) {
     for (const Point& p : outline) left = std::min(left, p.x()), right = std::max(right, p.x());
   }
-  const auto& upstream = scene.reservoir.upstream_wall_m;
-  const auto& downstream = scene.reservoir.downstream_wall_m;
-  return {{upstream.value_or(left - long_in_depths * deep_m), upstream.has_value()},
-          {downstream.value_or(right + long_in_depths * deep_m), downstream.has_value()}};
+  const auto end = [&](const std::optional<double>& wall_m, double model_m, int side) {
+    if (wall_m) return FarEnd{*wall_m, true, {}};
+    if (!physics_of(scene).remembers()) return FarEnd{model_m + side * long_in_depths * deep_m, false, {}};
+    return FarEnd{model_m + side * absorbs_to_depths * deep_m, false, model_m + side * absorbs_from_depths * deep_m};
+  };
+  return {end(scene.reservoir.upstream_wall_m, left, -1), end(scene.reservoir.downstream_wall_m, right, 1)};
 }
 
 /// Where the centroids of the blocks are.
@@ -78,10 +96,11 @@ ReservoirModel::ReservoirModel(const scene::Scene& scene) : scene_(scene), still
 }
 
 void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
+  const double window_s = told_ && to_s > time_s_ ? to_s - time_s_ : scene_.coupling.window_s;
   take_accelerations(motion, to_s);
   still_.advance(motion, to_s, still_load_);
-  if (outdated()) {
-    solved_ = {{}, to_s, still_.outlines(), levels_of(still_load_)};
+  if (outdated(window_s)) {
+    solved_ = {{}, to_s, still_.outlines(), levels_of(still_load_), window_s};
     solved_.motion.displacement = motion.displacement.values();
     solve(still_);
   } else {
@@ -92,13 +111,20 @@ void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load
   load.downstream_level_m = still_load_.downstream_level_m;
   load.breached = still_load_.breached;
   copy_panels(still_load_, 0, still_load_.cracks_from, load);
-  add_answer(load);
+  for (AnsweringWater& water : waters_) {
+    water.advance(accelerations_of(water.answer()));
+    water.add_panels(load);
+  }
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
   copy_panels(still_load_, still_load_.cracks_from, still_load_.block.size(), load);
   load.added_mass.own() = guarded_;
-  const bool calm = !scene_.base_motion && std::all_of(accelerations_.begin(), accelerations_.end(),
-                                                       [](const auto& a) { return a.isZero(0); });
-  load.holds_until_s = calm ? still_load_.holds_until_s : to_s;
+  load.holds_until_s = moves() ? to_s : still_load_.holds_until_s;
+}
+
+bool ReservoirModel::moves() const {
+  return scene_.base_motion ||
+         !std::all_of(accelerations_.begin(), accelerations_.end(), [](const auto& a) { return a.isZero(0); }) ||
+         !std::all_of(waters_.begin(), waters_.end(), [](const AnsweringWater& water) { return water.at_rest(); });
 }
 
 void ReservoirModel::take_accelerations(const wire::Motion& motion, double to_s) {
@@ -127,9 +153,11 @@ Point ReservoirModel::ground_acceleration(double from_s, double to_s) const {
   return accelerations_[static_cast<std::size_t>(ground - fixed_.begin())].head<2>();
 }
 
-/// Has a corner, or a level, moved by more than a share of the depth since the water was solved for?
-bool ReservoirModel::outdated() const {
+/// Has a corner, or a level, moved by more than a share of the depth since the water was solved for? Water that
+/// remembers is solved for windows of one length.
+bool ReservoirModel::outdated(double window_s) const {
   if (solved_.outlines.empty()) return true;
+  if (physics_of(scene_).remembers() && std::abs(window_s / solved_.window_s - 1) > 1e-9) return true;
   const double tolerance = scene_.reservoir.move_tolerance * deepest_m_;
   const std::array<double, 2> levels = levels_of(still_load_);
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -146,18 +174,22 @@ bool ReservoirModel::outdated() const {
 void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
   const Stopwatch watch(solve_s_);
   ++solutions_;
-  answers_.clear();
+  const WaterPhysics physics = physics_of(scene_);
+  std::vector<AnsweringWater> waters;
   deepest_m_ = 0;
   guarded_.assign(scene_.blocks.size(), {});
   for (const hydrostatic::WaterBody& body : water.bodies()) {
     const double deep = depth(body);
     deepest_m_ = std::max(deepest_m_, deep);
-    const WaterMesh mesh =
+    WaterMesh mesh =
         mesh_water(body, water.outlines(), far_ends(scene_, water.outlines(), deep), fineness_of(scene_));
     if (mesh.triangle.empty()) continue;
-    answers_.push_back(answer_of(mesh, scene_.water.density_kg_per_m3, centroids_of(water.outlines()), fixed_));
-    guard(answers_.back());
+    PressureState state = carry_over(waters_, mesh);
+    waters.emplace_back(std::move(mesh), physics, centroids_of(water.outlines()), fixed_, solved_.window_s);
+    if (physics.remembers()) waters.back().go_on_from(std::move(state));
+    guard(waters.back().answer());
   }
+  waters_ = std::move(waters);
 }
 
 /// Adds what the guard is told of the blocks that this body wets.
@@ -185,28 +217,18 @@ Eigen::VectorXd ReservoirModel::accelerations_of(const WaterAnswer& answer) cons
   return a;
 }
 
-void ReservoirModel::add_answer(wire::Load& load) const {
-  for (const WaterAnswer& answer : answers_) {
-    const Eigen::VectorXd a = accelerations_of(answer);
-    if (a.isZero(0)) continue;
-    const Eigen::VectorXd p = answer.pressure * a;
-    for (std::size_t i = 0; i < answer.panels.size(); ++i) {
-      const hydrostatic::WetInterval& panel = answer.panels[i];
-      const auto row = static_cast<Eigen::Index>(2 * i);
-      wire::add_panel(load, panel.block, panel.edge, panel.s_from, panel.s_to, p[row], p[row + 1]);
-    }
-  }
-}
-
 std::string ReservoirModel::state() const {
-  return checkpoint::pack(still_.state(), solved_.motion.displacement, solved_.time_s, velocities_, accelerations_,
-                          ground_, time_s_, told_, solutions_, kept_);
+  std::vector<PressureState> states;
+  for (const AnsweringWater& water : waters_) states.push_back(water.state());
+  return checkpoint::pack(still_.state(), solved_.motion.displacement, solved_.time_s, solved_.window_s, states,
+                          velocities_, accelerations_, ground_, time_s_, told_, solutions_, kept_);
 }
 
 void ReservoirModel::restore(const std::string& state) {
   std::string of_still;
-  checkpoint::unpack(state, of_still, solved_.motion.displacement, solved_.time_s, velocities_, accelerations_, ground_,
-                     time_s_, told_, solutions_, kept_);
+  std::vector<PressureState> states;
+  checkpoint::unpack(state, of_still, solved_.motion.displacement, solved_.time_s, solved_.window_s, states, velocities_,
+                     accelerations_, ground_, time_s_, told_, solutions_, kept_);
   still_.restore(of_still);
   if (!told_) return;
   hydrostatic::HydrostaticModel then(scene_);
@@ -215,6 +237,7 @@ void ReservoirModel::restore(const std::string& state) {
   solved_.outlines = then.outlines();
   solved_.levels_m = levels_of(load);
   solve(then);
+  for (std::size_t i = 0; i < waters_.size(); ++i) waters_[i].go_on_from(std::move(states.at(i)));
   --solutions_;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Water that answers accelerations: still water and cracks as the reference has them, and the pressure of linear,
-// incompressible water in both pools.
+// Water that answers accelerations: still water and cracks as the reference has them, and the pressure of linear water
+// in both pools.
 #pragma once
 
 #include "bridge/schedule/sides.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
-#include "fluid/reservoir/added_mass.hpp"
+#include "fluid/reservoir/answering_water.hpp"
 
 namespace blockweir::reservoir {
 
@@ -27,14 +27,15 @@ class ReservoirModel final : public schedule::FluidSide {
     double time_s = 0;
     std::vector<std::vector<Point>> outlines;
     std::array<double, 2> levels_m{};
+    double window_s = 0;
   };
 
   void take_accelerations(const wire::Motion& motion, double to_s);
   [[nodiscard]] Point ground_acceleration(double from_s, double to_s) const;
-  [[nodiscard]] bool outdated() const;
+  [[nodiscard]] bool outdated(double window_s) const;
   void solve(const hydrostatic::HydrostaticModel& water);
   void guard(const WaterAnswer& answer);
-  void add_answer(wire::Load& load) const;
+  [[nodiscard]] bool moves() const;
   [[nodiscard]] Eigen::VectorXd accelerations_of(const WaterAnswer& answer) const;
 
   const scene::Scene& scene_;
@@ -42,7 +43,7 @@ class ReservoirModel final : public schedule::FluidSide {
   wire::Load still_load_;
   std::vector<bool> fixed_;
   Geometry solved_;
-  std::vector<WaterAnswer> answers_;            ///< one a body of water
+  std::vector<AnsweringWater> waters_;          ///< one a body of water
   double deepest_m_ = 0;                        ///< of the bodies
   std::vector<std::array<double, 6>> guarded_;  ///< added mass a block, as wire::Load has it
   std::vector<Eigen::Vector3d> velocities_;     ///< last told

@@ -19,6 +19,8 @@ using Face = CGAL::Delaunay_mesh_face_base_2<Kernel>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
 
+constexpr double outer_growth = 0.03;  // coarser meshes throw short waves back
+
 Point from_cgal(const Kernel::Point_2& p) {
   return {p.x(), p.y()};
 }
@@ -77,6 +79,8 @@ class Criteria {
 }  // namespace
 
 double Sizes::at(const Point& x) const {
+  const double outside = std::max({0.0, inner_left_m - x.x(), x.x() - inner_right_m});
+  if (outside > 0) return std::min(widest_m + outer_growth * outside, std::max(widest_m, outermost_m));
   double nearest = widest_m / growth;
   for (const Point& p : points) nearest = std::min(nearest, (x - p).norm());
   return std::min(widest_m, at_point_m + growth * nearest);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "fluid/hydrostatic/water_grid.hpp"
@@ -12,12 +13,16 @@ namespace blockweir::reservoir {
 using geometry::Point;
 using hydrostatic::Ring;
 
-/// A side of a triangle is at most min(widest, at_point + growth times the distance from the nearest point) [m].
+/// A side of a triangle is at most min(widest, at_point + growth times the distance from the nearest point) [m]. Left
+/// and right of an inner part, widest grows with the distance from it, to `outermost`.
 struct Sizes {
   std::vector<Point> points;
   double at_point_m = 0;
   double widest_m = 0;
   double growth = 0;
+  double inner_left_m = -std::numeric_limits<double>::infinity();
+  double inner_right_m = std::numeric_limits<double>::infinity();
+  double outermost_m = 0;
 
   [[nodiscard]] double at(const Point& x) const;
 };

@@ -191,6 +191,8 @@ WaterMesh mesh_water(const WaterBody& body, const std::vector<std::vector<Point>
                      const Fineness& fineness) {
   WaterMesh mesh;
   const double deep = depth(body);
+  mesh.ends = ends;
+  mesh.depth_m = deep;
   if (deep <= 0) return mesh;
   const double tiny = same_place * deep;
   const std::vector<Ring> rings = region_of(body, outlines, ends, tiny);
@@ -198,6 +200,9 @@ WaterMesh mesh_water(const WaterBody& body, const std::vector<std::vector<Point>
   const Ends open = ends_of(rings);
   const Ends blocks = ends_of(outlines);
   Sizes sizes{{}, fineness.at_corner * deep, fineness.widest * deep, fineness.growth};
+  if (ends.left.absorbs_from_m) sizes.inner_left_m = *ends.left.absorbs_from_m;
+  if (ends.right.absorbs_from_m) sizes.inner_right_m = *ends.right.absorbs_from_m;
+  sizes.outermost_m = 0.6 * deep;
   for (const Ring& ring : rings) {
     for (const Point& p : ring) {
       if (p.x() > blocks.left - tiny && p.x() < blocks.right + tiny) sizes.points.push_back(p);

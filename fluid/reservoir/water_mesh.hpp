@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "fluid/hydrostatic/pools.hpp"
@@ -26,12 +27,6 @@ struct BoundarySide {
 /// Corners first, then middles: 0, 1, 2, middle of 01, of 12, of 20.
 using QuadraticTriangle = std::array<int, 6>;
 
-struct WaterMesh {
-  std::vector<Point> node;
-  std::vector<QuadraticTriangle> triangle;  ///< counter-clockwise
-  std::vector<BoundarySide> side;
-};
-
 /// How fine a mesh is, in parts of the water's depth.
 struct Fineness {
   double widest = 0.25;  ///< side of a triangle, at most
@@ -42,12 +37,21 @@ struct Fineness {
 /// Where the water ends beyond the model, if it does not end at a block.
 struct FarEnd {
   double x_m = 0;
-  bool wall = false;  ///< of the ground; else the water goes on
+  bool wall = false;                     ///< of the ground; else the water goes on
+  std::optional<double> absorbs_from_m;  ///< x from which waves are damped, so that none comes back
 };
 
 struct FarEnds {
   FarEnd left;
   FarEnd right;
+};
+
+struct WaterMesh {
+  std::vector<Point> node;
+  std::vector<QuadraticTriangle> triangle;  ///< counter-clockwise
+  std::vector<BoundarySide> side;
+  FarEnds ends;
+  double depth_m = 0;
 };
 
 /// Delaunay refinement (Ruppert, Shewchuk) of the body's region, whose ends in open water are moved to `ends`.

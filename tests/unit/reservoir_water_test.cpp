@@ -4,36 +4,14 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bridge/scene/at.hpp"
 #include "fluid/reservoir/added_mass.hpp"
+#include "tests/unit/reservoir_wall.hpp"
 
 namespace blockweir::reservoir {
 namespace {
-
-constexpr double rho = 1000;
-constexpr double pi = std::numbers::pi;
-
-/// A wall on the right of a reservoir `H` deep, cut at `cut_m` into two blocks, on ground that it shares.
-struct Wall {
-  double H = 20;
-  double lean = 0;  ///< of its face, from the vertical: the foot lies upstream
-  double cut_m = 0;
-  std::optional<double> far_wall_m;
-
-  [[nodiscard]] std::vector<std::vector<Point>> outlines() const {
-    const auto face = [&](double y) { return -(H - y) * std::tan(lean); };
-    const double top = 1.1 * H;
-    const double bed = far_wall_m.value_or(-100);
-    std::vector<std::vector<Point>> blocks{{{bed, -5}, {40, -5}, {40, 0}, {bed, 0}}};
-    if (cut_m > 0) blocks.push_back({{face(0), 0}, {30, 0}, {30, cut_m}, {face(cut_m), cut_m}});
-    blocks.push_back({{face(cut_m), cut_m}, {30, cut_m}, {30, top}, {face(top), top}});
-    return blocks;
-  }
-};
 
 struct Solved {
   WaterMesh mesh;
@@ -43,30 +21,20 @@ struct Solved {
 
 /// By a field of acceleration on the sides that move, at the node nearest to x.
 double pressure(const WaterMesh& mesh, const PressureEquation::Moves& moves, const Point& along, const Point& x) {
-  const PressureEquation equation(mesh, rho);
+  const PressureEquation equation(mesh, {}, {true, false, false}, 1);
   const Eigen::VectorXd p = equation.pressure(equation.flux(moves, [&](const Point&) { return along; }));
-  const auto nearest = std::min_element(mesh.node.begin(), mesh.node.end(), [&](const Point& a, const Point& b) {
-    return (a - x).norm() < (b - x).norm();
-  });
-  return p[nearest - mesh.node.begin()];
+  return p[node_nearest(mesh, x)];
 }
 
 Solved solve(const Wall& wall, double ratio) {
-  hydrostatic::Structure structure;
-  structure.outlines = wall.outlines();
-  structure.open_crack_width_m = 1e-3;
-  structure.ground.left = hydrostatic::GroundEnd{0, 3};
-  hydrostatic::Pools pools;
-  const auto water =
-      pools.find(structure, wall.H, std::numeric_limits<double>::quiet_NaN(), scene::CrestPressure::none);
-  FarEnds ends{{wall.far_wall_m.value_or(-6 * wall.H - 100), wall.far_wall_m.has_value()}, {}};
-  const WaterMesh mesh = mesh_water(water.bodies.front(), structure.outlines, ends, {ratio, ratio / 100, 0.35});
-  std::vector<Point> centroids(structure.outlines.size(), Point(0, 0));
-  std::vector<bool> fixed(structure.outlines.size(), false);
+  const WaterMesh mesh =
+      mesh_of(wall, ratio, {wall.far_wall_m.value_or(-6 * wall.H - 100), wall.far_wall_m.has_value(), {}});
+  std::vector<Point> centroids(wall.outlines().size(), Point(0, 0));
+  std::vector<bool> fixed(wall.outlines().size(), false);
   fixed[0] = true;
-  Solved solved{mesh, answer_of(mesh, rho, centroids, fixed), 0};
+  Solved solved{mesh, answer_of(mesh, PressureEquation(mesh, {}, fixed, 1), centroids, fixed), 0};
   for (std::size_t k = 0; k < solved.answer.modes.size(); ++k) {
-    if (solved.answer.modes[k].block == static_cast<int>(structure.outlines.size()) - 1 &&
+    if (solved.answer.modes[k].block == static_cast<int>(wall.outlines().size()) - 1 &&
         solved.answer.modes[k].axis == 0)
       solved.top = static_cast<Eigen::Index>(k);
   }
@@ -128,9 +96,7 @@ TEST(ReservoirWater, GroundThatRisesLiftsAllOfTheWater) {
   const auto dam = [](const BoundarySide& side) { return side.block == 1; };
   for (const double y : {0.0, 7.0, 13.0}) {
     const Point x(-90, y);
-    const auto nearest = std::min_element(s.mesh.node.begin(), s.mesh.node.end(), [&](const Point& a, const Point& b) {
-      return (a - x).norm() < (b - x).norm();
-    });
+    const auto nearest = s.mesh.node.begin() + node_nearest(s.mesh, x);
     const double lifted = pressure(s.mesh, ground, {0, 1}, *nearest) + pressure(s.mesh, dam, {0, 1}, *nearest);
     worst = std::max(worst, std::abs(lifted / (rho * (20 - nearest->y())) - 1));
   }

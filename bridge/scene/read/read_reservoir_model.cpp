@@ -5,9 +5,11 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/read/reading.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -28,6 +30,27 @@ void check_wall(TableReader& table, Reading& reading, const char* key, const std
 
 }  // namespace
 
+/// Water that lets sound through, far faster than anything falls.
+void read_compressible(TableReader& table, Reading& reading) {
+  Reservoir& r = reading.scene.reservoir;
+  table.flag("compressible", r.compressible);
+  table.number("sound_speed_m_per_s", r.sound_speed_m_per_s, positive());
+  table.number("bottom_reflection", r.bottom_reflection,
+               {[](double share) { return share >= 0 && share <= 1; }, "a number from 0 to 1"});
+  for (const char* key : {"sound_speed_m_per_s", "bottom_reflection"}) {
+    if (r.compressible || !table.has(key)) continue;
+    reading.problems.error(table.place(key), fmt::format("{} of water that is not compressible", key),
+                           "compressible = true", fmt::format("state it, or leave {} out", key));
+  }
+  const double fall = std::sqrt(reading.scene.analysis.gravity_m_per_s2 * structure_size_m(reading.scene.blocks));
+  if (!r.compressible || r.sound_speed_m_per_s > 2 * fall) return;
+  reading.problems.error(table.place("sound_speed_m_per_s"),
+                         fmt::format("sound_speed_m_per_s is {}: blocks of this structure fall as fast",
+                                     r.sound_speed_m_per_s),
+                         fmt::format("above {:.4g} m/s, twice the speed of a fall by the structure's size", 2 * fall),
+                         "correct it: sound takes some 1440 m/s in water");
+}
+
 void read_reservoir_model(TableReader& fluid, Reading& reading) {
   const toml::table* section = fluid.table("reservoir");
   if (section == nullptr) return;
@@ -39,6 +62,8 @@ void read_reservoir_model(TableReader& fluid, Reading& reading) {
                {[](double ratio) { return ratio >= 0.005 && ratio <= 1; }, "a number from 0.005 to 1"});
   table.number("move_tolerance", r.move_tolerance,
                {[](double share) { return share >= 0 && share <= 0.1; }, "a number from 0 to 0.1"});
+  table.choice<bool>("surface", r.surface_waves, {{"level", false}, {"waves", true}});
+  read_compressible(table, reading);
   if (reading.scene.fluid != FluidModel::reservoir) {
     reading.problems.error(table.place(), "[fluid.reservoir] beside another model", "model = \"reservoir\" in [fluid]",
                            "leave [fluid.reservoir] out, or set the model");

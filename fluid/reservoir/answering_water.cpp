@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/reservoir/answering_water.hpp"
+
+#include "bridge/wire/panels.hpp"
+
+namespace blockweir::reservoir {
+
+AnsweringWater::AnsweringWater(WaterMesh mesh, const WaterPhysics& physics, const std::vector<Point>& centroids,
+                               const std::vector<bool>& fixed, double window_s)
+    : mesh_(std::make_unique<const WaterMesh>(std::move(mesh))),
+      equation_(std::make_unique<const PressureEquation>(*mesh_, physics, fixed, window_s)),
+      answer_(answer_of(*mesh_, *equation_, centroids, fixed)),
+      remembers_(physics.remembers()) {
+  if (remembers_) state_ = equation_->rest();
+}
+
+bool AnsweringWater::at_rest() const {
+  return state_.p.isZero(0) && state_.rate.isZero(0) && state_.second.isZero(0);
+}
+
+void AnsweringWater::advance(const Eigen::VectorXd& accelerations) {
+  if (remembers_ && !(at_rest() && accelerations.isZero(0))) {
+    equation_->step(state_, answer_.flux * accelerations);
+    pressure_ = answer_.on_panels(state_.p);
+  } else {
+    pressure_ = answer_.pressure * accelerations;
+  }
+}
+
+void AnsweringWater::add_panels(wire::Load& load) const {
+  if (pressure_.isZero(0)) return;
+  for (std::size_t i = 0; i < answer_.panels.size(); ++i) {
+    const hydrostatic::WetInterval& panel = answer_.panels[i];
+    const auto row = static_cast<Eigen::Index>(2 * i);
+    wire::add_panel(load, panel.block, panel.edge, panel.s_from, panel.s_to, pressure_[row], pressure_[row + 1]);
+  }
+}
+
+}  // namespace blockweir::reservoir

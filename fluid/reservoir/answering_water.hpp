@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One body of water as it answers accelerations: its mesh, its equation and what it remembers.
+#pragma once
+
+#include <memory>
+
+#include "bridge/wire/message.hpp"
+#include "fluid/reservoir/added_mass.hpp"
+
+namespace blockweir::reservoir {
+
+class AnsweringWater {
+ public:
+  /// `centroids` of the blocks as meshed. Windows of `window_s`.
+  AnsweringWater(WaterMesh mesh, const WaterPhysics& physics, const std::vector<Point>& centroids,
+                 const std::vector<bool>& fixed, double window_s);
+
+  [[nodiscard]] const WaterAnswer& answer() const { return answer_; }
+  [[nodiscard]] const WaterMesh& mesh() const { return *mesh_; }
+  [[nodiscard]] const PressureState& state() const { return state_; }
+  [[nodiscard]] bool at_rest() const;
+  void go_on_from(PressureState state) { state_ = std::move(state); }
+  /// One window with `accelerations`, one a mode of the answer.
+  void advance(const Eigen::VectorXd& accelerations);
+  void add_panels(wire::Load& load) const;
+
+ private:
+  std::unique_ptr<const WaterMesh> mesh_;  ///< the equation refers to it
+  std::unique_ptr<const PressureEquation> equation_;
+  WaterAnswer answer_;
+  bool remembers_;
+  PressureState state_;      ///< of water that remembers
+  Eigen::VectorXd pressure_;  ///< on the answer's panels
+};
+
+}  // namespace blockweir::reservoir

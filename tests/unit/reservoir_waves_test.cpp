@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: fluid_reservoir
+// Water that remembers: sound and surface waves against closed forms.
+#include <gmock/gmock.h>
+
+#include <complex>
+
+#include "fluid/reservoir/added_mass.hpp"
+#include "tests/unit/reservoir_wall.hpp"
+
+namespace blockweir::reservoir {
+namespace {
+
+constexpr double sound = 1440;
+constexpr double gravity = 9.81;
+constexpr double H = 20;
+
+/// As the model has it.
+const FarEnd open_end{-62 * H, false, -2 * H};
+
+bool on_wall(const BoundarySide& side) {
+  return side.block == 1;
+}
+
+/// Pressure at the wall's foot over rho a H, window by window, for accelerations a of the wall towards the water.
+template <class Acceleration>
+std::vector<double> at_foot(const WaterMesh& mesh, const WaterPhysics& physics, double window_s, int windows,
+                            const Acceleration& a) {
+  const PressureEquation equation(mesh, physics, {true, false}, window_s);
+  const Eigen::VectorXd unit = equation.flux(on_wall, [](const Point&) { return Point(-1, 0); });
+  const std::ptrdiff_t foot = node_nearest(mesh, {0, 0});
+  PressureState state = equation.rest();
+  std::vector<double> history;
+  for (int k = 1; k <= windows; ++k) {
+    equation.step(state, a(k * window_s) * unit);
+    history.push_back(state.p[foot] / (rho * H));
+  }
+  return history;
+}
+
+/// The same after a step to 1 m/s2; a window is H/c over `per_unit`.
+std::vector<double> step_response(const WaterMesh& mesh, double alpha, int per_unit, int units) {
+  const WaterPhysics water{.sound_speed_m_per_s = sound, .bottom_reflection = alpha};
+  return at_foot(mesh, water, H / sound / per_unit, units * per_unit, [](double) { return 1.0; });
+}
+
+TEST(ReservoirWaves, AStepOfAccelerationSendsSoundIntoTheReservoir) {
+  const WaterMesh mesh = mesh_of({.H = H}, 0.1, open_end);
+  const std::vector<double> p = step_response(mesh, 1, 200, 3);
+  for (const auto& [tau, expected] : {std::pair{0.5, 0.5000}, {1.0, 1.0000}, {1.5, 1.1190}, {3.0, 0.5425}}) {
+    EXPECT_NEAR(p[static_cast<std::size_t>(std::lround(200 * tau)) - 1], expected, 0.01 * expected) << tau;
+  }
+}
+
+TEST(ReservoirWaves, WhatLeavesDoesNotComeBack) {
+  const auto ramp = [](double t) { return std::min(1.0, t * sound / H); };
+  const WaterPhysics water{.sound_speed_m_per_s = sound};
+  const auto p = at_foot(mesh_of({.H = H}, 0.25, open_end), water, H / sound / 50, 1500, ramp);
+  const auto endless = at_foot(mesh_of({.H = H}, 0.25, {-20 * H, true, {}}), water, H / sound / 50, 1500, ramp);
+  double worst = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) worst = std::max(worst, std::abs(p[i] - endless[i]));
+  EXPECT_LT(worst, 0.01 * *std::max_element(p.begin(), p.end()));
+}
+
+/// Amplitude over rho a H at the wall's foot under a e^(i w t) (Chopra 1967), w below and above the first resonance.
+double amplitude(double w) {
+  std::complex<double> sum = 0;
+  for (int n = 1; n < 20000; ++n) {
+    const double l = (2 * n - 1) * pi / 2;
+    const std::complex<double> k = std::sqrt(std::complex<double>(l * l - std::pow(w * H / sound, 2), 0));
+    sum += (n % 2 == 1 ? 2 : -2) / l / k;
+  }
+  return std::abs(sum);
+}
+
+TEST(ReservoirWaves, SoundResonatesAtAQuarterOfAWaveInTheDepth) {
+  const WaterMesh mesh = mesh_of({.H = H}, 0.2, open_end);
+  const double resonance = pi * sound / (2 * H);
+  for (const double ratio : {0.5, 0.8, 1.3, 2.0}) {
+    const double w = ratio * resonance;
+    const double period = 2 * pi / w;
+    const double window = std::min(period, 4 * H / sound) / 60;
+    const int windows = static_cast<int>(40 * period / window);
+    const auto p = at_foot(mesh, {.sound_speed_m_per_s = sound}, window, windows,
+                           [&](double t) { return std::sin(w * t) * std::min(1.0, t / (20 * period)); });
+    const std::size_t last = static_cast<std::size_t>(10 * period / window);
+    std::complex<double> sum = 0;
+    for (std::size_t i = p.size() - last; i < p.size(); ++i) {
+      sum += p[i] * std::exp(std::complex<double>(0, -w * window * static_cast<double>(i)));
+    }
+    EXPECT_NEAR(2 * std::abs(sum) / static_cast<double>(last), amplitude(w), 0.01 * amplitude(w)) << ratio;
+  }
+}
+
+TEST(ReservoirWaves, SoftGroundTakesSoundAway) {
+  const WaterMesh mesh = mesh_of({.H = H}, 0.25, open_end);
+  // Until the surface answers, tau = 1, the foot feels the wall and the ground alone. Later the soft ground's is less.
+  const std::vector<double> hard = step_response(mesh, 1, 50, 8);
+  const std::vector<double> soft = step_response(mesh, 0, 50, 8);
+  const auto range = [](const std::vector<double>& p) {
+    const auto [low, high] = std::minmax_element(p.begin() + 250, p.end());
+    return *high - *low;
+  };
+  EXPECT_LT(range(soft), 0.5 * range(hard));
+  EXPECT_NEAR(soft.back(), 0.742454, 0.02);  // of incompressible water, at last
+}
+
+/// A tank 1 m long and 0.5 m deep.
+WaterMesh tank() {
+  return mesh_of({.H = 0.5, .far_wall_m = -1}, 0.1, {-1, true, {}});
+}
+
+double period_of(const WaterMesh& mesh, int n, int windows_in_period) {
+  const double k = n * pi;
+  const double w = std::sqrt(gravity * k * std::tanh(0.5 * k));
+  const double window = 2 * pi / w / windows_in_period;
+  const PressureEquation equation(mesh, {.gravity_m_per_s2 = gravity}, {true, false}, window);
+  PressureState state = equation.rest();
+  for (std::size_t i = 0; i < mesh.node.size(); ++i) {
+    const Point& x = mesh.node[i];
+    state.p[static_cast<Eigen::Index>(i)] = std::cos(k * x.x()) * std::cosh(k * x.y()) / std::cosh(0.5 * k);
+  }
+  state.second = -w * w * state.p;
+  const std::ptrdiff_t corner = node_nearest(mesh, {0, 0.5});
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(state.p.size());
+  double last_zero = -1;
+  double before = state.p[corner];
+  int zeros = 0;
+  double first_zero = 0;
+  for (int i = 1; zeros < 21; ++i) {
+    equation.step(state, still);
+    const double now = state.p[corner];
+    if (before * now <= 0) {
+      last_zero = window * (i - now / (now - before));
+      if (zeros++ == 0) first_zero = last_zero;
+    }
+    before = now;
+  }
+  return (last_zero - first_zero) / 10;
+}
+
+TEST(ReservoirWaves, ATankSloshesInItsPeriods) {
+  const WaterMesh mesh = tank();
+  EXPECT_NEAR(period_of(mesh, 1, 400), 1.181816, 1e-4 * 1.181816);
+  EXPECT_NEAR(period_of(mesh, 2, 400), 0.801801, 1e-4 * 0.801801);
+  EXPECT_NEAR(period_of(mesh, 3, 400), 0.653499, 1e-4 * 0.653499);
+  const double coarse = std::abs(period_of(mesh, 1, 25) - 1.181816);
+  const double fine = std::abs(period_of(mesh, 1, 100) - 1.181816);
+  EXPECT_NEAR(std::log(coarse / fine) / std::log(4), 2, 0.2);
+}
+
+TEST(ReservoirWaves, AShakenTankHasHousnersMasses) {
+  const WaterMesh mesh = tank();
+  constexpr double window = 0.002;
+  const PressureEquation equation(mesh, {.gravity_m_per_s2 = gravity}, {true, false}, window);
+  const auto walls = [](const BoundarySide& side) { return side.kind != BoundarySide::Kind::surface; };
+  const Eigen::VectorXd unit = equation.flux(walls, [](const Point&) { return Point(1, 0); });
+  PressureState state = equation.rest();
+  const double mass = rho * 0.5;
+  for (int i = 1; i <= 1000; ++i) {
+    equation.step(state, unit);
+    if (i % 50 != 0) continue;
+    double expected = mass;  // all moves with the tank, but for what sloshes
+    for (int n = 1; n < 400; n += 2) {
+      const double k = n * pi;
+      const double share = 8 * std::tanh(0.5 * k) / (k * k * k * 0.5);
+      expected -= mass * share * std::cos(std::sqrt(gravity * k * std::tanh(0.5 * k)) * i * window);
+    }
+    EXPECT_NEAR(-unit.dot(state.p), expected, 2e-3 * mass) << i * window;
+  }
+}
+
+TEST(ReservoirWaves, WavesOnTheSurfaceLeave) {
+  constexpr double window = 0.05;
+  const WaterPhysics water{.gravity_m_per_s2 = gravity};
+  const auto jerk = [](double t) { return t < 2 ? std::sin(pi * t) : 0; };
+  const auto p = at_foot(mesh_of({.H = H}, 0.25, open_end), water, window, 800, jerk);
+  const auto endless = at_foot(mesh_of({.H = H}, 0.25, {-40 * H, true, {}}), water, window, 800, jerk);
+  double worst = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) worst = std::max(worst, std::abs(p[i] - endless[i]));
+  EXPECT_LT(worst, 0.01 * *std::max_element(p.begin(), p.end()));
+}
+
+}  // namespace
+}  // namespace blockweir::reservoir
