@@ -29,7 +29,7 @@ class AnsweringWater {
   std::unique_ptr<const PressureEquation> equation_;
   WaterAnswer answer_;
   bool remembers_;
-  PressureState state_;      ///< of water that remembers
+  PressureState state_;       ///< of water that remembers
   Eigen::VectorXd pressure_;  ///< on the answer's panels
 };
 

@@ -181,8 +181,7 @@ void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
   for (const hydrostatic::WaterBody& body : water.bodies()) {
     const double deep = depth(body);
     deepest_m_ = std::max(deepest_m_, deep);
-    WaterMesh mesh =
-        mesh_water(body, water.outlines(), far_ends(scene_, water.outlines(), deep), fineness_of(scene_));
+    WaterMesh mesh = mesh_water(body, water.outlines(), far_ends(scene_, water.outlines(), deep), fineness_of(scene_));
     if (mesh.triangle.empty()) continue;
     PressureState state = carry_over(waters_, mesh);
     waters.emplace_back(std::move(mesh), physics, centroids_of(water.outlines()), fixed_, solved_.window_s);
@@ -227,8 +226,8 @@ std::string ReservoirModel::state() const {
 void ReservoirModel::restore(const std::string& state) {
   std::string of_still;
   std::vector<PressureState> states;
-  checkpoint::unpack(state, of_still, solved_.motion.displacement, solved_.time_s, solved_.window_s, states, velocities_,
-                     accelerations_, ground_, time_s_, told_, solutions_, kept_);
+  checkpoint::unpack(state, of_still, solved_.motion.displacement, solved_.time_s, solved_.window_s, states,
+                     velocities_, accelerations_, ground_, time_s_, told_, solutions_, kept_);
   still_.restore(of_still);
   if (!told_) return;
   hydrostatic::HydrostaticModel then(scene_);

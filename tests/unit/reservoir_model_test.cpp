@@ -71,8 +71,12 @@ TEST(ReservoirModel, AnAccelerationAddsItsPressureToStillWater) {
   EXPECT_LT(load.cracks_from, load.block.size());  // uplift is there as it was
 }
 
-TEST(ReservoirModel, WhatIsRestoredGoesOnWithTheSameBits) {
-  const scene::Scene scene = dam_of_two();
+constexpr const char* with_waves =
+    "[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"waves\", compressible = true, bottom_reflection = 0.8 "
+    "}\n";
+
+void goes_on_with_the_same_bits(const std::string& fluid) {
+  const scene::Scene scene = dam_of_two(fluid);
   ReservoirModel water(scene);
   wire::Load load;
   double x = 0;
@@ -88,6 +92,46 @@ TEST(ReservoirModel, WhatIsRestoredGoesOnWithTheSameBits) {
     EXPECT_EQ(load.added_mass.values(), other.added_mass.values());
   }
   EXPECT_EQ(water.report().counts.at("reservoir solutions"), again.report().counts.at("reservoir solutions"));
+}
+
+TEST(ReservoirModel, WhatIsRestoredGoesOnWithTheSameBits) {
+  goes_on_with_the_same_bits("");
+  goes_on_with_the_same_bits(with_waves);
+}
+
+TEST(ReservoirModel, WavesGoOnAsTheMeshFollowsTheBlocks) {
+  const scene::Scene kept = dam_of_two(with_waves);
+  const scene::Scene anew = dam_of_two(
+      "[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"waves\", compressible = true, bottom_reflection = "
+      "0.8, "
+      "move_tolerance = 0 }\n");
+  ReservoirModel one(kept);
+  ReservoirModel other(anew);
+  wire::Load a;
+  wire::Load b;
+  double largest = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double speed = i < 20 ? 0.01 * i : 0.2;  // 1 m/s2, then none
+    const wire::Motion motion = moved(i < 20 ? 5e-5 * i * i : 0.02 + 0.002 * (i - 20), speed);
+    one.advance(motion, 0.01 * i, a);
+    other.advance(motion, 0.01 * i, b);
+    largest = std::max(largest, std::abs(thrust(a) - still));
+    EXPECT_NEAR(thrust(a), thrust(b), 0.02 * added) << i;
+  }
+  EXPECT_GT(largest, 0.8 * added);
+  EXPECT_GT(std::abs(thrust(a) - still), 0.01 * added);  // it has not come to rest when the dam has no acceleration
+}
+
+TEST(ReservoirModel, WaterThatRemembersTellsTheGuardWhatAWindowFeels) {
+  const scene::Scene level = dam_of_two();
+  const scene::Scene sound = dam_of_two("[fluid]\nmodel = \"reservoir\"\nreservoir = { compressible = true }\n");
+  wire::Load a;
+  wire::Load b;
+  ReservoirModel(level).advance(moved(0, 0), 0, a);
+  ReservoirModel(sound).advance(moved(0, 0), 0, b);
+  // In 0.01 s sound runs 14.4 of 20 m.
+  EXPECT_LT(b.added_mass[1][0], a.added_mass[1][0]);
+  EXPECT_GT(b.added_mass[1][0], 0.3 * a.added_mass[1][0]);
 }
 
 TEST(ReservoirModel, FactorsAreKeptUntilACornerHasMovedAndChangeThePressuresByNoMore) {
@@ -131,6 +175,12 @@ TEST(ReservoirModel, AFarWallWithinTheModelAndKeysOfAnotherModelAreErrors) {
               testing::HasSubstr("upstream_wall_m is -20 m, within the model, which ends at -50 m"));
   EXPECT_THAT(error("[fluid]\nreservoir = { element_ratio = 0.2 }\n"),
               testing::HasSubstr("[fluid.reservoir] beside another model"));
+  EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { bottom_reflection = 0.5 }\n"),
+              testing::HasSubstr("bottom_reflection of water that is not compressible"));
+  EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { compressible = true, sound_speed_m_per_s = 10 }\n"),
+              testing::HasSubstr("above 29.38 m/s, twice the speed of a fall by the structure's size"));
+  EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"still\" }\n"),
+              testing::HasSubstr("expected one of level, waves"));
   EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { element_ratio = 0 }\n"),
               testing::HasSubstr("a number from 0.005 to 1"));
 }

@@ -44,11 +44,11 @@ void read_compressible(TableReader& table, Reading& reading) {
   }
   const double fall = std::sqrt(reading.scene.analysis.gravity_m_per_s2 * structure_size_m(reading.scene.blocks));
   if (!r.compressible || r.sound_speed_m_per_s > 2 * fall) return;
-  reading.problems.error(table.place("sound_speed_m_per_s"),
-                         fmt::format("sound_speed_m_per_s is {}: blocks of this structure fall as fast",
-                                     r.sound_speed_m_per_s),
-                         fmt::format("above {:.4g} m/s, twice the speed of a fall by the structure's size", 2 * fall),
-                         "correct it: sound takes some 1440 m/s in water");
+  reading.problems.error(
+      table.place("sound_speed_m_per_s"),
+      fmt::format("sound_speed_m_per_s is {}: blocks of this structure fall as fast", r.sound_speed_m_per_s),
+      fmt::format("above {:.4g} m/s, twice the speed of a fall by the structure's size", 2 * fall),
+      "correct it: sound takes some 1440 m/s in water");
 }
 
 void read_reservoir_model(TableReader& fluid, Reading& reading) {
