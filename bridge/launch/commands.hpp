@@ -23,6 +23,7 @@ Work cut_command(CLI::App& app);
 Work keys_command(CLI::App& app);
 Work level_command(CLI::App& app);
 Work man_command(CLI::App& app);
+Work modes_command(CLI::App& app);
 Work plot_command(CLI::App& app);
 Work profile_command(CLI::App& app);
 Work report_command(CLI::App& app);
@@ -46,6 +47,7 @@ inline constexpr std::array commands = {
     Command{"resume", "continue a run that was stopped, from its last checkpoint", resume_command},
     Command{"level", "find the water level at which it fails, by statics and by limit analysis", level_command},
     Command{"safety", "find the factor of safety for each load case, with a table of joints", safety_command},
+    Command{"modes", "find natural frequencies and shapes at rest, without water and with it", modes_command},
     Command{"check", "list all errors and warnings of a scene, without running it", check_command},
     Command{"cut", "draw the blocks of a scene, without running it", cut_command},
     Command{"case", "write OpenFOAM's case of a scene, without running it", case_command},

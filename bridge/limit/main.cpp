@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// blockweir-limit: at which level, and by which factor on strength, the blocks of a scene fail, without a run.
+// blockweir-limit: at which level, and by which factor on strength, the blocks of a scene fail, and in which modes they
+// swing, without a run.
 #include <CLI/CLI.hpp>
 
 #include "bridge/process/answers.hpp"
 #include "bridge/process/exit_status.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "fluid/reservoir/mass_on_faces.hpp"
 
 int main(int argc, char** argv) {
   using namespace blockweir;
@@ -14,9 +16,10 @@ int main(int argc, char** argv) {
   std::string answer;
   CLI::App app{"blockweir-limit: at which level, and by which factor on strength, a scene fails"};
   app.add_option("question", question,
-                 "level: at which it fails; safety: factor of safety; margin: factor at the end of a run")
+                 "level: at which it fails; safety: factor of safety; margin: factor at the end of a run; modes: "
+                 "natural frequencies")
       ->required()
-      ->check(CLI::IsMember({"level", "safety", "margin"}));
+      ->check(CLI::IsMember({"level", "safety", "margin", "modes"}));
   app.add_option("scene", scene, "scene file or case folder")->required();
   app.add_option("--answer", answer, "file for the answer (JSON)")->required();
   try {
@@ -25,11 +28,14 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   return process::exit_status("blockweir-limit", [&] {
-    const auto answer_to = question == "level"    ? process::level_answer
-                           : question == "safety" ? process::safety_answer
-                                                  : process::margin_answer;
-    const nlohmann::json found = answer_to(scene::read(scene).scene, hydrostatic::make);
-    results::replace_file(answer, found.dump(2) + "\n");
+    const scene::Scene asked = scene::read(scene).scene;
+    const auto answered = [&]() -> nlohmann::json {
+      if (question == "level") return process::level_answer(asked, hydrostatic::make);
+      if (question == "safety") return process::safety_answer(asked, hydrostatic::make);
+      if (question == "margin") return process::margin_answer(asked, hydrostatic::make);
+      return process::modes_answer(asked, hydrostatic::make, reservoir::mass_on_faces);
+    };
+    results::replace_file(answer, answered().dump(2) + "\n");
     return 0;
   });
 }

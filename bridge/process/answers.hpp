@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bridge/process/face_motion.hpp"
 #include "bridge/process/sides.hpp"
 
 namespace blockweir::process {
@@ -19,5 +20,9 @@ nlohmann::json safety_answer(const scene::Scene& scene, const FluidMaker& make_f
 /// That factor by limit analysis alone, which takes a moment: `factor`, and the `mechanism` that it fails by. Without a
 /// factor it says `why_no_factor`, as of a scene of too many joints. Throws as above.
 nlohmann::json margin_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
+
+/// The ten lowest natural modes of the structure at rest under the loads and levels of the run's end, its joints as
+/// they are then: "dry", and "wet" where there is water. Throws as above.
+nlohmann::json modes_answer(const scene::Scene& scene, const FluidMaker& make_fluid, const WaterMass& water_mass);
 
 }  // namespace blockweir::process

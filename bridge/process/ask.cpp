@@ -55,7 +55,7 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
   const results::FolderLock lock(folder);
   const fs::path file = folder / (question + ".json");
   fs::remove(file);
-  for (const char* picture : {"mechanism.png", "mechanism-loads.png"}) fs::remove(folder / picture);
+  for (const char* picture : {"mechanism.png", "mechanism-loads.png", "modes.png"}) fs::remove(folder / picture);
   fs::remove(folder / "limit.log");
   results::replace_file(scene_of(folder), scene.text);
   const StopsLater until_it_is_answered;

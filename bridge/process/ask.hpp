@@ -34,7 +34,7 @@ struct Stopped : std::runtime_error {
 /// `out`, or where it is empty the folder that it stands for.
 std::filesystem::path answer_folder(const std::string& question, const AskOptions& options);
 
-/// `question` is "level" or "safety"; the answer is in the folder, too, as QUESTION.json. Throws scene::SceneError,
+/// `question` is "level", "safety" or "modes"; the answer is in the folder, too, as QUESTION.json. Throws scene::SceneError,
 /// std::invalid_argument for a folder that holds something else, Stopped, and std::runtime_error where there is no
 /// answer.
 Asked ask(const std::string& question, const AskOptions& options);

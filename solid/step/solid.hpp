@@ -49,6 +49,7 @@ class Solid {
   [[nodiscard]] const std::vector<BlockState>& states() const { return state_.blocks; }
   [[nodiscard]] const std::vector<Placement>& placements() const { return state_.placements; }
   [[nodiscard]] const std::vector<ContactPoint>& contacts() const { return state_.contacts; }
+  [[nodiscard]] const std::vector<Support>& supports() const { return state_.supports; }
   [[nodiscard]] const std::vector<Bolt>& bolts() const { return state_.bolts; }
   [[nodiscard]] double time_s() const { return state_.time_s; }
   /// Of a static analysis, as the last advance left it.

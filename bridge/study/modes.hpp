@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `blockweir modes`: natural frequencies and shapes of a structure at rest, as a table and a picture.
+#pragma once
+
+#include "bridge/process/ask.hpp"
+
+namespace blockweir::study {
+
+struct ModesOptions : process::AskOptions {
+  std::filesystem::path json{};  ///< file that gets the answer, too
+};
+
+/// Returns the exit status. Throws as process::ask() does.
+int tell_modes(const ModesOptions& options);
+
+}  // namespace blockweir::study

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A structure at rest, linearized: what moves, its mass and its stiffness with the joints as they are.
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "bridge/process/face_motion.hpp"
+#include "solid/solve/unknowns.hpp"
+#include "solid/step/solid.hpp"
+
+namespace blockweir::solid {
+
+/// M q'' + K q = 0 for small motions q of a solid at rest. Contacts that stick hold both ways, those that slip hold
+/// their normal one, open ones nothing: springs far stiffer than the blocks. Bolts have their slopes. Weight adds no
+/// stiffness.
+class Structure {
+ public:
+  /// The solid must outlive it.
+  explicit Structure(const Solid& solid);
+
+  [[nodiscard]] const Eigen::SparseMatrix<double>& mass() const { return mass_; }  ///< kg per metre and the like
+  [[nodiscard]] const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }  ///< N per m2 and the like
+  [[nodiscard]] int unknowns() const { return unknowns_.total; }
+  /// All moves along x (0) or y (1) by 1.
+  [[nodiscard]] Eigen::VectorXd translation(int axis) const;
+  [[nodiscard]] process::PointMotion motion_of(const process::FacePoint& point) const;
+  /// Displacement of a part's material point.
+  [[nodiscard]] Point displacement(int part, const Point& material, const Eigen::VectorXd& q) const;
+
+ private:
+  using Entries = std::vector<Eigen::Triplet<double>>;
+
+  void add(int part_i, int part_j, const Matrix6& k, Entries& entries) const;
+  void add_blocks(Entries& mass, Entries& stiffness) const;
+  void add_holds(Entries& stiffness) const;
+  void add_spring(int part_i, const Point& at_i, int part_j, const Point& at_j, const Eigen::Matrix2d& k,
+                  Entries& stiffness) const;
+  [[nodiscard]] bool moves(int part) const { return part >= 0 && local_[static_cast<std::size_t>(part)] >= 0; }
+  [[nodiscard]] int local(int part) const { return local_[static_cast<std::size_t>(part)]; }
+
+  const Solid& solid_;
+  std::vector<int> parts_;  ///< that move
+  std::vector<int> local_;  ///< of each of the solid's blocks, its place among those; -1
+  Unknowns unknowns_;
+  Eigen::SparseMatrix<double> mass_;
+  Eigen::SparseMatrix<double> stiffness_;
+};
+
+}  // namespace blockweir::solid
