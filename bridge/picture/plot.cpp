@@ -9,6 +9,7 @@
 #include "bridge/picture/plot_section.hpp"
 #include "bridge/picture/plot_series.hpp"
 #include "bridge/picture/plot_snapshots.hpp"
+#include "bridge/picture/plot_spectrum.hpp"
 
 namespace blockweir::picture {
 
@@ -20,8 +21,10 @@ void plot(const PlotOptions& options) {
   const std::string ending = options.svg ? ".svg" : ".png";
   gnuplot(series_script(options, summary, terminal, ending) +
           snapshot_script(options.run, summary, terminal, ending, options.animated) +
-          (options.section ? section_script(options.run, terminal, ending) : ""));
-  for (const char* name : {"displacements", "velocities", "rotations", "level", "snapshots", "picture", "section"}) {
+          (options.section ? section_script(options.run, terminal, ending) : "") +
+          spectrum_script(options.run, terminal, ending));
+  for (const char* name :
+       {"displacements", "velocities", "rotations", "level", "snapshots", "picture", "section", "spectrum"}) {
     const auto file = options.run / (name + ending);
     if (std::filesystem::exists(file)) fmt::print("{}\n", file.string());
   }
