@@ -20,7 +20,7 @@ void plot(const PlotOptions& options) {
   const std::string ending = options.svg ? ".svg" : ".png";
   gnuplot(series_script(options, summary, terminal, ending) +
           snapshot_script(options.run, summary, terminal, ending, options.animated) +
-          (options.section ? section_script(options.run, terminal, ending) : ""));
+          (options.section ? section_script(options.run, summary, terminal, ending) : ""));
   for (const char* name : {"displacements", "velocities", "rotations", "level", "snapshots", "picture", "section"}) {
     const auto file = options.run / (name + ending);
     if (std::filesystem::exists(file)) fmt::print("{}\n", file.string());

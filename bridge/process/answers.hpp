@@ -20,4 +20,7 @@ nlohmann::json safety_answer(const scene::Scene& scene, const FluidMaker& make_f
 /// factor it says `why_no_factor`, as of a scene of too many joints. Throws as above.
 nlohmann::json margin_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
 
+/// The pressures of its still water at the run's end, on blocks where they are drawn, kind by kind. Throws as above.
+nlohmann::json water_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
+
 }  // namespace blockweir::process

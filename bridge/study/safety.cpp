@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "bridge/picture/mechanism.hpp"
+#include "bridge/picture/section_state.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
@@ -86,6 +87,10 @@ json answer_of(const scene::LoadCase& load_case, const process::AskOptions& opti
     answer["load_factor"]["loads"] = scene::stated_loads(asked.scene.text);
     answer["load_factor"]["constant"] = constant_loads(asked.scene);
   }
+  json bolt_forces = json::array();
+  for (const json& bolt : answer["bolts"]) bolt_forces.push_back(bolt["force_n_per_m"]);
+  answer["section"] =
+      picture::section_state(asked.scene, answer["water"], asked.scene.analysis.duration_s, bolt_forces);
   answer["name"] = load_case.name;
   answer["scene_warnings"] = asked.scene.warnings;
   answer["class"] = load_case.kind;
