@@ -30,6 +30,14 @@ TEST_F(Plot, DrawsTheSectionAndMeasuredPoints) {
   EXPECT_THAT(text("out"), HasSubstr("found \"t\" as the first column; expected time_s"));
 }
 
+TEST_F(Plot, AnAnimationTellsHowFarItIs) {
+  ASSERT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out o"), 0) << text("out");
+  ASSERT_EQ(plot("--animate"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("100 %  drawing"));
+  ASSERT_EQ(plot(""), 0) << text("out");
+  EXPECT_THAT(text("out"), testing::Not(HasSubstr("drawing"))) << "that takes a moment";
+}
+
 TEST_F(Plot, TheSectionNamesAnchorsAndLoadsOfEveryKindWithTheirSizes) {
   std::ofstream(folder / "s.toml") << text(cases + "monolith-slides/scene.toml") << R"(
 [[bolt]]
