@@ -84,7 +84,7 @@ TEST_F(Answers, LoadCasesHaveTheirFactorsAndSayWhetherTheyAreEnough) {
                             "[[load_case]]\nname = 'low water'\nset = ['water.upstream_level_m=3']\n"
                             "required_factor = 2\nsource = 'test'\n";
   write("s.toml", scene);
-  ASSERT_EQ(ask("safety s.toml --out o --json a.json"), 0) << text("out");
+  ASSERT_EQ(ask("safety s.toml --out o --json a.json"), 1) << "'weak' has not what it requires; " << text("out");
   const json load_cases = answer("a.json")["load_cases"];
   ASSERT_EQ(load_cases.size(), 3U);
   EXPECT_EQ(load_cases[0]["name"], "as it stands");
@@ -327,7 +327,7 @@ TEST_F(Answers, ALoadCaseIsJudgedByTheCohesionOfWhatIsNotInTension) {
                       "\n[[load_case]]\nname = 'high'\nset = ['water.upstream_level_m=7']\nrequired_factor = 5\n"
                       "source = 'test'\n[[load_case]]\nname = 'low'\nset = ['water.upstream_level_m=2']\n"
                       "required_factor = 5\nsource = 'test'\n");
-  ASSERT_EQ(ask("safety s.toml --json a.json"), 0) << text("out");
+  ASSERT_EQ(ask("safety s.toml --json a.json"), 1) << "'high' is not enough; " << text("out");
   const json high = answer("a.json")["load_cases"][1];
   EXPECT_GT(high["factor"], 5) << high.dump(1);
   EXPECT_LT(high["with_cracked_joint"]["factor"], 5);
