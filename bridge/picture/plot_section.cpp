@@ -50,7 +50,11 @@ struct Sheet {
 class Drawing {
  public:
   explicit Drawing(const Sheet& sheet)
-      : sheet_(sheet), places_({{sheet.view.left, sheet.view.bottom}, {sheet.view.right, sheet.view.top}}) {}
+      : sheet_(sheet),
+        places_({Point(sheet.view.left, sheet.view.bottom) + Point::Constant(inset * sheet.per_pixel()),
+                 Point(sheet.view.right, sheet.view.top) - Point::Constant(inset * sheet.per_pixel())}) {}
+
+  static constexpr double inset = 8;  // pixels, of labels from the frame
 
   void polygon(const json& outline, const std::string& style) {
     std::vector<Point> points;
