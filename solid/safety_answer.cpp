@@ -21,6 +21,7 @@
 #include "solid/watch/edge_tension.hpp"
 #include "solid/watch/joint_table.hpp"
 #include "solid/watch/uplift_in_tension.hpp"
+#include "solid/water_by_kind.hpp"
 
 namespace blockweir::process {
 namespace {
@@ -67,6 +68,15 @@ json table_json(const std::vector<solid::JointRow>& rows) {
   return table;
 }
 
+json bolts_json(const solid::Solid& blocks) {
+  json list = json::array();
+  for (std::size_t i = 0; i < blocks.bolts().size(); ++i) {
+    list.push_back(
+        {{"name", blocks.scene().bolts[i].name}, {"force_n_per_m", blocks.bolts()[i].acting.tension_n_per_m}});
+  }
+  return list;
+}
+
 /// Warns of bonds that their tension holds, with the sliding factor that is left where their cohesion cracks.
 void add_cracked_joint(const solid::Solid& blocks, double level_m, json& answer) {
   solid::EdgeTension edge;
@@ -96,6 +106,7 @@ void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStreng
       now.water ? solid::reservoir_parts(scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
   const std::vector<solid::JointRow> table = solid::joint_table(blocks.solid(), blocks.pressures(now.level_m), parts);
   answer["joints"] = table_json(table);
+  answer["bolts"] = bolts_json(blocks.solid());
   if (!stands) answer["joints_with_strength_times"] = 1 / reduction;
   for (std::string& warning : solid::uplift_warnings(scene, table)) answer["warnings"].push_back(std::move(warning));
   if (stands) add_cracked_joint(blocks.solid(), now.level_m, answer);
@@ -171,6 +182,8 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   }
   solid::add_water_in_an_earthquake(scene, answer);
   answer["joints"] = json::array();
+  answer["bolts"] = json::array();
+  answer["water"] = now.water ? solid::water_by_kind(scene, make_fluid, now.level_m) : json::array();
   answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
   if (by_limit.value && blocks.value) add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
   if (by_limit.value) {
@@ -178,6 +191,11 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   }
   if (blocks.value) solid::attempt([&] { return add_joints(now, make_fluid, *blocks.value, answer), true; });
   return answer;
+}
+
+json water_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
+  Situation now(scene, make_fluid);
+  return now.water ? solid::water_by_kind(scene, make_fluid, now.level_m) : json::array();
 }
 
 }  // namespace blockweir::process

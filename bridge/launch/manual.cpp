@@ -61,7 +61,9 @@ std::string manual(const CLI::App& app) {
       ".SH COMMANDS\n{}"
       ".SH OPTIONS\n{}"
       ".SH EXIT STATUS\n"
-      "0: done; a structure that fails is a result. 1: the run failed. 2: the scene or the command is wrong. "
+      "0: done; a structure that fails is a result. 1: the run failed, a figure is out of its tolerance, a study has "
+      "no "
+      "answer, or safety has a load case without its required factor. 2: the scene or the command is wrong. "
       "130: stopped on request.\n",
       BLOCKWEIR_VERSION, plain("blockweir - " + app.get_description().substr(app.get_description().find(": ") + 2)),
       texts, options);

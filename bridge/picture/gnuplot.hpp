@@ -9,8 +9,9 @@
 
 namespace blockweir::picture {
 
-/// Throws std::runtime_error when gnuplot is missing or refuses the script.
-void gnuplot(const std::string& script);
+/// Throws std::runtime_error when gnuplot is missing or refuses the script. With `told`, standard error shows how much
+/// of it is drawn: a bar on a terminal, a line each tenth in a pipe.
+void gnuplot(const std::string& script, bool told = false);
 
 /// A text in double quotes as gnuplot reads it, without its markup.
 std::string gnuplot_text(const std::string& text);

@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bridge/picture/frames.hpp"
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/picture/label_places.hpp"
+#include "bridge/picture/load_diagrams.hpp"
+#include "bridge/picture/pictured_state.hpp"
+#include "bridge/picture/report_frames.hpp"
 #include "bridge/picture/report_section.hpp"
+#include "bridge/picture/view.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/scene/read/read.hpp"
 
@@ -18,83 +22,180 @@ namespace {
 using nlohmann::json;
 using Point = Eigen::Vector2d;
 
+constexpr const char* joint_colour = "#b3261e";
+constexpr const char* water_colour = "#1f6fb4";
+
 Point point_of(const json& pair) {
   return {pair[0].get<double>(), pair[1].get<double>()};
 }
 
-/// An arrow that ends where the load acts, with its size in kN a metre of thickness, or kPa.
-std::string arrow(const Point& at, const Point& force, double length_m, const std::string& size) {
-  if (force.norm() == 0) return "";
-  const Point from = at - length_m * force.normalized();
-  return fmt::format(
-      "set arrow from {},{} to {},{} filled lw 2 lc rgb '#7a1fa2' front\nset label {} at {},{} {} tc rgb '#7a1fa2' "
-      "front\n",
-      from.x(), from.y(), at.x(), at.y(), gnuplot_text(size), from.x(), from.y(), force.x() > 0 ? "right" : "left");
+/// The figure's frame in m, and its margins and texts in pixels.
+struct Sheet {
+  static constexpr double width = 1000;
+  static constexpr double left = 80;
+  static constexpr double right = 30;
+  static constexpr double top = 50;
+  static constexpr double below_axis = 72;
+  static constexpr double row = 21;
+  static constexpr double letter = 8.2;
+  View view;
+  double legend_rows;
+
+  [[nodiscard]] double per_pixel() const { return (view.right - view.left) / (width - left - right); }
+  [[nodiscard]] double bottom() const { return below_axis + row * legend_rows; }
+  [[nodiscard]] double height() const { return top + bottom() + (view.top - view.bottom) / per_pixel(); }
+};
+
+/// gnuplot's commands for what stands on the sheet, one thing over the other.
+class Drawing {
+ public:
+  explicit Drawing(const Sheet& sheet)
+      : sheet_(sheet),
+        places_({Point(sheet.view.left, sheet.view.bottom) + Point::Constant(inset * sheet.per_pixel()),
+                 Point(sheet.view.right, sheet.view.top) - Point::Constant(inset * sheet.per_pixel())}) {}
+
+  static constexpr double inset = 8;  // pixels, of labels from the frame
+
+  void polygon(const json& outline, const std::string& style) {
+    std::vector<Point> points;
+    for (const json& p : outline) {
+      points.emplace_back(std::clamp(p[0].get<double>(), sheet_.view.left, sheet_.view.right),
+                          std::clamp(p[1].get<double>(), sheet_.view.bottom, sheet_.view.top));
+    }
+    script += gnuplot_polygon(++objects_, points, style);
+  }
+  void line(const Point& from, const Point& to, const std::string& style) {
+    script += fmt::format("set arrow from {},{} to {},{} {} front\n", from.x(), from.y(), to.x(), to.y(), style);
+    const Point step = (to - from) / 40;
+    const Point half = Point::Constant(3 * sheet_.per_pixel());
+    for (int i = 0; i <= 40; ++i) places_.keep_free({from + i * step - half, from + i * step + half});
+  }
+  void label(const Point& wanted, const std::string& text, const std::string& colour) {
+    const Point size = sheet_.per_pixel() * Point(Sheet::letter * static_cast<double>(text.size()) + 10, Sheet::row);
+    const Point middle = places_.place(wanted, size);
+    script += fmt::format("set label {} at {},{} center boxed tc rgb '{}' front\n", gnuplot_text(text), middle.x(),
+                          middle.y(), colour);
+  }
+
+  std::string script;
+
+ private:
+  Sheet sheet_;
+  LabelPlaces places_;
+  int objects_ = 0;
+};
+
+void draw_loads(const json& loads, Drawing& drawing) {
+  for (const json& load : loads) {
+    const std::string colour = load["colour"];
+    for (const json& outline : load["diagrams"]) {
+      drawing.polygon(outline,
+                      fmt::format("fc rgb '{0}' fillstyle transparent solid 0.25 border lc rgb '{0}'", colour));
+    }
+    drawing.line(point_of(load["arrow"][0]), point_of(load["arrow"][1]),
+                 fmt::format("filled lw 2 lc rgb '{}'", colour));
+  }
 }
 
-std::string loads(const json& data, double length_m) {
-  std::string text;
-  for (const json& load : data["loads"]) {
-    if (load["kind"] == "point") {
-      const Point force = point_of(load["force"]);
-      text += arrow(point_of(load["at"]), force, length_m, fmt::format("{:.4g} kN/m", force.norm() / 1e3));
-      continue;
-    }
-    constexpr int parts = 4;
-    for (int i = 0; i <= parts; ++i) {
-      const double s = static_cast<double>(i) / parts;
-      const auto between = [&](const char* a, const char* b) -> Point {
-        return (1 - s) * point_of(load[a]) + s * point_of(load[b]);
-      };
-      const Point force = between("force_from", "force_to");
-      const bool named = i == 0 || i == parts;
-      text += arrow(between("from", "to"), force, length_m, named ? fmt::format("{:.4g} kPa", force.norm() / 1e3) : "");
+void draw_joints(const json& joints, Drawing& drawing) {
+  for (const json& joint : joints) {
+    for (const json& line : joint["lines"]) {
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        drawing.line(point_of(line[i]), point_of(line[i + 1]),
+                     fmt::format("nohead dt 2 lw 2 lc rgb '{}'", joint_colour));
+      }
     }
   }
-  return text;
 }
 
-std::string joints(const json& data) {
-  std::string text;
-  for (const json& joint : data["joints"]) {
-    const json& line = joint["lines"][0];
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      text += fmt::format("set arrow from {},{} to {},{} nohead dt 2 lw 2 lc rgb '#b3261e' front\n",
-                          line[i][0].get<double>(), line[i][1].get<double>(), line[i + 1][0].get<double>(),
-                          line[i + 1][1].get<double>());
-    }
+/// A bolt's line with a plate across either end's direction at the head, which is the higher end.
+void draw_bolts(const json& bolts, double size_m, Drawing& drawing) {
+  for (const json& bolt : bolts) {
+    Point head = point_of(bolt["from"]);
+    Point foot = point_of(bolt["to"]);
+    if (foot.y() > head.y()) std::swap(head, foot);
+    const Point along = (foot - head).normalized();
+    const Point across = 0.02 * size_m * Point(-along.y(), along.x());
+    drawing.line(head, foot, fmt::format("nohead lw 3 lc rgb '{}'", bolt_colour));
+    drawing.line(head - across, head + across, fmt::format("nohead lw 5 lc rgb '{}'", bolt_colour));
+  }
+}
+
+/// Behind all lines are drawn, so that no text lies on one where there is room.
+void write_labels(const json& joints, const json& state, Drawing& drawing) {
+  for (const json& joint : joints) {
     if (!joint["labelled"].get<bool>()) continue;
-    const Point middle = (point_of(line.front()) + point_of(line.back())) / 2;
-    text += fmt::format("set label {} at {},{} center offset 0,0.7 tc rgb '#b3261e' front\n",
-                        gnuplot_text(joint["name"].get<std::string>()), middle.x(), middle.y());
+    const json& line = joint["lines"][0];
+    drawing.label((point_of(line.front()) + point_of(line.back())) / 2, joint["name"], joint_colour);
   }
-  return text;
+  constexpr std::size_t most = 12;  // of a mesh of joints, each with its uplift, the legend must do
+  const auto of_kind = [&](const json& kind) {
+    return std::count_if(state["acting"].begin(), state["acting"].end(),
+                         [&](const json& l) { return l["kind"] == kind; });
+  };
+  for (const json& load : state["acting"]) {
+    if (static_cast<std::size_t>(of_kind(load["kind"])) <= most) {
+      drawing.label(point_of(load["arrow"][0]), load["label"], load["colour"]);
+    }
+  }
+  const json& view = state["view"];
+  for (const auto& [pool, x] : {std::pair{"upstream", "left"}, {"downstream", "right"}}) {
+    if (!state[pool].is_number()) continue;
+    drawing.label({view[x].get<double>(), state[pool].get<double>()},
+                  fmt::format("{:.2f} m", state[pool].get<double>()), water_colour);
+  }
+  for (const json& bolt : state["bolts"]) {
+    drawing.label((point_of(bolt["from"]) + point_of(bolt["to"])) / 2, bolt["label"], bolt_colour);
+  }
+}
+
+std::string legend(const json& rows) {
+  std::string plots = "plot NaN notitle";
+  for (const json& row : rows) {
+    plots += fmt::format(", keyentry with lines lw 8 lc rgb '{}' title {}", row["colour"].get<std::string>(),
+                         gnuplot_text(row["label"]));
+  }
+  return plots + "\n";
+}
+
+std::string frame_of(const Sheet& sheet, const std::string& terminal, const std::string& file,
+                     const std::string& title) {
+  return fmt::format(
+      "reset\nset terminal {} size {},{:.0f}\nset output {}\nset lmargin at screen {}\nset rmargin at screen {}\n"
+      "set tmargin at screen {}\nset bmargin at screen {}\nset tics out nomirror\nset xlabel 'x [m]'\n"
+      "set ylabel 'elevation [m]'\nset title {}\nset style textbox opaque noborder fillcolor rgb '#60ffffff' margins "
+      "1,1\n"
+      "set key at screen 0.5,0.005 bottom center horizontal Left reverse maxcols 2 samplen 2\n"
+      "set xrange [{}:{}]\nset yrange [{}:{}]\n",
+      terminal, Sheet::width, sheet.height(), file, Sheet::left / Sheet::width, 1 - Sheet::right / Sheet::width,
+      1 - Sheet::top / sheet.height(), sheet.bottom() / sheet.height(), title, sheet.view.left, sheet.view.right,
+      sheet.view.bottom, sheet.view.top);
 }
 
 }  // namespace
 
-std::string section_script(const std::filesystem::path& run, const std::string& terminal, const std::string& ending) {
+std::string section_script(const std::filesystem::path& run, const json& summary, const std::string& terminal,
+                           const std::string& ending) {
   const scene::Scene scene = scene::read(process::scene_of(run)).scene;
   const json data = section_data(scene);
-  const View view = view_of({read_frames(run).front()}, 1e300);
-  const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.3, 2.0);
-  std::string script = fmt::format(
-      "reset\nset size ratio -1\nunset key\nset tics out nomirror\nset xlabel 'x [m]'\nset ylabel 'y [m]'\n"
-      "set terminal {} size 1000,{:.0f}\nset output {}\nset title {}\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-      terminal, 80 + 940 * aspect, gnuplot_path(run / ("section" + ending)), gnuplot_text(scene.title), view.left,
-      view.right, view.bottom, view.top);
-  int number = 0;
+  const json state = pictured_state(scene, run, frames_data(run, summary));
+  const double size_m = data["size_m"];
+  const json& view = state["view"];
+  const Sheet sheet{{view["left"], view["right"], view["bottom"], view["top"]},
+                    std::ceil(static_cast<double>(state["legend"].size()) / 2)};
+  Drawing drawing(sheet);
+  for (const json& pool : state["pools"]) drawing.polygon(pool, "fc rgb '#cfe2f3' fillstyle solid noborder");
   for (const json& block : data["blocks"]) {
-    std::vector<Point> outline;
-    for (const json& p : block["outline"]) {
-      outline.emplace_back(std::clamp(p[0].get<double>(), view.left, view.right),
-                           std::clamp(p[1].get<double>(), view.bottom, view.top));
-    }
-    script += gnuplot_polygon(++number, outline,
-                              fmt::format("fc rgb '{}' fillstyle solid border lc rgb '#303030' lw 1",
-                                          block["fixed"].get<bool>() ? "#8d7f6d" : "#c9c9c4"));
+    drawing.polygon(block["outline"], fmt::format("fc rgb '{}' fillstyle solid border lc rgb '#303030' lw 1",
+                                                  block["fixed"].get<bool>() ? "#8d7f6d" : "#c9c9c4"));
   }
-  return script + joints(data) + loads(data, 0.08 * (view.right - view.left)) + "plot NaN notitle\n";
+  draw_loads(state["acting"], drawing);
+  draw_joints(data["joints"], drawing);
+  draw_bolts(state["bolts"], size_m, drawing);
+  write_labels(data["joints"], state, drawing);
+  const std::string title = fmt::format("{}: section at {:.4g} s", scene.title, state["time_s"].get<double>());
+  return frame_of(sheet, terminal, gnuplot_path(run / ("section" + ending)), gnuplot_text(title)) + drawing.script +
+         legend(state["legend"]);
 }
 
 }  // namespace blockweir::picture

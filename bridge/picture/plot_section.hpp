@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The section as the scene draws it, with joints' names, loads and levels.
+// The section as the scene draws it, with joints' names, and the loads, levels and bolts' forces of the failure or the
+// run's end.
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace blockweir::picture {
 
 /// Script for `section`, from the run's own scene.
-std::string section_script(const std::filesystem::path& run, const std::string& terminal, const std::string& ending);
+std::string section_script(const std::filesystem::path& run, const nlohmann::json& summary, const std::string& terminal,
+                           const std::string& ending);
 
 }  // namespace blockweir::picture

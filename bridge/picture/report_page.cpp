@@ -4,6 +4,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include "bridge/picture/page_files.hpp"
+#include "bridge/picture/pictured_state.hpp"
 #include "bridge/picture/report_frames.hpp"
 #include "bridge/picture/report_histories.hpp"
 #include "bridge/picture/report_section.hpp"
@@ -16,6 +17,7 @@ json report_data(const ReportParts& parts) {
   const json& summary = parts.summary;
   json data = section_data(parts.scene);
   data.update(frames_data(parts.run, summary));
+  data["state"] = pictured_state(parts.scene, parts.run, data);
   data["title"] = parts.scene.title.empty() ? parts.scene.file.stem().string() : parts.scene.title;
   data["note"] = parts.scene.note;
   data["summary"] = summary;

@@ -10,9 +10,9 @@
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
+#include "bridge/picture/acting_loads.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
-#include "bridge/scene/read/stated_loads.hpp"
 #include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::picture {
@@ -82,51 +82,6 @@ json joints(const scene::Scene& scene) {
   return list;
 }
 
-/// Unit normal of the edge nearest to a point of a counter-clockwise outline.
-Point inwards_at(const std::vector<Point>& outline, const Point& place) {
-  double least = std::numeric_limits<double>::infinity();
-  Point inwards = Point::Zero();
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point from = outline[i];
-    const Point span = outline[(i + 1) % outline.size()] - from;
-    const double share = std::clamp(span.dot(place - from) / span.squaredNorm(), 0.0, 1.0);
-    const double away = (from + share * span - place).norm();
-    if (away >= least) continue;
-    least = away;
-    inwards = Point(-span.y(), span.x()).normalized();
-  }
-  return inwards;
-}
-
-json loads(const scene::Scene& scene) {
-  json list = json::array();
-  for (const auto& load : scene.point_loads) {
-    list.push_back({{"kind", "point"},
-                    {"at", pair(load.point_m)},
-                    {"force", {load.force_x_n_per_m.at(0.0), load.force_y_n_per_m.at(0.0)}}});
-  }
-  const std::size_t stated = scene::count_tables(scene.text, "line_load");  // those of silt come after them
-  for (std::size_t i = 0; i < scene.line_loads.size(); ++i) {
-    const scene::LineLoad& load = scene.line_loads[i];
-    list.push_back({{"kind", "line"},
-                    {"name", i < stated ? "" : "silt"},
-                    {"from", pair(load.from_m)},
-                    {"to", pair(load.to_m)},
-                    {"force_from", {load.force_from_n_per_m2[0].at(0.0), load.force_from_n_per_m2[1].at(0.0)}},
-                    {"force_to", {load.force_to_n_per_m2[0].at(0.0), load.force_to_n_per_m2[1].at(0.0)}}});
-  }
-  for (const auto& load : scene.face_pressures) {
-    const auto& outline = scene.blocks[at(load.block)].vertices;
-    const Point inwards = inwards_at(outline, (load.from_m + load.to_m) / 2);
-    list.push_back({{"kind", "line"},
-                    {"from", pair(load.from_m)},
-                    {"to", pair(load.to_m)},
-                    {"force_from", pair(load.pressure_from_pa.at(0.0) * inwards)},
-                    {"force_to", pair(load.pressure_to_pa.at(0.0) * inwards)}});
-  }
-  return list;
-}
-
 /// Of all that can move: height, and the ends of its lowest and highest line.
 json dimensions(const scene::Scene& scene) {
   std::vector<Point> movable;
@@ -174,7 +129,7 @@ json section_data(const scene::Scene& scene) {
           {"materials", materials},
           {"laws", laws(scene)},
           {"joints", joints(scene)},
-          {"loads", loads(scene)},
+          {"bolts", bolts_data(scene)},
           {"dimensions", dimensions(scene)},
           {"size_m", scene::structure_size_m(scene.blocks)}};
 }

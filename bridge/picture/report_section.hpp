@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The section of a report: blocks, joints, dimensions and loads as the scene states them.
+// The section of a report: blocks, joints, dimensions and bolts as the scene states them.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 
 namespace blockweir::picture {
 
-/// blocks, joints, laws, materials, loads, dimensions and size_m. Loads are those of time 0.
+/// blocks, joints, laws, materials, bolts, dimensions and size_m.
 [[nodiscard]] nlohmann::json section_data(const scene::Scene& scene);
 
 }  // namespace blockweir::picture

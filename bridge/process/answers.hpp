@@ -25,4 +25,7 @@ nlohmann::json margin_answer(const scene::Scene& scene, const FluidMaker& make_f
 /// they are then: "dry", and "wet" where there is water. Throws as above.
 nlohmann::json modes_answer(const scene::Scene& scene, const FluidMaker& make_fluid, const WaterMass& water_mass);
 
+/// The pressures of its still water at the run's end, on blocks where they are drawn, kind by kind. Throws as above.
+nlohmann::json water_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
+
 }  // namespace blockweir::process

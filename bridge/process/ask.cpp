@@ -50,7 +50,8 @@ class Echo {
 };
 
 /// Has blockweir-limit answer into `folder`, which holds nothing of an earlier answer then.
-nlohmann::json answer_in(const fs::path& folder, const std::string& question, const scene::Scene& scene, bool quiet) {
+nlohmann::json answer_in(const fs::path& folder, const std::string& question, const scene::Scene& scene,
+                         const AskOptions& options) {
   constexpr double grace_s = 5;
   const results::FolderLock lock(folder);
   const fs::path file = folder / (question + ".json");
@@ -59,8 +60,10 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
   fs::remove(folder / "limit.log");
   results::replace_file(scene_of(folder), scene.text);
   const StopsLater until_it_is_answered;
-  Echo echo(folder / "limit.log", quiet);
-  const Supervised supervised = supervise({limit_command(folder, question, file)}, folder, grace_s, [&echo] {
+  Echo echo(folder / "limit.log", options.quiet);
+  Command command = limit_command(folder, question, file);
+  if (options.moment_s) command.words.insert(command.words.end(), {"--moment", fmt::format("{}", *options.moment_s)});
+  const Supervised supervised = supervise({command}, folder, grace_s, [&echo] {
     echo.tell();
     return true;
   });
@@ -91,7 +94,7 @@ Asked ask(const std::string& question, const AskOptions& options) {
   require_own(asked.folder);
   results::make_folder(asked.folder);
   try {
-    asked.answer = answer_in(asked.folder, question, asked.scene, options.quiet);
+    asked.answer = answer_in(asked.folder, question, asked.scene, options);
   } catch (...) {  // nothing half-written stays
     std::error_code kept;
     fs::remove(scene_of(asked.folder), kept);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ struct AskOptions {
   std::filesystem::path out{};  ///< folder for the answer; empty: runs/CASE-QUESTION, or runs/CASE-VARIANT-QUESTION
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
-  bool quiet = false;  ///< nothing of what the reader mends or warns of
+  bool quiet = false;                ///< nothing of what the reader mends or warns of
+  std::optional<double> moment_s{};  ///< whose loads and levels count in place of those of the run's end
 };
 
 struct Asked {
@@ -34,9 +36,9 @@ struct Stopped : std::runtime_error {
 /// `out`, or where it is empty the folder that it stands for.
 std::filesystem::path answer_folder(const std::string& question, const AskOptions& options);
 
-/// `question` is "level", "safety" or "modes"; the answer is in the folder, too, as QUESTION.json. Throws scene::SceneError,
-/// std::invalid_argument for a folder that holds something else, Stopped, and std::runtime_error where there is no
-/// answer.
+/// `question` is "level", "safety", "modes" or "water"; the answer is in the folder, too, as QUESTION.json. Throws
+/// scene::SceneError, std::invalid_argument for a folder that holds something else, Stopped, and std::runtime_error
+/// where there is no answer.
 Asked ask(const std::string& question, const AskOptions& options);
 
 }  // namespace blockweir::process

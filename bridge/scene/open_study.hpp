@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,7 +18,8 @@ struct CriticalValue {
   double from = 0;
   double to = 0;
   double width = 1e-3;            ///< of the bracket at the end, over the larger of its ends
-  std::string outcome = "fails";  ///< that one end has and the other has not; or a mode of failure
+  std::string outcome = "fails";  ///< that one end has and the other has not; a mode of failure; or "factor"
+  std::optional<double> target;   ///< of "factor": the factor of safety that one end reaches and the other does not
   bool operator==(const CriticalValue&) const = default;
 };
 

@@ -34,10 +34,19 @@ std::vector<double> middles(const Bracket& bracket, std::size_t count) {
   return values;
 }
 
+/// What has to be at one end alone, in words.
+std::string wanted(const CriticalValue& critical) {
+  if (critical.target) return fmt::format("a factor of at least {:.5g}", *critical.target);
+  return fmt::format("\"{}\"{}", critical.outcome, critical.outcome == "fails" ? " (by any mode)" : "");
+}
+
 /// "fails" stands for every mode. Throws where the run decides nothing.
 bool has(const CriticalValue& critical, const Outcome& outcome) {
   const std::string word = outcome["outcome"];
   if (outcome.contains("trouble")) throw std::runtime_error(outcome["trouble"].get<std::string>());
+  if (critical.target) {  // without a factor it stands or fails at any strength
+    return outcome["factor"].is_number() ? outcome["factor"].get<double>() >= *critical.target : word == "stands";
+  }
   if (word == "moving" && critical.outcome != "moving") {
     throw std::runtime_error(
         fmt::format("with {} the run ends while blocks still move, so its outcome is not decided: lengthen duration_s",
@@ -77,13 +86,11 @@ class Search {
   }
 
   [[noreturn]] void no_change() const {
-    throw std::runtime_error(
-        fmt::format("no change found: the outcome is \"{}\" with {} and \"{}\" with {}; expected \"{}\"{} at one of "
-                    "both alone; move "
-                    "from or to",
-                    shown_word(finding_.runs[0]), finding_.runs[0]["settings"][0].get<std::string>(),
-                    shown_word(finding_.runs[1]), finding_.runs[1]["settings"][0].get<std::string>(), critical_.outcome,
-                    critical_.outcome == "fails" ? " (by any mode)" : ""));
+    throw std::runtime_error(fmt::format(
+        "no change found: the outcome is \"{}\" with {} and \"{}\" with {}; expected {} at one of "
+        "both alone; move from or to",
+        shown_word(finding_.runs[0]), finding_.runs[0]["settings"][0].get<std::string>(), shown_word(finding_.runs[1]),
+        finding_.runs[1]["settings"][0].get<std::string>(), wanted(critical_)));
   }
 
   Finding told(const Bracket& bracket) {
@@ -113,7 +120,8 @@ class Search {
     return fmt::format(
         "set xlabel 'run'\nset ylabel {}\nset key outside bottom horizontal\nset grid\n$with << EOD\n{}EOD\n$without "
         "<< EOD\n{}EOD\nplot $with pt 7 lc rgb '#c00000' title {}, $without pt 6 lc rgb '#204a87' title 'not so'\n",
-        picture::gnuplot_text(critical_.key), with, without, picture::gnuplot_text(critical_.outcome));
+        picture::gnuplot_text(critical_.key), with, without,
+        picture::gnuplot_text(critical_.target ? wanted(critical_) : critical_.outcome));
   }
 
   CriticalValue critical_;
@@ -134,6 +142,7 @@ OpenStudyTask critical_task(const scene::OpenStudy& study, int jobs) {
           .keys = {critical.key},
           .extremes = {{setting(critical.key, critical.from)}, {setting(critical.key, critical.to)}},
           .until_decided = true,
+          .of_factor = critical.target.has_value(),
           .find = [critical, jobs](OutcomeRuns& runs) {
             return Search(critical, static_cast<std::size_t>(jobs), runs).find();
           }};

@@ -21,9 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::array table_columns = {"outcome",        "mode",   "joint",  "level_m",        "level_uncertainty_m",
-                                      "level_is_bound", "head_m", "time_s", "sliding_factor", "simulated_s",
-                                      "wall_time_s",    "trouble"};
+constexpr std::array table_columns = {
+    "outcome", "mode",           "joint",  "level_m",     "level_uncertainty_m", "level_is_bound", "head_m",
+    "time_s",  "sliding_factor", "factor", "simulated_s", "wall_time_s",         "trouble"};
 
 std::string cell(const json& value) {
   if (value.is_null()) return "";
@@ -82,6 +82,9 @@ void write_results(const OpenStudyTask& task, const fs::path& scene, const Findi
 }  // namespace
 
 std::string shown_word(const Outcome& outcome) {
+  if (const json factor = outcome.value("factor", json()); factor.is_number()) {
+    return fmt::format("factor {:.5g}", factor.get<double>());
+  }
   const json mode = outcome.value("mode", json());
   return mode.is_string() ? mode : outcome["outcome"];
 }
@@ -140,7 +143,7 @@ bool perform(const OpenStudyTask& task, const fs::path& scene, const Settings& o
   const results::FolderLock lock(out);
   const fs::path file = out / results::file_name(task.name);
   const fs::path kept = file.string() + ".runs.jsonl";
-  OutcomeRuns runs({task.name, scene, task.set, overrides, kept, task.jobs, task.until_decided});
+  OutcomeRuns runs({task.name, scene, task.set, overrides, kept, task.jobs, task.until_decided, task.of_factor});
   Finding finding;
   try {
     finding = task.find(runs);

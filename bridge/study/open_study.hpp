@@ -31,6 +31,7 @@ struct OpenStudyTask {
   std::vector<Settings> extremes{};  ///< settings that the scene has to be sound with
   bool may_refuse = false;           ///< a scene that is not sound with all of them is a result, as of a draw
   bool until_decided = false;
+  bool of_factor = false;
   int jobs = 1;
   /// Throws std::runtime_error where there is no answer.
   std::function<Finding(OutcomeRuns&)> find{};

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <fstream>
 
+#include "bridge/process/ask.hpp"
 #include "bridge/process/run.hpp"
 #include "bridge/process/side_by_side.hpp"
 #include "bridge/results/seconds.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "bridge/study/safety.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -48,6 +51,7 @@ Outcome outcome_of(const json& summary) {
           {"head_m", fails ? failure.value("head_m", none) : none},
           {"time_s", fails ? failure.value("time_s", none) : none},
           {"sliding_factor", margin.value("sliding_factor", none)},
+          {"factor", none},
           {"simulated_s", summary.value("simulated_s", none)},
           {"wall_time_s", summary.value("wall_time_s", none)}};
 }
@@ -74,6 +78,16 @@ Outcome run_out(const fs::path& scene, Settings all, const fs::path& folder, boo
   return row;
 }
 
+/// The factor of safety with `all`; none where no strength is needed or none would do.
+Outcome factor_out(const fs::path& scene, const Settings& all, const fs::path& folder) {
+  const json answer = process::ask("safety", {.scene = scene, .out = folder, .overrides = all, .quiet = true}).answer;
+  if (answer["outcome"] == "not found") return troubled("stopped", answer["why_no_factor"]);
+  Outcome row = outcome_of(json::object());
+  row["outcome"] = answer["outcome"];
+  if (const double factor = deciding_factor(answer); factor > 0 && std::isfinite(factor)) row["factor"] = factor;
+  return row;
+}
+
 std::string duration(double seconds) {
   if (seconds < 90) return fmt::format("{:.0f} s", seconds);
   if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
@@ -97,7 +111,8 @@ Settings OutcomeRuns::whole(const Settings& settings) const {
 void OutcomeRuns::make_one(const Settings& settings, const fs::path& file) const {
   Outcome row;
   try {
-    row = run_out(plan_.scene, whole(settings), file.string() + "-run", plan_.until_decided);
+    row = plan_.of_factor ? factor_out(plan_.scene, whole(settings), file.string() + "-run")
+                          : run_out(plan_.scene, whole(settings), file.string() + "-run", plan_.until_decided);
   } catch (const scene::SceneError& error) {
     row = troubled("refused", error.what());
   } catch (const std::exception& error) {
@@ -112,7 +127,7 @@ std::vector<Outcome> OutcomeRuns::make(const std::vector<Settings>& settings, st
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     try {
-      keys[i] = outcome_key(plan_.scene, whole(settings[i]));
+      keys[i] = outcome_key(plan_.scene, whole(settings[i])) + (plan_.of_factor ? " factor" : "");
     } catch (const scene::SceneError& error) {
       rows[i] = troubled("refused", error.what());
     }
@@ -147,6 +162,7 @@ void OutcomeRuns::tell(const Outcome& outcome, std::size_t left) {
   ++done_;
   const double each_s = seconds_since(begun_) / static_cast<double>(done_);
   std::string ending = outcome["outcome"];
+  if (outcome["factor"].is_number()) ending = fmt::format("factor {:.5g}", outcome["factor"].get<double>());
   if (outcome["mode"].is_string()) ending += " by " + outcome["mode"].get<std::string>();
   if (outcome.contains("trouble")) ending += ": " + outcome["trouble"].get<std::string>();
   fmt::print(

@@ -23,10 +23,12 @@ struct OutcomePlan {
   std::filesystem::path kept;  ///< file of outcomes, a line each
   int jobs = 1;
   bool until_decided = false;  ///< a run that ends on the move is made longer
+  bool of_factor = false;      ///< no runs: the factor of safety is asked for
 };
 
 /// What a run was set to and how it ended: settings, outcome, mode, joint, level_m, head_m, time_s, sliding_factor,
-/// simulated_s, wall_time_s; trouble where it gave no answer. A figure that it has not is null.
+/// factor (of safety, where that is asked for), simulated_s, wall_time_s; trouble where it gave no answer. A figure
+/// that it has not is null.
 using Outcome = nlohmann::json;
 
 class OutcomeRuns {

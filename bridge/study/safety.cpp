@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bridge/picture/mechanism.hpp"
+#include "bridge/picture/section_state.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
@@ -25,15 +27,16 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Does the factor that the blocks themselves have reach what is required, and those with crushed corners, with
-/// cracked joints and of a bound that it is above? Null where nothing is, or where they have no answer.
+/// Does it reach what is required? Null where nothing is, or where the blocks have no answer.
 json satisfied(const json& answer, const std::optional<double>& required) {
   if (!required || answer["outcome"] == "not found") return nullptr;
-  for (const char* lower : {"with_crushed_corners", "with_cracked_joint", "above_upper_bound"}) {
-    if (answer.contains(lower) && answer[lower]["factor"] < *required) return false;
-  }
-  return answer["factor"].is_number() ? answer["factor"].get<double>() >= *required
-                                      : answer["outcome"].get<std::string>() == "stands";
+  return deciding_factor(answer) >= *required;
+}
+
+/// Is every factor that is required reached? One that is not found is not.
+bool all_enough(const json& cases) {
+  return std::all_of(cases.begin(), cases.end(),
+                     [](const json& c) { return c["required"].is_null() || c["satisfied"] == true; });
 }
 
 /// What a factor on the stated loads leaves as it is.
@@ -86,6 +89,10 @@ json answer_of(const scene::LoadCase& load_case, const process::AskOptions& opti
     answer["load_factor"]["loads"] = scene::stated_loads(asked.scene.text);
     answer["load_factor"]["constant"] = constant_loads(asked.scene);
   }
+  json bolt_forces = json::array();
+  for (const json& bolt : answer["bolts"]) bolt_forces.push_back(bolt["force_n_per_m"]);
+  answer["section"] =
+      picture::section_state(asked.scene, answer["water"], asked.scene.analysis.duration_s, bolt_forces);
   answer["name"] = load_case.name;
   answer["scene_warnings"] = asked.scene.warnings;
   answer["class"] = load_case.kind;
@@ -215,6 +222,15 @@ std::string joints_text(const json& answer) {
 
 }  // namespace
 
+double deciding_factor(const json& answer) {
+  double factor = answer["outcome"] == "stands" ? std::numeric_limits<double>::infinity() : 0;
+  if (answer["factor"].is_number()) factor = answer["factor"];
+  for (const char* lower : {"with_crushed_corners", "with_cracked_joint", "above_upper_bound"}) {
+    if (answer.contains(lower)) factor = std::min(factor, answer[lower]["factor"].get<double>());
+  }
+  return factor;
+}
+
 void require_sound(const scene::LoadCase& load_case, const fs::path& scene, const Settings& overrides) {
   scene::read_entry(scene, {fmt::format("[[load_case]] \"{}\"", load_case.name), load_case.line, load_case.set},
                     joined(overrides, load_case.set));
@@ -260,7 +276,7 @@ int tell_safety(const SafetyOptions& options) {
   for (const json& c : cases) text += joints_text(c);
   text += fmt::format("results {} (safety.json, mechanism.png; a folder for each load case)\n", folder.string());
   fmt::print("{}", results::for_stdout(text));
-  return 0;
+  return all_enough(cases) ? 0 : 1;
 }
 
 }  // namespace blockweir::study

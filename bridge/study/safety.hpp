@@ -13,6 +13,10 @@ struct SafetyOptions : process::AskOptions {
   std::filesystem::path json;  ///< file for the answers; empty: none beside that in the folder
 };
 
+/// Of an answer of blockweir-limit: the blocks' factor, or that with crushed corners, with cracked joints or of a bound
+/// that it is above, whichever is least. Infinite where no strength is needed, 0 where none would do.
+double deciding_factor(const nlohmann::json& answer);
+
 /// The scene as a load case sets it, checked. Throws scene::SceneError that names the load case.
 void require_sound(const scene::LoadCase& load_case, const std::filesystem::path& scene,
                    const std::vector<std::string>& overrides);
@@ -22,8 +26,8 @@ void require_sound(const scene::LoadCase& load_case, const std::filesystem::path
 nlohmann::json safety_answers(const process::AskOptions& options);
 
 /// Tells the factor of the scene as it stands and of each load case, by the blocks' own equilibrium and by limit
-/// analysis, with the joints that run through, and draws the mechanisms. Returns 0: a factor that is too low is a
-/// result.
+/// analysis, with the joints that run through, and draws the mechanisms. Returns 1 where a load case does not reach the
+/// factor that it requires, or has no answer; else 0.
 int tell_safety(const SafetyOptions& options);
 
 }  // namespace blockweir::study

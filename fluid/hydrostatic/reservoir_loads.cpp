@@ -21,7 +21,8 @@ struct UpstreamFace {
 
   [[nodiscard]] double share(double y) const {
     const double along = (y - from.y()) / (to.y() - from.y());
-    return wet->s_from + (wet->s_to - wet->s_from) * along;
+    const double s = wet->s_from + (wet->s_to - wet->s_from) * along;
+    return std::clamp(s, wet->s_from, wet->s_to);  // not by a rounding more, which the wire refuses
   }
 };
 

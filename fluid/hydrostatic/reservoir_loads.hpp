@@ -9,7 +9,7 @@
 
 namespace blockweir::hydrostatic {
 
-/// Adds to `load`, on blocks where `outlines` are:
+/// Adds to `load`, behind what is there, on blocks where `outlines` are; the crest first, then ice, then earthquake:
 /// ice: its thrust as a uniform pressure on upstream faces, from the level down by its thickness;
 /// earthquake: Westergaard's 7/8 k_h rho g sqrt(H z) |n_x| on upstream faces, H the depth over the lowest wet point of
 /// what can move, z that under the level, n_x the horizontal part of the normal;

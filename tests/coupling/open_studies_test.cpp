@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // [[study]] with the real programs: what it finds, that it goes on where it was stopped, and what it refuses.
+#include <cmath>
+#include <numbers>
+
 #include "tests/block_on_plane.hpp"
 #include "tests/processes.hpp"
 
@@ -56,6 +59,33 @@ TEST_F(OpenStudies, WithoutAChangeThereIsNoAnswer) {
   EXPECT_THAT(text("out"), HasSubstr("STOPPED no change found: the outcome is \"stands\" with"));
   EXPECT_THAT(text("out"), HasSubstr("expected \"fails\" (by any mode) at one of both alone"));
   EXPECT_FALSE(fs::exists(folder / "s/slope.csv"));
+}
+
+TEST_F(OpenStudies, TheAnchorThatGivesARequiredFactorIsThatOfTheFormula) {
+  // So long that it hardly turns while the block slips less than a failure.
+  const std::string anchor =
+      "[[bolt]]\nname = 'anchor'\nfrom_block = 'monolith'\nfrom_m = [1.75, 8]\nto_m = [1.75, "
+      "-2000]\nstiffness_n_per_m2 = "
+      "1\nprestress_n_per_m = 0\nyield_n_per_m = 1e6\n";
+  const std::string anchors =
+      "[[study]]\nname = 'anchor'\nkind = 'critical'\noutcome = 'factor'\ntarget = 1.5\nset = "
+      "['water.upstream_level_m=7']\nkey = 'bolt.anchor.prestress_n_per_m'\nfrom = 0\nto = 400e3\nwidth = 1e-5\n";
+  std::ofstream(folder / "scene.toml") << text(cases + "monolith-slides/scene.toml") << anchor << anchors;
+  ASSERT_EQ(study(), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr(": factor 1.2"));
+  const auto found = nlohmann::json::parse(text("s/anchor.json"));
+  constexpr double rho_g = 9810;
+  constexpr double degree = std::numbers::pi / 180;
+  const double weight = 2500 * 9.81 * 3.5 * 8;
+  const double uplift = 30e3 * 3.5 / 2;
+  const double thrust = rho_g * 7 * 7 / 2;
+  const double force = 1.5 * thrust / std::tan(25 * degree) - weight + uplift;
+  EXPECT_NEAR(found["answer"]["value"].get<double>() / force, 1, 1e-4);
+  EXPECT_THAT(text("s/anchor.csv"), HasSubstr(",sliding_factor,factor,"));
+
+  ASSERT_EQ(study("--set study.anchor.to=50e3"), 1);
+  EXPECT_THAT(text("out"), HasSubstr("STOPPED no change found: the outcome is \"factor 1.2"));
+  EXPECT_THAT(text("out"), HasSubstr("expected a factor of at least 1.5 at one of both alone; move from or to"));
 }
 
 TEST_F(OpenStudies, AMapHasAnOutcomeForEachPair) {

@@ -30,5 +30,37 @@ TEST_F(Plot, DrawsTheSectionAndMeasuredPoints) {
   EXPECT_THAT(text("out"), HasSubstr("found \"t\" as the first column; expected time_s"));
 }
 
+TEST_F(Plot, AnAnimationTellsHowFarItIs) {
+  ASSERT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out o"), 0) << text("out");
+  ASSERT_EQ(plot("--animate"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("100 %  drawing"));
+  ASSERT_EQ(plot(""), 0) << text("out");
+  EXPECT_THAT(text("out"), testing::Not(HasSubstr("drawing"))) << "that takes a moment";
+}
+
+TEST_F(Plot, TheSectionNamesAnchorsAndLoadsOfEveryKindWithTheirSizes) {
+  std::ofstream(folder / "s.toml") << text(cases + "monolith-slides/scene.toml") << R"(
+[[bolt]]
+name = "anchor"
+from_block = "monolith"
+from_m = [0.5, 8]
+to_m = [1, -2]
+stiffness_n_per_m2 = 1e6
+prestress_n_per_m = 5e3
+[ice]
+thrust_n_per_m = 20e3
+thickness_m = 0.4
+[earthquake]
+horizontal_coefficient = 0.05
+)";
+  ASSERT_EQ(shell(programs + "/blockweir run s.toml --quiet --out o --set water.upstream_level_m=5"), 0) << text("out");
+  ASSERT_EQ(plot("--section --svg"), 0) << text("out");
+  const std::string drawn = text("o/section.svg");
+  for (const char* label : {"anchor ", "ice 20 kN/m", "added water (Westergaard) ", "water upstream 122.6 kN/m",
+                            "face pressure 52.5 kN/m"}) {
+    EXPECT_THAT(drawn, HasSubstr(label));
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::test

@@ -19,6 +19,10 @@ addEventListener('load', () => {
   seen.joints = control('cases').textContent;
   seen.level = control('level').textContent;
   seen.scene = control('again').textContent;
+  seen.section = control('section').textContent;
+  seen.states = document.querySelectorAll('.state').length;
+  const boxes = [...document.querySelectorAll('#section svg g > text:first-child')].map(t => t.getBoundingClientRect());
+  seen.labels_apart = boxes.every((a, i) => boxes.every((b, j) => i === j || a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top));
   seen.mechanism = document.querySelectorAll('.mechanism polygon').length;
 
   control('scrub').value = 0;

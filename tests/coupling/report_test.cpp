@@ -34,6 +34,15 @@ between = ["rock", "wall"]
 block = "wall"
 point_m = [0, 5]
 force_n_per_m = [1000, 0]
+[[bolt]]
+name = "anchor"
+from_block = "wall"
+to_block = "rock"
+from_m = [0.5, 5]
+to_m = [1, -2]
+stiffness_n_per_m2 = 1e6
+prestress_n_per_m = 5e3
+yield_n_per_m = 6e3
 [[load_case]]
 name = "low water"
 class = "usual"
@@ -89,6 +98,12 @@ TEST_F(Report, OpensInABrowserAndCanBeUsed) {
   EXPECT_THAT(seen["level"].get<std::string>(), HasSubstr("limit analysis"));
   EXPECT_THAT(seen["scene"].get<std::string>(), HasSubstr("a wall </script><b>holds</b> a pond"));
   EXPECT_GE(seen["mechanism"].get<int>(), 3);
+  EXPECT_EQ(seen["states"], 3) << "the section, and one for each load case";
+  EXPECT_EQ(seen["labels_apart"], true);
+  EXPECT_THAT(
+      seen["section"].get<std::string>(),
+      testing::AllOf(HasSubstr("water upstream"), HasSubstr("uplift under wall"), HasSubstr("point load 1 kN/m"),
+                     HasSubstr("(0.5, 5) in wall"), HasSubstr("force kN/m: low water")));
 }
 
 TEST_F(Report, HasTheWarningsOfEveryLoadCaseAtTheVerdictAndAtItsTable) {

@@ -21,15 +21,12 @@ namespace {
 
 using nlohmann::json;
 
-TEST(ReportSection, HasJointsLoadsAndDimensionsOfTheScene) {
+TEST(ReportSection, HasJointsAndDimensionsOfTheScene) {
   const json data = section_data(scene::read_text(scene::sample::text, "s.toml").scene);
   ASSERT_EQ(data["blocks"].size(), 3U);
   EXPECT_EQ(data["joints"][0], json::parse(R"({"name":"crack","lines":[[[0,2],[3,2]]],"labelled":true})"));
   EXPECT_EQ(data["laws"].back()["name"], "all other joints");
   EXPECT_EQ(data["dimensions"], json::parse(R"({"bottom":0,"top":4,"right":3,"base":[0,3],"crest":[0,3]})"));
-  ASSERT_EQ(data["loads"].size(), 2U);
-  EXPECT_EQ(data["loads"][0]["force"], json::parse("[100,-200]"));
-  EXPECT_LT(data["loads"][1]["force_from"][0].get<double>(), 0) << "a pressure on the downstream face acts upstream";
 }
 
 TEST(ReportSection, NamesTheLawOfTheWaterInEachJoint) {
@@ -44,17 +41,6 @@ TEST(ReportSection, NamesTheLawOfTheWaterInEachJoint) {
   EXPECT_EQ(water_in({"joints.crack.uplift=heads", "joints.crack.piezometers_m=[[1, 2.5]]",
                       "joints.crack.piezometers_level_m=3"}),
             "heads of 1 piezometer");
-}
-
-TEST(ReportSection, CallsTheSiltByItsName) {
-  const std::string line = "[[line_load]]\nblock = \"top\"\nfrom_m = [0, 4]\nto_m = [0, 3]\nforce_x_n_per_m2 = 10\n";
-  const std::string silt = "[silt]\nlevel_m = 1\nsubmerged_density_kg_per_m3 = 900\npressure_coefficient = 0.5\n";
-  std::vector<std::string> names;
-  const json data = section_data(scene::read_text(scene::sample::text + line + silt, "s.toml").scene);
-  for (const json& load : data["loads"]) {
-    if (load.contains("name")) names.push_back(load["name"]);
-  }
-  EXPECT_THAT(names, testing::ElementsAre("", "silt"));
 }
 
 class ReportRun : public test::OwnFolder {

@@ -66,6 +66,28 @@ void expect_wrench(const statics::Wrench& w, double x, double y, double moment) 
   EXPECT_NEAR(w[2], moment, 1e-8 * scale * 20);
 }
 
+TEST(ReservoirLoads, NoPanelEndsBeyondItsEdgeAtAnyLevel) {
+  for (const double foot_x : {0.0, -1.7, -3.1}) {
+    for (double level_m = 1; level_m < 20; level_m += 0.0937) {
+      const auto scene = read_text(
+          dam(foot_x, fmt::format("[water]\nupstream_level_m = {}\n[ice]\nthrust_n_per_m = 1e5\nthickness_m = "
+                                  "0.6\n[earthquake]\nhorizontal_coefficient = 0.1\n",
+                                  level_m)),
+          "s.toml");
+      hydrostatic::HydrostaticModel water(scene.scene);
+      wire::Motion drawn;
+      drawn.displacement.assign(2, {});
+      drawn.velocity.assign(2, {});
+      wire::Load load;
+      water.advance(drawn, 0, load);
+      for (std::size_t i = 0; i < load.block.size(); ++i) {
+        ASSERT_GE(load.s_from[i], 0) << foot_x << ' ' << level_m;
+        ASSERT_LE(load.s_to[i], 1) << foot_x << ' ' << level_m;
+      }
+    }
+  }
+}
+
 TEST(ReservoirLoads, WestergaardsPressureHasHisForceAndMoment) {
   const double weight = 9810;
   const double h = 16;

@@ -38,6 +38,16 @@ TEST(SceneOpenStudies, AllKindsAreRead) {
   EXPECT_EQ(sample.variables[1].deviation, 1);
 }
 
+TEST(SceneOpenStudies, ACriticalFactorHasATargetAndNothingElseDoes) {
+  const auto studies = read_text(sample::text + critical + "outcome = 'factor'\ntarget = 1.5\n", "s.toml").open_studies;
+  EXPECT_EQ(std::get<CriticalValue>(studies.at(0).question).target, 1.5);
+  expect_one_error(critical + "outcome = 'factor'\n",
+                   {"[[study]] \"c\" has no target", "factor of safety that is to be reached", "add target = 1.5"});
+  expect_one_error(critical + "target = 1.5\n",
+                   {"target in [[study]] \"c\", whose outcome is \"fails\"", "leave target out"});
+  expect_one_error(critical + "outcome = 'factor'\ntarget = 0\n", {"target", "above 0"});
+}
+
 TEST(SceneOpenStudies, ADistributionHasAWidth) {
   const auto with = [](const std::string& variable) {
     return drawn + "variable = [{ key = 'a', " + variable + " }]\n";

@@ -19,7 +19,7 @@ function table(headings, rows) {
   const cell = (kind, content, right) => element(kind, right ? {class: 'number'} : {}, content);
   const right = headings.map((_, i) => rows.some(row => /^-?[\d.]/.test(row[i])));
   const head = headings.some(h => h !== '') ? [element('thead', {}, element('tr', {}, ...headings.map((h, i) => cell('th', h, right[i]))))] : [];
-  return element('table', {}, ...head,
+  return element('table', rows.length > 12 ? {} : {class: 'short'}, ...head,
     element('tbody', {}, ...rows.map(row => element('tr', {}, ...row.map((c, i) => cell('td', c, right[i]))))));
 }
 

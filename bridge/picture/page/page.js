@@ -74,6 +74,7 @@ function writeVerdict() {
 
 function writeSection() {
   chapter('section').append(sectionFigure(report),
+    ...(report.bolts.length > 0 ? [element('h3', {}, 'Anchors and bolts'), boltTable(report)] : []),
     element('h3', {}, 'Materials'),
     table(['material', 'density kg/m3', 'modulus GPa', "Poisson's ratio"], report.materials.map(m => [m.name, number(m.density), number(m.modulus / 1e9), number(m.poisson)])),
     element('h3', {}, 'Joints'),
@@ -97,13 +98,16 @@ function writeCases() {
     const grown = c.load_factor;
     to.append(paragraph(`Load case "${c.name}": it bears ${number(grown.factor)} times ${grown.loads.join(' and ')} by limit analysis; as stated: ${grown.constant.join(' and ')}.`, 'quiet'));
   }
+  to.append(caseFigures(report));
   for (const c of report.safety) {
     if (!c.joints || c.joints.length === 0) continue;
     const scaled = c.joints_with_strength_times;
-    to.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));
-    if (c.set.length > 0) to.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
-    if (is(scaled)) to.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength.`, 'quiet'));
-    to.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'sliding factor', 'resultant', 'crack m', 'heel kPa', 'toe kPa'],
+    const together = element('div', {class: 'together'});
+    to.append(together);
+    together.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));
+    if (c.set.length > 0) together.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
+    if (is(scaled)) together.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength.`, 'quiet'));
+    together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'sliding factor', 'resultant', 'crack m', 'heel kPa', 'toe kPa'],
       c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), number(j.sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
   }
 }
@@ -133,7 +137,9 @@ function writeHistories() {
   const clock = new Clock(report.frames[0].t, report.frames[report.frames.length - 1].t, report.failure_s);
   const animation = new Animation(report, clock);
   const to = chapter('histories');
-  to.append(animation.figure, snapshotFigures(report),
+  to.append(animation.figure);
+  if (report.failure_s !== null) to.append(snapshotFigures(report));  // what stands looks alike at all moments
+  to.append(
     paragraph('Drag over a chart to zoom, double click to see all, click to go to a moment. Dashed red: the failure begins.', 'quiet screen'));
   for (const group of report.histories.groups) {
     const chart = new Chart(group, report.histories.time, clock);

@@ -35,6 +35,17 @@ CriticalValue read_critical(TableReader& table, Reading& reading, bool wanted) {
   table.text("key", critical.key, wanted);
   table.text("outcome", critical.outcome);
   table.number("width", critical.width, positive());
+  const bool of_factor = critical.outcome == "factor";
+  const bool has_target = table.number("target", critical.target, positive());
+  if (wanted && of_factor && !has_target && !table.has("target")) {
+    reading.problems.error(table.place("outcome"), fmt::format("{} has no target", table.name()),
+                           "the factor of safety that is to be reached", "add target = 1.5, say");
+  }
+  if (wanted && critical.target && !of_factor) {
+    reading.problems.error(table.place("target"),
+                           fmt::format("target in {}, whose outcome is \"{}\"", table.name(), critical.outcome),
+                           "outcome = \"factor\" beside target", "add it, or leave target out");
+  }
   const bool begins = table.number("from", critical.from, any_number(), wanted);
   const bool ends = table.number("to", critical.to, any_number(), wanted);
   if (wanted && begins && ends) {
@@ -125,7 +136,7 @@ Sample read_sample(TableReader& table, Reading& reading, bool wanted) {
 }
 
 OpenStudy read_open_study(TableReader& table, Reading& reading) {
-  static const std::map<std::string, KeyNames> kinds{{"critical", {"key", "from", "to", "width", "outcome"}},
+  static const std::map<std::string, KeyNames> kinds{{"critical", {"key", "from", "to", "width", "outcome", "target"}},
                                                      {"map", {"x_key", "x_values", "y_key", "y_values"}},
                                                      {"sample", {"runs", "seed", "file", "variable"}}};
   OpenStudy study{.line = table.place().line};

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/picture/acting_loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/block_facts.hpp"
+#include "bridge/scene/read/stated_loads.hpp"
+
+namespace blockweir::picture {
+namespace {
+
+using nlohmann::json;
+using scene::Point;
+
+json pair(const Point& p) {
+  return {p.x(), p.y()};
+}
+
+/// A load that is being put together from what presses along edges.
+class Pressing {
+ public:
+  /// A force a metre that is linear from one point to the other; it goes on where the last one ended.
+  void add(const Point& from, const Point& to, const Point& q_from, const Point& q_to) {
+    const double length = (to - from).norm();
+    if (length == 0 || (q_from.isZero(0) && q_to.isZero(0))) return;
+    force_ += length / 2 * (q_from + q_to);
+    middle_ += length / 6 * ((2 * q_from.norm() + q_to.norm()) * from + (q_from.norm() + 2 * q_to.norm()) * to);
+    size_ += length / 2 * (q_from.norm() + q_to.norm());
+    if (strips_.empty() || (from - end_).norm() > 1e-9 * length) strips_.push_back(json::array());
+    strips_.back().push_back({from.x(), from.y(), q_from.x(), q_from.y()});
+    strips_.back().push_back({to.x(), to.y(), q_to.x(), q_to.y()});
+    end_ = to;
+  }
+  void put(const std::string& name, const char* kind, json& list) const {
+    if (size_ == 0) return;
+    list.push_back(
+        {{"name", name}, {"kind", kind}, {"force", pair(force_)}, {"at", pair(middle_ / size_)}, {"strips", strips_}});
+  }
+
+ private:
+  json strips_ = json::array();
+  Point end_ = Point::Zero();
+  Point force_ = Point::Zero();
+  Point middle_ = Point::Zero();
+  double size_ = 0;
+};
+
+void put_at_point(const std::string& name, const char* kind, const Point& place, const Point& force, json& list) {
+  if (force.isZero(0)) return;
+  list.push_back(
+      {{"name", name}, {"kind", kind}, {"force", pair(force)}, {"at", pair(place)}, {"strips", json::array()}});
+}
+
+/// Of forces on the mass or the volume of blocks, at their common centre.
+class OnBlocks {
+ public:
+  explicit OnBlocks(const scene::Scene& scene) : scene_(scene) {}
+  void add(std::size_t b, const Point& value, bool per_mass) {
+    const scene::Block& block = scene_.blocks[b];
+    if (block.fixed) return;
+    const double area = geometry::signed_area(block.vertices);
+    const Point force = (per_mass ? area * scene::material_of(scene_, block).density_kg_per_m3 : area) * value;
+    force_ += force;
+    middle_ += force.norm() * geometry::centroid(block.vertices);
+    size_ += force.norm();
+  }
+  void put(const std::string& name, const char* kind, json& list) const {
+    if (size_ > 0) put_at_point(name, kind, middle_ / size_, force_, list);
+  }
+
+ private:
+  const scene::Scene& scene_;
+  Point force_ = Point::Zero();
+  Point middle_ = Point::Zero();
+  double size_ = 0;
+};
+
+/// Unit normal of the edge nearest to a point of a counter-clockwise outline.
+Point inwards_at(const std::vector<Point>& outline, const Point& place) {
+  double least = std::numeric_limits<double>::infinity();
+  Point inwards = Point::Zero();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point from = outline[i];
+    const Point span = outline[(i + 1) % outline.size()] - from;
+    const double share = std::clamp(span.dot(place - from) / span.squaredNorm(), 0.0, 1.0);
+    const double away = (from + share * span - place).norm();
+    if (away >= least) continue;
+    least = away;
+    inwards = Point(-span.y(), span.x()).normalized();
+  }
+  return inwards;
+}
+
+void put_on_blocks(const scene::Scene& scene, double time_s, json& list) {
+  OnBlocks weight(scene);
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) weight.add(b, scene.analysis.gravity(), /*per_mass=*/true);
+  weight.put("weight", "weight", list);
+  const std::size_t stated = scene::count_tables(scene.text, "body_load");  // that of the earthquake comes after them
+  for (std::size_t i = 0; i < scene.body_loads.size(); ++i) {
+    const scene::BodyLoad& load = scene.body_loads[i];
+    OnBlocks sum(scene);
+    for (const int b : load.blocks) {
+      sum.add(at(b), {load.value[0].at(time_s), load.value[1].at(time_s)}, load.per_mass);
+    }
+    sum.put(i < stated ? "body load" : "inertia (earthquake)", i < stated ? "load" : "earthquake", list);
+  }
+}
+
+void put_on_edges(const scene::Scene& scene, double time_s, json& list) {
+  for (const auto& load : scene.point_loads) {
+    put_at_point("point load", "load", load.point_m, {load.force_x_n_per_m.at(time_s), load.force_y_n_per_m.at(time_s)},
+                 list);
+  }
+  const auto vector = [&](const std::array<scene::TimeTable, 2>& q) { return Point(q[0].at(time_s), q[1].at(time_s)); };
+  const std::size_t stated = scene::count_tables(scene.text, "line_load");  // those of silt come after them
+  Pressing silt;
+  for (std::size_t i = 0; i < scene.line_loads.size(); ++i) {
+    const scene::LineLoad& load = scene.line_loads[i];
+    Pressing own;
+    (i < stated ? own : silt)
+        .add(load.from_m, load.to_m, vector(load.force_from_n_per_m2), vector(load.force_to_n_per_m2));
+    own.put("line load", "load", list);
+  }
+  silt.put("silt", "silt", list);
+  for (const auto& load : scene.face_pressures) {
+    const Point inwards = inwards_at(scene.blocks[at(load.block)].vertices, (load.from_m + load.to_m) / 2);
+    Pressing own;
+    own.add(load.from_m, load.to_m, load.pressure_from_pa.at(time_s) * inwards,
+            load.pressure_to_pa.at(time_s) * inwards);
+    own.put("face pressure", "load", list);
+  }
+}
+
+/// Of the pressures of one kind, those that have a resultant of their own: in joints of each block above its joints,
+/// else from upstream and from downstream. Of both sides of a joint the upper block's counts.
+std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels, bool in_joints) {
+  std::map<int, Pressing> parts;
+  for (const json& p : panels) {
+    const int block = p[6];
+    if (block != unknown_block && scene.blocks[at(block)].fixed) continue;
+    const Point from(p[0], p[1]);
+    const Point to(p[2], p[3]);
+    const Point inwards = Point(from.y() - to.y(), to.x() - from.x()).normalized();
+    if (in_joints && inwards.y() <= 0) continue;
+    const bool from_downstream = inwards.x() < -1e-9;
+    parts[in_joints         ? block
+          : from_downstream ? 1
+                            : 0]
+        .add(from, to, p[4].get<double>() * inwards, p[5].get<double>() * inwards);
+  }
+  return parts;
+}
+
+void put_water(const scene::Scene& scene, const json& water, json& list) {
+  const std::map<std::string, const char*> kinds = {{"open water", "water"},
+                                                    {"ice", "ice"},
+                                                    {"added water (Westergaard)", "added water"},
+                                                    {"water in joints", "uplift"}};
+  constexpr std::size_t told_apart = 4;  // blocks with uplift; of a mesh of joints no picture can name each
+  for (const json& kind : water) {
+    const std::string name = kind["name"];
+    const bool in_joints = name == "water in joints";
+    const auto parts = parts_of(scene, kind["panels"], in_joints);
+    const auto name_of = [&](int part) {
+      if (name == "open water") return std::string(part == 0 ? "water upstream" : "water downstream");
+      if (!in_joints) return name;
+      const bool apart = part != unknown_block && parts.size() <= told_apart;
+      return apart ? "uplift under " + scene.blocks[at(part)].name : "uplift";
+    };
+    for (const auto& [part, pressing] : parts) pressing.put(name_of(part), kinds.at(name), list);
+  }
+}
+
+}  // namespace
+
+json acting_loads(const scene::Scene& scene, const json& water, double time_s) {
+  json list = json::array();
+  put_on_blocks(scene, time_s, list);
+  put_on_edges(scene, time_s, list);
+  put_water(scene, water, list);
+  return list;
+}
+
+json bolts_data(const scene::Scene& scene) {
+  json list = json::array();
+  for (const scene::Bolt& bolt : scene.bolts) {
+    const auto block = [&](std::size_t end) {
+      return bolt.blocks[end] < 0 ? json() : json(scene.blocks[at(bolt.blocks[end])].name);
+    };
+    list.push_back({{"name", bolt.name},
+                    {"from", pair(bolt.from_m)},
+                    {"to", pair(bolt.to_m)},
+                    {"from_block", block(0)},
+                    {"to_block", block(1)},
+                    {"stiffness_n_per_m2", bolt.stiffness_n_per_m2},
+                    {"prestress_n_per_m", bolt.prestress_n_per_m},
+                    {"yield_n_per_m", bolt.yield_n_per_m ? json(*bolt.yield_n_per_m) : json()}});
+  }
+  return list;
+}
+
+}  // namespace blockweir::picture

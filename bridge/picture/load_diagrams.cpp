@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/picture/load_diagrams.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace blockweir::picture {
+namespace {
+
+using nlohmann::json;
+using Point = Eigen::Vector2d;
+
+const std::map<std::string, const char*> colours = {
+    {"weight", "#424242"}, {"earthquake", "#bf360c"}, {"load", "#7a1fa2"},        {"silt", "#795548"},
+    {"water", "#1f6fb4"},  {"ice", "#00acc1"},        {"added water", "#ff8f00"}, {"uplift", "#2e7d32"}};
+
+Point point_of(const json& list, std::size_t first = 0) {
+  return {list[first].get<double>(), list[first + 1].get<double>()};
+}
+
+json pair(const Point& p) {
+  return {p.x(), p.y()};
+}
+
+double largest(const json& load) {
+  double size = 0;
+  for (const json& strip : load["strips"]) {
+    for (const json& station : strip) size = std::max(size, point_of(station, 2).norm());
+  }
+  return size;
+}
+
+/// The strip, and against the load's direction `by` metres for each unit of it.
+json diagram(const json& strip, double by, const Point& shift) {
+  json outline = json::array();
+  for (const json& station : strip) outline.push_back(pair(shift + point_of(station)));
+  for (auto station = strip.rbegin(); station != strip.rend(); ++station) {
+    outline.push_back(pair(shift + point_of(*station) - by * point_of(*station, 2)));
+  }
+  return outline;
+}
+
+bool stands_beside_the_water(const json& load) {
+  const std::string kind = load["kind"];
+  return (kind == "silt" || kind == "ice" || kind == "added water") && load["force"][0].get<double>() > 0;
+}
+
+std::string sized(const std::string& name, const Point& force) {
+  return fmt::format("{} {:.4g} kN/m", name, force.norm() / 1e3);
+}
+
+}  // namespace
+
+void add_diagrams(json& loads, double size_m) {
+  constexpr double longest = 0.2;  // of the structure, as all that follow
+  constexpr double shortest = 0.05;
+  constexpr double gap = 0.02;
+  constexpr double arrow = 0.1;
+  double strongest = 0;
+  double beside_m = 0;
+  for (const json& load : loads) strongest = std::max(strongest, largest(load));
+  const auto reach = [&](const json& load) { return size_m * std::max(shortest, longest * largest(load) / strongest); };
+  for (const json& load : loads) {
+    if (load["kind"] == "water" && load["force"][0].get<double>() > 0) beside_m = reach(load) + gap * size_m;
+  }
+  for (json& load : loads) {
+    const Point force = point_of(load["force"]);
+    const Point at = point_of(load["at"]);
+    load["colour"] = colours.at(load["kind"]);
+    load["label"] = sized(load["name"], force);
+    load["diagrams"] = json::array();
+    const Point along = force.isZero(0) ? Point(1, 0) : Point(force.normalized());
+    if (load["strips"].empty()) {
+      load["arrow"] = {pair(at - arrow * size_m * along), pair(at)};
+      continue;
+    }
+    const bool beside = stands_beside_the_water(load);
+    const Point shift(beside ? -beside_m : 0, 0);
+    for (const json& strip : load["strips"]) {
+      load["diagrams"].push_back(diagram(strip, reach(load) / largest(load), shift));
+    }
+    load["arrow"] = {pair(at + shift - reach(load) * along), pair(at + shift)};
+    if (beside) beside_m += reach(load) + gap * size_m;
+  }
+}
+
+json load_legend(const json& loads) {
+  json rows = json::array();
+  std::map<std::string, std::size_t> row_of;
+  for (const json& load : loads) {
+    const std::string name = load["name"];
+    const auto [known, added] = row_of.try_emplace(name, rows.size());
+    if (!added) {
+      rows[known->second]["label"] = name;  // sizes stand at the loads themselves
+      continue;
+    }
+    rows.push_back({{"label", load["label"]}, {"colour", load["colour"]}});
+  }
+  return rows;
+}
+
+}  // namespace blockweir::picture

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_picture
+// What pictures of a section show of loads, bolts and water.
+#include "bridge/picture/section_state.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "bridge/scene/read/read.hpp"
+#include "tests/unit/scene_sample.hpp"
+
+namespace blockweir::picture {
+namespace {
+
+using nlohmann::json;
+
+/// Pressures of every kind on the sample's base, and some on the ground.
+const json water = json::parse(R"J([
+  {"name": "open water", "panels": [[0, 2, 0, 0, 0, 20000, 1], [3, 0, 3, 1, 10000, 0, 1], [-5, 0, 0, 0, 9, 9, 0]]},
+  {"name": "ice", "panels": [[0, 2, 0, 1.5, 1000, 1000, 1]]},
+  {"name": "added water (Westergaard)", "panels": [[0, 2, 0, 1, 0, 500, 1], [0, 1, 0, 0, 500, 900, 1]]},
+  {"name": "water in joints", "panels": [[0, 0, 3, 0, 20000, 0, 1], [3, 0, 0, 0, 0, 20000, 0]]}])J");
+
+const std::string more = R"(
+[[line_load]]
+block = "top"
+from_m = [0, 4]
+to_m = [0, 3]
+force_x_n_per_m2 = 10
+[silt]
+level_m = 1
+submerged_density_kg_per_m3 = 900
+pressure_coefficient = 0.5
+[earthquake]
+horizontal_coefficient = 0.1
+added_water_pressure = "none"
+[[bolt]]
+name = "anchor"
+from_block = "top"
+to_block = "ground"
+from_m = [1, 4]
+to_m = [1, -1]
+stiffness_n_per_m2 = 1e7
+prestress_n_per_m = 5e4
+)";
+
+json state_of(const json& forces = json::array()) {
+  return section_state(scene::read_text(scene::sample::text + more, "s.toml").scene, water, 0, forces);
+}
+
+const json& load(const json& state, const std::string& name) {
+  for (const json& one : state["acting"]) {
+    if (one["name"] == name) return one;
+  }
+  throw std::runtime_error("no load " + name);
+}
+
+TEST(SectionState, HasTheResultantOfEveryKindOfLoad) {
+  const json state = state_of();
+  const auto force = [&](const char* name, std::size_t axis) { return load(state, name)["force"][axis].get<double>(); };
+  EXPECT_NEAR(force("weight", 1), -2500 * 9.81 * 12, 1e-6);
+  EXPECT_NEAR(force("inertia (earthquake)", 0), 0.1 * 2500 * 9.81 * 12, 1e-6);
+  EXPECT_EQ(load(state, "point load")["force"], json::parse("[100.0, -200.0]"));
+  EXPECT_NEAR(force("line load", 0), 10, 1e-12);
+  EXPECT_LT(force("face pressure", 0), 0) << "a pressure on the downstream face acts upstream";
+  EXPECT_NEAR(force("silt", 0), 0.5 * 900 * 9.81 / 2, 1e-9);
+  EXPECT_NEAR(force("water upstream", 0), 20000, 1e-9);
+  EXPECT_NEAR(force("water downstream", 0), -5000, 1e-9);
+  EXPECT_NEAR(force("ice", 0), 500, 1e-9);
+  EXPECT_NEAR(force("added water (Westergaard)", 0), 950, 1e-9);
+  EXPECT_NEAR(force("uplift under base", 1), 30000, 1e-9);
+  EXPECT_EQ(state["acting"].size(), 11U) << "what presses on the ground loads no block: " << state["acting"].dump();
+}
+
+TEST(SectionState, ResultantsLieWhereTheyAct) {
+  const json state = state_of();
+  EXPECT_NEAR(load(state, "water upstream")["arrow"][1][1].get<double>(), 2.0 / 3, 1e-12);
+  EXPECT_NEAR(load(state, "silt")["arrow"][1][1].get<double>(), 1.0 / 3, 1e-12);
+  EXPECT_NEAR(load(state, "uplift under base")["at"][0].get<double>(), 1, 1e-12);
+}
+
+TEST(SectionState, KindsHaveColoursOfTheirOwnAndStandBesideEachOther) {
+  const json state = state_of();
+  std::set<std::string> colours;
+  double left = 0;
+  for (const char* name : {"water upstream", "silt", "ice", "added water (Westergaard)", "uplift under base"}) {
+    EXPECT_TRUE(colours.insert(load(state, name)["colour"]).second) << name;
+  }
+  for (const char* name : {"water upstream", "silt", "ice", "added water (Westergaard)"}) {
+    double own_right = -1e300;
+    double own_left = 1e300;
+    for (const json& outline : load(state, name)["diagrams"]) {
+      for (const json& p : outline) {
+        own_right = std::max(own_right, p[0].get<double>());
+        own_left = std::min(own_left, p[0].get<double>());
+      }
+    }
+    EXPECT_LE(own_right, left) << name;
+    left = own_left;
+  }
+}
+
+TEST(SectionState, TheLegendHasLoadsWithTheirSizesAndBolts) {
+  const json state = state_of();
+  std::vector<std::string> labels;
+  for (const json& row : state["legend"]) labels.push_back(row["label"]);
+  EXPECT_THAT(labels, testing::IsSupersetOf(
+                          {"water upstream 20 kN/m", "ice 0.5 kN/m", "uplift under base 30 kN/m", "anchor 50 kN/m"}));
+  EXPECT_EQ(state_of({6e4})["bolts"][0]["label"], "anchor 60 kN/m") << "the force that it has now";
+}
+
+TEST(SectionState, TheViewHasAllThatIsDrawn) {
+  const json state = state_of();
+  const json& view = state["view"];
+  for (const json& one : state["acting"]) {
+    for (const json& outline : one["diagrams"]) {
+      for (const json& p : outline) {
+        EXPECT_TRUE(p[0] > view["left"] && p[0] < view["right"] && p[1] > view["bottom"] && p[1] < view["top"]);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace blockweir::picture
