@@ -9,7 +9,6 @@
 #include "bridge/process/exit_status.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "fluid/reservoir/mass_on_faces.hpp"
 
 int main(int argc, char** argv) {
   using namespace blockweir;

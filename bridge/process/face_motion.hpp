@@ -33,3 +33,12 @@ using WaterMass = std::function<Eigen::SparseMatrix<double>(const scene::Scene& 
                                                             int unknowns, const FaceMotion& moves)>;
 
 }  // namespace blockweir::process
+
+namespace blockweir::reservoir {
+
+/// Of incompressible water under a level surface: M = rho G^T K^-1 G, G what the unknowns' unit accelerations let
+/// through each wet face (fluid/README.md). Defined by fluid/reservoir.
+Eigen::SparseMatrix<double> mass_on_faces(const scene::Scene& scene, const wire::Motion& motion, int unknowns,
+                                          const process::FaceMotion& moves);
+
+}  // namespace blockweir::reservoir

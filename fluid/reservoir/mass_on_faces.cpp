@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fluid/reservoir/mass_on_faces.hpp"
-
+// The mass of water that a structure pushes, whatever the motions of its faces.
 #include <map>
 
+#include "bridge/process/face_motion.hpp"
 #include "bridge/scene/at.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 #include "fluid/reservoir/pressure_equation.hpp"

@@ -205,7 +205,7 @@ spacing_deviation = 0.3
            "[fluid]\nmodel = \"column\"\n[fluid.column]\nblock = \"a\"\nat_m = [0, 1]\nlength_m = 5\n";
   }
   if (table == "fluid.reservoir") {
-    return blocks + "[fluid]\nmodel = \"reservoir\"\n[fluid.reservoir]\nelement_ratio = 0.3\n";
+    return blocks + "[fluid]\nmodel = \"reservoir\"\n[fluid.reservoir]\nelement_ratio = 0.3\ncompressible = true\n";
   }
   if (table.starts_with("fluid") || table == "expect_water") {
     return blocks + "[[expect_water]]\nquantity = \"water_area_error\"\nvalue = 0\n[fluid]\nmodel = \"openfoam\"\n" +

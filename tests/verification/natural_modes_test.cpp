@@ -10,7 +10,6 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "fluid/reservoir/mass_on_faces.hpp"
 
 namespace blockweir::process {
 namespace {
