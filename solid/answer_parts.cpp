@@ -25,7 +25,9 @@ void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohma
 }
 
 void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answer) {
-  if (scene.water.earthquake_coefficient != 0) answer["added_water_pressure"] = "Westergaard";
+  if (scene.water.earthquake_coefficient != 0) {
+    answer["added_water_pressure"] = scene::name_of(scene.water.added_water);
+  }
 }
 
 bool has_bonds(const scene::Scene& scene) {

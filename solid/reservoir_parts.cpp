@@ -15,12 +15,16 @@ statics::Wrenches open_water(const scene::Scene& scene, const process::FluidMake
 
 }  // namespace
 
+std::string added_water_name(const scene::Scene& scene) {
+  return std::string("added water (") + scene::name_of(scene.water.added_water) + ")";
+}
+
 std::vector<WaterPart> reservoir_parts(const scene::Scene& scene, const process::FluidMaker& make_fluid,
                                        double level_m) {
   std::vector<WaterPart> parts;
   if (!scene.water.ice && scene.water.earthquake_coefficient == 0) return parts;
   const statics::Wrenches all = open_water(scene, make_fluid, level_m);
-  const auto add = [&](const char* name, const scene::Scene& without) {
+  const auto add = [&](const std::string& name, const scene::Scene& without) {
     parts.push_back({name, statics::combined(all, -1, open_water(without, make_fluid, level_m))});
   };
   scene::Scene without = scene;
@@ -28,7 +32,7 @@ std::vector<WaterPart> reservoir_parts(const scene::Scene& scene, const process:
   if (scene.water.ice) add("ice", without);
   without = scene;
   without.water.earthquake_coefficient = 0;
-  if (scene.water.earthquake_coefficient != 0) add("added water (Westergaard)", without);
+  if (scene.water.earthquake_coefficient != 0) add(added_water_name(scene), without);
   return parts;
 }
 

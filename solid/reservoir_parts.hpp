@@ -14,4 +14,7 @@ namespace blockweir::solid {
 std::vector<WaterPart> reservoir_parts(const scene::Scene& scene, const process::FluidMaker& make_fluid,
                                        double level_m);
 
+/// As tables call the water's added pressure in the scene's earthquake: by whom it is found.
+std::string added_water_name(const scene::Scene& scene);
+
 }  // namespace blockweir::solid

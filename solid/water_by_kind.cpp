@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/water_by_kind.hpp"
 
+#include "solid/reservoir_parts.hpp"
 #include "solid/still_water.hpp"
 
 namespace blockweir::solid {
@@ -8,8 +9,8 @@ namespace {
 
 using nlohmann::json;
 
-void add_kind(const scene::Scene& scene, const wire::Load& load, std::size_t first, std::size_t last, const char* name,
-              json& kinds) {
+void add_kind(const scene::Scene& scene, const wire::Load& load, std::size_t first, std::size_t last,
+              const std::string& name, json& kinds) {
   json panels = json::array();
   for (std::size_t i = first; i < last; ++i) {
     const scene::Block& block = scene.blocks[load.block[i]];
@@ -42,7 +43,7 @@ json water_by_kind(const scene::Scene& scene, const process::FluidMaker& make_fl
   json kinds = json::array();
   add_kind(scene, load, 0, at_rest, "open water", kinds);
   add_kind(scene, load, at_rest, with_ice, "ice", kinds);
-  add_kind(scene, load, with_ice, load.cracks_from, "added water (Westergaard)", kinds);
+  add_kind(scene, load, with_ice, load.cracks_from, added_water_name(scene), kinds);
   add_kind(scene, load, load.cracks_from, load.block.size(), "water in joints", kinds);
   return kinds;
 }

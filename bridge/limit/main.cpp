@@ -33,12 +33,15 @@ int main(int argc, char** argv) {
   return process::exit_status("blockweir-limit", [&] {
     scene::Scene asked = scene::read(scene).scene;
     if (moment_s) asked.analysis.duration_s = *moment_s;
+    const auto still = [](const scene::Scene& of, const std::filesystem::path& folder) {
+      return of.fluid == scene::FluidModel::reservoir ? reservoir::make(of, folder) : hydrostatic::make(of, folder);
+    };
     const auto answered = [&]() -> nlohmann::json {
-      if (question == "level") return process::level_answer(asked, hydrostatic::make);
-      if (question == "safety") return process::safety_answer(asked, hydrostatic::make);
-      if (question == "margin") return process::margin_answer(asked, hydrostatic::make);
-      if (question == "water") return process::water_answer(asked, hydrostatic::make);
-      return process::modes_answer(asked, hydrostatic::make, reservoir::mass_on_faces);
+      if (question == "level") return process::level_answer(asked, still);
+      if (question == "safety") return process::safety_answer(asked, still);
+      if (question == "margin") return process::margin_answer(asked, still);
+      if (question == "water") return process::water_answer(asked, still);
+      return process::modes_answer(asked, still, reservoir::mass_on_faces);
     };
     results::replace_file(answer, answered().dump(2) + "\n");
     return 0;

@@ -160,6 +160,7 @@ void put_water(const scene::Scene& scene, const json& water, json& list) {
   const std::map<std::string, const char*> kinds = {{"open water", "water"},
                                                     {"ice", "ice"},
                                                     {"added water (Westergaard)", "added water"},
+                                                    {"added water (finite elements)", "added water"},
                                                     {"water in joints", "uplift"}};
   constexpr std::size_t told_apart = 4;  // blocks with uplift; of a mesh of joints no picture can name each
   for (const json& kind : water) {

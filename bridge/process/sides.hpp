@@ -39,3 +39,10 @@ namespace blockweir::hydrostatic {
 std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::filesystem::path& folder);
 
 }  // namespace blockweir::hydrostatic
+
+namespace blockweir::reservoir {
+
+/// Water that answers accelerations.
+std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::filesystem::path& folder);
+
+}  // namespace blockweir::reservoir

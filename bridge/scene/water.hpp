@@ -21,6 +21,13 @@ enum class Atmosphere { none, wet_faces };
 /// that of the head over the crest falling linearly to zero, or all of that head.
 enum class CrestPressure { none, triangular, full };
 
+/// By whom water presses on a dam in a pseudo-static earthquake: Westergaard's formula on upstream faces, or the finite
+/// elements of [fluid] model = "reservoir".
+enum class AddedWater { westergaard, reservoir };
+inline const char* name_of(AddedWater by) {
+  return by == AddedWater::westergaard ? "Westergaard" : "finite elements";
+}
+
 /// Of a sheet of ice on the reservoir, spread over its thickness under the level.
 struct Ice {
   double thrust_n_per_m = 0;
@@ -42,8 +49,10 @@ struct Water {
   bool may_overtop = false;  ///< levels above the crest are meant
   CrestPressure crest_pressure = CrestPressure::none;
   std::optional<Ice> ice;
-  double earthquake_coefficient = 0;  ///< k_h of the added pressure on upstream faces, after Westergaard
-  bool skip_unchanged = true;         ///< still water keeps its pressures while neither a level nor a block has moved
+  double earthquake_coefficient = 0;           ///< k_h of the water's added pressure
+  double earthquake_vertical_coefficient = 0;  ///< k_v of it, of AddedWater::reservoir
+  AddedWater added_water = AddedWater::westergaard;
+  bool skip_unchanged = true;  ///< still water keeps its pressures while neither a level nor a block has moved
   bool operator==(const Water&) const = default;
 };
 

@@ -174,7 +174,7 @@ schedule::FluidReport HydrostaticModel::report() const {
   const GroundEnds& ground = structure_.ground;
   if (ground.left && scene_.water.upstream_level_m) report.skips.push_back(dry_end(scene_, "left", *ground.left));
   if (ground.right && scene_.water.downstream_level_m) report.skips.push_back(dry_end(scene_, "right", *ground.right));
-  if (scene_.water.earthquake_coefficient != 0) {
+  if (scene_.water.earthquake_coefficient != 0 && scene_.water.added_water == scene::AddedWater::westergaard) {
     report.skips.emplace_back(
         "the reservoir's answer to the earthquake: its added pressure is Westergaard's, 7/8 k_h rho g sqrt(H z) |n_x|");
   }

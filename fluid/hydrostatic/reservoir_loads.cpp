@@ -144,11 +144,12 @@ void add_reservoir_loads(const scene::Scene& scene, const std::vector<std::vecto
                          const std::vector<WaterBody>& bodies, wire::Load& load) {
   const scene::Water& water = scene.water;
   if (water.crest_pressure != scene::CrestPressure::none) add_crest(scene, outlines, bodies, load);
-  if (!water.ice && water.earthquake_coefficient == 0) return;
+  const bool westergaard = water.earthquake_coefficient != 0 && water.added_water == scene::AddedWater::westergaard;
+  if (!water.ice && !westergaard) return;
   const std::vector<UpstreamFace> faces = upstream_faces(scene, outlines, bodies.front());
   const double level_m = bodies.front().surface.from_m.y();
   if (water.ice) add_ice(faces, *water.ice, level_m, load);
-  if (water.earthquake_coefficient != 0) {
+  if (westergaard) {
     add_westergaard(faces, water.earthquake_coefficient * scene::unit_weight_of_water(scene), level_m, load);
   }
 }

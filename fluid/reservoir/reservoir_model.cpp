@@ -98,9 +98,20 @@ void ReservoirModel::take_accelerations(const wire::Motion& motion, double to_s)
     }
     ground_ = ground_acceleration(time_s_, to_s);
   }
+  if (shaken_steadily()) ground_ = steady_acceleration();
   velocities_ = std::move(velocities);
   time_s_ = to_s;
   told_ = true;
+}
+
+/// A pseudo-static earthquake: loads of all that can move, as by ground that accelerates the other way.
+bool ReservoirModel::shaken_steadily() const {
+  return scene_.water.earthquake_coefficient != 0 && scene_.water.added_water == scene::AddedWater::reservoir;
+}
+
+Point ReservoirModel::steady_acceleration() const {
+  return -scene_.analysis.gravity_m_per_s2 *
+         Point(scene_.water.earthquake_coefficient, scene_.water.earthquake_vertical_coefficient);
 }
 
 Point ReservoirModel::ground_acceleration(double from_s, double to_s) const {
@@ -167,7 +178,8 @@ void ReservoirModel::guard(const WaterAnswer& answer) {
 }
 
 Eigen::VectorXd ReservoirModel::accelerations_of(const WaterAnswer& answer) const {
-  const bool inertia = scene_.base_motion && scene_.base_motion->form == scene::BaseForm::inertia;
+  const bool inertia =
+      shaken_steadily() || (scene_.base_motion && scene_.base_motion->form == scene::BaseForm::inertia);
   Eigen::VectorXd a(static_cast<Eigen::Index>(answer.modes.size()));
   for (std::size_t k = 0; k < answer.modes.size(); ++k) {
     const auto [block, axis] = answer.modes[k];

@@ -36,6 +36,8 @@ class ReservoirModel final : public schedule::FluidSide {
   void solve(const hydrostatic::HydrostaticModel& water);
   void guard(const WaterAnswer& answer);
   [[nodiscard]] bool moves() const;
+  [[nodiscard]] bool shaken_steadily() const;
+  [[nodiscard]] Point steady_acceleration() const;
   [[nodiscard]] Eigen::VectorXd accelerations_of(const WaterAnswer& answer) const;
 
   const scene::Scene& scene_;

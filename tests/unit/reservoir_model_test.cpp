@@ -162,6 +162,16 @@ TEST(ReservoirModel, TheGuardIsToldNoLessThanBlocksPushTogether) {
   EXPECT_GT(load.added_mass[1][0] + load.added_mass[2][0], added);
 }
 
+TEST(ReservoirModel, APseudoStaticEarthquakeTakesItsPressureInPlaceOfWestergaards) {
+  const scene::Scene scene = dam_of_two("[fluid]\nmodel = \"reservoir\"\n[earthquake]\nhorizontal_coefficient = 0.1\n");
+  ReservoirModel water(scene);
+  wire::Load load;
+  water.advance(moved(0, 0), 0, load);
+  EXPECT_NEAR(thrust(load), still + 0.981 * added, 1e-4 * added);
+  water.advance(moved(0, 0), 0.01, load);
+  EXPECT_NEAR(thrust(load), still + 0.981 * added, 1e-4 * added);
+}
+
 TEST(ReservoirModel, AFarWallWithinTheModelAndKeysOfAnotherModelAreErrors) {
   const auto error = [](const std::string& more) -> std::string {
     try {

@@ -75,14 +75,21 @@ void read_ice(Reading& reading) {
 void read_earthquake(Reading& reading) {
   TableReader table(reading.problems, reading.section("earthquake"), "[earthquake]");
   if (!table.present()) return;
-  enum class Added { westergaard, none };
+  enum class Added { westergaard, reservoir, none };
+  const bool answers = reading.scene.fluid == FluidModel::reservoir;
   double horizontal = 0;
   double vertical = 0;
-  Added added = Added::westergaard;
+  Added added = answers ? Added::reservoir : Added::westergaard;
   const Range below_one{[](double k) { return std::abs(k) < 1; }, "a share of gravity, between -1 and 1"};
   table.number("horizontal_coefficient", horizontal, below_one, true);
   table.number("vertical_coefficient", vertical, below_one);
-  table.choice<Added>("added_water_pressure", added, {{"westergaard", Added::westergaard}, {"none", Added::none}});
+  table.choice<Added>("added_water_pressure", added,
+                      {{"westergaard", Added::westergaard}, {"reservoir", Added::reservoir}, {"none", Added::none}});
+  if (added == Added::reservoir && !answers) {
+    reading.problems.error(table.place("added_water_pressure"),
+                           "added_water_pressure = \"reservoir\" beside still water",
+                           "model = \"reservoir\" in [fluid]", "set the model, or take \"westergaard\"");
+  }
   BodyLoad inertia;
   for (std::size_t b = 0; b < reading.scene.blocks.size(); ++b) {
     if (!reading.scene.blocks[b].fixed) inertia.blocks.push_back(static_cast<int>(b));
@@ -93,7 +100,11 @@ void read_earthquake(Reading& reading) {
   const bool reservoir = reading.scene.water.upstream_level_m.has_value();
   if (added == Added::none || (!reservoir && !table.has("added_water_pressure"))) return;
   require_still_water(table, reading);
-  reading.scene.water.earthquake_coefficient = horizontal;
+  Water& water = reading.scene.water;
+  water.earthquake_coefficient = horizontal;
+  if (added != Added::reservoir) return;
+  water.added_water = AddedWater::reservoir;
+  water.earthquake_vertical_coefficient = vertical;
 }
 
 }  // namespace blockweir::scene
