@@ -3,12 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "bridge/scene/at.hpp"
 #include "solid/step/initial_equilibrium.hpp"
 #include "solid/step/refusals.hpp"
 
 namespace blockweir::solid {
+namespace {
+
+/// The longest step in which no block among others turns farther than a search of contacts holds, if all go on turning
+/// as they do [s]: a longer one would be undone. Static analyses have no velocities.
+double until_turned(const Model& model, const State& state) {
+  if (!model.is(scene::AnalysisKind::dynamic)) return std::numeric_limits<double>::infinity();
+  double fastest = 0;
+  for (const ContactPoint& c : state.contacts) {
+    for (const int part : {c.vertex_part, c.edge_part}) {
+      // Of a mesh's triangle the third rate is no turn.
+      if (!model.blocks[at(part)].is_part()) fastest = std::max(fastest, std::abs(state.blocks[at(part)].velocity[2]));
+    }
+  }
+  return ContactSearch::most_turn / fastest;
+}
+
+}  // namespace
 
 void Solid::settle(const std::vector<Panel>& water) {
   starts_at_rest_ = InitialEquilibrium(step_, time_step_).settle(water);
@@ -35,7 +54,8 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
   while (to_s - time > 1e-9 * largest_step) {
     if (step_.meanwhile) step_.meanwhile();  // steps at rest solve nothing
     // Equal steps up to the end of the window, none longer than allowed; 1e-9 forgives round-off in the quotient.
-    const double allowed = std::min(state_.next_dt, largest_step);
+    const double foreseen = std::max(smallest_step, until_turned(model_, state_));
+    const double allowed = std::min({state_.next_dt, largest_step, foreseen});
     const double equal = (to_s - time) / std::ceil((to_s - time) / allowed * (1 - 1e-9));
     const double dt = std::abs(equal - allowed) <= 1e-9 * allowed ? allowed : equal;  // so that matrices stand
     const std::vector<Panel>& panels = water.at(time + dt);
