@@ -47,6 +47,17 @@ TEST(SceneBolt, FaultsAreNamed) {
                63, {"a second bolt is called \"b\""});
 }
 
+TEST(SceneBolt, DoesNotEndInTheGroundInsideABlockThatMoves) {
+  const std::string stiff = "stiffness_n_per_m2 = 1\n";
+  const std::string remedy = "state to_block = \"base\", or move the point into the ground";
+  expect_error(bolted("to_m = [1, 1]\n" + stiff), 60,
+               {"to_m (1, 1) in [[bolt]] \"b\" lies within block \"base\", which moves, and no to_block is stated",
+                remedy.c_str()});
+  for (const char* sound : {"[1, 1]\nto_block = \"base\"", "[1, 0]", "[1, -0.5]", "[1, 7]"}) {
+    EXPECT_THAT(errors(bolted("to_m = " + std::string(sound) + "\n" + stiff)), testing::IsEmpty()) << sound;
+  }
+}
+
 TEST(SceneBolt, HoldsWhatHangsOnIt) {
   const std::string high = with("[[0, 2], [3, 2], [3, 4], [0, 4]]", "[[20, 2], [23, 2], [23, 4], [20, 4]]",
                                 with("point_m = [0, 4]", "point_m = [20, 4]",

@@ -19,6 +19,31 @@ void check_end(TableReader& table, Reading& reading, const char* key, int index,
       "a point in the block or on its outline", "move the point or name the block that it is on");
 }
 
+/// Reports an end in the ground that lies inside a block that moves: it would hold that block to nothing that is there,
+/// and a block that was forgotten would make a dam look safer. On an outline, as on a rock's edge, it may be either's.
+void refuse_ground_in_block(TableReader& table, Reading& reading, const Point& point) {
+  for (const Block& block : reading.scene.blocks) {
+    if (block.fixed || block.vertices.empty()) continue;
+    const double tolerance_m = 1e-6 * geometry::bounds_of(block.vertices).size();
+    const auto holds = [&](double x, double y) {
+      return geometry::holds_point(block.vertices, {point.x() + x, point.y() + y}, 0);
+    };
+    // Inside is where small steps to all sides stay in the block.
+    if (!holds(tolerance_m, tolerance_m) || !holds(-tolerance_m, tolerance_m) || !holds(tolerance_m, -tolerance_m) ||
+        !holds(-tolerance_m, -tolerance_m))
+      continue;
+    reading.problems.error(
+        table.place("to_m"),
+        fmt::format(
+            "to_m ({}, {}) in {} lies within block \"{}\", which moves, and no to_block is stated, which stands "
+            "for the ground",
+            point.x(), point.y(), table.name(), block.name),
+        "an end in the ground outside all blocks that move",
+        fmt::format("state to_block = \"{}\", or move the point into the ground", block.name));
+    return;
+  }
+}
+
 /// Reports a bolt neither of whose ends can move.
 void require_movable_end(TableReader& table, Reading& reading, const Bolt& bolt) {
   const Block* from = reading.sound_block(bolt.blocks[0]);
@@ -66,6 +91,7 @@ void read_bolts(Reading& reading) {
     require_movable_end(table, reading, bolt);
     if (ends) check_end(table, reading, "from_m", bolt.blocks[0], bolt.from_m);
     if (ends) check_end(table, reading, "to_m", bolt.blocks[1], bolt.to_m);
+    if (ends && !table.has("to_block") && bolt.from_m != bolt.to_m) refuse_ground_in_block(table, reading, bolt.to_m);
     read_stiffness(table, reading, bolt);
     table.number("prestress_n_per_m", bolt.prestress_n_per_m, not_negative());
     table.number("yield_n_per_m", bolt.yield_n_per_m, positive());
