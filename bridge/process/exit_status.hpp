@@ -2,10 +2,15 @@
 // How a program ends when its work throws.
 #pragma once
 
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
+#include <system_error>
 
 #include "bridge/scene/diagnostic.hpp"
 
@@ -16,6 +21,15 @@ inline bool output_is_written() {
   std::cout.flush();
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
 }
+
+/// Has whoever read standard output gone, as `head` does when it has enough?
+inline bool reader_is_gone() {
+  pollfd output{STDOUT_FILENO, 0, 0};
+  return poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0;
+}
+
+/// The status that shells give a tool which a closed pipe ends: 128 + SIGPIPE. Nothing is said: nothing is wrong.
+inline constexpr int closed_pipe = 141;
 
 /// What `work` returns, 1 where that was 0 and standard output did not take what it said; where it throws, a message on
 /// standard error and 2 when the scene or the command is wrong (SceneError, std::invalid_argument), else 1. Plain
@@ -31,6 +45,7 @@ int exit_status(const char* program, Work work) noexcept {
   try {
     const int status = work();
     if (output_is_written()) return status;
+    if (reader_is_gone()) return status == 0 ? closed_pipe : status;
     std::fputs(program, stderr);
     std::fputs(": standard output cannot be written: is the disk full?\n", stderr);
     return status == 0 ? 1 : status;
@@ -41,6 +56,10 @@ int exit_status(const char* program, Work work) noexcept {
   } catch (const std::invalid_argument& error) {
     say(error);
     return 2;
+  } catch (const std::system_error& error) {
+    if (error.code().value() == EPIPE && reader_is_gone()) return closed_pipe;
+    say(error);
+    return 1;
   } catch (const std::exception& error) {
     say(error);
     return 1;

@@ -38,6 +38,16 @@ TEST_F(FullOutput, AStatusOfItsOwnStays) {
   EXPECT_EQ(full("check no-such-scene.toml"), 2);
 }
 
+TEST_F(FullOutput, AReaderThatHasGoneIsNoError) {
+  for (const std::string& command : {std::string("--help"), "check " + cases + "monolith-slides", std::string("man")}) {
+    // The pause lets the reader go first.
+    const std::string piped = "{ sleep 0.3; " + programs + "/blockweir " + command + "; echo $? >status; } | true";
+    EXPECT_EQ(shell("sh -c '" + piped + "'"), 0);
+    EXPECT_EQ(text("out"), "") << command;
+    EXPECT_EQ(text("status"), "141\n") << command;
+  }
+}
+
 /// As root one could remove it, or put a file in its place.
 TEST_F(FullOutput, ADeviceIsWrittenAndStaysWhatItIs) {
   fs::create_symlink("/dev/full", folder / "full");
