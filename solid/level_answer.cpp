@@ -94,6 +94,8 @@ json formula_json(const scene::Scene& scene) {
   return nullptr;
 }
 
+inline constexpr const char* the_two_agree = "blocks and limit analysis agree";
+
 /// The levels of one scene.
 struct Levels {
   const scene::Scene& scene;
@@ -131,7 +133,7 @@ struct Levels {
       return "history of joint forces: the level depends on how the friction in the joints came about; " + rigid_too +
              ", the others bear more";
     }
-    if (agrees(*blocks.value)) return "none: the two agree";
+    if (agrees(*blocks.value)) return the_two_agree;
     if (rigid.value && agrees(*rigid.value)) {
       return "deformation: blocks that do not strain fail at the level of limit analysis";
     }
@@ -165,7 +167,8 @@ struct Levels {
 };
 
 json difference_json(const Levels& levels) {
-  json answer = {{"reason", levels.reason()}};
+  const std::string reason = levels.reason();
+  json answer = {{"reason", reason}, {"agree", reason == the_two_agree}};
   const auto fails = [](const auto& found) { return found.value && found.value->outcome == Filled::fails; };
   if (fails(levels.blocks) && fails(levels.limit)) {
     answer["level_m"] = levels.blocks.value->level_m - levels.limit.value->level_m;

@@ -69,6 +69,18 @@ std::string limit_text(const json& found) {
   return text;
 }
 
+/// That blocks and limit analysis agree, or by how much and why they do not.
+std::string difference_text(const json& difference) {
+  const std::string reason = difference["reason"].get<std::string>();
+  if (difference["agree"].get<bool>()) return fmt::format("agree   {}\n", reason);
+  std::string text = "differ  ";
+  if (difference.contains("level_m")) {
+    text += fmt::format("blocks less limit analysis {:.3g} m, {:.2g} of the rise\n        ",
+                        difference["level_m"].get<double>(), difference["relative"].get<double>());
+  }
+  return text + fmt::format("reason: {}\n", reason);
+}
+
 std::string level_report(const json& answer) {
   std::string text = fmt::format("BLOCKS  {}\n", blocks_text(answer));
   if (answer.contains("rigid_blocks")) text += fmt::format("RIGID   {}\n", level_text(answer["rigid_blocks"]));
@@ -83,13 +95,7 @@ std::string level_report(const json& answer) {
     text += fmt::format("water   added pressure in the earthquake after {}\n",
                         answer["added_water_pressure"].get<std::string>());
   }
-  const json& difference = answer["difference"];
-  text += "differ  ";
-  if (difference.contains("level_m")) {
-    text += fmt::format("blocks less limit analysis {:.3g} m, {:.2g} of the rise\n        ",
-                        difference["level_m"].get<double>(), difference["relative"].get<double>());
-  }
-  text += fmt::format("reason: {}\n", difference["reason"].get<std::string>());
+  text += difference_text(answer["difference"]);
   for (const json& warning : answer["warnings"]) text += fmt::format("WARNING {}\n", warning.get<std::string>());
   return text;
 }

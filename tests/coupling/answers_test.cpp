@@ -41,6 +41,13 @@ TEST_F(Answers, TheLevelOfBothExamplesIsThatOfTheFormula) {
   }
 }
 
+TEST_F(Answers, TheLevelsOfBothWaysAreSaidToAgree) {
+  ASSERT_EQ(ask("level " + cases + "monolith-slides --out o --json a.json --set analysis.rigid=\\\"all\\\""), 0)
+      << text("out");
+  EXPECT_TRUE(answer("a.json")["difference"]["agree"].get<bool>());
+  EXPECT_THAT(text("out"), HasSubstr("\nagree   blocks and limit analysis agree\n"));
+}
+
 TEST_F(Answers, ThePressuresOfTheWaterKindByKindHaveTheSumsOfTheJoint) {
   write("s.toml", text(cases + "monolith-slides/scene.toml") +
                       "[ice]\nthrust_n_per_m = 20e3\nthickness_m = 0.4\n[earthquake]\nhorizontal_coefficient = 0.05\n");

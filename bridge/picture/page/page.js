@@ -126,7 +126,7 @@ function writeLevel() {
   rows.push(row('limit analysis', found.limit_analysis));
   if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 6), fixed(found.formula.head_m, 6), '-', found.formula.joint]);
   to.append(table(['found by', 'level m', 'head m', 'mode', 'joint'], rows),
-    paragraph('Blocks and limit analysis differ' + (is(found.difference.level_m) ? ` by ${number(found.difference.level_m, 3)} m` : '') + `. Reason: ${found.difference.reason}.`));
+    paragraph(found.difference.agree ? 'Blocks and limit analysis agree.' : 'Blocks and limit analysis differ' + (is(found.difference.level_m) ? ` by ${number(found.difference.level_m, 3)} m` : '') + `. Reason: ${found.difference.reason}.`));
   for (const warning of warningsOf(found)) to.append(paragraph('Warning: ' + warning, 'bad'));
   if (found.limit_analysis.limit_analysis_note) to.append(paragraph(`Limit analysis: ${found.limit_analysis.limit_analysis_note}.`, 'quiet'));
   const mechanism = found.limit_analysis.mechanism;
