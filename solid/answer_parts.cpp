@@ -21,7 +21,15 @@ void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohma
   answer["upper_bound"] = !structure.is_exact();
   if (structure.holds_any_force()) {
     answer["limit_analysis_note"] = anchors_note;
+  } else if (yields_above_prestress(structure.scene())) {
+    answer["limit_analysis_note"] = yields_note;
   }
+}
+
+bool yields_above_prestress(const scene::Scene& scene) {
+  return std::any_of(scene.bolts.begin(), scene.bolts.end(), [](const scene::Bolt& bolt) {
+    return bolt.yield_n_per_m && *bolt.yield_n_per_m > bolt.prestress_n_per_m;
+  });
 }
 
 void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answer) {

@@ -32,6 +32,12 @@ auto attempt(Way way) -> Attempt<decltype(way())> {
 inline constexpr const char* anchors_note =
     "in limit analysis anchors hold any force: state yield_n_per_m of each [[bolt]]";
 
+/// Of bolts that yield above their prestress.
+inline constexpr const char* yields_note =
+    "limit analysis takes anchors at their yield force, which the blocks' anchors reach only as they stretch";
+/// Has some bolt a yield above its prestress?
+bool yields_above_prestress(const scene::Scene& scene);
+
 /// Adds "upper_bound", and a "limit_analysis_note" on what the user has left open.
 void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohmann::json& answer);
 

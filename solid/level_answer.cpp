@@ -148,12 +148,19 @@ struct Levels {
         "fail at {:.6g} m, under a level that rises slowly the blocks {} {:.6g} m",
         blocks.value->level_m, rise.outcome == Filled::fails ? "fail at" : "stand up to", rise.level_m);
   }
+  static std::string slips() {
+    return "slips that add up to failure_displacement_m: limit analysis asks for equilibrium alone";
+  }
   [[nodiscard]] std::string of_an_upper_bound() const {
     const bool lower = limit.value->outcome != Filled::does_not_stand_empty &&
                        (blocks.value->outcome == Filled::does_not_stand_empty ||
                         (blocks.value->outcome == Filled::fails && off(*blocks.value) < 0));
+    // Before the slips: they add up because the anchors have not yet stretched to their yield.
+    if (lower && !any_force && solid::yields_above_prestress(scene)) {
+      return std::string(solid::yields_note) + (blocks.value->slips_add_up ? "; " + slips() : "");
+    }
     if (lower && blocks.value->slips_add_up) {
-      return "slips that add up to failure_displacement_m: limit analysis asks for equilibrium alone";
+      return slips();
     }
     if (lower && any_force) return std::string(solid::anchors_note) + "; the blocks' own bolts stretch";
     if (lower && solid::has_bonds(scene)) {

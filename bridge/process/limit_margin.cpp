@@ -34,7 +34,7 @@ std::string text_of(const json& found, bool fails) {
   }
   const std::string why = found["why_no_factor"];
   if (!found.contains("limit_analysis_note")) return "none: " + why;
-  return fmt::format("none: {}, as {}", why, found["limit_analysis_note"].get<std::string>());
+  return fmt::format("none: {}; {}", why, found["limit_analysis_note"].get<std::string>());
 }
 
 /// An upper bound below 1, of the scene as drawn, beside blocks that stand; empty where it is not.
@@ -73,7 +73,11 @@ void LimitMargin::add_to(json& summary) const {
   if (outcome != "fails" && outcome != "stands") return;
   json found = json::parse(std::ifstream(answer_), nullptr, /*allow_exceptions=*/false);
   if (!found.is_object()) {  // the run stands for itself
-    const std::string why = last_line(log_);
+    std::string why = last_line(log_);
+    // What precedes it names the program and the copy of the scene in the run's folder, of which the user knows
+    // nothing.
+    const std::string_view source = ": limit analysis: ";
+    if (const auto at = why.find(source); at != std::string::npos) why.erase(0, at + source.size());
     found = {
         {"factor", nullptr}, {"level_m", nullptr}, {"why_no_factor", why.empty() ? "limit analysis was stopped" : why}};
   }

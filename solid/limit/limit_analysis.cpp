@@ -61,8 +61,8 @@ class LimitAnalysis::Program {
     const ProgramStatus status = lp_.maximize();
     if (status == ProgramStatus::unbounded) {
       throw std::runtime_error(
-          fmt::format("{}: limit analysis: forces of joints and bolts balance loads of any size; expected joints of "
-                      "finite strength; "
+          fmt::format("{}: limit analysis: found no limit: joints and bolts can balance loads of any size; expected "
+                      "joints and bolts of finite strength; "
                       "state yield_n_per_m for each [[bolt]], or lower cohesion_pa and tension_strength_pa",
                       structure_.scene_.file.string()));
     }

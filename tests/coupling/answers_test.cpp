@@ -220,6 +220,17 @@ prestress_n_per_m = 150e3
   EXPECT_NEAR(answer("r/summary.json")["limit_analysis"]["factor"], 1.18999, 1e-4);
   EXPECT_THAT(text("out"), HasSubstr("\nFACTOR  at most 1.19"));
   EXPECT_THAT(text("out"), testing::Not(HasSubstr("anchors hold any force")));
+  EXPECT_THAT(text("out"), testing::Not(HasSubstr("anchors at their yield force")));
+  write("s.toml", scene + "yield_n_per_m = 200e3\n");
+  ASSERT_EQ(ask("run s.toml --quiet --out r"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("limit analysis takes anchors at their yield force"));
+  ASSERT_EQ(ask("safety s.toml --out o"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("limit: limit analysis takes anchors at their yield force"));
+  ASSERT_EQ(ask("level s.toml --out l --set joint.friction_angle_deg=16 --set bolt.a.to_m=[-7,-4] --set "
+                "bolt.a.prestress_n_per_m=50e3"),
+            0)
+      << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("reason: limit analysis takes anchors at their yield force"));
   write("s.toml", scene);
   ASSERT_EQ(ask("run s.toml --quiet --out r"), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("anchors hold any force: state yield_n_per_m"));
