@@ -99,6 +99,9 @@ json modes_answer(const scene::Scene& given, const FluidMaker& make_fluid, const
   if (scene.analysis.rigid == scene::Rigid::automatic) scene.analysis.rigid = scene::Rigid::named;
   solid::Situation now(scene, make_fluid);
   solid::Effort effort("rest");
+  if (std::all_of(scene.blocks.begin(), scene.blocks.end(), [](const scene::Block& block) { return block.fixed; })) {
+    throw std::invalid_argument("all blocks are fixed; expected one that moves");
+  }
   solid::StaticBlocks at_rest(scene, now.water_if_any(), effort);
   if (!at_rest.begin(now.level_m)) {
     throw std::runtime_error(
@@ -106,7 +109,6 @@ json modes_answer(const scene::Scene& given, const FluidMaker& make_fluid, const
   }
   const solid::Solid& blocks = at_rest.solid();
   const Structure structure(blocks);
-  if (structure.unknowns() == 0) throw std::invalid_argument("nothing in this scene can move");
   const double typical = typical_omega(blocks);
   json answer = {{"level_m", std::isnan(now.level_m) ? json() : json(now.level_m)},
                  {"unknowns", structure.unknowns()},
