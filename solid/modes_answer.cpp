@@ -81,14 +81,30 @@ json joints_json(const solid::Solid& blocks) {
   return {{"open", count[0]}, {"stick", count[1]}, {"slip", count[2]}};
 }
 
-wire::Motion motion_of(const solid::Solid& blocks) {
+/// Where the scene draws them: what moves by springs and rounding alone opens no way for water.
+wire::Motion as_drawn(const solid::Solid& blocks) {
   wire::Motion motion;
   motion.displacement.own().resize(blocks.described());
   motion.velocity.own().resize(blocks.described());
-  for (std::size_t b = 0; b < blocks.described(); ++b) {
-    solid::Vector6::Map(motion.displacement.own()[b].data()) = blocks.states()[b].displacement;
-  }
   return motion;
+}
+
+std::vector<std::string> warnings_of(const solid::Solid& blocks, const json& modes) {
+  std::vector<std::string> warnings;
+  const auto free = std::count_if(modes.begin(), modes.end(), [](const json& m) { return m["omega_rad_per_s"] == 0; });
+  if (free > 0) {
+    warnings.push_back(std::to_string(free) +
+                       " motions have no frequency: no joint, bolt or support holds them, as where a joint slips or "
+                       "blocks touch at one corner");
+  }
+  const auto even = std::find_if(blocks.blocks().begin(), blocks.blocks().end(), [](const solid::Block& block) {
+    return !block.fixed && !block.rigid && !block.meshed && !block.is_part();
+  });
+  if (even != blocks.blocks().end()) {
+    warnings.push_back("block \"" + even->name +
+                       "\" has no mesh and strains evenly, too stiff in bending: state mesh_size_m, or rigid = true");
+  }
+  return warnings;
 }
 
 }  // namespace
@@ -99,6 +115,9 @@ json modes_answer(const scene::Scene& given, const FluidMaker& make_fluid, const
   if (scene.analysis.rigid == scene::Rigid::automatic) scene.analysis.rigid = scene::Rigid::named;
   solid::Situation now(scene, make_fluid);
   solid::Effort effort("rest");
+  if (std::all_of(scene.blocks.begin(), scene.blocks.end(), [](const scene::Block& block) { return block.fixed; })) {
+    throw std::invalid_argument("all blocks are fixed; expected one that moves");
+  }
   solid::StaticBlocks at_rest(scene, now.water_if_any(), effort);
   if (!at_rest.begin(now.level_m)) {
     throw std::runtime_error(
@@ -106,29 +125,25 @@ json modes_answer(const scene::Scene& given, const FluidMaker& make_fluid, const
   }
   const solid::Solid& blocks = at_rest.solid();
   const Structure structure(blocks);
-  if (structure.unknowns() == 0) throw std::invalid_argument("nothing in this scene can move");
   const double typical = typical_omega(blocks);
   json answer = {{"level_m", std::isnan(now.level_m) ? json() : json(now.level_m)},
                  {"unknowns", structure.unknowns()},
-                 {"contacts", joints_json(blocks)},
-                 {"warnings", json::array()}};
+                 {"contacts", joints_json(blocks)}};
   const auto found = [&](const Eigen::SparseMatrix<double>& mass) {
     return modes_json(blocks, structure, solid::natural_modes(structure.stiffness(), mass, count, typical));
   };
   answer["dry"] = found(structure.mass());
   if (now.water) {
     const Eigen::SparseMatrix<double> water =
-        water_mass(scene, motion_of(blocks), structure.unknowns(),
+        water_mass(scene, as_drawn(blocks), structure.unknowns(),
                    [&](const FacePoint& point) { return structure.motion_of(point); });
     answer["wet"] = found(structure.mass() + water);
   }
-  const auto free = std::count_if(answer["dry"].begin(), answer["dry"].end(),
-                                  [](const json& mode) { return mode["omega_rad_per_s"] == 0; });
-  if (free > 0) {
-    answer["warnings"].push_back(std::to_string(free) +
-                                 " motions have no frequency: no joint, bolt or support holds them, as where a joint "
-                                 "slips or blocks touch at one corner");
+  if (answer["dry"].empty()) {
+    throw std::runtime_error(
+        "nothing swings: the blocks are rigid, and all that holds them is; expected blocks that strain, or bolts");
   }
+  answer["warnings"] = warnings_of(blocks, answer["dry"]);
   return answer;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "bridge/geometry/polygon.hpp"
+#include "bridge/picture/json_point.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
 #include "bridge/scene/read/stated_loads.hpp"
@@ -16,10 +17,6 @@ namespace {
 
 using nlohmann::json;
 using scene::Point;
-
-json pair(const Point& p) {
-  return {p.x(), p.y()};
-}
 
 /// A load that is being put together from what presses along edges.
 class Pressing {

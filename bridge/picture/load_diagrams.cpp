@@ -8,6 +8,8 @@
 #include <map>
 #include <string>
 
+#include "bridge/picture/json_point.hpp"
+
 namespace blockweir::picture {
 namespace {
 
@@ -17,14 +19,6 @@ using Point = Eigen::Vector2d;
 const std::map<std::string, const char*> colours = {
     {"weight", "#424242"}, {"earthquake", "#bf360c"}, {"load", "#7a1fa2"},        {"silt", "#795548"},
     {"water", "#1f6fb4"},  {"ice", "#00acc1"},        {"added water", "#ff8f00"}, {"uplift", "#2e7d32"}};
-
-Point point_of(const json& list, std::size_t first = 0) {
-  return {list[first].get<double>(), list[first + 1].get<double>()};
-}
-
-json pair(const Point& p) {
-  return {p.x(), p.y()};
-}
 
 double largest(const json& load) {
   double size = 0;

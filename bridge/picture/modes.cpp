@@ -16,7 +16,7 @@ using nlohmann::json;
 using scene::Point;
 
 constexpr std::size_t most = 6;
-constexpr double drawn_ratio = 0.05;  // largest displacement over the structure's size
+constexpr double swing_ratio = 0.05;  // largest displacement over the structure's size
 
 struct Outline {
   std::vector<Point> at_rest;
@@ -36,7 +36,7 @@ std::vector<Outline> outlines_of(const json& mode) {
 }
 
 /// The box around what can move, with room for its swing.
-Bounds view_around(const std::vector<Outline>& outlines) {
+Bounds view_of_swing(const std::vector<Outline>& outlines) {
   std::vector<Point> all;
   for (const Outline& o : outlines) all.insert(all.end(), o.at_rest.begin(), o.at_rest.end());
   Bounds view = geometry::bounds_of(all);
@@ -50,7 +50,7 @@ std::string drawn(const scene::Scene& scene, const json& mode, std::size_t numbe
   for (const Outline& o : outlines) {
     for (const Point& u : o.displacement) largest = std::max(largest, u.norm());
   }
-  const double by = largest > 0 ? drawn_ratio * (view.high - view.low).norm() / largest : 0;
+  const double by = largest > 0 ? swing_ratio * (view.high - view.low).norm() / largest : 0;
   const json& period = mode["period_s"];
   std::string script =
       fmt::format("unset object\nset title \"{}: {}\"\n", number,
@@ -77,7 +77,7 @@ std::string drawn(const scene::Scene& scene, const json& mode, std::size_t numbe
 void draw_modes(const scene::Scene& scene, const json& answer, const std::filesystem::path& out) {
   const json& modes = answer.contains("wet") ? answer["wet"] : answer["dry"];
   const std::size_t count = std::min(most, modes.size());
-  const Bounds view = view_around(outlines_of(modes[0]));
+  const Bounds view = view_of_swing(outlines_of(modes[0]));
   const Point span = view.high - view.low;
   const double aspect = std::clamp(span.y() / span.x(), 0.5, 2.0);
   const std::size_t columns = std::min<std::size_t>(3, count);

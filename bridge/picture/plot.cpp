@@ -19,11 +19,11 @@ void plot(const PlotOptions& options) {
   if (!summary.is_object()) summary = nlohmann::json::object();
   const std::string terminal = options.svg ? "svg background 'white' font 'sans,14'" : "pngcairo font 'sans,12'";
   const std::string ending = options.svg ? ".svg" : ".png";
-  gnuplot(series_script(options, summary, terminal, ending) +
-              snapshot_script(options.run, summary, terminal, ending, options.animated) +
-              (options.section ? section_script(options.run, summary, terminal, ending) : "") +
-              spectrum_script(options.run, terminal, ending),
-          options.animated);
+  std::string script = series_script(options, summary, terminal, ending);
+  script += snapshot_script(options.run, summary, terminal, ending, options.animated);
+  if (options.section) script += section_script(options.run, summary, terminal, ending);
+  script += spectrum_script(options.run, terminal, ending);
+  gnuplot(script, options.animated);
   for (const char* name :
        {"displacements", "velocities", "rotations", "level", "snapshots", "picture", "section", "spectrum"}) {
     const auto file = options.run / (name + ending);

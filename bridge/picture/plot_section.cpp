@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/picture/json_point.hpp"
 #include "bridge/picture/label_places.hpp"
 #include "bridge/picture/load_diagrams.hpp"
 #include "bridge/picture/pictured_state.hpp"
@@ -24,10 +25,6 @@ using Point = Eigen::Vector2d;
 
 constexpr const char* joint_colour = "#b3261e";
 constexpr const char* water_colour = "#1f6fb4";
-
-Point point_of(const json& pair) {
-  return {pair[0].get<double>(), pair[1].get<double>()};
-}
 
 /// The figure's frame in m, and its margins and texts in pixels.
 struct Sheet {

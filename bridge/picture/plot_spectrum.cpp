@@ -71,7 +71,8 @@ std::string spectrum_script(const std::filesystem::path& run, const std::string&
              "reset\nset terminal {} size 900,760\nset output {}\nset multiplot layout 2,1\nset grid lc rgb '#dddddd'\n"
              "set tics out nomirror\nset key top right\nset xlabel 'time (s)'\n"
              "set ylabel 'acceleration of the ground (m/s^2)'\nplot {}\nset logscale x\nset xrange [0.02:5]\n"
-             "set xlabel 'period (s)'\nset ylabel 'pseudo-acceleration (m/s^2)'\nset title 'response spectrum, damping ratio {}'\nplot {}\n"
+             "set xlabel 'period (s)'\nset ylabel 'pseudo-acceleration (m/s^2)'\nset title 'response spectrum, damping "
+             "ratio {}'\nplot {}\n"
              "unset multiplot\nunset logscale\nset xrange [*:*]\nset output\n",
              terminal, gnuplot_path(run / ("spectrum" + ending)), history, damping_ratio, spectrum);
 }

@@ -11,6 +11,7 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/picture/acting_loads.hpp"
+#include "bridge/picture/json_point.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/structure_size.hpp"
@@ -20,10 +21,6 @@ namespace {
 
 using nlohmann::json;
 using scene::Point;
-
-json pair(const Point& p) {
-  return {p.x(), p.y()};
-}
 
 json outline_of(const std::vector<Point>& points) {
   json list = json::array();

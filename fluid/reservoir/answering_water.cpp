@@ -15,7 +15,7 @@ AnsweringWater::AnsweringWater(WaterMesh mesh, const WaterPhysics& physics, cons
 }
 
 bool AnsweringWater::at_rest() const {
-  return state_.p.isZero(0) && state_.rate.isZero(0) && state_.second.isZero(0);
+  return state_.p.isZero(0) && state_.rate.isZero(0);
 }
 
 void AnsweringWater::advance(const Eigen::VectorXd& accelerations) {

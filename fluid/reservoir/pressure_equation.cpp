@@ -10,8 +10,7 @@
 namespace blockweir::reservoir {
 namespace {
 
-constexpr double stage = 2 - std::numbers::sqrt2;  ///< where the trapezoidal stage ends, over the window
-constexpr double stage_weight = stage / 2;         ///< b over the window, of both stages
+constexpr double stage_weight = 1 - 1 / std::numbers::sqrt2;  ///< b over the window
 
 }  // namespace
 
@@ -54,7 +53,7 @@ Eigen::VectorXd PressureEquation::flux(const Moves& moves, const Acceleration& a
 
 PressureState PressureEquation::rest() const {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh_.node.size()));
-  return {none, none, none};
+  return {none, none};
 }
 
 void PressureEquation::step(PressureState& state, const Eigen::VectorXd& flux) const {
@@ -68,20 +67,17 @@ void PressureEquation::step(PressureState& state, const Eigen::VectorXd& flux) c
   const Eigen::VectorXd v0 = at_unknowns(state.rate);
   Eigen::VectorXd p;
   Eigen::VectorXd v;
-  Eigen::VectorXd w = at_unknowns(state.second);
   // The end of a stage that begins, but for b times the rates of its end, with p_from and v_from.
   const auto finish = [&](const Eigen::VectorXd& p_from, const Eigen::VectorXd& v_from) {
     const Eigen::VectorXd damped = matrices_.C.selfadjointView<Eigen::Lower>() * p_from;
     const Eigen::VectorXd inert = matrices_.M.selfadjointView<Eigen::Lower>() * (p_from / b + v_from);
     p = factors_.solve(f + (damped + inert) / b);
     v = (p - p_from) / b;
-    w = (v - v_from) / b;
   };
-  finish(p0 + b * v0, v0 + b * w);
-  constexpr double old = (1 - stage) * (1 - stage);
-  constexpr double all = stage * (2 - stage);
-  finish((p - old * p0) / all, (v - old * v0) / all);
-  state = {at_nodes(p), at_nodes(v), at_nodes(w)};
+  finish(p0, v0);
+  const double rest = window_s_ - b;
+  finish(p0 + rest * v, v0 + rest * (v - v0) / b);
+  state = {at_nodes(p), at_nodes(v)};
 }
 
 Eigen::VectorXd PressureEquation::pressure(const Eigen::VectorXd& flux) const {

@@ -9,21 +9,20 @@
 
 namespace blockweir::reservoir {
 
-/// Pressure beyond that of still water at the nodes [Pa], and its first two rates.
+/// Pressure beyond that of still water at the nodes [Pa], and its rate.
 struct PressureState {
   Eigen::VectorXd p;
   Eigen::VectorXd rate;
-  Eigen::VectorXd second;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(p, rate, second);
+    archive(p, rate);
   }
 };
 
-/// M p'' + C p' + K p = -rho g over one window, g_i = int N_i a.n ds (water_matrices.hpp). TR-BDF2 (Bank et al. 1985,
-/// Hosea and Shampine 1996): of second order, and it damps what the mesh does not resolve. Both of its stages have the
-/// matrix K + C/b + M/b^2, b = (1 - 1/sqrt 2) T. Without M and C, K p = -rho g.
+/// M p'' + C p' + K p = -rho g over one window, g_i = int N_i a.n ds (water_matrices.hpp), a held in it: the mean of
+/// what accelerates. Two implicit stages (SDIRK2, Alexander 1977): of second order, and it damps what the mesh does not
+/// resolve. Both stages have the matrix K + C/b + M/b^2, b = (1 - 1/sqrt 2) T. Without M and C, K p = -rho g.
 class PressureEquation {
  public:
   /// `mesh` is to outlive it. `ground`: which blocks are part of it. Throws std::runtime_error where a body of water

@@ -17,6 +17,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr int few_unknowns = 60;
 constexpr double free_share = 1e-4;  ///< of the typical frequency: what is slower is free
+constexpr double of_contacts = 100;  ///< times the typical frequency: what is faster swings on contacts' springs
 
 /// Eigenvalues from the lowest up, and their vectors.
 struct Pairs {
@@ -56,6 +57,7 @@ std::vector<NaturalMode> natural_modes(const Sparse& K, const Sparse& M, int cou
   for (Eigen::Index k = 0; k < known; ++k) {
     const Eigen::VectorXd shape = found.vectors.col(k);
     const double omega = std::sqrt(std::max(0.0, found.values[k]));
+    if (omega > of_contacts * typical_omega) break;
     modes.push_back({omega < free_share * typical_omega ? 0 : omega, shape / std::sqrt(shape.dot(M * shape))});
   }
   return modes;

@@ -172,6 +172,32 @@ TEST(ReservoirModel, APseudoStaticEarthquakeTakesItsPressureInPlaceOfWestergaard
   EXPECT_NEAR(thrust(load), still + 0.981 * added, 1e-4 * added);
 }
 
+TEST(ReservoirModel, SoundUnderHeldPressuresIsWarnedOf) {
+  const auto warned = [](const std::string& coupling) {
+    const auto read = scene::read_text(R"(water = { upstream_level_m = 5 }
+material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
+analysis = { duration_s = 1 }
+fluid = { model = "reservoir", reservoir = { compressible = true } }
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-9, -5], [20, -5], [20, 0], [-9, 0]]
+[[block]]
+name = "wall"
+material = "m"
+vertices_m = [[0, 0], [8, 0], [8, 10], [0, 10]]
+)" + coupling,
+                                       "sound");
+    return std::any_of(read.warnings.begin(), read.warnings.end(), [](const auto& warning) {
+      return warning.text().find("its pressures are held in each window") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(warned(""));
+  EXPECT_FALSE(warned("[coupling]\nschedule = \"improved\"\n"));
+  EXPECT_FALSE(warned("[coupling]\nload_in_window = \"linear\"\n"));
+}
+
 TEST(ReservoirModel, AFarWallWithinTheModelAndKeysOfAnotherModelAreErrors) {
   const auto error = [](const std::string& more) -> std::string {
     try {

@@ -107,6 +107,46 @@ TEST(NaturalModes, WhatNothingHoldsIsFreeAndSaid) {
   EXPECT_THAT(answer["warnings"].dump(), testing::HasSubstr("1 motions have no frequency"));
 }
 
+/// No ground below: its base stretches its anchors by rounding and more, and stays dry.
+TEST(NaturalModes, AWallOnAnchorsAloneHasNoWaterUnderIt) {
+  const auto wall = [](const char* ground, double stiffness) {
+    return modes_of(fmt::format(R"(analysis = {{ duration_s = 1, rigid = "all" }}
+material.c = {{ youngs_modulus_pa = 3e10, poissons_ratio = 0.2, density_kg_per_m3 = 2700 }}
+water = {{ upstream_level_m = 3 }}
+bolt = [
+  {{ name = "a", from_block = "w", from_m = [0, 0], to_m = [0, -10], stiffness_n_per_m2 = {0}, takes_compression = true }},
+  {{ name = "b", from_block = "w", from_m = [1.5, 0], to_m = [1.5, -10], stiffness_n_per_m2 = {0}, takes_compression = true }},
+  {{ name = "c", from_block = "w", from_m = [1.5, 0.8], to_m = [18, 0.8], stiffness_n_per_m2 = {0}, takes_compression = true }}]
+[[block]]
+name = "w"
+material = "c"
+vertices_m = [[0, 0], [1.5, 0], [1.5, 4], [0, 4]]
+{1})",
+                                stiffness, ground));
+  };
+  for (const double stiffness : {1e9, 1e10}) {
+    const json alone = wall("", stiffness);
+    const json beside = wall(
+        "[[block]]\nname = \"g\"\nmaterial = \"c\"\nfixed = true\nvertices_m = [[-40, -9], [30, -9], [30, -0.001], "
+        "[-40, -0.001]]",
+        stiffness);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(omega(alone["wet"], k), omega(beside["wet"], k), 2e-3 * omega(beside["wet"], k)) << k;
+    }
+  }
+}
+
+TEST(NaturalModes, ContactsAreNoSpringsAndEvenStrainIsWarnedOf) {
+  std::string text = wall_on_a_spring(10, 8, 5, 1e8, 30);
+  text.erase(text.find("[[bolt]]"));
+  EXPECT_THAT([&] { modes_of(text); },
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("nothing swings: the blocks are rigid")));
+  text.replace(text.find("rigid = \"all\""), 13, "rigid = \"none\"");
+  const json answer = modes_of(text);
+  EXPECT_THAT(answer["warnings"].dump(), testing::HasSubstr("has no mesh and strains evenly"));
+  EXPECT_LT(omega(answer["dry"], answer["dry"].size() - 1), 1e5);
+}
+
 TEST(NaturalModes, WhatDoesNotStandHasNone) {
   const std::string text = wall_on_a_spring(20, 2, 20, 1e8, 0);
   EXPECT_THAT([&] { modes_of(text); },

@@ -127,7 +127,7 @@ TEST(NotFinite, NamesTheBlockTheTimeAndTheStep) {
   scene.point_loads.clear();
   scene.blocks[1].initial_velocity_m_per_s = Point(1e308, 1e308);
   scene.blocks[1].initial_spin_deg_per_s = 1e308;
-  EXPECT_THAT(complaint(scene), testing::HasSubstr("of block \"block\" is not a finite number at 0.01 s (step 1)"));
+  EXPECT_THAT(complaint(scene), testing::HasSubstr("of block \"block\" is not a finite number at 1e-08 s (step 1)"));
 }
 
 }  // namespace

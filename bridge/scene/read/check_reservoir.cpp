@@ -81,11 +81,26 @@ void check_drains(const Reading& reading) {
   }
 }
 
+/// Sound that answers a window late damps what swings, or drives it.
+void check_sound(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  if (!scene.reservoir.compressible || scene.coupling.load_in_window != LoadInWindow::held) return;
+  const toml::node* stated = reading.file["fluid"]["reservoir"]["compressible"].node();
+  if (stated == nullptr) return;
+  reading.problems.warning(reading.problems.at(stated->source()),
+                           "sound runs in the water, and its pressures are held in each window: what swings loses or "
+                           "gains energy by a share "
+                           "that falls only with the window's length",
+                           "schedule = \"improved\", or load_in_window = \"linear\", in [coupling]",
+                           "state one of both, and halve window_s to see what is left");
+}
+
 }  // namespace
 
 void check_reservoir(const Reading& reading) {
   check_ice(reading);
   check_drains(reading);
+  check_sound(reading);
 }
 
 }  // namespace blockweir::scene

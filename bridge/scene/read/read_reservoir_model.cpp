@@ -63,6 +63,10 @@ void read_reservoir_model(TableReader& fluid, Reading& reading) {
   table.number("move_tolerance", r.move_tolerance,
                {[](double share) { return share >= 0 && share <= 0.1; }, "a number from 0 to 0.1"});
   table.choice<bool>("surface", r.surface_waves, {{"level", false}, {"waves", true}});
+  if (r.surface_waves && reading.scene.analysis.gravity_m_per_s2 == 0) {
+    reading.problems.error(table.place("surface"), "surface = \"waves\" without gravity", "gravity_m_per_s2 above 0",
+                           "state gravity, or leave surface out");
+  }
   read_compressible(table, reading);
   if (reading.scene.fluid != FluidModel::reservoir) {
     reading.problems.error(table.place(), "[fluid.reservoir] beside another model", "model = \"reservoir\" in [fluid]",

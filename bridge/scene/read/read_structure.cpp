@@ -22,10 +22,10 @@ Range poissons_ratio(Plane plane) {
 
 /// Keys of a block whose motion is settled otherwise.
 void check_motion_keys(TableReader& table, Reading& reading, const Block& block) {
-  const auto warn = [&](const char* key, const char* why) {
+  const auto warn = [&](const char* key, const char* why, const char* needs) {
     if (!table.has(key)) return;
     reading.problems.warning(table.place(key),
-                             fmt::format("{} of block \"{}\" has no effect: {}", key, block.name, why), "",
+                             fmt::format("{} of block \"{}\" has no effect: {}", key, block.name, why), needs,
                              fmt::format("leave {} out", key));
   };
   if (block.fixed) {
@@ -34,13 +34,13 @@ void check_motion_keys(TableReader& table, Reading& reading, const Block& block)
       reading.problems.error(table.place(key), fmt::format("block \"{}\" is fixed and has an {}", block.name, key),
                              "a block that can move", "leave out one of the two");
     }
-    if (block.rigid) warn("rigid", "the block is fixed");
-    warn("initial_stress_pa", "the block is fixed");
+    if (block.rigid) warn("rigid", "the block is fixed", "a block that can move");
+    warn("initial_stress_pa", "the block is fixed", "a block that can move");
   } else if (reading.scene.analysis.kind != AnalysisKind::dynamic) {
     for (const char* key : {"initial_velocity_m_per_s", "initial_spin_deg_per_s"})
-      warn(key, "velocities count in a dynamic analysis only");
+      warn(key, "velocities count in a dynamic analysis only", "kind = \"dynamic\" in [analysis]");
   } else if (block.rigid) {
-    warn("initial_stress_pa", "the block is rigid");
+    warn("initial_stress_pa", "the block is rigid", "a block that strains");
   }
 }
 

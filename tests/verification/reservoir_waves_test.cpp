@@ -120,7 +120,6 @@ double period_of(const WaterMesh& mesh, int n, int windows_in_period) {
     const Point& x = mesh.node[i];
     state.p[static_cast<Eigen::Index>(i)] = std::cos(k * x.x()) * std::cosh(k * x.y()) / std::cosh(0.5 * k);
   }
-  state.second = -w * w * state.p;
   const std::ptrdiff_t corner = node_nearest(mesh, {0, 0.5});
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(state.p.size());
   double last_zero = -1;
