@@ -10,8 +10,8 @@ namespace {
 /// Far end of long water: the motion that reaches farthest, exp(-pi x/2H), has sunk to 1e-6 of itself there and back.
 constexpr double long_in_depths = 5;
 
-/// Waves are damped from the first to the second. Less than 1 % of them comes back (tests/verification/reservoir_waves_test):
-/// long ones need the way, and coarse triangles make it cheap.
+/// Waves are damped from the first to the second. Less than 1 % of them comes back
+/// (tests/verification/reservoir_waves_test): long ones need the way, and coarse triangles make it cheap.
 constexpr double absorbs_from_depths = 2;
 constexpr double absorbs_to_depths = 62;
 
