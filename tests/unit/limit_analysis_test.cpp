@@ -164,7 +164,7 @@ TEST(LimitAnalysis, AnAnchorHoldsAtLeastWhatAFailuresDisplacementLeavesOfItsPres
   const auto factor = [](double stiffness, const std::string& more) {
     const scene::Scene scene =
         read(pushed_block(4, 1, 30) +
-                 fmt::format("[[bolt]]\nname = 'a'\nfrom_block = 'block'\nfrom_m = [1, 0.5]\nto_m = [1.4, 0.2]\n"
+                 fmt::format("[[bolt]]\nname = 'a'\nfrom_block = 'block'\nfrom_m = [1, 0.2]\nto_m = [1.4, -0.1]\n"
                              "stiffness_n_per_m2 = {}\nprestress_n_per_m = 50e3\nyield_n_per_m = 50e3\n{}",
                              stiffness, more),
              {"analysis.failure_displacement_m=0.01", "body_load.0.acceleration_x_m_per_s2=2"});
