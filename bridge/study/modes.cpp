@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string table(const char* title, const json& modes) {
+std::string table(const std::string& title, const json& modes) {
   std::string text = fmt::format("{}\n  mode   rad/s      Hz         period s   share of mass in x, y\n", title);
   int number = 0;
   for (const json& mode : modes) {
@@ -34,8 +34,7 @@ std::string modes_report(const json& answer) {
   text += table("DRY     without the water's inertia", answer["dry"]);
   if (answer.contains("wet")) {
     text +=
-        table(fmt::format("WET     with that of incompressible water, level {:.6g} m", answer["level_m"].get<double>())
-                  .c_str(),
+        table(fmt::format("WET     with that of incompressible water, level {:.6g} m", answer["level_m"].get<double>()),
               answer["wet"]);
   }
   for (const json& warning : answer["warnings"]) text += fmt::format("WARNING {}\n", warning.get<std::string>());

@@ -39,7 +39,6 @@ class PressureEquation {
   void step(PressureState& state, const Eigen::VectorXd& flux) const;
   /// p of water at rest after one window of `flux`.
   [[nodiscard]] Eigen::VectorXd pressure(const Eigen::VectorXd& flux) const;
-  [[nodiscard]] double window_s() const { return window_s_; }
 
  private:
   [[nodiscard]] Eigen::VectorXd at_unknowns(const Eigen::VectorXd& at_nodes) const;

@@ -156,9 +156,9 @@ void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
     deepest_m_ = std::max(deepest_m_, deep);
     WaterMesh mesh = mesh_of(scene_, body, water.outlines());
     if (mesh.triangle.empty()) continue;
-    PressureState state = carry_over(waters_, mesh);
+    PressureState before = physics.remembers() ? carry_over(waters_, mesh) : PressureState();
     waters.emplace_back(std::move(mesh), physics, centroids_of(water.outlines()), fixed_, solved_.window_s);
-    if (physics.remembers()) waters.back().go_on_from(std::move(state));
+    if (physics.remembers()) waters.back().go_on_from(std::move(before));
     guard(waters.back().answer());
   }
   waters_ = std::move(waters);

@@ -16,6 +16,7 @@ addEventListener('load', () => {
 
   seen.chapters = [...document.querySelectorAll('h2')].map(h => h.textContent);
   seen.verdict = control('verdict').textContent;
+  seen.outcome_class = document.querySelector('.outcome').className;
   seen.joints = control('cases').textContent;
   seen.level = control('level').textContent;
   seen.scene = control('again').textContent;

@@ -126,6 +126,22 @@ set = ["silt.level_m=5", "silt.submerged_density_kg_per_m3=400", "silt.pressure_
   }
 }
 
+TEST_F(Report, WhatStandsWithALoadCaseThatMissesItsFactorIsNoPlainYes) {
+  write_scene();
+  std::string scene = text("wall.toml");
+  scene.replace(scene.find("{ from = 4, rate_per_s = 0.1 }"), 30, "2");
+  std::ofstream(folder / "wall.toml")
+      << scene
+      << "[[load_case]]\nname = \"high water\"\nset = "
+         "[\"water.upstream_level_m=4\"]\nrequired_factor = 1.5\nsource = \"a guideline\"\n";
+  ASSERT_EQ(shell(programs + "/blockweir report wall.toml --out wall.html"), 0) << text("out");
+  const nlohmann::json seen = opened("wall.html");
+  ASSERT_TRUE(seen.is_object()) << text("out") << text("browser.log");
+  EXPECT_THAT(seen["verdict"].get<std::string>(),
+              HasSubstr("The structure STANDS, but 1 of its load cases does not reach the required factor"));
+  EXPECT_EQ(seen["outcome_class"], "outcome short");
+}
+
 TEST_F(Report, OfARunThatIsThereTakesItsResults) {
   write_scene();
   ASSERT_EQ(shell(programs + "/blockweir run wall.toml --quiet --out run"), 0) << text("out");

@@ -8,13 +8,16 @@ function writeHead() {
   document.getElementById('note').textContent = report.note;
 }
 
+/// The first answer is the scene as it stands.
+const loadCases = () => report.safety.trouble ? [] : report.safety.slice(1);
+const fallsShort = c => c.satisfied !== null && !c.satisfied;
+
 /// How many load cases reach their required factor, and which do not; nothing where the scene has none.
 function loadCasesInWords() {
-  if (report.safety.trouble || report.safety.length < 2) return [];
-  const cases = report.safety.slice(1);  // the first is the scene as it stands
+  const cases = loadCases();
   const named = list => list.map(c => `"${c.name}"`).join(', ');
   const judged = cases.filter(c => c.satisfied !== null);
-  const short = judged.filter(c => !c.satisfied);
+  const short = judged.filter(fallsShort);
   const others = cases.filter(c => c.satisfied === null);
   const fallen = others.filter(c => c.outcome === 'fails');
   const unknown = others.filter(c => c.outcome === 'not found');
@@ -48,7 +51,9 @@ function allWarnings() {
 function writeVerdict() {
   const s = report.summary;
   const words = {fails: 'The structure FAILS', stands: 'The structure STANDS', moving: 'UNDECIDED: something still moves at the end', stopped: 'STOPPED'};
-  chapter('verdict').append(element('p', {class: `outcome ${s.outcome}`}, words[s.outcome] || s.outcome));
+  const short = s.outcome === 'stands' ? loadCases().filter(fallsShort).length : 0;
+  chapter('verdict').append(element('p', {class: `outcome ${short > 0 ? 'short' : s.outcome}`}, (words[s.outcome] || s.outcome) +
+    (short > 0 ? `, but ${short} of its load cases ${short > 1 ? 'do' : 'does'} not reach the required factor` : '')));
   const lines = [];
   if (s.outcome === 'fails') {
     const f = s.failure;

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json fmt::fmt
+// Load cases as blockweir safety answers them: factors, what is required, and the exit status.
+#include <cmath>
+
+#include "tests/coupling/answers.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class LoadCases : public Answers {};
+
+TEST_F(LoadCases, LoadCasesHaveTheirFactorsAndSayWhetherTheyAreEnough) {
+  const std::string scene = text(cases + "monolith-slides/scene.toml") +
+                            "\n[[load_case]]\nname = 'weak'\nclass = 'unusual'\nset = ['joint.friction_angle_deg=10']\n"
+                            "required_factor = 1.3\nsource = 'test'\n"
+                            "[[load_case]]\nname = 'low water'\nset = ['water.upstream_level_m=3']\n"
+                            "required_factor = 2\nsource = 'test'\n";
+  write("s.toml", scene);
+  ASSERT_EQ(ask("safety s.toml --out o --json a.json"), 1) << "'weak' has not what it requires; " << text("out");
+  const json load_cases = answer("a.json")["load_cases"];
+  ASSERT_EQ(load_cases.size(), 3U);
+  EXPECT_EQ(load_cases[0]["name"], "as it stands");
+  EXPECT_TRUE(load_cases[0]["satisfied"].is_null());
+  EXPECT_EQ(load_cases[2]["satisfied"], true);
+  for (const json& c : load_cases) {
+    const double limit = c["limit_analysis_factor"];
+    EXPECT_NEAR(c["factor"].get<double>() / limit, 1, 1e-5) << c["name"];
+    ASSERT_EQ(c["joints"].size(), 1U) << c.dump();
+  }
+  // Rigid or not, one block on one joint has the factor that its sums give.
+  const json& joint = load_cases[2]["joints"][0];
+  EXPECT_NEAR(joint["sliding_factor"].get<double>() / load_cases[2]["limit_analysis_factor"].get<double>(), 1, 1e-5);
+  EXPECT_TRUE(fs::exists(folder / "o/low-water/safety.json"));
+  // On a level base the sums by hand are the joint's forces.
+  double right = 0;
+  double up = 0;
+  for (const json& sum : joint["sums"]) {
+    right += sum["x_n_per_m"].get<double>();
+    up += sum["y_n_per_m"].get<double>();
+  }
+  const double weight = std::abs(joint["sums"][0]["y_n_per_m"].get<double>());  // the dam strains under its loads
+  EXPECT_NEAR((up + joint["normal_n_per_m"].get<double>()) / weight, 0, 1e-6);
+  EXPECT_NEAR((right - joint["shear_n_per_m"].get<double>()) / weight, 0, 1e-6);
+  EXPECT_EQ(joint["sums"][0]["name"], "weight");
+}
+
+TEST_F(LoadCases, ALoadCaseSetsItsKeysOverTheCommandLine) {
+  write("s.toml", text(cases + "monolith-slides/scene.toml") +
+                      "\n[[load_case]]\nname = 'flood'\nset = ['water.upstream_level_m=7.9']\n");
+  ASSERT_EQ(ask("safety s.toml --json a.json --set water.upstream_level_m=3"), 0) << text("out");
+  const json load_cases = answer("a.json")["load_cases"];
+  EXPECT_EQ(load_cases[0]["outcome"], "stands");
+  EXPECT_EQ(load_cases[0]["level_m"], 3);
+  EXPECT_EQ(load_cases[1]["outcome"], "fails");
+  EXPECT_EQ(load_cases[1]["level_m"], 7.9);
+  EXPECT_THAT(text("out"), HasSubstr("flood: WARNING --set water.upstream_level_m=3 is not what counts here: the load "
+                                     "case sets water.upstream_level_m=7.9"));
+  ASSERT_EQ(ask("safety s.toml --set joint.friction_angle_deg=20"), 0) << text("out");
+  EXPECT_THAT(text("out"), Not(HasSubstr("is not what counts here")));
+}
+
+TEST_F(LoadCases, ADrainBeyondItsJointInALoadCaseIsToldBeforeAnythingIsWritten) {
+  write("s.toml", text(cases + "monolith-slides/scene.toml") +
+                      "\n[[load_case]]\nname = 'drained'\nset = ['joints.joint.uplift=\"drained\"', "
+                      "'joints.joint.drain_m=99', 'joints.joint.drain_efficiency=0.5']\n");
+  EXPECT_EQ(ask("safety s.toml --out o --set expect=[]"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("the drain of joint \"joint\" lies at 99 m"));
+  EXPECT_FALSE(fs::exists(folder / "o"));
+}
+
+/// With cohesion on all of the base the factor is 6.3, with that on the pressed half 4.3.
+TEST_F(LoadCases, ALoadCaseIsJudgedByTheCohesionOfWhatIsNotInTension) {
+  const std::string law = "friction_angle_deg = 45\ncohesion_pa = 300e3\n";
+  write("s.toml", block_on_rock(3, law) +
+                      "\n[[load_case]]\nname = 'high'\nset = ['water.upstream_level_m=7']\nrequired_factor = 5\n"
+                      "source = 'test'\n[[load_case]]\nname = 'low'\nset = ['water.upstream_level_m=2']\n"
+                      "required_factor = 5\nsource = 'test'\n");
+  ASSERT_EQ(ask("safety s.toml --json a.json"), 1) << "'high' is not enough; " << text("out");
+  const json high = answer("a.json")["load_cases"][1];
+  EXPECT_GT(high["factor"], 5) << high.dump(1);
+  EXPECT_LT(high["with_cracked_joint"]["factor"], 5);
+  EXPECT_EQ(high["satisfied"], false);
+  EXPECT_THAT(text("out"), HasSubstr("high: not enough: with cohesion on what is not in tension alone"));
+  EXPECT_THAT(text("out"), HasSubstr("uplift = \"triangular\" takes it to be closed"));
+  EXPECT_THAT(text("out"), HasSubstr("state uplift = \"cracked\""));
+  const json low = answer("a.json")["load_cases"][2];
+  EXPECT_EQ(low["satisfied"], true) << low.dump(1);
+  EXPECT_FALSE(low.contains("with_cracked_joint"));
+  EXPECT_THAT(low["warnings"], testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace blockweir::test
