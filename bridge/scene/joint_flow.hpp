@@ -45,4 +45,8 @@ struct JointFlow {
   bool operator==(const JointFlow&) const = default;
 };
 
+struct Scene;
+/// Whether water flows through one of its joints, or can once blocks touch.
+bool flows_in_joints(const Scene& scene);
+
 }  // namespace blockweir::scene

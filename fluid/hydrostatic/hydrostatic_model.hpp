@@ -35,7 +35,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   /// Pressures at the levels of time `to_s` on blocks that are where `motion` says. Throws std::runtime_error when
   /// `motion` does not fit the scene.
   void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
-  [[nodiscard]] bool remembers() const override { return flow_.changes_by_itself(); }
+  [[nodiscard]] bool remembers() const override { return !flow_.empty(); }
   [[nodiscard]] std::string state() const override;
   void restore(const std::string& state) override;
 

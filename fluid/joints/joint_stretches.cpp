@@ -63,10 +63,8 @@ geometry::Bounds grown(const geometry::Bounds& box, double by_m) {
 }  // namespace
 
 JointStretches::JointStretches(const scene::Scene& scene, double open_m) : scene_(scene), open_m_(open_m) {
-  const auto flows = [](const scene::JointLaw& law) { return law.uplift == scene::Uplift::flow; };
-  flows_ = flows(scene.default_joint);
+  flows_ = scene::flows_in_joints(scene);
   for (const scene::Joint& joint : scene.joints) {
-    flows_ = flows_ || flows(joint.law);
     named_[std::minmax(joint.between[0], joint.between[1])] = &joint;
   }
 }

@@ -13,14 +13,8 @@ namespace {
 
 const Range share{[](double s) { return s >= 0 && s <= 1; }, "a number from 0 to 1"};
 
-bool has_flow(const Scene& scene) {
-  const auto flows = [](const JointLaw& law) { return law.uplift == Uplift::flow; };
-  return flows(scene.default_joint) ||
-         std::any_of(scene.joints.begin(), scene.joints.end(), [&](const Joint& j) { return flows(j.law); });
-}
-
 void refuse_without_flow(Reading& reading, TableReader& table) {
-  if (!table.present() || has_flow(reading.scene)) return;
+  if (!table.present() || flows_in_joints(reading.scene)) return;
   reading.problems.error(table.place(), fmt::format("{} has no effect: no water flows through a joint", table.name()),
                          "uplift = \"flow\" in [joint] or in a [[joints]]",
                          fmt::format("state it, or leave {} out", table.name()));
@@ -106,7 +100,7 @@ void read_joint_flow(Reading& reading) {
                              "bulk_modulus_pa in [joint_flow] has no effect: steady flow stores no water",
                              "kind = \"transient\"", "state that kind, or leave bulk_modulus_pa out");
   }
-  if (has_flow(reading.scene) && reading.scene.fluid == FluidModel::openfoam) {
+  if (flows_in_joints(reading.scene) && reading.scene.fluid == FluidModel::openfoam) {
     reading.problems.error(reading.problems.at(0), "uplift = \"flow\" with model = \"openfoam\"",
                            "model = \"hydrostatic\" or \"reservoir\" in [fluid]",
                            "change the model, or state another uplift");
@@ -115,7 +109,7 @@ void read_joint_flow(Reading& reading) {
 
 void check_joint_flow(Reading& reading) {
   const Scene& scene = reading.scene;
-  if (!has_flow(scene)) return;
+  if (!flows_in_joints(scene)) return;
   check_apertures(reading, "[joint]", scene.default_joint);
   for (const Joint& joint : scene.joints) check_apertures(reading, fmt::format("joint \"{}\"", joint.name), joint.law);
   if (scene.joint_flow.drains.empty() && scene.joint_flow.grouts.empty()) return;
