@@ -200,7 +200,7 @@ void FlowInJoints::add_panels(const OpenWater& open, wire::Load& load) const {
     for (const Side& side : joints_.stretches()[part.stretch].sides) {
       const auto place = [&](double at_m) {
         const double share = part.from + (part.to - part.from) * at_m / length_m;
-        return side.s_from + share * (side.s_to - side.s_from);
+        return std::clamp(side.s_from + share * (side.s_to - side.s_from), 0.0, 1.0);
       };
       if (open.covers(side.block, side.edge, place(length_m / 2))) continue;
       for (std::size_t k = 1; k < along.knots().size(); ++k) {

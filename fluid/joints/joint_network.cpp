@@ -22,8 +22,9 @@ class Groups {
     return i;
   }
   void join(std::size_t a, std::size_t b) {
-    const auto [low, high] = std::minmax(of(a), of(b));
-    of_[high] = low;
+    a = of(a);
+    b = of(b);
+    of_[std::max(a, b)] = std::min(a, b);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bridge/geometry/outline.hpp"
+#include "bridge/scene/at.hpp"
 #include "bridge/scene/cracks.hpp"
 #include "bridge/scene/read/reading.hpp"
 
@@ -83,6 +84,16 @@ void check_apertures(Reading& reading, const std::string& whose, const JointLaw&
   if (law.aperture_stiffness_pa_per_m == 0.0) refuse("aperture_stiffness_pa_per_m", 0, "a stiffness above 0");
 }
 
+/// The fluid is told the mean motion of a mesh alone.
+void refuse_mesh(Reading& reading, const Block& block, const std::string& joint) {
+  if (block.mesh_size_m == 0 || reading.problems.full()) return;
+  reading.problems.error(
+      reading.problems.at(block.line),
+      fmt::format("block \"{}\" has a mesh, and water flows through its joint \"{}\"", block.name, joint),
+      "blocks without a mesh at joints with uplift = \"flow\"",
+      "leave out its mesh_size_m, or cut it into blocks, or state another uplift");
+}
+
 }  // namespace
 
 void read_joint_flow(Reading& reading) {
@@ -112,11 +123,11 @@ void check_joint_flow(Reading& reading) {
   if (!flows_in_joints(scene)) return;
   check_apertures(reading, "[joint]", scene.default_joint);
   for (const Joint& joint : scene.joints) check_apertures(reading, fmt::format("joint \"{}\"", joint.name), joint.law);
-  if (scene.joint_flow.drains.empty() && scene.joint_flow.grouts.empty()) return;
   std::vector<TracePiece> pieces;
   for (const Crack& joint : find_flow_joints(scene)) {
-    const auto& own = joint.parts.front().trace.pieces;
-    pieces.insert(pieces.end(), own.begin(), own.end());
+    const CrackPart& part = joint.parts.front();
+    pieces.insert(pieces.end(), part.trace.pieces.begin(), part.trace.pieces.end());
+    for (const int b : {part.block_a, part.block_b}) refuse_mesh(reading, scene.blocks[at(b)], name_of(scene, joint));
   }
   for (const DrainLine& drain : scene.joint_flow.drains) {
     if (std::any_of(pieces.begin(), pieces.end(), [&](const TracePiece& p) { return crosses(drain, p); })) continue;
