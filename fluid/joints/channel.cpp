@@ -43,6 +43,13 @@ Conductance conductance(double length_m, const std::array<double, 2>& aperture_m
   return {value, {value * (2 / a - 1 / (a + b)), value * (2 / b - 1 / (a + b))}};
 }
 
+double fall_left(const std::array<double, 2>& aperture_m, double t) {
+  // (w^-2 - b^-2)/(a^-2 - b^-2), without differences of what is nearly equal: w - b = (1 - t)(a - b).
+  const auto [a, b] = aperture_m;
+  const double w = a + t * (b - a);
+  return w > 0 && a + b > 0 ? (1 - t) * (w + b) * a * a / ((a + b) * w * w) : 1 - t;
+}
+
 Profile flowing(double length_m, const std::array<double, 2>& aperture_m, const End& from, const End& to,
                 double water_n_per_m3) {
   Profile profile;

@@ -33,6 +33,9 @@ struct Conductance {
 };
 Conductance conductance(double length_m, const std::array<double, 2>& aperture_m, double viscosity_pa_s);
 
+/// Share 0..1 of the fall in p + rho g y that is left at a share t of the length: the curve between the ends.
+double fall_left(const std::array<double, 2>& aperture_m, double t);
+
 /// Pressure along a channel [m from its first node] that flows full from `from` to `to`: straight pieces with the force
 /// and the moment of the curve that the closed form has.
 Profile flowing(double length_m, const std::array<double, 2>& aperture_m, const End& from, const End& to,

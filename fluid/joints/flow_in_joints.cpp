@@ -177,6 +177,15 @@ std::vector<double> FlowInJoints::yields(double step_s) const {
   return yields;
 }
 
+bool FlowInJoints::flows_full(std::size_t channel) const {
+  const Channel& c = joints_.network().channels[channel];
+  const auto potential = [&](int node) {
+    return filling_.pressure_pa[at(node)] + water_.weight_n_per_m3 * joints_.network().nodes[at(node)].height_m;
+  };
+  return filling_.saturation[at(potential(c.from) >= potential(c.to) ? c.from : c.to)] >= 1;
+}
+
+/// As straight pieces with the curve's force and moment.
 Profile FlowInJoints::profile(std::size_t channel) const {
   const Channel& c = joints_.network().channels[channel];
   const auto end = [&](int node) {
@@ -184,11 +193,20 @@ Profile FlowInJoints::profile(std::size_t channel) const {
   };
   const End from = end(c.from);
   const End to = end(c.to);
-  const double fall = from.pressure_pa - to.pressure_pa + water_.weight_n_per_m3 * (from.height_m - to.height_m);
-  const bool full = filling_.saturation[at(fall >= 0 ? c.from : c.to)] >= 1;
-  if (!full) return standing(c.length_m, from, to, water_.weight_n_per_m3);
+  if (!flows_full(channel)) return standing(c.length_m, from, to, water_.weight_n_per_m3);
   return flowing(c.length_m, {c.aperture(0, from.pressure_pa), c.aperture(1, to.pressure_pa)}, from, to,
                  water_.weight_n_per_m3);
+}
+
+double FlowInJoints::pressure(std::size_t channel, double share) const {
+  const Channel& c = joints_.network().channels[channel];
+  if (!flows_full(channel)) return profile(channel).pressure(share * c.length_m);
+  const double from = filling_.pressure_pa[at(c.from)];
+  const double to = filling_.pressure_pa[at(c.to)];
+  const double rise = joints_.network().nodes[at(c.to)].height_m - joints_.network().nodes[at(c.from)].height_m;
+  const double left = fall_left({c.aperture(0, from), c.aperture(1, to)}, share);
+  // In p + rho g y from the second node's, less the height of here.
+  return to + (from - to - water_.weight_n_per_m3 * rise) * left + water_.weight_n_per_m3 * rise * (1 - share);
 }
 
 void FlowInJoints::add_panels(const OpenWater& open, wire::Load& load) const {

@@ -40,8 +40,8 @@ class FlowInJoints {
   [[nodiscard]] FlowBalance balance() const;
   [[nodiscard]] const JointNetwork& joints() const { return joints_; }
   [[nodiscard]] const Filling& filling() const { return filling_; }
-  /// Pressure along a channel.
-  [[nodiscard]] Profile profile(std::size_t channel) const;
+  /// Pressure at a share 0..1 of a channel.
+  [[nodiscard]] double pressure(std::size_t channel, double share) const;
   /// Of what the user should know: where the cubic law ends, a network without an outlet. Empty: of nothing.
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] long factorizations() { return flow_.full().factorizations(); }
@@ -51,6 +51,8 @@ class FlowInJoints {
   void restore(const std::string& state);
 
  private:
+  [[nodiscard]] Profile profile(std::size_t channel) const;
+  [[nodiscard]] bool flows_full(std::size_t channel) const;
   OpenWater take_in(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, bool moved,
                     std::size_t open_panels, const wire::Load& load);
   void solve(double to_s);

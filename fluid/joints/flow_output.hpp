@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What flows through joints, for people and ParaView: flow.csv, a row each [output] history_every_s, and flow.pvd, the
-// joints as lines each frame_every_s.
+// What flows through joints, for people and ParaView: flow.csv, a row each [output] history_every_s; and each
+// frame_every_s joint_water.csv, pressures along all joints, and flow.pvd, the joints as lines.
 #pragma once
 
 #include <optional>
@@ -24,11 +24,13 @@ class FlowOutput {
  private:
   [[nodiscard]] std::string header() const;
   void add_row(double time_s, const FlowInJoints& flow);
+  void add_pressures(double time_s, const FlowInJoints& flow);
   void add_frame(double time_s, const FlowInJoints& flow);
 
   const scene::Scene& scene_;
   std::filesystem::path folder_;
   std::optional<results::ResultFile> rows_;
+  std::optional<results::ResultFile> along_;
   vtk::Collection frames_;
   double next_row_s_ = 0;
   double next_frame_s_ = 0;

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string dam = R"(
+const std::string dam = R"(analysis = { duration_s = 1, step_s = 0.01 }
 [material.concrete]
 youngs_modulus_pa = 30e9
 poissons_ratio = 0.2
