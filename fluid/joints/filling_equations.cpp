@@ -138,7 +138,7 @@ void FillingEquations::add_storage(const std::vector<State>& states) {
     const double yields = yield_m2_per_pa_.empty() ? 0 : yield_m2_per_pa_[i];
     outflow_[row] += (s.saturation * full[i] - stored_before_[i]) / step_s_;
     if (yields > 0) outflow_[row] += yields * (s.pressure - before_pa_[i]) / step_s_;
-    terms_[row] += full[i] / step_s_;
+    terms_[row] += (full[i] + yields * unit_pa_) / step_s_;
     const double by_pressure =
         yields + s.saturation * (widening[i] * pressed + full[i] / pressed / water_.bulk_modulus_pa);
     entries_.emplace_back(row, row, (by_pressure * s.pressure_slope + full[i] * s.saturation_slope) / step_s_);
