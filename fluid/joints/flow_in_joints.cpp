@@ -293,7 +293,7 @@ std::string FlowInJoints::state() const {
   std::vector<double> y;
   for (const Point& p : solved_at_) x.push_back(p.x()), y.push_back(p.y());
   return checkpoint::pack(filling_.pressure_pa, filling_.saturation, filling_.flow, stored_m2_, x, y, time_s_, fresh_,
-                          highest_reynolds_, most_turbulent_joint_, without_outlet_, flow_.full().state());
+                          highest_reynolds_, most_turbulent_joint_, without_outlet_, flow_.state());
 }
 
 void FlowInJoints::restore(const std::string& state) {
@@ -304,7 +304,7 @@ void FlowInJoints::restore(const std::string& state) {
                      highest_reynolds_, most_turbulent_joint_, without_outlet_, factor);
   solved_at_.clear();
   for (std::size_t i = 0; i < x.size(); ++i) solved_at_.emplace_back(x[i], y[i]);
-  flow_.full().restore(factor);
+  flow_.restore(factor);
 }
 
 }  // namespace blockweir::joints
