@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bridge/geometry/point.hpp"
@@ -66,6 +67,7 @@ struct BaseMotion {
   BaseForm form = BaseForm::inertia;
   TimeTable acceleration_x_m_per_s2 = TimeTable::constant(0);
   TimeTable acceleration_y_m_per_s2 = TimeTable::constant(0);
+  std::string correction{};  ///< what was done to the records, in words; empty: nothing
   bool operator==(const BaseMotion&) const = default;
 };
 
