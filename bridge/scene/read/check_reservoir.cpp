@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "bridge/geometry/outline.hpp"
 #include "bridge/scene/cracks.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/upstream_faces.hpp"
@@ -33,6 +35,23 @@ void check_ice(const Reading& reading) {
           "{:.4g} m of upstream face that can move",
           100 * lost, level_m - thickness_m, level_m, held_m),
       "a sheet that lies on a face over all of its thickness", "correct thickness_m, in metres, or the level");
+}
+
+/// What lies above the crest would go over it.
+void check_silt(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  const toml::node* level = reading.file["silt"]["level_m"].node();
+  const auto level_m = level == nullptr ? std::nullopt : level->value<double>();
+  if (!level_m) return;
+  double crest_m = -std::numeric_limits<double>::infinity();
+  for (const Block& block : scene.blocks) {
+    if (!block.fixed) crest_m = std::max(crest_m, geometry::bounds_of(block.vertices).high.y());
+  }
+  if (*level_m <= crest_m) return;
+  reading.problems.warning(reading.problems.at(level->source()),
+                           fmt::format("level_m in [silt] is {:.6g} m, above the crest at {:.6g} m", *level_m, crest_m),
+                           "silt up to the highest point of what can move",
+                           "state a height on the y axis, not a depth");
 }
 
 /// Where the crack is at this way from its mouth.
@@ -99,6 +118,7 @@ void check_sound(const Reading& reading) {
 
 void check_reservoir(const Reading& reading) {
   check_ice(reading);
+  check_silt(reading);
   check_drains(reading);
   check_sound(reading);
 }
