@@ -53,6 +53,8 @@ constexpr IdleKey idle_keys[] = {
     {"water", "atmospheric_pressure_pa",
      [](const Scene& s) { return !dry(s) && s.water.atmosphere == Atmosphere::none; }, "atmosphere = \"wet-faces\""},
     {"water", "open_crack_width_m", not_still_water, "model = \"hydrostatic\" in [fluid]"},
+    {"water", "uplift_in_shaking", [](const Scene& s) { return !dry(s) && (!s.base_motion || !still_pools(s.fluid)); },
+     "[base_motion], and model = \"hydrostatic\" or \"reservoir\" in [fluid]"},
     {"output", "reservoir", [](const Scene& s) { return s.output.reservoir && s.fluid != FluidModel::hydrostatic; },
      "[water], and model = \"hydrostatic\" in [fluid]"},
 };

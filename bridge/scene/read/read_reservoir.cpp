@@ -56,7 +56,8 @@ void read_silt(Reading& reading) {
                                         .from_m = face.top_m,
                                         .to_m = face.bottom_m,
                                         .force_from_n_per_m2 = at_height(face.top_m.y()),
-                                        .force_to_n_per_m2 = at_height(face.bottom_m.y())});
+                                        .force_to_n_per_m2 = at_height(face.bottom_m.y()),
+                                        .origin = LoadOrigin::silt});
   }
 }
 
@@ -90,7 +91,7 @@ void read_earthquake(Reading& reading) {
                            "added_water_pressure = \"reservoir\" beside still water",
                            "model = \"reservoir\" in [fluid]", "set the model, or take \"westergaard\"");
   }
-  BodyLoad inertia;
+  BodyLoad inertia{.origin = LoadOrigin::earthquake};
   for (std::size_t b = 0; b < reading.scene.blocks.size(); ++b) {
     if (!reading.scene.blocks[b].fixed) inertia.blocks.push_back(static_cast<int>(b));
   }

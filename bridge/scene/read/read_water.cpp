@@ -84,6 +84,8 @@ void read_water(Reading& reading) {
   table.choice<CrestPressure>(
       "crest_pressure", w.crest_pressure,
       {{"none", CrestPressure::none}, {"triangular", CrestPressure::triangular}, {"full", CrestPressure::full}});
+  table.choice<ShakenUplift>("uplift_in_shaking", w.uplift_in_shaking,
+                             {{"held", ShakenUplift::held}, {"zero-where-open", ShakenUplift::zero_where_open}});
   table.flag("skip_unchanged", w.skip_unchanged);
   if (!table.present()) return;
   reading.scene.fluid = FluidModel::hydrostatic;
