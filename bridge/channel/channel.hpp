@@ -17,6 +17,11 @@ struct PeerError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What the partner said is wrong, and it has not been told yet.
+struct PartnerFault : PeerError {
+  using PeerError::PeerError;
+};
+
 /// The partner ended the run on purpose (wire::End) where a data message was expected.
 struct PeerEnded : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -48,8 +53,13 @@ class Channel {
   Channel(Channel&&) noexcept;
   Channel& operator=(Channel&&) noexcept;
 
-  /// Sends ours, waits for theirs, refuses any difference with both sides' values; returns theirs.
+  /// Sends ours, waits for theirs, refuses any difference with both sides' values, and tells the partner; returns
+  /// theirs.
   wire::Hello handshake(const wire::Hello& ours);
+  /// The handshake of a side that has no scene of its own: waits for theirs, agrees to all of it, returns it.
+  wire::Hello agree(const std::string& role, const std::string& build);
+  /// How messages call the other side from now on.
+  void call_partner(const std::string& name);
 
   void send(const wire::Motion& motion);
   void send(const wire::Load& load);

@@ -25,10 +25,17 @@ bool is_echo(const ChildEnd& end) {
 const ChildEnd* cause_of(const Supervised& supervised) {
   const ChildEnd* cause = nullptr;
   for (const ChildEnd& end : supervised.ends) {
-    if (end.exit_code == 0 || end.by_us) continue;
+    if ((end.exit_code == 0 && !end.early) || end.by_us) continue;
     if (cause == nullptr || (is_echo(*cause) && !end.last_line.empty())) cause = &end;
   }
   return cause;
+}
+
+/// What a program of the user's says last may be of any form: whose it is has to stand before it.
+std::string end_of_external(const ChildEnd& end) {
+  const std::string said = end.last_line.empty() ? "" : fmt::format(", its last line: \"{}\"", end.last_line);
+  return fmt::format("the external fluid ended with exit status {}{}{}; all that it wrote is in {}.log", end.exit_code,
+                     end.early ? " before it had connected to BLOCKWEIR_ENDPOINT" : "", said, end.name);
 }
 
 }  // namespace
@@ -57,6 +64,7 @@ std::string first_trouble(const Supervised& supervised, const fs::path& folder) 
     return fmt::format("no room is left on the disk that holds {}; free some, or choose another folder with --out",
                        folder.string());
   }
+  if (cause->external) return end_of_external(*cause);
   if (!cause->last_line.empty()) return cause->last_line;
   return fmt::format("the {} process ended with {}", cause->name, cause->exit_code);
 }
