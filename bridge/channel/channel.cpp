@@ -186,7 +186,7 @@ struct Channel::Line {
         return false;
       }
       if (got == wire::Kind::end) {
-        wire::End end;
+        wire::Farewell end;
         wire::decode(frame, end);
         throw PeerEnded(end.reason);
       }
@@ -262,7 +262,7 @@ void Channel::send(const wire::Motion& motion) {
 void Channel::send(const wire::Load& load) {
   line_->send(load);
 }
-void Channel::send(const wire::End& end) {
+void Channel::send(const wire::Farewell& end) {
   line_->send(end);
 }
 void Channel::send(const wire::Failure& failure) {

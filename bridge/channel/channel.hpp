@@ -22,7 +22,7 @@ struct PartnerFault : PeerError {
   using PeerError::PeerError;
 };
 
-/// The partner ended the run on purpose (wire::End) where a data message was expected.
+/// The partner ended the run on purpose (wire::Farewell) where a data message was expected.
 struct PeerEnded : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -63,7 +63,7 @@ class Channel {
 
   void send(const wire::Motion& motion);
   void send(const wire::Load& load);
-  void send(const wire::End& end);
+  void send(const wire::Farewell& end);
   void send(const wire::Failure& failure);
   /// To be called while this side computes what it owes, whenever it has come further: goes out where nothing has for a
   /// quarter of timeout_s.

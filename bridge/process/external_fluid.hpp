@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A fluid that is a program of the user's, from the launcher's side: [fluid] model = "external". bridge/PROTOCOL.md
+// A fluid that is a program of the user's, from the launcher's side: [fluid] model = "external". bridge/wire/README.md
 // says what it is told.
 #pragma once
 
@@ -29,7 +29,7 @@ namespace blockweir::process {
 inline constexpr const char* no_checkpoint_of_external =
     "its external fluid has written no checkpoint, so that it cannot go on: run it anew, let the program write one "
     "when "
-    "it is told to save (bridge/PROTOCOL.md), or set remembers = false in [fluid] where its pressures depend on place "
+    "it is told to save (bridge/wire/README.md), or set remembers = false in [fluid] where its pressures depend on place "
     "and time alone";
 
 }  // namespace blockweir::process

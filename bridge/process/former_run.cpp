@@ -49,6 +49,8 @@ void forget_former_run(const fs::path& folder, const scene::Scene& scene) {
     for (const char* ending : {".png", ".svg"}) fs::remove(folder / (std::string(picture) + ending));
   }
   fs::remove(report_of(folder));
+  fs::remove_all(trace_of(folder));
+  fs::remove(folder / "trace.json");
   fs::remove_all(folder / "frames");
   forget_checkpoints(folder);
   fs::remove_all(folder / scene::fluid_entry(scene::FluidModel::external).folder);

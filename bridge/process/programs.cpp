@@ -33,6 +33,10 @@ fs::path report_of(const fs::path& folder) {
   return folder / "fluid.json";
 }
 
+fs::path trace_of(const fs::path& folder) {
+  return folder / "trace";
+}
+
 void require_fit(const scene::Scene& scene, bool inproc) {
   if (!inproc || scene.fluid == FluidModel::hydrostatic || scene.fluid == FluidModel::none) return;
   throw std::invalid_argument(

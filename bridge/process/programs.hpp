@@ -27,6 +27,9 @@ struct Processes {
 /// Where a fluid says what the summary needs.
 [[nodiscard]] std::filesystem::path report_of(const std::filesystem::path& folder);
 
+/// Folder in which the sides of a traced run say what they did when.
+[[nodiscard]] std::filesystem::path trace_of(const std::filesystem::path& folder);
+
 /// Throws std::invalid_argument where `inproc` is asked for a fluid that needs a process of its own.
 void require_fit(const scene::Scene& scene, bool inproc);
 

@@ -153,6 +153,12 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   }
   const Processes processes{folder, endpoint, first, options.inproc, home_of_external(scene, folder)};
   std::vector<Command> commands = commands_of(scene, processes);
+  if (options.trace) {
+    results::make_folder(trace_of(folder));
+    for (Command& command : commands) {
+      command.environment.push_back("BLOCKWEIR_TRACE=" + fs::absolute(trace_of(folder)).string());
+    }
+  }
   commands.front().words.insert(commands.front().words.end(), {"--progress-fd", std::to_string(pipe_ends[1])});
   commands.front().inherited_fd = pipe_ends[1];
   const LimitMargin margin(scratch.path());

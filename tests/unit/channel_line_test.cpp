@@ -81,7 +81,7 @@ TEST_F(Line, AMessageOfAnotherKindThanIsDueIsNamed) {
   } catch (const PeerError& error) {
     EXPECT_THAT(error.what(), HasSubstr("fluid process sent a message of another kind than was due"));
   }
-  channel.send(wire::End{"enough"});
+  channel.send(wire::Farewell{"enough"});
   fluid.join();
 }
 
