@@ -19,7 +19,7 @@ struct FluidEntry {
   const char* folder = "";        ///< of its own within the run's
   bool still_pools = false;       ///< levels are those of their tables, and what is wet follows from geometry
   bool remembers = false;         ///< its pressures depend on what has been: it goes on from a checkpoint of its own
-  bool yours = false;             ///< a program of the user's computes it: [fluid] command
+  bool yours = false;             ///< a program of the user's computes it: [fluid.external] command
   bool reads_files = false;       ///< that the scene names, beside the scene's text
   double timeout_s = 20;          ///< for which the solid waits for a sign of life, by default
 };

@@ -25,7 +25,7 @@ class ExternalFluid : public Processes {
     return shell("env PYTHONPATH=" + kit + "python " + programs + "/blockweir run " + dam + more + " --out run" +
                  command(words));
   }
-  static std::string command(const std::string& words) { return " --set 'fluid.command=[" + words + "]'"; }
+  static std::string command(const std::string& words) { return " --set 'fluid.external.command=[" + words + "]'"; }
   [[nodiscard]] nlohmann::json summary() const { return nlohmann::json::parse(text("run/summary.json")); }
   void expect_failure_head() const {
     ASSERT_TRUE(fs::exists(folder / "run/summary.json")) << text("out");
@@ -95,7 +95,7 @@ title = "a block that a stranger's water pushes off its base"
 analysis = { duration_s = 0.2, stop_at_failure = true }
 joint = { friction_angle_deg = 30 }
 material.stone = { youngs_modulus_pa = 50e9, poissons_ratio = 0.2, density_kg_per_m3 = 2500 }
-fluid = { model = "external", command = ["/usr/bin/python3", "push.py"], remembers = false }
+fluid = { model = "external", external = { command = ["/usr/bin/python3", "push.py"], remembers = false } }
 [[block]]
 name = "rock"
 material = "stone"
@@ -155,7 +155,7 @@ TEST_F(ExternalFluid, ThatFailsSaysWhyToTheUser) {
 TEST_F(ExternalFluid, ThatIsNotThereOrNeverConnectsIsToldOf) {
   EXPECT_EQ(run("\"./no-such-program\""), 1);
   EXPECT_THAT(text("out"), HasSubstr("cannot start ./no-such-program: No such file or directory; expected a program "
-                                     "that can be run; correct command in [fluid]; its paths start in "));
+                                     "that can be run; correct command in [fluid.external]; its paths start in "));
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(run("\"true\""), 1);  // the solid would wait for a minute
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
@@ -207,7 +207,7 @@ with Fluid("counter", save=None if os.environ.get("FORGETS") else save, restore=
   EXPECT_EQ(end_of(forgets, 20), 130);
   EXPECT_THAT(text("launcher"), HasSubstr("its external fluid has written no checkpoint"));
   EXPECT_EQ(shell(programs + "/blockweir resume run"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("set remembers = false in [fluid]"));
+  EXPECT_THAT(text("out"), HasSubstr("set remembers = false in [fluid.external]"));
 }
 
 TEST_F(ExternalFluid, OfNoLevelHasNoLevelOfFailureWithoutARun) {
