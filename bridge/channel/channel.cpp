@@ -245,8 +245,7 @@ wire::Hello Channel::agree(const std::string& role, const std::string& build) {
   wire::Hello hello;
   line_->receive(wire::Kind::hello, hello, line_->options.open_timeout_s, "at the handshake");
   wire::Hello ours = hello;
-  ours.protocol = wire::protocol_version;
-  std::tie(ours.role, ours.build) = std::tie(role, build);
+  std::tie(ours.protocol, ours.role, ours.build) = std::make_tuple(wire::protocol_version, role, build);
   line_->begin(ours, hello);
   line_->send(ours);
   return ours;
