@@ -2,6 +2,7 @@
 """A fluid that says one thing wrong: liar.py WHAT. It prints what it hears of it."""
 
 import math
+import os
 import sys
 
 import blockweir_fluid as kit
@@ -66,9 +67,10 @@ try:
             if lies and what == "raise":
                 raise ArithmeticError("the pump has failed")
             if lies and what == "leave":
-                sys.exit(0)
+                os._exit(0)
             if lies and what == "die":
-                sys.exit("out of water")
+                print("out of water", file=sys.stderr, flush=True)
+                os._exit(1)
             fluid.send([panel(lies)])
 except kit.FluidError as error:
     sys.exit(f"heard: {error}")

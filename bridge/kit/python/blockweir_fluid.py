@@ -123,7 +123,9 @@ class Fluid:
         return self
 
     def __exit__(self, kind, error, _):
-        if error is not None and not isinstance(error, FluidError):
+        if isinstance(error, SystemExit):
+            self.fail(error.code if isinstance(error.code, str) else "it left before the run was complete")
+        elif error is not None and not isinstance(error, FluidError):
             self.fail(f"{kind.__name__}: {error}")
         self.close()
 
