@@ -19,20 +19,20 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-struct Span {
+struct TracedSpan {
   std::string what;
   std::uint64_t window = 0;
   std::int64_t from_ns = 0;
   std::int64_t to_ns = 0;
 };
 
-struct Side {
+struct TracedSide {
   std::string name;
-  std::vector<Span> spans{};  ///< in order of time, none of which overlap
+  std::vector<TracedSpan> spans{};  ///< in order of time, none of which overlap
 };
 
-Side read_side(const fs::path& file) {
-  Side side{file.stem().string()};
+TracedSide read_side(const fs::path& file) {
+  TracedSide side{file.stem().string()};
   std::ifstream stream(file);
   std::string line;
   std::getline(stream, line);
@@ -43,7 +43,7 @@ Side read_side(const fs::path& file) {
   };
   if (line != "what,window,from_ns,to_ns") refuse(1);
   for (std::size_t number = 2; std::getline(stream, line); ++number) {
-    Span span;
+    TracedSpan span;
     const std::size_t comma = line.find(',');
     unsigned long long window = 0;
     long long from = 0;
@@ -59,9 +59,9 @@ Side read_side(const fs::path& file) {
 }
 
 /// Spans of one side, as events of process `pid`.
-class Events {
+class SideEvents {
  public:
-  Events(json& events, int pid, std::int64_t zero_ns) : events_(events), pid_(pid), zero_ns_(zero_ns) {}
+  SideEvents(json& events, int pid, std::int64_t zero_ns) : events_(events), pid_(pid), zero_ns_(zero_ns) {}
 
   void name(const std::string& name) {
     events_.push_back({{"name", "process_name"}, {"ph", "M"}, {"pid", pid_}, {"tid", 1}, {"args", {{"name", name}}}});
@@ -91,7 +91,7 @@ class Events {
 };
 
 /// A window lasts until the side turns to the next one; what is neither sending nor waiting is computing.
-void add(const Side& side, Events& events) {
+void add_side(const TracedSide& side, SideEvents& events) {
   const std::string sends = side.name == "solid" ? "motion" : "load";
   const std::string gets = side.name == "solid" ? "load" : "motion";
   events.name(side.name);
@@ -102,7 +102,7 @@ void add(const Side& side, Events& events) {
     const std::int64_t to_ns = end < side.spans.size() ? side.spans[end].from_ns : side.spans[end - 1].to_ns;
     events.span(fmt::format("window {}", window), "window", window, side.spans[i].from_ns, to_ns);
     for (; i < end; ++i) {
-      const Span& span = side.spans[i];
+      const TracedSpan& span = side.spans[i];
       const std::int64_t next_ns = i + 1 < end ? side.spans[i + 1].from_ns : to_ns;
       events.span(span.what, "exchange", window, span.from_ns, span.to_ns);
       if (next_ns > span.to_ns) events.span("compute", "compute", window, span.to_ns, next_ns);
@@ -115,28 +115,28 @@ void add(const Side& side, Events& events) {
 }  // namespace
 
 json trace_of_sides(const fs::path& folder) {
-  std::vector<Side> sides;
+  std::vector<TracedSide> sides;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none)) {
     if (entry.path().extension() == ".csv") sides.push_back(read_side(entry.path()));
   }
-  std::erase_if(sides, [](const Side& side) { return side.spans.empty(); });
+  std::erase_if(sides, [](const TracedSide& side) { return side.spans.empty(); });
   if (sides.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: found no trace of an exchange; expected the run of a scene with water in two processes; make "
                     "it with \"blockweir run SCENE --trace\"",
                     folder.string()));
   }
-  const auto solid_first = [](const Side& a, const Side& b) {
+  const auto solid_first = [](const TracedSide& a, const TracedSide& b) {
     return std::pair(a.name != "solid", a.name) < std::pair(b.name != "solid", b.name);
   };
   std::sort(sides.begin(), sides.end(), solid_first);
   std::int64_t zero_ns = std::numeric_limits<std::int64_t>::max();
-  for (const Side& side : sides) zero_ns = std::min(zero_ns, side.spans.front().from_ns);
+  for (const TracedSide& side : sides) zero_ns = std::min(zero_ns, side.spans.front().from_ns);
   json events = json::array();
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    Events of_side(events, static_cast<int>(i) + 1, zero_ns);
-    add(sides[i], of_side);
+    SideEvents of_side(events, static_cast<int>(i) + 1, zero_ns);
+    add_side(sides[i], of_side);
   }
   return {{"displayTimeUnit", "ms"}, {"traceEvents", std::move(events)}};
 }

@@ -16,7 +16,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 const std::string kit = std::string(BLOCKWEIR_SOURCE) + "/bridge/kit/";
-const std::string dam = cases + "cracked-dam-upper --set analysis.stop_at_failure=true --set fluid.model=external ";
+const std::string dam = std::string(BLOCKWEIR_SOURCE) +
+                        "/cases/cracked-dam-upper --set analysis.stop_at_failure=true --set fluid.model=external ";
 
 class ExternalFluid : public Processes {
  protected:
@@ -135,7 +136,6 @@ TEST_F(ExternalFluid, ThatLiesHearsWhy) {
     EXPECT_THAT(text("run/external.log"), HasSubstr(why));
     EXPECT_THAT(text("out"), HasSubstr(why));
     EXPECT_THAT(text("out"), Not(HasSubstr("hydrostatic")));
-    EXPECT_THAT(text("out"), HasSubstr("external fluid"));
     EXPECT_FALSE(orphan());
   }
 }
@@ -159,8 +159,9 @@ TEST_F(ExternalFluid, ThatIsNotThereOrNeverConnectsIsToldOf) {
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(run("\"true\""), 1);  // the solid would wait for a minute
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
-  EXPECT_THAT(text("out"), HasSubstr("the external fluid ended with exit status 0 before it had connected to "
-                                     "BLOCKWEIR_ENDPOINT"));
+  EXPECT_THAT(text("out"),
+              HasSubstr("the external fluid ended with exit status 0 before the run was under way; it has to "
+                        "connect to BLOCKWEIR_ENDPOINT and to stay; all that it wrote is in external.log"));
   EXPECT_EQ(run("\"sleep\",\"1000\"", "--set coupling.timeout_s=1"), 1);
   EXPECT_THAT(text("out"), HasSubstr("external fluid has not come to ipc://"));
   EXPECT_FALSE(orphan());
@@ -201,12 +202,12 @@ with Fluid("counter", save=None if os.environ.get("FORGETS") else save, restore=
   EXPECT_EQ(text("run/history.csv"), text("whole/history.csv"));
 
   const pid_t forgets =
-      start("env FORGETS=1 " + environment + programs + "/blockweir " + of + " --out run", "launcher");
-  ASSERT_TRUE(under_way("run"));
+      start("env FORGETS=1 " + environment + programs + "/blockweir " + of + " --out forgets", "launcher");
+  ASSERT_TRUE(under_way("forgets"));
   kill(forgets, SIGINT);
   EXPECT_EQ(end_of(forgets, 20), 130);
   EXPECT_THAT(text("launcher"), HasSubstr("its external fluid has written no checkpoint"));
-  EXPECT_EQ(shell(programs + "/blockweir resume run"), 2);
+  EXPECT_EQ(shell(programs + "/blockweir resume forgets"), 2);
   EXPECT_THAT(text("out"), HasSubstr("set remembers = false in [fluid.external]"));
 }
 
