@@ -172,7 +172,8 @@ TEST_F(KitCalls, InAnyOrderWithAnyNumbersEndInOrder) {
     const int ended = blockweir_close(fluid);
     EXPECT_EQ(ended == 0, said.empty()) << said;
     other.join();
-    EXPECT_EQ(heard.empty(), ended == 0) << heard << " / " << said;
+    if (ended == 0) EXPECT_EQ(heard, "");
+    if (!heard.empty()) EXPECT_THAT(heard, HasSubstr(said));  // else the solid was done already
     complete += ended == 0 ? 1 : 0;
   }
   EXPECT_GT(complete, 3);

@@ -43,7 +43,7 @@ TEST(SceneExternal, NeedsNoWaterAndNoLevel) {
 
 TEST(SceneExternal, WordsThatAreNoneAreRefused) {
   const auto refused = [](const std::string& command, const std::vector<std::string>& words) {
-    expect_error(with(hydrostatic, "model = \"external\"\nexternal = { command = " + command + " }"), 50, words);
+    expect_error(with(hydrostatic, "model = \"external\"\nexternal = { command = " + command + " }"), 48, words);
   };
   refused("\"python3 water.py\"", {"command", "a list of texts"});
   refused("[\"\", \"x\"]", {"command begins with an empty word"});
@@ -51,12 +51,12 @@ TEST(SceneExternal, WordsThatAreNoneAreRefused) {
 }
 
 TEST(SceneExternal, ACommandBesideAnotherModelIsRefused) {
-  expect_error(with(hydrostatic, hydrostatic + "\nexternal = { command = [\"x\"] }"), 50,
+  expect_error(with(hydrostatic, hydrostatic + "\nexternal = { command = [\"x\"] }"), 48,
                {"[fluid.external] beside another model"});
 }
 
 TEST(SceneExternal, SeveralFluidsAreRefusedWithAReason) {
-  expect_error(with("[fluid]\n" + hydrostatic, "[[fluid]]\n" + hydrostatic + "\n[[fluid]]\nmodel = \"external\""), 48,
+  expect_error(with("[fluid]\n" + hydrostatic, "[[fluid]]\n" + hydrostatic + "\n[[fluid]]\nmodel = \"external\""), 46,
                {"[[fluid]], a list of 2 fluids; each window has one partner, who answers for all water", "one [fluid]",
                 "let one program compute all of the water"});
 }
