@@ -61,6 +61,12 @@ TEST(SceneExternal, SeveralFluidsAreRefusedWithAReason) {
                 "let one program compute all of the water"});
 }
 
+TEST(SceneExternal, FlowInJointsIsRefused) {
+  const auto found = errors(with("cohesion_pa = 1e5", "cohesion_pa = 1e5\nuplift = \"flow\"\naperture_m = 1e-3",
+                                 with(hydrostatic, "model = \"external\"")));
+  EXPECT_THAT(found, testing::Contains(HasSubstr("uplift = \"flow\" with model = \"external\"")));
+}
+
 TEST(SceneExternal, UpliftThatNobodyComputesIsWarnedOf) {
   const ReadScene read = read_text(
       with("cohesion_pa = 1e5", "cohesion_pa = 1e5\nuplift = \"full\"", with(hydrostatic, "model = \"external\"")),
