@@ -127,6 +127,13 @@ struct Column {
   bool operator==(const Column&) const = default;
 };
 
+/// [fluid] model = "external": a program that is not blockweir's, bridge/kit.
+struct External {
+  std::vector<std::string> command;  ///< that starts it, in the scene's folder; empty: it is started by hand
+  bool remembers = true;             ///< its pressures depend on what has been, so that it needs checkpoints of its own
+  bool operator==(const External&) const = default;
+};
+
 /// Who steps when: bridge/schedule/schedules.hpp.
 enum class Schedule { serial, parallel, improved };
 

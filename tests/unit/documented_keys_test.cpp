@@ -204,6 +204,7 @@ spacing_deviation = 0.3
     return std::regex_replace(blocks, std::regex("upstream_level_m = 1\n"), "") +
            "[fluid]\nmodel = \"column\"\n[fluid.column]\nblock = \"a\"\nat_m = [0, 1]\nlength_m = 5\n";
   }
+  if (table == "fluid.external") return blocks + "[fluid]\nmodel = \"external\"\n";
   if (table == "fluid.reservoir") {
     return blocks + "[fluid]\nmodel = \"reservoir\"\n[fluid.reservoir]\nelement_ratio = 0.3\ncompressible = true\n";
   }

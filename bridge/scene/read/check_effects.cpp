@@ -97,6 +97,22 @@ double highest(const TimeTable& level, double duration_s) {
   return high + (level.sine ? std::abs(level.sine->amplitude) : 0);
 }
 
+/// Uplift where the water is a stranger's: what he sends is all that presses.
+void check_strange_uplift(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  const auto stated = [](const JointLaw& law) { return law.uplift != Uplift::none; };
+  const auto joint =
+      std::find_if(scene.joints.begin(), scene.joints.end(), [&](const Joint& j) { return stated(j.law); });
+  if (!fluid_entry(scene.fluid).yours || (!stated(scene.default_joint) && joint == scene.joints.end())) return;
+  const std::string whose = stated(scene.default_joint) ? "[joint]" : fmt::format("joint \"{}\"", joint->name);
+  reading.problems.warning(reading.problems.at(0),
+                           fmt::format("uplift of {} has no effect in a run with model = \"external\": only what the "
+                                       "program sends presses, in joints, too",
+                                       whose),
+                           "uplift = \"none\", or panels of the joint's edges from the program",
+                           "leave uplift out, and let the program press in its joints");
+}
+
 /// Pools that stay below all that can move, and cracks with uplift that no pool ever reaches.
 void check_reach_of_water(const Reading& reading) {
   const Scene& scene = reading.scene;
@@ -225,6 +241,7 @@ void check_effects(const Reading& reading) {
   check_idle_keys(reading);
   check_materials(reading);
   check_reach_of_water(reading);
+  check_strange_uplift(reading);
   check_base_motion(reading);
   check_dipping_uplift(reading);
   check_anything_happens(reading);

@@ -111,10 +111,11 @@ void read_joint_flow(Reading& reading) {
                              "bulk_modulus_pa in [joint_flow] has no effect: steady flow stores no water",
                              "kind = \"transient\"", "state that kind, or leave bulk_modulus_pa out");
   }
-  if (flows_in_joints(reading.scene) && reading.scene.fluid == FluidModel::openfoam) {
-    reading.problems.error(reading.problems.at(0), "uplift = \"flow\" with model = \"openfoam\"",
-                           "model = \"hydrostatic\" or \"reservoir\" in [fluid]",
-                           "change the model, or state another uplift");
+  const FluidModel model = reading.scene.fluid;
+  if (flows_in_joints(reading.scene) && (model == FluidModel::openfoam || model == FluidModel::external)) {
+    reading.problems.error(
+        reading.problems.at(0), fmt::format("uplift = \"flow\" with model = \"{}\"", fluid_entry(model).key),
+        "model = \"hydrostatic\" or \"reservoir\" in [fluid]", "change the model, or state another uplift");
   }
 }
 

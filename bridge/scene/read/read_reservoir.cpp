@@ -11,12 +11,13 @@ namespace {
 /// Reports what acts through the reservoir where there is none that stands still.
 void require_still_water(TableReader& table, Reading& reading) {
   if (still_pools(reading.scene.fluid) && reading.scene.water.upstream_level_m) return;
-  const bool openfoam = reading.scene.fluid == FluidModel::openfoam;
+  const FluidModel model = reading.scene.fluid;
+  const bool other = model == FluidModel::openfoam || model == FluidModel::external;
   reading.problems.error(table.place(),
-                         openfoam ? fmt::format("{} with model = \"openfoam\"", table.name())
-                                  : fmt::format("{} without a reservoir", table.name()),
+                         other ? fmt::format("{} with model = \"{}\"", table.name(), fluid_entry(model).key)
+                               : fmt::format("{} without a reservoir", table.name()),
                          "[water] with upstream_level_m, and model = \"hydrostatic\"",
-                         openfoam ? "leave model out, or leave this table out" : "add the level, or leave this out");
+                         other ? "leave model out, or leave this table out" : "add the level, or leave this out");
 }
 
 TimeTable constant(double value) {
