@@ -18,6 +18,9 @@ struct Processes {
   bool inproc = false;           ///< the reference fluid within the solid's process
 };
 
+/// One of our programs: it stands beside this one, wherever it was installed.
+[[nodiscard]] std::filesystem::path program_beside(const std::string& name);
+
 /// What results of a scene are called by: its folder, or its file where that is not scene.toml.
 [[nodiscard]] std::string case_name(const std::filesystem::path& scene);
 

@@ -8,7 +8,6 @@
 
 #include "bridge/process/programs.hpp"
 #include "bridge/process/run.hpp"
-#include "bridge/process/side_by_side.hpp"
 #include "bridge/results/figure.hpp"
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
@@ -17,6 +16,7 @@
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "bridge/study/engines.hpp"
 #include "bridge/study/open_study.hpp"
 #include "bridge/study/study_files.hpp"
 
@@ -67,7 +67,7 @@ struct Tasks {
 };
 
 Tasks tasks_of(const StudyOptions& options) {
-  const int jobs = options.jobs > 0 ? options.jobs : process::processors();
+  const int jobs = jobs_of(options.engine);
   Tasks tasks;
   scene::Gathered wrong;
   wrong.from([&] { tasks.answered = study_tasks(options.scene, options.overrides); });
@@ -198,6 +198,7 @@ int perform_all(const StudyOptions& options) {
   if (open_out.empty()) open_out = fs::path("runs") / (process::case_name(options.scene) + "-studies");
   if (!options.out.empty()) results::make_folder(options.out);
   if (!tasks.open.empty()) results::make_folder(open_out);
+  const auto engine = make_engine(options.engine, open_out);
   bool sound = true;
   std::vector<std::pair<std::string, StudyResult>> orders;
   try {
@@ -207,7 +208,7 @@ int perform_all(const StudyOptions& options) {
       if (!result.key.empty() && !result.check.contains("trouble")) orders.emplace_back(task.name, std::move(result));
     }
     for (const OpenStudyTask& task : tasks.open) {
-      sound = perform(task, options.scene, options.overrides, open_out) && sound;
+      sound = perform(task, options.scene, options.overrides, open_out, *engine) && sound;
     }
   } catch (const Interrupted&) {
     fmt::print(stderr, "stopped on request{}\n", tasks.open.empty() ? "" : "; the same command goes on with [[study]]");

@@ -10,6 +10,7 @@
 
 #include "bridge/process/temporary_folder.hpp"
 #include "bridge/scene/scene.hpp"
+#include "bridge/study/engine_options.hpp"
 
 namespace blockweir::study {
 
@@ -107,7 +108,7 @@ struct StudyOptions {
   std::filesystem::path scene;
   std::string name;           ///< empty: all of the scene
   std::filesystem::path out;  ///< folder for figures and tables; empty: none, and runs/CASE-studies for [[study]]
-  int jobs = 0;               ///< runs of a [[study]] at once; 0: as many as there are processors
+  EngineOptions engine;       ///< of each [[study]]
   Settings overrides;
 };
 
