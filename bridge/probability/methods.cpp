@@ -7,8 +7,10 @@
 #include <openturns/CompositeRandomVector.hxx>
 #include <openturns/EvaluationImplementation.hxx>
 #include <openturns/FORM.hxx>
+#include <openturns/GreaterOrEqual.hxx>
 #include <openturns/Less.hxx>
 #include <openturns/MartinezSensitivityAlgorithm.hxx>
+#include <openturns/Normal.hxx>
 #include <openturns/PostAnalyticalImportanceSampling.hxx>
 #include <openturns/SORM.hxx>
 #include <openturns/SobolIndicesExperiment.hxx>
@@ -50,9 +52,10 @@ OT::Function function_of(const OT::Distribution& joint, const Evaluate& evaluate
   return function;
 }
 
-OT::ThresholdEvent event_of(const OT::Distribution& joint, const Evaluate& evaluate, double threshold) {
+OT::ThresholdEvent event_of(const OT::Distribution& joint, const Evaluate& evaluate, double threshold,
+                            const OT::ComparisonOperator& holds = OT::Less()) {
   const OT::RandomVector inputs(joint);
-  return OT::ThresholdEvent(OT::CompositeRandomVector(function_of(joint, evaluate), inputs), OT::Less(), threshold);
+  return OT::ThresholdEvent(OT::CompositeRandomVector(function_of(joint, evaluate), inputs), holds, threshold);
 }
 
 OT::AbdoRackwitz nearest_point() {
@@ -86,6 +89,20 @@ auto analysed(const OT::ThresholdEvent& event, const OT::Distribution& joint) {
   return analysis.getResult();
 }
 
+/// beta with P = Phi(-beta), below 0 where the means fail.
+double index_of(double probability) {
+  return -OT::Normal().computeQuantile(probability)[0];
+}
+
+json complement(json answer) {
+  const double probability = answer["probability"];
+  const double share = probability > 0 ? probability / (1 - probability) : 0;
+  answer["probability"] = 1 - probability;
+  answer["interval"] = {1 - answer["interval"][1].get<double>(), 1 - answer["interval"][0].get<double>()};
+  answer["coefficient_of_variation"] = answer["coefficient_of_variation"].get<double>() * share;
+  return answer;
+}
+
 }  // namespace
 
 json form(const OT::Distribution& joint, const Evaluate& evaluate, double threshold, bool second_order) {
@@ -95,7 +112,7 @@ json form(const OT::Distribution& joint, const Evaluate& evaluate, double thresh
   OT::Sample at_design(0, joint.getDimension());
   at_design.add(design);
   json answer = {{"probability", first.getEventProbability()},
-                 {"index", first.getGeneralisedReliabilityIndex()},
+                 {"index", index_of(first.getEventProbability())},
                  {"design_point", numbers(design)},
                  {"importance", numbers(first.getImportanceFactors())},
                  {"iterations", first.getOptimizationResult().getIterationNumber()},
@@ -103,18 +120,22 @@ json form(const OT::Distribution& joint, const Evaluate& evaluate, double thresh
   if (!second_order) return answer;
   const OT::SORMResult second = analysed<OT::SORM>(event, joint);
   answer["breitung"] = {{"probability", second.getEventProbabilityBreitung()},
-                        {"index", second.getGeneralisedReliabilityIndexBreitung()}};
+                        {"index", index_of(second.getEventProbabilityBreitung())}};
   return answer;
 }
 
 json importance_sampling(const OT::Distribution& joint, const Evaluate& evaluate, double threshold, unsigned samples) {
-  const OT::ThresholdEvent event = event_of(joint, evaluate, threshold);
-  OT::PostAnalyticalImportanceSampling sampling(analysed<OT::FORM>(event, joint));
+  OT::FORMResult design = analysed<OT::FORM>(event_of(joint, evaluate, threshold), joint);
+  // About the design point half of the points would not say where the rest of a large probability is.
+  const bool means_fail = design.getIsStandardPointOriginInFailureSpace();
+  if (means_fail) design = analysed<OT::FORM>(event_of(joint, evaluate, threshold, OT::GreaterOrEqual()), joint);
+  OT::PostAnalyticalImportanceSampling sampling(design);
   sampling.setBlockSize(samples);
   sampling.setMaximumOuterSampling(1);
   sampling.setMaximumCoefficientOfVariation(0);
   sampling.run();
-  return simulated(sampling.getResult());
+  const json answer = simulated(sampling.getResult());
+  return means_fail ? complement(answer) : answer;
 }
 
 json subset_sampling(const OT::Distribution& joint, const Evaluate& evaluate, double threshold, unsigned samples) {

@@ -26,7 +26,7 @@ namespace {
                   std::strerror(errno)));
 }
 
-[[noreturn]] void become(std::vector<std::string>& words, int line, int log, pid_t parent) {
+[[noreturn]] void become_program(std::vector<std::string>& words, int line, int log, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // gone before we said so
   std::signal(SIGINT, SIG_IGN);             // Ctrl-C is the parent's to hear: this ends when its line does
@@ -52,7 +52,7 @@ LineProgram::LineProgram(std::vector<std::string> words) : name_(words.front()) 
   log_ = ::memfd_create("log", MFD_CLOEXEC);
   const pid_t parent = ::getpid();
   child_ = log_ < 0 ? -1 : ::fork();
-  if (child_ == 0) become(words, ends[1], log_, parent);
+  if (child_ == 0) become_program(words, ends[1], log_, parent);
   ::close(ends[1]);
   line_ = ends[0];
   if (child_ < 0) {

@@ -101,7 +101,7 @@ void OutcomeRuns::tell(const Outcome& outcome, std::size_t left) {
       left == 0 ? "no more runs" : fmt::format("{} more, some {}", left, duration(each_s * static_cast<double>(left)));
   if (plan_.of_many) {
     constexpr double told_every_s = 5;
-    if (left > 0 && seconds_since(told_) < told_every_s) return;
+    if (seconds_since(told_) < told_every_s) return;
     told_ = std::chrono::steady_clock::now();
     return fmt::print(stderr, "{}: {} done, {}\n", plan_.name, done_, more);
   }

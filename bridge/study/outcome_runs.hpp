@@ -50,7 +50,7 @@ class OutcomeRuns {
   std::map<std::string, Outcome> known_;  ///< by what decides them
   results::ResultFile kept_;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point told_;
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
   std::size_t done_ = 0;  ///< of this call of the program
 };
 

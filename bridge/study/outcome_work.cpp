@@ -76,9 +76,9 @@ Outcome factor_out(const fs::path& scene, const Settings& all, const fs::path& f
 }
 
 /// By limit analysis or by static analysis, in a program that lasts for as long as it is well.
-class Capacities {
+class CapacityProgram {
  public:
-  Capacities(std::string scene, std::string question) : scene_(std::move(scene)), question_(std::move(question)) {}
+  CapacityProgram(std::string scene, std::string question) : scene_(std::move(scene)), question_(std::move(question)) {}
   Outcome of(const Settings& all) {
     try {
       if (!program_) program_ = std::make_unique<process::LineProgram>(Settings{"blockweir-limit", question_, scene_});
@@ -120,7 +120,7 @@ engine::Worker outcome_worker(const json& common) {
     return joined(joined(common["settings"].get<Settings>(), item["settings"].get<Settings>()), {"study=[]"});
   };
   if (by == "limit" || by == "statics") {
-    const auto capacities = std::make_shared<Capacities>(common["scene"].get<std::string>(),
+    const auto capacities = std::make_shared<CapacityProgram>(common["scene"].get<std::string>(),
                                                          by == "limit" ? "capacity" : "static-capacity");
     return [capacities, whole](const json& item) { return capacities->of(whole(item)); };
   }

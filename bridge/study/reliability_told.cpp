@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string number(const json& value, const char* format = "{:.4g}") {
+std::string digits_of(const json& value, const char* format = "{:.4g}") {
   return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
 }
 
@@ -27,8 +27,8 @@ std::string samples_text(const json& answer) {
   std::string text =
       fmt::format("SAMPLES {} by {}, {}\n        P {} at a level of {:.6g} m, {} to {} (95 %); index {}\n",
                   samples["count"].get<int>(), way_of(answer["by"]), answer["sampling"].get<std::string>(),
-                  number(samples["probability"]), answer["level_m"].get<double>(), number(samples["interval"][0]),
-                  number(samples["interval"][1]), number(samples["index"]));
+                  digits_of(samples["probability"]), answer["level_m"].get<double>(), digits_of(samples["interval"][0]),
+                  digits_of(samples["interval"][1]), digits_of(samples["index"]));
   if (const int stand = samples["that_stand"]; stand > 0) {
     text += fmt::format("        {} stand at the highest level\n", stand);
   }
@@ -66,8 +66,8 @@ std::string form_text(const json& answer, const char* method) {
   const json& found = answer[method];
   std::string text = fmt::format(
       "{:<8}P {}; index {}", method == std::string("form") ? "FORM" : "SORM",
-      number(method == std::string("form") ? found["probability"] : found["breitung"]["probability"], "{:.6g}"),
-      number(method == std::string("form") ? found["index"] : found["breitung"]["index"], "{:.5g}"));
+      digits_of(method == std::string("form") ? found["probability"] : found["breitung"]["probability"], "{:.6g}"),
+      digits_of(method == std::string("form") ? found["index"] : found["breitung"]["index"], "{:.5g}"));
   if (method == std::string("sorm")) return text + " (Breitung)\n";
   text += fmt::format("\n        design point: {}\n", at_point(answer, found["design_point"]));
   constexpr double near_m = 1e-4;
@@ -81,7 +81,7 @@ std::string form_text(const json& answer, const char* method) {
 std::string simulated_text(const json& answer, const char* method) {
   const json& found = answer[method];
   return fmt::format("{:<8}P {}, {} to {} (95 %), {} samples\n", method == std::string("subset") ? "SUBSET" : "IMPORT.",
-                     number(found["probability"]), number(found["interval"][0]), number(found["interval"][1]),
+                     digits_of(found["probability"]), digits_of(found["interval"][0]), digits_of(found["interval"][1]),
                      found["evaluations"].get<int>());
 }
 
@@ -91,12 +91,12 @@ std::string sobol_text(const json& answer) {
   text += fmt::format("        {:<40} {:>7} {:>7}\n", "variable", "alone", "in all");
   for (std::size_t i = 0; i < answer["variables"].size(); ++i) {
     text += fmt::format("        {:<40.40} {:>7} {:>7}\n", answer["variables"][i].get<std::string>(),
-                        number(found["first"][i], "{:.3f}"), number(found["total"][i], "{:.3f}"));
+                        digits_of(found["first"][i], "{:.3f}"), digits_of(found["total"][i], "{:.3f}"));
   }
   return text;
 }
 
-std::string level_text(const json& found) {
+std::string found_text(const json& found) {
   if (found["level_m"].is_number()) return fmt::format("{:.6g} m", found["level_m"].get<double>());
   return found["trouble"] == "" ? found["outcome"].get<std::string>() : "none: " + found["trouble"].get<std::string>();
 }
@@ -107,7 +107,7 @@ std::string comparison_text(const json& answer) {
     text += fmt::format("{:<8}", text.empty() ? "DIFFER" : "");
     std::string words = row["where"];
     for (const auto& [by, found] : row.items()) {
-      if (by != "where") words += fmt::format("; {}: {}", way_of(by), level_text(found));
+      if (by != "where") words += fmt::format("; {}: {}", way_of(by), found_text(found));
     }
     text += words + "\n";
   }

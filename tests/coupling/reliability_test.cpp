@@ -122,6 +122,49 @@ TEST_F(Reliability, WholeRunsFindTheSameLevels) {
   EXPECT_THAT(text("out"), HasSubstr("limit analysis: "));
 }
 
+/// W d = rho g h^3/6 + rho g h B^2/2: the head at which the crack of Bouzey runs through.
+double bouzey_head_m(double width_m, double density) {
+  constexpr double crest_m = 4;
+  constexpr double height_m = 10.5;
+  const double area = height_m * (width_m + crest_m) / 2;
+  const double moment = height_m * (width_m * width_m + width_m * crest_m + crest_m * crest_m) / 6;
+  const double holds = density / 1000 * (area * width_m - moment);
+  double head = 10;
+  for (int i = 0; i < 50; ++i) {
+    head -= (head * head * head / 6 + head * width_m * width_m / 2 - holds) / (head * head / 2 + width_m * width_m / 2);
+  }
+  return head;
+}
+
+TEST_F(Reliability, TheFragilityCurveOfBouzeyIsThatOfItsBands) {
+  ASSERT_EQ(shell(programs + "/blockweir reliability " + cases + "bouzey-1895 --out r --set reliability.samples=500"),
+            0)
+      << text("out");
+  std::istringstream rows(text("r/samples.csv"));
+  std::string row;
+  std::getline(rows, row);
+  while (std::getline(rows, row)) {
+    double sample = 0;
+    double width = 0;
+    double density = 0;
+    double level = 0;
+    ASSERT_EQ(std::sscanf(row.c_str(), "%lf,%lf,%lf,fails,%lf", &sample, &width, &density, &level), 4) << row;
+    EXPECT_NEAR(level, bouzey_head_m(width, density), 1e-6) << row;
+  }
+  const json found = answer();
+  EXPECT_GT(found["samples"]["probability"], 0.98) << "at the level at which it failed";
+  constexpr int points = 200;
+  for (const json& point : found["curve"]) {
+    double below = 0;
+    for (int i = 0; i < points * points; ++i) {
+      const double head =
+          bouzey_head_m(5 + 0.6 * (i % points + 0.5) / points, 2000 + 200 * (i / points + 0.5) / points);
+      below += head <= point["level_m"] ? 1.0 / (points * points) : 0;
+    }
+    EXPECT_NEAR(point["probability"].get<double>(), below, 4 * std::sqrt(below * (1 - below) / 500) + 5e-3);
+  }
+}
+
 TEST_F(Reliability, WhatCannotBeAnsweredIsTold) {
   EXPECT_EQ(shell(programs + "/blockweir reliability " + cases + "cracked-dam-upper --out r"), 2);
   EXPECT_THAT(text("out"), HasSubstr("found no [[random]]; expected one for each number that is uncertain"));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -58,7 +59,7 @@ double UncertainCrack::head_m(double phi_deg, double bond_pa, double density) co
   const double tan_phi = std::tan(phi_deg * std::numbers::pi / 180);
   const double strength = weight * (std::cos(a) * tan_phi - std::sin(a)) + bond_pa * std::hypot(crack_x, crack_y);
   const double force = strength / (std::cos(a) + std::sin(a) * tan_phi);
-  return std::sqrt(2 * force / (water * g));
+  return std::sqrt(2 * std::max(0.0, force) / (water * g));  // 0: it does not even stand without water
 }
 
 double UncertainCrack::below(double head_m) const {

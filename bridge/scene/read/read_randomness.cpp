@@ -14,11 +14,11 @@
 namespace blockweir::scene {
 namespace {
 
-using KeyNames = std::vector<std::string>;
+using WordList = std::vector<std::string>;
 
 /// The keys that say how wide each distribution is; all are required.
-const std::map<std::string, KeyNames>& distributions() {
-  static const std::map<std::string, KeyNames> known{{"normal", {"mean", "deviation"}},
+const std::map<std::string, WordList>& distributions() {
+  static const std::map<std::string, WordList> known{{"normal", {"mean", "deviation"}},
                                                      {"lognormal", {"mean", "deviation"}},
                                                      {"uniform", {"from", "to"}},
                                                      {"triangular", {"from", "peak", "to"}},
@@ -28,7 +28,7 @@ const std::map<std::string, KeyNames>& distributions() {
 }
 
 void refuse_keys_of_others(TableReader& table, Reading& reading, const std::string& distribution) {
-  const KeyNames& own = distributions().at(distribution);
+  const WordList& own = distributions().at(distribution);
   for (const char* key : {"mean", "deviation", "from", "peak", "to", "table", "values"}) {
     if (!table.has(key) || std::find(own.begin(), own.end(), key) != own.end()) continue;
     reading.problems.error(table.place(key),
@@ -128,7 +128,7 @@ RandomVariable read_variable(TableReader& table, Reading& reading) {
   RandomVariable variable{.line = table.place().line};
   table.text("name", variable.name);
   read_target(table, reading, variable);
-  KeyNames words;
+  WordList words;
   for (const auto& [word, keys] : distributions()) words.push_back(word);
   const bool known = table.word("distribution", variable.distribution, words, true);
   const auto is = [&](const char* word) { return known && variable.distribution == word; };
@@ -141,7 +141,7 @@ RandomVariable read_variable(TableReader& table, Reading& reading) {
   return variable;
 }
 
-Correlation read_correlation(TableReader& table, Reading& reading, const KeyNames& names) {
+Correlation read_correlation(TableReader& table, Reading& reading, const WordList& names) {
   Correlation correlation{.line = table.place().line};
   std::vector<std::string> between;
   if (table.texts("between", between, 2)) std::copy(between.begin(), between.end(), correlation.between.begin());
@@ -160,7 +160,7 @@ Correlation read_correlation(TableReader& table, Reading& reading, const KeyName
 }
 
 /// No three variables can each be against the other two: the matrix has to be positive definite.
-void require_positive_definite(Reading& reading, const Randomness& random, const KeyNames& names) {
+void require_positive_definite(Reading& reading, const Randomness& random, const WordList& names) {
   const auto size = static_cast<Eigen::Index>(names.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(size, size);
   const auto index = [&](const std::string& name) {
@@ -200,8 +200,8 @@ Reliability read_reliability(TableReader& table) {
 }
 
 void read_methods(TableReader& table, Reading& reading, Reliability& reliability) {
-  const KeyNames known{"form", "sorm", "importance", "subset", "sobol", "none"};
-  KeyNames methods;
+  const WordList known{"form", "sorm", "importance", "subset", "sobol", "none"};
+  WordList methods;
   if (!table.texts_if_any("methods", methods)) {
     if (reliability.by == CapacityBy::runs) reliability.methods.clear();
     return;
@@ -224,7 +224,7 @@ void read_methods(TableReader& table, Reading& reading, Reliability& reliability
 
 Randomness read_randomness(Reading& reading) {
   Randomness random;
-  KeyNames names;
+  WordList names;
   reading.each("random", [&](TableReader& table) {
     RandomVariable variable = read_variable(table, reading);
     const bool again = std::find(names.begin(), names.end(), variable.name) != names.end();
