@@ -132,6 +132,8 @@ class Crew {
     } catch (const std::exception& error) {
       fmt::print(stderr, "{}\n", error.what());
       status = 1;
+    } catch (...) {  // stopped: its item has no answer
+      status = 1;
     }
     std::fflush(nullptr);
     ::_exit(status);

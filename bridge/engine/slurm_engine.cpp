@@ -83,11 +83,11 @@ class QueuedWork {
   std::string submit_missing() {
     std::vector<std::string> digests;
     std::vector<json> items;
-    for (const std::string& digest : digests_) {
-      const auto found = missing_.find(digest);
-      if (found == missing_.end() || std::find(digests.begin(), digests.end(), digest) != digests.end()) continue;
-      digests.push_back(digest);
-      items.push_back(work_.items[found->second.front()]);
+    for (std::size_t i = 0; i < digests_.size(); ++i) {
+      const auto found = missing_.find(digests_[i]);
+      if (found == missing_.end() || found->second.front() != i) continue;  // each once
+      digests.push_back(digests_[i]);
+      items.push_back(work_.items[i]);
     }
     constexpr std::size_t most_tasks = 64;
     const std::size_t batch =

@@ -12,7 +12,7 @@ Work work_command(CLI::App& app) {
   const auto task = std::make_shared<int>(0);
   app.add_option("folder", *folder, "folder of the batch")->required();
   app.add_option("task", *task, "number of the task")->required();
-  return [folder, task] { return engine::work_on_batch(*folder, *task, study::outcome_worker); };
+  return [folder, task] { return engine::work_on_batch(*folder, *task, study::study_worker); };
 }
 
 }  // namespace blockweir::launch

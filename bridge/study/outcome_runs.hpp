@@ -22,7 +22,7 @@ struct OutcomePlan {
   Settings set;                ///< holds in all runs
   Settings overrides;          ///< of the command line, over that
   std::filesystem::path kept;  ///< file of outcomes, a line each
-  std::string by = "run";      ///< see outcome_worker()
+  std::string by = "run";      ///< see study_worker()
   bool until_decided = false;  ///< a run that ends on the move is made longer
   bool of_many = false;        ///< what is told is how many are done, not how each has ended
 };

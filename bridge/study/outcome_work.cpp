@@ -10,6 +10,7 @@
 #include "bridge/process/run.hpp"
 #include "bridge/process/temporary_folder.hpp"
 #include "bridge/scene/diagnostic.hpp"
+#include "bridge/study/check_work.hpp"
 #include "bridge/study/safety.hpp"
 
 namespace blockweir::study {
@@ -98,7 +99,7 @@ class CapacityProgram {
 };
 
 /// Of one item, in a folder of the process's own.
-Outcome run_item(const json& common, const Settings& all, const fs::path& folder) {
+Outcome made_outcome(const json& common, const Settings& all, const fs::path& folder) {
   Outcome row;
   try {
     row = common["by"] == "factor" ? factor_out(common["scene"].get<std::string>(), all, folder)
@@ -114,18 +115,20 @@ Outcome run_item(const json& common, const Settings& all, const fs::path& folder
 
 }  // namespace
 
-engine::Worker outcome_worker(const json& common) {
+engine::Worker study_worker(const json& common) {
   const std::string by = common["by"];
+  if (by == "check") return check_worker();
   const auto whole = [common](const json& item) {
     return joined(joined(common["settings"].get<Settings>(), item["settings"].get<Settings>()), {"study=[]"});
   };
   if (by == "limit" || by == "statics") {
     const auto capacities = std::make_shared<CapacityProgram>(common["scene"].get<std::string>(),
-                                                         by == "limit" ? "capacity" : "static-capacity");
+                                                              by == "limit" ? "capacity" : "static-capacity");
     return [capacities, whole](const json& item) { return capacities->of(whole(item)); };
   }
   const auto scratch = std::make_shared<process::TemporaryFolder>();
-  return [common, whole, scratch](const json& item) { return run_item(common, whole(item), scratch->path() / "run"); };
+  return
+      [common, whole, scratch](const json& item) { return made_outcome(common, whole(item), scratch->path() / "run"); };
 }
 
 }  // namespace blockweir::study

@@ -17,8 +17,9 @@ using Outcome = nlohmann::json;
 /// One without an answer: "refused" or "stopped", and why.
 Outcome troubled(const char* outcome, const std::string& trouble);
 
-/// Of "scene", "settings" that hold for all, "by" ("run", "factor", "limit" or "statics") and "until_decided": a run
-/// that ends on the move is made longer. Each item has its own "settings".
-engine::Worker outcome_worker(const nlohmann::json& common);
+/// What all studies have their engines do. Of "by" = "check": see check_worker(). Else of "scene", "settings" that hold
+/// for all, "by" ("run", "factor", "limit" or "statics") and "until_decided": a run that ends on the move is made
+/// longer. Each item has its own "settings".
+engine::Worker study_worker(const nlohmann::json& common);
 
 }  // namespace blockweir::study
