@@ -42,6 +42,7 @@ scene::Scene filled(scene::Scene scene, const limit::LevelRange& range) {
   const double end_s = scene.analysis.duration_s;
   scene::each_load_table(scene,
                          [end_s](scene::TimeTable& table) { table = scene::TimeTable::constant(table.at(end_s)); });
+  scene.joint_flow.kind = scene::FlowKind::steady;
   scene.output.reservoir = false;
   return scene;
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/picture/plot_flow.hpp"
 #include "bridge/picture/plot_section.hpp"
 #include "bridge/picture/plot_series.hpp"
 #include "bridge/picture/plot_snapshots.hpp"
@@ -23,9 +24,10 @@ void plot(const PlotOptions& options) {
   script += snapshot_script(options.run, summary, terminal, ending, options.animated);
   if (options.section) script += section_script(options.run, summary, terminal, ending);
   script += spectrum_script(options.run, terminal, ending);
+  script += flow_script(options.run, terminal, ending);
   gnuplot(script, options.animated);
   for (const char* name :
-       {"displacements", "velocities", "rotations", "level", "snapshots", "picture", "section", "spectrum"}) {
+       {"displacements", "velocities", "rotations", "level", "snapshots", "picture", "section", "spectrum", "flow"}) {
     const auto file = options.run / (name + ending);
     if (std::filesystem::exists(file)) fmt::print("{}\n", file.string());
   }

@@ -59,14 +59,15 @@ json read_json(const fs::path& path) {
 }
 
 /// The last checkpoint that all processes of the run can go on from; 0: there is none. Still water remembers nothing,
-/// but for its own pictures.
+/// but for what flows through joints, and its own pictures.
 std::uint64_t resumable_window(const fs::path& folder, const scene::Scene& scene) {
   std::vector<std::uint64_t> all = checkpoint::windows(folder, "solid");
   const auto keep = [&](const std::vector<std::uint64_t>& theirs) {
     std::erase_if(all, [&](std::uint64_t w) { return !std::binary_search(theirs.begin(), theirs.end(), w); });
   };
   const scene::FluidEntry& fluid = scene::fluid_entry(scene.fluid);
-  if (fluid.remembers || scene.output.reservoir) keep(checkpoint::windows(folder / fluid.folder, fluid.role));
+  const bool remembers = fluid.remembers || scene.output.reservoir || scene::flows_in_joints(scene);
+  if (remembers) keep(checkpoint::windows(folder / fluid.folder, fluid.role));
   return all.empty() ? 0 : all.back();
 }
 

@@ -25,6 +25,12 @@ const Joint& joint_named(const Scene& scene, const std::string& name) {
   throw std::runtime_error(fmt::format("[[expect]] of = \"{}\" names no joint", name));
 }
 
+bool flows_in_joints(const Scene& scene) {
+  const auto flows = [](const JointLaw& law) { return law.uplift == Uplift::flow; };
+  return flows(scene.default_joint) ||
+         std::any_of(scene.joints.begin(), scene.joints.end(), [&](const Joint& j) { return flows(j.law); });
+}
+
 const Material& material_of(const Scene& scene, const Block& block) {
   return scene.materials[at(block.material)];
 }

@@ -31,12 +31,12 @@ geometry::Bounds grown(const geometry::Bounds& box, double touching_m) {
   return {box.low - margin, box.high + margin};
 }
 
-/// Each joint with an uplift law as a crack of its own.
-std::vector<Crack> single_joints(const Scene& scene, double touching_m) {
+/// Each joint whose uplift is one of these as a crack of its own.
+std::vector<Crack> single_joints(const Scene& scene, double touching_m, bool (*wanted)(Uplift)) {
   std::vector<Crack> cracks;
   std::set<std::pair<int, int>> named;
   const auto add = [&](int a, int b, const JointLaw& law) {
-    if (law.uplift == Uplift::none) return;
+    if (!wanted(law.uplift)) return;
     const auto& blocks = scene.blocks;
     JointTrace trace =
         trace_joint(blocks[static_cast<std::size_t>(a)], blocks[static_cast<std::size_t>(b)], touching_m);
@@ -48,7 +48,7 @@ std::vector<Crack> single_joints(const Scene& scene, double touching_m) {
     add(joint.between[0], joint.between[1], joint.law);
     named.insert(std::minmax(joint.between[0], joint.between[1]));
   }
-  if (scene.default_joint.uplift == Uplift::none) return cracks;
+  if (!wanted(scene.default_joint.uplift)) return cracks;
   const BlockIndex index(scene.blocks);
   for (std::size_t a = 0; a < scene.blocks.size(); ++a) {
     std::vector<std::size_t> near = index.meeting(grown(geometry::bounds_of(scene.blocks[a].vertices), touching_m));
@@ -128,9 +128,13 @@ void join(std::vector<Crack>& cracks, double touching_m) {
 
 std::vector<Crack> find_cracks(const Scene& scene) {
   const double touching_m = touching_ratio * size_of(scene);
-  std::vector<Crack> cracks = single_joints(scene, touching_m);
+  std::vector<Crack> cracks = single_joints(scene, touching_m, [](Uplift law) { return is_profile(law); });
   join(cracks, touching_m);
   return cracks;
+}
+
+std::vector<Crack> find_flow_joints(const Scene& scene) {
+  return single_joints(scene, touching_ratio * size_of(scene), [](Uplift law) { return law == Uplift::flow; });
 }
 
 std::string name_of(const Scene& scene, const Crack& crack) {

@@ -28,9 +28,12 @@ struct Crack {
   [[nodiscard]] const Point& end() const { return parts.back().trace.end(); }
 };
 
-/// Joints with an uplift law. One that begins where another of the same law ends, and goes on within 45 degrees of its
-/// direction, is the same crack; of several such the straightest.
+/// Joints whose uplift is a profile between their ends. One that begins where another of the same law ends, and goes on
+/// within 45 degrees of its direction, is the same crack; of several such the straightest.
 std::vector<Crack> find_cracks(const Scene& scene);
+
+/// Joints through which water flows, one by one.
+std::vector<Crack> find_flow_joints(const Scene& scene);
 
 /// In a message: the joint that the crack begins with, or its blocks.
 std::string name_of(const Scene& scene, const Crack& crack);

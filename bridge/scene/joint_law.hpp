@@ -28,6 +28,13 @@ struct JointLaw {
   std::optional<double> dilation_limit_m;  ///< slip beyond which it opens no further
   Uplift uplift = Uplift::none;
   KnownHeads known_heads{};  ///< of the laws that need some
+  // Of water that flows through it, uplift = "flow".
+  double hydraulic_aperture_m = 2e-4;      ///< of the closed joint
+  std::optional<double> least_aperture_m;  ///< default: a hundredth of the closed joint's
+  std::optional<double>
+      largest_aperture_m;  ///< default: [water] open_crack_width_m; wider, it is as easy as open water
+  std::optional<double> aperture_stiffness_pa_per_m;  ///< pressure over the widening that it causes; none: it does not
+  double aperture_pressure_pa = 0;                    ///< at which the closed joint has its hydraulic aperture
   bool operator==(const JointLaw&) const = default;
 
   [[nodiscard]] bool is_bonded() const { return cohesion_pa > 0 || tension_strength_pa > 0; }
@@ -68,6 +75,8 @@ struct JointLawKey {
 /// In the order of the reference of keys.
 inline const std::vector<JointLawKey>& joint_law_keys() {
   using Range = JointLawKey::Range;
+  constexpr auto without_flow = [](const JointLaw& law) { return law.uplift != Uplift::flow; };
+  constexpr const char* flow = "flow of water";
   static const std::vector<JointLawKey> keys = {
       {"friction_angle_deg", &JointLaw::friction_angle_deg, Range::angle},
       {"residual_friction_angle_deg", &JointLaw::residual_friction_angle_deg, Range::angle},
@@ -98,6 +107,16 @@ inline const std::vector<JointLawKey>& joint_law_keys() {
        [](const JointLaw& law) { return law.dilation_limit_m && law.dilation_angle_deg == 0; },
        "dilation_angle_deg",
        {"dilation_angle_deg"}},
+      {"hydraulic_aperture_m", &JointLaw::hydraulic_aperture_m, Range::not_negative, without_flow, flow, {"uplift"}},
+      {"least_aperture_m", &JointLaw::least_aperture_m, Range::not_negative, without_flow, flow, {"uplift"}},
+      {"largest_aperture_m", &JointLaw::largest_aperture_m, Range::not_negative, without_flow, flow, {"uplift"}},
+      {"aperture_stiffness_pa_per_m",
+       &JointLaw::aperture_stiffness_pa_per_m,
+       Range::not_negative,
+       without_flow,
+       flow,
+       {"uplift"}},
+      {"aperture_pressure_pa", &JointLaw::aperture_pressure_pa, Range::any, without_flow, flow, {"uplift"}},
   };
   return keys;
 }

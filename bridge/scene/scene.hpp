@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "bridge/scene/joint_flow.hpp"
 #include "bridge/scene/joint_law.hpp"
 #include "bridge/scene/loads.hpp"
 #include "bridge/scene/studies.hpp"
@@ -159,6 +160,7 @@ struct Scene {
   Analysis analysis;
   Contact contact;
   Water water;
+  JointFlow joint_flow;
   FluidModel fluid = FluidModel::none;
   OpenFoam openfoam;
   Reservoir reservoir;

@@ -11,7 +11,7 @@
 
 namespace blockweir::scene {
 
-enum class Uplift { none, triangular, full, drained, cracked, heads };
+enum class Uplift { none, triangular, full, drained, cracked, heads, flow };
 
 /// A law by its name in a scene. `share`: its mean pressure over that at the mouth, where the far end is dry and this
 /// is the same at all levels.
@@ -26,10 +26,16 @@ inline constexpr std::array uplift_names = {UpliftName{"none", Uplift::none, 0.0
                                             UpliftName{"full", Uplift::full, 1.0},
                                             UpliftName{"drained", Uplift::drained, std::nullopt},
                                             UpliftName{"cracked", Uplift::cracked, std::nullopt},
-                                            UpliftName{"heads", Uplift::heads, std::nullopt}};
+                                            UpliftName{"heads", Uplift::heads, std::nullopt},
+                                            UpliftName{"flow", Uplift::flow, std::nullopt}};
 
 inline const UpliftName& named(Uplift law) {
   return uplift_names[static_cast<std::size_t>(law)];
+}
+
+/// Whether the pressure is a curve between the pressures of the joint's ends, whatever other joints do.
+constexpr bool is_profile(Uplift law) {
+  return law != Uplift::none && law != Uplift::flow;
 }
 
 /// A line of drains that crosses a joint.

@@ -13,6 +13,7 @@
 #include "bridge/results/saving.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/block_facts.hpp"
 #include "bridge/scene/hydrostatics.hpp"
 #include "bridge/statics/loads.hpp"
 #include "bridge/wire/panels.hpp"
@@ -71,10 +72,24 @@ std::string dry_end(const scene::Scene& scene, const char* side, const GroundEnd
       bed_m);
 }
 
+joints::GroundCut ground_cut(const scene::Scene& scene) {
+  joints::GroundCut cut;
+  if (scene.blocks.empty()) return cut;
+  const GroundEnds ends = find_ground_ends(scene);
+  const auto corner = [&](const std::optional<GroundEnd>& end) {
+    return end ? std::optional(scene.blocks[at(end->block)].vertices[at(end->vertex)]) : std::nullopt;
+  };
+  return {corner(ends.left), corner(ends.right), scene::bounds_of(scene).low.y()};
+}
+
 }  // namespace
 
 HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
-    : scene_(scene), cracks_(scene::find_cracks(scene)), crack_pools_(scene, cracks_), crack_ends_(scene, cracks_) {
+    : scene_(scene),
+      cracks_(scene::find_cracks(scene)),
+      crack_pools_(scene, cracks_),
+      crack_ends_(scene, cracks_),
+      flow_(scene, ground_cut(scene)) {
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
     if (cracks_[k].law == scene::Uplift::cracked) parted_.emplace(k, joints::Parted(scene, cracks_[k]));
   }
@@ -101,7 +116,9 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   if (!parted_.empty()) {
     load.holds_until_s = std::min(load.holds_until_s, statics::stated_loads_hold_until(scene_, to_s));
   }
-  if (!moved && !loads_changed && same(upstream, last_upstream_m_) && same(downstream, last_downstream_m_)) {
+  if (flow_.changes_by_itself()) load.holds_until_s = to_s;
+  if (!moved && !loads_changed && !flow_.changes_by_itself() && same(upstream, last_upstream_m_) &&
+      same(downstream, last_downstream_m_)) {
     ++unchanged_;
     return;
   }
@@ -112,11 +129,11 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   last_motion_.displacement = motion.displacement;
   last_upstream_m_ = upstream;
   last_downstream_m_ = downstream;
-  press(to_s, load);
+  press(to_s, moved, Flow::solve, load);
 }
 
 /// On blocks where they were told to be last.
-void HydrostaticModel::press(double to_s, wire::Load& load) {
+void HydrostaticModel::press(double to_s, bool moved, Flow flow, wire::Load& load) {
   last_s_ = to_s;
   place(last_motion_);
   wire::clear_panels(load);
@@ -129,8 +146,15 @@ void HydrostaticModel::press(double to_s, wire::Load& load) {
   load.breached = water.breached;
   bodies_ = water.bodies;
   for (const WaterBody& body : bodies_) add_body(body, load);
+  const std::size_t open_panels = load.block.size();
   if (!std::isnan(last_upstream_m_)) add_reservoir_loads(scene_, structure_.outlines, water.bodies, load);
   add_cracks(water.bodies, to_s, load);
+  if (flow_.empty()) return;
+  const Point ground = ground_displacement();
+  if (flow == Flow::solve)
+    flow_.advance(structure_.outlines, ground, moved, to_s, open_panels, load);
+  else
+    flow_.repeat(structure_.outlines, ground, open_panels, load);
 }
 
 /// Ground that moves as a support takes its water along: levels count from where the scene draws it.
@@ -144,14 +168,16 @@ Point HydrostaticModel::ground_displacement() const {
 
 std::string HydrostaticModel::state() const {
   return checkpoint::pack(last_motion_.displacement, last_upstream_m_, last_downstream_m_, last_s_, fresh_, updates_,
-                          unchanged_);
+                          unchanged_, flow_.state());
 }
 
 void HydrostaticModel::restore(const std::string& state) {
+  std::string flow;
   checkpoint::unpack(state, last_motion_.displacement, last_upstream_m_, last_downstream_m_, last_s_, fresh_, updates_,
-                     unchanged_);
+                     unchanged_, flow);
+  flow_.restore(flow);
   wire::Load again;
-  if (!fresh_) press(last_s_, again);
+  if (!fresh_) press(last_s_, /*moved=*/true, Flow::repeat, again);
 }
 
 schedule::FluidReport HydrostaticModel::report() const {
@@ -179,6 +205,7 @@ schedule::FluidReport HydrostaticModel::report() const {
         "the reservoir's answer to the earthquake: its added pressure is Westergaard's, 7/8 k_h rho g sqrt(H z) |n_x|");
   }
   if (const std::string warning = crack_ends_.warning(); !warning.empty()) report.warnings.push_back(warning);
+  for (const std::string& warning : flow_.warnings()) report.warnings.push_back(warning);
   if (!scene_.output.reservoir) report.skips.emplace_back("the reservoir's mesh: its pictures are not asked for");
   return report;
 }

@@ -12,6 +12,7 @@
 #include "fluid/hydrostatic/pools.hpp"
 #include "fluid/hydrostatic/reservoir_mesh.hpp"
 #include "fluid/joints/crack_length.hpp"
+#include "fluid/joints/flow_in_joints.hpp"
 
 namespace blockweir::hydrostatic {
 
@@ -34,7 +35,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   /// Pressures at the levels of time `to_s` on blocks that are where `motion` says. Throws std::runtime_error when
   /// `motion` does not fit the scene.
   void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
-  [[nodiscard]] bool remembers() const override { return false; }
+  [[nodiscard]] bool remembers() const override { return !flow_.empty(); }
   [[nodiscard]] std::string state() const override;
   void restore(const std::string& state) override;
 
@@ -43,11 +44,13 @@ class HydrostaticModel final : public schedule::FluidSide {
   [[nodiscard]] const std::vector<WaterBody>& bodies() const { return bodies_; }
   /// Where the blocks were told to be.
   [[nodiscard]] const std::vector<std::vector<Point>>& outlines() const { return structure_.outlines; }
+  [[nodiscard]] const joints::FlowInJoints& flow_in_joints() const { return flow_; }
   [[nodiscard]] long updates() const { return updates_; }  ///< windows whose pressures were computed
   [[nodiscard]] schedule::FluidReport report() const override;
 
  private:
-  void press(double to_s, wire::Load& load);
+  enum class Flow { solve, repeat };
+  void press(double to_s, bool moved, Flow flow, wire::Load& load);
   void place(const wire::Motion& motion);
   void add_body(const WaterBody& body, wire::Load& load);
   void add_cracks(const std::vector<WaterBody>& open, double to_s, wire::Load& load);
@@ -62,6 +65,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   std::map<std::size_t, joints::Parted> parted_;  ///< by cracks whose length follows the forces on them
   CrackPools crack_pools_;
   CrackEnds crack_ends_;
+  joints::FlowInJoints flow_;
   Structure structure_;  ///< current
   Pools pools_;
   std::vector<WaterBody> bodies_;

@@ -7,7 +7,8 @@ namespace blockweir::hydrostatic {
 
 std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::filesystem::path& folder) {
   process::require_fluid(scene, scene::FluidModel::hydrostatic);
-  if (!scene.output.reservoir) return std::make_unique<HydrostaticModel>(scene);
+  const bool recorded = scene.output.reservoir || (scene::flows_in_joints(scene) && !folder.empty());
+  if (!recorded) return std::make_unique<HydrostaticModel>(scene);
   if (folder.empty()) {
     throw std::invalid_argument(
         "[output] reservoir = true, and no --out: say with --out where the files of the reservoir go");

@@ -37,16 +37,21 @@ void add(const ReservoirMesh& mesh, const scene::Hydrostatics& water, vtk::Grid&
 
 RecordedModel::RecordedModel(const scene::Scene& scene, const std::filesystem::path& folder)
     : model_(scene),
+      draws_(scene.output.reservoir),
       files_(folder, "reservoir.pvd"),
       frame_every_s_(scene.output.frame_every_s),
-      elements_per_depth_(elements_drawn(scene.water)) {}
+      elements_per_depth_(elements_drawn(scene.water)) {
+  if (scene::flows_in_joints(scene)) flow_.emplace(scene, folder);
+}
 
 void RecordedModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
   model_.advance(motion, to_s, load);
-  load.holds_until_s = to_s;  // there is a picture to take
+  if (draws_) load.holds_until_s = to_s;  // there is a picture to take
 }
 
 void RecordedModel::record(double time_s) {
+  if (flow_) flow_->record(time_s, model_.flow_in_joints());
+  if (!draws_) return;
   const double soon = 1e-9 * frame_every_s_;  // a time that is due but for round-off is due
   if (time_s < next_s_ - soon) return;
   while (next_s_ <= time_s + soon) next_s_ += frame_every_s_;
@@ -55,6 +60,7 @@ void RecordedModel::record(double time_s) {
 
 schedule::FluidReport RecordedModel::report() const {
   schedule::FluidReport report = model_.report();
+  if (!draws_) return report;
   report.counts["meshes"] = meshes_;
   if (repeats_ > 0) {
     report.skips.push_back(fmt::format("{} of {} meshes of the reservoir: neither a level nor a block had moved{}",
@@ -64,13 +70,16 @@ schedule::FluidReport RecordedModel::report() const {
 }
 
 std::string RecordedModel::state() const {
-  return checkpoint::pack(model_.state(), files_, next_s_, last_file_, written_update_, meshes_, repeats_);
+  return checkpoint::pack(model_.state(), flow_ ? flow_->state() : "", files_, next_s_, last_file_, written_update_,
+                          meshes_, repeats_);
 }
 
 void RecordedModel::restore(const std::string& state) {
   std::string of_model;
-  checkpoint::unpack(state, of_model, files_, next_s_, last_file_, written_update_, meshes_, repeats_);
+  std::string of_flow;
+  checkpoint::unpack(state, of_model, of_flow, files_, next_s_, last_file_, written_update_, meshes_, repeats_);
   model_.restore(of_model);
+  if (flow_) flow_->restore(of_flow);
 }
 
 void RecordedModel::write(double time_s) {

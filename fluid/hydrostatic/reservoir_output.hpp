@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reservoir for ParaView: reservoir.pvd, triangles with the pressure at their nodes.
+// Still water for ParaView: reservoir.pvd, triangles with the pressure at their nodes, and what flows through joints.
 #pragma once
 
 #include "bridge/vtk/collection.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
+#include "fluid/joints/flow_output.hpp"
 
 namespace blockweir::hydrostatic {
 
-/// The model, which also writes its pools every [output] frame_every_s.
+/// The model, which also writes its pools every [output] frame_every_s where that is asked for, and its flow in joints.
 class RecordedModel final : public schedule::FluidSide {
  public:
   /// Files go to `folder`. Throws std::runtime_error when they cannot be written, here and later.
@@ -24,6 +25,8 @@ class RecordedModel final : public schedule::FluidSide {
   void write(double time_s);
 
   HydrostaticModel model_;
+  bool draws_;
+  std::optional<joints::FlowOutput> flow_;
   vtk::Collection files_;
   double frame_every_s_;
   double next_s_ = 0;

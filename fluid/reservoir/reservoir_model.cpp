@@ -52,7 +52,9 @@ std::array<double, 2> levels_of(const wire::Load& load) {
 
 }  // namespace
 
-ReservoirModel::ReservoirModel(const scene::Scene& scene) : scene_(scene), still_(scene) {
+ReservoirModel::ReservoirModel(const scene::Scene& scene, const std::filesystem::path& folder)
+    : scene_(scene), still_(scene) {
+  if (scene::flows_in_joints(scene) && !folder.empty()) flow_.emplace(scene, folder);
   for (const scene::Block& block : scene.blocks) fixed_.push_back(block.fixed);
   accelerations_.assign(scene.blocks.size(), Eigen::Vector3d::Zero());
 }
@@ -81,6 +83,10 @@ void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load
   copy_panels(still_load_, still_load_.cracks_from, still_load_.block.size(), load);
   load.added_mass.own() = guarded_;
   load.holds_until_s = moves() ? to_s : still_load_.holds_until_s;
+}
+
+void ReservoirModel::record(double time_s) {
+  if (flow_) flow_->record(time_s, still_.flow_in_joints());
 }
 
 bool ReservoirModel::moves() const {
@@ -193,16 +199,19 @@ Eigen::VectorXd ReservoirModel::accelerations_of(const WaterAnswer& answer) cons
 std::string ReservoirModel::state() const {
   std::vector<PressureState> states;
   for (const AnsweringWater& water : waters_) states.push_back(water.state());
-  return checkpoint::pack(still_.state(), solved_.motion.displacement, solved_.time_s, solved_.window_s, states,
-                          velocities_, accelerations_, ground_, time_s_, told_, solutions_, kept_);
+  return checkpoint::pack(still_.state(), flow_ ? flow_->state() : "", solved_.motion.displacement, solved_.time_s,
+                          solved_.window_s, states, velocities_, accelerations_, ground_, time_s_, told_, solutions_,
+                          kept_);
 }
 
 void ReservoirModel::restore(const std::string& state) {
   std::string of_still;
+  std::string of_flow;
   std::vector<PressureState> states;
-  checkpoint::unpack(state, of_still, solved_.motion.displacement, solved_.time_s, solved_.window_s, states,
+  checkpoint::unpack(state, of_still, of_flow, solved_.motion.displacement, solved_.time_s, solved_.window_s, states,
                      velocities_, accelerations_, ground_, time_s_, told_, solutions_, kept_);
   still_.restore(of_still);
+  if (flow_) flow_->restore(of_flow);
   if (!told_) return;
   hydrostatic::HydrostaticModel then(scene_);
   wire::Load load;

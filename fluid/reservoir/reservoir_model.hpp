@@ -5,17 +5,20 @@
 
 #include "bridge/schedule/sides.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
+#include "fluid/joints/flow_output.hpp"
 #include "fluid/reservoir/answering_water.hpp"
 
 namespace blockweir::reservoir {
 
 class ReservoirModel final : public schedule::FluidSide {
  public:
-  explicit ReservoirModel(const scene::Scene& scene);
+  /// What flows through joints goes to `folder`, unless that is empty.
+  explicit ReservoirModel(const scene::Scene& scene, const std::filesystem::path& folder = {});
 
   /// Pressures at to_s. Accelerations are the changes of the velocities told, over the time between, and those of the
   /// ground that the scene states.
   void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
+  void record(double time_s) override;
   [[nodiscard]] std::string state() const override;
   void restore(const std::string& state) override;
   [[nodiscard]] schedule::FluidReport report() const override;
@@ -43,6 +46,7 @@ class ReservoirModel final : public schedule::FluidSide {
   const scene::Scene& scene_;
   hydrostatic::HydrostaticModel still_;
   wire::Load still_load_;
+  std::optional<joints::FlowOutput> flow_;
   std::vector<bool> fixed_;
   Geometry solved_;
   std::vector<AnsweringWater> waters_;          ///< one a body of water

@@ -116,7 +116,7 @@ json margin(const expect::Outcome& o) {
                             {"joint", m->joint},
                             {"level_m", m->level_m},
                             {"time_s", m->time_s}};
-    text += m->value < 0 ? fmt::format("; resultant beyond the {} end: tension strength holds", m->end)
+    text += m->value < 0 ? fmt::format("; resultant beyond the {} end: tension strength or an anchor holds", m->end)
                          : fmt::format(
                                "; resultant nearest to an end (0: overturns): {:.4g} of the length from the {} "
                                "end of",

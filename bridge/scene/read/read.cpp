@@ -86,6 +86,7 @@ void read_sections(Reading& reading, ReadScene& result) {
                           read_base_motion,
                           read_water,
                           read_fluid,
+                          read_joint_flow,
                           read_silt,
                           read_ice,
                           read_earthquake,
@@ -107,6 +108,7 @@ void read_sections(Reading& reading, ReadScene& result) {
   // A wrong block or support would be followed by an error for each block that it holds.
   if (structure_sound) check_held(reading.scene, reading.problems);
   if (reading.problems.count() == before) check_cracks(reading);
+  if (reading.problems.count() == before) check_joint_flow(reading);
   if (reading.problems.count() > 0) {
     const double size_m = reading.scene.blocks.empty() ? 0 : structure_size_m(reading.scene.blocks);
     return check_ranges(reading.file, size_m, reading.problems);

@@ -68,6 +68,8 @@ void read_uplift(TableReader& table, JointLaw& law, Reading& reading);
 void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool of_all);
 /// Reports drains and piezometers that lie beyond their joint, and joints that cannot crack by themselves.
 void check_cracks(Reading& reading);
+/// Reports drains that cross no joint with flow, and grout that holds none.
+void check_joint_flow(Reading& reading);
 /// Reports uplift without water.
 void check_uplift(TableReader& table, Reading& reading);
 /// Reports a joint of [[joints]] whose law acts nowhere; blocks nearer than `touching_m` touch.
@@ -113,6 +115,8 @@ void read_silt(Reading& reading);
 void read_ice(Reading& reading);
 void read_earthquake(Reading& reading);
 void read_fluid(Reading& reading);
+/// [joint_flow], [[drain]] and [[grout]]: the water that flows through joints.
+void read_joint_flow(Reading& reading);
 void read_reservoir_model(TableReader& fluid, Reading& reading);
 void read_column(TableReader& fluid, Reading& reading);
 /// The keys of [fluid] that only OpenFOAM knows; beside another model they are refused.

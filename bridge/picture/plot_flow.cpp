@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/picture/plot_flow.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <vector>
+
+#include "bridge/picture/gnuplot.hpp"
+#include "bridge/picture/history.hpp"
+#include "bridge/results/csv.hpp"
+
+namespace blockweir::picture {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Whole rows, the names first; none where there is no such file.
+Rows rows_of(const std::filesystem::path& file) {
+  Rows rows;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    rows.push_back(results::csv_cells(line));
+    if (rows.back().size() != rows.front().size()) rows.pop_back();
+  }
+  return rows;
+}
+
+/// Pressure over x at a time, a curve a joint.
+std::string pressures(const Rows& rows, double time_s, int number) {
+  std::string text;
+  std::string last;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (std::stod(rows[i][0]) != time_s) continue;
+    if (rows[i][1] != last) text += "\n";
+    last = rows[i][1];
+    text += fmt::format("{} {:.6g}\n", rows[i][2], std::stod(rows[i][5]) / 1000);
+  }
+  return fmt::format("$at_{} << EOD\n{}EOD\n", number, text);
+}
+
+std::string flows(const Rows& rows, std::size_t column) {
+  constexpr double per_day = 86400;
+  std::string text;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    text += fmt::format("{} {:.6g}\n", rows[i][0], per_day * std::stod(rows[i][column]));
+  }
+  return fmt::format("$flow_{} << EOD\n{}EOD\n", column, text);
+}
+
+/// "to_air_m2_per_s" is "to air".
+std::string words(const std::string& name) {
+  std::string text = name.substr(0, name.find("_m2_per_s"));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string title(const History& history, double time_s) {
+  const auto& times = history.column("time_s");
+  const auto row = std::lower_bound(times.begin(), times.end(), time_s - 1e-9) - times.begin();
+  if (!history.has_values("upstream_level_m") || row == static_cast<std::ptrdiff_t>(times.size())) {
+    return fmt::format("{:.4g} s", time_s);
+  }
+  const double level_m = history.column("upstream_level_m")[static_cast<std::size_t>(row)];
+  return fmt::format("{:.4g} s, level {:.4g} m", time_s, level_m);
+}
+
+/// Data of a panel, and the commands that draw it.
+struct Panel {
+  std::string data;
+  std::string commands;
+};
+
+std::vector<double> times_of(const Rows& rows) {
+  std::vector<double> times;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double time_s = std::stod(rows[i][0]);
+    if (times.empty() || times.back() != time_s) times.push_back(time_s);
+  }
+  return times;
+}
+
+/// Curves over x, at five times from first to last.
+Panel along_joints(const Rows& rows, const std::vector<double>& times, const History& history) {
+  constexpr std::array colours = {"#9ecae1", "#6baed6", "#3182bd", "#08519c", "#d9622b"};
+  Panel panel;
+  std::string curves;
+  const std::size_t count = std::min(times.size(), colours.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const double time_s = times[count == 1 ? 0 : k * (times.size() - 1) / (count - 1)];
+    panel.data += pressures(rows, time_s, static_cast<int>(k));
+    curves += fmt::format("{}$at_{} with lines lc rgb '{}' lw 2 title '{}'", k > 0 ? ", " : "", k, colours[k],
+                          title(history, time_s));
+  }
+  panel.commands = fmt::format(
+      "set key bottom left\nset yrange [0:*]\nset xlabel 'x (m)'\nset ylabel 'pressure in joints (kPa)'\nplot {}\n",
+      curves);
+  return panel;
+}
+
+/// All joints at the last time, by the colour of their pressure.
+Panel map_of_joints(const Rows& rows, double time_s, const History& history) {
+  std::string lines;
+  for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
+    if (std::stod(rows[i][0]) != time_s || rows[i][1] != rows[i + 1][1]) continue;
+    for (const auto& row : {rows[i], rows[i + 1]}) {
+      lines += fmt::format("{} {} {:.6g}\n", row[2], row[3], std::stod(row[5]) / 1000);
+    }
+    lines += "\n\n";
+  }
+  return {fmt::format("$joints << EOD\n{}EOD\n", lines),
+          fmt::format("unset key\nset size ratio -1\nset palette defined (0 '#dddddd', 0.01 '#9ecae1', 1 '#08306b')\n"
+                      "set cblabel 'pressure (kPa)'\nset title '{}'\nset xlabel 'x (m)'\nset ylabel 'y (m)'\n"
+                      "plot $joints using 1:2:3 with lines lc palette lw 2\nset size noratio\nunset title\n",
+                      title(history, time_s))};
+}
+
+Panel over_time(const Rows& rows) {
+  Panel panel;
+  std::string lines;
+  for (std::size_t column = 1; column < rows.front().size(); ++column) {
+    if (rows.front()[column].find("_m2_per_s") == std::string::npos) break;
+    panel.data += flows(rows, column);
+    lines += fmt::format("{}$flow_{} with linespoints pt 7 ps 0.2 lw 2 title {}", column > 1 ? ", " : "", column,
+                         gnuplot_text(words(rows.front()[column])));
+  }
+  panel.commands = fmt::format(
+      "set key bmargin center horizontal\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'flow (m^3 a day and metre)'\nplot {}\n",
+      lines);
+  return panel;
+}
+
+}  // namespace
+
+std::string flow_script(const std::filesystem::path& run, const std::string& terminal, const std::string& ending) {
+  const Rows along = rows_of(run / "joint_water.csv");
+  const Rows totals = rows_of(run / "flow.csv");
+  if (along.size() < 2 || totals.size() < 2) return "";
+  std::set<std::string> joints;
+  for (std::size_t i = 1; i < along.size(); ++i) joints.insert(along[i][1]);
+  const std::vector<double> times = times_of(along);
+  const History history(run / "history.csv");
+  constexpr std::size_t few = 12;
+  const Panel above =
+      joints.size() <= few ? along_joints(along, times, history) : map_of_joints(along, times.back(), history);
+  const Panel below = over_time(totals);
+  return above.data + below.data +
+         fmt::format(
+             "reset\nset terminal {} size 900,800\nset output {}\nset multiplot layout 2,1\nset grid lc rgb '#dddddd'\n"
+             "set tics out nomirror\n{}{}unset multiplot\nset output\n",
+             terminal, gnuplot_path(run / ("flow" + ending)), above.commands, below.commands);
+}
+
+}  // namespace blockweir::picture

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene says of the water that flows through its joints; fluid/joints has the equations.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bridge/geometry/point.hpp"
+
+namespace blockweir::scene {
+
+using geometry::Point;
+
+/// Steady in each coupling window, or with what joints store as they open, close and fill.
+enum class FlowKind { steady, transient };
+
+/// A line of drains: where it crosses a joint the water has its head, or that share of the head above it is taken away.
+struct DrainLine {
+  std::string name;
+  Point from_m;
+  Point to_m;
+  std::optional<double> head_m{};  ///< that it drains to, a height on the y axis; none: that of the crossing, into air
+  double efficiency = 1;
+  int line = 0;  ///< where the scene file states it
+  bool operator==(const DrainLine&) const = default;
+};
+
+/// A region in which closed joints are narrower.
+struct Grout {
+  std::string name;
+  std::vector<Point> outline_m;
+  double aperture_factor = 1;
+  int line = 0;
+  bool operator==(const Grout&) const = default;
+};
+
+struct JointFlow {
+  FlowKind kind = FlowKind::steady;
+  double viscosity_pa_s = 1.3e-3;           ///< of water at 10 degrees
+  std::optional<double> bulk_modulus_pa{};  ///< of water in transient flow; none: it is incompressible
+  int panels_per_joint = 1;                 ///< of a stretch of joint between two blocks
+  std::vector<DrainLine> drains;
+  std::vector<Grout> grouts;
+  bool operator==(const JointFlow&) const = default;
+};
+
+struct Scene;
+/// Whether water flows through one of its joints, or can once blocks touch.
+bool flows_in_joints(const Scene& scene);
+
+}  // namespace blockweir::scene

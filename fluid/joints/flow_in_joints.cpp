@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/joints/flow_in_joints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bridge/checkpoint/archive.hpp"
+#include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/hydrostatics.hpp"
+#include "bridge/wire/panels.hpp"
+
+namespace blockweir::joints {
+namespace {
+
+WaterProperties properties(const scene::Scene& scene) {
+  WaterProperties water;
+  water.viscosity_pa_s = scene.joint_flow.viscosity_pa_s;
+  water.weight_n_per_m3 = scene::unit_weight_of_water(scene);
+  if (scene.joint_flow.bulk_modulus_pa) water.bulk_modulus_pa = *scene.joint_flow.bulk_modulus_pa;
+  return water;
+}
+
+/// One over the mass of a block [m/kg]; 0 where it is held.
+double ease(const scene::Scene& scene, int block) {
+  const scene::Block& b = scene.blocks[at(block)];
+  if (b.fixed) return 0;
+  return 1 / (scene.materials[at(b.material)].density_kg_per_m3 * std::abs(geometry::signed_area(b.vertices)));
+}
+
+}  // namespace
+
+FlowInJoints::FlowInJoints(const scene::Scene& scene, const GroundCut& ground)
+    : scene_(scene), water_(properties(scene)), joints_(scene, ground), flow_(water_) {}
+
+bool FlowInJoints::changes_by_itself() const {
+  return !empty() && scene_.joint_flow.kind == scene::FlowKind::transient;
+}
+
+OpenWater FlowInJoints::take_in(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, bool moved,
+                                std::size_t open_panels, const wire::Load& load) {
+  const double atmosphere_pa =
+      scene_.water.atmosphere == scene::Atmosphere::wet_faces ? scene_.water.atmospheric_pressure_pa : 0;
+  OpenWater open(outlines, load, open_panels, water_.weight_n_per_m3, atmosphere_pa);
+  if (moved || fresh_) joints_.follow(outlines, ground_m);
+  joints_.fill(open);
+  return open;
+}
+
+void FlowInJoints::advance(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, bool moved,
+                           double to_s, std::size_t open_panels, wire::Load& load) {
+  const OpenWater open = take_in(outlines, ground_m, moved, open_panels, load);
+  solve(to_s);
+  add_panels(open, load);
+}
+
+void FlowInJoints::repeat(const std::vector<std::vector<Point>>& outlines, const Point& ground_m,
+                          std::size_t open_panels, wire::Load& load) {
+  const OpenWater open = take_in(outlines, ground_m, true, open_panels, load);
+  add_panels(open, load);
+}
+
+void FlowInJoints::solve(double to_s) {
+  hold_drains();
+  carry_over();
+  const double step_s = to_s - time_s_;
+  if (fresh_ || !changes_by_itself()) {
+    solve_steady();
+    stored_m2_ = flow_.stored(joints_.network(), filling_);
+  } else if (step_s > 0) {
+    flow_.step(joints_.network(), step_s, yields(step_s), filling_, stored_m2_);
+  }
+  time_s_ = to_s;
+  fresh_ = false;
+  solved_at_.clear();
+  for (const Place& place : joints_.places()) solved_at_.push_back(place.at);
+  const FlowBalance now = balance();
+  const double reynolds = now.largest * scene_.water.density_kg_per_m3 / water_.viscosity_pa_s;
+  if (reynolds > highest_reynolds_) {
+    highest_reynolds_ = reynolds;
+    most_turbulent_joint_ = joints_.name(joints_.stretches()[joints_.parts()[now.largest_channel].stretch]);
+  }
+  const auto& nodes = joints_.network().nodes;
+  without_outlet_ = std::none_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.kind != NodeKind::inside; });
+}
+
+/// A drain has its head, or leaves a share of what the water would have above it.
+void FlowInJoints::hold_drains() {
+  Network& network = joints_.network();
+  const auto& drains = scene_.joint_flow.drains;
+  if (drains.empty()) return;
+  const auto drain_of = [&](std::size_t node) { return drains[at(joints_.places()[node].drain)]; };
+  Filling undrained;
+  if (std::any_of(drains.begin(), drains.end(), [](const scene::DrainLine& d) { return d.efficiency < 1; })) {
+    flow_.steady(network, undrained);
+  }
+  for (std::size_t i = 0; i < network.nodes.size(); ++i) {
+    Node& node = network.nodes[i];
+    if (joints_.places()[i].drain < 0 || node.kind != NodeKind::inside) continue;
+    const scene::DrainLine& drain = drain_of(i);
+    const double own = water_.weight_n_per_m3 * std::max(0.0, drain.head_m.value_or(node.height_m) - node.height_m);
+    const double above = undrained.pressure_pa.empty() ? 0 : std::max(0.0, undrained.pressure_pa[i] - own);
+    node.pressure_pa = own + (1 - drain.efficiency) * above;
+    node.kind = node.pressure_pa > 0 ? NodeKind::held : NodeKind::seeps;
+  }
+}
+
+void FlowInJoints::solve_steady() {
+  constexpr int most = 10;
+  for (int i = 0; i < most; ++i) {
+    flow_.steady(joints_.network(), filling_);
+    if (!close_drains_that_supply()) return;
+  }
+}
+
+/// Drains take water and give none.
+bool FlowInJoints::close_drains_that_supply() {
+  Network& network = joints_.network();
+  std::vector<double> supply(network.nodes.size(), 0.0);
+  for (std::size_t c = 0; c < filling_.flow.size(); ++c) {
+    supply[at(network.channels[c].from)] += filling_.flow[c];
+    supply[at(network.channels[c].to)] -= filling_.flow[c];
+  }
+  constexpr double round_off = 1e-12;
+  const double most = balance().largest;
+  bool closed = false;
+  for (std::size_t i = 0; i < supply.size(); ++i) {
+    if (joints_.places()[i].drain < 0 || network.nodes[i].kind != NodeKind::held || joints_.places()[i].exposed)
+      continue;
+    if (supply[i] <= round_off * most) continue;
+    network.nodes[i].kind = NodeKind::inside;
+    closed = true;
+  }
+  return closed;
+}
+
+/// Takes what was known at the nodes of before to those of now: each has that of the nearest.
+void FlowInJoints::carry_over() {
+  const auto& places = joints_.places();
+  const auto same = [&] {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if ((places[i].at - solved_at_[i]).norm() > scene_.water.open_crack_width_m) return false;
+    }
+    return true;
+  };
+  if (fresh_ || (places.size() == solved_at_.size() && same())) return;
+  const Filling before = filling_;
+  filling_ = {};
+  filling_.flow.assign(joints_.network().channels.size(), 0.0);
+  for (const Place& place : places) {
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < solved_at_.size(); ++k) {
+      if ((solved_at_[k] - place.at).squaredNorm() < (solved_at_[nearest] - place.at).squaredNorm()) nearest = k;
+    }
+    filling_.pressure_pa.push_back(solved_at_.empty() ? 0 : before.pressure_pa[nearest]);
+    filling_.saturation.push_back(solved_at_.empty() ? 0 : before.saturation[nearest]);
+  }
+  stored_m2_ = flow_.stored(joints_.network(), filling_);
+}
+
+/// Of blocks that lie on nothing but this water: in a window of dt, pressure p on the length L of a joint moves a mass
+/// m by p L dt^2/m. An exchange that is explicit does not know that yet; without it a film of water that hardly gives
+/// throws such a block to and fro. As pressures settle it is of no account.
+std::vector<double> FlowInJoints::yields(double step_s) const {
+  std::vector<double> yields(joints_.network().nodes.size(), 0.0);
+  for (std::size_t c = 0; c < joints_.parts().size(); ++c) {
+    const Stretch& s = joints_.stretches()[joints_.parts()[c].stretch];
+    const Channel& channel = joints_.network().channels[c];
+    constexpr double closed = 1e-3;  // of the aperture: what is narrower bears on its other face
+    if (std::max(s.gap_m[0], s.gap_m[1]) <= closed * s.law->hydraulic_aperture_m) continue;
+    const double moves = ease(scene_, s.sides[0].block) + ease(scene_, s.sides[1].block);
+    const double volume = channel.length_m / 2 * s.length_m() * step_s * step_s * moves;
+    for (const int node : {channel.from, channel.to}) yields[at(node)] += volume;
+  }
+  return yields;
+}
+
+bool FlowInJoints::flows_full(std::size_t channel) const {
+  const Channel& c = joints_.network().channels[channel];
+  const auto potential = [&](int node) {
+    return filling_.pressure_pa[at(node)] + water_.weight_n_per_m3 * joints_.network().nodes[at(node)].height_m;
+  };
+  return filling_.saturation[at(potential(c.from) >= potential(c.to) ? c.from : c.to)] >= 1;
+}
+
+/// As straight pieces with the curve's force and moment.
+Profile FlowInJoints::profile(std::size_t channel) const {
+  const Channel& c = joints_.network().channels[channel];
+  const auto end = [&](int node) {
+    return End{filling_.pressure_pa[at(node)], joints_.network().nodes[at(node)].height_m};
+  };
+  const End from = end(c.from);
+  const End to = end(c.to);
+  if (!flows_full(channel)) return standing(c.length_m, from, to, water_.weight_n_per_m3);
+  return flowing(c.length_m, {c.aperture(0, from.pressure_pa), c.aperture(1, to.pressure_pa)}, from, to,
+                 water_.weight_n_per_m3);
+}
+
+double FlowInJoints::pressure(std::size_t channel, double share) const {
+  const Channel& c = joints_.network().channels[channel];
+  if (!flows_full(channel)) return profile(channel).pressure(share * c.length_m);
+  const double from = filling_.pressure_pa[at(c.from)];
+  const double to = filling_.pressure_pa[at(c.to)];
+  const double rise = joints_.network().nodes[at(c.to)].height_m - joints_.network().nodes[at(c.from)].height_m;
+  const double left = fall_left({c.aperture(0, from), c.aperture(1, to)}, share);
+  // In p + rho g y from the second node's, less the height of here.
+  return to + (from - to - water_.weight_n_per_m3 * rise) * left + water_.weight_n_per_m3 * rise * (1 - share);
+}
+
+void FlowInJoints::add_panels(const OpenWater& open, wire::Load& load) const {
+  for (std::size_t c = 0; c < joints_.parts().size(); ++c) {
+    const Part& part = joints_.parts()[c];
+    if (part.open) continue;
+    const Profile along = profile(c);
+    const double length_m = joints_.network().channels[c].length_m;
+    for (const Side& side : joints_.stretches()[part.stretch].sides) {
+      const auto place = [&](double at_m) {
+        const double share = part.from + (part.to - part.from) * at_m / length_m;
+        return std::clamp(side.s_from + share * (side.s_to - side.s_from), 0.0, 1.0);
+      };
+      if (open.covers(side.block, side.edge, place(length_m / 2))) continue;
+      for (std::size_t k = 1; k < along.knots().size(); ++k) {
+        const Profile::Knot& a = along.knots()[k - 1];
+        const Profile::Knot& b = along.knots()[k];
+        const int elements = scene_.water.elements_per_face;
+        for (int e = 0; e < elements; ++e) {
+          const auto at_m = [&](int i) { return a.at_m + (b.at_m - a.at_m) * i / elements; };
+          const auto pressure = [&](int i) { return a.pressure_pa + (b.pressure_pa - a.pressure_pa) * i / elements; };
+          double s_from = place(at_m(e));
+          double s_to = place(at_m(e + 1));
+          double p_from = pressure(e);
+          double p_to = pressure(e + 1);
+          if (s_from > s_to) std::swap(s_from, s_to), std::swap(p_from, p_to);
+          if (p_from > 0 || p_to > 0) wire::add_panel(load, side.block, side.edge, s_from, s_to, p_from, p_to);
+        }
+      }
+    }
+  }
+}
+
+FlowBalance FlowInJoints::balance() const {
+  FlowBalance sums;
+  sums.to_drain.assign(scene_.joint_flow.drains.size(), 0.0);
+  const Network& network = joints_.network();
+  std::vector<double> out(network.nodes.size(), 0.0);
+  for (std::size_t c = 0; c < filling_.flow.size(); ++c) {
+    out[at(network.channels[c].from)] -= filling_.flow[c];
+    out[at(network.channels[c].to)] += filling_.flow[c];
+    if (std::abs(filling_.flow[c]) <= sums.largest || joints_.parts()[c].open) continue;
+    sums.largest = std::abs(filling_.flow[c]);
+    sums.largest_channel = c;
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Place& place = joints_.places()[i];
+    if (network.nodes[i].kind == NodeKind::inside) continue;
+    if (place.drain >= 0 && !place.exposed)
+      sums.to_drain[at(place.drain)] += out[i];
+    else if (network.nodes[i].kind == NodeKind::seeps)
+      sums.to_air += out[i];
+    else
+      (out[i] > 0 ? sums.to_open_water : sums.from_open_water) += std::abs(out[i]);
+  }
+  for (const double volume : stored_m2_) sums.stored += volume;
+  return sums;
+}
+
+std::vector<std::string> FlowInJoints::warnings() const {
+  constexpr double laminar = 1000;  // Louis
+  std::vector<std::string> warnings;
+  if (highest_reynolds_ > laminar) {
+    warnings.push_back(
+        fmt::format("flow in joint \"{}\" has a Reynolds number of {:.3g}, above {}, where the cubic law ends: it "
+                    "tells too much flow",
+                    most_turbulent_joint_, highest_reynolds_, laminar));
+  }
+  if (without_outlet_) {
+    warnings.emplace_back(
+        "joints with uplift = \"flow\" touch neither open water nor air: they are dry; lead one to a face");
+  }
+  return warnings;
+}
+
+std::string FlowInJoints::state() const {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const Point& p : solved_at_) x.push_back(p.x()), y.push_back(p.y());
+  return checkpoint::pack(filling_.pressure_pa, filling_.saturation, filling_.flow, stored_m2_, x, y, time_s_, fresh_,
+                          highest_reynolds_, most_turbulent_joint_, without_outlet_, flow_.full().state());
+}
+
+void FlowInJoints::restore(const std::string& state) {
+  std::vector<double> x;
+  std::vector<double> y;
+  std::string factor;
+  checkpoint::unpack(state, filling_.pressure_pa, filling_.saturation, filling_.flow, stored_m2_, x, y, time_s_, fresh_,
+                     highest_reynolds_, most_turbulent_joint_, without_outlet_, factor);
+  solved_at_.clear();
+  for (std::size_t i = 0; i < x.size(); ++i) solved_at_.emplace_back(x[i], y[i]);
+  flow_.full().restore(factor);
+}
+
+}  // namespace blockweir::joints

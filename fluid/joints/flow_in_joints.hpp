@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The water that flows through the joints of a scene: its network follows the blocks, its ends the open water, and its
+// pressures become panels on both faces of each joint.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fluid/joints/joint_network.hpp"
+#include "fluid/joints/network_flow.hpp"
+
+namespace blockweir::joints {
+
+/// Where the water of a network comes from and goes to [m2/s].
+struct FlowBalance {
+  double from_open_water = 0;
+  double to_open_water = 0;
+  double to_air = 0;
+  std::vector<double> to_drain;  ///< by drain of the scene
+  double stored = 0;             ///< volume that the joints hold [m2]
+  double largest = 0;            ///< flow through a channel
+  std::size_t largest_channel = 0;
+};
+
+class FlowInJoints {
+ public:
+  FlowInJoints(const scene::Scene& scene, const GroundCut& ground);
+
+  [[nodiscard]] bool empty() const { return joints_.empty(); }
+  /// What it stores changes its pressures even while nothing else does.
+  [[nodiscard]] bool changes_by_itself() const;
+  /// Solves for time `to_s` and adds the panels of the joints to `load`, whose first `open_panels` are open water.
+  /// `moved`: since the last call. Their ground moved by `ground_m`.
+  void advance(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, bool moved, double to_s,
+               std::size_t open_panels, wire::Load& load);
+  /// Adds them again as they were solved last, to a load of that time.
+  void repeat(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, std::size_t open_panels,
+              wire::Load& load);
+
+  [[nodiscard]] FlowBalance balance() const;
+  [[nodiscard]] const JointNetwork& joints() const { return joints_; }
+  [[nodiscard]] const Filling& filling() const { return filling_; }
+  /// Pressure at a share 0..1 of a channel.
+  [[nodiscard]] double pressure(std::size_t channel, double share) const;
+  /// Of what the user should know: where the cubic law ends, a network without an outlet. Empty: of nothing.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] long factorizations() { return flow_.full().factorizations(); }
+  [[nodiscard]] long kept_factors() { return flow_.full().kept(); }
+
+  [[nodiscard]] std::string state() const;
+  void restore(const std::string& state);
+
+ private:
+  [[nodiscard]] Profile profile(std::size_t channel) const;
+  [[nodiscard]] bool flows_full(std::size_t channel) const;
+  OpenWater take_in(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, bool moved,
+                    std::size_t open_panels, const wire::Load& load);
+  void solve(double to_s);
+  void hold_drains();
+  void solve_steady();
+  [[nodiscard]] bool close_drains_that_supply();
+  void carry_over();
+  [[nodiscard]] std::vector<double> yields(double step_s) const;
+  void add_panels(const OpenWater& open, wire::Load& load) const;
+
+  const scene::Scene& scene_;
+  WaterProperties water_;
+  JointNetwork joints_;
+  NetworkFlow flow_;
+  Filling filling_;
+  std::vector<double> stored_m2_;
+  std::vector<Point> solved_at_;  ///< nodes that filling_ is of
+  double time_s_ = 0;
+  bool fresh_ = true;
+  double highest_reynolds_ = 0;
+  std::string most_turbulent_joint_;
+  bool without_outlet_ = false;
+};
+
+}  // namespace blockweir::joints

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The network of joints of a scene where its blocks are now: stretches cut into channels, ends that meet joined in
+// nodes, and at each node what holds its water.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fluid/joints/joint_stretches.hpp"
+#include "fluid/joints/network.hpp"
+#include "fluid/joints/open_water.hpp"
+
+namespace blockweir::joints {
+
+/// Where the model ends in ground that goes on, as the scene draws it: no water comes in or goes out there.
+struct GroundCut {
+  std::optional<Point> left;  ///< the bed's corner
+  std::optional<Point> right;
+  double bottom_m = 0;
+};
+
+/// Part of a stretch that a channel is; shares 0..1 of the stretch.
+struct Part {
+  std::size_t stretch = 0;
+  double from = 0;
+  double to = 1;
+  bool open = false;  ///< open water fills it
+};
+
+/// What a node is, beside what the network needs of it.
+struct Place {
+  Point at;
+  std::vector<int> blocks{};
+  double gap_m = 0;      ///< widest that ends there
+  bool exposed = false;  ///< open space is beside it
+  bool on_cut = false;   ///< the model ends there in ground that goes on
+  bool in_open = false;  ///< it lies in open water within a joint
+  int drain = -1;        ///< of the scene that it is
+};
+
+class JointNetwork {
+ public:
+  JointNetwork(const scene::Scene& scene, const GroundCut& ground);
+
+  [[nodiscard]] bool empty() const { return search_.empty(); }
+  /// Takes in blocks that have moved; their ground by `ground_m`.
+  void follow(const std::vector<std::vector<Point>>& outlines, const Point& ground_m);
+  /// Takes in open water: channels, and what holds their nodes. Drains hold theirs at their own head.
+  void fill(const OpenWater& open);
+
+  [[nodiscard]] Network& network() { return network_; }
+  [[nodiscard]] const Network& network() const { return network_; }
+  [[nodiscard]] const std::vector<Place>& places() const { return places_; }  ///< by node
+  [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }     ///< by channel
+  [[nodiscard]] const std::vector<Stretch>& stretches() const { return stretches_; }
+  [[nodiscard]] std::string name(const Stretch& stretch) const { return search_.name(stretch); }
+
+ private:
+  void join_ends();
+  void find_exposed(const std::vector<std::vector<Point>>& outlines, const Point& ground_m);
+  [[nodiscard]] bool is_cut(const Place& place, const Point& ground_m) const;
+  void add_channels(std::size_t stretch, const OpenWater& open);
+  [[nodiscard]] std::vector<double> cuts(const Stretch& stretch, const OpenWater& open) const;
+  [[nodiscard]] double closed_aperture(const Stretch& stretch, double share) const;
+  [[nodiscard]] int drain_at(const Point& p) const;
+  [[nodiscard]] Node node_at(Place& place, const OpenWater& open) const;
+
+  const scene::Scene& scene_;
+  GroundCut ground_;
+  JointStretches search_;
+  double touching_m_ = 0;
+  std::vector<Stretch> stretches_;
+  std::vector<std::array<int, 2>> ends_;  ///< nodes of each stretch
+  std::vector<Place> joined_;             ///< nodes at ends of stretches
+  std::vector<Place> places_;
+  std::vector<Part> parts_;
+  Network network_;
+};
+
+}  // namespace blockweir::joints

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joints as a network of channels that meet in nodes, and what holds the water at its ends.
+#pragma once
+
+#include <vector>
+
+#include "fluid/joints/channel.hpp"
+
+namespace blockweir::joints {
+
+enum class NodeKind {
+  inside,  ///< what flows in flows out
+  held,    ///< by open water or a drain: has the pressure stated
+  seeps    ///< into air: pressure 0, and water goes out only
+};
+
+struct Node {
+  double height_m = 0;
+  NodeKind kind = NodeKind::inside;
+  double pressure_pa = 0;  ///< of a held node
+};
+
+struct Network {
+  std::vector<Node> nodes;
+  std::vector<Channel> channels;
+};
+
+struct WaterProperties {
+  double viscosity_pa_s = 1.3e-3;
+  double weight_n_per_m3 = 9810;  ///< rho g
+  double bulk_modulus_pa = std::numeric_limits<double>::infinity();
+};
+
+/// Of the water in a network, by node: a pressure above 0 where all is full, else which share is.
+struct Filling {
+  std::vector<double> pressure_pa;
+  std::vector<double> saturation;
+  std::vector<double> flow;  ///< by channel, from its first node to its second [m2/s]
+};
+
+}  // namespace blockweir::joints

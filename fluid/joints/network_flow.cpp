@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/joints/network_flow.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "bridge/scene/at.hpp"
+#include "fluid/joints/filling_equations.hpp"
+
+namespace blockweir::joints {
+namespace {
+
+bool widens(const Network& network) {
+  return std::any_of(network.channels.begin(), network.channels.end(),
+                     [](const Channel& c) { return c.compliance_m_per_pa > 0; });
+}
+
+/// Out of each node into the network.
+std::vector<double> supplies(const Network& network, const std::vector<double>& flow) {
+  std::vector<double> supply(network.nodes.size(), 0.0);
+  for (std::size_t c = 0; c < flow.size(); ++c) {
+    supply[at(network.channels[c].from)] += flow[c];
+    supply[at(network.channels[c].to)] -= flow[c];
+  }
+  return supply;
+}
+
+/// Does water hang nowhere, and come in nowhere out of air?
+bool holds(const Network& network, const Filling& filling, double weight_n_per_m3) {
+  double most_pa = 0;
+  double most_flow = 0;
+  for (const double p : filling.pressure_pa) most_pa = std::max(most_pa, p);
+  for (const double q : filling.flow) most_flow = std::max(most_flow, std::abs(q));
+  constexpr double round_off = 1e-13;
+  const std::vector<double> supply = supplies(network, filling.flow);
+  for (std::size_t i = 0; i < supply.size(); ++i) {
+    const Node& node = network.nodes[i];
+    const double round_off_pa = round_off * (most_pa + weight_n_per_m3 * std::abs(node.height_m));
+    if (node.kind == NodeKind::inside && filling.pressure_pa[i] < -round_off_pa) return false;
+    if (node.kind == NodeKind::seeps && supply[i] > round_off * most_flow) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+/// The first guess: all of it full.
+void NetworkFlow::fill(const Network& network, const std::vector<bool>& fed, Filling& filling) {
+  filling.pressure_pa = full_.pressures(network, fed, water_);
+  filling.saturation.assign(network.nodes.size(), 1.0);
+  for (std::size_t i = 0; i < fed.size(); ++i) {
+    if (!fed[i]) filling.saturation[i] = 0;
+  }
+}
+
+void NetworkFlow::steady(const Network& network, Filling& filling) {
+  const std::vector<bool> fed = fed_nodes(network);
+  FillingEquations equations(network, fed, water_);
+  const bool begins = filling.pressure_pa.size() != network.nodes.size();
+  if (!widens(network)) {
+    Filling full;
+    fill(network, fed, full);
+    full.flow = equations.flows(full);
+    if (holds(network, full, water_.weight_n_per_m3)) {
+      for (double& p : full.pressure_pa) p = std::max(0.0, p);
+      filling = std::move(full);
+      return;
+    }
+    if (begins) filling = std::move(full);
+  } else if (begins) {
+    fill(network, fed, filling);
+  }
+  Eigen::VectorXd u = equations.unknowns(filling);
+  if (!equations.solve(u)) {
+    throw std::runtime_error("no steady flow through the joints was found; state kind = \"transient\" in [joint_flow]");
+  }
+  equations.take(u, filling);
+  filling.flow = equations.flows(filling);
+}
+
+void NetworkFlow::step(const Network& network, double step_s, const std::vector<double>& yield_m2_per_pa,
+                       Filling& filling, std::vector<double>& stored_m2) {
+  const std::vector<bool> fed = fed_nodes(network);
+  constexpr double shortest = 1.0 / 1024;
+  double share = 1;  // of the step; a sudden change takes shorter ones
+  std::vector<double> flow(network.channels.size(), 0.0);
+  for (double done = 0; done < 1;) {
+    FillingEquations equations(network, fed, water_);
+    equations.store(share * step_s, stored_m2, yield_m2_per_pa, filling.pressure_pa);
+    Eigen::VectorXd u = equations.unknowns(filling);
+    if (equations.solve(u)) {
+      equations.take(u, filling);
+      const std::vector<double> now = equations.flows(filling);
+      for (std::size_t c = 0; c < flow.size(); ++c) flow[c] += share * now[c];
+      stored_m2 = equations.stored(filling);
+      done += share;
+      continue;
+    }
+    share /= 2;
+    if (share < shortest) throw std::runtime_error("no flow through the joints was found; take shorter windows");
+  }
+  filling.flow = std::move(flow);
+}
+
+std::vector<double> NetworkFlow::stored(const Network& network, const Filling& filling) const {
+  return FillingEquations(network, fed_nodes(network), water_).stored(filling);
+}
+
+double outflow(const Network& network, const Filling& filling, NodeKind kind) {
+  const std::vector<double> supply = supplies(network, filling.flow);
+  double sum = 0;
+  for (std::size_t i = 0; i < supply.size(); ++i) {
+    if (network.nodes[i].kind == kind) sum -= supply[i];
+  }
+  return sum;
+}
+
+}  // namespace blockweir::joints
