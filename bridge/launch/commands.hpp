@@ -26,6 +26,7 @@ Work man_command(CLI::App& app);
 Work modes_command(CLI::App& app);
 Work plot_command(CLI::App& app);
 Work profile_command(CLI::App& app);
+Work reliability_command(CLI::App& app);
 Work report_command(CLI::App& app);
 Work resume_command(CLI::App& app);
 Work run_command(CLI::App& app);
@@ -35,6 +36,7 @@ Work study_command(CLI::App& app);
 Work test_command(CLI::App& app);
 Work trace_command(CLI::App& app);
 Work validate_command(CLI::App& app);
+Work work_command(CLI::App& app);
 
 struct Command {
   const char* name;
@@ -49,6 +51,8 @@ inline constexpr std::array commands = {
     Command{"level", "find the water level at which it fails, by statics and by limit analysis", level_command},
     Command{"safety", "find the factor of safety for each load case; exit status 1 where one is too low",
             safety_command},
+    Command{"reliability", "find the probability of failure of what is uncertain, and which of it matters",
+            reliability_command},
     Command{"modes", "find natural frequencies and shapes at rest, without water and with it", modes_command},
     Command{"check", "list all errors and warnings of a scene, without running it", check_command},
     Command{"cut", "draw the blocks of a scene, without running it", cut_command},
@@ -64,6 +68,7 @@ inline constexpr std::array commands = {
     Command{"stress", "run maps of extreme settings: each run is right, refused or wrong", stress_command},
     Command{"keys", "make encryption keys for a run on two machines", keys_command},
     Command{"test", "set up, build and run every test (in a source tree: ./blockweir test)", test_command},
+    Command{"work", "do one task of a study that is in a queue: what --engine slurm has its jobs call", work_command},
     Command{"completion", "print a script that lets a shell complete commands and options", completion_command},
     Command{"man", "print the manual page (blockweir man | man -l -)", man_command},
 };

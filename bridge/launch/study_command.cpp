@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
+#include "bridge/launch/engine_options.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::launch {
@@ -11,8 +12,7 @@ Work study_command(CLI::App& app) {
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--name", options->name, "one of the studies (default: all)");
   app.add_option("--out", options->out, "folder for tables and figures ([[study]]: runs/CASE-studies by default)");
-  app.add_option("--jobs", options->jobs, "number of runs of a [[study]] at the same time (default: one per processor)")
-      ->check(CLI::Range(1, 10000));
+  add_engine_options(app, options->engine);
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   return [options] { return study::perform_all(*options); };
 }

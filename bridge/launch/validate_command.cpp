@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
+#include "bridge/launch/engine_options.hpp"
 #include "bridge/study/validate.hpp"
 
 namespace blockweir::launch {
@@ -12,6 +13,7 @@ Work validate_command(CLI::App& app) {
   app.add_option("--json", options->json, "also write the table to this file, as JSON");
   app.add_option("--set", options->overrides, "set a key in each scene, as key=value");
   app.add_flag("--sweep", options->sweep, "repeat each with penalties 5e6, 1e9, 1e12 and steps 1e-2, 1e-3 s");
+  add_engine_options(app, options->engine);
   return [options] { return study::validate(*options); };
 }
 

@@ -3,6 +3,7 @@
 // swing, without a run.
 #include <CLI/CLI.hpp>
 
+#include <iostream>
 #include <optional>
 
 #include "bridge/process/answers.hpp"
@@ -10,8 +11,38 @@
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read/read.hpp"
 
+namespace {
+
+using namespace blockweir;
+using nlohmann::json;
+
+std::unique_ptr<schedule::FluidSide> still_water(const scene::Scene& of, const std::filesystem::path& folder) {
+  return of.fluid == scene::FluidModel::reservoir ? reservoir::make(of, folder) : hydrostatic::make(of, folder);
+}
+
+/// Of one line of settings, a list of "key=value".
+json capacity_of(const std::string& scene, const std::string& line, process::Capacity by) {
+  try {
+    const scene::Scene sample = scene::read(scene, json::parse(line).get<std::vector<std::string>>()).scene;
+    return process::capacity_answer(sample, still_water, by);
+  } catch (const scene::SceneError& error) {
+    return {{"outcome", "refused"}, {"trouble", error.what()}};
+  } catch (const std::invalid_argument& error) {
+    return {{"outcome", "refused"}, {"trouble", error.what()}};
+  } catch (const std::exception& error) {
+    return {{"outcome", "stopped"}, {"trouble", error.what()}};
+  }
+}
+
+/// Answers lines of settings on standard input by lines on standard output, until there are no more.
+int answer_lines(const std::string& scene, process::Capacity by) {
+  for (std::string line; std::getline(std::cin, line);) std::cout << capacity_of(scene, line, by).dump() << std::endl;
+  return 0;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace blockweir;
   std::string question;
   std::string scene;
   std::string answer;
@@ -19,11 +50,12 @@ int main(int argc, char** argv) {
   CLI::App app{"blockweir-limit: at which level, and by which factor on strength, a scene fails"};
   app.add_option("question", question,
                  "level: at which it fails; safety: factor of safety; margin: factor at the end of a run; modes: "
-                 "natural frequencies; water: pressures")
+                 "natural frequencies; water: pressures; capacity, static-capacity: the level of each line of settings "
+                 "on standard input, by limit analysis or by the blocks")
       ->required()
-      ->check(CLI::IsMember({"level", "safety", "margin", "modes", "water"}));
+      ->check(CLI::IsMember({"level", "safety", "margin", "modes", "water", "capacity", "static-capacity"}));
   app.add_option("scene", scene, "scene file or case folder")->required();
-  app.add_option("--answer", answer, "file for the answer (JSON)")->required();
+  app.add_option("--answer", answer, "file for the answer (JSON)");
   app.add_option("--moment", moment_s, "time whose loads and levels count, s (default: the run's end)");
   try {
     app.parse(argc, argv);
@@ -31,17 +63,17 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   return process::exit_status("blockweir-limit", [&] {
+    if (question == "capacity") return answer_lines(scene, process::Capacity::limit);
+    if (question == "static-capacity") return answer_lines(scene, process::Capacity::statics);
+    if (answer.empty()) throw std::invalid_argument("--answer is required: the file for the answer (JSON)");
     scene::Scene asked = scene::read(scene).scene;
     if (moment_s) asked.analysis.duration_s = *moment_s;
-    const auto still = [](const scene::Scene& of, const std::filesystem::path& folder) {
-      return of.fluid == scene::FluidModel::reservoir ? reservoir::make(of, folder) : hydrostatic::make(of, folder);
-    };
-    const auto answered = [&]() -> nlohmann::json {
-      if (question == "level") return process::level_answer(asked, still);
-      if (question == "safety") return process::safety_answer(asked, still);
-      if (question == "margin") return process::margin_answer(asked, still);
-      if (question == "water") return process::water_answer(asked, still);
-      return process::modes_answer(asked, still, reservoir::mass_on_faces);
+    const auto answered = [&]() -> json {
+      if (question == "level") return process::level_answer(asked, still_water);
+      if (question == "safety") return process::safety_answer(asked, still_water);
+      if (question == "margin") return process::margin_answer(asked, still_water);
+      if (question == "water") return process::water_answer(asked, still_water);
+      return process::modes_answer(asked, still_water, reservoir::mass_on_faces);
     };
     results::replace_file(answer, answered().dump(2) + "\n");
     return 0;

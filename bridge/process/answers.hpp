@@ -13,6 +13,13 @@ namespace blockweir::process {
 /// std::invalid_argument for a scene that has no such level, and std::runtime_error where no answer is found.
 nlohmann::json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid);
 
+/// By which way alone a level is found: limit analysis, or the blocks' own equilibrium.
+enum class Capacity { limit, statics };
+
+/// That level by one way alone, for samples by the thousand: outcome, level_m, empty_m and full_m, mode, joint, head_m;
+/// is_exact of limit analysis. Throws as above.
+nlohmann::json capacity_answer(const scene::Scene& scene, const FluidMaker& make_fluid, Capacity by);
+
 /// By which factor the strength of its joints can be divided until it fails under the loads and levels of the run's
 /// end, found likewise, and the forces on the joints that run through. Throws as above.
 nlohmann::json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid);

@@ -12,12 +12,11 @@ namespace {
 namespace fs = std::filesystem;
 using scene::FluidModel;
 
-/// Programs stand beside this one, wherever it was installed.
-fs::path program(const char* name) {
+}  // namespace
+
+fs::path program_beside(const std::string& name) {
   return fs::read_symlink("/proc/self/exe").parent_path() / name;
 }
-
-}  // namespace
 
 std::string case_name(const fs::path& scene) {
   const fs::path given = fs::weakly_canonical(scene);
@@ -46,7 +45,7 @@ void require_fit(const scene::Scene& scene, bool inproc) {
 }
 
 Command limit_command(const fs::path& folder, const std::string& question, const fs::path& answer) {
-  return {"limit", {program("blockweir-limit"), question, scene_of(folder), "--answer", answer}};
+  return {"limit", {program_beside("blockweir-limit"), question, scene_of(folder), "--answer", answer}};
 }
 
 std::vector<Command> commands_of(const scene::Scene& scene, const Processes& processes) {
@@ -54,7 +53,7 @@ std::vector<Command> commands_of(const scene::Scene& scene, const Processes& pro
   const fs::path report = report_of(processes.folder);
   std::vector<Command> commands;
   const auto add = [&](const char* name, const char* file, const std::vector<std::string>& more) {
-    Command& command = commands.emplace_back(Command{name, {program(file), scene_of(processes.folder)}});
+    Command& command = commands.emplace_back(Command{name, {program_beside(file), scene_of(processes.folder)}});
     command.words.insert(command.words.end(), more.begin(), more.end());
     if (processes.first > 0) command.words.insert(command.words.end(), {"--resume", std::to_string(processes.first)});
   };

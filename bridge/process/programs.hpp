@@ -19,6 +19,9 @@ struct Processes {
   std::filesystem::path scene_folder{};  ///< where an external fluid's command runs
 };
 
+/// One of our programs: it stands beside this one, wherever it was installed.
+[[nodiscard]] std::filesystem::path program_beside(const std::string& name);
+
 /// What results of a scene are called by: its folder, or its file where that is not scene.toml.
 [[nodiscard]] std::string case_name(const std::filesystem::path& scene);
 

@@ -132,18 +132,25 @@ std::vector<OpenStudyTask> open_study_tasks(const fs::path& scene, const Setting
     wrong.from([&] { tasks.push_back(task_of(study, scene, jobs)); });
   }
   for (OpenStudyTask& task : tasks) {
-    task.jobs = jobs;
     wrong.from([&] { require_sound(task, scene, overrides); });
   }
   wrong.report();
   return tasks;
 }
 
-bool perform(const OpenStudyTask& task, const fs::path& scene, const Settings& overrides, const fs::path& out) {
+bool perform(const OpenStudyTask& task, const fs::path& scene, const Settings& overrides, const fs::path& out,
+             engine::Engine& engine) {
   const results::FolderLock lock(out);
   const fs::path file = out / results::file_name(task.name);
   const fs::path kept = file.string() + ".runs.jsonl";
-  OutcomeRuns runs({task.name, scene, task.set, overrides, kept, task.jobs, task.until_decided, task.of_factor});
+  OutcomeRuns runs({.name = task.name,
+                    .scene = scene,
+                    .set = task.set,
+                    .overrides = overrides,
+                    .kept = kept,
+                    .by = task.of_factor ? "factor" : "run",
+                    .until_decided = task.until_decided},
+                   engine);
   Finding finding;
   try {
     finding = task.find(runs);

@@ -32,7 +32,6 @@ struct OpenStudyTask {
   bool may_refuse = false;           ///< a scene that is not sound with all of them is a result, as of a draw
   bool until_decided = false;
   bool of_factor = false;
-  int jobs = 1;
   /// Throws std::runtime_error where there is no answer.
   std::function<Finding(OutcomeRuns&)> find{};
 };
@@ -48,7 +47,7 @@ std::vector<OpenStudyTask> open_study_tasks(const std::filesystem::path& scene, 
 /// finding on standard output and the runs on standard error. Stopped, it leaves the table of what is done, and throws
 /// Interrupted. False where there is no answer.
 bool perform(const OpenStudyTask& task, const std::filesystem::path& scene, const Settings& overrides,
-             const std::filesystem::path& out);
+             const std::filesystem::path& out, engine::Engine& engine);
 
 /// One row a run: its number, what the keys were set to, how it ended. Empty cells where it has no such figure.
 std::string outcome_table(const Settings& keys, const std::vector<Outcome>& runs);

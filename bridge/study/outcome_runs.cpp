@@ -4,15 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <fstream>
 
-#include "bridge/process/ask.hpp"
-#include "bridge/process/run.hpp"
-#include "bridge/process/side_by_side.hpp"
 #include "bridge/results/seconds.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "bridge/study/safety.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -20,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* without_studies = "study=[]";
+/// What asks for runs of a scene says nothing of how they end.
+const Settings without_questions{"study=[]", "random=[]", "correlation=[]", "reliability={}"};
 
 /// Those of an earlier call; a killed one may have left half a line.
 std::map<std::string, Outcome> read_known(const fs::path& file) {
@@ -35,57 +31,12 @@ std::map<std::string, Outcome> read_known(const fs::path& file) {
   return known;
 }
 
-Outcome outcome_of(const json& summary) {
-  const json none;
-  const json failure = summary.value("failure", json::object());
-  const json margin = summary.value("margin", json::object());
-  const bool fails = summary.value("outcome", "stopped") == "fails";
-  const bool has_level = fails && failure.value("level_m", none).is_number();
-  return {{"outcome", summary.value("outcome", "stopped")},
-          {"mode", fails ? failure.value("mode", none) : none},
-          {"joint", fails ? failure.value("joint", none) : none},
-          {"level_m", fails ? failure.value("level_m", none) : none},
-          {"level_uncertainty_m", fails ? failure.value("level_uncertainty_m", none) : none},
-          {"level_is_bound", has_level ? failure.value("level_is_bound", none) : none},
-          {"level_doubt", has_level ? failure.value("doubt", none) : none},
-          {"head_m", fails ? failure.value("head_m", none) : none},
-          {"time_s", fails ? failure.value("time_s", none) : none},
-          {"sliding_factor", margin.value("sliding_factor", none)},
-          {"factor", none},
-          {"simulated_s", summary.value("simulated_s", none)},
-          {"wall_time_s", summary.value("wall_time_s", none)}};
-}
-
-Outcome troubled(const char* outcome, const std::string& trouble) {
-  Outcome row = outcome_of(json::object());
-  row["outcome"] = outcome;
-  row["trouble"] = trouble;
-  return row;
-}
-
-/// The scene with `all`; one that ends on the move is run longer when that is asked for.
-Outcome run_out(const fs::path& scene, Settings all, const fs::path& folder, bool until_decided) {
-  constexpr double longer = 4;
-  constexpr int tries = 4;
-  Outcome row;
-  for (int k = 0; k < tries; ++k) {
-    const process::RunResult result = process::run({.scene = scene, .out = folder, .overrides = all, .quiet = true});
-    if (!result.trouble.empty()) return troubled(result.refused ? "refused" : "stopped", result.trouble);
-    row = outcome_of(result.summary);
-    if (row["outcome"] != "moving" || !until_decided) break;
-    all.push_back(setting("analysis.duration_s", longer * row["simulated_s"].get<double>()));
-  }
-  return row;
-}
-
-/// The factor of safety with `all`; none where no strength is needed or none would do.
-Outcome factor_out(const fs::path& scene, const Settings& all, const fs::path& folder) {
-  const json answer = process::ask("safety", {.scene = scene, .out = folder, .overrides = all, .quiet = true}).answer;
-  if (answer["outcome"] == "not found") return troubled("stopped", answer["why_no_factor"]);
-  Outcome row = outcome_of(json::object());
-  row["outcome"] = answer["outcome"];
-  if (const double factor = deciding_factor(answer); factor > 0 && std::isfinite(factor)) row["factor"] = factor;
-  return row;
+/// The file of what is known, to which more is added. In place in one go: a stop loses nothing of it.
+results::ResultFile kept_file(const fs::path& file, const std::map<std::string, Outcome>& known) {
+  std::string text;
+  for (const auto& [key, row] : known) text += row.dump() + "\n";
+  results::replace_file(file, text);
+  return results::ResultFile(file, results::Begin::where_it_stopped);
 }
 
 std::string duration(double seconds) {
@@ -96,79 +47,70 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-std::string outcome_key(const fs::path& scene, const Settings& all) {
-  return scene::read(scene, joined(all, {without_studies})).scene.digest + " " BLOCKWEIR_VERSION;
+OutcomeRuns::OutcomeRuns(OutcomePlan plan, engine::Engine& engine)
+    : plan_(std::move(plan)),
+      engine_(engine),
+      base_(scene::read(plan_.scene, joined(plan_.overrides, without_questions)).scene.digest + " " BLOCKWEIR_VERSION),
+      known_(read_known(plan_.kept)),
+      kept_(kept_file(plan_.kept, known_)) {}
+
+std::string OutcomeRuns::key_of(const Settings& settings) const {
+  return fmt::format("{} {} {}", base_, plan_.by,
+                     fmt::join(joined(joined(plan_.set, plan_.overrides), settings), "; "));
 }
 
-OutcomeRuns::OutcomeRuns(OutcomePlan plan) : plan_(std::move(plan)), known_(read_known(plan_.kept)), kept_(plan_.kept) {
-  for (const auto& [key, row] : known_) kept_.line(row.dump());
-}
-
-Settings OutcomeRuns::whole(const Settings& settings) const {
-  return joined(joined(plan_.set, plan_.overrides), joined(settings, {without_studies}));
-}
-
-void OutcomeRuns::make_one(const Settings& settings, const fs::path& file) const {
-  Outcome row;
-  try {
-    row = plan_.of_factor ? factor_out(plan_.scene, whole(settings), file.string() + "-run")
-                          : run_out(plan_.scene, whole(settings), file.string() + "-run", plan_.until_decided);
-  } catch (const scene::SceneError& error) {
-    row = troubled("refused", error.what());
-  } catch (const std::exception& error) {
-    row = troubled("stopped", error.what());
-  }
-  results::write_file(file, row.dump());
-}
-
-std::vector<Outcome> OutcomeRuns::make(const std::vector<Settings>& settings, std::size_t later) {
+std::vector<Outcome> OutcomeRuns::make(const std::vector<Settings>& settings, std::size_t later, bool brief) {
   std::vector<Outcome> rows(settings.size());
-  std::vector<std::string> keys(settings.size());
   std::vector<std::size_t> missing;
+  engine::Work work{.name = plan_.name,
+                    .common = {{"scene", fs::absolute(plan_.scene).string()},
+                               {"settings", joined(plan_.set, plan_.overrides)},
+                               {"by", plan_.by},
+                               {"until_decided", plan_.until_decided}},
+                    .items = {},
+                    .brief = brief};
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    try {
-      keys[i] = outcome_key(plan_.scene, whole(settings[i])) + (plan_.of_factor ? " factor" : "");
-    } catch (const scene::SceneError& error) {
-      rows[i] = troubled("refused", error.what());
+    const auto known = known_.find(key_of(settings[i]));
+    if (known != known_.end()) rows[i] = known->second;
+    if (known == known_.end()) {
+      missing.push_back(i);
+      work.items.push_back({{"settings", settings[i]}});
     }
-    if (const auto known = known_.find(keys[i]); known != known_.end()) rows[i] = known->second;
-    if (rows[i].is_null()) missing.push_back(i);
     rows[i]["settings"] = settings[i];
   }
   std::size_t left = missing.size() + later;
-  const auto file_of = [&](std::size_t k) { return scratch_.path() / std::to_string(missing[k]); };
-  const auto take_up = [&](std::size_t k) {
+  const auto take_up = [&](std::size_t k, const json& answer) {
     const std::size_t i = missing[k];
-    std::ifstream stream(file_of(k));
-    Outcome row = json::parse(stream, nullptr, /*allow_exceptions=*/false);
-    if (!row.is_object()) row = troubled("stopped", "its process was killed");
+    Outcome row = answer.is_object() ? answer : troubled("stopped", "its process was killed");
     row["settings"] = settings[i];
     rows[i] = row;
-    fs::remove_all(file_of(k).string() + "-run");
-    fs::remove(file_of(k));
     tell(row, --left);
     if (row.contains("trouble")) return;
-    row["key"] = keys[i];
+    row["key"] = key_of(settings[i]);
     kept_.line(row.dump());
-    known_[keys[i]] = row;
+    known_[row["key"]] = row;
   };
-  const bool all = process::side_by_side(
-      missing.size(), plan_.jobs, [&](std::size_t k) { make_one(settings[missing[k]], file_of(k)); }, take_up);
-  if (!all) throw Interrupted();
+  if (!engine_.perform(work, take_up)) throw Interrupted();
   return rows;
 }
 
 void OutcomeRuns::tell(const Outcome& outcome, std::size_t left) {
   ++done_;
   const double each_s = seconds_since(begun_) / static_cast<double>(done_);
+  const std::string more =
+      left == 0 ? "no more runs" : fmt::format("{} more, some {}", left, duration(each_s * static_cast<double>(left)));
+  if (plan_.of_many) {
+    constexpr double told_every_s = 5;
+    if (seconds_since(told_) < told_every_s) return;
+    told_ = std::chrono::steady_clock::now();
+    return fmt::print(stderr, "{}: {} done, {}\n", plan_.name, done_, more);
+  }
   std::string ending = outcome["outcome"];
   if (outcome["factor"].is_number()) ending = fmt::format("factor {:.5g}", outcome["factor"].get<double>());
   if (outcome["mode"].is_string()) ending += " by " + outcome["mode"].get<std::string>();
   if (outcome.contains("trouble")) ending += ": " + outcome["trouble"].get<std::string>();
-  fmt::print(
-      stderr, "{}: {}: {}; {}\n", plan_.name, fmt::join(outcome["settings"].get<std::vector<std::string>>(), ", "),
-      ending,
-      left == 0 ? "no more runs" : fmt::format("{} more, some {}", left, duration(each_s * static_cast<double>(left))));
+  fmt::print(stderr, "{}: {}: {}; {}\n", plan_.name,
+             fmt::join(outcome["settings"].get<std::vector<std::string>>(), ", "), ending, more);
 }
 
 }  // namespace blockweir::study

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "bridge/process/temporary_folder.hpp"
+#include "bridge/engine/engine.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/study/outcome_work.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::study {
@@ -21,39 +22,36 @@ struct OutcomePlan {
   Settings set;                ///< holds in all runs
   Settings overrides;          ///< of the command line, over that
   std::filesystem::path kept;  ///< file of outcomes, a line each
-  int jobs = 1;
+  std::string by = "run";      ///< see study_worker()
   bool until_decided = false;  ///< a run that ends on the move is made longer
-  bool of_factor = false;      ///< no runs: the factor of safety is asked for
+  bool of_many = false;        ///< what is told is how many are done, not how each has ended
 };
-
-/// What a run was set to and how it ended: settings, outcome, mode, joint, level_m, head_m, time_s, sliding_factor,
-/// factor (of safety, where that is asked for), simulated_s, wall_time_s; trouble where it gave no answer. A figure
-/// that it has not is null.
-using Outcome = nlohmann::json;
 
 class OutcomeRuns {
  public:
-  explicit OutcomeRuns(OutcomePlan plan);
+  /// The engine has to outlive it.
+  OutcomeRuns(OutcomePlan plan, engine::Engine& engine);
 
   /// An outcome for each setting, in their order. `later`: how many runs are likely to be asked for after these, for
-  /// the time left. Throws Interrupted.
-  std::vector<Outcome> make(const std::vector<Settings>& settings, std::size_t later = 0);
+  /// the time left. `brief`: not worth a queue. Throws Interrupted.
+  std::vector<Outcome> make(const std::vector<Settings>& settings, std::size_t later = 0, bool brief = false);
+
+  /// Of this call of the program.
+  [[nodiscard]] std::size_t made() const { return done_; }
 
  private:
-  [[nodiscard]] Settings whole(const Settings& settings) const;
-  /// In a process of its own; into `file`.
-  void make_one(const Settings& settings, const std::filesystem::path& file) const;
+  /// What decides an outcome: the scene without its studies, the settings, the way, the version.
+  [[nodiscard]] std::string key_of(const Settings& settings) const;
   void tell(const Outcome& outcome, std::size_t left);
 
   OutcomePlan plan_;
+  engine::Engine& engine_;
+  std::string base_;
   std::map<std::string, Outcome> known_;  ///< by what decides them
   results::ResultFile kept_;
-  process::TemporaryFolder scratch_;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
   std::size_t done_ = 0;  ///< of this call of the program
 };
-
-/// What decides the outcome of the scene with these settings: its digest, without its studies, and the version.
-std::string outcome_key(const std::filesystem::path& scene, const Settings& all);
 
 }  // namespace blockweir::study

@@ -10,6 +10,8 @@
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/cases_folder.hpp"
+#include "bridge/study/check_work.hpp"
+#include "bridge/study/engines.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::study {
@@ -40,12 +42,6 @@ fs::path chosen(const std::string& name) {
                                           near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
 }
 
-scene::Sweep thinned(const scene::Sweep& sweep) {
-  const auto& v = sweep.values;
-  if (v.size() <= 3) return sweep;
-  return {sweep.key, {v.front(), v[v.size() / 2], v.back()}};
-}
-
 struct Map {
   fs::path scene;
   StudyTask task;
@@ -55,8 +51,7 @@ struct Map {
 std::vector<Map> maps_of(const fs::path& scene, bool brief) {
   std::vector<Map> maps;
   for (scene::MapStudy map : scene::read(scene).scene.studies.maps) {
-    if (brief) map.axes = {thinned(map.axes[0]), thinned(map.axes[1])};
-    maps.push_back({scene, map_task(map)});
+    maps.push_back({scene, map_task(brief ? thinned(map) : map)});
     for (const Settings& cell : maps.back().task.extremes) require_sound(maps.back().task, scene, {}, cell);
   }
   if (maps.empty())
@@ -95,11 +90,18 @@ int stress(const StressOptions& options) {
   }
   json rows = json::array();
   try {
+    engine::Work work{.name = "stress", .common = {{"by", "check"}}, .items = {}};
     for (const Map& map : maps) {
-      const fs::path out = options.out / map.scene.stem();
-      results::make_folder(out);
-      rows.push_back(row(map, perform(map.task, map.scene, {}, out)));
+      work.items.push_back(study_item(map.scene, map.task.name, {}, options.brief, /*told=*/true));
     }
+    results::make_folder(options.out);
+    perform_in_order(*make_engine(options.engine, options.out), work, [&](std::size_t i, const json& answer) {
+      const StudyResult result = study_result(answer);
+      const fs::path out = options.out / maps[i].scene.stem();
+      results::make_folder(out);
+      tell(maps[i].task.name, result, out);
+      rows.push_back(row(maps[i], result));
+    });
   } catch (const Interrupted&) {
     fmt::print(stderr, "stopped on request\n");
     return 130;

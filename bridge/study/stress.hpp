@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "bridge/study/engine_options.hpp"
+
 namespace blockweir::study {
 
 struct StressOptions {
   std::vector<std::string> names;             ///< of scenes in cases/stress, or scene files; empty: all in cases/stress
   std::filesystem::path out = "runs/stress";  ///< folder for tables and pictures
   bool brief = false;                         ///< only the first, the middle and the last value of each key
+  EngineOptions engine{};
 };
 
 /// Prints each map and then a row for each, draws them in a folder a scene and writes stress.json. Returns 1 when a

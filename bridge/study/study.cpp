@@ -8,7 +8,6 @@
 
 #include "bridge/process/programs.hpp"
 #include "bridge/process/run.hpp"
-#include "bridge/process/side_by_side.hpp"
 #include "bridge/results/figure.hpp"
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
@@ -17,6 +16,8 @@
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "bridge/study/check_work.hpp"
+#include "bridge/study/engines.hpp"
 #include "bridge/study/open_study.hpp"
 #include "bridge/study/study_files.hpp"
 
@@ -67,7 +68,7 @@ struct Tasks {
 };
 
 Tasks tasks_of(const StudyOptions& options) {
-  const int jobs = options.jobs > 0 ? options.jobs : process::processors();
+  const int jobs = jobs_of(options.engine);
   Tasks tasks;
   scene::Gathered wrong;
   wrong.from([&] { tasks.answered = study_tasks(options.scene, options.overrides); });
@@ -167,29 +168,23 @@ StudyResult go(const StudyTask& task, const fs::path& scene, const Settings& ove
   return result;
 }
 
-StudyResult perform(const StudyTask& task, const fs::path& scene, const Settings& overrides, const fs::path& out) {
-  int count = 0;
-  const auto tell = [&](const std::string& settings, const std::string& outcome) {
-    fmt::print(stderr, "{}, run {}: {}: {}\n", task.name, ++count, settings, outcome);
-  };
-  StudyResult result = go(task, scene, overrides, tell);
+void tell(const std::string& name, const StudyResult& result, const fs::path& out) {
   const json& check = result.check;
-  fmt::print("{}\n{}", task.name, result.text);
+  fmt::print("{}\n{}", name, result.text);
   if (check.contains("trouble")) {
     fmt::print("STOPPED {}\n", check["trouble"].get<std::string>());
-    return result;
+    return;
   }
   fmt::print("{} {}: expected {}, got {}, off by {} (tolerance {})\n", check["passed"].get<bool>() ? "ok " : "OUT",
              check["name"].get<std::string>(), figure(check["expected"]), figure(check["got"]),
              figure(check["relative_error"]), figure(check["tolerance"]));
   std::fflush(stdout);
-  if (out.empty()) return result;
-  const fs::path file = out / results::file_name(task.name);
-  const json table = {{"name", task.name}, {"check", check}, {"runs", result.runs}};
+  if (out.empty()) return;
+  const fs::path file = out / results::file_name(name);
+  const json table = {{"name", name}, {"check", check}, {"runs", result.runs}};
   results::replace_file(file.string() + ".json", table.dump(2) + "\n");
   fmt::print("{}.json\n", file.string());
-  draw_study(file.string() + ".png", task.name, result.figure);
-  return result;
+  draw_study(file.string() + ".png", name, result.figure);
 }
 
 int perform_all(const StudyOptions& options) {
@@ -198,16 +193,23 @@ int perform_all(const StudyOptions& options) {
   if (open_out.empty()) open_out = fs::path("runs") / (process::case_name(options.scene) + "-studies");
   if (!options.out.empty()) results::make_folder(options.out);
   if (!tasks.open.empty()) results::make_folder(open_out);
+  const auto engine = make_engine(options.engine, open_out);
   bool sound = true;
   std::vector<std::pair<std::string, StudyResult>> orders;
   try {
+    engine::Work work{.name = "studies", .common = {{"by", "check"}}, .items = {}};
     for (const StudyTask& task : tasks.answered) {
-      StudyResult result = perform(task, options.scene, options.overrides, options.out);
-      sound = sound && result.check["passed"].get<bool>();
-      if (!result.key.empty() && !result.check.contains("trouble")) orders.emplace_back(task.name, std::move(result));
+      work.items.push_back(study_item(options.scene, task.name, options.overrides, /*brief=*/false, /*told=*/true));
     }
+    perform_in_order(*engine, work, [&](std::size_t i, const json& answer) {
+      StudyResult result = study_result(answer);
+      tell(tasks.answered[i].name, result, options.out);
+      sound = sound && result.check["passed"].get<bool>();
+      if (result.key.empty() || result.check.contains("trouble")) return;
+      orders.emplace_back(tasks.answered[i].name, std::move(result));
+    });
     for (const OpenStudyTask& task : tasks.open) {
-      sound = perform(task, options.scene, options.overrides, open_out) && sound;
+      sound = perform(task, options.scene, options.overrides, open_out, *engine) && sound;
     }
   } catch (const Interrupted&) {
     fmt::print(stderr, "stopped on request{}\n", tasks.open.empty() ? "" : "; the same command goes on with [[study]]");

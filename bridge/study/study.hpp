@@ -10,6 +10,7 @@
 
 #include "bridge/process/temporary_folder.hpp"
 #include "bridge/scene/scene.hpp"
+#include "bridge/study/engine_options.hpp"
 
 namespace blockweir::study {
 
@@ -92,10 +93,9 @@ Settings joined(Settings first, const Settings& second);
 StudyResult go(const StudyTask& task, const std::filesystem::path& scene, const Settings& overrides,
                const StudyRuns::Listener& heard);
 
-/// The same, told to people: figures and their check on standard output, runs on standard error; with a folder also a
-/// table and a figure there. Throws Interrupted.
-StudyResult perform(const StudyTask& task, const std::filesystem::path& scene, const Settings& overrides,
-                    const std::filesystem::path& out);
+/// What a study has found, told to people: figures and their check on standard output; with a folder also a table and a
+/// figure there.
+void tell(const std::string& name, const StudyResult& result, const std::filesystem::path& out);
 
 /// "stands", "stopped", or the mode of the first failure.
 std::string outcome_word(const nlohmann::json& summary);
@@ -107,7 +107,7 @@ struct StudyOptions {
   std::filesystem::path scene;
   std::string name;           ///< empty: all of the scene
   std::filesystem::path out;  ///< folder for figures and tables; empty: none, and runs/CASE-studies for [[study]]
-  int jobs = 0;               ///< runs of a [[study]] at once; 0: as many as there are processors
+  EngineOptions engine;
   Settings overrides;
 };
 

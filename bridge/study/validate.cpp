@@ -4,15 +4,17 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <vector>
 
 #include "bridge/process/run.hpp"
-#include "bridge/process/temporary_folder.hpp"
 #include "bridge/results/figure.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/cases_folder.hpp"
+#include "bridge/study/check_work.hpp"
+#include "bridge/study/engines.hpp"
 #include "bridge/study/study.hpp"
 #include "bridge/study/table_line.hpp"
 
@@ -22,8 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using process::RunOptions;
-using process::RunResult;
-using process::TemporaryFolder;
 using results::figure;
 
 /// One run of a case: as it is, or one of its variants, with a point of the sweep.
@@ -97,19 +97,17 @@ class Table {
   bool all_passed_ = true;
 };
 
-void add_trial(Table& table, const Trial& trial) {
-  const RunResult result = run(trial.run);
-  if (result.exit_code == 130) throw Interrupted();
-  if (result.exit_code != 0) table.trouble(trial.label, result.trouble);
-  for (const json& check : result.summary.value("checks", json::array())) {
-    table.add(trial.label, check, result.summary["wall_time_s"].get<double>(), result.exit_code == 0);
+void add_run(Table& table, const std::string& label, const json& answer) {
+  if (!answer.is_object()) return table.trouble(label, "its process was killed; see whether memory is short");
+  const std::string trouble = answer["trouble"];
+  if (!trouble.empty()) table.trouble(label, trouble);
+  for (const json& check : answer["checks"]) {
+    table.add(label, check, answer["wall_time_s"].get<double>(), trouble.empty());
   }
-  fs::remove_all(result.folder);
 }
 
-void add_study(Table& table, const std::string& label, const StudyTask& task, const fs::path& path,
-               const Settings& overrides) {
-  const StudyResult result = go(task, path, overrides, [](const std::string&, const std::string&) {});
+void add_study(Table& table, const std::string& label, const json& answer) {
+  const StudyResult result = study_result(answer);
   if (result.check.contains("trouble")) return table.trouble(label, result.check["trouble"].get<std::string>());
   table.add(label, result.check, result.check["wall_time_s"].get<double>(), true);
 }
@@ -117,29 +115,26 @@ void add_study(Table& table, const std::string& label, const StudyTask& task, co
 }  // namespace
 
 int validate(const ValidateOptions& options) {
-  struct Case {
-    fs::path path;
-    std::vector<Trial> trials;
-    std::vector<StudyTask> studies;
-  };
-  std::vector<Case> all;  // a wrong scene is found before anything runs
-  for (const fs::path& path : options.cases.empty() ? all_cases() : options.cases) {
-    all.push_back({path, trials(path, options), {}});
-    if (!options.sweep) all.back().studies = study_tasks(path, options.overrides);
+  engine::Work work{.name = "validate", .common = {{"by", "check"}}, .items = {}};
+  std::vector<std::string> labels;
+  for (const fs::path& path : options.cases.empty() ? all_cases() : options.cases) {  // a wrong scene is found first
+    for (const Trial& trial : trials(path, options)) {
+      work.items.push_back(run_item(path, trial.run.variant, trial.run.overrides));
+      labels.push_back(trial.label);
+    }
+    if (options.sweep) continue;
+    for (const StudyTask& task : study_tasks(path, options.overrides)) {
+      work.items.push_back(study_item(path, task.name, options.overrides, /*brief=*/false, /*told=*/false));
+      labels.push_back(fmt::format("{}, {}", case_name(path), task.name));
+    }
   }
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
-  const TemporaryFolder scratch;
+  const auto engine = make_engine(options.engine, "runs/validate");
   Table table;
   try {
-    for (Case& one : all) {
-      for (Trial& trial : one.trials) {
-        trial.run.out = scratch.path() / "run";
-        add_trial(table, trial);
-      }
-      for (const StudyTask& task : one.studies) {
-        add_study(table, fmt::format("{}, {}", case_name(one.path), task.name), task, one.path, options.overrides);
-      }
-    }
+    perform_in_order(*engine, work, [&](std::size_t i, const json& answer) {
+      work.items[i].contains("study") ? add_study(table, labels[i], answer) : add_run(table, labels[i], answer);
+    });
   } catch (const Interrupted&) {
     return 130;
   }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bridge/study/engine_options.hpp"
+
 namespace blockweir::study {
 
 struct ValidateOptions {
@@ -13,6 +15,7 @@ struct ValidateOptions {
   std::filesystem::path json;                ///< empty: none
   std::vector<std::string> overrides;
   bool sweep = false;  ///< no studies; repeat cases that fail for penalties 5e6, 1e9, 1e12 and steps 1e-2, 1e-3 s
+  EngineOptions engine{};
 };
 
 /// Prints the table; returns 0 when every figure is within its tolerance, else 1.

@@ -161,6 +161,22 @@ until_s = 0.01
 [[load_case]]
 name = "flood"
 set = ["analysis.step_s=0.01"]
+[[random]]
+name = "r"
+key = "joint.cohesion_pa"
+distribution = "normal"
+mean = 1e5
+deviation = 1e4
+[[random]]
+name = "q"
+key = "joint.tension_strength_pa"
+distribution = "normal"
+mean = 1e5
+deviation = 1e4
+[[correlation]]
+between = ["r", "q"]
+coefficient = 0.5
+[reliability]
 )" + ground;
 
 const std::string reservoir = R"([silt]
@@ -247,7 +263,7 @@ bool found(const std::vector<Diagnostic>& problems, const std::string& words) {
 }
 
 /// What `key=value` makes of the scene; none where it is refused. Without what any text would change.
-std::optional<std::pair<Scene, std::vector<OpenStudy>>> scene_of(const std::string& text, const std::string& table,
+std::optional<std::tuple<Scene, std::vector<OpenStudy>, Randomness>> scene_of(const std::string& text, const std::string& table,
                                                                  const std::string& key, const std::string& value) {
   std::string path = table == "material.NAME" ? "material.m" : table;
   toml::table file = toml::parse(text);
@@ -255,11 +271,11 @@ std::optional<std::pair<Scene, std::vector<OpenStudy>>> scene_of(const std::stri
   std::vector<std::string> overrides;
   if (!value.empty()) overrides.push_back(fmt::format("{}.{}={}", path, key, value));
   try {
-    auto [scene, load_cases, open_studies, notes, warnings] = read_text(text, "scene.toml", overrides);
+    auto [scene, load_cases, open_studies, randomness, notes, warnings] = read_text(text, "scene.toml", overrides);
     scene.text.clear();
     scene.digest.clear();
     scene.warnings.clear();
-    return std::pair{scene, open_studies};
+    return std::tuple{scene, open_studies, randomness};
   } catch (const SceneError&) {
     return std::nullopt;
   }
@@ -284,7 +300,7 @@ TEST(DocumentedKeys, TheScenesOfThisTestAreSound) {
 /// A key that does not exist is answered with those that do.
 TEST(DocumentedKeys, AreThoseThatTheReaderReads) {
   const Tables tables = documented();
-  EXPECT_GE(tables.size(), 33U);
+  EXPECT_GE(tables.size(), 36U);
   for (const auto& [table, keys] : tables) {
     toml::table file = toml::parse(scene_with(table));
     toml::table& read = table_of(file, table);

@@ -19,6 +19,7 @@
 #include "bridge/scene/read/overrides.hpp"
 #include "bridge/scene/read/read_load_cases.hpp"
 #include "bridge/scene/read/read_open_studies.hpp"
+#include "bridge/scene/read/read_randomness.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/read/section_drawing.hpp"
 #include "bridge/scene/read/time_record.hpp"
@@ -100,6 +101,7 @@ void read_sections(Reading& reading, ReadScene& result) {
   }
   result.load_cases = read_load_cases(reading);
   result.open_studies = read_open_studies(reading);
+  result.randomness = read_randomness(reading);
   reject_unknown_sections(reading);
   resolve_lengths(reading);
   check_overlaps(reading.scene, reading.problems);

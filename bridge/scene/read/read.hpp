@@ -9,6 +9,7 @@
 #include "bridge/scene/diagnostic.hpp"
 #include "bridge/scene/load_case.hpp"
 #include "bridge/scene/open_study.hpp"
+#include "bridge/scene/randomness.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::scene {
@@ -17,6 +18,7 @@ struct ReadScene {
   Scene scene;
   std::vector<LoadCase> load_cases;
   std::vector<OpenStudy> open_studies;
+  Randomness randomness;
   std::vector<Diagnostic> notes;     ///< what was mended on the way
   std::vector<Diagnostic> warnings;  ///< what has no effect, or an unusual magnitude; their messages are the scene's
 };

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/study/probability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <stdexcept>
+
+namespace blockweir::study {
+namespace {
+
+using nlohmann::json;
+
+json variable_json(const scene::RandomVariable& v) {
+  const auto number = [](const std::optional<double>& value) { return value ? json(*value) : json(); };
+  return {{"distribution", v.distribution},
+          {"mean", v.mean},
+          {"deviation", v.deviation},
+          {"from", v.from},
+          {"peak", v.peak},
+          {"to", v.to},
+          {"table", v.table},
+          {"values", v.values},
+          {"least", number(v.least)},
+          {"most", number(v.most)}};
+}
+
+json common_json(const scene::Randomness& randomness) {
+  json common = {{"seed", randomness.reliability.seed}, {"variables", json::array()}, {"correlations", json::array()}};
+  for (const auto& variable : randomness.variables) common["variables"].push_back(variable_json(variable));
+  const auto index = [&](const std::string& name) {
+    return std::find_if(randomness.variables.begin(), randomness.variables.end(),
+                        [&](const auto& v) { return v.name == name; }) -
+           randomness.variables.begin();
+  };
+  for (const auto& c : randomness.correlations) {
+    common["correlations"].push_back(
+        {{"i", index(c.between[0])}, {"j", index(c.between[1])}, {"coefficient", c.coefficient}});
+  }
+  return common;
+}
+
+}  // namespace
+
+Probability::Probability(const scene::Randomness& randomness)
+    : common_(common_json(randomness)), program_({"blockweir-probability"}) {}
+
+json Probability::ask(json request, const Evaluate& evaluate) {
+  const std::string what = request["do"];
+  for (const auto& [key, value] : common_.items()) {
+    if (!request.contains(key)) request[key] = value;
+  }
+  json heard = program_.ask(request);
+  while (heard.contains("evaluate")) {
+    heard = program_.ask({{"values", evaluate(heard["evaluate"].get<std::vector<RandomPoint>>())}});
+  }
+  if (heard.contains("answer")) return heard["answer"];
+  throw std::runtime_error(fmt::format("{}: {}", what, heard.value("trouble", "no answer")));
+}
+
+Settings settings_of(const scene::Randomness& randomness, const RandomPoint& point) {
+  Settings settings;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const scene::RandomVariable& variable = randomness.variables[i];
+    if (!variable.key.empty()) settings.push_back(setting(variable.key, point[i]));
+    for (const std::string& text : variable.set) settings.push_back(text);
+  }
+  for (std::string& text : settings) {  // a setting may hold several of them
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      boost::replace_all(text, "{" + randomness.variables[i].name + "}", fmt::format("{}", point[i]));
+    }
+  }
+  return settings;
+}
+
+}  // namespace blockweir::study

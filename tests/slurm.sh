@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A Slurm of one node and two processors, of this user, without systemd, in a folder of its own: munged, slurmctld, slurmd.
+#   tests/slurm.sh up DIR     starts it; SLURM_CONF=DIR/slurm.conf then reaches it
+#   tests/slurm.sh down DIR   ends it, with its jobs
+set -euo pipefail
+export PATH=$PATH:/usr/sbin:/sbin
+usage() { echo "usage: tests/slurm.sh up|down DIR" >&2; exit 2; }
+[ $# -eq 2 ] || usage
+mkdir -p "$2"
+dir=$(cd "$2" && pwd)
+
+up() {
+  for program in munged slurmctld slurmd; do
+    command -v "$program" >/dev/null || { echo "slurm.sh: no $program: apt-get install slurm-wlm munge" >&2; exit 1; }
+  done
+  local host port
+  host=$(hostname -s)
+  port=$((20000 + $$ % 20000))
+  mkdir -p "$dir"/{state,spool,munge}
+  chmod 700 "$dir/munge"
+  head -c 128 /dev/urandom >"$dir/munge/key"
+  chmod 400 "$dir/munge/key"
+  munged --force --key-file="$dir/munge/key" --socket="$dir/munge/socket" --pid-file="$dir/munge.pid" \
+    --log-file="$dir/munge/log" --seed-file="$dir/munge/seed"
+  cat >"$dir/slurm.conf" <<CONF
+ClusterName=test
+SlurmctldHost=$host(127.0.0.1)
+SlurmUser=$(id -un)
+SlurmdUser=$(id -un)
+AuthType=auth/munge
+AuthInfo=socket=$dir/munge/socket
+CredType=cred/munge
+StateSaveLocation=$dir/state
+SlurmdSpoolDir=$dir/spool
+SlurmctldPidFile=$dir/slurmctld.pid
+SlurmdPidFile=$dir/slurmd.pid
+SlurmctldLogFile=$dir/slurmctld.log
+SlurmdLogFile=$dir/slurmd.log
+SlurmctldPort=$port
+SlurmdPort=$((port + 1))
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+SlurmdParameters=config_overrides
+SchedulerParameters=sched_interval=1,batch_sched_delay=1
+MpiDefault=none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+NodeName=$host NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
+PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+CONF
+  export SLURM_CONF=$dir/slurm.conf
+  slurmctld -f "$SLURM_CONF"
+  slurmd -f "$SLURM_CONF"
+  for _ in $(seq 240); do
+    [[ $(sinfo --noheader --format=%T 2>/dev/null) != idle ]] || return 0
+    sleep 0.25
+  done
+  tail -n 20 "$dir"/*.log >&2
+  echo "slurm.sh: no idle node after a minute; the logs stand above" >&2
+  down
+  exit 1
+}
+
+down() {
+  SLURM_CONF=$dir/slurm.conf scancel --user="$(id -un)" 2>/dev/null || true
+  for _ in $(seq 40); do
+    [ -n "$(SLURM_CONF=$dir/slurm.conf squeue --noheader 2>/dev/null)" ] || break
+    sleep 0.25
+  done
+  for name in slurmd slurmctld munge; do
+    [ -f "$dir/$name.pid" ] || continue
+    local pid
+    pid=$(cat "$dir/$name.pid")
+    kill "$pid" 2>/dev/null || continue
+    for _ in $(seq 40); do
+      [[ $(ps -o stat= -p "$pid") == [!Z]* ]] || break  # gone, or not yet waited for
+      sleep 0.25
+    done
+    kill -9 "$pid" 2>/dev/null || true
+  done
+}
+
+case $1 in up) up ;; down) down ;; *) usage ;; esac

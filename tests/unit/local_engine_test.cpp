@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_engine
+// Work in processes of this machine: each item is answered once, whatever becomes of the processes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <map>
+
+#include "bridge/engine/batch_files.hpp"
+#include "bridge/engine/slurm_engine.hpp"
+#include "tests/own_folder.hpp"
+
+namespace blockweir::engine {
+namespace {
+
+using nlohmann::json;
+
+Work numbers(int count) {
+  Work work{.name = "numbers", .common = 10, .items = {}};
+  for (int i = 0; i < count; ++i) work.items.push_back(i);
+  return work;
+}
+
+Worker times_common(const json& common) {
+  return [common](const json& item) -> json { return item.get<int>() * common.get<int>(); };
+}
+
+TEST(LocalEngine, AnswersEachItemOnceWithAnyNumberOfProcesses) {
+  for (const int jobs : {1, 2, 7, 60}) {
+    std::map<std::size_t, json> answers;
+    const Work work = numbers(50);
+    ASSERT_TRUE(local_engine(jobs, times_common)->perform(work, [&](std::size_t i, const json& answer) {
+      EXPECT_TRUE(answers.emplace(i, answer).second);
+    }));
+    ASSERT_EQ(answers.size(), 50U) << jobs;
+    for (const auto& [i, answer] : answers) EXPECT_EQ(answer, 10 * static_cast<int>(i));
+  }
+}
+
+TEST(LocalEngine, AnItemThatKillsItsProcessHasNoAnswerAndTheOthersHave) {
+  const auto deadly = [](const json&) -> Worker {
+    return [](const json& item) -> json {
+      if (item == 3 || item == 7) ::kill(::getpid(), SIGKILL);
+      return item;
+    };
+  };
+  std::map<std::size_t, json> answers;
+  const Work work = numbers(20);
+  ASSERT_TRUE(local_engine(2, deadly)->perform(work, [&](std::size_t i, const json& a) { answers[i] = a; }));
+  ASSERT_EQ(answers.size(), 20U);
+  for (const auto& [i, answer] : answers) EXPECT_EQ(answer.is_null(), i == 3 || i == 7) << i;
+}
+
+TEST(LocalEngine, ProcessesThatCannotBeginAreTold) {
+  const auto broken = [](const json&) -> Worker { throw std::runtime_error("broken"); };
+  const Work work = numbers(3);
+  EXPECT_THROW(static_cast<void>(local_engine(2, broken)->perform(work, [](std::size_t, const json&) {})),
+               std::runtime_error);
+}
+
+class Batches : public test::OwnFolder {};
+
+TEST_F(Batches, ATaskDoesItsOwnItemsAndNoneTwice) {
+  const BatchFiles files(folder);
+  const Work work = numbers(5);
+  const auto digests = digests_of(work);
+  files.write(work.common, 2, digests, work.items);
+  std::set<std::string> seen;
+  EXPECT_EQ(work_on_batch(folder, 1, times_common), 0);
+  const Answers first = files.take(seen);
+  EXPECT_EQ(first.by_digest, (std::map<std::string, json>{{digests[2], 20}, {digests[3], 30}}));
+  // Killed and begun again: what has been done is known.
+  const auto refuse = [](const json&) -> Worker { throw std::runtime_error("nothing is to be done"); };
+  EXPECT_EQ(work_on_batch(folder, 1, refuse), 0);
+  EXPECT_EQ(work_on_batch(folder, 2, times_common), 0);
+  EXPECT_EQ(files.take(seen).by_digest, (std::map<std::string, json>{{digests[4], 40}}));
+  EXPECT_THROW(work_on_batch(folder, 3, times_common), std::runtime_error);
+  EXPECT_THROW(work_on_batch(folder / "none", 0, times_common), std::runtime_error);
+}
+
+TEST_F(Batches, AFileThatIsNotWholeDoesNotCount) {
+  const BatchFiles files(folder);
+  std::ofstream(folder / "0-half.answers") << R"({"answers":{"a":1)";
+  std::set<std::string> seen;
+  EXPECT_TRUE(files.take(seen).by_digest.empty());
+}
+
+}  // namespace
+}  // namespace blockweir::engine
