@@ -54,13 +54,15 @@ Command external_command(const scene::Scene& scene, const Processes& processes) 
           .output = processes.folder / (std::string(external.role) + ".log"),
           .folder = processes.scene_folder,
           .environment = environment_of(scene, processes),
-          .remedy = fmt::format("correct command in [fluid.external]; its paths start in {}", processes.scene_folder.string()),
+          .remedy = fmt::format("correct command in [fluid.external]; its paths start in {}",
+                                processes.scene_folder.string()),
           .external = true};
 }
 
 std::string call_for_external(const scene::Scene& scene, const Processes& processes) {
   std::string text = fmt::format(
-      "[fluid.external] has no command: waiting up to {:.4g} s for an external fluid; start it in another shell, after\n",
+      "[fluid.external] has no command: waiting up to {:.4g} s for an external fluid; start it in another shell, "
+      "after\n",
       scene.coupling.open_timeout_s);
   for (const std::string& setting : environment_of(scene, processes)) {
     const std::size_t value = setting.find('=') + 1;

@@ -29,7 +29,8 @@ namespace blockweir::process {
 inline constexpr const char* no_checkpoint_of_external =
     "its external fluid has written no checkpoint, so that it cannot go on: run it anew, let the program write one "
     "when "
-    "it is told to save (bridge/wire/README.md), or set remembers = false in [fluid.external] where its pressures depend on place "
+    "it is told to save (bridge/wire/README.md), or set remembers = false in [fluid.external] where its pressures "
+    "depend on place "
     "and time alone";
 
 }  // namespace blockweir::process
