@@ -11,12 +11,12 @@
 namespace blockweir::joints {
 namespace {
 
-enum class Side { mouth, end };
+enum class OpensFrom { mouth, end };
 
 /// A joint that opens from one side.
 class Opening {
  public:
-  Opening(scene::Uplift law, const scene::KnownHeads& known, const Joint& joint, const Thrust& thrust, Side side)
+  Opening(scene::Uplift law, const scene::KnownHeads& known, const Joint& joint, const Thrust& thrust, OpensFrom side)
       : law_(law), known_(known), joint_(joint), thrust_(thrust), side_(side) {}
 
   [[nodiscard]] double found() const {
@@ -36,7 +36,7 @@ class Opening {
 
  private:
   [[nodiscard]] double from_side(double station_m) const {
-    return side_ == Side::mouth ? station_m : joint_.length_m - station_m;
+    return side_ == OpensFrom::mouth ? station_m : joint_.length_m - station_m;
   }
   /// Effective normal force, and N r - M_U - (N - U) b/3, where that much is open.
   struct Balance {
@@ -45,12 +45,12 @@ class Opening {
   };
   [[nodiscard]] Balance balance(double open_m) const {
     Joint joint = joint_;
-    (side_ == Side::mouth ? joint.open_at_mouth_m : joint.open_at_end_m) = open_m;
+    (side_ == OpensFrom::mouth ? joint.open_at_mouth_m : joint.open_at_end_m) = open_m;
     const Profile water = uplift(law_, known_, joint);
     const double force = water.force();
     const double about_mouth = water.moment_about_mouth();
     const double about_end = joint.length_m * force - about_mouth;
-    const bool from_mouth = side_ == Side::mouth;
+    const bool from_mouth = side_ == OpensFrom::mouth;
     const double lever = from_mouth ? thrust_.about_end_n - about_end : thrust_.about_mouth_n - about_mouth;
     const double effective = thrust_.normal_n_per_m - force;
     return {effective, lever - effective * (joint.length_m - open_m) / 3};
@@ -71,7 +71,7 @@ class Opening {
   const scene::KnownHeads& known_;
   const Joint& joint_;
   const Thrust& thrust_;
-  Side side_;
+  OpensFrom side_;
 };
 
 }  // namespace
@@ -103,8 +103,8 @@ Thrust Parted::thrust(const statics::Wrenches& loads) const {
 }
 
 Joint opened(scene::Uplift law, const scene::KnownHeads& known, Joint joint, const Thrust& thrust) {
-  joint.open_at_mouth_m = Opening(law, known, joint, thrust, Side::mouth).found();
-  if (joint.open_at_mouth_m == 0) joint.open_at_end_m = Opening(law, known, joint, thrust, Side::end).found();
+  joint.open_at_mouth_m = Opening(law, known, joint, thrust, OpensFrom::mouth).found();
+  if (joint.open_at_mouth_m == 0) joint.open_at_end_m = Opening(law, known, joint, thrust, OpensFrom::end).found();
   return joint;
 }
 
