@@ -181,7 +181,10 @@ bool FillingEquations::solve_with(FillingFactor& kept, Eigen::VectorXd& u) {
 bool FillingEquations::solve(Eigen::VectorXd& u, FillingFactor& kept) {
   constexpr int most = 200;
   assemble(u, Need::matrix);
-  if (kept.fits(matrix_) && solve_with(kept, u)) return true;
+  if (kept.fits(matrix_) && solve_with(kept, u)) {
+    kept.used_again();
+    return true;
+  }
   for (int i = 0; i < most; ++i) {
     assemble(u, Need::matrix);
     if (imbalance() <= 1) return true;
@@ -227,7 +230,7 @@ std::vector<double> FillingEquations::flows(const Filling& filling) const {
 }
 
 bool FillingFactor::fits(const Eigen::SparseMatrix<double>& matrix) const {
-  return made_ && of_.rows() == matrix.rows() && of_.nonZeros() == matrix.nonZeros();
+  return keeps_ && made_ && of_.rows() == matrix.rows() && of_.nonZeros() == matrix.nonZeros();
 }
 
 bool FillingFactor::make(const Eigen::SparseMatrix<double>& matrix) {
@@ -240,14 +243,14 @@ bool FillingFactor::make(const Eigen::SparseMatrix<double>& matrix) {
 }
 
 std::string FillingFactor::state() const {
-  return checkpoint::pack(made_, matrix_state(of_), count_);
+  return checkpoint::pack(made_, matrix_state(of_), count_, kept_);
 }
 
 void FillingFactor::restore(const std::string& state) {
   bool made = false;
   std::string of;
   long count = 0;
-  checkpoint::unpack(state, made, of, count);
+  checkpoint::unpack(state, made, of, count, kept_);
   made_ = false;
   if (made) make(matrix_of(of));
   count_ = count;

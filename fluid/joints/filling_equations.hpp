@@ -22,9 +22,14 @@ class FillingFactor {
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) { return factor_.solve(right); }
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);
-  [[nodiscard]] long count() const { return count_; }
+  void keep(bool keeps) { keeps_ = keeps; }
+  [[nodiscard]] long count() const { return count_; }  ///< factors made
+  [[nodiscard]] long kept() const { return kept_; }    ///< solutions by a factor of one before
+  void used_again() { ++kept_; }
 
  private:
+  bool keeps_ = true;
+  long kept_ = 0;
   Eigen::SparseLU<Eigen::SparseMatrix<double>> factor_;
   Eigen::SparseMatrix<double> of_;
   bool made_ = false;

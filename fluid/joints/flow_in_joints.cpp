@@ -33,7 +33,9 @@ double ease(const scene::Scene& scene, int block) {
 }  // namespace
 
 FlowInJoints::FlowInJoints(const scene::Scene& scene, const GroundCut& ground)
-    : scene_(scene), water_(properties(scene)), joints_(scene, ground), flow_(water_) {}
+    : scene_(scene), water_(properties(scene)), joints_(scene, ground), flow_(water_) {
+  flow_.keep_factors(scene.analysis.reuse_factors);
+}
 
 bool FlowInJoints::changes_by_itself() const {
   return !empty() && scene_.joint_flow.kind == scene::FlowKind::transient;

@@ -44,8 +44,8 @@ class FlowInJoints {
   [[nodiscard]] double pressure(std::size_t channel, double share) const;
   /// Of what the user should know: where the cubic law ends, a network without an outlet. Empty: of nothing.
   [[nodiscard]] std::vector<std::string> warnings() const;
-  [[nodiscard]] long factorizations() { return flow_.full().factorizations(); }
-  [[nodiscard]] long kept_factors() { return flow_.full().kept(); }
+  [[nodiscard]] long factorizations() const { return flow_.factorizations(); }
+  [[nodiscard]] long kept_factors() const { return flow_.kept(); }
 
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);

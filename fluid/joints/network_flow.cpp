@@ -83,6 +83,11 @@ void NetworkFlow::steady(const Network& network, Filling& filling) {
   filling.flow = equations.flows(filling);
 }
 
+void NetworkFlow::keep_factors(bool keeps) {
+  full_.keep_factors(keeps);
+  factor_.keep(keeps);
+}
+
 std::string NetworkFlow::state() const {
   return checkpoint::pack(full_.state(), factor_.state());
 }

@@ -30,7 +30,10 @@ class NetworkFlow {
   /// Volume of water by node [m2], at pressure 0.
   [[nodiscard]] std::vector<double> stored(const Network& network, const Filling& filling) const;
 
-  [[nodiscard]] FullFlow& full() { return full_; }
+  /// Whether a factor serves again while the network changes little; else each solution makes its own.
+  void keep_factors(bool keeps);
+  [[nodiscard]] long factorizations() const { return full_.factorizations() + factor_.count(); }
+  [[nodiscard]] long kept() const { return full_.kept() + factor_.kept(); }  ///< solutions by a factor of one before
   /// Factors that it keeps, for a checkpoint: restored, it goes on with the same bits.
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);

@@ -3,6 +3,7 @@
 // Joints of blocks as a network of water: where they meet, what holds their ends, and what presses on the blocks.
 #include "fluid/joints/joint_network.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -267,6 +268,36 @@ TEST(JointNetwork, TheModelsEndsInTheGroundLetNoWaterOut) {
     if (flow.joints().places()[i].at.y() > -4.9) continue;
     EXPECT_NEAR(flow.filling().pressure_pa[i], (9 * 0.5 + 5) * weight_n_per_m3, 1) << i;
     EXPECT_EQ(flow.joints().network().nodes[i].kind, joints::NodeKind::inside);
+  }
+}
+
+TEST(JointNetwork, FactorsThatServeAgainChangeNoPressure) {
+  std::mt19937_64 random(5);
+  const Wall wall = random_wall(random);
+  for (const double share : {1.1, 0.7}) {  // all joints full; some dry
+    scene::Scene scene = flowing(wall.outlines, share * wall.bed_m.back());
+    scene.water.may_overtop = true;
+    scene::Scene without = scene;
+    without.analysis.reuse_factors = false;
+    HydrostaticModel one(scene);
+    HydrostaticModel other(without);
+    wire::Motion motion = at_rest(scene);
+    wire::Load a;
+    wire::Load b;
+    for (int i = 0; i < 20; ++i) {
+      for (std::size_t k = 1; k < scene.blocks.size(); ++k) {
+        motion.displacement.own()[k][1] = 1e-8 * static_cast<double>(i) * static_cast<double>(k % 3);
+      }
+      one.advance(motion, 0.01 * i, a);
+      other.advance(motion, 0.01 * i, b);
+      ASSERT_EQ(a.pressure_from_pa.size(), b.pressure_from_pa.size());
+      for (std::size_t k = 0; k < a.pressure_from_pa.size(); ++k) {
+        EXPECT_NEAR(a.pressure_from_pa[k], b.pressure_from_pa[k], 1e-9 * weight_n_per_m3 * wall.bed_m.back());
+      }
+    }
+    EXPECT_GT(one.flow_in_joints().kept_factors(), 10);
+    EXPECT_EQ(other.flow_in_joints().kept_factors(), 0);
+    EXPECT_THAT(one.report().skips, testing::Contains(testing::HasSubstr("factors of the flow through joints")));
   }
 }
 

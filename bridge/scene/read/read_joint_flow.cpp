@@ -70,6 +70,10 @@ void check_apertures(Reading& reading, const std::string& whose, const JointLaw&
                            fmt::format("{} of {} is {} m", key, whose, found), expected,
                            "correct the one or the other");
   };
+  // A joint that closes to nothing would keep the water out of what opens beside it.
+  if (law.hydraulic_aperture_m == 0)
+    refuse("hydraulic_aperture_m", 0, "an aperture above 0; 1e-6 lets next to nothing through");
+  if (law.least_aperture_m == 0.0) refuse("least_aperture_m", 0, "an aperture above 0");
   if (largest_m > reading.scene.water.open_crack_width_m) {
     refuse("largest_aperture_m", largest_m,
            fmt::format("at most open_crack_width_m of [water], {} m, from which on open water comes in",
