@@ -96,6 +96,8 @@ TEST_F(Reliability, TheSamplesAreTheSameBitsForAnyNumberOfProcessesAndAfterAStop
   while (text("r/samples.runs.jsonl").size() < 20'000) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   ::kill(stopped, SIGKILL);
   EXPECT_EQ(end_of(stopped, 10), 128 + SIGKILL);
+  for (int wait = 0; wait < 2000 && orphan(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_FALSE(orphan());
   ASSERT_EQ(reliability(scene, "--jobs 3"), 0) << text("out");
   EXPECT_LT(answer()["samples"]["made"], 1000);
   EXPECT_EQ(text("r/samples.csv"), one);
