@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/answer_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace blockweir::solid {
@@ -36,6 +38,15 @@ void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answe
   if (scene.water.earthquake_coefficient != 0) {
     answer["added_water_pressure"] = scene::name_of(scene.water.added_water);
   }
+}
+
+void add_shaking_left_out(const scene::Scene& scene, nlohmann::json& answer) {
+  if (!scene.base_motion) return;
+  const double end_s = scene.analysis.duration_s;
+  answer["warnings"].push_back(fmt::format(
+      "[base_motion] is left out of this static answer, but for the acceleration at the run's end, {:.3g} "
+      "and {:.3g} m/s2; \"blockweir run\" shakes the structure, [earthquake] states a pseudo-static case",
+      scene.base_motion->acceleration_x_m_per_s2.at(end_s), scene.base_motion->acceleration_y_m_per_s2.at(end_s)));
 }
 
 bool has_bonds(const scene::Scene& scene) {

@@ -212,6 +212,7 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["difference"] = difference_json(levels);
   solid::add_water_in_an_earthquake(scene, answer);
   answer["warnings"] = water.warnings();
+  solid::add_shaking_left_out(scene, answer);
   if (levels.blocks.value && !levels.blocks.value->warning.empty()) {
     answer["warnings"].push_back(levels.blocks.value->warning);
   }

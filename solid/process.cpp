@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bridge/channel/handshake.hpp"
 #include "bridge/process/sides.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
@@ -191,11 +192,13 @@ class SolidRun {
   }
 
   void run_with_partner() {
-    process_.line.partner = fmt::format("fluid process ({})", scene::name(scene_.fluid));
+    const scene::FluidEntry& fluid = scene::fluid_entry(scene_.fluid);
+    process_.line.partner = fluid.yours ? "external fluid" : fmt::format("fluid process ({})", fluid.name);
     process_.line.timeout_s = scene_.coupling.timeout_s;
     process_.line.open_timeout_s = scene_.coupling.open_timeout_s;
     channel_.emplace(process_.line);
-    channel_->handshake(schedule::hello(scene_, "solid", process_.resume));
+    const wire::Hello theirs = channel_->handshake(schedule::hello(scene_, "solid", process_.resume));
+    if (fluid.yours) channel_->call_partner(fmt::format("external fluid \"{}\"", channel::printable(theirs.role)));
     reports_.tell(&*channel_);
     schedule::RemoteFluid there(*channel_);
     exchange_with(&there);

@@ -185,6 +185,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["bolts"] = json::array();
   answer["water"] = now.water ? solid::water_by_kind(scene, make_fluid, now.level_m) : json::array();
   answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
+  solid::add_shaking_left_out(scene, answer);
   if (by_limit.value && blocks.value) add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
   if (by_limit.value) {
     solid::add_strength_with_crushed_corners(structure, limit::combined(dead, 1, stated), *by_limit.value, answer);

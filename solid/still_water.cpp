@@ -22,6 +22,12 @@ scene::Scene filled(scene::Scene scene, const limit::LevelRange& range) {
     throw std::invalid_argument(
         "model = \"column\" in [fluid]; expected a reservoir with a level; state [water] without that model");
   }
+  if (scene::fluid_entry(scene.fluid).yours && !scene.water.upstream_level_m) {
+    throw std::invalid_argument(
+        "model = \"external\" in [fluid]; expected water whose pressures are known without a run; add a level to "
+        "[water], "
+        "which still water then has here, or leave [fluid] out");
+  }
   scene::Water& water = scene.water;
   if (scene.fluid == scene::FluidModel::none && water.nodal_rule == scene::NodalRule::consistent) {
     water.elements_per_face = 1;

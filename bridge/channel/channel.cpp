@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <thread>
+#include <tuple>
 #include <zmq.hpp>
 
 #include "bridge/channel/endpoint.hpp"
@@ -15,6 +16,7 @@
 #include "bridge/channel/incoming.hpp"
 #include "bridge/channel/outgoing.hpp"
 #include "bridge/channel/socket.hpp"
+#include "bridge/channel/trace.hpp"
 #include "bridge/channel/undisturbed.hpp"
 #include "bridge/channel/visitors.hpp"
 #include "bridge/results/seconds.hpp"
@@ -28,11 +30,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that arrived just before a poll
 constexpr double spin_s = 1e-3;       // answers on some ten thousand panels come within this: no sleep, no wake-up
 
-/// ZeroMQ lets go of the memory when it has sent it.
-zmq::message_t sent_from(wire::Part& part) {
-  const auto let_go = [](void*, void* keeper) { delete static_cast<wire::Keeper*>(keeper); };
-  return {const_cast<void*>(part.data), part.size, let_go, new wire::Keeper(std::move(part.keeper))};
-}
+template <class Message>
+constexpr bool is_of_a_window = std::is_same_v<Message, wire::Motion> || std::is_same_v<Message, wire::Load>;
 
 }  // namespace
 
@@ -46,8 +45,7 @@ struct Channel::Line {
     const std::string partner_public = set_up(socket, options);
     if (listens && is_tcp(options.endpoint)) {
       gate.emplace(context, partner_public);
-      socket.set(zmq::sockopt::zap_domain,
-                 "blockweir");  // asks it without keys, too, which turns ZMTP 1 away: any bytes
+      socket.set(zmq::sockopt::zap_domain, "blockweir");  // asked without keys, too: turns ZMTP 1, any bytes, away
     }
     open_at_endpoint(socket, options);
   }
@@ -58,7 +56,7 @@ struct Channel::Line {
   void send(const Message& message) {
     const auto start = Clock::now();
     zmq::message_t frame = outgoing.frame([&](auto& builder) {
-      if constexpr (std::is_same_v<Message, wire::Motion> || std::is_same_v<Message, wire::Load>) {
+      if constexpr (is_of_a_window<Message>) {
         wire::encode(message, builder, parts);
       } else {
         wire::encode(message, builder);
@@ -74,6 +72,9 @@ struct Channel::Line {
     packed_s += seconds_between(start, packed);
     last_sent = Clock::now();
     wire_s += seconds_between(packed, last_sent);
+    if constexpr (is_of_a_window<Message>) {
+      if (trace) trace->add("send", message.window, start, last_sent);
+    }
   }
 
   void send_part(zmq::message_t& frame, zmq::send_flags flags) {
@@ -151,9 +152,26 @@ struct Channel::Line {
   template <class Message>
   void receive(wire::Kind kind, Message& into, double patience_s, const std::string& moment) {
     progress.text.clear();
+    const auto start = Clock::now();
     do {
       wait(patience_s, moment, kind == wire::Kind::load ? stop_requested_twice : stop_requested);
     } while (!take(kind, into, moment));
+    if constexpr (is_of_a_window<Message>) {
+      if (trace) trace->add("wait", into.window, start, Clock::now());
+    }
+  }
+
+  /// What it said is wrong: it is told, too.
+  [[noreturn]] void refuse(const std::string& why) {
+    send(wire::Failure{why});
+    throw PeerError(why);
+  }
+
+  void begin(const wire::Hello& ours, const wire::Hello& theirs) {
+    const std::string differences = compare(ours, theirs);
+    if (!differences.empty()) refuse("handshake refused: " + differences);
+    blocks = ours.block_names.size();
+    trace = Trace::of(ours.role);
   }
 
   /// Takes what has come; false where it was the partner's progress.
@@ -168,7 +186,7 @@ struct Channel::Line {
         return false;
       }
       if (got == wire::Kind::end) {
-        wire::End end;
+        wire::Farewell end;
         wire::decode(frame, end);
         throw PeerEnded(end.reason);
       }
@@ -180,7 +198,7 @@ struct Channel::Line {
       if (got != kind) throw wire::BadMessage("a message of another kind than was due");
       incoming.decode(frame, into);
     } catch (const wire::BadMessage& bad) {
-      throw PeerError(fmt::format("{} sent {} ({})", options.partner, bad.what(), moment));
+      refuse(fmt::format("{} sent {} ({})", options.partner, bad.what(), moment));
     }
     packed_s += seconds_since(start);
     return true;
@@ -195,6 +213,7 @@ struct Channel::Line {
   std::optional<Gate> gate;
   Incoming incoming{socket};
   std::vector<wire::Part> parts;
+  std::unique_ptr<Trace> trace;  ///< null: nobody asks for one
   double waited_s = 0;
   double last_wait_s = 0;  ///< after a long wait the next is likely to be long: who keeps looking is in the way
   double packed_s = 0;
@@ -217,10 +236,23 @@ wire::Hello Channel::handshake(const wire::Hello& ours) {
   line_->send(ours);
   wire::Hello theirs;
   line_->receive(wire::Kind::hello, theirs, line_->options.open_timeout_s, "at the handshake");
-  const std::string differences = compare(ours, theirs);
-  if (!differences.empty()) throw PeerError("handshake refused: " + differences);
-  line_->blocks = ours.block_names.size();
+  line_->begin(ours, theirs);
   return theirs;
+}
+
+wire::Hello Channel::agree(const std::string& role, const std::string& build) {
+  line_->await_partner();
+  wire::Hello hello;
+  line_->receive(wire::Kind::hello, hello, line_->options.open_timeout_s, "at the handshake");
+  wire::Hello ours = hello;
+  std::tie(ours.protocol, ours.role, ours.build) = std::make_tuple(wire::protocol_version, role, build);
+  line_->begin(ours, hello);
+  line_->send(ours);
+  return ours;
+}
+
+void Channel::call_partner(const std::string& name) {
+  line_->options.partner = name;
 }
 
 void Channel::send(const wire::Motion& motion) {
@@ -229,7 +261,7 @@ void Channel::send(const wire::Motion& motion) {
 void Channel::send(const wire::Load& load) {
   line_->send(load);
 }
-void Channel::send(const wire::End& end) {
+void Channel::send(const wire::Farewell& end) {
   line_->send(end);
 }
 void Channel::send(const wire::Failure& failure) {
@@ -243,8 +275,8 @@ void Channel::receive(wire::Motion& into) {
   into.release();
   line_->receive(wire::Kind::motion, into, line_->options.timeout_s, line_->moment());
   if (into.displacement.size() != line_->blocks) {
-    throw PeerError(fmt::format("{} sent positions of {} blocks in window {}, the handshake was on {}",
-                                line_->options.partner, into.displacement.size(), into.window, line_->blocks));
+    line_->refuse(fmt::format("{} sent positions of {} blocks in window {}, the handshake was on {}",
+                              line_->options.partner, into.displacement.size(), into.window, line_->blocks));
   }
   line_->window = into.window;
 }

@@ -17,7 +17,12 @@ struct PeerError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The partner ended the run on purpose (wire::End) where a data message was expected.
+/// What the partner said is wrong, and it has not been told yet.
+struct PartnerFault : PeerError {
+  using PeerError::PeerError;
+};
+
+/// The partner ended the run on purpose (wire::Farewell) where a data message was expected.
 struct PeerEnded : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -48,12 +53,17 @@ class Channel {
   Channel(Channel&&) noexcept;
   Channel& operator=(Channel&&) noexcept;
 
-  /// Sends ours, waits for theirs, refuses any difference with both sides' values; returns theirs.
+  /// Sends ours, waits for theirs, refuses any difference with both sides' values, and tells the partner; returns
+  /// theirs.
   wire::Hello handshake(const wire::Hello& ours);
+  /// The handshake of a side that has no scene of its own: waits for theirs, agrees to all of it, returns it.
+  wire::Hello agree(const std::string& role, const std::string& build);
+  /// How messages call the other side from now on.
+  void call_partner(const std::string& name);
 
   void send(const wire::Motion& motion);
   void send(const wire::Load& load);
-  void send(const wire::End& end);
+  void send(const wire::Farewell& end);
   void send(const wire::Failure& failure);
   /// To be called while this side computes what it owes, whenever it has come further: goes out where nothing has for a
   /// quarter of timeout_s.

@@ -7,9 +7,10 @@ namespace blockweir::channel {
 
 std::string compare(const wire::Hello& ours, const wire::Hello& theirs) {
   std::string text;
+  const std::string partner = printable(theirs.role);
   const auto differ = [&](const char* what, const auto& a, const auto& b) {
     if (a == b) return;
-    text += fmt::format("{}{}: {} has {}, {} has {}", text.empty() ? "" : "; ", what, ours.role, a, theirs.role, b);
+    text += fmt::format("{}{}: {} has {}, {} has {}", text.empty() ? "" : "; ", what, ours.role, a, partner, b);
   };
   differ("protocol", ours.protocol, theirs.protocol);
   differ("units", ours.units, theirs.units);
@@ -26,6 +27,15 @@ std::string compare(const wire::Hello& ours, const wire::Hello& theirs) {
     text += std::string(text.empty() ? "" : "; ") + "outlines of the blocks differ";
   }
   return text;
+}
+
+std::string printable(std::string name) {
+  constexpr std::size_t longest = 40;
+  if (name.size() > longest) name.resize(longest);
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == '"') c = '?';
+  }
+  return name;
 }
 
 }  // namespace blockweir::channel

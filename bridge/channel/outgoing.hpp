@@ -7,9 +7,18 @@
 
 #include <atomic>
 #include <list>
+#include <utility>
 #include <zmq.hpp>
 
+#include "bridge/wire/codec.hpp"
+
 namespace blockweir::channel {
+
+/// ZeroMQ lets go of the memory when it has sent it.
+inline zmq::message_t sent_from(wire::Part& part) {
+  const auto let_go = [](void*, void* keeper) { delete static_cast<wire::Keeper*>(keeper); };
+  return {const_cast<void*>(part.data), part.size, let_go, new wire::Keeper(std::move(part.keeper))};
+}
 
 /// Must outlive the context that sends its frames.
 class Outgoing {

@@ -12,8 +12,8 @@
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/scene/touching_pairs.hpp"
 #include "bridge/study/bench.hpp"
+#include "bridge/study/load_case_scene.hpp"
 #include "bridge/study/open_study.hpp"
-#include "bridge/study/safety.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::launch {
@@ -27,13 +27,13 @@ struct CheckOptions {
   bool strict = false;
 };
 
-/// Adds what the variant is warned of beyond the scene itself.
-void add_warnings(const scene::ReadScene& read, const scene::Variant& variant, std::vector<scene::Diagnostic> warnings,
-                  std::vector<scene::Diagnostic>& all) {
+/// Adds what a variant or load case is warned of beyond the scene itself; it stands in the file at `line`.
+void add_warnings(const scene::ReadScene& read, const std::string& whose, int line,
+                  std::vector<scene::Diagnostic> warnings, std::vector<scene::Diagnostic>& all) {
   for (scene::Diagnostic& warning : warnings) {
     const auto same = [&](const scene::Diagnostic& other) { return other.message() == warning.message(); };
     if (std::any_of(read.warnings.begin(), read.warnings.end(), same)) continue;
-    if (warning.line != variant.line) warning.found = fmt::format("variant \"{}\": {}", variant.name, warning.found);
+    if (warning.line != line) warning.found = fmt::format("{}: {}", whose, warning.found);
     all.push_back(std::move(warning));
   }
 }
@@ -46,11 +46,17 @@ int check(const CheckOptions& options) {
   std::size_t studies = 0;
   scene::Gathered wrong;  // of variants, load cases and studies: each is a scene of its own
   for (const scene::Variant& variant : read.scene.variants) {
-    wrong.from(
-        [&] { add_warnings(read, variant, scene::read_variant(path, variant.name, overrides).warnings, warnings); });
+    wrong.from([&] {
+      add_warnings(read, fmt::format("variant \"{}\"", variant.name), variant.line,
+                   scene::read_variant(path, variant.name, overrides).warnings, warnings);
+    });
   }
   for (const scene::LoadCase& load_case : read.load_cases) {
-    wrong.from([&] { study::require_sound(load_case, path, overrides); });
+    wrong.from([&] {
+      const scene::ReadScene set = study::load_case_scene(load_case, path, overrides);
+      add_warnings(read, fmt::format("load case \"{}\"", load_case.name), load_case.line, set.warnings, warnings);
+      if (auto idle = study::idle_load_case(load_case, read.scene, set.scene)) warnings.push_back(std::move(*idle));
+    });
   }
   wrong.from([&] { studies += study::study_tasks(path, overrides).size(); });
   wrong.from([&] { studies += study::open_study_tasks(path, overrides, /*jobs=*/1).size(); });

@@ -34,6 +34,7 @@ Work safety_command(CLI::App& app);
 Work stress_command(CLI::App& app);
 Work study_command(CLI::App& app);
 Work test_command(CLI::App& app);
+Work trace_command(CLI::App& app);
 Work validate_command(CLI::App& app);
 Work work_command(CLI::App& app);
 
@@ -59,6 +60,7 @@ inline constexpr std::array commands = {
     Command{"plot", "draw the figures of a run", plot_command},
     Command{"report", "write one page to hand in: verdict, load cases, joints, level, histories", report_command},
     Command{"profile", "show where a run spent its time, as a table and a figure", profile_command},
+    Command{"trace", "put what both sides of a run did when on one time axis, for Perfetto", trace_command},
     Command{"study", "run the studies of a scene: critical values, maps, samples, orders", study_command},
     Command{"validate", "run the cases and compare each result with its expected value", validate_command},
     Command{"compare", "run scenes with each of the three contact formulations, and compare", compare_command},

@@ -15,6 +15,7 @@ Work run_command(CLI::App& app) {
   app.add_option("--set", options->overrides, "set a key of the scene, e.g. analysis.step_s=0.001");
   app.add_flag("--inproc", options->inproc, "compute still water in the solid's process; the results are the same");
   app.add_flag("--strict", options->strict, "treat warnings as errors; a scene that has any is not run");
+  app.add_flag("--trace", options->trace, "record when each side computes and waits, for \"blockweir trace\"");
   app.add_flag("--quiet", options->quiet, "show no progress");
   return [options] { return told([&] { return process::run(*options); }); };
 }

@@ -10,7 +10,6 @@
 #include "bridge/picture/json_point.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
-#include "bridge/scene/read/stated_loads.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -97,14 +96,13 @@ void put_on_blocks(const scene::Scene& scene, double time_s, json& list) {
   OnBlocks weight(scene);
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) weight.add(b, scene.analysis.gravity(), /*per_mass=*/true);
   weight.put("weight", "weight", list);
-  const std::size_t stated = scene::count_tables(scene.text, "body_load");  // that of the earthquake comes after them
-  for (std::size_t i = 0; i < scene.body_loads.size(); ++i) {
-    const scene::BodyLoad& load = scene.body_loads[i];
+  for (const scene::BodyLoad& load : scene.body_loads) {
     OnBlocks sum(scene);
     for (const int b : load.blocks) {
       sum.add(at(b), {load.value[0].at(time_s), load.value[1].at(time_s)}, load.per_mass);
     }
-    sum.put(i < stated ? "body load" : "inertia (earthquake)", i < stated ? "load" : "earthquake", list);
+    const bool stated = load.origin == scene::LoadOrigin::stated;
+    sum.put(stated ? "body load" : "inertia (earthquake)", stated ? "load" : "earthquake", list);
   }
 }
 
@@ -114,12 +112,10 @@ void put_on_edges(const scene::Scene& scene, double time_s, json& list) {
                  list);
   }
   const auto vector = [&](const std::array<scene::TimeTable, 2>& q) { return Point(q[0].at(time_s), q[1].at(time_s)); };
-  const std::size_t stated = scene::count_tables(scene.text, "line_load");  // those of silt come after them
   Pressing silt;
-  for (std::size_t i = 0; i < scene.line_loads.size(); ++i) {
-    const scene::LineLoad& load = scene.line_loads[i];
+  for (const scene::LineLoad& load : scene.line_loads) {
     Pressing own;
-    (i < stated ? own : silt)
+    (load.origin == scene::LoadOrigin::stated ? own : silt)
         .add(load.from_m, load.to_m, vector(load.force_from_n_per_m2), vector(load.force_to_n_per_m2));
     own.put("line load", "load", list);
   }

@@ -38,6 +38,10 @@ View view_of(const std::vector<json>& frames, double water_m) {
       if (block["fixed"].get<bool>()) continue;
       for (const json& p : block["outline"]) view.include(p[0], p[1]);
     }
+    for (const json& b : frame.value("bolts", json::array())) {  // their ends may lie in the ground
+      view.include(b[0], b[1]);
+      view.include(b[2], b[3]);
+    }
     for (const char* pool : {"upstream_level_m", "downstream_level_m"}) {
       if (frame[pool].is_number()) view.include(view.left, frame[pool]);
     }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/picture/load_diagrams.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <map>
 #include <string>
 
+#include "bridge/picture/force_text.hpp"
 #include "bridge/picture/json_point.hpp"
 
 namespace blockweir::picture {
@@ -43,10 +42,6 @@ bool stands_beside_the_water(const json& load) {
   return (kind == "silt" || kind == "ice" || kind == "added water") && load["force"][0].get<double>() > 0;
 }
 
-std::string sized(const std::string& name, const Point& force) {
-  return fmt::format("{} {:.4g} kN/m", name, force.norm() / 1e3);
-}
-
 }  // namespace
 
 void add_diagrams(json& loads, double size_m) {
@@ -65,7 +60,7 @@ void add_diagrams(json& loads, double size_m) {
     const Point force = point_of(load["force"]);
     const Point at = point_of(load["at"]);
     load["colour"] = colours.at(load["kind"]);
-    load["label"] = sized(load["name"], force);
+    load["label"] = load["name"].get<std::string>() + " " + force_text(force.norm());
     load["diagrams"] = json::array();
     const Point along = force.isZero(0) ? Point(1, 0) : Point(force.normalized());
     if (load["strips"].empty()) {

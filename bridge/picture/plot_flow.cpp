@@ -129,7 +129,8 @@ Panel over_time(const Rows& rows) {
                          gnuplot_text(words(rows.front()[column])));
   }
   panel.commands = fmt::format(
-      "set key bmargin center horizontal\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'flow (m^3 a day and metre)'\nplot {}\n",
+      "set key bmargin center horizontal\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'flow (m^3 a day and "
+      "metre)'\nplot {}\n",
       lines);
   return panel;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/picture/section_state.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "bridge/picture/acting_loads.hpp"
+#include "bridge/picture/force_text.hpp"
 #include "bridge/picture/load_diagrams.hpp"
 #include "bridge/picture/still_pools.hpp"
 #include "bridge/scene/structure_size.hpp"
@@ -97,7 +96,7 @@ json section_state(const scene::Scene& scene, const json& water, double time_s, 
     json& bolt = state["bolts"][i];
     const double force = i < bolt_forces.size() ? bolt_forces[i] : bolt["prestress_n_per_m"];
     bolt["force_n_per_m"] = force;
-    bolt["label"] = fmt::format("{} {:.4g} kN/m", bolt["name"].get<std::string>(), force / 1e3);
+    bolt["label"] = bolt["name"].get<std::string>() + " " + force_text(force);
   }
   state["legend"] = load_legend(state["acting"]);
   for (const json& bolt : state["bolts"]) {

@@ -42,15 +42,18 @@ void forget_former_run(const fs::path& folder, const scene::Scene& scene) {
     fs::remove(folder / file);
   }
   for (const scene::FluidEntry& fluid : scene::fluid_models) {
-    if (fluid.program != nullptr) fs::remove(folder / (fluid.role + std::string(".log")));
+    if (fluid.program != nullptr || fluid.yours) fs::remove(folder / (fluid.role + std::string(".log")));
   }
   for (const char* picture :
        {"displacements", "velocities", "rotations", "level", "snapshots", "picture", "profile", "section"}) {
     for (const char* ending : {".png", ".svg"}) fs::remove(folder / (std::string(picture) + ending));
   }
   fs::remove(report_of(folder));
+  fs::remove_all(trace_of(folder));
+  fs::remove(folder / "trace.json");
   fs::remove_all(folder / "frames");
   forget_checkpoints(folder);
+  fs::remove_all(folder / scene::fluid_entry(scene::FluidModel::external).folder);
   // A case of one's own is looked at before its copy is replaced: it may be this very folder.
   if (scene.openfoam.own_case.empty()) fs::remove_all(folder / "openfoam");
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "bridge/process/external_fluid.hpp"
 #include "bridge/scene/fluid_models.hpp"
 
 namespace blockweir::process {
@@ -31,6 +32,10 @@ fs::path report_of(const fs::path& folder) {
   return folder / "fluid.json";
 }
 
+fs::path trace_of(const fs::path& folder) {
+  return folder / "trace";
+}
+
 void require_fit(const scene::Scene& scene, bool inproc) {
   if (!inproc || scene.fluid == FluidModel::hydrostatic || scene.fluid == FluidModel::none) return;
   throw std::invalid_argument(
@@ -57,8 +62,12 @@ std::vector<Command> commands_of(const scene::Scene& scene, const Processes& pro
     return commands;
   }
   add("solid", "blockweir-solid", {"--out", processes.folder});
-  if (fluid.program == nullptr) return commands;
+  if (fluid.program == nullptr && !fluid.yours) return commands;
   commands.back().words.insert(commands.back().words.end(), {"--endpoint", processes.endpoint});
+  if (fluid.yours) {
+    if (!scene.external.command.empty()) commands.push_back(external_command(scene, processes));
+    return commands;
+  }
   add(fluid.role, fluid.program,
       {"--endpoint", processes.endpoint, "--out", processes.folder / fluid.folder, "--report", report});
   if (fluid.reads_files) {

@@ -12,10 +12,11 @@
 namespace blockweir::process {
 
 struct Processes {
-  std::filesystem::path folder;  ///< of the run
-  std::string endpoint;          ///< where they meet
-  std::uint64_t first = 0;       ///< checkpoint to go on from; 0: from the start
-  bool inproc = false;           ///< the reference fluid within the solid's process
+  std::filesystem::path folder;          ///< of the run
+  std::string endpoint;                  ///< where they meet
+  std::uint64_t first = 0;               ///< checkpoint to go on from; 0: from the start
+  bool inproc = false;                   ///< the reference fluid within the solid's process
+  std::filesystem::path scene_folder{};  ///< where an external fluid's command runs
 };
 
 /// One of our programs: it stands beside this one, wherever it was installed.
@@ -29,6 +30,9 @@ struct Processes {
 /// Where a fluid says what the summary needs.
 [[nodiscard]] std::filesystem::path report_of(const std::filesystem::path& folder);
 
+/// Folder in which the sides of a traced run say what they did when.
+[[nodiscard]] std::filesystem::path trace_of(const std::filesystem::path& folder);
+
 /// Throws std::invalid_argument where `inproc` is asked for a fluid that needs a process of its own.
 void require_fit(const scene::Scene& scene, bool inproc);
 
@@ -36,7 +40,7 @@ void require_fit(const scene::Scene& scene, bool inproc);
 [[nodiscard]] Command limit_command(const std::filesystem::path& folder, const std::string& question,
                                     const std::filesystem::path& answer);
 
-/// The solid's first.
+/// The solid's first. One of an external fluid that is started by hand is not among them.
 [[nodiscard]] std::vector<Command> commands_of(const scene::Scene& scene, const Processes& processes);
 
 }  // namespace blockweir::process

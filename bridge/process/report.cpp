@@ -71,6 +71,7 @@ std::string report(const RunResult& result) {
     text +=
         fmt::format("BREACH  after {} s: {}\n", number(s["breach"]["time_s"]), s["breach"]["text"].get<std::string>());
   }
+  if (s.contains("base_motion")) text += fmt::format("GROUND  {}\n", s["base_motion"]["text"].get<std::string>());
   if (s.contains("added_mass")) text += fmt::format("{}\n", s["added_mass"]["text"].get<std::string>());
   for (const json& warning : s.value("warnings", json::array())) {
     text += fmt::format("WARNING {}\n", warning.get<std::string>());

@@ -13,8 +13,10 @@
 #include <fstream>
 
 #include "bridge/checkpoint/checkpoints.hpp"
+#include "bridge/process/external_fluid.hpp"
 #include "bridge/process/former_run.hpp"
 #include "bridge/process/limit_margin.hpp"
+#include "bridge/process/merged_report.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/process/progress.hpp"
 #include "bridge/process/supervisor.hpp"
@@ -66,7 +68,8 @@ std::uint64_t resumable_window(const fs::path& folder, const scene::Scene& scene
     std::erase_if(all, [&](std::uint64_t w) { return !std::binary_search(theirs.begin(), theirs.end(), w); });
   };
   const scene::FluidEntry& fluid = scene::fluid_entry(scene.fluid);
-  const bool remembers = fluid.remembers || scene.output.reservoir || scene::flows_in_joints(scene);
+  const bool remembers = (fluid.yours ? scene.external.remembers : fluid.remembers) || scene.output.reservoir ||
+                         scene::flows_in_joints(scene);
   if (remembers) keep(checkpoint::windows(folder / fluid.folder, fluid.role));
   return all.empty() ? 0 : all.back();
 }
@@ -81,18 +84,7 @@ void complete_summary(const fs::path& folder, RunResult& result, const LimitMarg
   }
   summary["wall_time_s"] = wall_s;
   if (margin != nullptr) margin->add_to(summary);
-  const json fluid = read_json(report_of(folder));
-  if (fluid.is_object()) {
-    for (const auto& [phase, seconds] : fluid["seconds"].items()) summary["profile_s"]["fluid_" + phase] = seconds;
-    for (const auto& [what, count] : fluid["counts"].items()) summary["counts"]["fluid_" + what] = count;
-    if (fluid.contains("checks")) {
-      for (const json& check : fluid["checks"]) summary["checks"].push_back(check);
-    }
-    for (const json& skip : fluid.value("skips", json::array())) summary["skips"].push_back(skip);
-    for (const json& warning : fluid.value("warnings", json::array())) summary["warnings"].push_back(warning);
-    if (fluid.contains("peak_memory_mb")) summary["peak_memory_mb"]["fluid"] = fluid["peak_memory_mb"];
-    fs::remove(report_of(folder));
-  }
+  merge_report(report_of(folder), summary);
   try {
     results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
   } catch (const std::exception&) {
@@ -124,21 +116,23 @@ void refuse_finished(const fs::path& folder) {
                   folder.string(), outcome, scene_of(folder).string()));
 }
 
-[[noreturn]] void refuse_without_checkpoint(const fs::path& folder) {
+[[noreturn]] void refuse_without_checkpoint(const scene::Scene& scene, const fs::path& folder) {
   const json summary = read_json(folder / "summary.json");
   const std::string why = summary.is_object() ? summary.value("stopped", "") : "";
   throw std::invalid_argument(fmt::format("{}: no checkpoint that all its processes have{}; {}", folder.string(),
                                           why.empty() ? "" : fmt::format(", the run ended with \"{}\"", why),
-                                          ends_there_again(folder)
+                                          lacks_checkpoint(scene, folder) ? no_checkpoint_of_external
+                                          : ends_there_again(folder)
                                               ? "resuming would end in the same way: change the scene, and run it anew"
                                               : "run it anew, with a shorter [output] checkpoint_every_s"));
 }
 
 /// What to do about a run that did not end well; `too_early`: it was stopped before its first checkpoint.
-std::string advice_of(const fs::path& folder, bool goes_on, bool too_early) {
+std::string advice_of(const scene::Scene& scene, const fs::path& folder, bool goes_on, bool too_early) {
   const fs::path repeat = folder / "repeat.toml";
   if (fs::exists(repeat)) return fmt::format("\"blockweir run {}\" repeats it", results::shell_word(repeat.string()));
   if (goes_on) return fmt::format("\"blockweir resume {}\" goes on", results::shell_word(folder.string()));
+  if (too_early && lacks_checkpoint(scene, folder)) return no_checkpoint_of_external;
   return too_early ? "it has no checkpoint yet to resume from: run it anew" : "";
 }
 
@@ -158,12 +152,20 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
                     "limit of open files (ulimit -n)",
                     std::strerror(errno)));
   }
-  std::vector<Command> commands = commands_of(scene, {folder, endpoint, first, options.inproc});
+  const Processes processes{folder, endpoint, first, options.inproc, home_of_external(scene, folder)};
+  std::vector<Command> commands = commands_of(scene, processes);
+  if (options.trace) {
+    results::make_folder(trace_of(folder));
+    for (Command& command : commands) {
+      command.environment.push_back("BLOCKWEIR_TRACE=" + fs::absolute(trace_of(folder)).string());
+    }
+  }
   commands.front().words.insert(commands.front().words.end(), {"--progress-fd", std::to_string(pipe_ends[1])});
   commands.front().inherited_fd = pipe_ends[1];
   const LimitMargin margin(scratch.path());
   const bool asks = options.margin && LimitMargin::suits(scene);
   if (asks) commands.push_back(margin.command(folder));
+  if (is_started_by_hand(scene)) fmt::print(stderr, "{}", call_for_external(scene, processes));
   Progress progress(pipe_ends[0], scene.analysis.duration_s, options.quiet);
   const Supervised supervised = supervise(
       commands, folder, grace_s, [&] { return progress.update(); }, options.longest_s);
@@ -176,7 +178,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   const std::uint64_t last = resumable_window(folder, scene);
   const bool refused_to_resume = result.refused && first > 0 && last == first;  // as where a checkpoint is damaged
   const bool goes_on = last > 0 && !refused_to_resume && !ends_there_again(folder);
-  if (!result.trouble.empty()) result.advice = advice_of(folder, goes_on, !result.refused && last == 0);
+  if (!result.trouble.empty()) result.advice = advice_of(scene, folder, goes_on, !result.refused && last == 0);
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
   if (result.exit_code == 0) forget_checkpoints(folder);
   complete_summary(folder, result, asks ? &margin : nullptr, seconds_since(start));
@@ -217,7 +219,7 @@ RunResult resume(const ResumeOptions& options) {
   const std::uint64_t first = resumable_window(options.folder, scene);
   if (first == 0) {
     refuse_finished(options.folder);
-    refuse_without_checkpoint(options.folder);
+    refuse_without_checkpoint(scene, options.folder);
   }
   return go(scene, options.folder, first, {.inproc = options.inproc, .quiet = options.quiet, .margin = options.margin});
 }

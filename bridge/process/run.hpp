@@ -17,6 +17,7 @@ struct RunOptions {
   bool inproc = false;  ///< the reference fluid within the solid's process
   bool strict = false;  ///< what the reader warns of is refused
   bool quiet = false;
+  bool trace = false;    ///< all sides say when they wait and when they send: files in the run's folder "trace"
   bool margin = false;   ///< the summary gets what limit analysis says, found while the run goes on
   double longest_s = 0;  ///< of wall time, after which it counts as hanging and is ended; 0: as long as it takes
 };

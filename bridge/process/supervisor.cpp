@@ -22,6 +22,7 @@ extern "C" {  // glibc 2.36 forgets to say so itself
 #include <utility>
 
 #include "bridge/process/process_state.hpp"
+#include "bridge/process/reaper.hpp"
 #include "bridge/results/seconds.hpp"
 
 namespace blockweir::process {
@@ -85,12 +86,13 @@ class StopSignals {
   if (file >= 0) ::dup2(file, STDERR_FILENO);
   if (file >= 0 && !command.output.empty()) ::dup2(file, STDOUT_FILENO);
   if (command.inherited_fd >= 0) ::fcntl(command.inherited_fd, F_SETFD, 0);
+  for (const std::string& setting : command.environment) ::putenv(const_cast<char*>(setting.c_str()));
   std::vector<char*> words;
   for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  ::execvp(words[0], words.data());
+  if (command.folder.empty() || ::chdir(command.folder.c_str()) == 0) ::execvp(words[0], words.data());
   const std::string text = "cannot start " + command.words[0] + ": " + std::strerror(errno) +
-                           "; expected a program that can be run; build or install all programs of blockweir\n";
+                           "; expected a program that can be run; " + command.remedy + "\n";
   (void)!::write(STDERR_FILENO, text.data(), text.size());
   ::_exit(127);
 }
@@ -99,32 +101,6 @@ int exit_code(int status) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// Takes over what our children leave behind when they end: mpirun may be gone before its last rank is.
-class Reaper {
- public:
-  Reaper() {
-    ::prctl(PR_GET_CHILD_SUBREAPER, &before_);
-    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-  }
-  ~Reaper() { ::prctl(PR_SET_CHILD_SUBREAPER, before_); }
-  Reaper(const Reaper&) = delete;
-  Reaper& operator=(const Reaper&) = delete;
-  /// Returns when nothing is left; what has not ended by itself after `patience_s` is killed.
-  static void reap(double patience_s) {
-    for (const auto begin = Clock::now(); ::waitpid(-1, nullptr, WNOHANG) >= 0;) {
-      if (seconds_since(begin) > patience_s) kill_children();
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-  }
-
- private:
-  static void kill_children() {
-    std::ifstream children("/proc/self/task/" + std::to_string(::getpid()) + "/children");  // the leader gets them
-    for (pid_t pid = 0; children >> pid;) ::kill(pid, SIGKILL);
-  }
-  int before_ = 0;
-};
-
 struct Child {
   std::string name;
   std::filesystem::path log;
@@ -132,6 +108,7 @@ struct Child {
   int end = -1;  ///< a descriptor that becomes readable when the process has ended
   bool running = false;
   bool aside = false;
+  bool external = false;
   bool told = false;     ///< by a signal of ours
   bool stopped = false;  ///< when another failed
 };
@@ -153,6 +130,7 @@ struct Children {
     Child& child = all.emplace_back();
     child.name = command.name;
     child.aside = command.aside;
+    child.external = command.external;
     child.log = command.output.empty() ? log_folder / (command.name + ".log") : command.output;
     child.pid = ::fork();
     if (child.pid == 0) become(command, child.log, signals, we);
@@ -200,8 +178,18 @@ struct Children {
       if (!child.running || ::waitpid(child.pid, &status, WNOHANG) != child.pid) continue;
       child.running = false;
       if (child.aside) continue;
-      result.ends.push_back({child.name, exit_code(status), child.told, child.stopped, last_line(child.log)});
+      result.ends.push_back(
+          {child.name, exit_code(status), child.told, child.stopped, child.external, false, last_line(child.log)});
+      if (child.external && !child.told) external_end_ = result.ends.size();
     }
+  }
+
+  /// An external one has ended since the last call, and the first, not `in_touch`, would wait for it in vain.
+  bool ended_early(bool in_touch, Supervised& result) {
+    const std::size_t end = std::exchange(external_end_, 0);
+    if (end == 0 || in_touch || !all.front().running) return false;
+    result.ends[end - 1].early = true;
+    return true;
   }
 
  private:
@@ -210,6 +198,7 @@ struct Children {
     child.told = true;
     ::kill(child.pid, number);
   }
+  std::size_t external_end_ = 0;  ///< how many ends there were with it; 0: none has ended
 };
 
 }  // namespace
@@ -237,7 +226,8 @@ StopsLater::~StopsLater() {
 }
 
 bool Supervised::all_fine() const {
-  return !interrupted && std::all_of(ends.begin(), ends.end(), [](const ChildEnd& end) { return end.exit_code == 0; });
+  return !interrupted &&
+         std::all_of(ends.begin(), ends.end(), [](const ChildEnd& end) { return end.exit_code == 0 && !end.early; });
 }
 
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
@@ -257,6 +247,11 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
     children.wait(signals, result);
     const bool in_touch = tick();
     const auto now = Clock::now();
+    if (children.ended_early(in_touch, result)) {
+      children.signal(SIGTERM);
+      trouble = now;
+      sent = 1;
+    }
     if (const int asked = stop_signals; asked > heard) {
       const bool once = std::exchange(heard, asked) == 0 && asked == 1;
       const bool alone = ::getppid() != parent;  // nobody will ask a second time

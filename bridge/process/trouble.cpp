@@ -21,14 +21,28 @@ bool is_echo(const ChildEnd& end) {
   return end.last_line.find("see its own message for the cause") != std::string::npos;
 }
 
-/// The first that failed by itself, or the first after it that is no echo; null where none did.
+/// Than what is taken for the cause so far.
+bool says_more(const ChildEnd& end, const ChildEnd& cause) {
+  return is_echo(cause) || (cause.external && !is_echo(end));
+}
+
+/// The first that failed by itself, or the first after it that is no echo; null where none did. What the solid says of
+/// an external fluid goes before what that says: it is of a known form, and has the fluid's own text.
 const ChildEnd* cause_of(const Supervised& supervised) {
   const ChildEnd* cause = nullptr;
   for (const ChildEnd& end : supervised.ends) {
-    if (end.exit_code == 0 || end.by_us) continue;
-    if (cause == nullptr || (is_echo(*cause) && !end.last_line.empty())) cause = &end;
+    if ((end.exit_code == 0 && !end.early) || end.by_us) continue;
+    if (cause == nullptr || (!end.last_line.empty() && says_more(end, *cause))) cause = &end;
   }
   return cause;
+}
+
+/// What a program of the user's says last may be of any form: whose it is has to stand before it.
+std::string end_of_external(const ChildEnd& end) {
+  const std::string said = end.last_line.empty() ? "" : fmt::format(", its last line: \"{}\"", end.last_line);
+  return fmt::format("the external fluid ended with exit status {}{}{}; {}all that it wrote is in {}.log",
+                     end.exit_code, end.early ? " before the run was under way" : "", said,
+                     end.early ? "it has to connect to BLOCKWEIR_ENDPOINT and to stay; " : "", end.name);
 }
 
 }  // namespace
@@ -57,6 +71,7 @@ std::string first_trouble(const Supervised& supervised, const fs::path& folder) 
     return fmt::format("no room is left on the disk that holds {}; free some, or choose another folder with --out",
                        folder.string());
   }
+  if (cause->external) return end_of_external(*cause);
   if (!cause->last_line.empty()) return cause->last_line;
   return fmt::format("the {} process ended with {}", cause->name, cause->exit_code);
 }

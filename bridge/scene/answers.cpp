@@ -79,6 +79,7 @@ constexpr Answer all_formulas[] = {
     {"bar-free-end-speed", Subject::block_only, Need::face_pressure},
     {"column-displacement", Subject::block_only, Need::column},
     {"column-period", Subject::block_only, Need::column},
+    {"wall-in-reservoir-period", Subject::block_only, Need::upstream_level},
     {"turned-stress-xx", Subject::block_only},
     {"turned-stress-yy", Subject::block_only},
     {"turned-stress-xy", Subject::block_only},

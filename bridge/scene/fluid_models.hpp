@@ -7,7 +7,7 @@
 
 namespace blockweir::scene {
 
-enum class FluidModel { none, hydrostatic, reservoir, openfoam, column };
+enum class FluidModel { none, hydrostatic, reservoir, openfoam, column, external };
 
 struct FluidEntry {
   FluidModel model;
@@ -19,6 +19,7 @@ struct FluidEntry {
   const char* folder = "";        ///< of its own within the run's
   bool still_pools = false;       ///< levels are those of their tables, and what is wet follows from geometry
   bool remembers = false;         ///< its pressures depend on what has been: it goes on from a checkpoint of its own
+  bool yours = false;             ///< a program of the user's computes it: [fluid.external] command
   bool reads_files = false;       ///< that the scene names, beside the scene's text
   double timeout_s = 20;          ///< for which the solid waits for a sign of life, by default
 };
@@ -57,6 +58,14 @@ inline constexpr std::array fluid_models = {
                .about = "a pipe of water at the edge of a block",
                .role = "column",
                .remembers = true},
+    FluidEntry{.model = FluidModel::external,
+               .key = "external",
+               .name = "external",
+               .role = "external",
+               .folder = "external",
+               .remembers = true,  // unless the scene says otherwise
+               .yours = true,
+               .timeout_s = 60},
 };
 
 constexpr const FluidEntry& fluid_entry(FluidModel model) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bridge/geometry/point.hpp"
@@ -12,6 +13,9 @@
 namespace blockweir::scene {
 
 using geometry::Point;
+
+/// The table of a scene that a load comes from.
+enum class LoadOrigin { stated, silt, earthquake };
 
 /// A point of a block that is held, or moved as its tables say, in x, in y or in both.
 struct Support {
@@ -47,6 +51,7 @@ struct LineLoad {
   Point to_m;
   std::array<TimeTable, 2> force_from_n_per_m2;  ///< x and y, a metre of the edge as the scene draws it
   std::array<TimeTable, 2> force_to_n_per_m2;
+  LoadOrigin origin = LoadOrigin::stated;
   bool operator==(const LineLoad&) const = default;
 };
 
@@ -55,6 +60,7 @@ struct BodyLoad {
   std::vector<int> blocks;         ///< indices into Scene::blocks
   bool per_mass = true;            ///< value is an acceleration [m/s2], else a force per volume [N/m3]
   std::array<TimeTable, 2> value;  ///< x and y
+  LoadOrigin origin = LoadOrigin::stated;
   bool operator==(const BodyLoad&) const = default;
 };
 
@@ -66,6 +72,7 @@ struct BaseMotion {
   BaseForm form = BaseForm::inertia;
   TimeTable acceleration_x_m_per_s2 = TimeTable::constant(0);
   TimeTable acceleration_y_m_per_s2 = TimeTable::constant(0);
+  std::string correction{};  ///< what was done to the records, in words; empty: nothing
   bool operator==(const BaseMotion&) const = default;
 };
 

@@ -165,6 +165,7 @@ struct Scene {
   OpenFoam openfoam;
   Reservoir reservoir;
   Column column;
+  External external;
   Coupling coupling;
   Output output;
   std::vector<Expectation> expectations;

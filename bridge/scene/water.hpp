@@ -28,6 +28,9 @@ inline const char* name_of(AddedWater by) {
   return by == AddedWater::westergaard ? "Westergaard" : "finite elements";
 }
 
+/// Uplift while the ground shakes: as at rest, or none where a joint has opened, into which water has no time to flow.
+enum class ShakenUplift { held, zero_where_open };
+
 /// Of a sheet of ice on the reservoir, spread over its thickness under the level.
 struct Ice {
   double thrust_n_per_m = 0;
@@ -52,6 +55,7 @@ struct Water {
   double earthquake_coefficient = 0;           ///< k_h of the water's added pressure
   double earthquake_vertical_coefficient = 0;  ///< k_v of it, of AddedWater::reservoir
   AddedWater added_water = AddedWater::westergaard;
+  ShakenUplift uplift_in_shaking = ShakenUplift::held;
   bool skip_unchanged = true;  ///< still water keeps its pressures while neither a level nor a block has moved
   bool operator==(const Water&) const = default;
 };
@@ -121,6 +125,13 @@ struct Column {
   std::optional<double> cushion_pa_per_m;  ///< of what lies between edge and water; none: nothing does
   int steps_per_window = 1;
   bool operator==(const Column&) const = default;
+};
+
+/// [fluid] model = "external": a program that is not blockweir's, bridge/kit.
+struct External {
+  std::vector<std::string> command;  ///< that starts it, in the scene's folder; empty: it is started by hand
+  bool remembers = true;             ///< its pressures depend on what has been, so that it needs checkpoints of its own
+  bool operator==(const External&) const = default;
 };
 
 /// Who steps when: bridge/schedule/schedules.hpp.

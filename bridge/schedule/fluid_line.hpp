@@ -22,7 +22,7 @@ class RemoteFluid final : public FluidLine {
   explicit RemoteFluid(channel::Channel& channel) : channel_(channel) {}
   void tell(const wire::Motion& motion) override { channel_.send(motion); }
   void hear(wire::Load& load) override { channel_.receive(load); }
-  void end(const std::string& reason) override { channel_.send(wire::End{reason}); }
+  void end(const std::string& reason) override { channel_.send(wire::Farewell{reason}); }
   void fail(const std::string& text) override { channel_.send(wire::Failure{text}); }
 
  private:

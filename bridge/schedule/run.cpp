@@ -7,11 +7,15 @@
 namespace blockweir::schedule {
 namespace {
 
-/// What goes wrong in `work` is told to the partner; what the partner says is not told back.
+/// What goes wrong in `work` is told to the partner, that it said something wrong among it; why it left is not told
+/// back.
 template <class Work, class Tell>
 void guarded(Work work, Tell tell) {
   try {
     work();
+  } catch (const channel::PartnerFault& fault) {
+    tell(fault.what());
+    throw;
   } catch (const channel::PeerError&) {
     throw;
   } catch (const std::exception& error) {

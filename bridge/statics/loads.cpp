@@ -63,6 +63,17 @@ bool runs_along(const scene::Block& block, const Point& from, const Point& to) {
   return along;
 }
 
+Wrenches inertia_of_shaking(const scene::Scene& scene, double time_s) {
+  Sum sum(scene);
+  if (!scene.base_motion) return sum.wrenches();
+  const Point ground(scene.base_motion->acceleration_x_m_per_s2.at(time_s),
+                     scene.base_motion->acceleration_y_m_per_s2.at(time_s));
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    sum.add_at_centroid(b, -mass_per_m(scene, scene.blocks[b]) * ground);
+  }
+  return sum.wrenches();
+}
+
 }  // namespace
 
 std::vector<Point> centroids_of(const scene::Scene& scene) {
@@ -79,36 +90,48 @@ Wrenches weights_of(const scene::Scene& scene) {
   return sum.wrenches();
 }
 
-Wrenches stated_loads_of(const scene::Scene& scene, double time_s) {
-  Sum sum(scene);
+std::vector<NamedWrenches> stated_loads_by_name(const scene::Scene& scene, double time_s) {
   const auto vector = [&](const std::array<scene::TimeTable, 2>& q) { return Point(q[0].at(time_s), q[1].at(time_s)); };
+  Sum points(scene);
   for (const scene::PointLoad& load : scene.point_loads) {
-    sum.add(load.block, {load.force_x_n_per_m.at(time_s), load.force_y_n_per_m.at(time_s)}, load.point_m);
+    points.add(load.block, {load.force_x_n_per_m.at(time_s), load.force_y_n_per_m.at(time_s)}, load.point_m);
   }
+  Sum pressures(scene);
   for (const scene::FacePressure& load : scene.face_pressures) {
     const bool along = runs_along(scene.blocks[at(load.block)], load.from_m, load.to_m);
     const Point left = left_of(load.to_m - load.from_m);
-    sum.add_pressure(load.block, load.from_m, load.to_m, along ? left : Point(-left), load.pressure_from_pa.at(time_s),
-                     load.pressure_to_pa.at(time_s));
+    pressures.add_pressure(load.block, load.from_m, load.to_m, along ? left : Point(-left),
+                           load.pressure_from_pa.at(time_s), load.pressure_to_pa.at(time_s));
   }
+  Sum lines(scene);
+  Sum silt(scene);
   for (const scene::LineLoad& load : scene.line_loads) {
+    Sum& sum = load.origin == scene::LoadOrigin::silt ? silt : lines;
     sum.add_line(load.block, load.from_m, load.to_m, vector(load.force_from_n_per_m2), vector(load.force_to_n_per_m2));
   }
+  Sum bodies(scene);
+  Sum earthquake(scene);
   for (const scene::BodyLoad& load : scene.body_loads) {
     for (const int b : load.blocks) {
       const scene::Block& block = scene.blocks[at(b)];
       const double per = load.per_mass ? mass_per_m(scene, block) : geometry::signed_area(block.vertices);
-      sum.add_at_centroid(at(b), per * vector(load.value));
+      (load.origin == scene::LoadOrigin::earthquake ? earthquake : bodies)
+          .add_at_centroid(at(b), per * vector(load.value));
     }
   }
-  if (scene.base_motion) {
-    const Point ground(scene.base_motion->acceleration_x_m_per_s2.at(time_s),
-                       scene.base_motion->acceleration_y_m_per_s2.at(time_s));
-    for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
-      sum.add_at_centroid(b, -mass_per_m(scene, scene.blocks[b]) * ground);
-    }
-  }
-  return sum.wrenches();
+  return {{"point loads", points.wrenches()},
+          {"face pressures", pressures.wrenches()},
+          {"line loads", lines.wrenches()},
+          {"silt", silt.wrenches()},
+          {"body loads", bodies.wrenches()},
+          {"inertia (earthquake)", earthquake.wrenches()},
+          {"inertia ([base_motion])", inertia_of_shaking(scene, time_s)}};
+}
+
+Wrenches stated_loads_of(const scene::Scene& scene, double time_s) {
+  Wrenches all(scene.blocks.size(), Wrench::Zero());
+  for (NamedWrenches& part : stated_loads_by_name(scene, time_s)) all = combined(std::move(all), 1, part.wrenches);
+  return all;
 }
 
 double stated_loads_hold_until(const scene::Scene& scene, double time_s) {

@@ -13,7 +13,15 @@ std::vector<Point> centroids_of(const scene::Scene& scene);
 
 /// Weight.
 Wrenches weights_of(const scene::Scene& scene);
-/// What the scene states beside weight and water, at `time_s`: loads, and the base's acceleration as an inertia force.
+/// Forces of one kind.
+struct NamedWrenches {
+  const char* name;
+  Wrenches wrenches;
+};
+/// What the scene states beside weight and water, at `time_s`, kind by kind: loads, and the base's acceleration as an
+/// inertia force.
+std::vector<NamedWrenches> stated_loads_by_name(const scene::Scene& scene, double time_s);
+/// The sum of these.
 Wrenches stated_loads_of(const scene::Scene& scene, double time_s);
 /// Time until which these stay as they are at `time_s`; that itself where they change.
 double stated_loads_hold_until(const scene::Scene& scene, double time_s);

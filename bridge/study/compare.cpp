@@ -10,6 +10,7 @@
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/diagnostic.hpp"
 #include "bridge/study/cases_folder.hpp"
+#include "bridge/study/compared_run.hpp"
 #include "bridge/study/study.hpp"
 #include "bridge/study/table_line.hpp"
 
@@ -22,7 +23,6 @@ using process::run;
 using process::RunOptions;
 using process::RunResult;
 using process::TemporaryFolder;
-using results::figure;
 
 constexpr std::array formulations = {"penalty", "lagrange-multiplier", "augmented-lagrangian"};
 constexpr std::array usual_cases = {"incline", "column", "monolith-slides", "cracked-dam-upper", "cracked-dam-lower"};
@@ -32,12 +32,6 @@ std::vector<fs::path> chosen(const CompareOptions& options) {
   std::vector<fs::path> cases;
   for (const char* name : usual_cases) cases.push_back(cases_folder() / name);
   return cases;
-}
-
-RunResult uninterrupted(const RunOptions& options) {
-  RunResult result = run(options);
-  if (result.exit_code == 130) throw Interrupted();
-  return result;
 }
 
 /// Twice: what a run takes, and then with the condition numbers, which take far longer than the run.
@@ -58,13 +52,6 @@ json measured(RunOptions options) {
   }
 }
 
-/// What makes the run again, on a command line.
-std::string command_of(const RunOptions& options) {
-  std::string text = fmt::format("blockweir run {}", options.scene.string());
-  for (const std::string& set : options.overrides) text += fmt::format(" --set '{}'", set);
-  return text;
-}
-
 std::string number(const json& value, const char* format) {
   return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "none";
 }
@@ -74,28 +61,6 @@ void print_run(const std::string& name, const std::string& penetration, const st
                const std::string& time) {
   fmt::print("{}", table_line(name, fmt::format("{:>11} {:>9} {:>7} {:>6} {:>7} {:>7}", penetration, condition, systems,
                                                 steps, retried, time)));
-}
-
-void print_figure(const std::string& name, const std::string& got, const std::string& error) {
-  fmt::print("{}", table_line("    " + name, fmt::format("{:>16} {:>9}", got, error)));
-}
-
-/// What a run is compared by: the figures that the scene states, or where it states none how the run ends.
-json figures(const json& s) {
-  if (!s["checks"].empty()) return s["checks"];
-  const auto figure_of = [](const char* name, const json& got) {
-    return json{{"name", name}, {"expected", nullptr}, {"got", got}, {"relative_error", nullptr}};
-  };
-  json list = {figure_of("outcome", outcome_word(s)), figure_of("largest_displacement_m", s["largest_displacement_m"])};
-  if (s.contains("failure")) {
-    for (const char* name : {"level_m", "time_s"}) {
-      if (s["failure"][name].is_null()) continue;  // without water
-      list.push_back(figure_of(fmt::format("failure_{}", name).c_str(), s["failure"][name]));
-    }
-  } else if (s.contains("margin") && s["margin"].contains("sliding_factor")) {
-    list.push_back(figure_of("sliding_factor", s["margin"]["sliding_factor"]));
-  }
-  return list;
 }
 
 /// Prints a run and its figures, and adds these to `rows`; false where there are none.
@@ -111,7 +76,8 @@ bool add_rows(const std::string& name, const char* formulation, const std::strin
             number(s["largest_condition_number"], "{:.2e}"), counts["iterations"].dump(), counts["steps"].dump(),
             counts["substituted_steps"].dump(), number(s["wall_time_s"], "{:.3g}"));
   for (const json& check : figures(s)) {
-    print_figure(check["name"].get<std::string>(), figure(check["got"]), number(check["relative_error"], "{:.2e}"));
+    print_figure(check["name"].get<std::string>(), results::figure(check["got"]),
+                 number(check["relative_error"], "{:.2e}"));
     rows.push_back({{"case", name},
                     {"formulation", formulation},
                     {"name", check["name"]},
@@ -133,6 +99,7 @@ bool add_rows(const std::string& name, const char* formulation, const std::strin
 }  // namespace
 
 int compare(const CompareOptions& options) {
+  if (!options.fluids.empty()) return compare_fluids(options);
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
   if (!options.out.empty()) results::make_folder(options.out);
   const TemporaryFolder scratch;

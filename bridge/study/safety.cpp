@@ -15,10 +15,10 @@
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
-#include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/read/stated_loads.hpp"
+#include "bridge/study/load_case_scene.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::study {
@@ -150,7 +150,10 @@ std::string factors_text(const json& cases) {
       const json& told = cases[0]["scene_warnings"];
       if (std::find(told.begin(), told.end(), warning) == told.end()) tell("WARNING ", warning);
     }
-    for (const json& warning : c["warnings"]) tell("WARNING ", warning);
+    for (const json& warning : c["warnings"]) {  // what the first has said of all is not said again
+      const json& told = cases[0]["warnings"];
+      if (&c == &cases[0] || std::find(told.begin(), told.end(), warning) == told.end()) tell("WARNING ", warning);
+    }
     if (c.contains("added_water_pressure")) {
       tell("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);
     }
@@ -231,17 +234,11 @@ double deciding_factor(const json& answer) {
   return factor;
 }
 
-void require_sound(const scene::LoadCase& load_case, const fs::path& scene, const Settings& overrides) {
-  scene::read_entry(scene, {fmt::format("[[load_case]] \"{}\"", load_case.name), load_case.line, load_case.set},
-                    joined(overrides, load_case.set));
-}
-
 json safety_answers(const process::AskOptions& options) {
-  const std::vector<scene::LoadCase> load_cases =
-      scene::read_variant(options.scene, options.variant, options.overrides).load_cases;
+  const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
   scene::Gathered wrong;
-  for (const scene::LoadCase& load_case : load_cases) {
-    wrong.from([&] { require_sound(load_case, options.scene, options.overrides); });
+  for (const scene::LoadCase& load_case : read.load_cases) {
+    wrong.from([&] { load_case_scene(load_case, options.scene, options.overrides); });
   }
   wrong.report();
   json cases = json::array();
@@ -251,13 +248,16 @@ json safety_answers(const process::AskOptions& options) {
     one.overrides = joined(options.overrides, load_case.set);
     one.quiet = quiet;
     json found = answer_of(load_case, one);
+    const auto idle =
+        idle_load_case(load_case, read.scene, scene::read_variant(one.scene, one.variant, one.overrides).scene);
+    if (idle && !load_case.set.empty()) found["warnings"].push_back(idle->message());
     for (std::string& warning : without_effect(options.overrides, load_case)) {
       found["warnings"].push_back(std::move(warning));
     }
     cases.push_back(std::move(found));
   };
   answer({.name = "as it stands"}, options.out, options.quiet);
-  for (const scene::LoadCase& load_case : load_cases) {
+  for (const scene::LoadCase& load_case : read.load_cases) {
     answer(load_case, options.out / results::file_name(load_case.name), /*quiet=*/true);
   }
   return cases;

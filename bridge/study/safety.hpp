@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "bridge/process/ask.hpp"
-#include "bridge/scene/load_case.hpp"
 
 namespace blockweir::study {
 
@@ -16,10 +15,6 @@ struct SafetyOptions : process::AskOptions {
 /// Of an answer of blockweir-limit: the blocks' factor, or that with crushed corners, with cracked joints or of a bound
 /// that it is above, whichever is least. Infinite where no strength is needed, 0 where none would do.
 double deciding_factor(const nlohmann::json& answer);
-
-/// The scene as a load case sets it, checked. Throws scene::SceneError that names the load case.
-void require_sound(const scene::LoadCase& load_case, const std::filesystem::path& scene,
-                   const std::vector<std::string>& overrides);
 
 /// The answers for the scene as it stands and each load case, a list as safety.json has it; a folder each in
 /// `options.out`, which has to be named. Throws as process::ask() does.

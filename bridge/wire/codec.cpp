@@ -149,10 +149,10 @@ void encode(const Load& m, Builder& builder, std::vector<Part>& parts) {
          columns);
 }
 
-void encode(const End& m, Builder& builder) {
+void encode(const Farewell& m, Builder& builder) {
   begin(builder);
   const auto reason = builder.CreateString(m.reason);
-  finish(builder, buffer::Body::End, buffer::CreateEnd(builder, reason));
+  finish(builder, buffer::Body::Farewell, buffer::CreateFarewell(builder, reason));
 }
 
 void encode(const Failure& m, Builder& builder) {
@@ -189,7 +189,7 @@ Kind verify(const Part& frame) {
         return Kind::motion;
       case buffer::Body::Load:
         return Kind::load;
-      case buffer::Body::End:
+      case buffer::Body::Farewell:
         return Kind::end;
       case buffer::Body::Failure:
         return Kind::failure;
@@ -276,8 +276,8 @@ void decode(const Part& frame, Load& m, const NextPart& next) {
   if (!sound || !forwards(m.s_from, m.s_to)) refuse_panels(m);
 }
 
-void decode(const Part& frame, End& m) {
-  m.reason = text(body<buffer::End>(frame).reason());
+void decode(const Part& frame, Farewell& m) {
+  m.reason = text(body<buffer::Farewell>(frame).reason());
 }
 
 void decode(const Part& frame, Failure& m) {

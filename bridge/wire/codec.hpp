@@ -38,7 +38,7 @@ inline constexpr std::size_t smallest_part = 1U << 18U;
 void encode(const Hello& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const Motion& message, flatbuffers::FlatBufferBuilder& builder, std::vector<Part>& parts);
 void encode(const Load& message, flatbuffers::FlatBufferBuilder& builder, std::vector<Part>& parts);
-void encode(const End& message, flatbuffers::FlatBufferBuilder& builder);
+void encode(const Farewell& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const Failure& message, flatbuffers::FlatBufferBuilder& builder);
 void encode(const Progress& message, flatbuffers::FlatBufferBuilder& builder);
 
@@ -57,7 +57,7 @@ using NextPart = std::function<Part()>;
 void decode(const Part& frame, Hello& into);
 void decode(const Part& frame, Motion& into, const NextPart& next = nullptr);
 void decode(const Part& frame, Load& into, const NextPart& next = nullptr);
-void decode(const Part& frame, End& into);
+void decode(const Part& frame, Farewell& into);
 void decode(const Part& frame, Failure& into);
 void decode(const Part& frame, Progress& into);
 

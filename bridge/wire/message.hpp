@@ -102,7 +102,7 @@ struct Load {
 };
 
 /// The run is over; the partner may leave.
-struct End {
+struct Farewell {
   std::string reason;
 };
 

@@ -20,6 +20,7 @@
 #include "bridge/wire/placement.hpp"
 #include "fluid/hydrostatic/crack_elements.hpp"
 #include "fluid/hydrostatic/reservoir_loads.hpp"
+#include "fluid/hydrostatic/shaken_cracks.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
@@ -93,6 +94,7 @@ HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
     if (cracks_[k].law == scene::Uplift::cracked) parted_.emplace(k, joints::Parted(scene, cracks_[k]));
   }
+  if (scene.water.uplift_in_shaking == scene::ShakenUplift::zero_where_open) shaking_ends_s_ = shaking_ends_s(scene);
   structure_.open_crack_width_m = scene.water.open_crack_width_m;
   check_width(scene);
   structure_.ground = find_ground_ends(scene);
@@ -116,9 +118,12 @@ void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Lo
   if (!parted_.empty()) {
     load.holds_until_s = std::min(load.holds_until_s, statics::stated_loads_hold_until(scene_, to_s));
   }
+  const bool shakes = to_s < shaking_ends_s_;
+  if (shakes) load.holds_until_s = std::min(load.holds_until_s, shaking_ends_s_);
+  const bool came_to_rest = !shakes && last_s_ < shaking_ends_s_;
   if (flow_.changes_by_itself()) load.holds_until_s = to_s;
-  if (!moved && !loads_changed && !flow_.changes_by_itself() && same(upstream, last_upstream_m_) &&
-      same(downstream, last_downstream_m_)) {
+  const bool changed = moved || loads_changed || came_to_rest || flow_.changes_by_itself();
+  if (!changed && same(upstream, last_upstream_m_) && same(downstream, last_downstream_m_)) {
     ++unchanged_;
     return;
   }
@@ -273,8 +278,11 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_
                         .length_m = crack.length_m,
                         .water_n_per_m3 = scene::unit_weight_of_water(scene_)};
     if (parted_.contains(k)) joint = opened(k, joint, to_s, forces);
-    add_crack_elements(crack, joints::uplift(crack.law, crack.known, joint), scene_.water.elements_per_face, open_water,
-                       load);
+    const std::size_t first = load.block.size();
+    const bool empties = to_s < shaking_ends_s_;
+    add_crack_elements(crack, joints::uplift(crack.law, crack.known, joint),
+                       empties ? elements_drawn(scene_.water) : scene_.water.elements_per_face, open_water, load);
+    if (empties) empty_open_panels(scene_, crack, centroids_, last_motion_, first, load);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "bridge/schedule/sides.hpp"
@@ -74,6 +75,8 @@ class HydrostaticModel final : public schedule::FluidSide {
   double last_upstream_m_ = 0;
   double last_downstream_m_ = 0;
   double last_s_ = 0;
+  /// Until then open joints have no uplift; minus infinity where they keep it.
+  double shaking_ends_s_ = -std::numeric_limits<double>::infinity();
   bool fresh_ = true;
   long updates_ = 0;
   long unchanged_ = 0;  ///< windows in which neither level nor block moved

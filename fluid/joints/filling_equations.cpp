@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/joints/filling_equations.hpp"
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
+#include "fluid/joints/matrix_state.hpp"
 
 namespace blockweir::joints {
 
@@ -83,7 +83,7 @@ FillingEquations::Flow FillingEquations::flow(const Channel& c, const State& fro
   return flow;
 }
 
-void FillingEquations::assemble(const Eigen::VectorXd& u) {
+void FillingEquations::assemble(const Eigen::VectorXd& u, Need need) {
   std::vector<State> states;
   states.reserve(network_.nodes.size());
   for (std::size_t i = 0; i < network_.nodes.size(); ++i) states.push_back(state(static_cast<int>(i), u));
@@ -99,6 +99,7 @@ void FillingEquations::assemble(const Eigen::VectorXd& u) {
       if (row < 0) continue;
       outflow_[row] += sign * q.value;
       terms_[row] += q.conductance * unit_pa_;
+      if (need == Need::outflow) continue;
       if (from >= 0) entries_.emplace_back(row, from, sign * q.slope[0]);
       if (to >= 0) entries_.emplace_back(row, to, sign * q.slope[1]);
     }
@@ -107,9 +108,10 @@ void FillingEquations::assemble(const Eigen::VectorXd& u) {
   constexpr double firm = 1e-10;
   for (Eigen::Index k = 0; k < u.size(); ++k) {
     terms_[k] = std::max(terms_[k], std::numeric_limits<double>::min());
-    entries_.emplace_back(k, k, firm * terms_[k] / unit_pa_);
+    if (need == Need::matrix) entries_.emplace_back(k, k, firm * terms_[k] / unit_pa_);
   }
-  if (step_s_ > 0) add_storage(states);
+  if (step_s_ > 0) add_storage(states, need);
+  if (need == Need::outflow) return;
   matrix_.resize(u.size(), u.size());
   matrix_.setFromTriplets(entries_.begin(), entries_.end());
 }
@@ -119,7 +121,7 @@ double FillingEquations::imbalance() const {
   return outflow_.size() == 0 ? 0 : (outflow_.array() / terms_.array()).abs().maxCoeff() / round_off;
 }
 
-void FillingEquations::add_storage(const std::vector<State>& states) {
+void FillingEquations::add_storage(const std::vector<State>& states, Need need) {
   Filling filling;
   for (const State& s : states) {
     filling.pressure_pa.push_back(s.pressure);
@@ -138,7 +140,8 @@ void FillingEquations::add_storage(const std::vector<State>& states) {
     const double yields = yield_m2_per_pa_.empty() ? 0 : yield_m2_per_pa_[i];
     outflow_[row] += (s.saturation * full[i] - stored_before_[i]) / step_s_;
     if (yields > 0) outflow_[row] += yields * (s.pressure - before_pa_[i]) / step_s_;
-    terms_[row] += full[i] / step_s_;
+    terms_[row] += (full[i] + yields * unit_pa_) / step_s_;
+    if (need == Need::outflow) continue;
     const double by_pressure =
         yields + s.saturation * (widening[i] * pressed + full[i] / pressed / water_.bulk_modulus_pa);
     entries_.emplace_back(row, row, (by_pressure * s.pressure_slope + full[i] * s.saturation_slope) / step_s_);
@@ -156,16 +159,34 @@ void FillingEquations::limit(const Eigen::VectorXd& u, Eigen::VectorXd& change) 
   }
 }
 
-bool FillingEquations::solve(Eigen::VectorXd& u) {
-  constexpr int most = 200;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor;
-  assemble(u);
+/// Each change is that of the same matrix, which the last one was little other than: true once it has converged.
+bool FillingEquations::solve_with(FillingFactor& kept, Eigen::VectorXd& u) {
+  constexpr int most = 40;  // each costs a fortieth of a factor
+  constexpr double least_gain = 0.95;
   for (int i = 0; i < most; ++i) {
     if (imbalance() <= 1) return true;
-    if (i == 0) factor.analyzePattern(matrix_);
-    factor.factorize(matrix_);
-    if (factor.info() != Eigen::Success) return false;
-    Eigen::VectorXd change = factor.solve(-outflow_);
+    const double before = outflow_.norm();
+    Eigen::VectorXd change = kept.solve(-outflow_);
+    limit(u, change);
+    const Eigen::VectorXd from = u;
+    u += change;
+    assemble(u, Need::outflow);
+    if (outflow_.norm() <= least_gain * before) continue;
+    u = from;
+    return false;
+  }
+  return imbalance() <= 1;
+}
+
+bool FillingEquations::solve(Eigen::VectorXd& u, FillingFactor& kept) {
+  constexpr int most = 200;
+  assemble(u, Need::matrix);
+  if (kept.fits(matrix_) && solve_with(kept, u)) return true;
+  for (int i = 0; i < most; ++i) {
+    assemble(u, Need::matrix);
+    if (imbalance() <= 1) return true;
+    if (!kept.make(matrix_)) return false;
+    Eigen::VectorXd change = kept.solve(-outflow_);
     if (!change.allFinite()) return false;
     limit(u, change);
     const double before = outflow_.norm();
@@ -175,7 +196,7 @@ bool FillingEquations::solve(Eigen::VectorXd& u) {
     double share = 1;
     for (int k = 0; k <= halvings; ++k, share /= 2) {
       u = from + (k < halvings ? share : 1) * change;
-      assemble(u);
+      assemble(u, Need::outflow);
       if (outflow_.norm() < before) break;
     }
     if ((u - from).lpNorm<Eigen::Infinity>() <= 1e-15 * unit_pa_) return true;
@@ -203,6 +224,33 @@ std::vector<double> FillingEquations::flows(const Filling& filling) const {
     flows.push_back(flow(c, from, to).value);
   }
   return flows;
+}
+
+bool FillingFactor::fits(const Eigen::SparseMatrix<double>& matrix) const {
+  return made_ && of_.rows() == matrix.rows() && of_.nonZeros() == matrix.nonZeros();
+}
+
+bool FillingFactor::make(const Eigen::SparseMatrix<double>& matrix) {
+  if (!fits(matrix)) factor_.analyzePattern(matrix);
+  factor_.factorize(matrix);
+  made_ = factor_.info() == Eigen::Success;
+  of_ = matrix;
+  ++count_;
+  return made_;
+}
+
+std::string FillingFactor::state() const {
+  return checkpoint::pack(made_, matrix_state(of_), count_);
+}
+
+void FillingFactor::restore(const std::string& state) {
+  bool made = false;
+  std::string of;
+  long count = 0;
+  checkpoint::unpack(state, made, of, count);
+  made_ = false;
+  if (made) make(matrix_of(of));
+  count_ = count;
 }
 
 }  // namespace blockweir::joints

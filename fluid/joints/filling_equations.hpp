@@ -5,11 +5,31 @@
 #pragma once
 
 #include <Eigen/Sparse>
+#include <Eigen/SparseLU>
+#include <string>
 #include <vector>
 
 #include "fluid/joints/network.hpp"
 
 namespace blockweir::joints {
+
+/// A factor of the equations' matrix, which serves as long as the matrix is little other.
+class FillingFactor {
+ public:
+  [[nodiscard]] bool fits(const Eigen::SparseMatrix<double>& matrix) const;
+  /// False where the matrix is singular.
+  bool make(const Eigen::SparseMatrix<double>& matrix);
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) { return factor_.solve(right); }
+  [[nodiscard]] std::string state() const;
+  void restore(const std::string& state);
+  [[nodiscard]] long count() const { return count_; }
+
+ private:
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor_;
+  Eigen::SparseMatrix<double> of_;
+  bool made_ = false;
+  long count_ = 0;
+};
 
 class FillingEquations {
  public:
@@ -24,8 +44,9 @@ class FillingEquations {
   [[nodiscard]] Eigen::VectorXd unknowns(const Filling& filling) const;
   void take(const Eigen::VectorXd& u, Filling& filling) const;
   /// Finds u from this guess on: Newton's method, in which no node passes from full to part-filled or back in more than
-  /// one step. False where it does not converge.
-  bool solve(Eigen::VectorXd& u);
+  /// one step. The kept factor, of these equations or of some that were a little other, is tried first. False where it
+  /// does not converge.
+  bool solve(Eigen::VectorXd& u, FillingFactor& kept);
 
   /// Volume stored at each node [m2], at pressure 0.
   [[nodiscard]] std::vector<double> stored(const Filling& filling) const;
@@ -47,9 +68,11 @@ class FillingEquations {
   };
   [[nodiscard]] State state(int node, const Eigen::VectorXd& u) const;
   [[nodiscard]] Flow flow(const Channel& channel, const State& from, const State& to) const;
-  /// Outflow of each node, and its matrix.
-  void assemble(const Eigen::VectorXd& u);
-  void add_storage(const std::vector<State>& states);
+  /// Outflow of each node; with its matrix where that is asked for.
+  enum class Need { outflow, matrix };
+  void assemble(const Eigen::VectorXd& u, Need need);
+  bool solve_with(FillingFactor& kept, Eigen::VectorXd& u);
+  void add_storage(const std::vector<State>& states, Need need);
   /// The largest outflow over what of it is round-off.
   [[nodiscard]] double imbalance() const;
   void limit(const Eigen::VectorXd& u, Eigen::VectorXd& change) const;

@@ -160,19 +160,25 @@ void FlowInJoints::carry_over() {
   stored_m2_ = flow_.stored(joints_.network(), filling_);
 }
 
-/// Of blocks that lie on nothing but this water: in a window of dt, pressure p on the length L of a joint moves a mass
-/// m by p L dt^2/m. An exchange that is explicit does not know that yet; without it a film of water that hardly gives
-/// throws such a block to and fro. As pressures settle it is of no account.
+/// Where faces have moved, or stand apart: in a window of dt, pressure p on the length L of a joint moves a mass m by
+/// p L dt^2/m, which the solid cannot have told yet. Without it a film of water that hardly gives throws such a block
+/// to and fro. As pressures settle it is of no account. Faces that bear on each other as before do not yield.
 std::vector<double> FlowInJoints::yields(double step_s) const {
-  std::vector<double> yields(joints_.network().nodes.size(), 0.0);
+  const Network& network = joints_.network();
+  const std::vector<double> as_moved = flow_.stored(network, filling_);
+  constexpr double tiny = 1e-9;
+  std::vector<double> yields(network.nodes.size(), 0.0);
   for (std::size_t c = 0; c < joints_.parts().size(); ++c) {
     const Stretch& s = joints_.stretches()[joints_.parts()[c].stretch];
-    const Channel& channel = joints_.network().channels[c];
-    constexpr double closed = 1e-3;  // of the aperture: what is narrower bears on its other face
-    if (std::max(s.gap_m[0], s.gap_m[1]) <= closed * s.law->hydraulic_aperture_m) continue;
+    const Channel& channel = network.channels[c];
+    const bool apart = std::max(s.gap_m[0], s.gap_m[1]) > 1e-3 * s.law->hydraulic_aperture_m;
     const double moves = ease(scene_, s.sides[0].block) + ease(scene_, s.sides[1].block);
-    const double volume = channel.length_m / 2 * s.length_m() * step_s * step_s * moves;
-    for (const int node : {channel.from, channel.to}) yields[at(node)] += volume;
+    constexpr double safety = 2;
+    const double volume = safety * channel.length_m / 2 * s.length_m() * step_s * step_s * moves;
+    for (const int node : {channel.from, channel.to}) {
+      const bool moved = std::abs(as_moved[at(node)] - stored_m2_[at(node)]) > tiny * stored_m2_[at(node)];
+      if (apart || moved) yields[at(node)] += volume;
+    }
   }
   return yields;
 }
@@ -287,7 +293,7 @@ std::string FlowInJoints::state() const {
   std::vector<double> y;
   for (const Point& p : solved_at_) x.push_back(p.x()), y.push_back(p.y());
   return checkpoint::pack(filling_.pressure_pa, filling_.saturation, filling_.flow, stored_m2_, x, y, time_s_, fresh_,
-                          highest_reynolds_, most_turbulent_joint_, without_outlet_, flow_.full().state());
+                          highest_reynolds_, most_turbulent_joint_, without_outlet_, flow_.state());
 }
 
 void FlowInJoints::restore(const std::string& state) {
@@ -298,7 +304,7 @@ void FlowInJoints::restore(const std::string& state) {
                      highest_reynolds_, most_turbulent_joint_, without_outlet_, factor);
   solved_at_.clear();
   for (std::size_t i = 0; i < x.size(); ++i) solved_at_.emplace_back(x[i], y[i]);
-  flow_.full().restore(factor);
+  flow_.restore(factor);
 }
 
 }  // namespace blockweir::joints

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "bridge/checkpoint/archive.hpp"
 #include "bridge/scene/at.hpp"
+#include "fluid/joints/matrix_state.hpp"
 
 namespace blockweir::joints {
 namespace {
@@ -114,32 +114,15 @@ void FullFlow::factorize(bool anew) {
 }
 
 std::string FullFlow::state() const {
-  std::vector<int> rows;
-  std::vector<int> columns;
-  std::vector<double> values;
-  for (int k = 0; k < factored_.outerSize(); ++k) {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(factored_, k); entry; ++entry) {
-      rows.push_back(static_cast<int>(entry.row()));
-      columns.push_back(static_cast<int>(entry.col()));
-      values.push_back(entry.value());
-    }
-  }
-  return checkpoint::pack(pattern_, rows, columns, values, factorizations_, used_again_);
+  return checkpoint::pack(pattern_, matrix_state(factored_), factorizations_, used_again_);
 }
 
 void FullFlow::restore(const std::string& state) {
-  std::vector<int> rows;
-  std::vector<int> columns;
-  std::vector<double> values;
+  std::string matrix;
   long factorizations = 0;
-  checkpoint::unpack(state, pattern_, rows, columns, values, factorizations, used_again_);
-  if (values.empty()) return;
-  const int count = 1 + *std::max_element(rows.begin(), rows.end());
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t i = 0; i < values.size(); ++i) entries.emplace_back(rows[i], columns[i], values[i]);
-  matrix_.resize(count, count);
-  matrix_.setFromTriplets(entries.begin(), entries.end());
-  factorize(/*anew=*/true);
+  checkpoint::unpack(state, pattern_, matrix, factorizations, used_again_);
+  matrix_ = matrix_of(matrix);
+  if (matrix_.rows() > 0) factorize(/*anew=*/true);
   factorizations_ = factorizations;
 }
 

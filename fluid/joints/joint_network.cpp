@@ -133,6 +133,8 @@ void JointNetwork::join_ends() {
 
 void JointNetwork::find_exposed(const std::vector<std::vector<Point>>& outlines, const Point& ground_m) {
   constexpr double open_angle = 0.35;  // 20 degrees: what a joint that opens leaves free is less
+  std::vector<geometry::Bounds> boxes;
+  for (const std::vector<Point>& outline : outlines) boxes.push_back(geometry::bounds_of(outline));
   for (Place& place : joined_) {
     std::vector<int> around = place.blocks;
     for (const int b : place.blocks) {
@@ -144,6 +146,8 @@ void JointNetwork::find_exposed(const std::vector<std::vector<Point>>& outlines,
     double filled = 0;
     std::vector<int> beside;
     for (const int b : around) {
+      const geometry::Bounds& box = boxes[at(b)];
+      if (((place.at - box.high).array() > near_m).any() || ((box.low - place.at).array() > near_m).any()) continue;
       const double angle = filled_angle(outlines[at(b)], place.at, near_m);
       if (angle > 0) beside.push_back(b);
       filled += angle;

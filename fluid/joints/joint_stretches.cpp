@@ -20,16 +20,13 @@ struct Edge {
   Point to;
 };
 
-std::vector<Edge> edges_of(int block, const std::vector<Point>& outline) {
-  std::vector<Edge> edges;
-  for (std::size_t e = 0; e < outline.size(); ++e) {
-    edges.push_back({block, static_cast<int>(e), outline[e], outline[(e + 1) % outline.size()]});
-  }
-  return edges;
+Edge edge_of(int block, const std::vector<Point>& outline, std::size_t e) {
+  return {block, static_cast<int>(e), outline[e], outline[e + 1 < outline.size() ? e + 1 : 0]};
 }
 
 /// Where edge b runs the other way along edge a, outside of it and nearer than `open_m`.
 std::optional<Stretch> facing(const Edge& a, const Edge& b, double open_m, double least_m) {
+  if ((a.to - a.from).dot(b.to - b.from) >= 0) return std::nullopt;
   const Point along_a = (a.to - a.from).normalized();
   const Point along_b = (b.from - b.to).normalized();
   constexpr double least_cosine = 0.866;  // 30 degrees: a wider wedge is open
@@ -116,10 +113,11 @@ std::vector<Stretch> JointStretches::find(const std::vector<std::vector<Point>>&
   const double least_m = 1e-9 * box.size();
   std::vector<Stretch> stretches;
   for (const Pair& pair : pairs_) {
-    const std::vector<Edge> of_b = edges_of(pair.b, outlines[at(pair.b)]);
-    for (const Edge& a : edges_of(pair.a, outlines[at(pair.a)])) {
-      for (const Edge& b : of_b) {
-        std::optional<Stretch> found = facing(a, b, open_m_, least_m);
+    const std::vector<Point>& of_a = outlines[at(pair.a)];
+    const std::vector<Point>& of_b = outlines[at(pair.b)];
+    for (std::size_t i = 0; i < of_a.size(); ++i) {
+      for (std::size_t k = 0; k < of_b.size(); ++k) {
+        std::optional<Stretch> found = facing(edge_of(pair.a, of_a, i), edge_of(pair.b, of_b, k), open_m_, least_m);
         if (!found) continue;
         found->law = pair.law;
         stretches.push_back(*found);

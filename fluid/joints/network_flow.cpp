@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "bridge/checkpoint/archive.hpp"
 #include "bridge/scene/at.hpp"
-#include "fluid/joints/filling_equations.hpp"
 
 namespace blockweir::joints {
 namespace {
@@ -57,7 +57,12 @@ void NetworkFlow::steady(const Network& network, Filling& filling) {
   const std::vector<bool> fed = fed_nodes(network);
   FillingEquations equations(network, fed, water_);
   const bool begins = filling.pressure_pa.size() != network.nodes.size();
-  if (!widens(network)) {
+  // What was partly dry most likely is so again.
+  bool was_full = true;
+  for (std::size_t i = 0; !begins && i < fed.size(); ++i) {
+    was_full = was_full && (network.nodes[i].kind != NodeKind::inside || !fed[i] || filling.saturation[i] >= 1);
+  }
+  if (was_full && !widens(network)) {
     Filling full;
     fill(network, fed, full);
     full.flow = equations.flows(full);
@@ -71,11 +76,23 @@ void NetworkFlow::steady(const Network& network, Filling& filling) {
     fill(network, fed, filling);
   }
   Eigen::VectorXd u = equations.unknowns(filling);
-  if (!equations.solve(u)) {
+  if (!equations.solve(u, factor_)) {
     throw std::runtime_error("no steady flow through the joints was found; state kind = \"transient\" in [joint_flow]");
   }
   equations.take(u, filling);
   filling.flow = equations.flows(filling);
+}
+
+std::string NetworkFlow::state() const {
+  return checkpoint::pack(full_.state(), factor_.state());
+}
+
+void NetworkFlow::restore(const std::string& state) {
+  std::string full;
+  std::string factor;
+  checkpoint::unpack(state, full, factor);
+  full_.restore(full);
+  factor_.restore(factor);
 }
 
 void NetworkFlow::step(const Network& network, double step_s, const std::vector<double>& yield_m2_per_pa,
@@ -88,7 +105,7 @@ void NetworkFlow::step(const Network& network, double step_s, const std::vector<
     FillingEquations equations(network, fed, water_);
     equations.store(share * step_s, stored_m2, yield_m2_per_pa, filling.pressure_pa);
     Eigen::VectorXd u = equations.unknowns(filling);
-    if (equations.solve(u)) {
+    if (equations.solve(u, factor_)) {
       equations.take(u, filling);
       const std::vector<double> now = equations.flows(filling);
       for (std::size_t c = 0; c < flow.size(); ++c) flow[c] += share * now[c];

@@ -5,8 +5,10 @@
 // it comes from. Steady flow has no first term. Where all is full and nothing widens the equations are linear.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "fluid/joints/filling_equations.hpp"
 #include "fluid/joints/full_flow.hpp"
 #include "fluid/joints/network.hpp"
 
@@ -29,13 +31,16 @@ class NetworkFlow {
   [[nodiscard]] std::vector<double> stored(const Network& network, const Filling& filling) const;
 
   [[nodiscard]] FullFlow& full() { return full_; }
-  [[nodiscard]] const FullFlow& full() const { return full_; }
+  /// Factors that it keeps, for a checkpoint: restored, it goes on with the same bits.
+  [[nodiscard]] std::string state() const;
+  void restore(const std::string& state);
 
  private:
   void fill(const Network& network, const std::vector<bool>& fed, Filling& filling);
 
   WaterProperties water_;
   FullFlow full_;
+  FillingFactor factor_;
 };
 
 /// What flows out of a network at its nodes of a kind, less what flows in [m2/s].

@@ -8,7 +8,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/at.hpp"
 #include "solid/expect/formula_parts.hpp"
 #include "solid/step/newmark.hpp"
 #include "solid/watch/dominant_eigenvalue.hpp"
@@ -178,6 +180,23 @@ double column_period(const Scene& s, const std::string& of) {
   return 2 * std::numbers::pi * std::sqrt((o.mass + o.added_mass) / (o.stiffness + o.added_stiffness));
 }
 
+/// Of an upright wall on its bolts, which are level, before a long reservoir with a level surface: 2 pi sqrt((m +
+/// m_a)/k) with Westergaard's series m_a = rho H^2 sum 16/((2n-1) pi)^3.
+double wall_in_reservoir_period(const Scene& s, const std::string& of) {
+  constexpr double long_reservoir = 0.5427545;
+  const scene::Block& b = block_named(s, of);
+  const double depth = s.water.upstream_level_m->at(0) - geometry::bounds_of(b.vertices).low.y();
+  const double mass = geometry::signed_area(b.vertices) * material_of(s, b).density_kg_per_m3;
+  double stiffness = 0;
+  for (const scene::Bolt& bolt : s.bolts) {
+    if (s.blocks[at(bolt.blocks[0])].name == of) stiffness += bolt.stiffness_n_per_m2;
+  }
+  if (stiffness == 0)
+    throw std::runtime_error("no [[bolt]] is on block \"" + of + "\"; expected a spring that holds it; add one");
+  return 2 * std::numbers::pi *
+         std::sqrt((mass + long_reservoir * s.water.density_kg_per_m3 * depth * depth) / stiffness);
+}
+
 /// The initial stress turned with a block that keeps its spin.
 Eigen::Matrix2d turned_stress(const Scene& s, const std::string& of) {
   const scene::Block& b = block_named(s, of);
@@ -212,6 +231,7 @@ const Formulas& dynamics_formulas() {
                                {"bar-free-end-speed", bar_free_end_speed},
                                {"column-displacement", column_displacement},
                                {"column-period", column_period},
+                               {"wall-in-reservoir-period", wall_in_reservoir_period},
                                {"turned-stress-xx", turned_stress_xx},
                                {"turned-stress-yy", turned_stress_yy},
                                {"turned-stress-xy", turned_stress_xy}};

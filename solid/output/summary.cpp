@@ -99,6 +99,9 @@ json summary(const expect::Outcome& outcome) {
                {"checks", checks(outcome)},
                {"skips", skips(outcome.solid, outcome.frames)},
                {"counts", counts_of(outcome.solid)}};
+  if (scene.base_motion && !scene.base_motion->correction.empty()) {
+    text["base_motion"] = {{"text", scene.base_motion->correction}};
+  }
   if (scene.contact.measure_condition) text["largest_condition_number"] = counts.condition_number;
   add_added_mass(outcome, text);
   text["energy_gain"] = outcome.energy.gain();

@@ -31,7 +31,7 @@ std::vector<ForceSum> force_sums(const Solid& solid, const wire::Load& water, co
     if (!sum.force.isZero(0) || sum.moment_n != 0) sums.push_back(std::move(sum));
   };
   add("weight", statics::weights_of(scene));
-  add("loads", statics::stated_loads_of(scene, scene.analysis.duration_s));
+  for (const auto& [name, loads] : statics::stated_loads_by_name(scene, scene.analysis.duration_s)) add(name, loads);
   add("bolts", statics::prestress_of(with_bolts_as_they_pull(scene, solid.bolts())));
   statics::Wrenches at_rest = statics::water_forces(scene, water, 0, water.cracks_from);
   for (const WaterPart& part : parts) at_rest = statics::combined(std::move(at_rest), -1, part.wrenches);

@@ -14,7 +14,7 @@
 namespace blockweir::solid {
 
 struct ForceSum {
-  std::string name;     ///< "weight", "loads", "bolts", "open water", "water in joints", or a part's
+  std::string name;     ///< "weight", a kind of loads, "bolts", "open water", "water in joints", or a part's
   Point force;          ///< N/m
   double moment_n = 0;  ///< about the surface's downstream end, counter-clockwise positive
 };

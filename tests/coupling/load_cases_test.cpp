@@ -93,5 +93,36 @@ TEST_F(LoadCases, ALoadCaseIsJudgedByTheCohesionOfWhatIsNotInTension) {
   EXPECT_THAT(low["warnings"], testing::IsEmpty());
 }
 
+TEST_F(LoadCases, ALoadCaseThatChangesNothingIsWarnedOf) {
+  write("s.toml", text(cases + "monolith-slides/scene.toml") +
+                      "\n[[load_case]]\nname = 'idle'\nset = ['material.concrete.poissons_ratio=0.2']\n"
+                      "[[load_case]]\nname = 'light'\nset = ['material.concrete.density_kg_per_m3=2.4']\n");
+  const std::string idle = "[[load_case]] \"idle\" changes nothing: the scene has material.concrete.poissons_ratio=0.2";
+  ASSERT_EQ(ask("safety s.toml"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("idle: WARNING " + idle));
+  ASSERT_EQ(shell(programs + "/blockweir check s.toml"), 0) << text("out");
+  EXPECT_THAT(text("out"),
+              testing::AllOf(HasSubstr("warning: " + idle), Not(HasSubstr("\"light\" changes nothing")),
+                             HasSubstr("[[load_case]] \"light\" sets material"), HasSubstr("if it is in t/m3")));
+}
+
+/// The forces that a load case states stand apart in the sums by hand.
+TEST_F(LoadCases, SiltAndTheEarthquakeHaveSumsOfTheirOwnAndShakingIsSaidToBeLeftOut) {
+  write("s.toml", text(cases + "monolith-slides/scene.toml") +
+                      "\n[silt]\nlevel_m = 2\nsubmerged_density_kg_per_m3 = 900\npressure_coefficient = 0.4\n"
+                      "[earthquake]\nhorizontal_coefficient = 0.01\n"
+                      "[base_motion]\nacceleration_x_m_per_s2 = { table = [[0, 0], [0.1, 1], [0.2, 0]] }\n");
+  const std::string left_out = "WARNING [base_motion] is left out of this static answer";
+  ASSERT_EQ(ask("safety s.toml --json a.json"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr(left_out));
+  std::vector<std::string> names;
+  const json load_cases = answer("a.json")["load_cases"];
+  for (const json& sum : load_cases[0]["joints"][0]["sums"]) names.push_back(sum["name"]);
+  EXPECT_THAT(names, testing::IsSupersetOf({"weight", "silt", "inertia (earthquake)"}));
+  EXPECT_THAT(names, Not(testing::Contains("loads")));
+  ASSERT_EQ(ask("level s.toml"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr(left_out));
+}
+
 }  // namespace
 }  // namespace blockweir::test

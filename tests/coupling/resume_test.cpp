@@ -72,6 +72,9 @@ TEST_F(Resume, AStoppedRunEndsWithTheBitsOfAWholeOne) {
   expect_same_bits("heap");
   expect_same_bits("bar-wave", " --set analysis.step_s=1e-5");
   expect_same_bits("toppling-slope");
+  expect_same_bits("cracked-dam-flow");
+  expect_same_bits("cracked-dam-flow", " --set joint_flow.kind=transient --set joint_flow.bulk_modulus_pa=2.2e9");
+  expect_same_bits("cracked-dam-flow", " --set fluid.model=reservoir --set analysis.duration_s=5");
 }
 
 /// With BLOCKWEIR_RESUMES=10 every case without OpenFOAM so many times, else two of them once.

@@ -56,6 +56,12 @@ TEST_F(Stress, RightCellsAreDrawnAndCounted) {
   EXPECT_THAT(text("out"), HasSubstr("1 maps, no cell is wrong"));
 }
 
+/// Water of finite elements, up to 45 times as heavy as the wall that it presses on, on all schedules.
+TEST_F(Stress, AWallOnASpringHasItsPeriodInAReservoir) {
+  ASSERT_EQ(shell(programs + "/blockweir stress reservoir --short --out s"), 0) << text("out");
+  for (const auto& map : rows()) EXPECT_EQ(map["right"], 9) << map["map"];
+}
+
 TEST_F(Stress, ACellThatIsOffIsWrong) {
   write_scene("[[map]]\nname = 'slide'\nquantity = 'displacement_m'\nof = 'base'\nvalue = 0.01\n" + penalty_and_step);
   EXPECT_EQ(stress(), 1);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // `blockweir compare` whose runs are stopped or killed.
+#include <map>
+
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -55,6 +57,35 @@ TEST_F(Compare, KeepsRunsAndSaysHowToRepeatOneThatFailed) {
   EXPECT_EQ(shell(programs + "/blockweir compare " + cases + "incline --set analysis.step_s=-1"), 1);
   EXPECT_THAT(text("out"),
               testing::AllOf(testing::HasSubstr("above 0"), testing::HasSubstr("repeat it with blockweir")));
+}
+
+/// Still water does not answer: the dam slips by a sixth of the way.
+TEST_F(Compare, SetsFluidsSideBySide) {
+  ASSERT_EQ(shell(programs + "/blockweir compare " + cases +
+                  "reservoir-slide --fluids reservoir,hydrostatic --out kept "
+                  "--json table.json"),
+            0)
+      << text("out");
+  EXPECT_TRUE(fs::exists(folder / "kept/reservoir-slide-hydrostatic/summary.json"));
+  const auto rows = nlohmann::json::parse(text("table.json"), nullptr, false);
+  std::map<std::string, std::map<std::string, double>> got;  // by figure and fluid
+  for (const auto& row : rows) {
+    if (row["got"].is_number()) got[row["name"]][row["fluid"]] = row["got"];
+    EXPECT_GT(row["wall_time_s"].get<double>(), 0);
+  }
+  EXPECT_NEAR(got.at("displacement_m of base").at("reservoir"), 0.0722, 1e-4);
+  EXPECT_NEAR(got.at("displacement_m of base").at("hydrostatic"), 0.0118, 1e-4);
+  const auto& range = got.at("half the range of water_force_x_n_per_m on dam");
+  EXPECT_LT(range.at("hydrostatic"), 1e-3 * range.at("reservoir"));
+  EXPECT_THAT(text("out"), testing::HasSubstr("*: off the figure of reservoir"));
+}
+
+TEST_F(Compare, RefusesAFluidThatIsNone) {
+  EXPECT_EQ(shell(programs + "/blockweir compare " + cases + "reservoir-slide --fluids resevoir"), 2);
+  EXPECT_THAT(text("out"), testing::HasSubstr("--fluids: found \"resevoir\"; expected one of none, hydrostatic, "
+                                              "reservoir, openfoam, column; did you mean \"reservoir\"?"));
+  EXPECT_EQ(shell(programs + "/blockweir compare --fluids reservoir"), 2);
+  EXPECT_THAT(text("out"), testing::HasSubstr("found no scene beside it"));
 }
 
 TEST_F(Compare, EndsAtCtrlC) {

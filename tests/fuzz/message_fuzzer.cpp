@@ -42,7 +42,7 @@ void read(const std::vector<std::uint8_t>& bytes) {
       case Kind::load:
         return decode_both_ways<Load>(frame);
       case Kind::end:
-        return decode_into_used<End>(frame);
+        return decode_into_used<Farewell>(frame);
       case Kind::failure:
         return decode_into_used<Failure>(frame);
       case Kind::progress:

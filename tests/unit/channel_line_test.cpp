@@ -63,14 +63,20 @@ TEST_F(Line, AnEndpointInUseIsRefused) {
   EXPECT_EQ(refusal(endpoint, false), "");
 }
 
-TEST_F(Line, AMessageOfAnotherKindThanIsDueIsNamed) {
+TEST_F(Line, AMessageOfAnotherKindThanIsDueIsNamedToBothSides) {
   const std::string endpoint = "ipc://" + (folder / "line").string();
   std::thread fluid([&] {
     Channel channel({Side::connects, endpoint, "solid process"});
     static_cast<void>(channel.handshake({}));
     channel.send(wire::Motion{});
     wire::Motion motion;
-    EXPECT_THROW(channel.receive(motion), PeerEnded);
+    try {
+      channel.receive(motion);
+      ADD_FAILURE();
+    } catch (const PeerError& error) {
+      EXPECT_THAT(error.what(),
+                  HasSubstr("solid process stopped in window 0: fluid process sent a message of another"));
+    }
   });
   Channel channel({Side::listens, endpoint, "fluid process"});
   static_cast<void>(channel.handshake({}));
@@ -81,7 +87,26 @@ TEST_F(Line, AMessageOfAnotherKindThanIsDueIsNamed) {
   } catch (const PeerError& error) {
     EXPECT_THAT(error.what(), HasSubstr("fluid process sent a message of another kind than was due"));
   }
-  channel.send(wire::End{"enough"});
+  fluid.join();
+}
+
+TEST_F(Line, ASideWithoutASceneAgreesToWhatTheOtherSays) {
+  const std::string endpoint = "ipc://" + (folder / "line").string();
+  wire::Hello ours;
+  ours.role = "solid";
+  ours.scene_digest = "0123456789abcdef";
+  ours.block_names = {"a"};
+  std::thread fluid([&] {
+    Channel channel({Side::connects, endpoint, "solid process"});
+    const wire::Hello theirs = channel.agree("mine", "1");
+    EXPECT_EQ(theirs.scene_digest, ours.scene_digest);
+    EXPECT_EQ(theirs.role, "mine");
+    wire::Motion motion;
+    EXPECT_THROW(channel.receive(motion), PeerEnded);
+  });
+  Channel channel({Side::listens, endpoint, "fluid process"});
+  EXPECT_EQ(channel.handshake(ours).role, "mine");
+  channel.send(wire::Farewell{"enough"});
   fluid.join();
 }
 

@@ -220,6 +220,7 @@ spacing_deviation = 0.3
     return std::regex_replace(blocks, std::regex("upstream_level_m = 1\n"), "") +
            "[fluid]\nmodel = \"column\"\n[fluid.column]\nblock = \"a\"\nat_m = [0, 1]\nlength_m = 5\n";
   }
+  if (table == "fluid.external") return blocks + "[fluid]\nmodel = \"external\"\n";
   if (table == "fluid.reservoir") {
     return blocks + "[fluid]\nmodel = \"reservoir\"\n[fluid.reservoir]\nelement_ratio = 0.3\ncompressible = true\n";
   }
@@ -262,8 +263,10 @@ bool found(const std::vector<Diagnostic>& problems, const std::string& words) {
 }
 
 /// What `key=value` makes of the scene; none where it is refused. Without what any text would change.
-std::optional<std::tuple<Scene, std::vector<OpenStudy>, Randomness>> scene_of(const std::string& text, const std::string& table,
-                                                                 const std::string& key, const std::string& value) {
+std::optional<std::tuple<Scene, std::vector<OpenStudy>, Randomness>> scene_of(const std::string& text,
+                                                                              const std::string& table,
+                                                                              const std::string& key,
+                                                                              const std::string& value) {
   std::string path = table == "material.NAME" ? "material.m" : table;
   toml::table file = toml::parse(text);
   if (table.find('.') == std::string::npos && file.get(table)->is_array()) path += ".0";

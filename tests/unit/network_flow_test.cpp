@@ -353,7 +353,7 @@ TEST(NetworkFlow, ARestoredFactorGivesTheSameBits) {
   Filling filling;
   first.steady(network, filling);
   NetworkFlow second({});
-  second.full().restore(first.full().state());
+  second.restore(first.state());
   for (Channel& c : network.channels) c.aperture_m[1] *= 1.0005;
   Filling a;
   Filling b;

@@ -198,6 +198,29 @@ vertices_m = [[0, 0], [8, 0], [8, 10], [0, 10]]
   EXPECT_FALSE(warned("[coupling]\nload_in_window = \"linear\"\n"));
 }
 
+/// 5 m deep, longest elements of a quarter of that: sound takes 1440 m/s.
+TEST(ReservoirModel, WindowsThatSoundCrossesTooFastAreWarnedOf) {
+  const auto warned = [](const std::string& window_s) {
+    const auto read = scene::read_text(R"(water = { upstream_level_m = 5 }
+material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
+analysis = { duration_s = 1, step_s = 0.0001 }
+fluid = { model = "reservoir", reservoir = { compressible = true } }
+block = [
+  { name = "rock", material = "m", fixed = true, vertices_m = [[-9, -5], [20, -5], [20, 0], [-9, 0]] },
+  { name = "wall", material = "m", vertices_m = [[0, 0], [8, 0], [8, 10], [0, 10]] },
+]
+coupling = { schedule = "improved", window_s = )" +
+                                           window_s + " }\n",
+                                       "sound");
+    std::string all;
+    for (const auto& warning : read.warnings) all += warning.text();
+    return all;
+  };
+  EXPECT_THAT(warned("0.01"), testing::AllOf(testing::HasSubstr("sound runs 14.4 m in a window, 11.5 of the longest"),
+                                             testing::HasSubstr("shorten window_s in [coupling] to 0.00043 s")));
+  EXPECT_THAT(warned("0.0004"), testing::Not(testing::HasSubstr("sound runs")));
+}
+
 TEST(ReservoirModel, AFarWallWithinTheModelAndKeysOfAnotherModelAreErrors) {
   const auto error = [](const std::string& more) -> std::string {
     try {
@@ -209,6 +232,9 @@ TEST(ReservoirModel, AFarWallWithinTheModelAndKeysOfAnotherModelAreErrors) {
   };
   EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { upstream_wall_m = -20 }\n"),
               testing::HasSubstr("upstream_wall_m is -20 m, within the model, which ends at -50 m"));
+  EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { upstream_wall_m = -1e6 }\n"),
+              testing::AllOf(testing::HasSubstr("depths of the water beyond the model's end at -50 m"),
+                             testing::HasSubstr("at most 1000 depths")));
   EXPECT_THAT(error("[fluid]\nreservoir = { element_ratio = 0.2 }\n"),
               testing::HasSubstr("[fluid.reservoir] beside another model"));
   EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { bottom_reflection = 0.5 }\n"),

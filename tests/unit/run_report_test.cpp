@@ -39,5 +39,11 @@ TEST(RunReport, ALevelUnderTheJointThatFailedIsBelowIt) {
                                              HasSubstr(R"("blockweir profile 'it'\''s so'" lists them)")));
 }
 
+TEST(RunReport, SaysWhatWasDoneToTheGroundsRecord) {
+  RunResult result{.exit_code = 0, .folder = "f"};
+  result.summary = {{"outcome", "stopped"}, {"wall_time_s", 1}, {"base_motion", {{"text", "baseline linear; x"}}}};
+  EXPECT_THAT(report(result), HasSubstr("GROUND  baseline linear; x\n"));
+}
+
 }  // namespace
 }  // namespace blockweir::process

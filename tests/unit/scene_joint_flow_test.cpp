@@ -104,6 +104,8 @@ TEST(SceneJointFlow, OpenFoamIsRefused) {
 
 TEST(SceneJointFlow, AperturesBeyondTheirBoundsAreRefused) {
   EXPECT_THAT(fault("", {"joint.hydraulic_aperture_m=0.5"}), HasSubstr("hydraulic_aperture_m of [joint] is 0.5 m"));
+  EXPECT_THAT(fault("", {"joint.hydraulic_aperture_m=0"}), HasSubstr("an aperture above 0"));
+  EXPECT_THAT(fault("", {"joint.least_aperture_m=0"}), HasSubstr("an aperture above 0"));
   EXPECT_THAT(fault("", {"joint.least_aperture_m=1e-3"}), HasSubstr("least_aperture_m of [joint] is 0.001 m"));
   EXPECT_THAT(fault("", {"joint.largest_aperture_m=0.5"}), HasSubstr("largest_aperture_m of [joint] is 0.5 m"));
   EXPECT_THAT(fault("", {"joint.aperture_stiffness_pa_per_m=0"}), HasSubstr("a stiffness above 0"));

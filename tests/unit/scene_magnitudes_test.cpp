@@ -37,7 +37,8 @@ std::string set(const Magnitude& row, double value) {
                                                               {"joint", "[joint]"},
                                                               {"water", "[water]"},
                                                               {"bolt[]", "[[bolt]]"},
-                                                              {"ice", "[ice]"}};
+                                                              {"ice", "[ice]"},
+                                                              {"silt", "[silt]"}};
   const std::string key = row.key;
   std::string scene = with("[water]", "[water]\natmosphere = \"wet-faces\"");
   if (row.section == std::string("analysis")) scene = scene.substr(0, scene.find("[water]"));
@@ -46,7 +47,8 @@ std::string set(const Magnitude& row, double value) {
   scene +=
       "[[bolt]]\nname = \"bar\"\nfrom_block = \"base\"\nfrom_m = [0, 1]\nto_m = [-3, 0]\narea_m2_per_m = 1e-3\n"
       "youngs_modulus_pa = 210e9\n";
-  if (row.section == std::string("ice")) scene += "[ice]\nthrust_n_per_m = 1e5\n";
+  if (row.section == std::string("ice")) scene += "[ice]\nthickness_m = 0.5\nthrust_n_per_m = 1e5\n";
+  if (row.section == std::string("silt")) scene += "[silt]\nlevel_m = 1\npressure_coefficient = 0.5\n";
   return set(scene, headings.at(row.section), key, value);
 }
 
@@ -80,6 +82,14 @@ TEST(SceneMagnitudes, EachLawOfAJointIsLookedAt) {
   expect_warning(with("friction_angle_deg = 30", "friction_angle_deg = 0.6"), 13,
                  {"friction_angle_deg in [joint] is 0.6 deg, which is unusual", "expected 2 to 80 deg",
                   "if it is in radians, write 34.38"});
+}
+
+TEST(SceneMagnitudes, SiltAboveTheCrestIsADepth) {
+  const std::string silt = "[silt]\nsubmerged_density_kg_per_m3 = 900\npressure_coefficient = 0.5\nlevel_m = ";
+  expect_warning(text + silt + "4.5\n", 59, {"level_m in [silt] is 4.5 m, above the crest at 4 m", "not a depth"});
+  EXPECT_THAT(warnings(text + silt + "3\n"), Not(Contains(HasSubstr("[silt]"))));
+  expect_warning(text + "[silt]\nlevel_m = 1\npressure_coefficient = 0.5\nsubmerged_density_kg_per_m3 = 8.5\n", 59,
+                 {"submerged_density_kg_per_m3 in [silt] is 8.5 kg/m3", "if it is in kN/m3, write 866.5"});
 }
 
 /// Of a dry scene: still water wants level ground.

@@ -3,6 +3,8 @@
 // --set: what it reaches, what it says when wrong, and the text and digest of the scene as it is run.
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "bridge/scene/read/digest.hpp"
 #include "tests/unit/scene_sample.hpp"
 
@@ -46,6 +48,19 @@ TEST(SceneOverride, ReachesListsByNameAndByIndex) {
   EXPECT_EQ(scene.joints[0].law.cohesion_pa, 0);
   EXPECT_EQ(scene.water.upstream_level_m->at(2), 3);
   EXPECT_EQ(scene.supports[0].point_m, Point(1, 1));
+}
+
+TEST(SceneOverride, ReachesNamesWithDots) {
+  const std::string dotted = std::regex_replace(text, std::regex("\"crack\""), "\"lift 1.5\"") +
+                             "[material.\"C 20.25\"]\nyoungs_modulus_pa = 3e10\npoissons_ratio = 0.2\n"
+                             "density_kg_per_m3 = 2400\n[[variant]]\nname = \"v\"\nset = [\"joints.lift "
+                             "1.5.friction_angle_deg=20\"]\n";
+  const Scene scene =
+      read_text(dotted, "s.toml", {"joints.lift 1.5.cohesion_pa=2e5", "material.C 20.25.density_kg_per_m3=2300"}).scene;
+  EXPECT_EQ(scene.joints[0].law.cohesion_pa, 2e5);
+  EXPECT_EQ(scene.materials[0].density_kg_per_m3 + scene.materials[1].density_kg_per_m3, 2500 + 2300);
+  EXPECT_THAT(errors(dotted, {"joints.lift 1.6.cohesion_pa=2e5"}),
+              testing::Contains(HasSubstr("no [[joints]] is \"lift 1\"")));
 }
 
 TEST(SceneOverride, TakesABareWordAsAText) {

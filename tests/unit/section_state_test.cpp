@@ -8,6 +8,8 @@
 
 #include <set>
 
+#include "bridge/picture/force_text.hpp"
+#include "bridge/picture/frames.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "tests/unit/scene_sample.hpp"
 
@@ -121,6 +123,21 @@ TEST(SectionState, TheViewHasAllThatIsDrawn) {
       }
     }
   }
+}
+
+TEST(SectionState, LargeForcesAreInMeganewtons) {
+  EXPECT_EQ(force_text(412.5e3), "412.5 kN/m");
+  EXPECT_EQ(force_text(9999e3), "9999 kN/m");
+  EXPECT_EQ(force_text(12.73e6), "12.73 MN/m");
+}
+
+/// Of a run's pictures, too: an anchor ends deep in the ground.
+TEST(SectionState, AnchorsEndWithinTheFrame) {
+  json frame = json::parse(R"({"blocks": [{"fixed": false, "outline": [[0, 0], [2, 0], [2, 4], [0, 4]]}],
+                               "upstream_level_m": null, "downstream_level_m": null})");
+  EXPECT_GT(view_of({frame}, 1e300).bottom, -1);
+  frame["bolts"] = {{1, 4, 1, -9, 5e4}};
+  EXPECT_LT(view_of({frame}, -1e300).bottom, -9);
 }
 
 }  // namespace

@@ -53,6 +53,8 @@ constexpr IdleKey idle_keys[] = {
     {"water", "atmospheric_pressure_pa",
      [](const Scene& s) { return !dry(s) && s.water.atmosphere == Atmosphere::none; }, "atmosphere = \"wet-faces\""},
     {"water", "open_crack_width_m", not_still_water, "model = \"hydrostatic\" in [fluid]"},
+    {"water", "uplift_in_shaking", [](const Scene& s) { return !dry(s) && (!s.base_motion || !still_pools(s.fluid)); },
+     "[base_motion], and model = \"hydrostatic\" or \"reservoir\" in [fluid]"},
     {"output", "reservoir", [](const Scene& s) { return s.output.reservoir && s.fluid != FluidModel::hydrostatic; },
      "[water], and model = \"hydrostatic\" in [fluid]"},
 };
@@ -93,6 +95,22 @@ double highest(const TimeTable& level, double duration_s) {
     if (level.time_s[i] >= 0 && level.time_s[i] <= duration_s) high = std::max(high, level.value[i]);
   }
   return high + (level.sine ? std::abs(level.sine->amplitude) : 0);
+}
+
+/// Uplift where the water is a stranger's: what he sends is all that presses.
+void check_strange_uplift(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  const auto stated = [](const JointLaw& law) { return law.uplift != Uplift::none; };
+  const auto joint =
+      std::find_if(scene.joints.begin(), scene.joints.end(), [&](const Joint& j) { return stated(j.law); });
+  if (!fluid_entry(scene.fluid).yours || (!stated(scene.default_joint) && joint == scene.joints.end())) return;
+  const std::string whose = stated(scene.default_joint) ? "[joint]" : fmt::format("joint \"{}\"", joint->name);
+  reading.problems.warning(reading.problems.at(0),
+                           fmt::format("uplift of {} has no effect in a run with model = \"external\": only what the "
+                                       "program sends presses, in joints, too",
+                                       whose),
+                           "uplift = \"none\", or panels of the joint's edges from the program",
+                           "leave uplift out, and let the program press in its joints");
 }
 
 /// Pools that stay below all that can move, and cracks with uplift that no pool ever reaches.
@@ -223,6 +241,7 @@ void check_effects(const Reading& reading) {
   check_idle_keys(reading);
   check_materials(reading);
   check_reach_of_water(reading);
+  check_strange_uplift(reading);
   check_base_motion(reading);
   check_dipping_uplift(reading);
   check_anything_happens(reading);

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "bridge/geometry/outline.hpp"
 #include "bridge/scene/cracks.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/upstream_faces.hpp"
@@ -33,6 +35,23 @@ void check_ice(const Reading& reading) {
           "{:.4g} m of upstream face that can move",
           100 * lost, level_m - thickness_m, level_m, held_m),
       "a sheet that lies on a face over all of its thickness", "correct thickness_m, in metres, or the level");
+}
+
+/// What lies above the crest would go over it.
+void check_silt(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  const toml::node* level = reading.file["silt"]["level_m"].node();
+  const auto level_m = level == nullptr ? std::nullopt : level->value<double>();
+  if (!level_m) return;
+  double crest_m = -std::numeric_limits<double>::infinity();
+  for (const Block& block : scene.blocks) {
+    if (!block.fixed) crest_m = std::max(crest_m, geometry::bounds_of(block.vertices).high.y());
+  }
+  if (*level_m <= crest_m) return;
+  reading.problems.warning(reading.problems.at(level->source()),
+                           fmt::format("level_m in [silt] is {:.6g} m, above the crest at {:.6g} m", *level_m, crest_m),
+                           "silt up to the highest point of what can move",
+                           "state a height on the y axis, not a depth");
 }
 
 /// Where the crack is at this way from its mouth.
@@ -81,6 +100,61 @@ void check_drains(const Reading& reading) {
   }
 }
 
+/// Deepest water over the foot of what can move [m]; 0 without a pool, or where nothing can.
+double deepest(const Scene& scene) {
+  double bottom_m = std::numeric_limits<double>::infinity();
+  for (const Block& block : scene.blocks) {
+    if (!block.fixed) bottom_m = std::min(bottom_m, geometry::bounds_of(block.vertices).low.y());
+  }
+  double depth_m = 0;
+  for (const auto* level : {&scene.water.upstream_level_m, &scene.water.downstream_level_m}) {
+    if (*level) depth_m = std::max(depth_m, highest_of(**level, scene.analysis.duration_s) - bottom_m);
+  }
+  return depth_m;
+}
+
+/// A window in which sound runs through half of an element or more: waves that the mesh has are lost in time.
+void check_sound_windows(const Reading& reading) {
+  constexpr double most = 0.5;
+  const Scene& scene = reading.scene;
+  const Reservoir& r = scene.reservoir;
+  const toml::node* stated = reading.file["fluid"]["reservoir"]["compressible"].node();
+  if (!r.compressible || stated == nullptr) return;
+  const double element_m = r.element_ratio * deepest(scene);
+  const double way_m = r.sound_speed_m_per_s * scene.coupling.window_s;
+  if (element_m <= 0 || way_m <= most * element_m) return;
+  reading.problems.warning(
+      reading.problems.at(stated->source()),
+      fmt::format("sound runs {:.3g} m in a window, {:.3g} of the longest element's {:.3g} m", way_m, way_m / element_m,
+                  element_m),
+      fmt::format("at most {:g} of it", most),
+      fmt::format("shorten window_s in [coupling] to {:.2g} s", most * element_m / r.sound_speed_m_per_s));
+}
+
+/// Reservoirs so long that their mesh would take minutes, and tell no more.
+void check_far_walls(const Reading& reading) {
+  constexpr double most_depths = 1000;
+  const Scene& scene = reading.scene;
+  const double depth_m = deepest(scene);
+  if (scene.fluid != FluidModel::reservoir || depth_m <= 0) return;
+  geometry::Bounds model = geometry::bounds_of(scene.blocks.front().vertices);
+  for (const Block& block : scene.blocks) {
+    const geometry::Bounds own = geometry::bounds_of(block.vertices);
+    model.low = model.low.cwiseMin(own.low);
+    model.high = model.high.cwiseMax(own.high);
+  }
+  const auto look = [&](const char* key, const std::optional<double>& wall_m, double end_m) {
+    if (!wall_m || std::abs(*wall_m - end_m) <= most_depths * depth_m) return;
+    reading.problems.error(reading.problems.at(reading.file["fluid"]["reservoir"][key].node()->source()),
+                           fmt::format("{} is {:g} m, {:.3g} depths of the water beyond the model's end at {:g} m", key,
+                                       *wall_m, std::abs(*wall_m - end_m) / depth_m, end_m),
+                           fmt::format("at most {:g} depths, {:g} m", most_depths, most_depths * depth_m),
+                           "leave it out: the reservoir is long then");
+  };
+  look("upstream_wall_m", scene.reservoir.upstream_wall_m, model.low.x());
+  look("downstream_wall_m", scene.reservoir.downstream_wall_m, model.high.x());
+}
+
 /// Sound that answers a window late damps what swings, or drives it.
 void check_sound(const Reading& reading) {
   const Scene& scene = reading.scene;
@@ -99,8 +173,11 @@ void check_sound(const Reading& reading) {
 
 void check_reservoir(const Reading& reading) {
   check_ice(reading);
+  check_silt(reading);
   check_drains(reading);
   check_sound(reading);
+  check_sound_windows(reading);
+  check_far_walls(reading);
 }
 
 }  // namespace blockweir::scene

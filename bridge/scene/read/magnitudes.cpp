@@ -23,6 +23,8 @@ constexpr Unit kilopascals = {"kPa", 1e3};
 constexpr Unit megapascals = {"MPa", 1e6};
 constexpr Unit gigapascals = {"GPa", 1e9};
 constexpr Unit tonnes = {"t/m3", 1000};
+constexpr Unit kilonewtons = {"kN/m", 1e3};
+constexpr Unit meganewtons = {"MN/m", 1e6};
 
 constexpr Magnitude table_of_magnitudes[] = {
     {"material.*", "density_kg_per_m3", "kg/m3", 100, 20'000, {tonnes, {"kN/m3", 1000 / 9.81}}},
@@ -42,6 +44,10 @@ constexpr Magnitude table_of_magnitudes[] = {
     {"water", "density_kg_per_m3", "kg/m3", 500, 2000, {tonnes, {"kN/m3", 1000 / 9.81}}},
     {"water", "atmospheric_pressure_pa", "Pa", 3e4, 1.2e5, {kilopascals, {"hPa", 100}, {"bar", 1e5}}},
     {"ice", "thickness_m", "m", 0.1, 2, {{"cm", 0.01}, {"mm", 0.001}}},
+    {"ice", "thrust_n_per_m", "N/m", 5e3, 2e6, {kilonewtons, meganewtons}, "", grows_with_size},
+    {"silt", "submerged_density_kg_per_m3", "kg/m3", 100, 2000, {{"kN/m3", 1000 / 9.81}, tonnes}},
+    {"bolt[]", "prestress_n_per_m", "N/m", 2000, 1e8, {kilonewtons, meganewtons}, "", grows_with_size},
+    {"bolt[]", "yield_n_per_m", "N/m", 2000, 1e9, {kilonewtons, meganewtons}, "", grows_with_size},
     {"bolt[]", "youngs_modulus_pa", "Pa", 1e9, 1e12, {gigapascals, megapascals}},
     {"bolt[]", "area_m2_per_m", "m2/m", 1e-9, 0.5, {{"mm2", 1e-6}, {"cm2", 1e-4}}},
 };

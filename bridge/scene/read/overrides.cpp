@@ -33,6 +33,32 @@ Override split(const std::string& argument) {
   return split;
 }
 
+/// Has a section an entry, or a table, of this name?
+bool names_one(const toml::node& section, const std::string& name) {
+  if (const toml::table* table = section.as_table()) return (*table)[name].is_table();
+  const toml::array* list = section.as_array();
+  return list != nullptr && std::any_of(list->begin(), list->end(), [&](const toml::node& node) {
+           return node.is_table() && (*node.as_table())["name"].value<std::string>() == name;
+         });
+}
+
+/// Names may have dots: words that are together a name become one.
+Override split(const toml::table& file, const std::string& argument) {
+  Override o = split(argument);
+  const toml::node* section = o.path.empty() ? nullptr : file.get(o.path.front());
+  if (section == nullptr) return o;
+  const auto first = o.path.begin() + 1;
+  for (auto end = o.path.end(); end - first > 2;) {  // the longest name first; a key comes after it
+    --end;
+    const std::string name = fmt::format("{}", fmt::join(first, end, "."));
+    if (!names_one(*section, name)) continue;
+    *first = name;
+    o.path.erase(first + 1, end);
+    break;
+  }
+  return o;
+}
+
 bool well_formed(const Override& o) {
   return !o.path.empty() && o.path.size() <= longest_path &&
          std::none_of(o.path.begin(), o.path.end(), [](const std::string& word) { return word.empty(); });
@@ -143,7 +169,7 @@ std::string override_place(const std::string& argument) {
 }
 
 std::string plain_key(const toml::table& file, const std::string& key) {
-  const std::vector<std::string> path = split(key + "=").path;
+  const std::vector<std::string> path = split(file, key + "=").path;
   const toml::array* list = path.empty() ? nullptr : file[path.front()].as_array();
   if (list == nullptr || path.size() < 2) return key;
   for (std::size_t i = 0; i < list->size(); ++i) {
@@ -156,7 +182,7 @@ std::string plain_key(const toml::table& file, const std::string& key) {
 
 void apply_overrides(toml::table& file, const std::vector<std::string>& overrides, Problems& problems) {
   for (const std::string& argument : overrides) {
-    const Override o = split(argument);
+    const Override o = split(file, argument);
     if (!well_formed(o)) {
       problems.error({o.argument, 0}, "this names no key", "section.key=value",
                      "write for example --set analysis.step_s=0.001 or --set block.top.fixed=true");

@@ -70,6 +70,10 @@ void check_apertures(Reading& reading, const std::string& whose, const JointLaw&
                            fmt::format("{} of {} is {} m", key, whose, found), expected,
                            "correct the one or the other");
   };
+  // A joint that closes to nothing would keep the water out of what opens beside it.
+  if (law.hydraulic_aperture_m == 0)
+    refuse("hydraulic_aperture_m", 0, "an aperture above 0; 1e-6 lets next to nothing through");
+  if (law.least_aperture_m == 0.0) refuse("least_aperture_m", 0, "an aperture above 0");
   if (largest_m > reading.scene.water.open_crack_width_m) {
     refuse("largest_aperture_m", largest_m,
            fmt::format("at most open_crack_width_m of [water], {} m, from which on open water comes in",
@@ -111,10 +115,11 @@ void read_joint_flow(Reading& reading) {
                              "bulk_modulus_pa in [joint_flow] has no effect: steady flow stores no water",
                              "kind = \"transient\"", "state that kind, or leave bulk_modulus_pa out");
   }
-  if (flows_in_joints(reading.scene) && reading.scene.fluid == FluidModel::openfoam) {
-    reading.problems.error(reading.problems.at(0), "uplift = \"flow\" with model = \"openfoam\"",
-                           "model = \"hydrostatic\" or \"reservoir\" in [fluid]",
-                           "change the model, or state another uplift");
+  const FluidModel model = reading.scene.fluid;
+  if (flows_in_joints(reading.scene) && (model == FluidModel::openfoam || model == FluidModel::external)) {
+    reading.problems.error(
+        reading.problems.at(0), fmt::format("uplift = \"flow\" with model = \"{}\"", fluid_entry(model).key),
+        "model = \"hydrostatic\" or \"reservoir\" in [fluid]", "change the model, or state another uplift");
   }
 }
 

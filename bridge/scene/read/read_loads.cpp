@@ -217,22 +217,4 @@ void read_body_loads(Reading& reading) {
   });
 }
 
-void read_base_motion(Reading& reading) {
-  TableReader table(reading.problems, reading.section("base_motion"), "[base_motion]");
-  BaseMotion base;
-  std::optional<TimeTable> x;
-  std::optional<TimeTable> y;
-  table.choice<BaseForm>("form", base.form, {{"inertia", BaseForm::inertia}, {"support", BaseForm::support}});
-  read_course(table, "acceleration_x_m_per_s2", x, reading);
-  read_course(table, "acceleration_y_m_per_s2", y, reading);
-  if (!table.present()) return;
-  if (!table.has("acceleration_x_m_per_s2") && !table.has("acceleration_y_m_per_s2")) {
-    reject(table, reading.problems, "moves nothing", "acceleration_x_m_per_s2, acceleration_y_m_per_s2 or both",
-           "state an acceleration, or leave [base_motion] out");
-  }
-  if (x) base.acceleration_x_m_per_s2 = *x;
-  if (y) base.acceleration_y_m_per_s2 = *y;
-  reading.scene.base_motion = std::move(base);
-}
-
 }  // namespace blockweir::scene

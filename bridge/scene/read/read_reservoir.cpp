@@ -11,12 +11,13 @@ namespace {
 /// Reports what acts through the reservoir where there is none that stands still.
 void require_still_water(TableReader& table, Reading& reading) {
   if (still_pools(reading.scene.fluid) && reading.scene.water.upstream_level_m) return;
-  const bool openfoam = reading.scene.fluid == FluidModel::openfoam;
+  const FluidModel model = reading.scene.fluid;
+  const bool other = model == FluidModel::openfoam || model == FluidModel::external;
   reading.problems.error(table.place(),
-                         openfoam ? fmt::format("{} with model = \"openfoam\"", table.name())
-                                  : fmt::format("{} without a reservoir", table.name()),
+                         other ? fmt::format("{} with model = \"{}\"", table.name(), fluid_entry(model).key)
+                               : fmt::format("{} without a reservoir", table.name()),
                          "[water] with upstream_level_m, and model = \"hydrostatic\"",
-                         openfoam ? "leave model out, or leave this table out" : "add the level, or leave this out");
+                         other ? "leave model out, or leave this table out" : "add the level, or leave this out");
 }
 
 TimeTable constant(double value) {
@@ -56,7 +57,8 @@ void read_silt(Reading& reading) {
                                         .from_m = face.top_m,
                                         .to_m = face.bottom_m,
                                         .force_from_n_per_m2 = at_height(face.top_m.y()),
-                                        .force_to_n_per_m2 = at_height(face.bottom_m.y())});
+                                        .force_to_n_per_m2 = at_height(face.bottom_m.y()),
+                                        .origin = LoadOrigin::silt});
   }
 }
 
@@ -90,7 +92,7 @@ void read_earthquake(Reading& reading) {
                            "added_water_pressure = \"reservoir\" beside still water",
                            "model = \"reservoir\" in [fluid]", "set the model, or take \"westergaard\"");
   }
-  BodyLoad inertia;
+  BodyLoad inertia{.origin = LoadOrigin::earthquake};
   for (std::size_t b = 0; b < reading.scene.blocks.size(); ++b) {
     if (!reading.scene.blocks[b].fixed) inertia.blocks.push_back(static_cast<int>(b));
   }

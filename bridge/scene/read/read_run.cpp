@@ -13,6 +13,8 @@
 namespace blockweir::scene {
 namespace {
 
+constexpr double patience_with_people_s = 600;  // who start an external fluid by hand
+
 void reject_longer_than_duration(TableReader& table, Reading& reading, const char* key, double value) {
   const double duration = reading.scene.analysis.duration_s;
   if (value <= duration) return;
@@ -129,8 +131,9 @@ void read_coupling(Reading& reading) {
                            "leave schedule out: without time the sides take turns");
   }
   c.timeout_s = fluid_entry(reading.scene.fluid).timeout_s;
+  const bool by_hand = fluid_entry(reading.scene.fluid).yours && reading.scene.external.command.empty();
   table.number("timeout_s", c.timeout_s, positive());
-  c.open_timeout_s = c.timeout_s;
+  c.open_timeout_s = by_hand ? std::max(c.timeout_s, patience_with_people_s) : c.timeout_s;
   table.flag("skip_exchanges", c.skip_exchanges);
   table.flag("added_mass_guard", c.added_mass_guard);
   table.number("added_mass_limit", c.added_mass_limit, positive());

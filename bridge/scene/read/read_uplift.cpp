@@ -131,9 +131,11 @@ void check_cracks(Reading& reading) {
     }
     if (crack.law != Uplift::cracked) continue;
     const Place place = reading.problems.at(crack.known.line);
-    if (scene.fluid == FluidModel::openfoam) {
+    if (scene.fluid == FluidModel::openfoam || scene.fluid == FluidModel::external) {
       reading.problems.error(place,
-                             "uplift = \"cracked\" with model = \"openfoam\": the crack's length follows still water",
+                             fmt::format("uplift = \"cracked\" with model = \"{}\": the crack's length follows still "
+                                         "water",
+                                         fluid_entry(scene.fluid).key),
                              "model = \"hydrostatic\" in [fluid]", "change the model, or state uplift = \"full\"");
     }
     if (!parted_by(scene, crack).empty()) continue;

@@ -84,11 +84,14 @@ void read_water(Reading& reading) {
   table.choice<CrestPressure>(
       "crest_pressure", w.crest_pressure,
       {{"none", CrestPressure::none}, {"triangular", CrestPressure::triangular}, {"full", CrestPressure::full}});
+  table.choice<ShakenUplift>("uplift_in_shaking", w.uplift_in_shaking,
+                             {{"held", ShakenUplift::held}, {"zero-where-open", ShakenUplift::zero_where_open}});
   table.flag("skip_unchanged", w.skip_unchanged);
   if (!table.present()) return;
   reading.scene.fluid = FluidModel::hydrostatic;
-  const toml::table* fluid = reading.section("fluid");
-  const bool elsewhere = fluid != nullptr && (fluid->contains("initial_water_m") || fluid->contains("column"));
+  const toml::table* fluid = reading.file["fluid"].as_table();
+  const bool elsewhere = fluid != nullptr && (fluid->contains("initial_water_m") || fluid->contains("column") ||
+                                              (*fluid)["model"].value_or("") == std::string("external"));
   if (!elsewhere && !table.has("upstream_level_m") && !table.has("downstream_level_m")) {
     reading.problems.error(table.place(), "[water] has no level", "upstream_level_m, downstream_level_m or both",
                            "state a level, or leave [water] out");
@@ -103,17 +106,27 @@ void read_water(Reading& reading) {
 
 void read_fluid(Reading& reading) {
   const bool water = reading.scene.fluid == FluidModel::hydrostatic;
+  if (const toml::array* several = reading.file["fluid"].as_array(); several != nullptr) {
+    reading.sections.emplace_back("fluid");
+    reading.problems.error(reading.problems.at(several->source()),
+                           fmt::format("[[fluid]], a list of {} fluids; each window has one partner, who answers for "
+                                       "all water",
+                                       several->size()),
+                           "one [fluid]", "let one program compute all of the water: model = \"external\"");
+    return;
+  }
   TableReader table(reading.problems, reading.section("fluid"), "[fluid]");
   FluidModel& model = reading.scene.fluid;
   std::vector<std::pair<const char*, FluidModel>> models;
   for (const FluidEntry& entry : fluid_models) models.emplace_back(entry.key, entry.model);
   table.choice<FluidModel>("model", model, models);
-  if (model != FluidModel::none && !water) {
+  if (model != FluidModel::none && !water && !fluid_entry(model).yours) {
     reading.problems.error(table.place("model"), "a fluid, but no [water]", "[water] with a level",
                            "add [water], or set model = \"none\"");
   }
   read_reservoir_model(table, reading);
   read_column(table, reading);
+  read_external(table, reading);
   read_openfoam(table, reading);
 }
 

@@ -119,6 +119,7 @@ void read_fluid(Reading& reading);
 void read_joint_flow(Reading& reading);
 void read_reservoir_model(TableReader& fluid, Reading& reading);
 void read_column(TableReader& fluid, Reading& reading);
+void read_external(TableReader& fluid, Reading& reading);
 /// The keys of [fluid] that only OpenFOAM knows; beside another model they are refused.
 void read_openfoam(TableReader& table, Reading& reading);
 void read_water_expectations(Reading& reading);

@@ -19,10 +19,4 @@ std::vector<std::string> stated_loads(const std::string& text) {
   return stated;
 }
 
-std::size_t count_tables(const std::string& text, const std::string& name) {
-  const toml::table file = toml::parse(text);
-  const toml::array* tables = file[name].as_array();
-  return tables == nullptr ? 0 : tables->size();
-}
-
 }  // namespace blockweir::scene
