@@ -136,6 +136,7 @@ class Reliability {
   void add_samples(OutcomeRuns& runs) {
     const auto begun = std::chrono::steady_clock::now();
     rows_ = runs.make(settings(points_));
+    require_looked_at();
     std::vector<double> levels;
     for (const Outcome& row : rows_) levels.push_back(capacity_of(row));
     const Capacities capacities(std::move(levels), static_cast<std::size_t>(groups_of(asked_)));
@@ -159,6 +160,19 @@ class Reliability {
     if (finite.size() < 10 || finite.front() == finite.back()) return;
     answer_["fit"] = probability_.ask({{"do", "fit"}, {"values", finite}});
     answer_["fit"]["share"] = static_cast<double>(finite.size()) / static_cast<double>(capacities.size());
+  }
+
+  /// A sample that stands at the highest level may fail at a higher one.
+  void require_looked_at() const {
+    for (const Outcome& row : rows_) {
+      const json full_m = row.value("full_m", json());
+      if (!full_m.is_number() || full_m >= level_m_ || row["outcome"] != "stands") continue;
+      throw std::invalid_argument(
+          fmt::format("level_m = {} in [reliability], and samples that stand at {} m, the highest level that is looked "
+                      "at; expected "
+                      "a level up to that; lower level_m, or add may_overtop = true to [water]",
+                      level_m_, full_m.get<double>()));
+    }
   }
 
   /// Infinite numbers are null in JSON.

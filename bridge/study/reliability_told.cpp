@@ -37,7 +37,7 @@ std::string samples_text(const json& answer) {
   }
   if (const int none = samples["without_answer"]; none > 0) {
     text += fmt::format("        {} have no answer, which widens the interval: as if all of them failed, or none; {}\n",
-                        none, samples["trouble"].get<std::string>());
+                        none, samples.value("trouble", "a run ended while blocks still moved: lengthen duration_s"));
   }
   if (const int made = samples["made"]; made > 0) {
     text += fmt::format("        {} made in {:.3g} s, {:.2g} % of the processes' time was not spent on them\n", made,

@@ -89,6 +89,19 @@ TEST_F(Slurm, StudiesRunThereToo) {
   EXPECT_EQ(json::parse(text("there/slope.json"))["answer"], json::parse(text("here/slope.json"))["answer"]);
 }
 
+TEST_F(Slurm, CasesAreValidatedThereToo) {
+  const auto figures = [&](const std::string& options, const std::string& file) {
+    EXPECT_EQ(shell(programs + "/blockweir validate " + cases + "incline --json " + file + " " + options), 0)
+        << text("out");
+    json all = json::parse(text(file));
+    for (json& figure : all) figure.erase("wall_time_s");
+    return all;
+  };
+  const json here = figures("", "here.json");
+  EXPECT_GT(here.size(), 1U);
+  EXPECT_EQ(figures("--engine slurm", "there.json"), here);
+}
+
 TEST_F(Slurm, AQueueThatRefusesSaysWhyAndWhatToDo) {
   write_scene(20);
   EXPECT_EQ(shell(command("r", "--engine slurm --sbatch=--partition=nowhere")), 1);
