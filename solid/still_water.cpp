@@ -29,6 +29,12 @@ scene::Scene filled(scene::Scene scene, const limit::LevelRange& range) {
         "which still water then has here, or leave [fluid] out");
   }
   scene::Water& water = scene.water;
+  if (water.downstream_level_m && !water.upstream_level_m) {
+    throw std::invalid_argument(
+        "[water] has a downstream_level_m alone; expected an upstream_level_m: it is the upstream pool that rises "
+        "here, "
+        "the left one; mirror the scene, or state both levels");
+  }
   if (scene.fluid == scene::FluidModel::none && water.nodal_rule == scene::NodalRule::consistent) {
     water.elements_per_face = 1;
   }

@@ -37,6 +37,7 @@ struct JointLaw {
   double aperture_pressure_pa = 0;                    ///< at which the closed joint has its hydraulic aperture
   bool operator==(const JointLaw&) const = default;
 
+  [[nodiscard]] bool has_flow() const { return uplift == Uplift::flow; }
   [[nodiscard]] bool is_bonded() const { return cohesion_pa > 0 || tension_strength_pa > 0; }
   /// Has it a strength that can be lost?
   [[nodiscard]] bool weakens() const { return is_bonded() || residual_friction_angle_deg != friction_angle_deg; }
@@ -75,7 +76,6 @@ struct JointLawKey {
 /// In the order of the reference of keys.
 inline const std::vector<JointLawKey>& joint_law_keys() {
   using Range = JointLawKey::Range;
-  constexpr auto without_flow = [](const JointLaw& law) { return law.uplift != Uplift::flow; };
   constexpr const char* flow = "flow of water";
   static const std::vector<JointLawKey> keys = {
       {"friction_angle_deg", &JointLaw::friction_angle_deg, Range::angle},
@@ -107,16 +107,38 @@ inline const std::vector<JointLawKey>& joint_law_keys() {
        [](const JointLaw& law) { return law.dilation_limit_m && law.dilation_angle_deg == 0; },
        "dilation_angle_deg",
        {"dilation_angle_deg"}},
-      {"hydraulic_aperture_m", &JointLaw::hydraulic_aperture_m, Range::not_negative, without_flow, flow, {"uplift"}},
-      {"least_aperture_m", &JointLaw::least_aperture_m, Range::not_negative, without_flow, flow, {"uplift"}},
-      {"largest_aperture_m", &JointLaw::largest_aperture_m, Range::not_negative, without_flow, flow, {"uplift"}},
+      {"hydraulic_aperture_m",
+       &JointLaw::hydraulic_aperture_m,
+       Range::not_negative,
+       [](const JointLaw& law) {
+         return !law.has_flow() && law.hydraulic_aperture_m != JointLaw{}.hydraulic_aperture_m;
+       },
+       flow,
+       {"uplift"}},
+      {"least_aperture_m",
+       &JointLaw::least_aperture_m,
+       Range::not_negative,
+       [](const JointLaw& law) { return !law.has_flow() && law.least_aperture_m; },
+       flow,
+       {"uplift"}},
+      {"largest_aperture_m",
+       &JointLaw::largest_aperture_m,
+       Range::not_negative,
+       [](const JointLaw& law) { return !law.has_flow() && law.largest_aperture_m; },
+       flow,
+       {"uplift"}},
       {"aperture_stiffness_pa_per_m",
        &JointLaw::aperture_stiffness_pa_per_m,
        Range::not_negative,
-       without_flow,
+       [](const JointLaw& law) { return !law.has_flow() && law.aperture_stiffness_pa_per_m; },
        flow,
        {"uplift"}},
-      {"aperture_pressure_pa", &JointLaw::aperture_pressure_pa, Range::any, without_flow, flow, {"uplift"}},
+      {"aperture_pressure_pa",
+       &JointLaw::aperture_pressure_pa,
+       Range::any,
+       [](const JointLaw& law) { return !law.has_flow() && law.aperture_pressure_pa != 0; },
+       flow,
+       {"uplift"}},
   };
   return keys;
 }

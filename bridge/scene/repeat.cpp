@@ -18,12 +18,19 @@ toml::table table_of(const FacePressure& load, const std::vector<Block>& blocks)
 
 /// Uplift is water, too.
 void dry(toml::table& file) {
-  if (toml::table* law = file["joint"].as_table()) law->erase("uplift");
+  const auto without_water = [](toml::table* law) {
+    for (const char* key : {"uplift", "drain_m", "drain_efficiency", "drain_head_m", "piezometers_m",
+                            "piezometers_level_m", "hydraulic_aperture_m", "least_aperture_m", "largest_aperture_m",
+                            "aperture_stiffness_pa_per_m", "aperture_pressure_pa"}) {
+      if (law != nullptr) law->erase(key);
+    }
+  };
+  without_water(file["joint"].as_table());
   for (const char* list : {"joints", "cut", "joint_set"}) {
     toml::array* laws = file[list].as_array();
     if (laws == nullptr) continue;
     for (toml::node& law : *laws) {
-      if (law.is_table()) law.as_table()->erase("uplift");
+      without_water(law.as_table());
     }
   }
 }
@@ -34,7 +41,7 @@ std::string repeat_text(const Scene& scene, double duration_s, const std::vector
   toml::table file = toml::parse(scene.text);
   file["analysis"].as_table()->insert_or_assign("duration_s", duration_s);
   for (const char* section : {"water", "fluid", "coupling", "expect", "expect_water", "variant", "load_case", "limit",
-                              "order", "map", "bench", "bench_motion"}) {
+                              "order", "map", "bench", "bench_motion", "joint_flow", "drain", "grout"}) {
     file.erase(section);
   }
   dry(file);

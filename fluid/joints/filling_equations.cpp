@@ -18,7 +18,7 @@ FillingEquations::FillingEquations(const Network& network, const std::vector<boo
     low = std::min(low, node.height_m);
     high = std::max(high, node.height_m);
     unit_pa_ = std::max(unit_pa_, node.pressure_pa);
-    if (node.kind != NodeKind::inside || !fed[i]) continue;
+    if (node.kind == NodeKind::held || !fed[i]) continue;
     unknown_[i] = static_cast<int>(node_of_.size());
     node_of_.push_back(static_cast<int>(i));
   }
@@ -48,7 +48,7 @@ FillingEquations::State FillingEquations::state(int node, const Eigen::VectorXd&
   if (n.kind == NodeKind::held) return {n.pressure_pa, 1, 0, 0};
   const int k = unknown_[at(node)];
   if (k < 0) return {0, 0, 0, 0};
-  if (u[k] >= 0) return {u[k], 1, 1, 0};
+  if (u[k] >= 0) return n.kind == NodeKind::seeps ? State{0, 1, 0, 0} : State{u[k], 1, 1, 0};
   return {0, std::max(0.0, 1 + u[k] / unit_pa_), 0, 1 / unit_pa_};
 }
 
@@ -108,6 +108,11 @@ void FillingEquations::assemble(const Eigen::VectorXd& u, Need need) {
   constexpr double firm = 1e-10;
   for (Eigen::Index k = 0; k < u.size(); ++k) {
     terms_[k] = std::max(terms_[k], std::numeric_limits<double>::min());
+    const double ease = terms_[k] / unit_pa_;
+    const bool runs_out =
+        u[k] >= 0 && network_.nodes[at(node_of_[static_cast<std::size_t>(k)])].kind == NodeKind::seeps;
+    if (runs_out) outflow_[k] += ease * u[k];
+    if (runs_out && need == Need::matrix) entries_.emplace_back(k, k, ease);
     if (need == Need::matrix) entries_.emplace_back(k, k, firm * terms_[k] / unit_pa_);
   }
   if (step_s_ > 0) add_storage(states, need);

@@ -38,7 +38,7 @@ class FillingFactor {
 
 class FillingEquations {
  public:
-  /// Unknowns are the inside nodes that are fed.
+  /// Unknowns are the nodes that are fed and not held.
   FillingEquations(const Network& network, const std::vector<bool>& fed, const WaterProperties& water);
 
   /// Adds storage: what is stored at a node is to change from `stored_m2` to that of u within `step_s`. A node whose

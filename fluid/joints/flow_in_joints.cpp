@@ -53,6 +53,7 @@ OpenWater FlowInJoints::take_in(const std::vector<std::vector<Point>>& outlines,
 void FlowInJoints::advance(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, bool moved,
                            double to_s, std::size_t open_panels, wire::Load& load) {
   const OpenWater open = take_in(outlines, ground_m, moved, open_panels, load);
+  note_dry_mouths(outlines, load);
   solve(to_s);
   add_panels(open, load);
 }
@@ -63,15 +64,44 @@ void FlowInJoints::repeat(const std::vector<std::vector<Point>>& outlines, const
   add_panels(open, load);
 }
 
+/// A mouth below its side's level that no open water reaches, as in a hollow: it counts as in air.
+void FlowInJoints::note_dry_mouths(const std::vector<std::vector<Point>>& outlines, const wire::Load& load) {
+  if (!dry_mouth_.empty()) return;
+  Point crest = outlines.front().front();
+  for (const std::vector<Point>& outline : outlines) {
+    for (const Point& p : outline) crest = p.y() > crest.y() ? p : crest;
+  }
+  for (std::size_t i = 0; i < joints_.places().size(); ++i) {
+    const Point& p = joints_.places()[i].at;
+    const bool upstream = p.x() < crest.x();
+    const double level_m = upstream ? load.upstream_level_m : load.downstream_level_m;
+    const bool below = p.y() < level_m - scene_.water.open_crack_width_m;  // false where there is no pool
+    if (joints_.network().nodes[i].kind != NodeKind::seeps || !below) continue;
+    dry_mouth_ = fmt::format(
+        "a joint with uplift = \"flow\" ends in air at ({:.4g}, {:.4g}) m, below the {} level, {:.4g} m: no open water "
+        "reaches it; expected ground that lets the pool come there; state another uplift where it is to have the "
+        "pool's pressure all the same",
+        p.x(), p.y(), upstream ? "upstream" : "downstream", level_m);
+    return;
+  }
+}
+
 void FlowInJoints::solve(double to_s) {
   hold_drains();
   carry_over();
   const double step_s = to_s - time_s_;
   if (fresh_ || !changes_by_itself()) {
-    solve_steady();
+    solve_with_drains([&] { flow_.steady(joints_.network(), filling_); });
     stored_m2_ = flow_.stored(joints_.network(), filling_);
   } else if (step_s > 0) {
-    flow_.step(joints_.network(), step_s, yields(step_s), filling_, stored_m2_);
+    const Filling before = filling_;
+    const std::vector<double> stored_before = stored_m2_;
+    const std::vector<double> yielding = yields(step_s);
+    solve_with_drains([&] {
+      filling_ = before;
+      stored_m2_ = stored_before;
+      flow_.step(joints_.network(), step_s, yielding, filling_, stored_m2_);
+    });
   }
   time_s_ = to_s;
   fresh_ = false;
@@ -104,14 +134,14 @@ void FlowInJoints::hold_drains() {
     const double own = water_.weight_n_per_m3 * std::max(0.0, drain.head_m.value_or(node.height_m) - node.height_m);
     const double above = undrained.pressure_pa.empty() ? 0 : std::max(0.0, undrained.pressure_pa[i] - own);
     node.pressure_pa = own + (1 - drain.efficiency) * above;
-    node.kind = node.pressure_pa > 0 ? NodeKind::held : NodeKind::seeps;
+    node.kind = NodeKind::held;
   }
 }
 
-void FlowInJoints::solve_steady() {
+void FlowInJoints::solve_with_drains(const std::function<void()>& solve) {
   constexpr int most = 10;
   for (int i = 0; i < most; ++i) {
-    flow_.steady(joints_.network(), filling_);
+    solve();
     if (!close_drains_that_supply()) return;
   }
 }
@@ -219,6 +249,7 @@ std::vector<std::string> FlowInJoints::warnings() const {
                     "tells too much flow",
                     most_turbulent_joint_, highest_reynolds_, laminar));
   }
+  if (!dry_mouth_.empty()) warnings.push_back(dry_mouth_);
   if (without_outlet_) {
     warnings.emplace_back(
         "joints with uplift = \"flow\" touch neither open water nor air: they are dry; lead one to a face");
@@ -231,7 +262,7 @@ std::string FlowInJoints::state() const {
   std::vector<double> y;
   for (const Point& p : solved_at_) x.push_back(p.x()), y.push_back(p.y());
   return checkpoint::pack(filling_.pressure_pa, filling_.saturation, filling_.flow, stored_m2_, x, y, time_s_, fresh_,
-                          highest_reynolds_, most_turbulent_joint_, without_outlet_, flow_.state());
+                          highest_reynolds_, most_turbulent_joint_, without_outlet_, dry_mouth_, flow_.state());
 }
 
 void FlowInJoints::restore(const std::string& state) {
@@ -239,7 +270,7 @@ void FlowInJoints::restore(const std::string& state) {
   std::vector<double> y;
   std::string factor;
   checkpoint::unpack(state, filling_.pressure_pa, filling_.saturation, filling_.flow, stored_m2_, x, y, time_s_, fresh_,
-                     highest_reynolds_, most_turbulent_joint_, without_outlet_, factor);
+                     highest_reynolds_, most_turbulent_joint_, without_outlet_, dry_mouth_, factor);
   solved_at_.clear();
   for (std::size_t i = 0; i < x.size(); ++i) solved_at_.emplace_back(x[i], y[i]);
   flow_.restore(factor);

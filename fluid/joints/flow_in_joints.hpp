@@ -3,6 +3,7 @@
 // pressures become panels on both faces of each joint.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -55,9 +56,10 @@ class FlowInJoints {
   [[nodiscard]] bool flows_full(std::size_t channel) const;
   OpenWater take_in(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, bool moved,
                     std::size_t open_panels, const wire::Load& load);
+  void note_dry_mouths(const std::vector<std::vector<Point>>& outlines, const wire::Load& load);
   void solve(double to_s);
   void hold_drains();
-  void solve_steady();
+  void solve_with_drains(const std::function<void()>& solve);
   [[nodiscard]] bool close_drains_that_supply();
   void carry_over();
   [[nodiscard]] std::vector<double> yields(double step_s) const;
@@ -75,6 +77,7 @@ class FlowInJoints {
   double highest_reynolds_ = 0;
   std::string most_turbulent_joint_;
   bool without_outlet_ = false;
+  std::string dry_mouth_;  ///< a warning
 };
 
 }  // namespace blockweir::joints

@@ -14,7 +14,8 @@ bool FlowInJoints::flows_full(std::size_t channel) const {
   const auto potential = [&](int node) {
     return filling_.pressure_pa[at(node)] + water_.weight_n_per_m3 * joints_.network().nodes[at(node)].height_m;
   };
-  return filling_.saturation[at(potential(c.from) >= potential(c.to) ? c.from : c.to)] >= 1;
+  const int source = potential(c.from) >= potential(c.to) ? c.from : c.to;
+  return filling_.saturation[at(source)] >= 1;
 }
 
 /// As straight pieces with the curve's force and moment.
@@ -38,7 +39,8 @@ double FlowInJoints::pressure(std::size_t channel, double share) const {
   const double rise = joints_.network().nodes[at(c.to)].height_m - joints_.network().nodes[at(c.from)].height_m;
   const double left = fall_left({c.aperture(0, from), c.aperture(1, to)}, share);
   // In p + rho g y from the second node's, less the height of here.
-  return to + (from - to - water_.weight_n_per_m3 * rise) * left + water_.weight_n_per_m3 * rise * (1 - share);
+  return std::max(
+      0.0, to + (from - to - water_.weight_n_per_m3 * rise) * left + water_.weight_n_per_m3 * rise * (1 - share));
 }
 
 void FlowInJoints::add_panels(const OpenWater& open, wire::Load& load) const {

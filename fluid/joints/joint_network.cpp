@@ -162,7 +162,7 @@ bool JointNetwork::is_cut(const Place& place, const Point& ground_m) const {
   const Point p = place.at - ground_m;
   const double near_m = 10 * touching_m_;
   const auto below = [&](const std::optional<Point>& bed) {
-    return bed && std::abs(p.x() - bed->x()) <= near_m && p.y() <= bed->y() + near_m;
+    return bed && std::abs(p.x() - bed->x()) <= near_m && p.y() < bed->y() - near_m;
   };
   if (below(ground_.left) || below(ground_.right)) return true;
   const auto held = [&](int b) {
@@ -196,7 +196,12 @@ std::vector<double> JointNetwork::cuts(const Stretch& s, const OpenWater& open) 
   const auto add = [&](double share) {
     if (share > tiny && share < 1 - tiny) shares.push_back(share);
   };
-  for (int k = 1; k < scene_.joint_flow.panels_per_joint; ++k) add(double(k) / scene_.joint_flow.panels_per_joint);
+  // Where the water falls through an uneven gap its pressure may fall below 0 between the ends: several panels see it.
+  constexpr int of_uneven = 20;
+  const double uneven_m = std::abs(s.gap_m[1] - s.gap_m[0]);
+  const bool may_part = uneven_m > 0.05 * s.law->hydraulic_aperture_m && std::abs(s.to.y() - s.from.y()) > uneven_m;
+  const int panels = std::max(scene_.joint_flow.panels_per_joint, may_part ? of_uneven : 1);
+  for (int k = 1; k < panels; ++k) add(static_cast<double>(k) / panels);
   for (const scene::DrainLine& drain : scene_.joint_flow.drains) {
     if (const auto share = crossing(s.from, s.to, drain.from_m, drain.to_m)) add(*share);
   }
@@ -275,12 +280,12 @@ Node JointNetwork::node_at(Place& place, const OpenWater& open) const {
   constexpr double widths = 4;  // of a crack that carries open water: it ends so far from an acute corner
   Node node{.height_m = place.at.y()};
   place.drain = drain_at(place.at);
-  if (place.exposed || place.in_open) {
+  if ((place.exposed || place.in_open) && !place.on_cut) {
     const double near_m = widths * scene_.water.open_crack_width_m + std::max(0.0, place.gap_m);
     if (const std::optional<double> pressure = open.pressure(place.at, place.blocks, near_m)) {
       node.kind = NodeKind::held;
       node.pressure_pa = *pressure;
-    } else if (!place.on_cut && place.exposed) {
+    } else if (place.exposed) {
       node.kind = NodeKind::seeps;
     }
   }

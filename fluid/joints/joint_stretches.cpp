@@ -48,6 +48,8 @@ std::optional<Stretch> facing(const Edge& a, const Edge& b, double open_m, doubl
   for (const std::size_t end : {0U, 1U}) s.gap_m[end] = outward.dot(on_b[end] - on_a[end]);
   const auto [narrow, wide] = std::minmax(s.gap_m[0], s.gap_m[1]);
   if (narrow >= open_m || narrow <= -open_m || wide <= -open_m) return std::nullopt;
+  // A slot that is wider than long is no joint: the step of a face beside another.
+  if (high - low < 2 * wide && wide > open_m / 100) return std::nullopt;
   s.from = (on_a[0] + on_b[0]) / 2;
   s.to = (on_a[1] + on_b[1]) / 2;
   return s;

@@ -11,7 +11,7 @@ namespace blockweir::joints {
 enum class NodeKind {
   inside,  ///< what flows in flows out
   held,    ///< by open water or a drain: has the pressure stated
-  seeps    ///< into air: pressure 0, and water goes out only
+  seeps    ///< into air: pressure 0, and no more goes on from it than comes
 };
 
 struct Node {

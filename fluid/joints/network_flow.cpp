@@ -60,7 +60,7 @@ void NetworkFlow::steady(const Network& network, Filling& filling) {
   // What was partly dry most likely is so again.
   bool was_full = true;
   for (std::size_t i = 0; !begins && i < fed.size(); ++i) {
-    was_full = was_full && (network.nodes[i].kind != NodeKind::inside || !fed[i] || filling.saturation[i] >= 1);
+    was_full = was_full && (network.nodes[i].kind == NodeKind::held || !fed[i] || filling.saturation[i] >= 1);
   }
   if (was_full && !widens(network)) {
     Filling full;
@@ -76,7 +76,7 @@ void NetworkFlow::steady(const Network& network, Filling& filling) {
     fill(network, fed, filling);
   }
   Eigen::VectorXd u = equations.unknowns(filling);
-  if (!equations.solve(u, factor_)) {
+  if (!equations.solve(u, factor_) && !settle(network, equations, filling, u)) {
     throw std::runtime_error("no steady flow through the joints was found; state kind = \"transient\" in [joint_flow]");
   }
   equations.take(u, filling);
@@ -86,6 +86,20 @@ void NetworkFlow::steady(const Network& network, Filling& filling) {
 void NetworkFlow::keep_factors(bool keeps) {
   full_.keep_factors(keeps);
   factor_.keep(keeps);
+}
+
+/// Lets the water run until it is steady, by ever longer steps.
+bool NetworkFlow::settle(const Network& network, FillingEquations& equations, Filling& filling, Eigen::VectorXd& u) {
+  for (double& p : filling.pressure_pa) p = std::max(0.0, p);
+  std::vector<double> stored_m2 = equations.stored(filling);
+  constexpr double first_s = 1e-3;
+  constexpr double last_s = 1e12;
+  for (double step_s = first_s; step_s < last_s; step_s *= 4) {
+    step(network, step_s, {}, filling, stored_m2);
+    u = equations.unknowns(filling);
+    if (equations.solve(u, factor_)) return true;
+  }
+  return false;
 }
 
 std::string NetworkFlow::state() const {

@@ -39,6 +39,7 @@ class NetworkFlow {
   void restore(const std::string& state);
 
  private:
+  [[nodiscard]] bool settle(const Network& network, FillingEquations& equations, Filling& filling, Eigen::VectorXd& u);
   void fill(const Network& network, const std::vector<bool>& fed, Filling& filling);
 
   WaterProperties water_;

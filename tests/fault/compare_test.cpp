@@ -83,7 +83,7 @@ TEST_F(Compare, SetsFluidsSideBySide) {
 TEST_F(Compare, RefusesAFluidThatIsNone) {
   EXPECT_EQ(shell(programs + "/blockweir compare " + cases + "reservoir-slide --fluids resevoir"), 2);
   EXPECT_THAT(text("out"), testing::HasSubstr("--fluids: found \"resevoir\"; expected one of none, hydrostatic, "
-                                              "reservoir, openfoam, column; did you mean \"reservoir\"?"));
+                                              "reservoir, openfoam, column, external; did you mean \"reservoir\"?"));
   EXPECT_EQ(shell(programs + "/blockweir compare --fluids reservoir"), 2);
   EXPECT_THAT(text("out"), testing::HasSubstr("found no scene beside it"));
 }

@@ -220,13 +220,26 @@ spacing_deviation = 0.3
     return std::regex_replace(blocks, std::regex("upstream_level_m = 1\n"), "") +
            "[fluid]\nmodel = \"column\"\n[fluid.column]\nblock = \"a\"\nat_m = [0, 1]\nlength_m = 5\n";
   }
-  if (table == "fluid.external") return blocks + "[fluid]\nmodel = \"external\"\n";
+  if (table == "fluid.external") return blocks + "[fluid]\nmodel = \"external\"\n[fluid.external]\n";
   if (table == "fluid.reservoir") {
     return blocks + "[fluid]\nmodel = \"reservoir\"\n[fluid.reservoir]\nelement_ratio = 0.3\ncompressible = true\n";
   }
   if (table.starts_with("fluid") || table == "expect_water") {
     return blocks + "[[expect_water]]\nquantity = \"water_area_error\"\nvalue = 0\n[fluid]\nmodel = \"openfoam\"\n" +
            (table == "fluid.wave" ? "wave = { height_m = 0.1, period_s = 2 }\n" : "");
+  }
+  if (table == "joint_flow" || table == "drain" || table == "grout") {
+    return std::regex_replace(blocks, std::regex("\\[joint\\]\n"), "[joint]\nuplift = \"flow\"\n") + R"([joint_flow]
+kind = "transient"
+[[drain]]
+name = "d"
+from_m = [1, -0.5]
+to_m = [1, 0.5]
+[[grout]]
+name = "g"
+outline_m = [[0, -0.5], [0.5, -0.5], [0.5, 0.5], [0, 0.5]]
+aperture_factor = 0.5
+)";
   }
   if (table == "silt" || table == "ice" || table == "earthquake") return blocks + reservoir;
   return blocks + "[[expect]]\nquantity = \"kinetic_energy_j_per_m\"\nvalue = 0\n";
@@ -331,6 +344,7 @@ TEST(DocumentedKeys, HaveTheUnitOfTheirName) {
   const auto ending = [](std::string unit) {
     std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::tolower(c); });
     unit = unit == "1/s" ? "per_s" : std::regex_replace(unit, std::regex("/"), "_per_");
+    std::replace(unit.begin(), unit.end(), ' ', '_');
     return "_" + unit;
   };
   const Tables tables = documented();

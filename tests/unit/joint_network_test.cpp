@@ -271,6 +271,97 @@ TEST(JointNetwork, TheModelsEndsInTheGroundLetNoWaterOut) {
   }
 }
 
+TEST(JointNetwork, AStepBesideTheHeelIsNoJoint) {
+  // A joint of the rock ends 24 mm upstream of the heel, and the rock before it stands 1.2 mm higher.
+  scene::Scene scene = flowing({{{-30, -6}, {-0.024, -6}, {-0.024, 0.0012}, {-30, 1.5}},
+                                {{-0.024, -6}, {20, -6}, {20, 0}, {-0.024, 0}},
+                                {{0, 0}, {4, 0}, {4, 10}, {0, 10}}},
+                               6);
+  scene.blocks[1].fixed = true;
+  scene.water.open_crack_width_m = 0.025;
+  HydrostaticModel model(scene);
+  wire::Load load;
+  model.advance(at_rest(scene), 0, load);
+  EXPECT_NEAR(joint_water(scene, load, 2, 0).force, 6 * weight_n_per_m3 * 4 / 2, 1e-6 * 6 * weight_n_per_m3);
+}
+
+TEST(JointNetwork, AMouthOnTheModelsSideLetsNoTailwaterIn) {
+  for (const double depth : {0.05, 0.09, 0.15}) {
+    scene::Scene scene = flowing({{{-20, -5}, {30, -5}, {30, -depth}, {-20, -depth}},
+                                  {{-20, -depth}, {30, -depth}, {30, 0}, {-20, 0}},
+                                  {{0, 0}, {8, 0}, {3, 10}, {0, 10}}},
+                                 9);
+    scene.blocks[1].fixed = true;
+    scene.water.downstream_level_m = scene::TimeTable::constant(2);
+    HydrostaticModel model(scene);
+    wire::Load load;
+    model.advance(at_rest(scene), 0, load);
+    const double q = std::pow(aperture, 3) / (12 * scene.joint_flow.viscosity_pa_s) * weight_n_per_m3 * 7 / 8;
+    EXPECT_NEAR(model.flow_in_joints().balance().from_open_water / q, 1, 1e-9) << depth;
+  }
+}
+
+TEST(JointNetwork, SteadyFlowStaysSteadyInTransientFlow) {
+  // The lift joint seeps out at the top of a wide joint that begins there.
+  scene::Scene scene = flowing(
+      {ground, {{0, 0}, {4, 0}, {4, 5}, {0, 5}}, {{4, 0}, {9, 0}, {9, 5}, {4, 5}}, {{0, 5}, {4, 5}, {4, 10}, {0, 10}}},
+      8);
+  scene.joint_flow.kind = scene::FlowKind::transient;
+  HydrostaticModel model(scene);
+  wire::Load load;
+  model.advance(at_rest(scene), 0, load);
+  const joints::FlowBalance before = model.flow_in_joints().balance();
+  for (int i = 1; i <= 20; ++i) model.advance(at_rest(scene), 0.1 * i, load);
+  const joints::FlowBalance after = model.flow_in_joints().balance();
+  EXPECT_NEAR(after.from_open_water / before.from_open_water, 1, 1e-9);
+  EXPECT_NEAR(after.to_air / before.to_air, 1, 1e-9);
+  EXPECT_NEAR(after.stored / before.stored, 1, 1e-9);
+}
+
+TEST(JointNetwork, ADrainTakesNoMoreThanComesBeyondWhatTheJointBelowCarries) {
+  // A falling joint, drained halfway without a head: what its lower half carries at no pressure goes on.
+  for (const double below : {1.5, 1.0, 0.5}) {
+    scene::Scene scene =
+        flowing({{{-20, -9}, {30, -9}, {30, -4}, {8, -4}, {0, 0}, {-20, 0}}, {{0, 0}, {8, -4}, {8, 8}, {0, 8}}}, 6);
+    scene.joint_flow.drains = {{"drain", {4, -5}, {4, 0}, std::nullopt, 1.0}};
+    scene.joint_flow.grouts = {{"below", {{4, -6}, {9, -6}, {9, 1}, {4, 1}}, below}};
+    HydrostaticModel model(scene);
+    wire::Load load;
+    model.advance(at_rest(scene), 0, load);
+    const double g = std::pow(aperture, 3) / (12 * scene.joint_flow.viscosity_pa_s);
+    const double half = std::hypot(4, 2);
+    const double comes = g * weight_n_per_m3 * (6 + 2) / half;
+    const double goes_on = g * std::pow(below, 3) * weight_n_per_m3 * 2 / half;
+    const joints::FlowBalance balance = model.flow_in_joints().balance();
+    EXPECT_NEAR(balance.to_drain[0] / (comes - goes_on), 1, 1e-6) << below;
+    EXPECT_NEAR(balance.to_air / goes_on, 1, 1e-6) << below;
+  }
+}
+
+TEST(JointNetwork, WaterThatFallsThroughAnUnevenGapHasNoSuction) {
+  const scene::Scene scene =
+      flowing({{{-20, -9}, {30, -9}, {30, -2}, {4, -2}, {0, 0}, {-20, 0}}, {{0, 0}, {4, -1.994}, {4, 8}, {0, 8}}}, 5);
+  HydrostaticModel model(scene);
+  wire::Load load;
+  model.advance(at_rest(scene), 0, load);
+  for (std::size_t i = 0; i < load.block.size(); ++i) {
+    EXPECT_GE(load.pressure_from_pa[i], 0);
+    EXPECT_GE(load.pressure_to_pa[i], 0);
+  }
+  EXPECT_GT(joint_water(scene, load, 1, 0).force, 0);
+}
+
+TEST(JointNetwork, AMouthInAHollowIsToldOf) {
+  scene::Scene scene =
+      flowing({{{-20, -5}, {30, -5}, {30, 2.5}, {4, 0}, {-20, 0}}, {{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, 8);
+  scene.water.downstream_level_m = scene::TimeTable::constant(2);
+  HydrostaticModel model(scene);
+  wire::Load load;
+  model.advance(at_rest(scene), 0, load);
+  EXPECT_THAT(model.report().warnings,
+              testing::Contains(testing::HasSubstr("ends in air at (4, 0) m, below the downstream")));
+}
+
 TEST(JointNetwork, FactorsThatServeAgainChangeNoPressure) {
   std::mt19937_64 random(5);
   const Wall wall = random_wall(random);

@@ -327,7 +327,8 @@ TEST(NetworkFlow, AKeptFactorGivesTheSameFlow) {
   std::mt19937_64 random(11);
   Network network = random_grid(random, 30, 20);
   for (Node& node : network.nodes) {
-    if (node.kind == NodeKind::held) node.pressure_pa += 5e5;  // all of it full
+    if (node.kind == NodeKind::held) node.pressure_pa += 5e5;
+    if (node.kind == NodeKind::seeps) node = held(1e5, node.height_m);  // all of it full
   }
   NetworkFlow keeps({});
   for (int i = 0; i < 10; ++i) {

@@ -85,7 +85,11 @@ void check_apertures(Reading& reading, const std::string& whose, const JointLaw&
   if (least_m > law.hydraulic_aperture_m) {
     refuse("least_aperture_m", least_m, fmt::format("at most hydraulic_aperture_m, {} m", law.hydraulic_aperture_m));
   }
-  if (law.aperture_stiffness_pa_per_m == 0.0) refuse("aperture_stiffness_pa_per_m", 0, "a stiffness above 0");
+  if (law.aperture_stiffness_pa_per_m == 0.0) {
+    reading.problems.error(reading.problems.at(law.known_heads.line),
+                           fmt::format("aperture_stiffness_pa_per_m of {} is 0", whose), "a stiffness above 0",
+                           "state one, or leave it out: the water then does not widen the joint");
+  }
 }
 
 /// The fluid is told the mean motion of a mesh alone.
@@ -107,6 +111,12 @@ void read_joint_flow(Reading& reading) {
   table.number("viscosity_pa_s", flow.viscosity_pa_s, positive());
   table.number("bulk_modulus_pa", flow.bulk_modulus_pa, positive());
   table.integer("panels_per_joint", flow.panels_per_joint, 1);
+  constexpr int most_panels = 1000;
+  if (flow.panels_per_joint > most_panels) {
+    reading.problems.error(table.place("panels_per_joint"),
+                           fmt::format("panels_per_joint in [joint_flow] is {}", flow.panels_per_joint),
+                           fmt::format("at most {}", most_panels), "take fewer: errors fall with their square");
+  }
   refuse_without_flow(reading, table);
   read_drains(reading);
   read_grouts(reading);
