@@ -9,27 +9,10 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
+#include "fluid/joints/groups.hpp"
 
 namespace blockweir::joints {
 namespace {
-
-/// Which numbers belong together.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), 0); }
-  std::size_t of(std::size_t i) {
-    while (of_[i] != i) i = of_[i] = of_[of_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = of(a);
-    b = of(b);
-    of_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> of_;
-};
 
 /// The angle about p that a block fills: all of its own at a corner, half a turn on an edge.
 double filled_angle(const std::vector<Point>& outline, const Point& p, double near_m) {
