@@ -41,7 +41,19 @@ def bisect(function, low, high):
 
 
 last = bisect(lambda angle: anchor(angle)[0] - YIELD, 0, 3e-3)
+
+
+def level_at(angle):
+    return bisect(lambda z: excess(z, angle), 1, 12)
+
+
+def heel_mm(angle):
+    return 2e3 * B * math.sin(angle / 2)
+
+
+first = level_at(0)
+lowest = min((level_at(k * 5e-6), k * 5e-6) for k in range(40))
+regained = bisect(lambda angle: level_at(angle) - first, lowest[1], 1e-3)
+print(f"heel opens at {first:.4f} m; the level that would hold it falls to {lowest[0]:.4f} m, and is as high again when open by {heel_mm(regained):.2f} mm")
 for k in range(6):
-    angle = k / 5 * last
-    level = bisect(lambda z: excess(z, angle), 1, 12)
-    print(f"heel open by {2e3 * B * math.sin(angle / 2):.3f} mm: level {level:.9f} m")
+    print(f"heel open by {heel_mm(k / 5 * last):.3f} mm: level {level_at(k / 5 * last):.9f} m")

@@ -180,6 +180,7 @@ void FlowInJoints::carry_over() {
   const Filling before = filling_;
   filling_ = {};
   filling_.flow.assign(joints_.network().channels.size(), 0.0);
+  filling_.to_air.assign(places.size(), 0.0);
   for (const Place& place : places) {
     std::size_t nearest = 0;
     for (std::size_t k = 1; k < solved_at_.size(); ++k) {
@@ -232,7 +233,7 @@ FlowBalance FlowInJoints::balance() const {
     if (place.drain >= 0 && !place.exposed)
       sums.to_drain[at(place.drain)] += out[i];
     else if (network.nodes[i].kind == NodeKind::seeps)
-      sums.to_air += out[i];
+      sums.to_air += filling_.to_air[i];
     else
       (out[i] > 0 ? sums.to_open_water : sums.from_open_water) += std::abs(out[i]);
   }
@@ -261,16 +262,17 @@ std::string FlowInJoints::state() const {
   std::vector<double> x;
   std::vector<double> y;
   for (const Point& p : solved_at_) x.push_back(p.x()), y.push_back(p.y());
-  return checkpoint::pack(filling_.pressure_pa, filling_.saturation, filling_.flow, stored_m2_, x, y, time_s_, fresh_,
-                          highest_reynolds_, most_turbulent_joint_, without_outlet_, dry_mouth_, flow_.state());
+  return checkpoint::pack(filling_.pressure_pa, filling_.saturation, filling_.flow, filling_.to_air, stored_m2_, x, y,
+                          time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, without_outlet_, dry_mouth_,
+                          flow_.state());
 }
 
 void FlowInJoints::restore(const std::string& state) {
   std::vector<double> x;
   std::vector<double> y;
   std::string factor;
-  checkpoint::unpack(state, filling_.pressure_pa, filling_.saturation, filling_.flow, stored_m2_, x, y, time_s_, fresh_,
-                     highest_reynolds_, most_turbulent_joint_, without_outlet_, dry_mouth_, factor);
+  checkpoint::unpack(state, filling_.pressure_pa, filling_.saturation, filling_.flow, filling_.to_air, stored_m2_, x, y,
+                     time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, without_outlet_, dry_mouth_, factor);
   solved_at_.clear();
   for (std::size_t i = 0; i < x.size(); ++i) solved_at_.emplace_back(x[i], y[i]);
   flow_.restore(factor);

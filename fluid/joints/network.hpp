@@ -35,7 +35,8 @@ struct WaterProperties {
 struct Filling {
   std::vector<double> pressure_pa;
   std::vector<double> saturation;
-  std::vector<double> flow;  ///< by channel, from its first node to its second [m2/s]
+  std::vector<double> flow;    ///< by channel, from its first node to its second [m2/s]
+  std::vector<double> to_air;  ///< by node [m2/s]
 };
 
 }  // namespace blockweir::joints

@@ -2,6 +2,7 @@
 #include "fluid/joints/network_flow.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "bridge/checkpoint/archive.hpp"
@@ -23,6 +24,17 @@ std::vector<double> supplies(const Network& network, const std::vector<double>& 
     supply[at(network.channels[c].to)] -= flow[c];
   }
   return supply;
+}
+
+/// What runs out at each node in air: what comes, less what goes on or is stored there by a step.
+std::vector<double> running_out(const Network& network, const std::vector<double>& flow,
+                                const std::vector<double>& stored_per_s) {
+  std::vector<double> out = supplies(network, flow);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double stored = stored_per_s.empty() ? 0 : stored_per_s[i];
+    out[i] = network.nodes[i].kind == NodeKind::seeps ? -out[i] - stored : 0;
+  }
+  return out;
 }
 
 /// Does water hang nowhere, and come in nowhere out of air?
@@ -68,6 +80,7 @@ void NetworkFlow::steady(const Network& network, Filling& filling) {
     full.flow = equations.flows(full);
     if (holds(network, full, water_.weight_n_per_m3)) {
       for (double& p : full.pressure_pa) p = std::max(0.0, p);
+      full.to_air = running_out(network, full.flow, {});
       filling = std::move(full);
       return;
     }
@@ -81,6 +94,7 @@ void NetworkFlow::steady(const Network& network, Filling& filling) {
   }
   equations.take(u, filling);
   filling.flow = equations.flows(filling);
+  filling.to_air = running_out(network, filling.flow, {});
 }
 
 void NetworkFlow::keep_factors(bool keeps) {
@@ -116,12 +130,13 @@ void NetworkFlow::restore(const std::string& state) {
 
 void NetworkFlow::step(const Network& network, double step_s, const std::vector<double>& yield_m2_per_pa,
                        Filling& filling, std::vector<double>& stored_m2) {
-  const std::vector<bool> fed = fed_nodes(network);
+  const std::vector<bool> all(network.nodes.size(), true);  // what no pool feeds any more drains slowly
   constexpr double shortest = 1.0 / 1024;
   double share = 1;  // of the step; a sudden change takes shorter ones
   std::vector<double> flow(network.channels.size(), 0.0);
+  const std::vector<double> stored_before = stored_m2;
   for (double done = 0; done < 1;) {
-    FillingEquations equations(network, fed, water_);
+    FillingEquations equations(network, all, water_);
     equations.store(share * step_s, stored_m2, yield_m2_per_pa, filling.pressure_pa);
     Eigen::VectorXd u = equations.unknowns(filling);
     if (equations.solve(u, factor_)) {
@@ -136,6 +151,9 @@ void NetworkFlow::step(const Network& network, double step_s, const std::vector<
     if (share < shortest) throw std::runtime_error("no flow through the joints was found; take shorter windows");
   }
   filling.flow = std::move(flow);
+  std::vector<double> stored_per_s;
+  for (std::size_t i = 0; i < stored_m2.size(); ++i) stored_per_s.push_back((stored_m2[i] - stored_before[i]) / step_s);
+  filling.to_air = running_out(network, filling.flow, stored_per_s);
 }
 
 std::vector<double> NetworkFlow::stored(const Network& network, const Filling& filling) const {
@@ -143,6 +161,7 @@ std::vector<double> NetworkFlow::stored(const Network& network, const Filling& f
 }
 
 double outflow(const Network& network, const Filling& filling, NodeKind kind) {
+  if (kind == NodeKind::seeps) return std::accumulate(filling.to_air.begin(), filling.to_air.end(), 0.0);
   const std::vector<double> supply = supplies(network, filling.flow);
   double sum = 0;
   for (std::size_t i = 0; i < supply.size(); ++i) {

@@ -21,8 +21,8 @@ class NetworkFlow {
   /// `filling`, empty or of the same nodes, is where the search begins. Parts that no held node feeds are dry.
   /// Throws std::runtime_error where no flow is found.
   void steady(const Network& network, Filling& filling);
-  /// A step by backward Euler. `filling` is that at its begin; `stored_m2` by node is what was stored then (volume at
-  /// pressure 0), and is at its end what is stored.
+  /// A step by backward Euler, of all nodes: what was fed before still has its water. `filling` is that at its begin;
+  /// `stored_m2` by node is what was stored then (volume at pressure 0), and is at its end what is stored.
   /// `yield_m2_per_pa`, by node or empty: how much more a node takes in as a rising pressure moves its walls, which
   /// whoever tells their positions does not know yet.
   void step(const Network& network, double step_s, const std::vector<double>& yield_m2_per_pa, Filling& filling,

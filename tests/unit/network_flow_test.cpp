@@ -7,6 +7,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "bridge/scene/at.hpp"
@@ -362,6 +363,33 @@ TEST(NetworkFlow, ARestoredFactorGivesTheSameBits) {
   second.steady(network, b);
   EXPECT_EQ(a.pressure_pa, b.pressure_pa);
   EXPECT_EQ(a.flow, b.flow);
+}
+
+TEST(NetworkFlow, WhatAPoolHasLeftDrainsByItsOwnWeight) {
+  // A joint that falls by 3 m, both ends in air since the pool has gone.
+  Network network;
+  constexpr int channels = 20;
+  for (int i = 0; i <= channels; ++i) {
+    network.nodes.push_back({.height_m = 3 - 3.0 * i / channels});
+    if (i > 0) network.channels.push_back({i - 1, i, 5.0 / channels, {1e-3, 1e-3}});
+  }
+  network.nodes.front().kind = network.nodes.back().kind = NodeKind::seeps;
+  NetworkFlow flow({.bulk_modulus_pa = 2.2e9});
+  Filling filling{std::vector<double>(channels + 1, 0.0), std::vector<double>(channels + 1, 1.0), {}};
+  std::vector<double> stored = flow.stored(network, filling);
+  const auto sum = [&] { return std::accumulate(stored.begin(), stored.end(), 0.0); };
+  const double full = sum();
+  flow.step(network, 0.1, {}, filling, stored);
+  const double q = std::pow(1e-3, 3) / (12 * mu) * 9810 * 3 / 5;  // at no pressure the fall is its own
+  EXPECT_NEAR(full - sum(), 0.1 * q, 0.05 * 0.1 * q);
+  double out = full - sum();
+  for (int i = 0; i < 400; ++i) {
+    const double before = sum();
+    flow.step(network, 0.1, {}, filling, stored);
+    EXPECT_NEAR(before - sum(), 0.1 * outflow(network, filling, NodeKind::seeps), 1e-12 * full);
+    out += before - sum();
+  }
+  EXPECT_GT(out, 0.9 * full);
 }
 
 TEST(NetworkFlow, WhatFlowsInIsStored) {
