@@ -156,6 +156,24 @@ std::set<std::string> anchors_of(const std::string& text) {
   return all;
 }
 
+TEST(Documents, HeadingsAndTablesAreWhole) {
+  const std::regex heading("#+ \\S.*");
+  const std::regex rule("\\|( *:?-+:? *\\|)+");
+  for (const fs::path& page : documents()) {
+    std::istringstream lines(text_of(page));
+    bool in_code = false;
+    int row = 0;  // of the table that the line is in
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("```")) in_code = !in_code;
+      if (in_code || line.starts_with("    ")) continue;
+      if (line.starts_with("#")) EXPECT_TRUE(std::regex_match(line, heading)) << page << ": " << line;
+      row = line.starts_with("|") ? row + 1 : 0;
+      if (row == 2) EXPECT_TRUE(std::regex_match(line, rule)) << page << ": " << line;
+      EXPECT_FALSE(line.find("-- -") != std::string::npos) << page << ": " << line;
+    }
+  }
+}
+
 TEST(Documents, EveryLinkLeadsSomewhere) {
   const std::regex link("\\]\\(([^)# ]*)(#([^) ]+))?\\)");
   for (const fs::path& page : documents()) {
