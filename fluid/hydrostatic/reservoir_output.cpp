@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "bridge/results/is_due.hpp"
 #include "bridge/results/saving.hpp"
 #include "bridge/results/stopwatch.hpp"
 
@@ -51,11 +52,7 @@ void RecordedModel::advance(const wire::Motion& motion, double to_s, wire::Load&
 
 void RecordedModel::record(double time_s) {
   if (flow_) flow_->record(time_s, model_.flow_in_joints());
-  if (!draws_) return;
-  const double soon = 1e-9 * frame_every_s_;  // a time that is due but for round-off is due
-  if (time_s < next_s_ - soon) return;
-  while (next_s_ <= time_s + soon) next_s_ += frame_every_s_;
-  write(time_s);
+  if (draws_ && results::is_due(time_s, frame_every_s_, next_s_)) write(time_s);
 }
 
 schedule::FluidReport RecordedModel::report() const {

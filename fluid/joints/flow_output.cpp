@@ -8,6 +8,7 @@
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/results/csv.hpp"
+#include "bridge/results/is_due.hpp"
 #include "bridge/scene/at.hpp"
 
 namespace blockweir::joints {
@@ -16,22 +17,14 @@ namespace {
 constexpr const char* rows_file = "flow.csv";
 constexpr const char* along_file = "joint_water.csv";
 
-/// Whether a time that comes each `every_s` has come, but for round-off; sets the next one.
-bool is_due(double time_s, double every_s, double& next_s) {
-  const double soon = 1e-9 * every_s;
-  if (time_s < next_s - soon) return false;
-  while (next_s <= time_s + soon) next_s += every_s;
-  return true;
-}
-
 }  // namespace
 
 FlowOutput::FlowOutput(const scene::Scene& scene, std::filesystem::path folder)
     : scene_(scene), folder_(std::move(folder)), frames_(folder_, "flow.pvd") {}
 
 void FlowOutput::record(double time_s, const FlowInJoints& flow) {
-  if (is_due(time_s, scene_.output.history_every_s, next_row_s_)) add_row(time_s, flow);
-  if (!is_due(time_s, scene_.output.frame_every_s, next_frame_s_)) return;
+  if (results::is_due(time_s, scene_.output.history_every_s, next_row_s_)) add_row(time_s, flow);
+  if (!results::is_due(time_s, scene_.output.frame_every_s, next_frame_s_)) return;
   add_pressures(time_s, flow);
   add_frame(time_s, flow);
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "bridge/geometry/crossing.hpp"
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
@@ -28,15 +29,6 @@ double filled_angle(const std::vector<Point>& outline, const Point& p, double ne
     if (geometry::distance_to_segment(p, outline[v], outline[(v + 1) % n]) <= near_m) return std::numbers::pi;
   }
   return geometry::holds_point(outline, p, 0) ? 2 * std::numbers::pi : 0;
-}
-
-/// Share of a-b at which c-d crosses it.
-std::optional<double> crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const double from = geometry::cross(d - c, a - c);
-  const double to = geometry::cross(d - c, b - c);
-  const double other = geometry::cross(b - a, c - a) * geometry::cross(b - a, d - a);
-  if (from == to || from * to > 0 || other > 0) return std::nullopt;
-  return from / (from - to);
 }
 
 double linear(const std::array<double, 2>& ends, double share) {
@@ -186,12 +178,12 @@ std::vector<double> JointNetwork::cuts(const Stretch& s, const OpenWater& open) 
   const int panels = std::max(scene_.joint_flow.panels_per_joint, may_part ? of_uneven : 1);
   for (int k = 1; k < panels; ++k) add(static_cast<double>(k) / panels);
   for (const scene::DrainLine& drain : scene_.joint_flow.drains) {
-    if (const auto share = crossing(s.from, s.to, drain.from_m, drain.to_m)) add(*share);
+    if (const auto share = geometry::crossing({s.from, s.to}, {drain.from_m, drain.to_m})) add(*share);
   }
   for (const scene::Grout& grout : scene_.joint_flow.grouts) {
     for (std::size_t i = 0; i < grout.outline_m.size(); ++i) {
       const Point& next = grout.outline_m[(i + 1) % grout.outline_m.size()];
-      if (const auto share = crossing(s.from, s.to, grout.outline_m[i], next)) add(*share);
+      if (const auto share = geometry::crossing({s.from, s.to}, {grout.outline_m[i], next})) add(*share);
     }
   }
   for (const Side& side : s.sides) {

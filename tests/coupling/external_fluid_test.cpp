@@ -19,6 +19,17 @@ const std::string kit = std::string(BLOCKWEIR_SOURCE) + "/bridge/kit/";
 const std::string dam = std::string(BLOCKWEIR_SOURCE) +
                         "/cases/cracked-dam-upper --set analysis.stop_at_failure=true --set fluid.model=external ";
 
+constexpr const char* a_stone = R"([[block]]
+name = "rock"
+material = "stone"
+fixed = true
+vertices_m = [[-5, -1], [5, -1], [5, 0], [-5, 0]]
+[[block]]
+name = "stone"
+material = "stone"
+vertices_m = [[0, 0], [1, 0], [1, 1], [0, 1]]
+)";
+
 class ExternalFluid : public Processes {
  protected:
   /// Of `blockweir run` of the upper dam into the folder "run", with a fluid of these words.
@@ -97,16 +108,7 @@ analysis = { duration_s = 0.2, stop_at_failure = true }
 joint = { friction_angle_deg = 30 }
 material.stone = { youngs_modulus_pa = 50e9, poissons_ratio = 0.2, density_kg_per_m3 = 2500 }
 fluid = { model = "external", external = { command = ["/usr/bin/python3", "push.py"], remembers = false } }
-[[block]]
-name = "rock"
-material = "stone"
-fixed = true
-vertices_m = [[-5, -1], [5, -1], [5, 0], [-5, 0]]
-[[block]]
-name = "stone"
-material = "stone"
-vertices_m = [[0, 0], [1, 0], [1, 1], [0, 1]]
-)";
+)" << a_stone;
   std::ofstream(folder / "push.py") << R"(
 from blockweir_fluid import Fluid
 with Fluid("a push") as fluid:
@@ -216,16 +218,7 @@ TEST_F(ExternalFluid, OfNoLevelHasNoLevelOfFailureWithoutARun) {
 analysis = { duration_s = 1 }
 material.stone = { youngs_modulus_pa = 50e9, poissons_ratio = 0.2, density_kg_per_m3 = 2500 }
 fluid = { model = "external" }
-[[block]]
-name = "rock"
-material = "stone"
-fixed = true
-vertices_m = [[-5, -1], [5, -1], [5, 0], [-5, 0]]
-[[block]]
-name = "stone"
-material = "stone"
-vertices_m = [[0, 0], [1, 0], [1, 1], [0, 1]]
-)";
+)" << a_stone;
   EXPECT_NE(shell(programs + "/blockweir level dry.toml"), 0);
   EXPECT_THAT(text("out"),
               HasSubstr("model = \"external\" in [fluid]; expected water whose pressures are known without"));

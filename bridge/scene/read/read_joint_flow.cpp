@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bridge/geometry/crossing.hpp"
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/cracks.hpp"
@@ -21,10 +22,8 @@ void refuse_without_flow(Reading& reading, TableReader& table) {
                          fmt::format("state it, or leave {} out", table.name()));
 }
 
-bool crosses(const DrainLine& drain, const TracePiece& piece) {
-  const auto side = [](const Point& a, const Point& b, const Point& p) { return geometry::cross(b - a, p - a); };
-  return side(drain.from_m, drain.to_m, piece.from_m) * side(drain.from_m, drain.to_m, piece.to_m) < 0 &&
-         side(piece.from_m, piece.to_m, drain.from_m) * side(piece.from_m, piece.to_m, drain.to_m) <= 0;
+bool crosses(const Point& from, const Point& to, const TracePiece& piece) {
+  return geometry::crossing({piece.from_m, piece.to_m}, {from, to}).has_value();
 }
 
 void read_drains(Reading& reading) {
@@ -145,7 +144,9 @@ void check_joint_flow(Reading& reading) {
     for (const int b : {part.block_a, part.block_b}) refuse_mesh(reading, scene.blocks[at(b)], name_of(scene, joint));
   }
   for (const DrainLine& drain : scene.joint_flow.drains) {
-    if (std::any_of(pieces.begin(), pieces.end(), [&](const TracePiece& p) { return crosses(drain, p); })) continue;
+    if (std::any_of(pieces.begin(), pieces.end(),
+                    [&](const TracePiece& p) { return crosses(drain.from_m, drain.to_m, p); }))
+      continue;
     reading.problems.error(
         reading.problems.at(drain.line), fmt::format("drain \"{}\" crosses no joint with flow", drain.name),
         "a line from_m to to_m that crosses one", "lengthen it beyond the joint, or state uplift = \"flow\" there");
@@ -158,7 +159,7 @@ void check_joint_flow(Reading& reading) {
     const auto passes = [&](const TracePiece& p) {
       for (std::size_t i = 0; i < grout.outline_m.size(); ++i) {
         const Point& next = grout.outline_m[(i + 1) % grout.outline_m.size()];
-        if (crosses({.from_m = grout.outline_m[i], .to_m = next}, p)) return true;
+        if (crosses(grout.outline_m[i], next, p)) return true;
       }
       return false;
     };
