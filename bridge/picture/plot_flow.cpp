@@ -6,29 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <vector>
 
+#include "bridge/picture/flow_files.hpp"
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/picture/history.hpp"
-#include "bridge/results/csv.hpp"
 
 namespace blockweir::picture {
 namespace {
-
-using Rows = std::vector<std::vector<std::string>>;
-
-/// Whole rows, the names first; none where there is no such file.
-Rows rows_of(const std::filesystem::path& file) {
-  Rows rows;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
-    rows.push_back(results::csv_cells(line));
-    if (rows.back().size() != rows.front().size()) rows.pop_back();
-  }
-  return rows;
-}
 
 /// Pressure over x at a time, a curve a joint.
 std::string pressures(const Rows& rows, double time_s, int number) {
@@ -50,13 +36,6 @@ std::string flows(const Rows& rows, std::size_t column) {
     text += fmt::format("{} {:.6g}\n", rows[i][0], per_day * std::stod(rows[i][column]));
   }
   return fmt::format("$flow_{} << EOD\n{}EOD\n", column, text);
-}
-
-/// "to_air_m2_per_s" is "to air".
-std::string words(const std::string& name) {
-  std::string text = name.substr(0, name.find("_m2_per_s"));
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
 }
 
 std::string title(const History& history, double time_s) {
@@ -126,7 +105,7 @@ Panel over_time(const Rows& rows) {
     if (rows.front()[column].find("_m2_per_s") == std::string::npos) break;
     panel.data += flows(rows, column);
     lines += fmt::format("{}$flow_{} with linespoints pt 7 ps 0.2 lw 2 title {}", column > 1 ? ", " : "", column,
-                         gnuplot_text(words(rows.front()[column])));
+                         gnuplot_text(words_of_flow(rows.front()[column])));
   }
   panel.commands = fmt::format(
       "set key bmargin center horizontal\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'flow (m^3 a day and "
@@ -135,11 +114,43 @@ Panel over_time(const Rows& rows) {
   return panel;
 }
 
+/// Of the joint with the highest uplift at the end: its force over time, and those of the guideline laws.
+Panel against_laws(const Rows& rows) {
+  namespace column = uplift_column;
+  if (rows.size() < 2) return {};
+  const Rows last = last_rows(rows);
+  const auto highest = std::max_element(last.begin(), last.end(), [](const auto& a, const auto& b) {
+    return figure(a[column::uplift]) < figure(b[column::uplift]);
+  });
+  Panel panel;
+  std::string lines;
+  const auto add = [&](std::size_t k, const char* name, const char* look) {
+    std::string data;
+    for (const auto& row : rows) {
+      if (&row == &rows.front() || row[column::joint] != (*highest)[column::joint] || row[k].empty()) continue;
+      data += fmt::format("{} {:.6g}\n", row[0], figure(row[k]) / 1000);
+    }
+    if (data.empty()) return;
+    panel.data += fmt::format("$law_{} << EOD\n{}EOD\n", k, data);
+    lines +=
+        fmt::format("{}$law_{} with linespoints pt 7 ps 0.2 {} title '{}'", lines.empty() ? "" : ", ", k, look, name);
+  };
+  add(column::uplift, "flow", "lw 3 lc rgb '#08519c'");
+  add(column::triangular, "triangular", "lw 1.5 dt 2 lc rgb '#555555'");
+  add(column::drained, "drained", "lw 1.5 dt 4 lc rgb '#2c7a3f'");
+  add(column::full, "full", "lw 1.5 dt 3 lc rgb '#d9622b'");
+  panel.commands = fmt::format(
+      "set key bmargin center horizontal\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'uplift (kN/m)'\n"
+      "set title {}\nplot {}\nunset title\n",
+      gnuplot_text("joint " + (*highest)[column::joint]), lines);
+  return panel;
+}
+
 }  // namespace
 
 std::string flow_script(const std::filesystem::path& run, const std::string& terminal, const std::string& ending) {
-  const Rows along = rows_of(run / "joint_water.csv");
-  const Rows totals = rows_of(run / "flow.csv");
+  const Rows along = flow_rows(run, "joint_water.csv");
+  const Rows totals = flow_rows(run, "flow.csv");
   if (along.size() < 2 || totals.size() < 2) return "";
   std::set<std::string> joints;
   for (std::size_t i = 1; i < along.size(); ++i) joints.insert(along[i][1]);
@@ -149,11 +160,14 @@ std::string flow_script(const std::filesystem::path& run, const std::string& ter
   const Panel above =
       joints.size() <= few ? along_joints(along, times, history) : map_of_joints(along, times.back(), history);
   const Panel below = over_time(totals);
-  return above.data + below.data +
+  const Panel laws = against_laws(flow_rows(run, "joint_uplift.csv"));
+  const int panels = laws.commands.empty() ? 2 : 3;
+  return above.data + below.data + laws.data +
          fmt::format(
-             "reset\nset terminal {} size 900,800\nset output {}\nset multiplot layout 2,1\nset grid lc rgb '#dddddd'\n"
-             "set tics out nomirror\n{}{}unset multiplot\nset output\n",
-             terminal, gnuplot_path(run / ("flow" + ending)), above.commands, below.commands);
+             "reset\nset terminal {} size 900,{}\nset output {}\nset multiplot layout {},1\nset grid lc rgb '#dddddd'\n"
+             "set tics out nomirror\n{}{}{}unset multiplot\nset output\n",
+             terminal, 400 * panels, gnuplot_path(run / ("flow" + ending)), panels, above.commands, below.commands,
+             laws.commands);
 }
 
 }  // namespace blockweir::picture

@@ -5,6 +5,7 @@
 
 #include "bridge/picture/page_files.hpp"
 #include "bridge/picture/pictured_state.hpp"
+#include "bridge/picture/report_flow.hpp"
 #include "bridge/picture/report_frames.hpp"
 #include "bridge/picture/report_histories.hpp"
 #include "bridge/picture/report_section.hpp"
@@ -23,6 +24,7 @@ json report_data(const ReportParts& parts) {
   data["summary"] = summary;
   data["level"] = parts.level;
   data["safety"] = parts.safety;
+  data["flow"] = flow_data(parts.run);
   data["histories"] = histories_data(parts.run);
   data["program"] = parts.program;
   data["commands"] = parts.commands;

@@ -105,4 +105,14 @@ bool lowest_floats(const scene::Scene& scene) {
   return scene.materials[at(lowest->material)].density_kg_per_m3 < scene.water.density_kg_per_m3;
 }
 
+joints::GroundCut ground_cut(const scene::Scene& scene) {
+  joints::GroundCut cut;
+  if (!scene::flows_in_joints(scene) || scene.blocks.empty()) return cut;
+  const GroundEnds ends = find_ground_ends(scene);
+  const auto corner = [&](const std::optional<GroundEnd>& end) {
+    return end ? std::optional(scene.blocks[at(end->block)].vertices[at(end->vertex)]) : std::nullopt;
+  };
+  return {corner(ends.left), corner(ends.right), scene::bounds_of(scene).low.y()};
+}
+
 }  // namespace blockweir::hydrostatic

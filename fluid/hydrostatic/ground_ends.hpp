@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bridge/scene/scene.hpp"
+#include "fluid/joints/joint_network.hpp"
 
 namespace blockweir::hydrostatic {
 
@@ -24,6 +25,9 @@ struct GroundEnds {
 /// bed on it leads inward, rising by no more than 1 in 4, for half of their height or more. `[water] wets_ends` decides
 /// otherwise: true, nothing is ground; false, all that ends below level and crest is.
 GroundEnds find_ground_ends(const scene::Scene& scene);
+
+/// The same for water in joints; empty where none flows there.
+joints::GroundCut ground_cut(const scene::Scene& scene);
 
 /// Whether the model's lowest block is lighter than water and neither fixed nor supported: then water is below it, too.
 bool lowest_floats(const scene::Scene& scene);

@@ -73,16 +73,6 @@ std::string dry_end(const scene::Scene& scene, const char* side, const GroundEnd
       bed_m);
 }
 
-joints::GroundCut ground_cut(const scene::Scene& scene) {
-  joints::GroundCut cut;
-  if (!scene::flows_in_joints(scene) || scene.blocks.empty()) return cut;
-  const GroundEnds ends = find_ground_ends(scene);
-  const auto corner = [&](const std::optional<GroundEnd>& end) {
-    return end ? std::optional(scene.blocks[at(end->block)].vertices[at(end->vertex)]) : std::nullopt;
-  };
-  return {corner(ends.left), corner(ends.right), scene::bounds_of(scene).low.y()};
-}
-
 }  // namespace
 
 HydrostaticModel::HydrostaticModel(const scene::Scene& scene)

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "bridge/checkpoint/archive.hpp"
-#include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/hydrostatics.hpp"
 
@@ -22,17 +21,13 @@ WaterProperties properties(const scene::Scene& scene) {
   return water;
 }
 
-/// One over the mass of a block [m/kg]; 0 where it is held.
-double ease(const scene::Scene& scene, int block) {
-  const scene::Block& b = scene.blocks[at(block)];
-  if (b.fixed) return 0;
-  return 1 / (scene.materials[at(b.material)].density_kg_per_m3 * std::abs(geometry::signed_area(b.vertices)));
-}
-
 }  // namespace
 
-FlowInJoints::FlowInJoints(const scene::Scene& scene, const GroundCut& ground)
-    : scene_(scene), water_(properties(scene)), joints_(scene, ground), flow_(water_) {
+FlowInJoints::FlowInJoints(const scene::Scene& scene, const GroundCut& ground, std::optional<double> open_m)
+    : scene_(scene),
+      water_(properties(scene)),
+      joints_(scene, ground, open_m.value_or(scene.water.open_crack_width_m)),
+      flow_(water_) {
   flow_.keep_factors(scene.analysis.reuse_factors);
 }
 
@@ -47,6 +42,8 @@ OpenWater FlowInJoints::take_in(const std::vector<std::vector<Point>>& outlines,
   OpenWater open(outlines, load, open_panels, water_.weight_n_per_m3, atmosphere_pa);
   if (moved || fresh_) joints_.follow(outlines, ground_m);
   joints_.fill(open);
+  upstream_level_m_ = load.upstream_level_m;
+  downstream_level_m_ = load.downstream_level_m;
   return open;
 }
 
@@ -96,12 +93,16 @@ void FlowInJoints::solve(double to_s) {
   } else if (step_s > 0) {
     const Filling before = filling_;
     const std::vector<double> stored_before = stored_m2_;
-    const std::vector<double> yielding = yields(step_s);
+    const std::vector<double> yielding =
+        TransientGuard::yields(scene_, joints_, flow_.stored(joints_.network(), filling_), stored_m2_, step_s);
     solve_with_drains([&] {
       filling_ = before;
       stored_m2_ = stored_before;
       flow_.step(joints_.network(), step_s, yielding, filling_, stored_m2_);
     });
+    const FlowBalance now = balance();
+    const double passed_m2 = step_s * (now.from_open_water + now.to_open_water + now.to_air);
+    guard_.add({before, filling_, stored_before, stored_m2_}, yielding, passed_m2, step_s);
   }
   time_s_ = to_s;
   fresh_ = false;
@@ -192,29 +193,6 @@ void FlowInJoints::carry_over() {
   stored_m2_ = flow_.stored(joints_.network(), filling_);
 }
 
-/// Where faces have moved, or stand apart: in a window of dt, pressure p on the length L of a joint moves a mass m by
-/// p L dt^2/m, which the solid cannot have told yet. Without it a film of water that hardly gives throws such a block
-/// to and fro. As pressures settle it is of no account. Faces that bear on each other as before do not yield.
-std::vector<double> FlowInJoints::yields(double step_s) const {
-  const Network& network = joints_.network();
-  const std::vector<double> as_moved = flow_.stored(network, filling_);
-  constexpr double tiny = 1e-9;
-  std::vector<double> yields(network.nodes.size(), 0.0);
-  for (std::size_t c = 0; c < joints_.parts().size(); ++c) {
-    const Stretch& s = joints_.stretches()[joints_.parts()[c].stretch];
-    const Channel& channel = network.channels[c];
-    const bool apart = std::max(s.gap_m[0], s.gap_m[1]) > 1e-3 * s.law->hydraulic_aperture_m;
-    const double moves = ease(scene_, s.sides[0].block) + ease(scene_, s.sides[1].block);
-    constexpr double safety = 2;
-    const double volume = safety * channel.length_m / 2 * s.length_m() * step_s * step_s * moves;
-    for (const int node : {channel.from, channel.to}) {
-      const bool moved = std::abs(as_moved[at(node)] - stored_m2_[at(node)]) > tiny * stored_m2_[at(node)];
-      if (apart || moved) yields[at(node)] += volume;
-    }
-  }
-  return yields;
-}
-
 FlowBalance FlowInJoints::balance() const {
   FlowBalance sums;
   sums.to_drain.assign(scene_.joint_flow.drains.size(), 0.0);
@@ -250,6 +228,7 @@ std::vector<std::string> FlowInJoints::warnings() const {
                     "tells too much flow",
                     most_turbulent_joint_, highest_reynolds_, laminar));
   }
+  if (const std::string warning = guard_.warning(); !warning.empty()) warnings.push_back(warning);
   if (!dry_mouth_.empty()) warnings.push_back(dry_mouth_);
   if (without_outlet_) {
     warnings.emplace_back(
@@ -263,8 +242,8 @@ std::string FlowInJoints::state() const {
   std::vector<double> y;
   for (const Point& p : solved_at_) x.push_back(p.x()), y.push_back(p.y());
   return checkpoint::pack(filling_.pressure_pa, filling_.saturation, filling_.flow, filling_.to_air, stored_m2_, x, y,
-                          time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, without_outlet_, dry_mouth_,
-                          flow_.state());
+                          time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, guard_, without_outlet_,
+                          dry_mouth_, flow_.state());
 }
 
 void FlowInJoints::restore(const std::string& state) {
@@ -272,7 +251,8 @@ void FlowInJoints::restore(const std::string& state) {
   std::vector<double> y;
   std::string factor;
   checkpoint::unpack(state, filling_.pressure_pa, filling_.saturation, filling_.flow, filling_.to_air, stored_m2_, x, y,
-                     time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, without_outlet_, dry_mouth_, factor);
+                     time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, guard_, without_outlet_, dry_mouth_,
+                     factor);
   solved_at_.clear();
   for (std::size_t i = 0; i < x.size(); ++i) solved_at_.emplace_back(x[i], y[i]);
   flow_.restore(factor);

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fluid/joints/joint_network.hpp"
 #include "fluid/joints/network_flow.hpp"
+#include "fluid/joints/transient_guard.hpp"
 
 namespace blockweir::joints {
 
@@ -25,7 +27,8 @@ struct FlowBalance {
 
 class FlowInJoints {
  public:
-  FlowInJoints(const scene::Scene& scene, const GroundCut& ground);
+  /// `open_m`: faces farther apart are no joint; none: [water] open_crack_width_m.
+  FlowInJoints(const scene::Scene& scene, const GroundCut& ground, std::optional<double> open_m = {});
 
   [[nodiscard]] bool empty() const { return joints_.empty(); }
   /// What it stores changes its pressures even while nothing else does.
@@ -41,6 +44,11 @@ class FlowInJoints {
   [[nodiscard]] FlowBalance balance() const;
   [[nodiscard]] const JointNetwork& joints() const { return joints_; }
   [[nodiscard]] const Filling& filling() const { return filling_; }
+  /// Levels of the open water that it was solved beside; NaN: no such pool.
+  [[nodiscard]] double upstream_level_m() const { return upstream_level_m_; }
+  [[nodiscard]] double downstream_level_m() const { return downstream_level_m_; }
+  /// Along a channel, as straight pieces with the curve's force and moment.
+  [[nodiscard]] Profile profile(std::size_t channel) const;
   /// Pressure at a share 0..1 of a channel.
   [[nodiscard]] double pressure(std::size_t channel, double share) const;
   /// Of what the user should know: where the cubic law ends, a network without an outlet. Empty: of nothing.
@@ -52,7 +60,6 @@ class FlowInJoints {
   void restore(const std::string& state);
 
  private:
-  [[nodiscard]] Profile profile(std::size_t channel) const;
   [[nodiscard]] bool flows_full(std::size_t channel) const;
   OpenWater take_in(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, bool moved,
                     std::size_t open_panels, const wire::Load& load);
@@ -62,7 +69,6 @@ class FlowInJoints {
   void solve_with_drains(const std::function<void()>& solve);
   [[nodiscard]] bool close_drains_that_supply();
   void carry_over();
-  [[nodiscard]] std::vector<double> yields(double step_s) const;
   void add_panels(const OpenWater& open, wire::Load& load) const;
 
   const scene::Scene& scene_;
@@ -74,8 +80,11 @@ class FlowInJoints {
   std::vector<Point> solved_at_;  ///< nodes that filling_ is of
   double time_s_ = 0;
   bool fresh_ = true;
+  double upstream_level_m_ = 0;
+  double downstream_level_m_ = 0;
   double highest_reynolds_ = 0;
   std::string most_turbulent_joint_;
+  TransientGuard guard_;
   bool without_outlet_ = false;
   std::string dry_mouth_;  ///< a warning
 };

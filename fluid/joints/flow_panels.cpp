@@ -18,7 +18,6 @@ bool FlowInJoints::flows_full(std::size_t channel) const {
   return filling_.saturation[at(source)] >= 1;
 }
 
-/// As straight pieces with the curve's force and moment.
 Profile FlowInJoints::profile(std::size_t channel) const {
   const Channel& c = joints_.network().channels[channel];
   const auto end = [&](int node) {

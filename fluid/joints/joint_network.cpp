@@ -37,8 +37,8 @@ double linear(const std::array<double, 2>& ends, double share) {
 
 }  // namespace
 
-JointNetwork::JointNetwork(const scene::Scene& scene, const GroundCut& ground)
-    : scene_(scene), ground_(ground), search_(scene, scene.water.open_crack_width_m) {
+JointNetwork::JointNetwork(const scene::Scene& scene, const GroundCut& ground, double open_m)
+    : scene_(scene), ground_(ground), search_(scene, open_m) {
   if (!scene.blocks.empty()) touching_m_ = 1e-6 * scene::bounds_of(scene).size();
 }
 

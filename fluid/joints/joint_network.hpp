@@ -40,7 +40,8 @@ struct Place {
 
 class JointNetwork {
  public:
-  JointNetwork(const scene::Scene& scene, const GroundCut& ground);
+  /// Faces farther apart than `open_m` are no joint.
+  JointNetwork(const scene::Scene& scene, const GroundCut& ground, double open_m);
 
   [[nodiscard]] bool empty() const { return search_.empty(); }
   /// Takes in blocks that have moved; their ground by `ground_m`.

@@ -179,8 +179,7 @@ void prepare_resumption(const scene::Scene& scene, const Surroundings& around, c
   const double next = time_s + scene.coupling.window_s / 2;
   forget_times_after(options.folder, next);
   for (const auto& rank : folders_of_ranks(options.folder)) forget_times_after(rank, next);
-  results::replace_file(options.folder / "constant/blockweir",
-                        interface_dictionary(scene, around, options.endpoint, first_window));
+  write_interface(options.folder, scene, around, options.endpoint, first_window);
 }
 
 std::string decompose_dictionary(const scene::Scene& scene) {
@@ -208,7 +207,7 @@ void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& 
   };
   const InitialWater water = initial_water(grid, scene);
   // This marks the folder as ours.
-  write("constant/blockweir", interface_dictionary(scene, surroundings(scene, grid), options.endpoint, 0));
+  write_interface(options.folder, scene, surroundings(scene, grid), options.endpoint, 0);
   write("grid.json", nlohmann::json{{"x_m", grid.x}, {"y_m", grid.y}}.dump() + "\n");  // for pictures
   write("system/blockMeshDict", block_mesh(grid));
   write("system/controlDict", control(scene, options));

@@ -8,7 +8,6 @@ namespace blockweir::openfoam {
 namespace {
 
 constexpr double sealed_cells = 2;  // a narrower gap carries no water in the mesh
-constexpr double open_cells = 3;    // a wider one carries all of it
 constexpr double parallel = 0.26;   // sine of the angle beyond which two faces bound a corner and not a gap: 15 degrees
 constexpr double infinite = std::numeric_limits<double>::infinity();
 

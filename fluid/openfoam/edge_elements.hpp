@@ -9,6 +9,8 @@
 
 namespace blockweir::openfoam {
 
+constexpr double open_cells = 3;  ///< a gap that is wider carries all of its water in the mesh
+
 /// Of an edge, as fractions of it.
 struct EdgeInterval {
   int block = 0;

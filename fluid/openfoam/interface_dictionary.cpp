@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/results/result_file.hpp"
 #include "bridge/scene/cracks.hpp"
 #include "bridge/schedule/hello.hpp"
+#include "fluid/hydrostatic/ground_ends.hpp"
+#include "fluid/joints/flow_scene.hpp"
 #include "fluid/openfoam/dictionary.hpp"
 
 namespace blockweir::openfoam {
@@ -144,7 +147,16 @@ std::string interface_dictionary(const scene::Scene& scene, const Surroundings& 
       exact(scene.openfoam.rest_tolerance));
   text += around.cell_m ? fmt::format("cell {};\n\n", exact(*around.cell_m))
                         : "ownCase yes;  // not written from the scene\n\n";
+  if (scene::flows_in_joints(scene)) text += "flowInJoints yes;  // constant/blockweirJoints\n\n";
   return text + pools(scene, around) + ground(scene) + blocks(scene, around) + cracks(scene);
+}
+
+void write_interface(const std::filesystem::path& folder, const scene::Scene& scene, const Surroundings& around,
+                     const std::string& endpoint, std::uint64_t first_window) {
+  if (scene::flows_in_joints(scene)) {
+    results::replace_file(folder / "constant/blockweirJoints", joints::pack({scene, hydrostatic::ground_cut(scene)}));
+  }
+  results::replace_file(folder / "constant/blockweir", interface_dictionary(scene, around, endpoint, first_window));
 }
 
 }  // namespace blockweir::openfoam

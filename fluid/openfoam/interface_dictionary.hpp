@@ -2,6 +2,7 @@
 // What the plugin has to know of the scene, as OpenFOAM's constant/blockweir.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,5 +24,9 @@ struct Surroundings {
 /// `first_window`: the motion that a run is resumed with; 0 from the start.
 std::string interface_dictionary(const scene::Scene& scene, const Surroundings& around, const std::string& endpoint,
                                  std::uint64_t first_window);
+
+/// Puts it into the case, and what the flow through joints needs into constant/blockweirJoints.
+void write_interface(const std::filesystem::path& folder, const scene::Scene& scene, const Surroundings& around,
+                     const std::string& endpoint, std::uint64_t first_window);
 
 }  // namespace blockweir::openfoam

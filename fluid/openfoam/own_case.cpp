@@ -127,8 +127,7 @@ void adopt_case(const scene::Scene& scene, const fs::path& from, const CaseOptio
   check_is_case(from);
   copy_case(from, options.folder);
   // This marks the copy as ours.
-  results::replace_file(options.folder / "constant/blockweir",
-                        interface_dictionary(scene, own_surroundings(scene), options.endpoint, 0));
+  write_interface(options.folder, scene, own_surroundings(scene), options.endpoint, 0);
   const std::string application = entry(options.folder, "system/controlDict", "application").value_or("none");
   if (application != "interFoam") {
     refuse(from, fmt::format("its system/controlDict has application {}", application),

@@ -122,13 +122,15 @@ nlohmann::json skips(const std::map<std::string, double>& seconds, const std::ma
 }
 
 int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptions& options,
-               const std::vector<std::string>& warnings) {
+               std::vector<std::string> warnings) {
   tell_plugin(options.line);
   double solved_s = 0;
   run_interfoam(scene, folder, solved_s);
   if (scene.openfoam.reconstruct) run_program("reconstructPar", {"reconstructPar", "-case", folder}, folder);
   const auto seconds = times(folder, solved_s);
   const auto counts = numbers<long>(folder / "blockweir.counts");
+  std::ifstream told(folder / "blockweir.warnings");
+  for (std::string warning; std::getline(told, warning);) warnings.push_back(warning);
   const nlohmann::json report = {{"seconds", seconds},
                                  {"counts", counts},
                                  {"skips", skips(seconds, counts)},

@@ -98,17 +98,29 @@ TEST(SceneJointFlow, AMeshAtAJointWithFlowIsRefused) {
   EXPECT_THAT(fault("", {"block.dam.mesh_size_m=2"}), HasSubstr("block \"dam\" has a mesh, and water flows through"));
 }
 
-TEST(SceneJointFlow, OpenFoamIsRefused) {
-  EXPECT_THAT(fault("[fluid]\nmodel = \"openfoam\"\n"), HasSubstr("uplift = \"flow\" with model = \"openfoam\""));
+TEST(SceneJointFlow, AFluidOfTheUsersIsRefused) {
+  EXPECT_THAT(fault("[fluid]\nmodel = \"external\"\n[fluid.external]\ncommand = \"./own\"\n"),
+              HasSubstr("uplift = \"flow\" with model = \"external\""));
+}
+
+TEST(SceneJointFlow, DrainsThatTakeNothingAreWarnedOf) {
+  const std::string drain = "[[drain]]\nname = \"d\"\nfrom_m = [2, -3]\nto_m = [2, 1]\n";
+  const auto warnings = [&](const std::string& more) { return read_dam(drain + more).warnings; };
+  EXPECT_THAT(warnings("head_m = 8\n"), testing::Contains(HasSubstr("no level is above 8 m: it takes nothing")));
+  EXPECT_THAT(warnings("efficiency = 0\n"), testing::Contains(HasSubstr("an efficiency of 0: it takes nothing")));
+  EXPECT_THAT(warnings("head_m = 7.9\n"), testing::Not(testing::Contains(HasSubstr("takes nothing"))));
 }
 
 TEST(SceneJointFlow, AperturesBeyondTheirBoundsAreRefused) {
   EXPECT_THAT(fault("", {"joint.hydraulic_aperture_m=0.5"}), HasSubstr("hydraulic_aperture_m of [joint] is 0.5 m"));
-  EXPECT_THAT(fault("", {"joint.hydraulic_aperture_m=0"}), HasSubstr("an aperture above 0"));
-  EXPECT_THAT(fault("", {"joint.least_aperture_m=0"}), HasSubstr("an aperture above 0"));
+  for (const char* width : {"0", "-1"}) {
+    EXPECT_THAT(fault("", {"joint.hydraulic_aperture_m=" + std::string(width)}),
+                HasSubstr("expected a number above 0"));
+    EXPECT_THAT(fault("", {"joint.least_aperture_m=" + std::string(width)}), HasSubstr("expected a number above 0"));
+  }
   EXPECT_THAT(fault("", {"joint.least_aperture_m=1e-3"}), HasSubstr("least_aperture_m of [joint] is 0.001 m"));
   EXPECT_THAT(fault("", {"joint.largest_aperture_m=0.5"}), HasSubstr("largest_aperture_m of [joint] is 0.5 m"));
-  EXPECT_THAT(fault("", {"joint.aperture_stiffness_pa_per_m=0"}), HasSubstr("a stiffness above 0"));
+  EXPECT_THAT(fault("", {"joint.aperture_stiffness_pa_per_m=0"}), HasSubstr("a number above 0"));
   EXPECT_THAT(fault("", {"joint_flow.panels_per_joint=0"}), HasSubstr("panels_per_joint"));
 }
 

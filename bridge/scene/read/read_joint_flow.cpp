@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "bridge/geometry/crossing.hpp"
 #include "bridge/geometry/outline.hpp"
@@ -69,10 +71,6 @@ void check_apertures(Reading& reading, const std::string& whose, const JointLaw&
                            fmt::format("{} of {} is {} m", key, whose, found), expected,
                            "correct the one or the other");
   };
-  // A joint that closes to nothing would keep the water out of what opens beside it.
-  if (law.hydraulic_aperture_m == 0)
-    refuse("hydraulic_aperture_m", 0, "an aperture above 0; 1e-6 lets next to nothing through");
-  if (law.least_aperture_m == 0.0) refuse("least_aperture_m", 0, "an aperture above 0");
   if (largest_m > reading.scene.water.open_crack_width_m) {
     refuse("largest_aperture_m", largest_m,
            fmt::format("at most open_crack_width_m of [water], {} m, from which on open water comes in",
@@ -84,11 +82,37 @@ void check_apertures(Reading& reading, const std::string& whose, const JointLaw&
   if (least_m > law.hydraulic_aperture_m) {
     refuse("least_aperture_m", least_m, fmt::format("at most hydraulic_aperture_m, {} m", law.hydraulic_aperture_m));
   }
-  if (law.aperture_stiffness_pa_per_m == 0.0) {
-    reading.problems.error(reading.problems.at(law.known_heads.line),
-                           fmt::format("aperture_stiffness_pa_per_m of {} is 0", whose), "a stiffness above 0",
-                           "state one, or leave it out: the water then does not widen the joint");
+}
+
+/// The highest that either pool stands at within the run [m].
+double highest_level(const Scene& scene) {
+  double highest_m = -std::numeric_limits<double>::infinity();
+  for (const auto* level : {&scene.water.upstream_level_m, &scene.water.downstream_level_m}) {
+    if (!*level) continue;
+    const TimeTable& table = **level;
+    const double duration_s = scene.analysis.duration_s;
+    double high = std::max(table.rows_at(0), table.rows_at(duration_s));
+    for (std::size_t i = 0; i < table.time_s.size(); ++i) {
+      if (table.time_s[i] >= 0 && table.time_s[i] <= duration_s) high = std::max(high, table.value[i]);
+    }
+    highest_m = std::max(highest_m, high + (table.sine ? std::abs(table.sine->amplitude) : 0));
   }
+  return highest_m;
+}
+
+void warn_of_idle_drain(Reading& reading, const DrainLine& drain) {
+  const Place place = reading.problems.at(drain.line);
+  if (drain.efficiency == 0) {
+    reading.problems.warning(place, fmt::format("drain \"{}\" has an efficiency of 0: it takes nothing", drain.name),
+                             "an efficiency above 0", "state one, or leave the drain out");
+  }
+  const double highest_m = highest_level(reading.scene);
+  if (!drain.head_m || *drain.head_m < highest_m || std::isinf(highest_m)) return;
+  reading.problems.warning(
+      place,
+      fmt::format("drain \"{}\" drains to a head of {} m, and no level is above {:.6g} m: it takes nothing", drain.name,
+                  *drain.head_m, highest_m),
+      "a head below the reservoir's level", "state the height of the gallery on the y axis");
 }
 
 /// The fluid is told the mean motion of a mesh alone.
@@ -124,11 +148,10 @@ void read_joint_flow(Reading& reading) {
                              "bulk_modulus_pa in [joint_flow] has no effect: steady flow stores no water",
                              "kind = \"transient\"", "state that kind, or leave bulk_modulus_pa out");
   }
-  const FluidModel model = reading.scene.fluid;
-  if (flows_in_joints(reading.scene) && (model == FluidModel::openfoam || model == FluidModel::external)) {
-    reading.problems.error(
-        reading.problems.at(0), fmt::format("uplift = \"flow\" with model = \"{}\"", fluid_entry(model).key),
-        "model = \"hydrostatic\" or \"reservoir\" in [fluid]", "change the model, or state another uplift");
+  if (flows_in_joints(reading.scene) && reading.scene.fluid == FluidModel::external) {
+    reading.problems.error(reading.problems.at(0), "uplift = \"flow\" with model = \"external\"",
+                           "model = \"hydrostatic\", \"reservoir\" or \"openfoam\" in [fluid]",
+                           "change the model, or state another uplift");
   }
 }
 
@@ -144,6 +167,7 @@ void check_joint_flow(Reading& reading) {
     for (const int b : {part.block_a, part.block_b}) refuse_mesh(reading, scene.blocks[at(b)], name_of(scene, joint));
   }
   for (const DrainLine& drain : scene.joint_flow.drains) {
+    warn_of_idle_drain(reading, drain);
     if (std::any_of(pieces.begin(), pieces.end(),
                     [&](const TracePiece& p) { return crosses(drain.from_m, drain.to_m, p); }))
       continue;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 
@@ -62,8 +64,14 @@ void refuse_dilation_beyond_friction(TableReader& table, const char* key, const 
 std::vector<std::string> read_keys(TableReader& table, JointLaw& law) {
   const Range angle{[](double degrees) { return degrees >= 0 && degrees < 90; },
                     "an angle of at least 0 and below 90 degrees"};
-  const auto range = [&](JointLawKey::Range which) {
-    return which == JointLawKey::Range::angle ? angle : not_negative();
+  // A joint that closes to nothing would keep the water out of what opens beside it.
+  const Range above_zero{[](double width) { return width > 0; },
+                         "a number above 0 (1e-6 m lets next to nothing through)"};
+  const auto range = [&](const JointLawKey& key) {
+    if (key.range == JointLawKey::Range::angle) return angle;
+    constexpr std::array<std::string_view, 4> widths = {"hydraulic_aperture_m", "least_aperture_m",
+                                                        "largest_aperture_m", "aperture_stiffness_pa_per_m"};
+    return std::count(widths.begin(), widths.end(), key.name) > 0 ? above_zero : not_negative();
   };
   std::vector<std::string> taken;
   for (const JointLawKey& key : joint_law_keys()) {
@@ -71,7 +79,7 @@ std::vector<std::string> read_keys(TableReader& table, JointLaw& law) {
       if constexpr (std::is_same_v<decltype(member), bool JointLaw::*>)
         return table.flag(key.name, law.*member);
       else
-        return table.number(key.name, law.*member, range(key.range));
+        return table.number(key.name, law.*member, range(key));
     };
     if (std::visit(read, key.member)) taken.emplace_back(key.name);
   }

@@ -225,7 +225,7 @@ void EdgePressures::add_cracks(const std::vector<std::array<joints::End, 2>>& en
   }
 }
 
-void EdgePressures::sample(wire::Load& load) {
+void EdgePressures::sample(JointFlow* flow, wire::Load& load) {
   if (blocks_.poses() != last_poses_) {
     find_targets();
     last_poses_ = blocks_.poses();
@@ -235,7 +235,9 @@ void EdgePressures::sample(wire::Load& load) {
   wetted_.clear();
   for (std::size_t i = 0; i < targets_.elements.size(); ++i) {
     const EdgeElement& e = targets_.elements[i];
+    const std::size_t first = load.block.size();
     if (e.openness > 0) add_open(e, targets_.looks_of[i], lines, load);
+    if (flow != nullptr && e.openness >= 1) flow->take_in(load, first);
     if (e.slot) add_slot(e, targets_.mouths[i], lines, load);
   }
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
@@ -246,6 +248,7 @@ void EdgePressures::sample(wire::Load& load) {
     ends[o / 2][o % 2] = {p, openings_[o].y()};
   }
   add_cracks(ends, load);
+  if (flow != nullptr) flow->add(targets_.elements, load);
 }
 
 }  // namespace blockweir::openfoam

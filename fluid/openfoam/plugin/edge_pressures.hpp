@@ -7,6 +7,7 @@
 
 #include "fluid/joints/uplift.hpp"
 #include "fluid/openfoam/looks.hpp"
+#include "fluid/openfoam/plugin/joint_flow.hpp"
 #include "fluid/openfoam/plugin/water_state.hpp"
 
 namespace blockweir::openfoam {
@@ -15,8 +16,9 @@ class EdgePressures {
  public:
   EdgePressures(const ImmersedBlocks& blocks, const WaterState& water);
 
-  /// Panels of all loaded blocks where they are now; the same on all ranks.
-  void sample(wire::Load& load);
+  /// Panels of all loaded blocks where they are now; the same on all ranks. `flow`, or null: of joints through which
+  /// water flows.
+  void sample(JointFlow* flow, wire::Load& load);
 
   /// A piece of an edge that water pressed on when last sampled.
   struct Wetted {

@@ -115,6 +115,7 @@ Interface read_interface(const dictionary& dict) {
   i.open_crack_width_m = dict.get<Foam::scalar>("openCrackWidth");
   i.move_tolerance = dict.get<Foam::scalar>("moveTolerance");
   i.rest_tolerance = dict.get<Foam::scalar>("restTolerance");
+  i.flow_in_joints = dict.getOrDefault<Foam::Switch>("flowInJoints", false);
   read_blocks(dict.subDict("blocks"), i);
   for (const Foam::entry& entry : dict.subDict("cracks")) i.cracks.push_back(crack(entry.dict()));
   return i;

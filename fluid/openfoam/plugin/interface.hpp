@@ -68,6 +68,7 @@ struct Interface {
   double rest_tolerance = 0;  ///< of the pressure at that depth; 0: the water never counts as at rest
   std::vector<InterfaceBlock> blocks;
   std::vector<Crack> cracks;
+  bool flow_in_joints = false;  ///< constant/blockweirJoints tells of it
 };
 
 /// Ends the run through OpenFOAM's FatalIOError where an entry is missing or malformed.

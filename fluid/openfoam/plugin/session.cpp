@@ -72,6 +72,7 @@ Session::Session(const Foam::fvMesh& mesh)
       water_(mesh, blocks_),
       levels_(mesh, dict_, blocks_),
       edges_(blocks_, water_),
+      flow_(interface_.flow_in_joints ? std::make_unique<JointFlow>(mesh, blocks_) : nullptr),
       added_mass_(mesh, blocks_, edges_),
       breach_(mesh, dict_, blocks_),
       rest_(mesh, dict_, blocks_, levels_),
@@ -115,8 +116,10 @@ void Session::resume() {
   const std::uint64_t next = interface_.hello.first_window;
   double field_time_s = 0;
   std::vector<Pose> cut_at;
+  std::string flow;
   checkpoint::unpack(checkpoints_.read(next), field_time_s, time_s_, course_.end, course_.end_velocity, cut_at,
-                     added_mass_, breach_, record_);
+                     added_mass_, breach_, record_, flow);
+  if (flow_) flow_->restore(flow);
   if (std::abs(field_time_s - time_.value()) > 1e-9 * interface_.hello.window_s) {
     partner_.fail(fmt::format("checkpoint {} is of {:.9g} s, but interFoam starts at {:.9g} s", next, field_time_s,
                               time_.value()));
@@ -131,8 +134,9 @@ void Session::resume() {
 void Session::save() {
   time_.writeNow();
   if (!Foam::Pstream::master()) return;
-  checkpoints_.write(window_ + 1, checkpoint::pack(time_.value(), time_s_, course_.end, course_.end_velocity,
-                                                   blocks_.poses(), added_mass_, breach_, record_));
+  checkpoints_.write(window_ + 1,
+                     checkpoint::pack(time_.value(), time_s_, course_.end, course_.end_velocity, blocks_.poses(),
+                                      added_mass_, breach_, record_, flow_ ? flow_->state() : std::string()));
 }
 
 Session::~Session() = default;
@@ -193,7 +197,8 @@ void Session::exchange() {
     say();
     const auto motion = await_motion();
     if (!motion) return;
-    if (!rest_.lasts(*motion, time_s_, course_.end)) return start_window(*motion);
+    const bool stores = flow_ && flow_->changes_by_itself();
+    if (stores || !rest_.lasts(*motion, time_s_, course_.end)) return start_window(*motion);
     pass(*motion);
   }
 }
@@ -202,6 +207,7 @@ void Session::say() {
   partner_.send(load_);
   const Stopwatch watch(output_s_);
   record_.add(load_.time_s, load_, course_.end_velocity, ground_acceleration().x());
+  if (flow_) flow_->record(load_.time_s);
 }
 
 /// A window without a step: interFoam's clock is put to its end, its fields and the pressures stay as they are.
@@ -224,7 +230,8 @@ void Session::sample() {
   load_.time_s = time_s_;
   load_.upstream_level_m = levels_.upstream_m(load_.time_s);
   load_.downstream_level_m = levels_.downstream_m(load_.time_s);
-  edges_.sample(load_);
+  if (flow_) flow_->begin(course_.end, load_);
+  edges_.sample(flow_.get(), load_);
   load_.breached = breach_.look();
   added_mass_.measure(load_.added_mass.own());
   rest_.look(time_s_, course_.end);
@@ -240,6 +247,9 @@ void Session::write_report() const {
       << "\noutput " << output_s_ << '\n';
   std::ofstream(folder + "/blockweir.counts") << "windows " << windows_ << "\nwindows_at_rest " << passed_ << "\ncuts "
                                               << blocks_.cuts() << "\nskipped_cuts " << blocks_.skipped_cuts() << '\n';
+  std::ofstream warnings(folder + "/blockweir.warnings");
+  if (!flow_) return;
+  for (const std::string& warning : flow_->warnings()) warnings << warning << '\n';
 }
 
 /// The next window's motion, after a checkpoint where one is asked for; nothing when the solid has ended the run.

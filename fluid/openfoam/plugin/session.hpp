@@ -5,6 +5,7 @@
 #include <regIOobject.H>
 
 #include <chrono>
+#include <memory>
 
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "fluid/openfoam/plugin/added_mass.hpp"
@@ -80,6 +81,7 @@ class Session : public Foam::regIOobject {
   WaterLevels levels_;
   std::vector<OpenEnd> open_ends_;
   EdgePressures edges_;
+  std::unique_ptr<JointFlow> flow_;  ///< null: no water flows through joints
   AddedMass added_mass_;
   Breach breach_;
   Rest rest_;
