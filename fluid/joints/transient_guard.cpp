@@ -36,7 +36,7 @@ std::vector<double> TransientGuard::yields(const scene::Scene& scene, const Join
     const double volume = safety * channel.length_m / 2 * s.length_m() * step_s * step_s * moves;
     for (const int node : {channel.from, channel.to}) {
       const bool moved = std::abs(as_moved_m2[at(node)] - stored_m2[at(node)]) > tiny * stored_m2[at(node)];
-      if (apart || moved) yields[at(node)] += volume;
+      if ((apart || moved) && network.nodes[at(node)].kind != NodeKind::held) yields[at(node)] += volume;
     }
   }
   return yields;

@@ -9,10 +9,17 @@ namespace {
 class FlowOpenFoam : public OpenFoam {
  protected:
   /// A parallel crack: its uplift is the triangular law's, under which the dam fails at 4.9056 m above it.
-  static std::string scene(const std::string& more) {
-    return cases + "cracked-dam-upper" + set("joints.crack.uplift=flow") +
-           set("water.upstream_level_m={table=[[0,19.8],[1.5,20.1]]}") + set("analysis.duration_s=1.5") +
-           set("analysis.failure_displacement_m=0.01") + set("analysis.stop_at_failure=true") + more;
+  void write_scene() const {
+    std::ifstream file(cases + "cracked-dam-upper/scene.toml");
+    std::ostringstream all;
+    all << file.rdbuf();
+    std::ofstream(folder / "scene.toml") << all.str().substr(0, all.str().find("[[expect]]"));
+  }
+  [[nodiscard]] int run_dam(const std::string& out, const std::string& more) const {
+    return run("scene.toml", out,
+               set("joints.crack.uplift=flow") + set("water.upstream_level_m={table=[[0,19.8],[1.5,20.1]]}") +
+                   set("analysis.duration_s=1.5") + set("analysis.failure_displacement_m=0.01") +
+                   set("analysis.stop_at_failure=true") + more);
   }
   [[nodiscard]] double head(const std::string& out) const {
     return nlohmann::json::parse(text(out + "/summary.json"))["failure"]["head_m"].get<double>();
@@ -20,9 +27,10 @@ class FlowOpenFoam : public OpenFoam {
 };
 
 TEST_F(FlowOpenFoam, ACrackedDamFailsAtTheLevelThatItDoesInStillWater) {
-  ASSERT_EQ(run(scene(set("fluid.model=hydrostatic")), "still", ""), 0) << text("out");
-  ASSERT_EQ(run(scene(cells(20)), "moves", ""), 0) << text("out");
-  ASSERT_EQ(run(scene(cells(20) + set("fluid.processes=2")), "ranks", ""), 0) << text("out");
+  write_scene();
+  ASSERT_EQ(run_dam("still", set("fluid.model=hydrostatic")), 0) << text("out");
+  ASSERT_EQ(run_dam("moves", cells(20)), 0) << text("out");
+  ASSERT_EQ(run_dam("ranks", cells(20) + set("fluid.processes=2")), 0) << text("out");
   std::printf("head at the failure: still water %.5f m, OpenFOAM %.5f m, on two ranks %.5f m\n", head("still"),
               head("moves"), head("ranks"));
   EXPECT_NEAR(head("still"), 4.9056, 5e-3);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/results/seconds.hpp"
@@ -235,21 +234,6 @@ void Session::sample() {
   load_.breached = breach_.look();
   added_mass_.measure(load_.added_mass.own());
   rest_.look(time_s_, course_.end);
-}
-
-/// For the summary of the run: its phases with their seconds, then counts, a name and a number a line.
-void Session::write_report() const {
-  if (!Foam::Pstream::master()) return;
-  const std::string folder = time_.globalPath();
-  std::ofstream(folder + "/blockweir.times")
-      << "wait " << partner_.waited_s() << "\npack " << partner_.packed_s() << "\nwire " << partner_.wire_s()
-      << "\ncut " << blocks_.cut_s() << "\nmapping " << mapping_s_ - blocks_.cut_s() << "\nstep " << steps_s_
-      << "\noutput " << output_s_ << '\n';
-  std::ofstream(folder + "/blockweir.counts") << "windows " << windows_ << "\nwindows_at_rest " << passed_ << "\ncuts "
-                                              << blocks_.cuts() << "\nskipped_cuts " << blocks_.skipped_cuts() << '\n';
-  std::ofstream warnings(folder + "/blockweir.warnings");
-  if (!flow_) return;
-  for (const std::string& warning : flow_->warnings()) warnings << warning << '\n';
 }
 
 /// The next window's motion, after a checkpoint where one is asked for; nothing when the solid has ended the run.
