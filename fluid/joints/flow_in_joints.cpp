@@ -115,7 +115,8 @@ void FlowInJoints::solve(double to_s) {
     most_turbulent_joint_ = joints_.name(joints_.stretches()[joints_.parts()[now.largest_channel].stretch]);
   }
   const auto& nodes = joints_.network().nodes;
-  without_outlet_ = std::none_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.kind != NodeKind::inside; });
+  without_outlet_ = !nodes.empty() &&
+                    std::none_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.kind != NodeKind::inside; });
 }
 
 /// A drain has its head, or leaves a share of what the water would have above it.

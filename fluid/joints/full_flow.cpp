@@ -76,7 +76,7 @@ void FullFlow::assemble(const Network& network, const std::vector<bool>& fed, co
     const Node& node = network.nodes[at(i)];
     return node.pressure_pa + water.weight_n_per_m3 * node.height_m;
   };
-  const auto count = 1 + *std::max_element(unknown.begin(), unknown.end());
+  const auto count = std::count_if(unknown.begin(), unknown.end(), [](int k) { return k >= 0; });
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * network.channels.size());
   links_.clear();

@@ -51,16 +51,16 @@ void TransientGuard::add(const FlowStep& step, const std::vector<double>& yields
   longest_step_s_ = std::max(longest_step_s_, step_s);
 }
 
-/// The share falls with the square of the window.
+/// The share falls at least with the window.
 std::string TransientGuard::warning() const {
-  constexpr double little = 0.02;
+  constexpr double little = 0.1;
   if (held_back_m2_ <= little * exchanged_m2_) return "";
   const double share = held_back_m2_ / exchanged_m2_;
   return fmt::format(
       "transient flow: what keeps its exchange with the blocks stable took in {:.2g} % as much water as the joints "
       "did, "
       "at windows of {:.3g} s; expected at most {:.2g} %; set window_s of [coupling] to {:.1g} s or less",
-      100 * share, longest_step_s_, 100 * little, longest_step_s_ * std::sqrt(little / share));
+      100 * share, longest_step_s_, 100 * little, longest_step_s_ * little / share);
 }
 
 }  // namespace blockweir::joints
