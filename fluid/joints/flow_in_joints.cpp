@@ -63,7 +63,8 @@ void FlowInJoints::repeat(const std::vector<std::vector<Point>>& outlines, const
 
 /// A mouth below its side's level that no open water reaches, as in a hollow: it counts as in air.
 void FlowInJoints::note_dry_mouths(const std::vector<std::vector<Point>>& outlines, const wire::Load& load) {
-  if (!dry_mouth_.empty()) return;
+  const bool still = scene_.fluid != scene::FluidModel::openfoam;  // else water may leave a mouth for a moment
+  if (!still || !dry_mouth_.empty()) return;
   Point crest = outlines.front().front();
   for (const std::vector<Point>& outline : outlines) {
     for (const Point& p : outline) crest = p.y() > crest.y() ? p : crest;
