@@ -90,6 +90,7 @@ void goes_on_with_the_same_bits(const std::string& fluid) {
     again.advance(moved(x, 0.3 * std::sin(i)), 0.01 * i, other);
     EXPECT_EQ(load.pressure_from_pa.values(), other.pressure_from_pa.values());
     EXPECT_EQ(load.added_mass.values(), other.added_mass.values());
+    EXPECT_EQ(load.added_mass_between.values(), other.added_mass_between.values());
   }
   EXPECT_EQ(water.report().counts.at("reservoir solutions"), again.report().counts.at("reservoir solutions"));
 }
@@ -152,14 +153,17 @@ TEST(ReservoirModel, FactorsAreKeptUntilACornerHasMovedAndChangeThePressuresByNo
   EXPECT_THAT(one.report().skips, testing::Contains(testing::HasSubstr("mesh and factors in 27 of 30 windows")));
 }
 
-TEST(ReservoirModel, TheGuardIsToldNoLessThanBlocksPushTogether) {
+TEST(ReservoirModel, TheGuardIsToldTheMassOfAllBlocksWithAllOthers) {
   const scene::Scene scene = dam_of_two();
   ReservoirModel water(scene);
   wire::Load load;
   water.advance(moved(0, 0), 0, load);
   ASSERT_EQ(load.added_mass.size(), 3U);
   EXPECT_EQ(load.added_mass[0], (std::array<double, 6>{}));  // the ground is held
-  EXPECT_GT(load.added_mass[1][0] + load.added_mass[2][0], added);
+  EXPECT_EQ(load.coupled.values(), (std::vector<std::array<std::uint32_t, 2>>{{1, 2}}));
+  ASSERT_EQ(load.added_mass_between.size(), 1U);
+  // Both blocks together are the wall.
+  EXPECT_NEAR(load.added_mass[1][0] + load.added_mass[2][0] + 2 * load.added_mass_between[0][0], added, 1e-4 * added);
 }
 
 TEST(ReservoirModel, APseudoStaticEarthquakeTakesItsPressureInPlaceOfWestergaards) {
