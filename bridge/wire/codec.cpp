@@ -9,6 +9,7 @@
 
 #include "bridge/wire/checksum.hpp"
 #include "bridge/wire/column_codec.hpp"
+#include "bridge/wire/coupled_pairs.hpp"
 #include "bridge/wire/messages_generated.h"
 
 namespace blockweir::wire {
@@ -77,20 +78,6 @@ void refuse_rows(const Column<std::array<double, 6>>& rows, const char* name, st
   }
 }
 
-/// What blocks that push the same water do to each other: columns that a fluid may leave out.
-void read_pairs(ColumnReader& columns, Load& m) {
-  m.coupled.clear();
-  m.added_mass_between.clear();
-  if (!columns.more()) return;
-  columns.read<Any>(m.coupled, "coupled");
-  if (!columns.read<Finite>(m.added_mass_between, "added_mass_between")) {
-    throw BadMessage(fmt::format("an added mass between blocks that is not finite in window {}", m.window));
-  }
-  if (m.coupled.size() == m.added_mass_between.size()) return;
-  throw BadMessage(fmt::format("{} pairs of blocks and {} added masses between them in window {}", m.coupled.size(),
-                               m.added_mass_between.size(), m.window));
-}
-
 /// Names the panel whose pressures or ends cannot be.
 void refuse_panels(const Load& m) {
   for (std::size_t i = 0; i < m.block.size(); ++i) {
@@ -156,10 +143,7 @@ void encode(const Load& m, Builder& builder, std::vector<Part>& parts) {
   write(m.added_mass);
   write(m.block);  // after those that are aligned to more
   write(m.edge);
-  if (!m.coupled.empty()) {
-    write(m.coupled);
-    write(m.added_mass_between);
-  }
+  write_pairs(write, m);
   const std::size_t columns = builder.GetSize() - sizeof(Trailer);
   finish(builder, buffer::Body::Load,
          buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, m.breached,

@@ -88,8 +88,8 @@ TEST(AddedMassWatch, TheLargestRatioOfTheRunIsKeptWithItsBlock) {
   EXPECT_TRUE(watch.look({}, solid).empty());
   EXPECT_EQ(watch.ratio(), 0);
   const auto masses = watch.look(load_of({1, 2, 3, 4, 5, 60}, {}), solid);
-  ASSERT_EQ(masses.size(), 3U);
-  EXPECT_EQ(masses[1], (Eigen::Matrix3d() << 1, 2, 3, 2, 4, 5, 3, 5, 60).finished());
+  ASSERT_EQ(masses.own.size(), 3U);
+  EXPECT_EQ(masses.own[1], (Eigen::Matrix3d() << 1, 2, 3, 2, 4, 5, 3, 5, 60).finished());
   watch.look(load_of({}, {0.2 * mass, 0, 0, 0.1 * mass, 0, 1.32 * moment}), solid);
   watch.look(load_of({0.5 * mass, 0, 0, 0, 0, 0}, {}), solid);
   EXPECT_NEAR(watch.ratio(), 1.32, 1e-12);
