@@ -133,10 +133,13 @@ void CoupledSolid::watch_interface(const wire::Load& load, const wire::Motion& t
   if (load.block.empty() || scene.analysis.kind != scene::AnalysisKind::dynamic) return;
   const Stopwatch watch(watch_s_);
   double kinetic = energy_.now().kinetic;
-  for (std::size_t b = 0; b < masses.size(); ++b) {
-    const Eigen::Vector3d v = solid_.states()[b].velocity.head<3>();
-    if (!solid_.blocks()[b].fixed) kinetic += v.dot(masses[b] * v) / 2;
+  std::vector<Eigen::Vector3d> velocities;
+  for (std::size_t b = 0; b < masses.own.size(); ++b) {
+    velocities.emplace_back(Eigen::Vector3d::Zero());
+    if (!solid_.blocks()[b].fixed) velocities.back() = solid_.states()[b].velocity.head<3>();
   }
+  const std::vector<Eigen::Vector3d> momenta = masses.times(velocities);
+  for (std::size_t b = 0; b < momenta.size(); ++b) kinetic += velocities[b].dot(momenta[b]) / 2;
   interface_energy_.look(water_.last(), told, {from_s, to_s}, kinetic);
   if (!interface_energy_.growth() || scene.coupling.on_energy_gain == scene::EnergyGain::report) return;
   throw SolveError(interface_energy_.trouble(added_mass_.ratio()));

@@ -9,6 +9,7 @@
 
 #include "bridge/wire/checksum.hpp"
 #include "bridge/wire/column_codec.hpp"
+#include "bridge/wire/coupled_pairs.hpp"
 #include "bridge/wire/messages_generated.h"
 
 namespace blockweir::wire {
@@ -142,6 +143,7 @@ void encode(const Load& m, Builder& builder, std::vector<Part>& parts) {
   write(m.added_mass);
   write(m.block);  // after those that are aligned to more
   write(m.edge);
+  write_pairs(write, m);
   const std::size_t columns = builder.GetSize() - sizeof(Trailer);
   finish(builder, buffer::Body::Load,
          buffer::CreateLoad(builder, m.window, m.time_s, m.upstream_level_m, m.downstream_level_m, m.breached,
@@ -265,6 +267,7 @@ void decode(const Part& frame, Load& m, const NextPart& next) {
   }
   sound &= columns.read<Any>(m.block, "block");
   sound &= columns.read<Any>(m.edge, "edge");
+  read_pairs(columns, m);
   columns.end();
   const std::size_t n = m.block.size();
   for (const std::size_t size :

@@ -115,6 +115,9 @@ class ColumnReader {
     return faults == 0;
   }
 
+  /// Is there another column?
+  [[nodiscard]] bool more() const { return told_ != nullptr && column_ < told_->size(); }
+
   void end() const {
     if (in_frame_ > 0) throw BadMessage(fmt::format("{} bytes more than it says in window {}", in_frame_, window_));
   }

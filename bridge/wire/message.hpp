@@ -82,6 +82,10 @@ struct Load {
   /// (xx, xy, xr, yy, yr, rr) [kg/m, kg, kg m] of a symmetric matrix of translation x, y and rotation about the block's
   /// centroid where it is now. One row a block, zeros where the water does not reach, or none at all.
   Column<std::array<double, 6>> added_mass;
+  /// What blocks that push the same water do to each other: row by row, the force on the first block of `coupled` by a
+  /// unit acceleration of the second, both about their centroids as above. Each pair once, or none at all.
+  Column<std::array<std::uint32_t, 2>> coupled;
+  Column<std::array<double, 9>> added_mass_between;
 
   /// Lets go of the frame that brought it.
   void release() {
@@ -92,12 +96,14 @@ struct Load {
     pressure_from_pa.release();
     pressure_to_pa.release();
     added_mass.release();
+    coupled.release();
+    added_mass_between.release();
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive(window, time_s, holds_until_s, upstream_level_m, downstream_level_m, block, edge, s_from, s_to,
-            pressure_from_pa, pressure_to_pa, cracks_from, breached, added_mass);
+            pressure_from_pa, pressure_to_pa, cracks_from, breached, added_mass, coupled, added_mass_between);
   }
 };
 

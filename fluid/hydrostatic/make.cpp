@@ -9,10 +9,7 @@ std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::
   process::require_fluid(scene, scene::FluidModel::hydrostatic);
   const bool recorded = scene.output.reservoir || (scene::flows_in_joints(scene) && !folder.empty());
   if (!recorded) return std::make_unique<HydrostaticModel>(scene);
-  if (folder.empty()) {
-    throw std::invalid_argument(
-        "[output] reservoir = true, and no --out: say with --out where the files of the reservoir go");
-  }
+  require_folder_of_pictures(scene, folder);
   results::make_folder(folder);
   return std::make_unique<RecordedModel>(scene, folder);
 }

@@ -36,6 +36,12 @@ void add(const ReservoirMesh& mesh, const scene::Hydrostatics& water, vtk::Grid&
 
 }  // namespace
 
+void require_folder_of_pictures(const scene::Scene& scene, const std::filesystem::path& folder) {
+  if (!scene.output.reservoir || !folder.empty()) return;
+  throw std::invalid_argument(
+      "[output] reservoir = true, and no --out: say with --out where the files of the reservoir go");
+}
+
 RecordedModel::RecordedModel(const scene::Scene& scene, const std::filesystem::path& folder)
     : model_(scene),
       draws_(scene.output.reservoir),

@@ -8,6 +8,9 @@
 
 namespace blockweir::hydrostatic {
 
+/// Throws std::invalid_argument where pictures are asked for and nothing says where they go.
+void require_folder_of_pictures(const scene::Scene& scene, const std::filesystem::path& folder);
+
 /// The model, which also writes its pools every [output] frame_every_s where that is asked for, and its flow in joints.
 class RecordedModel final : public schedule::FluidSide {
  public:

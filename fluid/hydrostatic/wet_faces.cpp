@@ -96,6 +96,10 @@ class Search {
   [[nodiscard]] double right() const { return all_.max().x() + pad_; }
   [[nodiscard]] Point crest(Pool pool) const { return corner_of_crest(structure_, all_, pool); }
 
+  /// How far the frame reaches below the blocks. Less than they have grown by, so that no water gets under what stands
+  /// on its supports and has turned by round-off, or by a little.
+  [[nodiscard]] double below() const { return structure_.floats ? pad_ : growth_ / 2; }
+
   /// On the crest's corner, and where its middle is.
   double add_wall(Pool pool) {
     const double thickness = 1e-5 * reach_.sizes().maxCoeff();
@@ -142,9 +146,10 @@ class Search {
       const cl::IntPoint& b = path[(i + 1) % path.size()];
       if ((grid_.metres(b) - grid_.metres(a)).norm() < grid_.tiny_m) continue;  // of no direction
       const bool upright = a.X == b.X && (a.X == frame[0].X || a.X == frame[2].X);
-      const bool level = a.Y == b.Y && (a.Y == frame[0].Y || a.Y == frame[2].Y);
+      const bool surface = a.Y == b.Y && a.Y == frame[2].Y;
+      const bool bottom = a.Y == b.Y && a.Y == frame[0].Y;
       ring.push_back(grid_.metres(a));
-      right_m.push_back(upright || level ? -growth_ : growth_);
+      right_m.push_back(bottom ? -below() : upright || surface ? -growth_ : growth_);
     }
     std::vector<Piece> pieces = moved_right(ring, right_m);
     for (Piece& piece : pieces) piece = {grid_.rounded(piece.from), grid_.rounded(piece.to)};
@@ -154,7 +159,7 @@ class Search {
   /// `breached` where water reaches from the frame's left to its right, `behind` where it passes `middle_m`.
   [[nodiscard]] WetFaces between(double left_m, double right_m, Ends ends, double middle_m) const {
     WetFaces result;
-    const double bottom = all_.min().y() - (structure_.floats ? pad_ : growth_);
+    const double bottom = all_.min().y() - below();
     const Ring frame = rectangle(left_m, bottom, right_m, level_ + growth_);
     const cl::Path frame_units = grid_.units(frame);
     const cl::cInt middle = grid_.units(Point(middle_m, level_)).X;

@@ -19,12 +19,17 @@ bool AnsweringWater::at_rest() const {
 }
 
 void AnsweringWater::advance(const Eigen::VectorXd& accelerations) {
+  accelerations_ = accelerations;
   if (remembers_ && !(at_rest() && accelerations.isZero(0))) {
     equation_->step(state_, answer_.flux * accelerations);
     pressure_ = answer_.on_panels(state_.p);
   } else {
     pressure_ = answer_.pressure * accelerations;
   }
+}
+
+Eigen::VectorXd AnsweringWater::pressure_at_nodes() const {
+  return remembers_ ? state_.p : equation_->pressure(answer_.flux * accelerations_);
 }
 
 void AnsweringWater::add_panels(wire::Load& load) const {

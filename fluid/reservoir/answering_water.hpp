@@ -23,14 +23,17 @@ class AnsweringWater {
   /// One window with `accelerations`, one a mode of the answer.
   void advance(const Eigen::VectorXd& accelerations);
   void add_panels(wire::Load& load) const;
+  /// Beyond that of still water, at the mesh's nodes, at the end of the window before [Pa].
+  [[nodiscard]] Eigen::VectorXd pressure_at_nodes() const;
 
  private:
   std::unique_ptr<const WaterMesh> mesh_;  ///< the equation refers to it
   std::unique_ptr<const PressureEquation> equation_;
   WaterAnswer answer_;
   bool remembers_;
-  PressureState state_;       ///< of water that remembers
-  Eigen::VectorXd pressure_;  ///< on the answer's panels
+  PressureState state_;            ///< of water that remembers
+  Eigen::VectorXd pressure_;       ///< on the answer's panels
+  Eigen::VectorXd accelerations_;  ///< of the window before
 };
 
 }  // namespace blockweir::reservoir

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,18 +26,6 @@ std::vector<Point> centroids_of(const std::vector<std::vector<Point>>& outlines)
   return centroids;
 }
 
-/// q, the largest mass of all blocks together over that of each alone, D: M <= q D. The guard knows each block alone,
-/// and would know too little of blocks that push the same water.
-double together_over_alone(const Eigen::MatrixXd& mass) {
-  Eigen::MatrixXd alone = Eigen::MatrixXd::Zero(mass.rows(), mass.cols());
-  const double least = 1e-12 * mass.diagonal().maxCoeff();
-  for (Eigen::Index i = 0; i < mass.rows(); i += 3) {
-    alone.block<3, 3>(i, i) = mass.block<3, 3>(i, i) + least * Eigen::Matrix3d::Identity();
-  }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ratios(mass, alone, Eigen::EigenvaluesOnly);
-  return ratios.eigenvalues().maxCoeff();
-}
-
 void copy_panels(const wire::Load& from, std::size_t first, std::size_t last, wire::Load& to) {
   for (std::size_t i = first; i < last; ++i) {
     wire::add_panel(to, static_cast<int>(from.block[i]), static_cast<int>(from.edge[i]), from.s_from[i], from.s_to[i],
@@ -55,13 +42,16 @@ std::array<double, 2> levels_of(const wire::Load& load) {
 ReservoirModel::ReservoirModel(const scene::Scene& scene, const std::filesystem::path& folder)
     : scene_(scene), still_(scene) {
   if (scene::flows_in_joints(scene) && !folder.empty()) flow_.emplace(scene, folder);
+  if (scene.output.reservoir && !folder.empty()) pictures_.emplace(scene, folder);
   for (const scene::Block& block : scene.blocks) fixed_.push_back(block.fixed);
   accelerations_.assign(scene.blocks.size(), Eigen::Vector3d::Zero());
 }
 
 void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
-  const double window_s = told_ && to_s > time_s_ ? to_s - time_s_ : scene_.coupling.window_s;
-  take_accelerations(motion, to_s);
+  // The solid says nothing while nothing moves: what has changed since has done so in the last window.
+  const double longest_s = scene_.coupling.window_s;
+  const double window_s = told_ && to_s > time_s_ ? std::min(to_s - time_s_, longest_s) : longest_s;
+  take_accelerations(motion, {to_s - window_s, to_s});
   still_.advance(motion, to_s, still_load_);
   if (outdated(window_s)) {
     solved_ = {{}, to_s, still_.outlines(), levels_of(still_load_), window_s};
@@ -81,12 +71,13 @@ void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load
   }
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
   copy_panels(still_load_, still_load_.cracks_from, still_load_.block.size(), load);
-  load.added_mass.own() = guarded_;
-  load.holds_until_s = moves() ? to_s : still_load_.holds_until_s;
+  guarded_.tell(load);
+  load.holds_until_s = moves() || pictures_ ? to_s : still_load_.holds_until_s;
 }
 
 void ReservoirModel::record(double time_s) {
   if (flow_) flow_->record(time_s, still_.flow_in_joints());
+  if (pictures_) pictures_->record(time_s, waters_);
 }
 
 bool ReservoirModel::moves() const {
@@ -95,18 +86,18 @@ bool ReservoirModel::moves() const {
          !std::all_of(waters_.begin(), waters_.end(), [](const AnsweringWater& water) { return water.at_rest(); });
 }
 
-void ReservoirModel::take_accelerations(const wire::Motion& motion, double to_s) {
+void ReservoirModel::take_accelerations(const wire::Motion& motion, const scene::TimeSpan& window) {
   std::vector<Eigen::Vector3d> velocities;
   for (const auto& v : motion.velocity) velocities.emplace_back(v[0], v[1], v[2]);
-  if (told_ && velocities.size() == velocities_.size() && to_s > time_s_) {
+  if (told_ && velocities.size() == velocities_.size() && window.to_s > time_s_) {
     for (std::size_t b = 0; b < velocities.size(); ++b) {
-      accelerations_[b] = (velocities[b] - velocities_[b]) / (to_s - time_s_);
+      accelerations_[b] = (velocities[b] - velocities_[b]) / (window.to_s - window.from_s);
     }
-    ground_ = ground_acceleration(time_s_, to_s);
+    ground_ = ground_acceleration(window);
   }
   if (shaken_steadily()) ground_ = steady_acceleration();
   velocities_ = std::move(velocities);
-  time_s_ = to_s;
+  time_s_ = window.to_s;
   told_ = true;
 }
 
@@ -120,10 +111,9 @@ Point ReservoirModel::steady_acceleration() const {
          Point(scene_.water.earthquake_coefficient, scene_.water.earthquake_vertical_coefficient);
 }
 
-Point ReservoirModel::ground_acceleration(double from_s, double to_s) const {
+Point ReservoirModel::ground_acceleration(const scene::TimeSpan& window) const {
   if (!scene_.base_motion) return Point::Zero();
   if (scene_.base_motion->form == scene::BaseForm::inertia) {
-    const scene::TimeSpan window{from_s, to_s};
     return {scene_.base_motion->acceleration_x_m_per_s2.at(window),
             scene_.base_motion->acceleration_y_m_per_s2.at(window)};
   }
@@ -156,7 +146,7 @@ void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
   const WaterPhysics physics = physics_of(scene_);
   std::vector<AnsweringWater> waters;
   deepest_m_ = 0;
-  guarded_.assign(scene_.blocks.size(), {});
+  guarded_ = GuardedMass(scene_.blocks.size());
   for (const hydrostatic::WaterBody& body : water.bodies()) {
     const double deep = depth(body);
     deepest_m_ = std::max(deepest_m_, deep);
@@ -165,22 +155,9 @@ void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
     PressureState before = physics.remembers() ? carry_over(waters_, mesh) : PressureState();
     waters.emplace_back(std::move(mesh), physics, centroids_of(water.outlines()), fixed_, solved_.window_s);
     if (physics.remembers()) waters.back().go_on_from(std::move(before));
-    guard(waters.back().answer());
+    guarded_.add(waters.back().answer());
   }
   waters_ = std::move(waters);
-}
-
-/// Adds what the guard is told of the blocks that this body wets.
-void ReservoirModel::guard(const WaterAnswer& answer) {
-  const Eigen::Index count = answer.mass.rows() - 2;  // without the ground's
-  if (count == 0) return;
-  const double together = std::max(1.0, together_over_alone(answer.mass.topLeftCorner(count, count)));
-  for (Eigen::Index i = 0; i < count; i += 3) {
-    const Eigen::Matrix3d m = together * answer.mass.block<3, 3>(i, i);
-    const std::array<double, 6> more{m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
-    auto& row = guarded_[at(answer.modes[static_cast<std::size_t>(i)].block)];
-    std::transform(row.begin(), row.end(), more.begin(), row.begin(), std::plus<>());
-  }
 }
 
 Eigen::VectorXd ReservoirModel::accelerations_of(const WaterAnswer& answer) const {
@@ -199,19 +176,21 @@ Eigen::VectorXd ReservoirModel::accelerations_of(const WaterAnswer& answer) cons
 std::string ReservoirModel::state() const {
   std::vector<PressureState> states;
   for (const AnsweringWater& water : waters_) states.push_back(water.state());
-  return checkpoint::pack(still_.state(), flow_ ? flow_->state() : "", solved_.motion.displacement, solved_.time_s,
-                          solved_.window_s, states, velocities_, accelerations_, ground_, time_s_, told_, solutions_,
-                          kept_);
+  return checkpoint::pack(still_.state(), flow_ ? flow_->state() : "", pictures_ ? checkpoint::pack(*pictures_) : "",
+                          solved_.motion.displacement, solved_.time_s, solved_.window_s, states, velocities_,
+                          accelerations_, ground_, time_s_, told_, solutions_, kept_);
 }
 
 void ReservoirModel::restore(const std::string& state) {
   std::string of_still;
   std::string of_flow;
+  std::string of_pictures;
   std::vector<PressureState> states;
-  checkpoint::unpack(state, of_still, of_flow, solved_.motion.displacement, solved_.time_s, solved_.window_s, states,
-                     velocities_, accelerations_, ground_, time_s_, told_, solutions_, kept_);
+  checkpoint::unpack(state, of_still, of_flow, of_pictures, solved_.motion.displacement, solved_.time_s,
+                     solved_.window_s, states, velocities_, accelerations_, ground_, time_s_, told_, solutions_, kept_);
   still_.restore(of_still);
   if (flow_) flow_->restore(of_flow);
+  if (pictures_) checkpoint::unpack(of_pictures, *pictures_);
   if (!told_) return;
   hydrostatic::HydrostaticModel then(scene_);
   wire::Load load;

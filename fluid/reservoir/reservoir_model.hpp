@@ -7,16 +7,19 @@
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 #include "fluid/joints/flow_output.hpp"
 #include "fluid/reservoir/answering_water.hpp"
+#include "fluid/reservoir/guarded_mass.hpp"
+#include "fluid/reservoir/reservoir_output.hpp"
 
 namespace blockweir::reservoir {
 
 class ReservoirModel final : public schedule::FluidSide {
  public:
-  /// What flows through joints goes to `folder`, unless that is empty.
+  /// Pictures of the water, where they are asked for, and what flows through joints go to `folder`, unless that is
+  /// empty.
   explicit ReservoirModel(const scene::Scene& scene, const std::filesystem::path& folder = {});
 
-  /// Pressures at to_s. Accelerations are the changes of the velocities told, over the time between, and those of the
-  /// ground that the scene states.
+  /// Pressures at to_s. Accelerations are the changes of the velocities told, over the time between or the last window,
+  /// and those of the ground that the scene states.
   void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
   void record(double time_s) override;
   [[nodiscard]] std::string state() const override;
@@ -33,11 +36,10 @@ class ReservoirModel final : public schedule::FluidSide {
     double window_s = 0;
   };
 
-  void take_accelerations(const wire::Motion& motion, double to_s);
-  [[nodiscard]] Point ground_acceleration(double from_s, double to_s) const;
+  void take_accelerations(const wire::Motion& motion, const scene::TimeSpan& window);
+  [[nodiscard]] Point ground_acceleration(const scene::TimeSpan& window) const;
   [[nodiscard]] bool outdated(double window_s) const;
   void solve(const hydrostatic::HydrostaticModel& water);
-  void guard(const WaterAnswer& answer);
   [[nodiscard]] bool moves() const;
   [[nodiscard]] bool shaken_steadily() const;
   [[nodiscard]] Point steady_acceleration() const;
@@ -47,11 +49,12 @@ class ReservoirModel final : public schedule::FluidSide {
   hydrostatic::HydrostaticModel still_;
   wire::Load still_load_;
   std::optional<joints::FlowOutput> flow_;
+  std::optional<ReservoirOutput> pictures_;  ///< where they are asked for
   std::vector<bool> fixed_;
   Geometry solved_;
   std::vector<AnsweringWater> waters_;          ///< one a body of water
   double deepest_m_ = 0;                        ///< of the bodies
-  std::vector<std::array<double, 6>> guarded_;  ///< added mass a block, as wire::Load has it
+  GuardedMass guarded_;                         ///< of the bodies
   std::vector<Eigen::Vector3d> velocities_;     ///< last told
   std::vector<Eigen::Vector3d> accelerations_;  ///< of the blocks, in the frame of the scene
   Point ground_ = Point::Zero();                ///< acceleration

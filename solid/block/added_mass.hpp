@@ -1,16 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Water that a block must push, as inertia of its rigid motion.
+// Water that blocks must push, as inertia of their rigid motions.
 #pragma once
 
 #include <Eigen/Core>
+#include <initializer_list>
+#include <utility>
 #include <vector>
 
 #include "solid/block/block.hpp"
 
 namespace blockweir::solid {
 
-/// Symmetric, of (u0, v0, r0) about the centroid where it is now [kg/m, kg, kg m]. One a block of the scene, or none.
-using AddedMasses = std::vector<Eigen::Matrix3d>;
+/// The water's force on block `a` by an acceleration of block `b`, the other way [kg/m, kg, kg m].
+struct CoupledMass {
+  int a = 0;
+  int b = 0;
+  Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(a, b, mass);
+  }
+};
+
+/// M_a of (u0, v0, r0) of the scene's blocks about their centroids where they are now: 3x3 matrices on the diagonal,
+/// and those of pairs beside it.
+struct AddedMasses {
+  AddedMasses() = default;
+  AddedMasses(std::initializer_list<Eigen::Matrix3d> own_ones) : own(own_ones) {}
+
+  std::vector<Eigen::Matrix3d> own;  ///< symmetric [kg/m, kg, kg m]; one a block of the scene, or none
+  std::vector<CoupledMass> pairs;    ///< each of blocks a < b once
+
+  [[nodiscard]] bool empty() const { return own.empty(); }
+  /// M_a v, of as many blocks as there are.
+  [[nodiscard]] std::vector<Eigen::Vector3d> times(const std::vector<Eigen::Vector3d>& v) const;
+  /// Pairs that join all blocks which push the same water, none more than it takes.
+  [[nodiscard]] std::vector<std::pair<int, int>> links() const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(own, pairs);
+  }
+};
 
 /// Largest and smallest eigenvalue of M^-1 M_a over the block's rigid modes, M its own mass.
 struct MassRatio {

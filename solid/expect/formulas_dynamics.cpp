@@ -186,11 +186,12 @@ double wall_in_reservoir_period(const Scene& s, const std::string& of) {
   constexpr double long_reservoir = 0.5427545;
   const scene::Block& b = block_named(s, of);
   const double depth = s.water.upstream_level_m->at(0) - geometry::bounds_of(b.vertices).low.y();
-  const double mass = geometry::signed_area(b.vertices) * material_of(s, b).density_kg_per_m3;
-  double stiffness = 0;
-  for (const scene::Bolt& bolt : s.bolts) {
-    if (s.blocks[at(bolt.blocks[0])].name == of) stiffness += bolt.stiffness_n_per_m2;
+  double mass = 0;
+  for (const scene::Block& block : s.blocks) {
+    if (!block.fixed) mass += geometry::signed_area(block.vertices) * material_of(s, block).density_kg_per_m3;
   }
+  double stiffness = 0;
+  for (const scene::Bolt& bolt : s.bolts) stiffness += bolt.stiffness_n_per_m2;
   if (stiffness == 0)
     throw std::runtime_error("no [[bolt]] is on block \"" + of + "\"; expected a spring that holds it; add one");
   return 2 * std::numbers::pi *

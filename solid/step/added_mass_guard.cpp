@@ -6,7 +6,7 @@ namespace blockweir::solid {
 void AddedMassGuard::begin_window(const AddedMasses& masses, const std::vector<Eigen::Vector3d>& velocities,
                                   double time_s) {
   masses_ = masses;
-  const std::size_t n = masses.size();
+  const std::size_t n = masses.own.size();
   const bool first = velocities_.size() != n;  // the water has seen no acceleration yet
   if (first) accelerations_.fill(std::vector<Eigen::Vector3d>(n, Eigen::Vector3d::Zero()));
   if (!first && time_s > time_s_) {
@@ -22,12 +22,11 @@ void AddedMassGuard::begin_window(const AddedMasses& masses, const std::vector<E
 }
 
 void AddedMassGuard::begin_step(const WaterCourse::Weights& weights) {
-  forces_.resize(masses_.size());
-  for (std::size_t b = 0; b < masses_.size(); ++b) {
-    Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < weights.size(); ++i) acceleration += weights[i] * accelerations_[i][b];
-    forces_[b] = masses_[b] * acceleration;
+  std::vector<Eigen::Vector3d> accelerations(blocks(), Eigen::Vector3d::Zero());
+  for (std::size_t b = 0; b < blocks(); ++b) {
+    for (std::size_t i = 0; i < weights.size(); ++i) accelerations[b] += weights[i] * accelerations_[i][b];
   }
+  forces_ = masses_.times(accelerations);
 }
 
 }  // namespace blockweir::solid

@@ -26,11 +26,12 @@ class AddedMassGuard {
   void begin_step(const WaterCourse::Weights& weights);
 
   [[nodiscard]] bool acts() const { return !masses_.empty(); }
-  /// M_a of a block of the scene.
-  [[nodiscard]] const Eigen::Matrix3d& mass(std::size_t block) const { return masses_[block]; }
+  [[nodiscard]] const AddedMasses& masses() const { return masses_; }
+  /// M_a of a block of the scene alone.
+  [[nodiscard]] const Eigen::Matrix3d& mass(std::size_t block) const { return masses_.own[block]; }
   /// M_a a', on (u0, v0, r0).
   [[nodiscard]] const Eigen::Vector3d& force(std::size_t block) const { return forces_[block]; }
-  [[nodiscard]] std::size_t blocks() const { return masses_.size(); }
+  [[nodiscard]] std::size_t blocks() const { return masses_.own.size(); }
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -13,8 +13,8 @@ void StepsWithImpacts::start_acceleration(const std::vector<Panel>& water, doubl
   if (!solved) return;
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
     state_.blocks[b].acceleration = first[b].acceleration;
-    // With water to push a mesh has inertia beyond its triangles' own: what balanced it is the force.
-    state_.blocks[b].force = water_.of_meshes() ? first[b].force : Vector6(trial_.inertia(b) * first[b].acceleration);
+    // With water to push there is inertia beyond the blocks' own: what balanced it is the force.
+    state_.blocks[b].force = water_.couples() ? first[b].force : Vector6(trial_.inertia(b) * first[b].acceleration);
   }
 }
 

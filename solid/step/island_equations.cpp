@@ -67,6 +67,7 @@ void IslandEquations::balance_alone() {
 double IslandEquations::find_residual(const std::function<void(std::size_t)>& also_acts) {
   residual.setZero();
   uncertain.setZero(unknowns->shared() ? residual.size() : 0);
+  water_.add_to_residual(*this);
   const double at_blocks = largest(island.blocks.size(), [&](std::size_t k) {
     if (also_acts) also_acts(k);
     return model_.blocks[at(island.blocks[k])].is_part() ? 0.0 : add_residual(k);
@@ -75,7 +76,6 @@ double IslandEquations::find_residual(const std::function<void(std::size_t)>& al
   for (std::size_t k = 0; k < island.blocks.size(); ++k) {
     if (model_.blocks[at(island.blocks[k])].is_part()) add_residual_at_corners(static_cast<int>(k));
   }
-  water_.add_to_residual(*this);
   return std::max(at_blocks, unbalanced_at_nodes(*this));
 }
 
@@ -145,6 +145,7 @@ double IslandEquations::add_residual(std::size_t k) {
   Vector6 inertia = mass_factor * (model_.blocks[b].inertia * trial_.increment[b]);
   if (b < state_.guard.blocks())
     inertia.head<3>() += mass_factor * (state_.guard.mass(b) * trial_.increment[b].head<3>());
+  if (!pulls.empty()) inertia.head<3>() -= pulls[k];
   const Vector6 left = trial_.balance[b] - inertia + trial_.history[b];
   unknowns->add(static_cast<int>(k), left, residual);
   const double noise = trial_.round_off[b] + sum_round_off * (magnitude(inertia, model_.blocks[b]) +

@@ -41,6 +41,8 @@ class IslandEquations : StepPart {
   Eigen::VectorXd correction;
   ForceSweeps sweeps;               ///< where Newton's method does not find the states
   std::vector<Matrix6> compliance;  ///< of each block alone, for sweeps
+  /// On each block by the water that others push; none where all push their own.
+  std::vector<Eigen::Vector3d> pulls;
 
   /// Made when it is first asked for: what is swept needs none.
   [[nodiscard]] LinearSystem& system() const;
@@ -66,6 +68,8 @@ class IslandEquations : StepPart {
   /// For another force, with the matrix of the last solution.
   [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& force) const;
 
+  /// Do blocks share unknowns, or water that they push? Then a force on one moves others at once.
+  [[nodiscard]] bool moves_as_one() const { return unknowns->shared() || !pulls.empty(); }
   [[nodiscard]] Held held() { return {island.contacts, state_.contacts, island.supports, state_.supports}; }
   [[nodiscard]] int local(int block) const { return numbers_[static_cast<std::size_t>(block)]; }
   /// Is a block one of the island's?
@@ -102,8 +106,9 @@ class IslandEquations : StepPart {
   const WaterInertia& water_;
   const std::vector<int>& numbers_;
   mutable std::unique_ptr<LinearSystem> system_;
-  bool symmetric_ = true;  ///< are the actions' stiffnesses?
-  SaddlePoint saddle_;     ///< instead of the system while there are unknown forces
+  WaterFactors water_factors_;  ///< of the system's last solution
+  bool symmetric_ = true;       ///< are the actions' stiffnesses?
+  SaddlePoint saddle_;          ///< instead of the system while there are unknown forces
   std::vector<UnknownForce> unknown_forces_;
   Eigen::VectorXd forces_;  ///< of them
 };

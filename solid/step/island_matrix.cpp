@@ -127,13 +127,14 @@ bool IslandEquations::solve_linearized() {
 bool IslandEquations::solve(bool symmetric) {
   if (!model_.scene.analysis.reuse_factors) system().forget_factors();
   if (!system().solve(symmetric, residual, correction)) return false;
-  water_.correct(*this, correction);
+  water_factors_ = water_.factors(*this);
+  WaterInertia::correct(water_factors_, correction);
   return correction.allFinite();
 }
 
 Eigen::VectorXd IslandEquations::solve_again(const Eigen::VectorXd& force) const {
   Eigen::VectorXd d = system().solve_again(force);
-  water_.correct(*this, d);
+  WaterInertia::correct(water_factors_, d);
   return d;
 }
 

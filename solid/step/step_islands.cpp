@@ -19,7 +19,13 @@ std::vector<std::pair<int, int>> StepIslands::links() const {
       links.emplace_back(bolt.part[0], bolt.part[1]);
     }
   }
+  for (const auto& [a, b] : state_.guard.masses().links()) links.emplace_back(part_of(a), part_of(b));
   return links;
+}
+
+/// Of a block with a mesh its first triangle, to which all others are joined.
+int StepIslands::part_of(int block) const {
+  return model_.blocks[at(block)].meshed ? model_.parts.triangles[at(block)].front() : block;
 }
 
 void StepIslands::prepare() {
@@ -66,7 +72,8 @@ void StepIslands::make() {
   find_incidences();
 }
 
-/// Links beyond those of contacts were bolts' own; a bolt belongs to the island of what moves at its ends.
+/// Links beyond those of contacts were those of bolts, and of blocks that push the same water; a bolt belongs to the
+/// island of what moves at its ends.
 void StepIslands::give_bolts_to_islands() {
   const auto contacts = static_cast<int>(state_.contacts.size());
   std::vector<std::size_t> island_of(model_.blocks.size(), all_.size());

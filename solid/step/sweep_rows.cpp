@@ -10,8 +10,8 @@
 namespace blockweir::solid {
 
 bool SweepRows::begin(IslandEquations& s) {
-  const bool shared = s.unknowns->shared();
-  if (shared) {
+  const bool as_one = s.moves_as_one();
+  if (as_one) {
     s.set_block_matrices();
     if (!s.solve(/*symmetric=*/true)) return false;
   } else {
@@ -29,7 +29,7 @@ bool SweepRows::begin(IslandEquations& s) {
       }
     });
   }
-  s.sweeps.begin(s.correction, s.island.contacts.size() + s.island.supports.size() + s.bolts.size(), !shared);
+  s.sweeps.begin(s.correction, s.island.contacts.size() + s.island.supports.size() + s.bolts.size(), !s.unknowns->shared());
   return true;
 }
 
@@ -44,8 +44,8 @@ void SweepRows::add(IslandEquations& s, const Ruled& ruled, const Interaction& a
     const Matrix26 shape = (second ? -1 : 1) * action.shape(trial_.placement[at(block)], second);
     const auto k = at(s.local(block));
     const auto first = s.unknowns->first[k];
-    if (s.unknowns->shared()) {
-      add_end_of_mesh(s, second, static_cast<int>(k), shape);
+    if (s.moves_as_one()) {
+      add_end_of_all(s, second, static_cast<int>(k), shape);
     } else if (s.unknowns->count[k] == 3) {
       const Eigen::Matrix<double, 2, 3> motions = shape.leftCols<3>();
       const Eigen::Matrix<double, 3, 2> responses = s.compliance[k].topLeftCorner<3, 3>() * motions.transpose();
@@ -57,8 +57,8 @@ void SweepRows::add(IslandEquations& s, const Ruled& ruled, const Interaction& a
   }
 }
 
-/// Unknowns that blocks share: those of all the blocks that move with this one.
-void SweepRows::add_end_of_mesh(IslandEquations& s, bool second, int k, const Matrix26& shape) {
+/// Unknowns of all the blocks that move with this one.
+void SweepRows::add_end_of_all(IslandEquations& s, bool second, int k, const Matrix26& shape) {
   Eigen::Matrix2Xd motions = Eigen::Matrix2Xd::Zero(2, s.unknowns->total);
   Eigen::MatrixX2d responses(s.unknowns->total, 2);
   for (Eigen::Index axis = 0; axis < 2; ++axis) {

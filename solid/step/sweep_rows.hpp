@@ -16,7 +16,7 @@ class SweepRows : StepPart {
   void add(IslandEquations& island, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force);
 
  private:
-  void add_end_of_mesh(IslandEquations& island, bool second, int block, const Matrix26& shape);
+  void add_end_of_all(IslandEquations& island, bool second, int block, const Matrix26& shape);
 };
 
 }  // namespace blockweir::solid

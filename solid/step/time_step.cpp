@@ -31,7 +31,7 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
     return Outcome::contacts_change;
   }
   const long state_changes_before = formulation_->state_changes();
-  if (searched || islands_.empty()) islands_.prepare();
+  if (searched || islands_.empty() || state_.guard.acts()) islands_.prepare();
   begin(stretch, mode);
   begin_with_forces_tried();
   const bool solved = solve(mode);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The end of a step that has been found.
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
@@ -12,6 +13,39 @@
 #include "solid/step/time_step.hpp"
 
 namespace blockweir::solid {
+namespace {
+
+/// Of an island's blocks, with the water that each pushes [J per metre].
+double kinetic_energy(const Step& step, const IslandEquations& s) {
+  double sum = 0;
+  for (const int block : s.island.blocks) {
+    const Vector6& velocity = step.state.blocks[at(block)].velocity;
+    sum += velocity.dot(step.trial.inertia(at(block)) * velocity) / 2;
+  }
+  return sum;
+}
+
+bool supports_lead(const Step& step, const IslandEquations& s) {
+  return std::any_of(s.island.supports.begin(), s.island.supports.end(), [&](int k) {
+    const Support& support = step.state.supports[at(k)];
+    return support.target(step.trial.end_s) != support.target(step.trial.end_s - step.trial.dt);
+  });
+}
+
+/// Velocities become those of what holds them. The impulses that take the blocks along give energy: a base at its own
+/// velocity, supports, of which each has its own, all that the blocks gain.
+void settle_velocities(Step& step, IslandEquations& s, double dt, bool base_leads, bool starts) {
+  HeldVelocities held(step);
+  const StepEnergy energy(step);
+  const bool led = !base_leads && !starts && supports_lead(step, s);
+  const double kinetic = led ? kinetic_energy(step, s) : 0;
+  const Point momentum = base_leads ? energy.momentum(s) : Point::Zero();
+  held.settle(s, dt);
+  if (base_leads) step.state.energy.give((energy.momentum(s) - momentum).dot(held.base_velocity(dt)));
+  if (led) step.state.energy.give(kinetic_energy(step, s) - kinetic);
+}
+
+}  // namespace
 
 /// Does any contact slip, or any block lie otherwise than the step had it?
 bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
@@ -33,14 +67,11 @@ bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
     if (island.found == Found::asleep) continue;
     if (island.found == Found::by_sweeps) counts_.residual_m = std::max(counts_.residual_m, island.left_m);
     accept_motion(island, dt);
-    if (!mode.settles) energy.balance(island, dt);
-    if (formulation_->holds_exactly()) {
-      HeldVelocities held(step_);
-      const Point before = led ? energy.momentum(island) : Point::Zero();
-      held.settle(island, dt);
-      // What takes the blocks along pushes them at its own velocity.
-      if (led) state_.energy.give((energy.momentum(island) - before).dot(held.base_velocity(dt)));
+    if (!mode.settles) {
+      energy.balance(island, dt);
+      water_.pass_on(island, dt);
     }
+    if (formulation_->holds_exactly()) settle_velocities(step_, island, dt, led, mode.settles);
     any_slips = formulation_->accept(trial_.now(), island.held()) || any_slips;
   }
   for (Bolt& bolt : state_.bolts) solid::accept(trial_.now(), model_.base.displacement(end_s), bolt);
@@ -81,6 +112,7 @@ bool TimeStep::affords_motion(double dt) {
     if (island.found == Found::asleep) continue;
     accept_motion(island, dt);
     energy.balance(island, dt);
+    water_.pass_on(island, dt);
     if (formulation_->holds_exactly()) HeldVelocities(step_).settle(island, dt);
     affords = affords && energy.affords(island);
   }

@@ -28,10 +28,15 @@ void WaterWork::begin_step(std::vector<Eigen::Vector3d> forces, const AddedMassG
 
 void WaterWork::end_step(const AddedMassGuard& guard, const std::vector<BlockState>& states, double dt, bool by_shi) {
   const bool mean = !by_shi && before_.size() == forces_.size();
+  std::vector<Eigen::Vector3d> taken;  // by the water that blocks push
+  for (std::size_t b = 0; b < guard.blocks(); ++b) {
+    taken.emplace_back((states[b].velocity.head<3>() - velocity_[b]) / dt);
+  }
+  taken = guard.masses().times(taken);
   for (std::size_t b = 0; b < forces_.size(); ++b) {
     const Eigen::Vector3d way = states[b].displacement.head<3>() - displacement_[b];
     Eigen::Vector3d force = mean ? Eigen::Vector3d((before_[b] + forces_[b]) / 2) : forces_[b];
-    if (b < guard.blocks()) force -= guard.mass(b) * (states[b].velocity.head<3>() - velocity_[b]) / dt;
+    if (b < taken.size()) force -= taken[b];
     sum_ += force.dot(way);
   }
   before_.swap(forces_);

@@ -42,6 +42,42 @@ Eigen::Matrix3d symmetric(const std::array<double, 6>& m) {
   return (Eigen::Matrix3d() << xx, xy, xr, xy, yy, yr, xr, yr, rr).finished();
 }
 
+/// What makes unknowns (u, v, r) of a block's rigid motion of one unit, and its own mass 1.
+Eigen::Vector3d scale_of(const Block& block) {
+  return block.inertia.matrix().diagonal().head<3>().cwiseSqrt().cwiseInverse();
+}
+
+/// Of blocks that move. No two blocks push more of their water together than the mean of what each pushes alone:
+/// m_ij^2 <= m_ii m_jj, or there would be a motion without inertia.
+std::vector<CoupledMass> pairs_of(const wire::Load& load, const Solid& solid, const std::vector<Eigen::Matrix3d>& own) {
+  const auto fault = [](const std::string& found) {
+    return std::runtime_error(found + ": the fluid process is at fault");
+  };
+  std::vector<CoupledMass> pairs;
+  for (std::size_t i = 0; i < load.coupled.size(); ++i) {
+    const auto [a, b] = load.coupled[i];
+    if (a >= b || b >= own.size()) {
+      throw fault(fmt::format("an added mass between blocks {} and {} of {}; expected the lower number first", a, b,
+                              own.size()));
+    }
+    if (solid.blocks()[a].fixed || solid.blocks()[b].fixed) continue;
+    using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    const Eigen::Matrix3d mass = Rows::Map(load.added_mass_between[i].data());
+    const Eigen::Vector3d of_a = scale_of(solid.blocks()[a]);
+    const Eigen::Vector3d of_b = scale_of(solid.blocks()[b]);
+    const Eigen::Matrix3d scaled = of_a.asDiagonal() * mass * of_b.asDiagonal();
+    const Eigen::Matrix3d most =
+        of_a.cwiseAbs2().cwiseProduct(own[a].diagonal()) * of_b.cwiseAbs2().cwiseProduct(own[b].diagonal()).transpose();
+    const double unheard = solver_error * std::max(1.0, most.maxCoeff());
+    if ((scaled.array().square() > (1 + solver_error) * most.array() + unheard).any()) {
+      throw fault(fmt::format("the added mass between blocks \"{}\" and \"{}\" is larger than their own",
+                              solid.blocks()[a].name, solid.blocks()[b].name));
+    }
+    pairs.push_back({static_cast<int>(a), static_cast<int>(b), mass});
+  }
+  return pairs;
+}
+
 }  // namespace
 
 AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
@@ -62,10 +98,10 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
   const bool on_the_way = load.time_s > 0 && coupling.added_mass_guard && !coupling.added_mass_limit;
   AddedMasses masses;
   for (std::size_t b = 0; b < load.added_mass.size(); ++b) {
-    masses.push_back(symmetric(load.added_mass[b]));
+    masses.own.push_back(symmetric(load.added_mass[b]));
     const Block& block = solid.blocks()[b];
     if (block.fixed) continue;
-    const MassRatio ratio = mass_ratio(block, masses.back());
+    const MassRatio ratio = mass_ratio(block, masses.own.back());
     require_inertia(block, ratio);
     if (ratio.largest > ratio_) {
       ratio_ = ratio.largest;
@@ -73,6 +109,7 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
     }
     if (!on_the_way) require_stable(block, ratio.largest, *limit_, coupling.added_mass_guard);
   }
+  masses.pairs = pairs_of(load, solid, masses.own);
   return masses;
 }
 

@@ -40,6 +40,15 @@ wire::Load load_of(const Row& gate, const Row& wall) {
   return load;
 }
 
+/// With what gate and wall do to each other along x.
+wire::Load coupled(std::uint32_t first, std::uint32_t second, double between) {
+  const Row of_each{2 * mass, 0, 0, 0, 0, 0};
+  wire::Load load = load_of(of_each, of_each);
+  load.coupled = {{first, second}};
+  load.added_mass_between = {{between, 0, 0, 0, 0, 0, 0, 0, 0}};
+  return load;
+}
+
 std::string refusal(const scene::Scene& scene, const wire::Load& load) {
   const Solid solid(scene);
   AddedMassWatch watch;
@@ -51,6 +60,27 @@ std::string refusal(const scene::Scene& scene, const wire::Load& load) {
   return "";
 }
 
+TEST(AddedMassWatch, MassesBetweenBlocksAreTakenOverButThoseOfHeldOnes) {
+  const auto scene = two_blocks();
+  const Solid solid(scene);
+  AddedMassWatch watch;
+  const auto masses = watch.look(coupled(1, 2, -1.5 * mass), solid);
+  ASSERT_EQ(masses.pairs.size(), 1U);
+  EXPECT_EQ(masses.pairs[0].mass(0, 0), -1.5 * mass);
+  EXPECT_TRUE(watch.look(coupled(0, 2, mass), solid).pairs.empty());
+}
+
+TEST(AddedMassWatch, MassesBetweenBlocksThatCannotBeAreRefused) {
+  const auto scene = two_blocks();
+  EXPECT_EQ(
+      refusal(scene, coupled(1, 2, 2.5 * mass)),
+      "the added mass between blocks \"gate\" and \"wall\" is larger than their own: the fluid process is at fault");
+  EXPECT_EQ(
+      refusal(scene, coupled(2, 1, mass)),
+      "an added mass between blocks 2 and 1 of 3; expected the lower number first: the fluid process is at fault");
+  EXPECT_THAT(refusal(scene, coupled(1, 3, mass)), HasSubstr("between blocks 1 and 3 of 3"));
+}
+
 TEST(AddedMassWatch, TheLargestRatioOfTheRunIsKeptWithItsBlock) {
   const auto scene = two_blocks();
   const Solid solid(scene);
@@ -58,8 +88,8 @@ TEST(AddedMassWatch, TheLargestRatioOfTheRunIsKeptWithItsBlock) {
   EXPECT_TRUE(watch.look({}, solid).empty());
   EXPECT_EQ(watch.ratio(), 0);
   const auto masses = watch.look(load_of({1, 2, 3, 4, 5, 60}, {}), solid);
-  ASSERT_EQ(masses.size(), 3U);
-  EXPECT_EQ(masses[1], (Eigen::Matrix3d() << 1, 2, 3, 2, 4, 5, 3, 5, 60).finished());
+  ASSERT_EQ(masses.own.size(), 3U);
+  EXPECT_EQ(masses.own[1], (Eigen::Matrix3d() << 1, 2, 3, 2, 4, 5, 3, 5, 60).finished());
   watch.look(load_of({}, {0.2 * mass, 0, 0, 0.1 * mass, 0, 1.32 * moment}), solid);
   watch.look(load_of({0.5 * mass, 0, 0, 0, 0, 0}, {}), solid);
   EXPECT_NEAR(watch.ratio(), 1.32, 1e-12);

@@ -45,6 +45,7 @@ void goes_on_with_the_same_bits(const std::string& fluid) {
     again.advance(moved(x, 0.3 * std::sin(i)), 0.01 * i, other);
     EXPECT_EQ(load.pressure_from_pa.values(), other.pressure_from_pa.values());
     EXPECT_EQ(load.added_mass.values(), other.added_mass.values());
+    EXPECT_EQ(load.added_mass_between.values(), other.added_mass_between.values());
   }
   EXPECT_EQ(water.report().counts.at("reservoir solutions"), again.report().counts.at("reservoir solutions"));
 }
@@ -61,19 +62,25 @@ TEST(ReservoirModel, WaterThatRemembersTellsTheGuardWhatAWindowFeels) {
   wire::Load b;
   ReservoirModel(level).advance(moved(0, 0), 0, a);
   ReservoirModel(sound).advance(moved(0, 0), 0, b);
-  // In 0.01 s sound runs 14.4 of 20 m.
-  EXPECT_LT(b.added_mass[1][0], a.added_mass[1][0]);
-  EXPECT_GT(b.added_mass[1][0], 0.3 * a.added_mass[1][0]);
+  const auto of_both = [](const wire::Load& load) {
+    return load.added_mass[1][0] + load.added_mass[2][0] + 2 * load.added_mass_between[0][0];
+  };
+  EXPECT_NEAR(of_both(a), added, 1e-4 * added);
+  // In 0.01 s sound runs 14.4 of 20 m: sum over n of 8/((2n-1) pi)^2 int_0^0.72 J0((2n-1) pi s/2) ds, one step of time.
+  EXPECT_NEAR(of_both(b) / (1000 * 20 * 20), 0.5547, 0.03);
 }
 
-TEST(ReservoirModel, TheGuardIsToldNoLessThanBlocksPushTogether) {
+TEST(ReservoirModel, TheGuardIsToldTheMassOfAllBlocksWithAllOthers) {
   const scene::Scene scene = dam_of_two();
   ReservoirModel water(scene);
   wire::Load load;
   water.advance(moved(0, 0), 0, load);
   ASSERT_EQ(load.added_mass.size(), 3U);
   EXPECT_EQ(load.added_mass[0], (std::array<double, 6>{}));  // the ground is held
-  EXPECT_GT(load.added_mass[1][0] + load.added_mass[2][0], added);
+  EXPECT_EQ(load.coupled.values(), (std::vector<std::array<std::uint32_t, 2>>{{1, 2}}));
+  ASSERT_EQ(load.added_mass_between.size(), 1U);
+  // Both blocks together are the wall.
+  EXPECT_NEAR(load.added_mass[1][0] + load.added_mass[2][0] + 2 * load.added_mass_between[0][0], added, 1e-4 * added);
 }
 
 TEST(ReservoirModel, APseudoStaticEarthquakeTakesItsPressureInPlaceOfWestergaards) {

@@ -171,5 +171,25 @@ TEST(WetFaces, WaterWetsTheSameWhereverTheModelStandsAndHoweverWideItIs) {
   EXPECT_EQ(wet({0, 0}, 9, 1e9).size(), 5U);
 }
 
+/// A wall on supports, with no ground below: what its foot rises by as it turns a little is no way past it.
+TEST(WetFaces, AWallThatHasTurnedByRoundOffLetsNoWaterUnderIt) {
+  for (const double turn : {0.0, 1e-16, 3e-16, -1e-15, 1e-14, -1e-13, 1e-12, -1e-10, 1e-8, -1e-6, 1e-4}) {
+    for (const double x : {0.0, 0.05, -0.1, 1.0 / 3}) {
+      for (const double low : {0.0, 0.1, -7.3}) {
+        const auto turned = [&](double u, double v) { return Point(x + u - turn * v, low + v + turn * u); };
+        const std::vector<std::vector<Point>> outlines = {{turned(0, 0), turned(8, 0), turned(8, 22), turned(0, 22)}};
+        const WetFaces wet = wet_faces({outlines}, Pool::upstream, low + 20);
+        EXPECT_FALSE(wet.breached) << turn << ' ' << x << ' ' << low;
+        double front = 0;
+        for (const WetInterval& w : wet.intervals) {
+          EXPECT_EQ(w.edge, 3) << turn << ' ' << x << ' ' << low;
+          front += 22 * (w.s_to - w.s_from);
+        }
+        EXPECT_NEAR(front, 20, 1e-12 + std::abs(turn)) << turn << ' ' << x << ' ' << low;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::hydrostatic

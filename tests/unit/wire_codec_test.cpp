@@ -90,6 +90,31 @@ TEST(Codec, AnAddedMassThatIsNotANumberIsNamed) {
   EXPECT_EQ(refusal(load), "added mass 2 of block 1 is inf in window 17");
 }
 
+TEST(Codec, AddedMassesBetweenBlocksArriveWhereThereAreAny) {
+  Load sent = sample();
+  Load got = sample();
+  decode(Sent(sent).frame(), got);
+  EXPECT_TRUE(got.coupled.empty());
+  sent.coupled = {{0, 2}, {1, 2}};
+  sent.added_mass_between = {{1, 2, 3, 4, 5, 6, 7, 8, 9}, {-1, 0, 0, 0, -1, 0, 0, 0, -1}};
+  decode(Sent(sent).frame(), got);
+  EXPECT_EQ(got.coupled, sent.coupled);
+  EXPECT_EQ(got.added_mass_between, sent.added_mass_between);
+  EXPECT_EQ(got.edge, sent.edge);
+  decode(Sent(sample()).frame(), got);
+  EXPECT_TRUE(got.coupled.empty());
+  EXPECT_TRUE(got.added_mass_between.empty());
+}
+
+TEST(Codec, AddedMassesBetweenBlocksThatAreNotOneAPairOrNoNumbersAreRefused) {
+  Load load = sample();
+  load.coupled = {{0, 2}, {1, 2}};
+  load.added_mass_between = {{1, 2, 3, 4, 5, 6, 7, 8, 9}};
+  EXPECT_EQ(refusal(load), "2 pairs of blocks and 1 added masses between them in window 17");
+  load.added_mass_between = {{}, {0, 0, std::nan(""), 0, 0, 0, 0, 0, 0}};
+  EXPECT_EQ(refusal(load), "an added mass between blocks that is not finite in window 17");
+}
+
 /// What a reader says of a frame whose table tells of other columns than it holds.
 std::string refusal_of_told(const Load& load, const std::function<void(buffer::ColumnSum*)>& alter) {
   const Sent sent(load);

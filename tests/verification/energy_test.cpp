@@ -121,5 +121,27 @@ TEST(Energy, WhatIsMadeOfNothingIsWarnedOf) {
                              testing::HasSubstr("), or take integrator = \"shi\"")));
 }
 
+/// Supports swing a block to and fro: the impulses that take it along are theirs.
+TEST(Energy, WhatSupportsThatLeadGiveIsNotMadeOfNothing) {
+  for (const auto integrator : {scene::Integrator::shi, scene::Integrator::trapezoidal}) {
+    auto scene = one_block();
+    scene.analysis.integrator = integrator;
+    scene.blocks[0].rigid = true;
+    scene::TimeTable path = scene::TimeTable::constant(-0.05);
+    path.sine = scene::Sine{0.05, 2 * std::acos(-1.0), std::acos(0.0)};
+    for (const double x : {0.0, 2.0}) {
+      scene.supports.push_back({.block = 0, .point_m = Point(x, 0), .displacement_x_m = path});
+      scene.supports.back().displacement_y_m = scene::TimeTable::constant(0);
+    }
+    Solid solid(scene);
+    EnergyWatch watch;
+    for (int n = 0; n < 400; ++n) {
+      solid.advance(n * 5e-3, (n + 1) * 5e-3, {});
+      watch.look(solid);
+    }
+    EXPECT_LT(watch.gain(), 0.01) << static_cast<int>(integrator);
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::solid

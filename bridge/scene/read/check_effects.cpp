@@ -55,8 +55,8 @@ constexpr IdleKey idle_keys[] = {
     {"water", "open_crack_width_m", not_still_water, "model = \"hydrostatic\" in [fluid]"},
     {"water", "uplift_in_shaking", [](const Scene& s) { return !dry(s) && (!s.base_motion || !still_pools(s.fluid)); },
      "[base_motion], and model = \"hydrostatic\" or \"reservoir\" in [fluid]"},
-    {"output", "reservoir", [](const Scene& s) { return s.output.reservoir && s.fluid != FluidModel::hydrostatic; },
-     "[water], and model = \"hydrostatic\" in [fluid]"},
+    {"output", "reservoir", [](const Scene& s) { return s.output.reservoir && (dry(s) || !still_pools(s.fluid)); },
+     "[water], and model = \"hydrostatic\" or \"reservoir\" in [fluid]"},
 };
 
 void check_idle_keys(const Reading& reading) {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The added mass of all blocks with all others, as the solid's guard is told it.
+#pragma once
+
+#include <map>
+
+#include "bridge/wire/message.hpp"
+#include "fluid/reservoir/added_mass.hpp"
+
+namespace blockweir::reservoir {
+
+class GuardedMass {
+ public:
+  GuardedMass() = default;
+  explicit GuardedMass(std::size_t blocks) : own_(blocks) {}
+
+  /// Blocks that this body of water wets push it beside what others have of them.
+  void add(const WaterAnswer& answer);
+  void tell(wire::Load& load) const;
+
+ private:
+  std::vector<std::array<double, 6>> own_;  ///< as wire::Load has it
+  std::map<std::array<std::uint32_t, 2>, Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> between_;  ///< likewise
+};
+
+}  // namespace blockweir::reservoir
