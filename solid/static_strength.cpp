@@ -50,7 +50,7 @@ class Search {
   limit::Bearing bracket() {
     constexpr double largest = 1e6;  // a factor beyond is none
     const bool first = stands(stands_at_);
-    for (double step = exact;; step *= 100) {
+    for (double step = nearest;; step *= 100) {
       effort_.knows(fmt::format("{} with strength over {:.6g}", first ? "stands" : "fails", stands_at_));
       double& end = first ? fails_at_ : stands_at_;
       end = first ? end * (1 + step) : end / (1 + step);
@@ -69,7 +69,8 @@ class Search {
     }
   }
 
-  static constexpr double exact = 1e-8;  // width of the bracket at the end
+  static constexpr double nearest = 1e-8;  // first step from the guess, over it
+  static constexpr double exact = 1e-7;    // width of the bracket at the end, over the factor
 
   const scene::Scene& scene_;
   StillWater* water_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "bridge/picture/history.hpp"
@@ -17,6 +18,15 @@ constexpr std::size_t most_rows = 700;
 /// Six digits: more cannot be seen, and a figure is read from summary.json.
 json brief(double value) {
   return std::isfinite(value) ? json(std::stod(fmt::format("{:.6g}", value))) : json();
+}
+
+/// Those that move most first, then those that only bear.
+std::vector<std::string> joints_of(const History& history) {
+  std::vector<std::string> joints = history.largest_first("slip_m", "opening_m");
+  for (const std::string& name : history.largest_first("normal_force_n_per_m", "shear_force_n_per_m")) {
+    if (std::find(joints.begin(), joints.end(), name) == joints.end()) joints.push_back(name);
+  }
+  return joints;
 }
 
 class Pages {
@@ -57,7 +67,7 @@ json histories_data(const std::filesystem::path& run) {
   const Pages pages(history);
   const std::size_t most = 8;
   const auto blocks = history.largest_first("displacement_x_m", "displacement_y_m");
-  const auto joints = history.largest_first("slip_m", "opening_m");
+  const auto joints = joints_of(history);
   const auto first = [most](std::vector<std::string> names) {
     names.resize(std::min(names.size(), most));
     return names;
@@ -77,7 +87,7 @@ json histories_data(const std::filesystem::path& run) {
   json data = {{"time", pages.values("time_s", 1)}, {"groups", groups}, {"left_out", ""}};
   if (blocks.size() > most || joints.size() > most) {
     data["left_out"] = fmt::format(
-        "Shown are the {} blocks and joints that move most; history.csv has all {} blocks and {} joints that move.",
+        "Shown are the {} blocks and joints that move most; history.csv has all {} blocks that move and all {} joints.",
         most, blocks.size(), joints.size());
   }
   return data;

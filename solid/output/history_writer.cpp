@@ -5,13 +5,30 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include "bridge/results/csv.hpp"
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/read/check.hpp"
+#include "bridge/scene/structure_size.hpp"
+#include "bridge/scene/touching_pairs.hpp"
+#include "bridge/scene/unnamed_joint.hpp"
 
 namespace blockweir::solid::output {
 namespace {
 
-std::string header(const scene::Scene& scene) {
+using Pair = std::pair<int, int>;
+
+/// What touches in the outline and has no joint of its own in the scene; none where there are too many to be read.
+std::vector<Pair> unnamed_joints(const scene::Scene& scene) {
+  constexpr std::size_t most = 12;
+  std::set<Pair> touching = scene::touching_pairs(scene, scene::rounding_ratio * scene::structure_size_m(scene.blocks));
+  for (const scene::Joint& joint : scene.joints) touching.erase(std::minmax(joint.between[0], joint.between[1]));
+  return touching.size() > most ? std::vector<Pair>() : std::vector<Pair>(touching.begin(), touching.end());
+}
+
+std::string header(const scene::Scene& scene, const std::vector<Pair>& unnamed) {
   std::string text =
       "time_s,upstream_level_m,downstream_level_m,largest_displacement_m,kinetic_energy_j_per_m,strain_energy_j_per_m,"
       "potential_energy_j_per_m";
@@ -26,12 +43,14 @@ std::string header(const scene::Scene& scene) {
       text += "," + results::csv_cell(block.name + "." + quantity);
     }
   }
-  for (const auto& joint : scene.joints) {
+  const auto add_joint = [&](const std::string& name) {
     for (const char* quantity :
          {"normal_force_n_per_m", "shear_force_n_per_m", "slip_m", "opening_m", "bonded_length_m"}) {
-      text += "," + results::csv_cell(joint.name + "." + quantity);
+      text += "," + results::csv_cell(name + "." + quantity);
     }
-  }
+  };
+  for (const auto& joint : scene.joints) add_joint(joint.name);
+  for (const auto& [a, b] : unnamed) add_joint(scene::unnamed_joint(scene, a, b));
   for (const auto& bolt : scene.bolts) {
     for (const char* quantity : {"force_n_per_m", "elongation_m", "plastic_elongation_m", "state"}) {
       text += "," + results::csv_cell(bolt.name + "." + quantity);
@@ -39,6 +58,23 @@ std::string header(const scene::Scene& scene) {
   }
   return text;
 }
+
+/// Of a joint's contacts.
+struct JointSums {
+  double normal = 0;
+  double shear = 0;
+  double slip = 0;
+  double opening = 0;
+  double bonded = 0;
+
+  void add(const ContactRow& c) {
+    normal += c.normal_force_n_per_m;
+    shear += c.shear_force_n_per_m;
+    slip = std::abs(c.slip_m) > std::abs(slip) ? c.slip_m : slip;
+    opening = std::max(opening, c.gap_m);
+    bonded += c.bonded_length_m;
+  }
+};
 
 /// Without the round-off of its sum of windows: 13.2, not 13.200000000000001.
 void add_time(double time_s, std::string& row) {
@@ -51,8 +87,10 @@ void add_time(double time_s, std::string& row) {
 
 HistoryWriter::HistoryWriter(const std::filesystem::path& folder, const scene::Scene& scene, results::Begin begin)
     : file_(folder / "history.csv", begin) {
-  if (begin == results::Begin::anew) file_.line(header(scene));
-  joints_ = static_cast<int>(scene.joints.size());
+  const std::vector<Pair> unnamed = unnamed_joints(scene);
+  if (begin == results::Begin::anew) file_.line(header(scene, unnamed));
+  named_joints_ = scene.joints.size();
+  for (const Pair& pair : unnamed) unnamed_joints_.emplace(pair, named_joints_ + unnamed_joints_.size());
   shaken_ = scene.base_motion.has_value();
 }
 
@@ -80,21 +118,17 @@ void HistoryWriter::write(const Frame& frame) {
       add(v);
     }
   }
-  for (int j = 0; j < joints_; ++j) {
-    double normal = 0;
-    double shear = 0;
-    double slip = 0;
-    double opening = 0;
-    double bonded = 0;
-    for (const ContactRow& c : frame.contacts) {
-      if (c.joint != j) continue;
-      normal += c.normal_force_n_per_m;
-      shear += c.shear_force_n_per_m;
-      slip = std::abs(c.slip_m) > std::abs(slip) ? c.slip_m : slip;
-      opening = std::max(opening, c.gap_m);
-      bonded += c.bonded_length_m;
+  std::vector<JointSums> joints(named_joints_ + unnamed_joints_.size());
+  for (const ContactRow& c : frame.contacts) {
+    if (c.joint >= 0) {
+      joints[at(c.joint)].add(c);
+    } else if (const auto own = unnamed_joints_.find(std::minmax(c.vertex_block, c.edge_block));
+               own != unnamed_joints_.end()) {
+      joints[own->second].add(c);
     }
-    for (const double v : {normal, shear, slip, opening, bonded}) add(v);
+  }
+  for (const JointSums& j : joints) {
+    for (const double v : {j.normal, j.shear, j.slip, j.opening, j.bonded}) add(v);
   }
   for (const BoltRow& b : frame.bolts) {
     for (const double v : {b.force_n_per_m, b.elongation_m, b.plastic_elongation_m, static_cast<double>(b.state)}) {

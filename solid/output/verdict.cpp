@@ -116,12 +116,15 @@ json margin(const expect::Outcome& o) {
                             {"joint", m->joint},
                             {"level_m", m->level_m},
                             {"time_s", m->time_s}};
-    text += m->value < 0 ? fmt::format("; resultant beyond the {} end: tension strength or an anchor holds", m->end)
-                         : fmt::format(
-                               "; resultant nearest to an end (0: overturns): {:.4g} of the length from the {} "
-                               "end of",
+    const bool held = !m->held_by.empty();
+    text += held ? fmt::format("; resultant at or beyond the {} end of", m->end)
+                 : fmt::format("; resultant nearest to an end (0: overturns): {:.4g} of the length from the {} end of",
                                m->value, m->end);
     text += place(*m);
+    if (held) {
+      found["overturning"]["held_by"] = m->held_by;
+      text += ": held by " + m->held_by;
+    }
   }
   const ContactRow* slipped = nullptr;
   for (const ContactRow& c : o.last.contacts) {

@@ -13,6 +13,8 @@
 namespace blockweir::solid {
 namespace {
 
+constexpr int few_at_rest = 24;  ///< unknowns of an island whose solutions cost next to nothing
+
 /// Notices that Newton's method runs in circles: what is unbalanced comes again (Brent's way to find a cycle).
 class Circle {
  public:
@@ -34,14 +36,21 @@ class Circle {
 
 }  // namespace
 
-/// Solutions that an island gets. Where sweeps can follow, more than 40 find hardly any state of a medium island
-/// (NUMERICS.md). Where it has failed, its next turn is a short one; of what falls sweeps come as near sooner.
+/// Solutions that an island gets. Where sweeps can follow, or what a static analysis has, more than 40 find hardly any
+/// state of a medium island (NUMERICS.md). Where it has failed, its next turn is a short one; of what falls sweeps come
+/// as near sooner.
 int Newton::turn(int unknowns, const StepMode& mode) const {
   const int most = model_.scene.contact.max_iterations;
   const bool sweeps = may_sweep(step_, mode);
-  if (unknowns <= (sweeps ? few_unknowns : large_island)) return most;
+  constexpr int enough = 40;
+  if (!sweeps && unknowns <= large_island) {
+    // States of held joints are known, and nothing else would find their forces.
+    const bool others_follow = model_.is(scene::AnalysisKind::at_rest) && !formulation_->settings().joints_held;
+    return others_follow && unknowns > few_at_rest ? std::min(most, enough) : most;
+  }
+  if (unknowns <= few_unknowns) return most;
   if (state_.whole_law.after_failure()) return std::min(most, sweeps && trial_.falls() ? 10 : 20);
-  return sweeps ? std::min(most, 40) : most;
+  return sweeps ? std::min(most, enough) : most;
 }
 
 bool Newton::find(IslandEquations& s, const StepMode& mode) {

@@ -14,14 +14,15 @@ namespace blockweir::solid {
 struct Margin {
   double value = 0;
   double time_s = 0;
-  double level_m = 0;  ///< NaN without a pool
-  std::string joint;   ///< or joints in one line
-  std::string end;     ///< of a resultant: the nearer end, "upstream", "downstream" ("left", "right" without water),
-                       ///< "lower", "upper"
+  double level_m = 0;   ///< NaN without a pool
+  std::string joint;    ///< or joints in one line
+  std::string end;      ///< of a resultant: the nearer end, "upstream", "downstream" ("left", "right" without water),
+                        ///< "lower", "upper"
+  std::string held_by;  ///< of a resultant at an end or beyond it: "tension strength", "an anchor", both, or unknown
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(value, time_s, level_m, joint, end);
+    archive(value, time_s, level_m, joint, end, held_by);
   }
 };
 

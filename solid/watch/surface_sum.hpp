@@ -38,6 +38,7 @@ class SurfaceSum {
     buttress_ += cross(across(), pushed);
     normal_ += pressed;
     pressed_or_pulled_ += force.norm();
+    pulled_ += std::max(0.0, -pressed);
     moment_ += pressed * place;
   }
 
@@ -50,6 +51,8 @@ class SurfaceSum {
     return buttress_ * shear_ > 0 && std::abs(buttress_) > seen * std::abs(shear_);
   }
   [[nodiscard]] bool is_pressed() const { return normal_ > negligible * pressed_or_pulled_; }
+  /// Does a bond pull by its tension strength anywhere?
+  [[nodiscard]] bool is_pulled() const { return pulled_ > negligible * pressed_or_pulled_; }
   /// Does it hold what it would part? Else something beside it does, as a corner that leans on a neighbour.
   [[nodiscard]] bool bears(double weight_n_per_m) const {
     constexpr double noticed = 1e-3;
@@ -64,6 +67,8 @@ class SurfaceSum {
     const double s = resultant_from_downstream();
     return std::min(s, 1 - s);
   }
+  /// Is that next to nothing, or less? What only presses has its resultant inside.
+  [[nodiscard]] bool ends_at_nothing() const { return end_distance() <= negligible; }
   /// Which end that is, in an engineer's words; `wet`: water stands upstream, on the left.
   [[nodiscard]] const char* nearer_end(bool wet) const {
     constexpr double upright = 1e-3;
@@ -91,6 +96,7 @@ class SurfaceSum {
   double buttress_ = 0;  ///< of the shear, what faces askew to the line push
   double normal_ = 0;
   double pressed_or_pulled_ = 0;  ///< sum of the forces' sizes
+  double pulled_ = 0;             ///< sum of what pulls, normal to the line
   Point moment_ = Point::Zero();  ///< sum of normal force times place
 };
 

@@ -1,98 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: fluid_joints
-// Flow through networks of joints against closed forms: one channel, several, with drains, elastic, filling, draining.
+// Steady flow through networks of joints against closed forms: several channels, with drains, elastic, partly dry.
 #include "fluid/joints/network_flow.hpp"
 
 #include <gtest/gtest.h>
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <numeric>
 #include <random>
 
 #include "bridge/scene/at.hpp"
+#include "tests/unit/networks.hpp"
 
 namespace blockweir::joints {
 namespace {
-
-constexpr double mu = 1.3e-3;
-
-Node held(double pressure_pa, double height_m = 0) {
-  return {height_m, NodeKind::held, pressure_pa};
-}
-
-/// Channels in a row, level, between two pressures; the number of nodes is one more.
-Network row(const std::vector<Channel>& channels, double p1, double p2) {
-  Network network;
-  network.nodes.assign(channels.size() + 1, Node{});
-  network.nodes.front() = held(p1);
-  network.nodes.back() = held(p2);
-  network.channels = channels;
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    network.channels[i].from = static_cast<int>(i);
-    network.channels[i].to = static_cast<int>(i + 1);
-  }
-  return network;
-}
-
-Filling solved(const Network& network, const WaterProperties& water = {}) {
-  Filling filling;
-  NetworkFlow(water).steady(network, filling);
-  return filling;
-}
-
-TEST(Channel, PressureHasForceAndMomentOfTheWedge) {
-  for (const double ratio : {0.001, 0.1, 0.5, 0.97, 0.995, 1.0, 1.00001, 1.01, 1.03, 2.0, 10.0, 1000.0}) {
-    const double length = 7;
-    const std::array<double, 2> w = {2e-4, 2e-4 * ratio};
-    const double p1 = 8e4;
-    const double p2 = 1e4;
-    const auto pressure = [&](double s) {
-      if (ratio == 1) return p1 + (p2 - p1) * s / length;
-      const double here = w[0] + (w[1] - w[0]) * s / length;
-      // (w^-2 - w2^-2)/(w1^-2 - w2^-2), without differences of what is nearly equal
-      const double share = (w[1] - here) * (w[1] + here) * w[0] * w[0] / ((w[1] - w[0]) * (w[1] + w[0]) * here * here);
-      return p2 + (p1 - p2) * share;
-    };
-    double force = 0;
-    double moment = 0;
-    const int parts = 4000;
-    for (int i = 0; i < parts; ++i) {
-      using Gauss = boost::math::quadrature::gauss<double, 10>;
-      // Parts as long as the aperture is wide: all of them see as much of the curve.
-      const auto end = [&](double t) {
-        if (std::abs(ratio - 1) < 0.1) return t * length;
-        return (std::pow(ratio, t) - 1) / (ratio - 1) * length;
-      };
-      const double a = end(double(i) / parts);
-      const double b = end(double(i + 1) / parts);
-      force += Gauss::integrate(pressure, a, b);
-      moment += Gauss::integrate([&](double s) { return s * pressure(s); }, a, b);
-    }
-    const Profile profile = flowing(length, w, {p1, 0}, {p2, 0}, 9810);
-    EXPECT_NEAR(profile.force() / force, 1, 1e-10) << ratio;
-    EXPECT_NEAR(profile.moment_about_mouth() / moment, 1, 1e-10) << ratio;
-    for (const Profile::Knot& knot : profile.knots()) {
-      EXPECT_GE(knot.pressure_pa, p2 * (1 - 1e-12)) << ratio;
-      EXPECT_LE(knot.pressure_pa, p1 * (1 + 1e-12)) << ratio;
-    }
-    const double q = (p1 - p2) * w[0] * w[0] * w[1] * w[1] / (6 * mu * length * (w[0] + w[1]));
-    EXPECT_NEAR(conductance(length, w, mu).value * (p1 - p2) / q, 1, 1e-12);
-    EXPECT_NEAR(profile.force() / length, p2 + (p1 - p2) * w[0] / (w[0] + w[1]), 1e-10 * p1) << ratio;
-  }
-}
-
-TEST(Channel, OpenTenToOneAtItsMouthHasTenElevenths) {
-  EXPECT_NEAR(flowing(1, {1e-3, 1e-4}, {1e5, 0}, {0, 0}, 9810).force() / 1e5, 10.0 / 11, 1e-12);
-  EXPECT_NEAR(flowing(1, {1e-4, 1e-3}, {1e5, 0}, {0, 0}, 9810).force() / 1e5, 1.0 / 11, 1e-12);
-}
-
-TEST(Channel, StandingWaterReachesAsHighAsItsPressure) {
-  const Profile up = standing(5, {3 * 9810.0, 0}, {0, 4}, 9810);
-  EXPECT_NEAR(up.force(), 9810 * 3 * 0.5 * 3 * 5.0 / 4, 1e-8);
-  const Profile down = standing(5, {0, 4}, {3 * 9810.0, 0}, 9810);
-  EXPECT_NEAR(down.force(), up.force(), 1e-8);
-}
 
 TEST(NetworkFlow, StepsOfApertureShareTheFallByTheirResistance) {
   std::mt19937_64 random(20261125);
@@ -163,44 +83,6 @@ double elastic_error(int panels) {
 TEST(NetworkFlow, ElasticJointIsOfSecondOrderInItsPanels) {
   EXPECT_LT(elastic_error(60), 1e-4);
   EXPECT_NEAR(std::log2(elastic_error(20) / elastic_error(40)), 2, 0.1);
-}
-
-/// Of PHYSICS.md section 6: a joint of 25 m whose mouth is at 11.9 MPa from time 0 on.
-struct Injected {
-  double worst_pressure;
-  double volume;
-};
-Injected injected(int panels, double step_s) {
-  const double k = 1e11;
-  const double rest = 11e6;
-  std::vector<Channel> channels(
-      static_cast<std::size_t>(panels),
-      {.length_m = 25.0 / panels, .aperture_m = {1e-5 - rest / k, 1e-5 - rest / k}, .compliance_m_per_pa = 1 / k});
-  const Network network = row(channels, 11.9e6, rest);
-  NetworkFlow flow({.viscosity_pa_s = 1e-3, .weight_n_per_m3 = 0});
-  Filling filling{std::vector<double>(network.nodes.size(), rest), std::vector<double>(network.nodes.size(), 1.0), {}};
-  std::vector<double> stored = flow.stored(network, filling);
-  double before = 0;
-  for (const double volume : stored) before += volume;
-  for (double time = 0; time < 500 - step_s / 2; time += step_s) flow.step(network, step_s, {}, filling, stored);
-  double after = 0;
-  for (const double volume : stored) after += volume;
-  const std::pair<double, double> expected[] = {{1, 11.8225e6}, {2, 11.7356e6}, {4, 11.5302e6}, {6, 11.2897e6}};
-  Injected result{0, after - before};
-  for (const auto& [x, p] : expected) {
-    const double found = filling.pressure_pa[static_cast<std::size_t>(std::lround(x / 25 * panels))];
-    result.worst_pressure = std::max(result.worst_pressure, std::abs(found - p) / 0.9e6);
-  }
-  return result;
-}
-
-TEST(NetworkFlow, WaterForcedIntoAnElasticJointFollowsTheSimilaritySolution) {
-  const Injected fine = injected(100, 1);
-  EXPECT_LT(fine.worst_pressure, 0.002);
-  EXPECT_NEAR(fine.volume / 4.17765e-5, 1, 0.005);
-  // Errors close with panels and with steps.
-  EXPECT_LT(fine.worst_pressure, 0.5 * injected(50, 1).worst_pressure + 1e-4);
-  EXPECT_LT(fine.worst_pressure, 0.5 * injected(100, 8).worst_pressure);
 }
 
 /// Joints square to each other at this spacing, horizontal ones half a spacing above the base.
@@ -363,51 +245,6 @@ TEST(NetworkFlow, ARestoredFactorGivesTheSameBits) {
   second.steady(network, b);
   EXPECT_EQ(a.pressure_pa, b.pressure_pa);
   EXPECT_EQ(a.flow, b.flow);
-}
-
-TEST(NetworkFlow, WhatAPoolHasLeftDrainsByItsOwnWeight) {
-  // A joint that falls by 3 m, both ends in air since the pool has gone.
-  Network network;
-  constexpr int channels = 20;
-  for (int i = 0; i <= channels; ++i) {
-    network.nodes.push_back({.height_m = 3 - 3.0 * i / channels});
-    if (i > 0) network.channels.push_back({i - 1, i, 5.0 / channels, {1e-3, 1e-3}});
-  }
-  network.nodes.front().kind = network.nodes.back().kind = NodeKind::seeps;
-  NetworkFlow flow({.bulk_modulus_pa = 2.2e9});
-  Filling filling{std::vector<double>(channels + 1, 0.0), std::vector<double>(channels + 1, 1.0), {}};
-  std::vector<double> stored = flow.stored(network, filling);
-  const auto sum = [&] { return std::accumulate(stored.begin(), stored.end(), 0.0); };
-  const double full = sum();
-  flow.step(network, 0.1, {}, filling, stored);
-  const double q = std::pow(1e-3, 3) / (12 * mu) * 9810 * 3 / 5;  // at no pressure the fall is its own
-  EXPECT_NEAR(full - sum(), 0.1 * q, 0.05 * 0.1 * q);
-  double out = full - sum();
-  for (int i = 0; i < 400; ++i) {
-    const double before = sum();
-    flow.step(network, 0.1, {}, filling, stored);
-    EXPECT_NEAR(before - sum(), 0.1 * outflow(network, filling, NodeKind::seeps), 1e-12 * full);
-    out += before - sum();
-  }
-  EXPECT_GT(out, 0.9 * full);
-}
-
-TEST(NetworkFlow, WhatFlowsInIsStored) {
-  Network network =
-      row({Channel{.length_m = 5, .aperture_m = {1e-3, 1e-3}}, Channel{.length_m = 5, .aperture_m = {1e-3, 5e-4}}},
-          3 * 9810.0, 0);
-  network.nodes[1].height_m = 1;
-  network.nodes[2] = {.height_m = 2};
-  NetworkFlow flow({.bulk_modulus_pa = 2.2e9});
-  Filling filling{{3 * 9810.0, 0, 0}, {1, 0, 0}, {}};
-  std::vector<double> stored = flow.stored(network, filling);
-  const auto sum = [&] { return stored[1] + stored[2]; };  // the mouth's own half is its pool's
-  for (int i = 0; i < 200; ++i) {
-    const double before = sum();
-    flow.step(network, 1, {}, filling, stored);
-    EXPECT_NEAR(sum() - before, filling.flow[0], 1e-15 + 1e-10 * sum());
-  }
-  EXPECT_NEAR(filling.pressure_pa[2], 9810, 20);  // in the end it stands as high as outside
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(Creep, StepsThatFindNoStatesAreNotTriedAgainAfterEachThatDoes) {
   const double level_m = scene.water.upstream_level_m->at(1);
   const double factor = solid::static_strength(scene, &water, level_m, 1.9).factor;
   long most_steps = 0;
-  for (double above = 1e-8; above < 1e-5; above *= 2) {
+  for (double above = 1e-7; above < 1e-5; above *= 1.5) {
     const scene::Scene reduced = solid::with_reduced_strength(scene, factor * (1 + above));
     solid::Effort effort("creep");
     solid::StaticBlocks blocks(reduced, &water, effort);

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json fmt::fmt
+// The level of failure as a user gets it: blockweir level.
+#include <cmath>
+#include <numbers>
+
+#include "tests/coupling/answers.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST_F(Answers, TheLevelOfBothExamplesIsThatOfTheFormula) {
+  for (const std::string name : {"cracked-dam-upper", "cracked-dam-lower"}) {
+    ASSERT_EQ(ask("level " + cases + name + " --out o --json a.json"), 0) << text("out");
+    const json found = answer("a.json");
+    const double head_m = found["formula"]["head_m"];
+    EXPECT_NEAR(found["limit_analysis"]["head_m"].get<double>() / head_m, 1, 1e-8);
+    EXPECT_NEAR(found["rigid_blocks"]["head_m"].get<double>() / head_m, 1, 1e-8);
+    EXPECT_NEAR(found["head_m"].get<double>() / head_m, 1, 1e-5);
+    EXPECT_LE(found["limit_analysis"]["gap"], 1e-8);
+    EXPECT_EQ(found["mode"], "sliding");
+    EXPECT_EQ(found["joint"], "crack");
+    EXPECT_THAT(found["difference"]["reason"].get<std::string>(), HasSubstr("deformation"));
+    EXPECT_TRUE(fs::exists(folder / "o/mechanism.png"));
+    EXPECT_EQ(answer("o/level.json"), found);
+  }
+}
+
+TEST_F(Answers, TheLevelsOfBothWaysAreSaidToAgree) {
+  ASSERT_EQ(ask("level " + cases + "monolith-slides --out o --json a.json --set analysis.rigid=\\\"all\\\""), 0)
+      << text("out");
+  EXPECT_TRUE(answer("a.json")["difference"]["agree"].get<bool>());
+  EXPECT_THAT(text("out"), HasSubstr("\nagree   blocks and limit analysis agree\n"));
+}
+
+TEST_F(Answers, TheScenesOwnFillingHasNoPartInTheLevel) {
+  ASSERT_EQ(ask("level " + cases + "monolith-slides --json a.json --set water.upstream_level_m=1"), 0) << text("out");
+  ASSERT_EQ(ask("level " + cases + "monolith-slides --json b.json --set water.upstream_level_m=7 --out b"), 0);
+  EXPECT_EQ(answer("a.json"), answer("b.json"));
+}
+
+TEST_F(Answers, ADamThatNoLevelFailsOrThatDoesNotStandEmptyIsAnAnswer) {
+  const std::string stands = cases +
+                             "monolith-slides --set joints.joint.friction_angle_deg=60 --set "
+                             "joints.joint.cohesion_pa=1e6 --set joints.joint.tension_strength_pa=5e5";
+  ASSERT_EQ(ask("level " + stands), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("stands at every level up to"));
+  ASSERT_EQ(ask("level " + cases + "cracked-dam-upper --set joint.friction_angle_deg=10"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("LIMIT   does not stand even with an empty reservoir"));
+}
+
+TEST_F(Answers, TheEarthquakesWaterIsToldToBeWestergaards) {
+  write("s.toml", text(cases + "monolith-slides/scene.toml") + "\n[earthquake]\nhorizontal_coefficient = 0.05\n");
+  ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");
+  EXPECT_EQ(answer("a.json")["added_water_pressure"], "Westergaard");
+  EXPECT_THAT(text("out"), HasSubstr("added pressure in the earthquake after Westergaard"));
+  EXPECT_LT(answer("a.json")["level_m"], 7.5);
+}
+
+TEST_F(Answers, ALevelAboveTheCrestIsWarnedOf) {
+  write("s.toml", block_on_rock(30, "friction_angle_deg = 50\n"));
+  ASSERT_EQ(ask("level s.toml --set water.may_overtop=true"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("WARNING the water rose to"));
+  ASSERT_EQ(ask("level s.toml --set water.may_overtop=true --set water.crest_pressure=full"), 0) << text("out");
+  EXPECT_THAT(text("out"), Not(HasSubstr("the water rose to")));
+}
+
+/// What overturns about its toe under a head h: W b/2 + T b^2/2 = rho g h^3/6 + rho g h b^2/3.
+double overturns_at_m(double breadth_m, double tension_pa) {
+  const double held = 2400 * 9.81 * 10 * breadth_m * breadth_m / 2 + tension_pa * breadth_m * breadth_m / 2;
+  double h = 10;
+  for (int i = 0; i < 50; ++i) {
+    const double off = 9810 * (h * h * h / 6 + h * breadth_m * breadth_m / 3) - held;
+    h -= off / (9810 * (h * h / 2 + breadth_m * breadth_m / 3));
+  }
+  return h;
+}
+
+TEST_F(Answers, ATensionBeyondTheEndOfMohrCoulombsLawCountsAsThatForAllWays) {
+  for (const auto& [friction_deg, cohesion_pa, tension_pa] :
+       {std::tuple{50.0, 30e3, 60e3}, {50.0, 30e3, 120e3}, {50.0, 0.0, 60e3}, {40.0, 20e3, 10e3}}) {
+    const double borne = std::min(tension_pa, cohesion_pa / std::tan(friction_deg * std::numbers::pi / 180));
+    write("s.toml",
+          block_on_rock(3, fmt::format("friction_angle_deg = {}\ncohesion_pa = {}\ntension_strength_pa = {}\n",
+                                       friction_deg, cohesion_pa, tension_pa)));
+    ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");
+    const json found = answer("a.json");
+    const double level_m = overturns_at_m(3, borne);
+    EXPECT_NEAR(found["limit_analysis"]["level_m"].get<double>() / level_m, 1, 1e-8) << found.dump(1);
+    EXPECT_NEAR(found["rigid_blocks"]["level_m"].get<double>() / level_m, 1, 1e-5) << found.dump(1);
+    EXPECT_NEAR(found["level_m"].get<double>() / level_m, 1, 1e-4) << found.dump(1);
+  }
+}
+
+/// Under a level that rises slowly the upright joints slip by a fraction of a millimetre at 17 m, and the dam stands
+/// on. With all loads at once it falls from there on; a run that fills it by 0.1 m/s falls at 17.02 m.
+TEST_F(Answers, ASlipAfterWhichTheDamRestsIsNoFailureOfASlowRise) {
+  write("s.toml", R"(
+title = "a dam of upright columns"
+analysis = { duration_s = 1 }
+material.m = { youngs_modulus_pa = 15e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }
+joint = { friction_angle_deg = 45 }
+water = { upstream_level_m = 8 }
+section = { material = "m", outline_m = [[0, 0], [9, 0], [5, 18], [1, 18]] }
+joint_set = [{ name = "courses", dip_deg = 0, spacing_m = 9, offset_m = 2, friction_angle_deg = 40 },
+             { name = "heads", dip_deg = 90, spacing_m = 4, offset_m = 1.2, friction_angle_deg = 32 }]
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-40, -10], [60, -10], [60, -4], [10, -4], [10, 0], [-40, 0]]
+)");
+  ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");
+  const json found = answer("a.json");
+  EXPECT_EQ(found["slow_rise"]["outcome"], "stands");
+  EXPECT_EQ(found["limit_analysis"]["outcome"], "stands");
+  EXPECT_LT(found["settles_at_m"].get<double>(), 18) << found.dump(1);
+  EXPECT_THAT(text("out"), HasSubstr("blocks slip a little and then rest again"));
+  ASSERT_EQ(found["outcome"], "fails") << found.dump(1);
+  EXPECT_THAT(text("out"), HasSubstr("all loads at once; under a level that rises slowly it stands at every level"));
+  for (const auto& [times, outcome] : {std::pair{0.999, "stands"}, {1.005, "fails"}}) {
+    const double level_m = times * found["level_m"].get<double>();
+    const std::string at = fmt::format("--set water.upstream_level_m={} --set analysis.kind=static", level_m);
+    ASSERT_EQ(ask("run s.toml --quiet --out r" + std::string(outcome) + " " + at), 0) << text("out");
+    EXPECT_EQ(answer(fmt::format("r{}/summary.json", outcome))["outcome"], outcome) << level_m;
+  }
+}
+
+}  // namespace
+}  // namespace blockweir::test

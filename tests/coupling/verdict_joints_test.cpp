@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json
+// Which blocks a run says to fail together, on which joint, and by which law where blocks meet on their way.
+#include "tests/coupling/verdicts.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// A block slides along its joint onto ground that it did not touch at the start.
+TEST_F(Verdicts, BlocksThatMeetOnTheirWayAreSaidToHaveTheLawOfTheirPlane) {
+  const auto box = [](const char* name, double from, double to, double low, double high, bool fixed) {
+    return fmt::format(
+        "[[block]]\nname = '{}'\nmaterial = 'c'\nfixed = {}\nvertices_m = [[{}, {}], [{}, {}], [{}, {}], [{}, {}]]\n",
+        name, fixed, from, low, to, low, to, high, from, high);
+  };
+  const std::string scene =
+      "[analysis]\nduration_s = 1\nstep_s = 0.01\ngravity_tilt_deg = 20\nmax_displacement_ratio = 1\n[material.c]\n"
+      "youngs_modulus_pa = 3e10\npoissons_ratio = 0.2\ndensity_kg_per_m3 = 2400\n[joint]\nfriction_angle_deg = 30\n" +
+      box("smooth", -4, 1.5, -1, 0, true) + box("rough", 1.5, 9, -1, 0, true) + box("sled", 0, 1, 0, 0.5, false) +
+      "[[joints]]\nname = 'slide'\nbetween = ['smooth', 'sled']\nfriction_angle_deg = 5\n";
+  const auto summary = run(scene);
+  EXPECT_THAT(summary["warnings"].dump(),
+              testing::AllOf(HasSubstr("blocks \\\"rough\\\" and \\\"sled\\\" touch now and did not at the start"),
+                             HasSubstr("slid along the plane of joint \\\"slide\\\" and have its residual friction of "
+                                       "5 deg; [joint] has 30 deg")));
+  const auto brief = run(scene, "--set analysis.duration_s=0.3");
+  EXPECT_THAT(brief["warnings"].dump(), testing::Not(HasSubstr("did not at the start")));
+}
+
+/// Four lifts of 3 x 2 m, bonded to each other but not to the ground.
+std::string lifts(const std::vector<int>& order, double friction_angle_deg, double from_m, double to_m) {
+  std::string text = R"([analysis]
+duration_s = 20
+step_s = 0.01
+stop_at_failure = true
+[material.c]
+youngs_modulus_pa = 30e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2400
+[joint]
+friction_angle_deg = 60
+cohesion_pa = 3e6
+tension_strength_pa = 1e6
+[[block]]
+name = "ground"
+material = "c"
+fixed = true
+vertices_m = [[-20, -2], [30, -2], [30, 0], [-20, 0]]
+)";
+  for (const int lift : order) {
+    text +=
+        fmt::format("[[block]]\nname = \"l{}\"\nmaterial = \"c\"\nvertices_m = [[0, {}], [3, {}], [3, {}], [0, {}]]\n",
+                    lift, 2 * lift - 2, 2 * lift - 2, 2 * lift, 2 * lift);
+  }
+  return text + fmt::format(R"([[joints]]
+name = "base"
+between = ["ground", "l1"]
+friction_angle_deg = {}
+cohesion_pa = 0
+tension_strength_pa = 0
+[water]
+upstream_level_m = {{ table = [[0, {}], [20, {}]] }}
+may_overtop = true
+)",
+                            friction_angle_deg, from_m, to_m);
+}
+
+TEST_F(Verdicts, LiftsThatMoveTogetherFailOnTheJointBelowThemInAnyOrder) {
+  const double weight = 3 * 8 * 2400 * 9.81;
+  const double slides = std::sqrt(2 * weight * std::tan(20 * std::numbers::pi / 180) / weight_of_water);
+  // Water above the crest presses on the face alone: rho g (h - 8/3 ...): H = rho g (h - 4) 8, arm 8 (3h - 8)/(6h -
+  // 24)...
+  const auto turning = [](double h) {  // moment of the water about the toe
+    return h <= 8 ? weight_of_water * h * h * h / 6 : weight_of_water * (8 * (h - 8) * 4 + 8.0 * 8 * 8 / 6);
+  };
+  double turns = 8;
+  while (turning(turns) < weight * 1.5) turns += 1e-4;
+  for (const std::vector<int>& order : {std::vector{1, 2, 3, 4}, {4, 3, 2, 1}, {3, 1, 4, 2}}) {
+    const auto slid = run(lifts(order, 20, slides - 2, slides + 1));
+    ASSERT_EQ(slid["outcome"], "fails") << text("out");
+    EXPECT_EQ(slid["failure"]["mode"], "sliding");
+    EXPECT_EQ(slid["failure"]["joint"], "base");
+    EXPECT_NEAR(slid["failure"]["head_m"].get<double>() / slides, 1, 1e-3);
+    EXPECT_EQ(slid["failure"]["blocks"].size(), 4U);
+    const auto turned = run(lifts(order, 55, turns - 0.5, turns + 0.5));
+    ASSERT_EQ(turned["outcome"], "fails") << text("out");
+    EXPECT_EQ(turned["failure"]["mode"], "overturning");
+    EXPECT_EQ(turned["failure"]["joint"], "base");
+    EXPECT_NEAR(turned["failure"]["head_m"].get<double>() / turns, 1, 1e-3);
+  }
+}
+
+/// Two lifts on rock that beds and steep joints cut, at a level at which rock and dam go: what bears is the bedding,
+/// the lift's own base on one of the pieces comes first from upstream.
+TEST_F(Verdicts, ADamThatSlidesWithItsRockFailsOnTheBedding) {
+  const auto slid = run(R"([analysis]
+duration_s = 0.8
+step_s = 0.01
+[joint]
+friction_angle_deg = 20
+[material.concrete]
+density_kg_per_m3 = 2400
+youngs_modulus_pa = 25e9
+poissons_ratio = 0.2
+[material.rock]
+density_kg_per_m3 = 2650
+youngs_modulus_pa = 40e9
+poissons_ratio = 0.25
+[section]
+material = "rock"
+outline_m = [[-20, -15], [50, -15], [50, 0], [-20, 0]]
+[water]
+upstream_level_m = { from = 20, rate_per_s = 0.8, to = 20.5 }
+[[block]]
+name = "base"
+material = "concrete"
+vertices_m = [[0, 0], [15.5, 0], [9.4175, 11.6361], [0, 15]]
+[[block]]
+name = "top"
+material = "concrete"
+vertices_m = [[0, 15], [9.4175, 11.6361], [4, 22], [0, 22]]
+[[joint_set]]
+name = "bedding"
+dip_deg = 12
+friction_angle_deg = 8
+offset_m = 1
+spacing_m = 4
+[[joint_set]]
+name = "steep"
+dip_deg = -70
+offset_m = 1
+persistence = 0.8
+seed = 2
+spacing_m = 6
+trace_length_m = 8
+[[joints]]
+name = "crack"
+between = ["base", "top"]
+[[region]]
+material = "rock"
+fixed = true
+outline_m = [[-20, -15], [50, -15], [50, -12], [-20, -12]]
+)");
+  ASSERT_EQ(slid["outcome"], "fails") << text("out");
+  EXPECT_EQ(slid["failure"]["mode"], "sliding");
+  EXPECT_EQ(slid["failure"]["joint"], "bedding");
+}
+
+}  // namespace
+}  // namespace blockweir::test
