@@ -23,6 +23,7 @@ json report_data(const ReportParts& parts) {
   data["summary"] = summary;
   data["level"] = parts.level;
   data["safety"] = parts.safety;
+  data["reliability"] = parts.reliability;
   data["histories"] = histories_data(parts.run);
   data["program"] = parts.program;
   data["commands"] = parts.commands;

@@ -92,11 +92,14 @@ TEST_F(Reliability, TheSamplesAreTheSameBitsForAnyNumberOfProcessesAndAfterAStop
   const std::string one = text("r/samples.csv");
   fs::remove_all(folder / "r");
   std::ofstream(folder / "scene.toml") << scene;
-  const pid_t stopped = start(programs + "/blockweir reliability scene.toml --out r --jobs 3", "stopped");
+  const pid_t stopped = start(programs +
+                                  "/blockweir reliability scene.toml --out r --jobs 3 --set "
+                                  "reliability.samples=100000",  // more than it can make before it is stopped
+                              "stopped");
   while (text("r/samples.runs.jsonl").size() < 20'000) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   ::kill(stopped, SIGKILL);
   EXPECT_EQ(end_of(stopped, 10), 128 + SIGKILL);
-  for (int wait = 0; wait < 2000 && orphan(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  for (int wait = 0; wait < 12'000 && orphan(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_FALSE(orphan());
   ASSERT_EQ(reliability(scene, "--jobs 3"), 0) << text("out");
   EXPECT_LT(answer()["samples"]["made"], 1000);
