@@ -72,7 +72,7 @@ function showReliability(to, found) {
   if (found.trouble) return to.append(paragraph('It was not found: ' + found.trouble + '.'));
   const samples = found.samples;
   to.append(paragraph(`Probability of failure at a level of ${number(found.level_m, 6)} m or below. The level at which each sample fails is found by ${wayOf(found.by)}.`),
-    table(['method', 'probability', '95 % interval', 'reliability index', 'levels found'], methodRows(found)));
+    table(['method', 'probability', '95 % interval', 'reliability index', 'levels computed'], methodRows(found)));
   if (samples.without_answer > 0) to.append(paragraph(`${samples.without_answer} samples have no answer, which widens the interval: as if all of them failed, or none.`, 'bad'));
   if (found.upper_bound) to.append(paragraph('Limit analysis is an upper bound here: the true level is this or lower, and the true probability this or higher.', 'bad'));
   for (const method of ['form', 'sorm', 'importance', 'subset', 'sobol']) {
@@ -81,6 +81,6 @@ function showReliability(to, found) {
   to.append(element('h3', {}, 'What is uncertain'),
     table(['variable', 'distribution', 'mean', 'at the design point', 'importance there', 'Sobol alone', 'Sobol in all'], variableRows(found)));
   if (found.curve && found.curve.length > 1) to.append(fragilityFigure(found));
-  if (found.fit) to.append(paragraph(`Levels of failure: mean ${number(found.fit.mean)} m, deviation ${number(found.fit.deviation, 3)} m; ${found.fit.distribution} fits them best.`));
+  if (found.fit) to.append(paragraph(`Levels of failure: mean ${number(found.fit.mean)} m, deviation ${number(found.fit.deviation, 3)} m; of common distributions the ${found.fit.distribution.toLowerCase()} one fits them best.`));
   if (found.comparison) to.append(comparisonTable(found));
 }
