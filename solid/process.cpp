@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bridge/channel/handshake.hpp"
+#include "bridge/process/fluid_name.hpp"
 #include "bridge/process/sides.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
@@ -193,14 +194,18 @@ class SolidRun {
 
   void run_with_partner() {
     const scene::FluidEntry& fluid = scene::fluid_entry(scene_.fluid);
-    process_.line.partner = fluid.yours ? "external fluid" : fmt::format("fluid process ({})", fluid.name);
+    std::string name = fluid_name(scene_);
+    process_.line.partner = name;
     process_.line.timeout_s = scene_.coupling.timeout_s;
     process_.line.open_timeout_s = scene_.coupling.open_timeout_s;
     channel_.emplace(process_.line);
     const wire::Hello theirs = channel_->handshake(schedule::hello(scene_, "solid", process_.resume));
-    if (fluid.yours) channel_->call_partner(fmt::format("external fluid \"{}\"", channel::printable(theirs.role)));
+    if (fluid.yours) {
+      name = fmt::format("external fluid \"{}\"", channel::printable(theirs.role));
+      channel_->call_partner(name);
+    }
     reports_.tell(&*channel_);
-    schedule::RemoteFluid there(*channel_);
+    schedule::RemoteFluid there(*channel_, name);
     exchange_with(&there);
   }
 

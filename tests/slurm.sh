@@ -1,14 +1,25 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A Slurm of one node and two processors, of this user, without systemd, in a folder of its own: munged, slurmctld, slurmd.
-#   tests/slurm.sh up DIR     starts it; SLURM_CONF=DIR/slurm.conf then reaches it
-#   tests/slurm.sh down DIR   ends it, with its jobs
+# A Slurm of this user, without systemd, in a folder of its own: munged, slurmctld, and a slurmd for each node.
+#   tests/slurm.sh up DIR [NODES]   starts it, with one node of two processors, or with NODES that share this machine, of
+#                                   one processor each; SLURM_CONF=DIR/slurm.conf then reaches it
+#   tests/slurm.sh down DIR         ends it, with its jobs
 set -euo pipefail
 export PATH=$PATH:/usr/sbin:/sbin
-usage() { echo "usage: tests/slurm.sh up|down DIR" >&2; exit 2; }
-[ $# -eq 2 ] || usage
+usage() { echo "usage: tests/slurm.sh up DIR [NODES] | down DIR" >&2; exit 2; }
+[ $# -eq 2 ] || [ $# -eq 3 ] || usage
+nodes=${3:-1}
 mkdir -p "$2"
 dir=$(cd "$2" && pwd)
+
+names() { [ "$nodes" -eq 1 ] && hostname -s || seq -f node%g "$nodes"; }
+
+node_lines() {
+  local port=$2
+  for name in $(names); do
+    echo "NodeName=$name NodeHostname=$1 NodeAddr=127.0.0.1 Port=$((++port)) CPUs=$((nodes == 1 ? 2 : 1)) State=UNKNOWN"
+  done
+}
 
 up() {
   for program in munged slurmctld slurmd; do
@@ -32,13 +43,12 @@ AuthType=auth/munge
 AuthInfo=socket=$dir/munge/socket
 CredType=cred/munge
 StateSaveLocation=$dir/state
-SlurmdSpoolDir=$dir/spool
+SlurmdSpoolDir=$dir/spool/%n
 SlurmctldPidFile=$dir/slurmctld.pid
-SlurmdPidFile=$dir/slurmd.pid
+SlurmdPidFile=$dir/slurmd-%n.pid
 SlurmctldLogFile=$dir/slurmctld.log
-SlurmdLogFile=$dir/slurmd.log
+SlurmdLogFile=$dir/slurmd-%n.log
 SlurmctldPort=$port
-SlurmdPort=$((port + 1))
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SelectType=select/cons_tres
@@ -48,18 +58,18 @@ SchedulerParameters=sched_interval=1,batch_sched_delay=1
 MpiDefault=none
 JobAcctGatherType=jobacct_gather/none
 AccountingStorageType=accounting_storage/none
-NodeName=$host NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
+$(node_lines "$host" "$port")
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 CONF
   export SLURM_CONF=$dir/slurm.conf
   slurmctld -f "$SLURM_CONF"
-  slurmd -f "$SLURM_CONF"
+  for name in $(names); do slurmd -f "$SLURM_CONF" -N "$name"; done
   for _ in $(seq 240); do
-    [[ $(sinfo --noheader --format=%T 2>/dev/null) != idle ]] || return 0
+    [[ $(sinfo --noheader --format=%T:%D 2>/dev/null) != "idle:$nodes" ]] || return 0
     sleep 0.25
   done
   tail -n 20 "$dir"/*.log >&2
-  echo "slurm.sh: no idle node after a minute; the logs stand above" >&2
+  echo "slurm.sh: not all nodes idle after a minute; the logs stand above" >&2
   down
   exit 1
 }
@@ -70,10 +80,10 @@ down() {
     [ -n "$(SLURM_CONF=$dir/slurm.conf squeue --noheader 2>/dev/null)" ] || break
     sleep 0.25
   done
-  for name in slurmd slurmctld munge; do
-    [ -f "$dir/$name.pid" ] || continue
-    local pid
-    pid=$(cat "$dir/$name.pid")
+  local file pid
+  for file in "$dir"/slurmd-*.pid "$dir"/slurmctld.pid "$dir"/munge.pid; do
+    [ -f "$file" ] || continue
+    pid=$(cat "$file")
     kill "$pid" 2>/dev/null || continue
     for _ in $(seq 40); do
       [[ $(ps -o stat= -p "$pid") == [!Z]* ]] || break  # gone, or not yet waited for

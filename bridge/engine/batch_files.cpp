@@ -62,8 +62,11 @@ BatchFiles::Task BatchFiles::read(int task) const {
 }
 
 void BatchFiles::leave(const std::string& name, const Answers& answers) const {
-  const json all = {
-      {"had_s", answers.effort.had_s}, {"worked_s", answers.effort.worked_s}, {"answers", answers.by_digest}};
+  const json all = {{"had_s", answers.effort.had_s},
+                    {"worked_s", answers.effort.worked_s},
+                    {"worked_on", answers.measured.items},
+                    {"processors", answers.measured.processors},
+                    {"answers", answers.by_digest}};
   results::replace_file(folder_ / (name + ending), all.dump() + "\n");
 }
 
@@ -78,6 +81,11 @@ Answers BatchFiles::take(std::set<std::string>& seen, const std::string& prefix)
     if (!all.is_object() || !all.contains("answers")) continue;  // of a disk that has lost it: it is done again
     taken.effort.had_s += all.value("had_s", 0.0);
     taken.effort.worked_s += all.value("worked_s", 0.0);
+    if (const std::size_t items = all.value("worked_on", std::size_t{0}); items > 0) {
+      taken.measured.items += items;
+      taken.measured.worked_s += all.value("worked_s", 0.0);
+      taken.measured.processors = all.value("processors", 1);
+    }
     for (const auto& [digest, answer] : all["answers"].items()) taken.by_digest[digest] = answer;
   }
   return taken;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bridge/engine/batch_size.hpp"
 #include "bridge/engine/engine.hpp"
 
 namespace blockweir::engine {
@@ -19,7 +20,8 @@ std::vector<std::string> digests_of(const Work& work);
 
 struct Answers {
   std::map<std::string, nlohmann::json> by_digest;
-  Effort effort;
+  Effort effort;      ///< of tasks that have come to their end
+  Measured measured;  ///< the same
 };
 
 class BatchFiles {

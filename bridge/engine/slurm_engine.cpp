@@ -64,7 +64,8 @@ class QueuedWork {
       vain = missing_.size() < before ? 0 : vain + 1;
       if (vain == most_vain) give_up(vain);
     }
-    fs::remove_all(folder_);
+    std::error_code late;  // a log that is still written is no trouble
+    fs::remove_all(folder_, late);
     return true;
   }
   [[nodiscard]] const Effort& effort() const { return effort_; }
@@ -89,9 +90,12 @@ class QueuedWork {
       digests.push_back(digests_[i]);
       items.push_back(work_.items[i]);
     }
-    constexpr std::size_t most_tasks = 64;
-    const std::size_t batch =
-        options_.batch > 0 ? static_cast<std::size_t>(options_.batch) : (items.size() + most_tasks - 1) / most_tasks;
+    const bool first = options_.batch == 0 && measured_.items == 0 && items.size() > first_items;
+    if (first) items.resize(first_items);
+    digests.resize(items.size());
+    const std::size_t batch = options_.batch > 0     ? static_cast<std::size_t>(options_.batch)
+                              : measured_.items == 0 ? 1
+                                                     : batch_size(items.size(), measured_);
     int number = 1;
     while (fs::exists(folder_ / fmt::format("batch-{}", number))) ++number;
     const BatchFiles files(folder_ / fmt::format("batch-{}", number));
@@ -105,7 +109,8 @@ class QueuedWork {
     const std::size_t tasks = (items.size() + batch - 1) / batch;
     const std::string job = submit(script, results::file_name(work_.name), tasks, logs_, options_.sbatch);
     results::replace_file(job_file(), job + "\n");
-    fmt::print(stderr, "{}: job {} in the queue: {} tasks of {}\n", work_.name, job, tasks, batch);
+    fmt::print(stderr, "{}: job {} in the queue: {} tasks of {}{}\n", work_.name, job, tasks, batch,
+               first ? ", to see how long one takes" : "");
     return job;
   }
 
@@ -149,6 +154,11 @@ class QueuedWork {
       const Answers answers = BatchFiles(entry.path()).take(seen_[entry.path().filename().string()]);
       effort_.had_s += answers.effort.had_s;
       effort_.worked_s += answers.effort.worked_s;
+      if (answers.measured.items > 0) {
+        measured_.items += answers.measured.items;
+        measured_.worked_s += answers.measured.worked_s;
+        measured_.processors = answers.measured.processors;
+      }
       for (const auto& [digest, answer] : answers.by_digest) {
         const auto found = missing_.find(digest);
         if (found == missing_.end()) continue;
@@ -188,6 +198,7 @@ class QueuedWork {
   fs::path logs_;
   Clock::time_point told_ = Clock::now();
   Effort effort_;
+  Measured measured_;
 };
 
 class SlurmEngine : public Engine {
@@ -242,10 +253,12 @@ int work_on_batch(const fs::path& folder, int task, const MakeWorker& make) {
     work.items.push_back(own.items[i]);
     digests.push_back(own.digests[i]);
   }
-  const auto engine = local_engine(processors_of_task(), make);
+  const int processors = processors_of_task();
+  const auto engine = local_engine(processors, make);
   Answers answers;
   Clock::time_point left = Clock::now();
   int files_left = 0;
+  std::size_t answers_made = 0;
   const auto leave = [&] {
     if (answers.by_digest.empty() && answers.effort.had_s == 0) return;
     files.leave(fmt::format("{}{}-{}-{}", prefix, word_of("SLURM_RESTART_COUNT"), ::getpid(), files_left++), answers);
@@ -254,10 +267,12 @@ int work_on_batch(const fs::path& folder, int task, const MakeWorker& make) {
   };
   const bool all = engine->perform(work, [&](std::size_t i, const json& answer) {
     if (answer.is_null()) return;  // killed: whoever asked has it done again
+    ++answers_made;
     answers.by_digest[digests[i]] = answer;
     if (seconds_since(left) >= left_every_s) leave();
   });
   answers.effort = engine->effort();
+  answers.measured = {.items = answers_made, .worked_s = answers.effort.worked_s, .processors = processors};
   leave();
   return all ? 0 : 1;
 }

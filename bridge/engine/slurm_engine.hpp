@@ -12,7 +12,7 @@ namespace blockweir::engine {
 
 struct SlurmOptions {
   std::filesystem::path folder;     ///< absolute, seen by all machines: items, answers and logs of tasks
-  int batch = 0;                    ///< items a task; 0: as many as make 64 tasks of them
+  int batch = 0;                    ///< items a task; 0: as many as take some ten minutes, see batch_size()
   std::vector<std::string> sbatch;  ///< passed on
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/channel/handshake.hpp"
 #include "bridge/channel/line_options.hpp"
 #include "bridge/process/exit_status.hpp"
 #include "bridge/scene/at.hpp"
@@ -53,12 +54,11 @@ std::vector<std::array<double, 6>> velocities_of(const scene::Scene& scene, cons
   return all;
 }
 
-void require_blocks(const scene::Scene& scene, const wire::Load& load) {
+void require_blocks(const scene::Scene& scene, const wire::Load& load, const std::string& fluid) {
   for (std::size_t i = 0; i < load.block.size(); ++i) {
     if (load.block[i] < scene.blocks.size() && load.edge[i] < scene.blocks[load.block[i]].vertices.size()) continue;
-    throw channel::PartnerFault(
-        fmt::format("the fluid loads block {}, edge {} in window {}, which the scene does not have", load.block[i],
-                    load.edge[i], load.window));
+    throw channel::PartnerFault(fmt::format("{} loads block {}, edge {} in window {}, which the scene does not have",
+                                            fluid, load.block[i], load.edge[i], load.window));
   }
 }
 
@@ -71,7 +71,7 @@ void print(const scene::Scene& scene, const wire::Load& load) {
   }
 }
 
-void exchange(channel::Channel& line, const scene::Scene& scene, const Options& options) {
+void exchange(channel::Channel& line, const std::string& fluid, const scene::Scene& scene, const Options& options) {
   const double window_s = scene.coupling.window_s;
   const auto last = static_cast<std::uint64_t>(std::ceil(scene.analysis.duration_s / window_s - 1e-9));
   const std::uint64_t end = options.resume + (options.windows > 0 ? options.windows : last + 1);
@@ -92,8 +92,8 @@ void exchange(channel::Channel& line, const scene::Scene& scene, const Options& 
     }
     line.send(motion);
     line.receive(load);
-    schedule::require_turn(load.window, window, "the fluid");
-    require_blocks(scene, load);
+    schedule::require_turn(load.window, window, fluid);
+    require_blocks(scene, load, fluid);
     print(scene, load);
   }
   line.send(wire::Farewell{"the run is complete"});
@@ -105,9 +105,11 @@ int run(Options& options) {
   options.line.timeout_s = scene.coupling.timeout_s;
   options.line.open_timeout_s = scene.coupling.open_timeout_s;
   channel::Channel line(options.line);
-  line.handshake(schedule::hello(scene, "solid", options.resume));
+  const wire::Hello theirs = line.handshake(schedule::hello(scene, "solid", options.resume));
+  const std::string fluid = fmt::format("fluid \"{}\"", channel::printable(theirs.role));
+  line.call_partner(fluid);
   try {
-    exchange(line, scene, options);
+    exchange(line, fluid, scene, options);
   } catch (const channel::PartnerFault& fault) {
     line.send(wire::Failure{fault.what()});
     throw;

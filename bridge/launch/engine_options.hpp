@@ -14,7 +14,8 @@ inline void add_engine_options(CLI::App& app, study::EngineOptions& options) {
       ->check(CLI::IsMember({"local", "slurm"}));
   app.add_option("--jobs", options.jobs, "local: number of runs at the same time (default: one per processor)")
       ->check(CLI::Range(1, 10000));
-  app.add_option("--batch", options.batch, "slurm: number of runs in a task (default: as many as make 64 tasks)")
+  app.add_option("--batch", options.batch,
+                 "slurm: number of runs in a task (default: as many as take some ten minutes)")
       ->check(CLI::Range(1, 1000000));
   app.add_option("--sbatch", options.sbatch,
                  "slurm: an option of sbatch, passed on, as --sbatch=--partition=long; may be repeated");

@@ -25,6 +25,7 @@ json report_data(const ReportParts& parts) {
   data["level"] = parts.level;
   data["safety"] = parts.safety;
   data["flow"] = flow_data(parts.run);
+  data["reliability"] = parts.reliability;
   data["histories"] = histories_data(parts.run);
   data["program"] = parts.program;
   data["commands"] = parts.commands;

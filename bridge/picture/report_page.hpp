@@ -17,6 +17,7 @@ struct ReportParts {
   nlohmann::json summary;             ///< of the run
   nlohmann::json level;               ///< answer of blockweir level, or {"trouble": why none}
   nlohmann::json safety;              ///< load cases of blockweir safety, or the same
+  nlohmann::json reliability;         ///< as reliability.json has it, or the same; null: nothing is uncertain
   std::string program;                ///< version, commit, compiler: a line each
   std::vector<std::string> commands;  ///< that give the figures again
 };

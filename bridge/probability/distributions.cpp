@@ -90,7 +90,11 @@ OT::Distribution joint_distribution(const json& request) {
 }
 
 OT::Sample draw(const OT::Distribution& joint, const std::string& sampling, unsigned count) {
-  if (sampling == "monte-carlo") return joint.getSample(count);
+  if (sampling == "monte-carlo") {  // point by point: more of them only add to fewer
+    OT::Sample points(0, joint.getDimension());
+    for (unsigned i = 0; i < count; ++i) points.add(joint.getRealization());
+    return points;
+  }
   // Spread evenly where they are independent, then transformed to what they are.
   const OT::Normal standard(joint.getDimension());
   const auto spread = [&] {

@@ -15,14 +15,14 @@ void add_numbers(const json& from, const char* part, json& summary, const char* 
   if (!from.contains(part)) return;
   const json& numbers = from[part];
   if (!numbers.is_object()) {
-    warnings.push_back(fmt::format("the fluid's report: \"{}\" is not a table of numbers; left out", part));
+    warnings.push_back(fmt::format("\"{}\" is not a table of numbers; left out", part));
     return;
   }
   for (const auto& [name, number] : numbers.items()) {
     if (number.is_number()) {
       summary[into]["fluid_" + name] = number;
     } else {
-      warnings.push_back(fmt::format("the fluid's report: \"{}\" of \"{}\" is not a number; left out", name, part));
+      warnings.push_back(fmt::format("\"{}\" of \"{}\" is not a number; left out", name, part));
     }
   }
 }
@@ -34,8 +34,7 @@ void add_entries(const json& from, const char* part, bool texts, json& summary, 
   bool fits = entries.is_array();
   for (const json& entry : entries) fits = fits && (texts ? entry.is_string() : entry.is_object());
   if (!fits) {
-    warnings.push_back(
-        fmt::format("the fluid's report: \"{}\" is not a list of {}; left out", part, texts ? "texts" : "tables"));
+    warnings.push_back(fmt::format("\"{}\" is not a list of {}; left out", part, texts ? "texts" : "tables"));
     return;
   }
   for (const json& entry : entries) summary[part].push_back(entry);
@@ -43,7 +42,7 @@ void add_entries(const json& from, const char* part, bool texts, json& summary, 
 
 }  // namespace
 
-void merge_report(const std::filesystem::path& file, json& summary) {
+void merge_report(const std::filesystem::path& file, const std::string& name, json& summary) {
   std::ifstream stream(file);
   if (!stream) return;
   const json fluid = json::parse(stream, nullptr, /*allow_exceptions=*/false);
@@ -58,9 +57,11 @@ void merge_report(const std::filesystem::path& file, json& summary) {
       summary["peak_memory_mb"]["fluid"] = fluid["peak_memory_mb"];
     }
   } else {
-    warnings.push_back("the fluid's report is not a table in JSON; left out");
+    warnings.push_back("it is not a table in JSON; left out");
   }
-  for (const json& warning : warnings) summary["warnings"].push_back(warning);
+  for (const json& warning : warnings) {
+    summary["warnings"].push_back(fmt::format("report of the {}: {}", name, warning.get<std::string>()));
+  }
   std::filesystem::remove(file);
 }
 

@@ -14,6 +14,7 @@
 
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/process/external_fluid.hpp"
+#include "bridge/process/fluid_name.hpp"
 #include "bridge/process/former_run.hpp"
 #include "bridge/process/limit_margin.hpp"
 #include "bridge/process/merged_report.hpp"
@@ -74,7 +75,9 @@ std::uint64_t resumable_window(const fs::path& folder, const scene::Scene& scene
   return all.empty() ? 0 : all.back();
 }
 
-void complete_summary(const fs::path& folder, RunResult& result, const LimitMargin* margin, double wall_s) {
+/// `fluid`: how messages call it.
+void complete_summary(const fs::path& folder, const std::string& fluid, RunResult& result, const LimitMargin* margin,
+                      double wall_s) {
   json& summary = result.summary;
   summary = read_json(folder / "summary.json");
   if (!summary.is_object()) summary = json::object();
@@ -84,7 +87,7 @@ void complete_summary(const fs::path& folder, RunResult& result, const LimitMarg
   }
   summary["wall_time_s"] = wall_s;
   if (margin != nullptr) margin->add_to(summary);
-  merge_report(report_of(folder), summary);
+  merge_report(report_of(folder), fluid, summary);
   try {
     results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
   } catch (const std::exception&) {
@@ -181,7 +184,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   if (!result.trouble.empty()) result.advice = advice_of(scene, folder, goes_on, !result.refused && last == 0);
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
   if (result.exit_code == 0) forget_checkpoints(folder);
-  complete_summary(folder, result, asks ? &margin : nullptr, seconds_since(start));
+  complete_summary(folder, fluid_name(scene), result, asks ? &margin : nullptr, seconds_since(start));
   return result;
 }
 

@@ -109,8 +109,9 @@ struct Child {
   bool running = false;
   bool aside = false;
   bool external = false;
-  bool told = false;     ///< by a signal of ours
-  bool stopped = false;  ///< when another failed
+  std::vector<std::string> words{};  ///< of an external one
+  bool told = false;                 ///< by a signal of ours
+  bool stopped = false;              ///< when another failed
 };
 
 struct Children {
@@ -131,6 +132,7 @@ struct Children {
     child.name = command.name;
     child.aside = command.aside;
     child.external = command.external;
+    if (command.external) child.words = command.words;
     child.log = command.output.empty() ? log_folder / (command.name + ".log") : command.output;
     child.pid = ::fork();
     if (child.pid == 0) become(command, child.log, signals, we);
@@ -178,8 +180,8 @@ struct Children {
       if (!child.running || ::waitpid(child.pid, &status, WNOHANG) != child.pid) continue;
       child.running = false;
       if (child.aside) continue;
-      result.ends.push_back(
-          {child.name, exit_code(status), child.told, child.stopped, child.external, false, last_line(child.log)});
+      result.ends.push_back({child.name, exit_code(status), child.told, child.stopped, child.external, child.words,
+                             false, last_line(child.log)});
       if (child.external && !child.told) external_end_ = result.ends.size();
     }
   }

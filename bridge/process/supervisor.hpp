@@ -30,8 +30,9 @@ struct ChildEnd {
   bool by_us = false;    ///< we had asked it to end, or killed it
   bool stopped = false;  ///< it, or what it started, had been stopped (SIGSTOP) when another failed
   bool external = false;
-  bool early = false;     ///< an external one ended before the first was in touch with it
-  std::string last_line;  ///< of what it wrote to its standard error
+  std::vector<std::string> words{};  ///< of an external one: its command
+  bool early = false;                ///< an external one ended before the first was in touch with it
+  std::string last_line;             ///< of what it wrote to its standard error
 };
 
 struct Supervised {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "bridge/process/fluid_name.hpp"
 #include "bridge/process/former_run.hpp"
 
 namespace blockweir::process {
@@ -37,12 +38,17 @@ const ChildEnd* cause_of(const Supervised& supervised) {
   return cause;
 }
 
+/// A program of the user's by its command, ours by what it computes.
+std::string name_of(const ChildEnd& end) {
+  return end.external ? external_fluid_name(end.words) : end.name + " process";
+}
+
 /// What a program of the user's says last may be of any form: whose it is has to stand before it.
 std::string end_of_external(const ChildEnd& end) {
   const std::string said = end.last_line.empty() ? "" : fmt::format(", its last line: \"{}\"", end.last_line);
-  return fmt::format("the external fluid ended with exit status {}{}{}; {}all that it wrote is in {}.log",
-                     end.exit_code, end.early ? " before the run was under way" : "", said,
-                     end.early ? "it has to connect to BLOCKWEIR_ENDPOINT and to stay; " : "", end.name);
+  return fmt::format("the {} ended with exit status {}{}{}; {}all that it wrote is in {}.log",
+                     external_fluid_name(end.words), end.exit_code, end.early ? " before the run was under way" : "",
+                     said, end.early ? "it has to connect to BLOCKWEIR_ENDPOINT and to stay; " : "", end.name);
 }
 
 }  // namespace
@@ -56,13 +62,12 @@ std::string first_trouble(const Supervised& supervised, const fs::path& folder) 
   for (const ChildEnd& end : supervised.ends) {
     // A process that was killed says nothing itself.
     if (end.exit_code > 128 && !end.by_us) {
-      return fmt::format("the {} process was ended by signal {}", end.name, end.exit_code - 128);
+      return fmt::format("the {} was ended by signal {}", name_of(end), end.exit_code - 128);
     }
   }
   for (const ChildEnd& end : supervised.ends) {
     if (end.stopped) {
-      return fmt::format("the {} process was stopped (SIGSTOP) and answered no more for [coupling] timeout_s",
-                         end.name);
+      return fmt::format("the {} was stopped (SIGSTOP) and answered no more for [coupling] timeout_s", name_of(end));
     }
   }
   const ChildEnd* cause = cause_of(supervised);

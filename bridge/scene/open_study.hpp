@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "bridge/scene/distribution.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::scene {
@@ -29,18 +30,11 @@ struct OutcomeMap {
   bool operator==(const OutcomeMap&) const = default;
 };
 
-enum class Distribution { column, normal, lognormal, uniform, triangular };
-
 /// A key of the scene that differs from run to run of a sample.
 struct Variable {
   std::string key;
-  Distribution distribution = Distribution::column;
-  std::string column;    ///< of the sample's file; its values are the runs'
-  double mean = 0;       ///< normal and lognormal: of the variable itself
-  double deviation = 0;  ///< the same: standard deviation
-  double from = 0;       ///< uniform and triangular
-  double peak = 0;       ///< triangular: the likeliest value
-  double to = 0;         ///< uniform and triangular
+  std::optional<Distribution> distribution;  ///< none: its values stand in a column of the sample's file
+  std::string column;
   bool operator==(const Variable&) const = default;
 };
 

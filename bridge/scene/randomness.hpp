@@ -6,26 +6,18 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "bridge/scene/distribution.hpp"
 
 namespace blockweir::scene {
 
 /// A number of the scene that is not known, but for its distribution.
 struct RandomVariable {
   std::string name;
-  std::string key;                               ///< of the scene; empty: `set` says where the number goes
-  std::vector<std::string> set;                  ///< "key=value" each, with {NAME} in place of the number
-  std::string distribution;                      ///< normal, lognormal, uniform, triangular, table or fitted
-  double mean = 0;                               ///< normal and lognormal: of the variable itself
-  double deviation = 0;                          ///< the same: standard deviation
-  double from = 0;                               ///< uniform and triangular
-  double peak = 0;                               ///< triangular: the likeliest value
-  double to = 0;                                 ///< uniform and triangular
-  std::vector<std::pair<double, double>> table;  ///< a value, and the probability of less than it; 0 first, 1 last
-  std::vector<double> values;                    ///< fitted: what was measured
-  std::optional<double> least;                   ///< the distribution is cut off there
-  std::optional<double> most;
+  std::string key;               ///< of the scene; empty: `set` says where the number goes
+  std::vector<std::string> set;  ///< "key=value" each, with {NAME} in place of the number
+  Distribution distribution;
   int line = 0;  ///< where the scene file states it
   bool operator==(const RandomVariable&) const = default;
 };

@@ -78,7 +78,7 @@ void Exchange::hear() {
     return;
   }
   fluid_->hear(incoming_);
-  require_turn(incoming_.window, number_ - 1, "the fluid process");
+  require_turn(incoming_.window, number_ - 1, fluid_->name());
   std::swap(load_, incoming_);
   std::swap(answered_, told_);
 }

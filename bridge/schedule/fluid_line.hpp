@@ -2,6 +2,9 @@
 // How the solid reaches the fluid: over a channel, or as a call within its own process.
 #pragma once
 
+#include <string>
+#include <utility>
+
 #include "bridge/channel/channel.hpp"
 #include "bridge/schedule/fluid_turn.hpp"
 
@@ -10,6 +13,8 @@ namespace blockweir::schedule {
 class FluidLine {
  public:
   virtual ~FluidLine() = default;
+  /// How messages call it.
+  [[nodiscard]] virtual std::string name() const = 0;
   virtual void tell(const wire::Motion& motion) = 0;
   /// The pressures for what was told. Throws channel::PeerError when there are none.
   virtual void hear(wire::Load& load) = 0;
@@ -19,7 +24,8 @@ class FluidLine {
 
 class RemoteFluid final : public FluidLine {
  public:
-  explicit RemoteFluid(channel::Channel& channel) : channel_(channel) {}
+  RemoteFluid(channel::Channel& channel, std::string name) : channel_(channel), name_(std::move(name)) {}
+  [[nodiscard]] std::string name() const override { return name_; }
   void tell(const wire::Motion& motion) override { channel_.send(motion); }
   void hear(wire::Load& load) override { channel_.receive(load); }
   void end(const std::string& reason) override { channel_.send(wire::Farewell{reason}); }
@@ -27,6 +33,7 @@ class RemoteFluid final : public FluidLine {
 
  private:
   channel::Channel& channel_;
+  std::string name_;
 };
 
 /// Answers as soon as it is told.
@@ -34,6 +41,7 @@ class LocalFluid final : public FluidLine {
  public:
   /// What its answers take is added to `seconds`.
   LocalFluid(FluidTurn& fluid, double& seconds) : fluid_(fluid), seconds_(seconds) {}
+  [[nodiscard]] std::string name() const override { return "the fluid"; }
   void tell(const wire::Motion& motion) override;
   void hear(wire::Load& load) override;
 

@@ -13,7 +13,7 @@ void LocalFluid::tell(const wire::Motion& motion) {
     answer_ = fluid_.answer(motion);
     if (answer_ != nullptr) fluid_.record();
   } catch (const std::exception& error) {
-    throw channel::PeerError(fmt::format("the fluid stopped in window {}: {}", motion.window, error.what()));
+    throw channel::PeerError(fmt::format("{} stopped in window {}: {}", name(), motion.window, error.what()));
   }
 }
 

@@ -2,6 +2,7 @@
 #include "bridge/schedule/run.hpp"
 
 #include "bridge/results/peak_memory.hpp"
+#include "bridge/schedule/load_fault.hpp"
 #include "bridge/schedule/schedules.hpp"
 
 namespace blockweir::schedule {
@@ -45,7 +46,11 @@ Exchanges run_solid(FluidLine* fluid, const scene::Scene& scene, checkpoint::Che
     Windows windows(scene);
     Exchange exchange(fluid, checkpoints, windows, solid, scene.coupling.skip_exchanges);
     if (first > 0) exchange.resume(first);
-    function_of(scene.coupling.schedule)(exchange, windows, solid);
+    try {
+      function_of(scene.coupling.schedule)(exchange, windows, solid);
+    } catch (const LoadFault& fault) {
+      throw channel::PartnerFault((fluid != nullptr ? fluid->name() : "the fluid") + " " + fault.what());
+    }
     solid.record();
     if (fluid != nullptr) fluid->end("the run is complete");
     counted = {static_cast<long>(exchange.number()), exchange.skipped()};

@@ -5,15 +5,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "bridge/process/run.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/study/bench_case.hpp"
+#include "bridge/study/bench_errors.hpp"
 #include "bridge/study/bench_figure.hpp"
-#include "bridge/study/bench_motion.hpp"
 #include "bridge/study/cases_folder.hpp"
+#include "bridge/study/engines.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -48,8 +50,8 @@ class Runs {
  public:
   explicit Runs(const BenchCase& bench) : bench_(bench) {}
 
-  [[nodiscard]] RunResult of(std::size_t i) const { return of(bench_.settings[i]); }
-  [[nodiscard]] RunResult of(const BenchSetting& setting) const {
+  [[nodiscard]] RunResult of(std::size_t i) const {
+    const BenchSetting& setting = bench_.settings[i];
     RunResult result = run({.scene = bench_.scene,
                             .out = scratch_.path() / "run",
                             .overrides = setting.all,
@@ -80,34 +82,26 @@ class Runs {
   TemporaryFolder scratch_;
 };
 
-/// The runs of a case, all of them by turns, so that what else the machine does falls on all alike: three turns, and
-/// of short runs up to nine. Long runs lie between those of a turn: what seems better than the scene as it stands is
-/// run again, by turns with it alone.
+/// A case's settings: their errors as an engine has found them, and their times here, by turns, so that what else the
+/// machine does falls on all alike: three turns, and of short runs up to nine. Long runs lie between those of a turn:
+/// what seems better than the scene as it stands is run again, by turns with it alone.
 class Measured {
  public:
-  Measured(const BenchCase& bench, bool brief) {
-    const Runs runs(bench);
-    for (const BenchSetting& setting : bench.settings)
-      points.push_back({setting.curve, setting.key_and_value, std::numeric_limits<double>::infinity(), 0});
-    std::vector<std::string> troubles(points.size());
-    if (bench.finer_steps) hold_against(runs.of(*bench.finer_steps), bench.finer_steps->curve);
-    if (!brief) (void)runs.of(0);  // the first run after others finds programs and files cold
-    const auto begin = Clock::now();
-    const auto is_short = [&] { return Clock::now() - begin < std::chrono::seconds(30); };
-    for (int turn = 0; turn < (brief ? 1 : 3) || (!brief && turn < 9 && is_short()); ++turn) {
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!troubles[i].empty()) continue;
-        const RunResult result = runs.of(i);
-        troubles[i] = result.trouble.empty() ? take(points[i], result) : result.trouble;
-      }
+  Measured(const BenchCase& bench, const BenchErrors& errors, const BenchOptions& options)
+      : figure(errors.figure), of_motion(errors.of_motion), timed(!options.untimed) {
+    for (std::size_t i = 0; i < bench.settings.size(); ++i) {
+      const BenchSetting& setting = bench.settings[i];
+      points.push_back({.curve = setting.curve,
+                        .setting = setting.key_and_value,
+                        .time_s = std::numeric_limits<double>::infinity(),
+                        .error = errors.settings[i].error,
+                        .energy_gain = errors.settings[i].energy_gain});
+      troubles_.push_back(errors.settings[i].trouble);
     }
-    for (std::size_t i = 1; i < points.size() && troubles.front().empty(); ++i) {
-      if (!troubles[i].empty() || (points[i].setting != one_process && !betters(points[i], points.front()))) continue;
-      points[i].beside = runs.beside_the_scene(i, brief ? 1 : 7);
-    }
+    if (timed) time(Runs(bench), options.brief);
     for (std::size_t i = points.size(); i-- > 0;) {
-      if (troubles[i].empty()) continue;
-      failed.push_back({points[i].curve, points[i].setting, troubles[i]});
+      if (troubles_[i].empty()) continue;
+      failed.push_back({points[i].curve, points[i].setting, troubles_[i]});
       points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
@@ -120,30 +114,31 @@ class Measured {
   std::vector<Point> points;
   std::vector<Failed> failed;
   std::string figure;
-  std::vector<Eigen::Vector2d> finer;  ///< ways in the run with finer steps; empty: the figure is the scene's first
+  bool of_motion;
+  bool timed;
 
  private:
-  void hold_against(const RunResult& result, const std::string& steps) {
-    if (!result.trouble.empty()) throw std::runtime_error(result.trouble);
-    finer = ways_of(result.folder);
-    figure = fmt::format("motion until {:.4g} s, by {}", result.summary.at("simulated_s").get<double>(), steps);
+  void time(const Runs& runs, bool brief) {
+    if (!brief) (void)runs.of(0);  // the first run after others finds programs and files cold
+    const auto begin = Clock::now();
+    const auto is_short = [&] { return Clock::now() - begin < std::chrono::seconds(30); };
+    for (int turn = 0; turn < (brief ? 1 : 3) || (!brief && turn < 9 && is_short()); ++turn) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!troubles_[i].empty()) continue;
+        const RunResult result = runs.of(i);
+        troubles_[i] = result.trouble;
+        if (result.trouble.empty()) {
+          points[i].time_s = std::min(points[i].time_s, result.summary["wall_time_s"].get<double>());
+        }
+      }
+    }
+    for (std::size_t i = 1; i < points.size() && troubles_.front().empty(); ++i) {
+      if (!troubles_[i].empty() || (points[i].setting != one_process && !betters(points[i], points.front()))) continue;
+      points[i].beside = runs.beside_the_scene(i, brief ? 1 : 7);
+    }
   }
 
-  /// What is wrong with the figure, else nothing.
-  std::string take(Point& point, const RunResult& result) {
-    const json& summary = result.summary;
-    point.time_s = std::min(point.time_s, summary["wall_time_s"].get<double>());
-    point.energy_gain = std::max(point.energy_gain, summary["energy_gain"].get<double>());
-    if (!finer.empty()) {
-      point.error = motion_error(ways_of(result.folder), finer);
-      return "";
-    }
-    const json& check = summary["checks"].at(0);
-    figure = check["name"].get<std::string>();
-    if (!check["relative_error"].is_number()) return fmt::format("the run has no {}", figure);
-    point.error = check["relative_error"].get<double>();
-    return "";
-  }
+  std::vector<std::string> troubles_;  ///< of each setting; empty: none
 };
 
 /// Those that better the scene as it stands beside it: the fastest and the most accurate of them.
@@ -163,49 +158,56 @@ std::vector<Point> better_ones(const std::vector<Point>& points) {
 }
 
 json as_json(const Point& p) {
-  json row = {{"curve", p.curve},
-              {"setting", p.setting},
-              {"relative_error", p.error},
-              {"energy_gain", p.energy_gain},
-              {"wall_time_s", p.time_s}};
+  json row = {{"curve", p.curve}, {"setting", p.setting}, {"relative_error", p.error}, {"energy_gain", p.energy_gain}};
+  if (std::isfinite(p.time_s)) row["wall_time_s"] = p.time_s;
   if (p.beside > 0) row["wall_time_beside"] = p.beside;
   return row;
 }
 
 void draw(const std::string& name, const Measured& measured, const fs::path& out) {
   draw_bench(out / (name + ".png"), name, "relative error of " + measured.figure, measured.points);
-  if (measured.finer.empty()) return;
+  if (!measured.of_motion) return;
   std::vector<Point> energy = measured.points;
   for (Point& p : energy) p.error = p.energy_gain;
   draw_bench(out / (name + "-energy.png"), name, "energy made over what the run had", energy);
 }
 
-/// Prints the case's rows and draws it; what is said of it at the end comes back under "verdict".
-json told(const BenchCase& bench, const Measured& measured, const fs::path& out) {
-  const std::string name = case_name(bench.scene);
-  const std::vector<std::size_t> best = front(measured.points);
-  json row = {{"case", name}, {"figure", measured.figure}, {"points", json::array()}, {"failed", json::array()}};
-  fmt::print("{}: {}\n", name, measured.figure);
+/// Prints the case's rows, into `row` too.
+void tell_points(const Measured& measured, json& row) {
+  const std::vector<std::size_t> best = measured.timed ? front(measured.points) : std::vector<std::size_t>{};
   for (std::size_t i = 0; i < measured.points.size(); ++i) {
     const Point& p = measured.points[i];
     const bool on_front = std::find(best.begin(), best.end(), i) != best.end();
-    fmt::print("  {:<74} error {:>9.2e}  {}{:>8.3f} s{}\n", in_words(p.curve, p.setting), p.error,
-               measured.finer.empty() ? "" : fmt::format("energy made {:>7.1e}  ", p.energy_gain), p.time_s,
-               on_front ? "  *" : "");
+    fmt::print("  {:<74} error {:>9.2e}{}{}{}\n", in_words(p.curve, p.setting), p.error,
+               measured.of_motion ? fmt::format("  energy made {:>7.1e}", p.energy_gain) : "",
+               measured.timed ? fmt::format("  {:>8.3f} s", p.time_s) : "", on_front ? "  *" : "");
     row["points"].push_back(as_json(p));
-    row["points"].back()["on_front"] = on_front;
+    if (measured.timed) row["points"].back()["on_front"] = on_front;
   }
   for (const auto& f : measured.failed) {
     fmt::print("  {}, {}: {}\n", f.curve, f.setting, f.trouble);
     row["failed"].push_back({{"curve", f.curve}, {"setting", f.setting}, {"trouble", f.trouble}});
   }
   std::fflush(stdout);
+}
+
+/// Prints the case's rows and draws it; what is said of it at the end comes back under "verdict".
+json told(const BenchCase& bench, const Measured& measured, const fs::path& out) {
+  const std::string name = case_name(bench.scene);
+  json row = {{"case", name}, {"figure", measured.figure}, {"points", json::array()}, {"failed", json::array()}};
+  fmt::print("{}: {}\n", name, measured.figure);
+  tell_points(measured, row);
   if (measured.points.empty() || !measured.points.front().setting.empty()) {
     row["verdict"] = fmt::format("{} as it stands does not run", name);
     return row;
   }
   const Point& stands = measured.points.front();
-  std::string verdict = fmt::format("{} as it stands: error {:.2g} in {:.3f} s, ", name, stands.error, stands.time_s);
+  std::string verdict = fmt::format("{} as it stands: error {:.2g}", name, stands.error);
+  if (!measured.timed) {
+    row["verdict"] = verdict;
+    return row;
+  }
+  verdict += fmt::format(" in {:.3f} s, ", stands.time_s);
   row["bettered_by"] = json::array();
   for (const Point& p : better_ones(measured.points)) {
     verdict += fmt::format("{}\n    {}: error {:.2g} in {:.2g} of its time",
@@ -231,9 +233,13 @@ std::size_t bench_settings(const fs::path& scene, const Settings& overrides) {
 int bench(const BenchOptions& options) {
   const std::vector<BenchCase> cases = chosen(options);
   results::make_folder(options.out);
+  const auto engine = make_engine(options.engine, options.out);
   json rows = json::array();
   try {
-    for (const BenchCase& one : cases) rows.push_back(told(one, Measured(one, options.brief), options.out));
+    const std::vector<BenchErrors> errors = errors_of(cases, *engine);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      rows.push_back(told(cases[i], Measured(cases[i], errors[i], options), options.out));
+    }
   } catch (const Interrupted&) {
     fmt::print(stderr, "stopped on request\n");
     return 130;

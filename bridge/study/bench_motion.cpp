@@ -2,31 +2,32 @@
 #include "bridge/study/bench_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "bridge/picture/history.hpp"
 
 namespace blockweir::study {
 
-std::vector<Eigen::Vector2d> ways_of(const std::filesystem::path& run) {
+Ways ways_of(const std::filesystem::path& run) {
   const picture::History history(run / "history.csv");
   const std::string x = ".displacement_x_m";
-  std::vector<Eigen::Vector2d> ways;
+  Ways ways;
   for (const std::string& name : history.names()) {
     if (!name.ends_with(x)) continue;
     const std::string block = name.substr(0, name.size() - x.size());
-    ways.emplace_back(history.column(name).back(), history.column(block + ".displacement_y_m").back());
+    ways.push_back({history.column(name).back(), history.column(block + ".displacement_y_m").back()});
   }
   return ways;
 }
 
-double motion_error(const std::vector<Eigen::Vector2d>& ways, const std::vector<Eigen::Vector2d>& finer) {
+double motion_error(const Ways& ways, const Ways& finer) {
   if (ways.size() != finer.size()) throw std::runtime_error("the run with finer steps has other blocks");
   double apart = 0;
   double farthest = 0;
   for (std::size_t b = 0; b < ways.size(); ++b) {
-    apart = std::max(apart, (ways[b] - finer[b]).norm());
-    farthest = std::max(farthest, finer[b].norm());
+    apart = std::max(apart, std::hypot(ways[b][0] - finer[b][0], ways[b][1] - finer[b][1]));
+    farthest = std::max(farthest, std::hypot(finer[b][0], finer[b][1]));
   }
   if (farthest == 0) throw std::runtime_error("nothing moves in the run with finer steps");
   return apart / farthest;

@@ -9,6 +9,7 @@
 #include "bridge/process/run.hpp"
 #include "bridge/process/temporary_folder.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "bridge/study/bench_motion.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -51,11 +52,17 @@ json done_run(const json& item, const fs::path& folder) {
                                                   .out = folder,
                                                   .variant = item["variant"],
                                                   .overrides = item["overrides"].get<Settings>(),
+                                                  .inproc = item.value("inproc", false),
                                                   .quiet = true});
   if (result.exit_code == 130) throw Interrupted();
-  const json answer = {{"trouble", result.exit_code == 0 ? "" : result.trouble},
-                       {"checks", result.summary.value("checks", json::array())},
-                       {"wall_time_s", result.summary["wall_time_s"]}};
+  json answer = {{"trouble", result.exit_code == 0 ? "" : result.trouble},
+                 {"checks", result.summary.value("checks", json::array())},
+                 {"wall_time_s", result.summary["wall_time_s"]}};
+  if (item.contains("motion") && result.exit_code == 0) {
+    answer["energy_gain"] = result.summary["energy_gain"];
+    answer["simulated_s"] = result.summary["simulated_s"];
+    if (item["motion"].get<bool>()) answer["ways"] = ways_of(result.folder);
+  }
   fs::remove_all(result.folder);
   return answer;
 }
@@ -64,6 +71,13 @@ json done_run(const json& item, const fs::path& folder) {
 
 json run_item(const fs::path& scene, const std::string& variant, const Settings& overrides) {
   return {{"scene", fs::absolute(scene).string()}, {"variant", variant}, {"overrides", overrides}};
+}
+
+json bench_item(const fs::path& scene, const Settings& overrides, bool inproc, bool motion) {
+  json item = run_item(scene, "", overrides);
+  item["inproc"] = inproc;
+  item["motion"] = motion;
+  return item;
 }
 
 json study_item(const fs::path& scene, const std::string& name, const Settings& overrides, bool brief, bool told) {

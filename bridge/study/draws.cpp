@@ -4,16 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/lognormal.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/triangular.hpp>
 #include <fstream>
-#include <random>
 #include <stdexcept>
 
 #include "bridge/results/csv.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "bridge/study/probability.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -93,33 +90,23 @@ std::size_t column_of(const scene::OpenStudy& study, const fs::path& scene, cons
   return at;
 }
 
-/// Above 0 and below 1, the same on every machine: std's distributions are not.
-double uniform(std::mt19937_64& random) {
-  return (static_cast<double>(random() >> 11U) + 0.5) * 0x1p-53;
+/// Values of the variables that have a distribution, run by run.
+std::vector<RandomPoint> drawn_points(const scene::OpenStudy& study, const fs::path& scene, std::size_t runs) {
+  const auto& sample = std::get<scene::Sample>(study.question);
+  std::vector<scene::Distribution> distributions;
+  for (const scene::Variable& variable : sample.variables) {
+    if (variable.distribution) distributions.push_back(*variable.distribution);
+  }
+  if (distributions.empty()) return std::vector<RandomPoint>(runs);
+  try {
+    Probability probability(distributions, sample.seed);
+    return probability.ask({{"do", "draw"}, {"sampling", "monte-carlo"}, {"groups", 1}, {"count", runs}})["points"];
+  } catch (const std::runtime_error& error) {
+    refuse(study, scene, error.what(), "distributions that OpenTURNS draws from", "correct their keys");
+  }
 }
 
 }  // namespace
-
-double quantile(const scene::Variable& variable, double u) {
-  namespace bm = boost::math;
-  switch (variable.distribution) {
-    case scene::Distribution::normal:
-      return bm::quantile(bm::normal(variable.mean, variable.deviation), u);
-    case scene::Distribution::lognormal: {
-      // From the moments of the variable to those of its logarithm.
-      const double ratio = variable.deviation / variable.mean;
-      const double variance = std::log1p(ratio * ratio);
-      return bm::quantile(bm::lognormal(std::log(variable.mean) - variance / 2, std::sqrt(variance)), u);
-    }
-    case scene::Distribution::uniform:
-      return variable.from + u * (variable.to - variable.from);
-    case scene::Distribution::triangular:
-      return bm::quantile(bm::triangular(variable.from, variable.peak, variable.to), u);
-    case scene::Distribution::column:
-      break;
-  }
-  throw std::logic_error("a column is not drawn");
-}
 
 std::vector<Settings> drawn_settings(const scene::OpenStudy& study, const fs::path& scene) {
   const auto& sample = std::get<scene::Sample>(study.question);
@@ -133,17 +120,17 @@ std::vector<Settings> drawn_settings(const scene::OpenStudy& study, const fs::pa
   std::vector<std::size_t> columns(sample.variables.size());
   for (std::size_t v = 0; v < columns.size(); ++v) {
     const scene::Variable& variable = sample.variables[v];
-    if (variable.distribution != scene::Distribution::column) continue;
+    if (variable.distribution) continue;
     columns[v] = column_of(study, scene, table, variable.column);
   }
-  std::mt19937_64 random(static_cast<std::uint64_t>(sample.seed));
-  std::vector<Settings> all(runs > 0 ? runs : table.rows.size());
+  const std::vector<RandomPoint> points = drawn_points(study, scene, runs > 0 ? runs : table.rows.size());
+  std::vector<Settings> all(points.size());
   for (std::size_t run = 0; run < all.size(); ++run) {
+    auto drawn = points[run].begin();
     for (std::size_t v = 0; v < columns.size(); ++v) {
       const scene::Variable& variable = sample.variables[v];
-      const bool drawn = variable.distribution != scene::Distribution::column;
-      all[run].push_back(drawn ? setting(variable.key, quantile(variable, uniform(random)))
-                               : variable.key + "=" + table.rows[run][columns[v]]);
+      all[run].push_back(variable.distribution ? setting(variable.key, *drawn++)
+                                               : variable.key + "=" + table.rows[run][columns[v]]);
     }
   }
   return all;

@@ -10,11 +10,9 @@
 
 namespace blockweir::study {
 
-/// The value that a share u of all draws is below; 0 < u < 1. Not for Distribution::column.
-[[nodiscard]] double quantile(const scene::Variable& variable, double u);
-
-/// One list of settings a run. The same seed draws the same values, and more runs only add to them. Throws
-/// scene::SceneError at the study's place in `scene` for a file that cannot be read or lacks a column.
+/// One list of settings a run, drawn by blockweir-probability or read from a file. The same seed draws the same values,
+/// and more runs only add to them. Throws scene::SceneError at the study's place in `scene` for a file that cannot be
+/// read or lacks a column.
 [[nodiscard]] std::vector<Settings> drawn_settings(const scene::OpenStudy& study, const std::filesystem::path& scene);
 
 }  // namespace blockweir::study

@@ -10,7 +10,7 @@ namespace blockweir::study {
 struct EngineOptions {
   std::string name = "local";       ///< or "slurm"
   int jobs = 0;                     ///< local: processes at once; 0: one a processor
-  int batch = 0;                    ///< slurm: items a task; 0: as many as make 64 tasks of them
+  int batch = 0;                    ///< slurm: items a task; 0: as many as take some ten minutes
   std::vector<std::string> sbatch;  ///< slurm: options passed on to sbatch
 };
 

@@ -12,39 +12,45 @@ namespace {
 
 using nlohmann::json;
 
-json variable_json(const scene::RandomVariable& v) {
+json distribution_json(const scene::Distribution& d) {
   const auto number = [](const std::optional<double>& value) { return value ? json(*value) : json(); };
-  return {{"distribution", v.distribution},
-          {"mean", v.mean},
-          {"deviation", v.deviation},
-          {"from", v.from},
-          {"peak", v.peak},
-          {"to", v.to},
-          {"table", v.table},
-          {"values", v.values},
-          {"least", number(v.least)},
-          {"most", number(v.most)}};
+  return {{"distribution", d.kind}, {"mean", d.mean},     {"deviation", d.deviation},
+          {"from", d.from},         {"peak", d.peak},     {"to", d.to},
+          {"table", d.table},       {"values", d.values}, {"least", number(d.least)},
+          {"most", number(d.most)}};
 }
 
-json common_json(const scene::Randomness& randomness) {
-  json common = {{"seed", randomness.reliability.seed}, {"variables", json::array()}, {"correlations", json::array()}};
-  for (const auto& variable : randomness.variables) common["variables"].push_back(variable_json(variable));
+std::vector<scene::Distribution> distributions_of(const scene::Randomness& randomness) {
+  std::vector<scene::Distribution> all;
+  for (const auto& variable : randomness.variables) all.push_back(variable.distribution);
+  return all;
+}
+
+json correlations_json(const scene::Randomness& randomness) {
+  json all = json::array();
   const auto index = [&](const std::string& name) {
     return std::find_if(randomness.variables.begin(), randomness.variables.end(),
                         [&](const auto& v) { return v.name == name; }) -
            randomness.variables.begin();
   };
   for (const auto& c : randomness.correlations) {
-    common["correlations"].push_back(
-        {{"i", index(c.between[0])}, {"j", index(c.between[1])}, {"coefficient", c.coefficient}});
+    all.push_back({{"i", index(c.between[0])}, {"j", index(c.between[1])}, {"coefficient", c.coefficient}});
   }
-  return common;
+  return all;
 }
 
 }  // namespace
 
+Probability::Probability(const std::vector<scene::Distribution>& distributions, int seed)
+    : common_({{"seed", seed}, {"variables", json::array()}, {"correlations", json::array()}}),
+      program_({"blockweir-probability"}) {
+  for (const auto& distribution : distributions) common_["variables"].push_back(distribution_json(distribution));
+}
+
 Probability::Probability(const scene::Randomness& randomness)
-    : common_(common_json(randomness)), program_({"blockweir-probability"}) {}
+    : Probability(distributions_of(randomness), randomness.reliability.seed) {
+  common_["correlations"] = correlations_json(randomness);
+}
 
 json Probability::ask(json request, const Evaluate& evaluate) {
   const std::string what = request["do"];

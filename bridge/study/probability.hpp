@@ -22,6 +22,8 @@ class Probability {
   using Evaluate = std::function<std::vector<double>(const std::vector<RandomPoint>& points)>;
 
   explicit Probability(const scene::Randomness& randomness);
+  /// Of variables that do not depend on each other.
+  Probability(const std::vector<scene::Distribution>& distributions, int seed);
 
   /// What the program answers to `request` ("do", and what that needs). Throws std::runtime_error with its reason where
   /// it has none.

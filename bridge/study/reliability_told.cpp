@@ -147,6 +147,23 @@ std::string sample_table(const scene::Randomness& randomness, const std::vector<
   return text;
 }
 
+std::string distribution_text(const scene::Distribution& d) {
+  std::string text = d.kind;
+  if (d.kind == "normal" || d.kind == "lognormal") {
+    text += fmt::format(", mean {:.6g}, deviation {:.6g}", d.mean, d.deviation);
+  } else if (d.kind == "uniform") {
+    text += fmt::format(" from {:.6g} to {:.6g}", d.from, d.to);
+  } else if (d.kind == "triangular") {
+    text += fmt::format(" from {:.6g} over {:.6g} to {:.6g}", d.from, d.peak, d.to);
+  } else {
+    text +=
+        d.kind == "table" ? fmt::format(" of {} rows", d.table.size()) : fmt::format(" to {} values", d.values.size());
+  }
+  if (d.least) text += fmt::format(", at least {:.6g}", *d.least);
+  if (d.most) text += fmt::format(", at most {:.6g}", *d.most);
+  return text;
+}
+
 std::string reliability_text(const json& answer) {
   std::string text = samples_text(answer) + fit_text(answer);
   for (const char* method : {"form", "sorm", "importance", "subset", "sobol"}) text += method_text(answer, method);

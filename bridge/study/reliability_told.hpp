@@ -17,6 +17,9 @@ namespace blockweir::study {
 std::string sample_table(const scene::Randomness& randomness, const std::vector<RandomPoint>& points,
                          const std::vector<Outcome>& rows);
 
+/// "normal, mean 30, deviation 2, at least 20".
+std::string distribution_text(const scene::Distribution& distribution);
+
 std::string reliability_text(const nlohmann::json& answer);
 
 /// fragility.png, and sobol.png where there are indices, into the folder; says where.

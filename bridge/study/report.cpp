@@ -15,6 +15,7 @@
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/shell_word.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "bridge/study/reliability_answer.hpp"
 #include "bridge/study/safety.hpp"
 
 namespace blockweir::study {
@@ -48,8 +49,48 @@ json summary_of(const fs::path& run) {
                   run.string(), results::shell_word(run.string())));
 }
 
-picture::ReportParts parts_of(const fs::path& run, const std::string& program) {
-  picture::ReportParts parts{.scene = scene::read(process::scene_of(run)).scene, .run = run, .program = program};
+/// That of a former call of blockweir reliability.
+json kept_reliability(const fs::path& folder) {
+  std::ifstream stream(folder / "reliability.json");
+  json answer = stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
+  if (answer.is_object() && answer.contains("digest")) return answer;
+  throw std::invalid_argument(fmt::format(
+      "--reliability {}: found no reliability.json that can be read; expected a folder of \"blockweir reliability\"; "
+      "make it with --out {}",
+      folder.string(), results::shell_word(folder.string())));
+}
+
+/// Null where nothing is uncertain. What takes long is not begun for a page.
+json reliability_of(const fs::path& run, const scene::ReadScene& read, const json& kept) {
+  if (!kept.is_null()) {
+    if (kept["digest"] == read.scene.digest) return kept;
+    throw std::invalid_argument(
+        fmt::format("--reliability: found an answer for another scene, of digest {}; expected that of this one, {}; "
+                    "make it anew, with the same --set",
+                    kept["digest"].get<std::string>(), read.scene.digest));
+  }
+  if (read.randomness.variables.empty()) return {};
+  if (read.randomness.reliability.by != scene::CapacityBy::limit) {
+    return {{"trouble",
+             "it is not by limit analysis, and takes long: \"blockweir reliability SCENE --out FOLDER\" finds "
+             "it, and \"blockweir report SCENE --reliability FOLDER\" shows it"}};
+  }
+  fmt::print(stderr, "asking for the reliability\n");
+  const fs::path folder = run / "reliability";
+  results::make_folder(folder);
+  return or_trouble([&] {
+    try {
+      return find_reliability({.scene = process::scene_of(run)}, read, folder).answer;
+    } catch (const Interrupted&) {
+      throw process::Stopped();
+    }
+  });
+}
+
+picture::ReportParts parts_of(const fs::path& run, const std::string& program, const json& kept) {
+  const scene::ReadScene read = scene::read(process::scene_of(run));
+  picture::ReportParts parts{.scene = read.scene, .run = run, .program = program};
+  parts.reliability = reliability_of(run, read, kept);
   parts.summary = summary_of(run);
   fmt::print(stderr, "asking for the level of failure and the factors of safety\n");
   const process::TemporaryFolder scratch;
@@ -61,7 +102,9 @@ picture::ReportParts parts_of(const fs::path& run, const std::string& program) {
   });
   question.out = scratch.path() / "safety";
   parts.safety = or_trouble([&] { return safety_answers(question); });
-  for (const char* command : {"run", "level", "safety", "report"}) {
+  std::vector<const char*> commands{"run", "level", "safety", "report"};
+  if (!parts.reliability.is_null()) commands.insert(commands.end() - 1, "reliability");
+  for (const char* command : commands) {
     parts.commands.push_back(fmt::format("blockweir {} scene.toml", command));
   }
   return parts;
@@ -71,6 +114,7 @@ picture::ReportParts parts_of(const fs::path& run, const std::string& program) {
 
 int write_report(const ReportOptions& options) {
   if (!options.out.empty()) results::require_writable_file("--out", options.out);
+  const json kept = options.reliability.empty() ? json() : kept_reliability(options.reliability);
   fs::path run = options.source;
   if (!process::is_run(options.source)) {
     const process::RunResult made = process::run(
@@ -85,7 +129,7 @@ int write_report(const ReportOptions& options) {
                     options.source.string()));
   }
   const fs::path out = options.out.empty() ? run / "report.html" : options.out;
-  results::replace_file(out, picture::report_page(picture::report_data(parts_of(run, options.program))));
+  results::replace_file(out, picture::report_page(picture::report_data(parts_of(run, options.program, kept))));
   fmt::print("report  {}\n", out.string());
   return 0;
 }

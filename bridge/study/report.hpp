@@ -11,6 +11,7 @@ namespace blockweir::study {
 struct ReportOptions {
   std::filesystem::path source;        ///< folder of a run, or a scene, which is run then
   std::filesystem::path out;           ///< HTML file; empty: report.html in the run's folder
+  std::filesystem::path reliability;   ///< folder of blockweir reliability; empty: it is found here, by limit analysis
   std::string variant;                 ///< of a scene
   std::vector<std::string> overrides;  ///< of a scene
   std::string program;                 ///< version, commit, compiler: a line each

@@ -70,11 +70,22 @@ void tell_plugin(const channel::Options& line) {
   if (line.insecure) ::setenv("BLOCKWEIR_INSECURE", "1", 1);
 }
 
+/// Under Slurm mpirun starts the ranks on the allocation's nodes, and rank 0 meets the solid on the first of them.
+void require_own_node() {
+  const char* job = std::getenv("SLURM_JOB_ID");
+  if (job == nullptr || std::getenv("SLURMD_NODENAME") != nullptr) return;
+  throw std::runtime_error(
+      fmt::format("found the allocation of job {} on a machine that is not one of its nodes; expected blockweir on the "
+                  "first node, beside interFoam's rank 0; put the command into a script for sbatch",
+                  job));
+}
+
 void run_interfoam(const scene::Scene& scene, const fs::path& folder, double& seconds) {
   const Stopwatch watch(seconds);
   if (scene.openfoam.processes == 1) {
     run_program("interFoam", {"interFoam", "-case", folder}, folder);
   } else {
+    require_own_node();
     run_program("interFoam",
                 {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", std::to_string(scene.openfoam.processes),
                  "interFoam", "-parallel", "-case", folder},

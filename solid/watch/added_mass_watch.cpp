@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "bridge/schedule/load_fault.hpp"
 #include "solid/watch/schedule_stability.hpp"
 
 namespace blockweir::solid {
@@ -16,9 +16,9 @@ constexpr double solver_error = 1e-3;  // a fluid's own, by which a mode without
 
 void require_inertia(const Block& block, const MassRatio& ratio) {
   if (ratio.smallest >= -solver_error * std::max(1.0, ratio.largest)) return;
-  throw std::runtime_error(
-      fmt::format("the added mass on block \"{}\" is {:.3g} of its own in one mode; expected none below 0: the fluid "
-                  "process is at fault",
+  throw schedule::LoadFault(
+      fmt::format("states an added mass on block \"{}\" that is {:.3g} of its own in one mode; expected none below 0; "
+                  "correct its added_mass",
                   block.name, ratio.smallest));
 }
 
@@ -84,8 +84,8 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
   const scene::Scene& scene = solid.scene();
   if (load.added_mass.empty() || scene.analysis.kind != scene::AnalysisKind::dynamic) return {};
   if (load.added_mass.size() != solid.described()) {
-    throw std::runtime_error(
-        fmt::format("the fluid process states added masses of {} blocks; the scene has {}; give both sides one scene",
+    throw schedule::LoadFault(
+        fmt::format("states added masses of {} blocks; the scene has {}; give both sides one scene",
                     load.added_mass.size(), solid.described()));
   }
   const scene::Coupling& coupling = scene.coupling;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/schedule/load_fault.hpp"
 #include "solid/watch/energy.hpp"
 #include "solid/watch/stress_field.hpp"
 
@@ -95,9 +96,9 @@ std::vector<Panel> panels_of(const wire::Load& load, const Solid& solid) {
   panels.reserve(load.block.size());
   for (std::size_t i = 0; i < load.block.size(); ++i) {
     if (load.block[i] >= solid.described() || load.edge[i] >= solid.blocks()[load.block[i]].vertices.size()) {
-      throw std::runtime_error(fmt::format(
-          "the fluid process loads block {}, edge {}, which the scene does not have; give both sides one scene",
-          load.block[i], load.edge[i]));
+      throw schedule::LoadFault(
+          fmt::format("loads block {}, edge {}, which the scene does not have; give both sides one scene",
+                      load.block[i], load.edge[i]));
     }
     panels.push_back({.block = static_cast<int>(load.block[i]),
                       .edge = static_cast<int>(load.edge[i]),

@@ -48,6 +48,15 @@ TEST_F(Bench, HasThePointsOfItsCurvesAndTheirPicture) {
   EXPECT_THAT(text("out"), HasSubstr("s as it stands: error"));
 }
 
+TEST_F(Bench, UntimedHasTheErrorsAlone) {
+  write_scene("[[bench]]\nname = 'step'\nkey = 'analysis.step_s'\nvalues = [0.0025, 0.02]\n");
+  ASSERT_EQ(bench(" --untimed --jobs 2"), 0) << text("out");
+  EXPECT_EQ(row()["points"].size(), 3U);
+  EXPECT_LT(row()["points"][1]["relative_error"], row()["points"][2]["relative_error"]);
+  EXPECT_FALSE(row()["points"][0].contains("wall_time_s"));
+  EXPECT_FALSE(fs::exists(folder / "b/s.png"));
+}
+
 TEST_F(Bench, WhatSeemsBetterIsRunBesideTheSceneAsItStands) {
   write_scene(
       "[[bench]]\nname = 'few frames'\nset = ['output.frame_every_s=1']\nkey = 'analysis.step_s'\n"

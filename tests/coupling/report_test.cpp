@@ -82,6 +82,24 @@ source = "a guideline"
 
 TEST_F(Report, OpensInABrowserAndCanBeUsed) {
   write_scene();
+  std::ofstream(folder / "wall.toml", std::ios::app) << R"([[random]]
+name = "friction"
+key = "joint.friction_angle_deg"
+distribution = "normal"
+mean = 30
+deviation = 2
+least = 20
+[[random]]
+name = "density"
+key = "material.masonry.density_kg_per_m3"
+distribution = "triangular"
+from = 2200
+peak = 2300
+to = 2350
+[reliability]
+samples = 200
+method_samples = 50
+)";
   ASSERT_EQ(shell(programs + "/blockweir report wall.toml --out wall.html"), 0) << text("out");
   EXPECT_LT(fs::file_size(folder / "wall.html"), 2'000'000U);
   EXPECT_EQ(text("wall.html").find("src="), std::string::npos) << "the page needs other files";
@@ -91,7 +109,13 @@ TEST_F(Report, OpensInABrowserAndCanBeUsed) {
   for (const char* use : {"steps_on", "steps_back", "scrubs", "plays", "zooms_all", "shows_all", "linked"}) {
     EXPECT_TRUE(seen[use].get<bool>()) << use;
   }
-  EXPECT_EQ(seen["chapters"].size(), 8U);
+  ASSERT_EQ(seen["chapters"].size(), 9U);
+  EXPECT_EQ(seen["chapters"][4], "5 Reliability");
+  EXPECT_THAT(seen["reliability"].get<std::string>(),
+              testing::AllOf(HasSubstr("FORM"), HasSubstr("normal, mean 30, deviation 2, at least 20"),
+                             HasSubstr("at the design point"), HasSubstr("Sobol"), HasSubstr("Fragility curve")));
+  EXPECT_EQ(seen["fragility"], 1);
+  EXPECT_THAT(seen["verdict"].get<std::string>(), HasSubstr("Probability of failure at a level of 4.4 m: "));
   EXPECT_THAT(seen["verdict"].get<std::string>(), HasSubstr("The structure FAILS"));
   EXPECT_THAT(seen["verdict"].get<std::string>(), HasSubstr("Load cases: 1 of 1 reach their required factor."));
   EXPECT_THAT(seen["joints"].get<std::string>(), testing::AllOf(HasSubstr("low water"), HasSubstr("a guideline")));
@@ -157,6 +181,8 @@ TEST_F(Report, WritesNothingWhereItCannot) {
   EXPECT_THAT(text("out"), HasSubstr("--out"));
   EXPECT_EQ(shell(programs + "/blockweir report wall.toml --set joint.frictoin=3 --out wall.html"), 2);
   EXPECT_THAT(text("out"), HasSubstr("frictoin"));
+  EXPECT_EQ(shell(programs + "/blockweir report wall.toml --reliability nowhere --out wall.html"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("--reliability nowhere: found no reliability.json"));
   EXPECT_FALSE(fs::exists(folder / "wall.html"));
   EXPECT_FALSE(fs::exists(folder / "runs"));
 }

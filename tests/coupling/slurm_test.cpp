@@ -42,16 +42,26 @@ TEST_F(Slurm, GivesTheSameBitsAsTheMachineItself) {
   EXPECT_FALSE(fs::exists(folder / "queue-out/reliability.slurm"));
 }
 
+TEST_F(Slurm, ByDefaultTheFirstRunsShowHowManyMakeTenMinutes) {
+  write_scene(30);
+  ASSERT_EQ(shell(command("there", "--engine slurm")), 0) << text("out");
+  EXPECT_THAT(text("out"),
+              testing::AllOf(HasSubstr("8 tasks of 1, to see how long one takes"), HasSubstr("1 tasks of 22\n")));
+}
+
 TEST_F(Slurm, KilledTasksLoseNothingAndCountNothingTwice) {
   write_scene(2000);
   ASSERT_EQ(shell(command("here")), 0) << text("out");
   const pid_t launcher = start(command("there", "--engine slurm --batch 100"), "killed");
   int kills = 0;
-  for (int i = 0; i < 1200 && end_of(launcher, 0.1) < 0; ++i) {  // tasks die as they come
-    if (i % 2 == 1 && kills < 5)
-      kills += shell("pkill -KILL -f '[b]lockweir work " + folder.string() + "'") == 0 ? 1 : 0;
+  int status = -1;
+  for (const auto begun = std::chrono::steady_clock::now();  // tasks die as they come
+       status < 0 && std::chrono::steady_clock::now() - begun < std::chrono::seconds(200);
+       status = end_of(launcher, 0.1)) {
+    if (kills < 5) kills += shell("pkill -KILL -f '[b]lockweir work " + folder.string() + "'") == 0 ? 1 : 0;
   }
   EXPECT_GE(kills, 1);
+  ASSERT_EQ(status, 0) << text("killed");
   ASSERT_EQ(shell(command("there", "--engine slurm")), 0) << text("killed") << text("out");
   EXPECT_EQ(text("there/samples.csv"), text("here/samples.csv"));
 }
@@ -100,6 +110,18 @@ TEST_F(Slurm, CasesAreValidatedThereToo) {
   const json here = figures("", "here.json");
   EXPECT_GT(here.size(), 1U);
   EXPECT_EQ(figures("--engine slurm", "there.json"), here);
+}
+
+TEST_F(Slurm, ErrorsOfABenchComeFromThereToo) {
+  const auto errors = [&](const std::string& out, const std::string& options) {
+    EXPECT_EQ(shell(programs + "/blockweir bench " + cases + "incline --short --untimed --out " + out + " " + options),
+              0)
+        << text("out");
+    return json::parse(text(out + "/bench.json"));
+  };
+  const json here = errors("here", "");
+  EXPECT_GT(here[0]["points"].size(), 2U);
+  EXPECT_EQ(errors("there", "--engine slurm --batch 4"), here);
 }
 
 TEST_F(Slurm, AQueueThatRefusesSaysWhyAndWhatToDo) {

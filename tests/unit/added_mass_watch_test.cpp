@@ -163,11 +163,10 @@ TEST(AddedMassWatch, TheGuardsLimitIsForTheStart) {
 
 TEST(AddedMassWatch, WhatIsNoInertiaIsRefused) {
   EXPECT_THAT(refusal(two_blocks(), load_of({0.1 * mass, 0.3 * mass, 0, 0.1 * mass, 0, 0}, {})),
-              HasSubstr("the added mass on block \"gate\" is -0.2 of its own in one mode"));
+              HasSubstr("states an added mass on block \"gate\" that is -0.2 of its own in one mode"));
   wire::Load load = load_of({}, {});
   load.added_mass.own().pop_back();
-  EXPECT_EQ(refusal(two_blocks(), load),
-            "the fluid process states added masses of 2 blocks; the scene has 3; give both sides one scene");
+  EXPECT_EQ(refusal(two_blocks(), load), "states added masses of 2 blocks; the scene has 3; give both sides one scene");
 }
 
 /// A run's results.

@@ -34,8 +34,8 @@ TEST(SceneOpenStudies, AllKindsAreRead) {
   EXPECT_EQ(std::get<OutcomeMap>(studies[1].question).axes[1].values, std::vector<std::string>{"x"});
   const auto& sample = std::get<Sample>(studies[2].question);
   ASSERT_THAT(sample.variables, testing::SizeIs(2));
-  EXPECT_EQ(sample.variables[0].distribution, Distribution::triangular);
-  EXPECT_EQ(sample.variables[1].deviation, 1);
+  EXPECT_EQ(sample.variables[0].distribution->kind, "triangular");
+  EXPECT_EQ(sample.variables[1].distribution->deviation, 1);
 }
 
 TEST(SceneOpenStudies, ACriticalFactorHasATargetAndNothingElseDoes) {
@@ -67,6 +67,10 @@ TEST(SceneOpenStudies, ADistributionHasAWidth) {
 TEST(SceneOpenStudies, AVariableIsDrawnOrReadFromAFile) {
   expect_one_error(drawn + "variable = [{ key = 'a' }]\n", {"has no distribution", "file = \"FILE.csv\""});
   EXPECT_TRUE(errors(sample::text + drawn + "file = 'v.csv'\nvariable = [{ key = 'a', column = 'phi' }]\n").empty());
+  expect_one_error(drawn +
+                       "file = 'v.csv'\nvariable = [{ key = 'a', column = 'phi', distribution = 'uniform', from = 1, "
+                       "to = 2 }]\n",
+                   {"column in variable 1", "has a distribution", "leave one of them out"});
   expect_one_error(
       "[[study]]\nname = 's'\nkind = 'sample'\nvariable = [{ key = 'a', distribution = 'uniform', from = "
       "1, to = 2 }]\n",

@@ -37,9 +37,9 @@ TEST_F(Randomness, IsReadWithItsCorrelationsAndWhatIsAskedFor) {
                 "[[2, 0], [2.5, 0.4], [3, 1]]\n[[correlation]]\nbetween = ['a', 'b']\ncoefficient = -0.3\n"
                 "[reliability]\nby = 'statics'\nlevel_m = 2\nsampling = 'quasi-random'\nmethods = ['none']\n"));
   ASSERT_THAT(scene.randomness.variables, testing::SizeIs(3));
-  EXPECT_EQ(scene.randomness.variables[0].deviation, 2);
-  EXPECT_EQ(scene.randomness.variables[1].least, 1);
-  EXPECT_EQ(scene.randomness.variables[2].table[1], std::pair(2.5, 0.4));
+  EXPECT_EQ(scene.randomness.variables[0].distribution.deviation, 2);
+  EXPECT_EQ(scene.randomness.variables[1].distribution.least, 1);
+  EXPECT_EQ(scene.randomness.variables[2].distribution.table[1], std::pair(2.5, 0.4));
   EXPECT_EQ(scene.randomness.correlations[0].coefficient, -0.3);
   EXPECT_EQ(scene.randomness.reliability.by, CapacityBy::statics);
   EXPECT_TRUE(scene.randomness.reliability.methods.empty());
@@ -49,7 +49,7 @@ TEST_F(Randomness, ADistributionHasAWidth) {
   const std::string number = "a distribution without width is a number";
   EXPECT_THAT(wrong("distribution = 'normal'\nmean = 30\ndeviation = 0\n"),
               AllOf(HasSubstr("s.toml:"), HasSubstr("deviation in [[random]]"), HasSubstr(" is 0; expected"),
-                    HasSubstr(number), HasSubstr("widen it, or set the key itself")));
+                    HasSubstr(number), HasSubstr("widen the distribution, or set the key itself")));
   EXPECT_THAT(wrong("distribution = 'uniform'\nfrom = 30\nto = 30\n"),
               AllOf(HasSubstr("goes from 30 to 30"), HasSubstr(number)));
   EXPECT_THAT(wrong("distribution = 'fitted'\nvalues = [3, 3, 3, 3, 3]\n"), HasSubstr(number));

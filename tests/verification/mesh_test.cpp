@@ -159,8 +159,7 @@ TEST(Mesh, AFluidPressesOnTheScenesBlocksAndNotOnTriangles) {
     panels_of(load, solid);
     FAIL() << "a triangle was pressed on";
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(),
-                 "the fluid process loads block 2, edge 1, which the scene does not have; give both sides one scene");
+    EXPECT_STREQ(error.what(), "loads block 2, edge 1, which the scene does not have; give both sides one scene");
   }
 }
 

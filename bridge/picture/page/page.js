@@ -70,7 +70,7 @@ function writeVerdict() {
   if (s.stopped) lines.push(s.stopped);
   if (s.breach) lines.push(`After ${number(s.breach.time_s)} s: ${s.breach.text}.`);
   if (s.rest) lines.push(s.rest.text + '.');
-  lines.push(...loadCasesInWords());
+  lines.push(...loadCasesInWords(), ...reliabilityInWords(report.reliability));
   for (const line of lines) chapter('verdict').append(paragraph(line.charAt(0).toUpperCase() + line.slice(1)));
   for (const warning of allWarnings()) chapter('verdict').append(paragraph(warning, 'bad'));
   const skips = (s.skips || []).length;
@@ -185,4 +185,11 @@ function writeAgain() {
     element('pre', {}, report.commands.join('\n')), element('h3', {}, 'The scene as it was run'), element('pre', {}, report.scene));
 }
 
-for (const write of [writeHead, writeVerdict, writeSection, writeFlow, writeCases, writeLevel, writeHistories, writeFormulas, writeAgain]) write();
+function writeReliability() {
+  if (report.reliability === null) return chapter('reliability').remove();
+  showReliability(chapter('reliability'), report.reliability);
+}
+
+const numberChapters = () => document.querySelectorAll('section > h2').forEach((h, i) => h.prepend(`${i + 1} `));
+
+for (const write of [writeHead, writeVerdict, writeSection, writeFlow, writeCases, writeLevel, writeReliability, writeHistories, writeFormulas, writeAgain, numberChapters]) write();

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <map>
 
+#include "bridge/scene/read/read_distribution.hpp"
+
 namespace blockweir::scene {
 namespace {
 
@@ -21,13 +23,6 @@ void refuse_keys_of_others(TableReader& table, Reading& reading, const std::stri
     reading.problems.error(table.place(key), fmt::format("{} in {}, which is a {}", key, table.name(), kind),
                            fmt::format("one of {}", fmt::join(own, ", ")), fmt::format("leave {} out", key));
   }
-}
-
-/// The two ends differ, the first being the smaller where `ordered`.
-void require_two_ends(TableReader& table, Reading& reading, double from, double to, bool ordered, const char* remedy) {
-  if (from < to || (from > to && !ordered)) return;
-  reading.problems.error(table.place("to"), fmt::format("{} goes from {} to {}", table.name(), from, to),
-                         ordered ? "from below to" : "two values that differ", remedy);
 }
 
 CriticalValue read_critical(TableReader& table, Reading& reading, bool wanted) {
@@ -48,8 +43,10 @@ CriticalValue read_critical(TableReader& table, Reading& reading, bool wanted) {
   }
   const bool begins = table.number("from", critical.from, any_number(), wanted);
   const bool ends = table.number("to", critical.to, any_number(), wanted);
-  if (wanted && begins && ends) {
-    require_two_ends(table, reading, critical.from, critical.to, false, "move one of them");
+  if (wanted && begins && ends && critical.from == critical.to) {
+    reading.problems.error(table.place("to"),
+                           fmt::format("{} goes from {} to {}", table.name(), critical.from, critical.to),
+                           "two values that differ", "move one of them");
   }
   return critical;
 }
@@ -66,53 +63,23 @@ OutcomeMap read_outcome_map(TableReader& table, bool wanted) {
   return map;
 }
 
-/// The keys that say how wide the distribution is; each is required.
-void read_distribution(TableReader& table, Reading& reading, Variable& variable) {
-  const bool bell = variable.distribution == Distribution::normal || variable.distribution == Distribution::lognormal;
-  const bool triangular = variable.distribution == Distribution::triangular;
-  const bool between = variable.distribution == Distribution::uniform || triangular;
-  const Range mean = variable.distribution == Distribution::lognormal ? positive() : any_number();
-  table.number("mean", variable.mean, mean, bell);
-  table.number("deviation", variable.deviation, positive(), bell);
-  const bool begins = table.number("from", variable.from, any_number(), between);
-  const bool ends = table.number("to", variable.to, any_number(), between);
-  if (between && begins && ends) {
-    require_two_ends(table, reading, variable.from, variable.to, true, "widen the distribution");
-  }
-  const bool peaks = table.number("peak", variable.peak, any_number(), triangular);
-  if (triangular && begins && ends && peaks && (variable.peak < variable.from || variable.peak > variable.to)) {
-    reading.problems.error(table.place("peak"), fmt::format("peak in {} is {}", table.name(), variable.peak),
-                           fmt::format("a value from {} to {}", variable.from, variable.to), "move it");
-  }
-}
-
 Variable read_variable(TableReader& table, Reading& reading, const Sample& sample) {
   Variable variable;
   table.text("key", variable.key, true);
   table.text("column", variable.column);
-  std::string word;
-  static const std::map<std::string, std::pair<Distribution, KeyNames>> known{
-      {"normal", {Distribution::normal, {"mean", "deviation"}}},
-      {"lognormal", {Distribution::lognormal, {"mean", "deviation"}}},
-      {"uniform", {Distribution::uniform, {"from", "to"}}},
-      {"triangular", {Distribution::triangular, {"from", "peak", "to"}}}};
-  std::vector<std::string> words;
-  for (const auto& [name, what] : known) words.push_back(name);
-  const bool drawn = table.word("distribution", word, words);
-  if (drawn) variable.distribution = known.at(word).first;
-  read_distribution(table, reading, variable);
-  if (drawn) {
-    KeyNames own = known.at(word).second;
-    own.insert(own.end(), {"key", "distribution"});
-    refuse_keys_of_others(table, reading, word + " distribution", own,
-                          {"column", "mean", "deviation", "from", "peak", "to"});
-  } else if (!table.has("distribution") && sample.file.empty()) {
+  variable.distribution = read_distribution(table, reading, false);
+  if (table.has("distribution")) {
+    if (!table.has("column")) return variable;
+    reading.problems.error(table.place("column"), fmt::format("column in {}, which has a distribution", table.name()),
+                           "a distribution, or a column of the study's file", "leave one of them out");
+  } else if (sample.file.empty()) {
     reading.problems.error(table.place(), fmt::format("{} has no distribution", table.name()),
                            "a distribution, or a file of the study with a column for it",
                            "add distribution = \"normal\", mean = ... and deviation = ..., or file = \"FILE.csv\"");
-  } else if (!table.has("distribution")) {
-    refuse_keys_of_others(table, reading, "column of the study's file", {"key", "column"},
-                          {"mean", "deviation", "from", "peak", "to"});
+  } else {
+    KeyNames others;
+    for (const std::string& key : keys_of_distributions()) others.push_back(key.c_str());
+    refuse_keys_of_others(table, reading, "column of the study's file", {"key", "column"}, others);
     if (variable.column.empty()) variable.column = variable.key;
   }
   return variable;

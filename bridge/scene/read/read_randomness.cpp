@@ -7,102 +7,14 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "bridge/scene/read/nearest.hpp"
+#include "bridge/scene/read/read_distribution.hpp"
 
 namespace blockweir::scene {
 namespace {
 
 using WordList = std::vector<std::string>;
-
-/// The keys that say how wide each distribution is; all are required.
-const std::map<std::string, WordList>& distributions() {
-  static const std::map<std::string, WordList> known{{"normal", {"mean", "deviation"}},
-                                                     {"lognormal", {"mean", "deviation"}},
-                                                     {"uniform", {"from", "to"}},
-                                                     {"triangular", {"from", "peak", "to"}},
-                                                     {"table", {"table"}},
-                                                     {"fitted", {"values"}}};
-  return known;
-}
-
-void refuse_keys_of_others(TableReader& table, Reading& reading, const std::string& distribution) {
-  const WordList& own = distributions().at(distribution);
-  for (const char* key : {"mean", "deviation", "from", "peak", "to", "table", "values"}) {
-    if (!table.has(key) || std::find(own.begin(), own.end(), key) != own.end()) continue;
-    reading.problems.error(table.place(key),
-                           fmt::format("{} in {}, whose distribution is \"{}\"", key, table.name(), distribution),
-                           fmt::format("{}", fmt::join(own, " and ")), fmt::format("leave {} out", key));
-  }
-}
-
-/// Rows [value, probability of less], both rising, from probability 0 to 1.
-void read_table(TableReader& table, Reading& reading, RandomVariable& variable, bool wanted) {
-  std::vector<Point> rows;
-  if (!wanted || !table.has("table")) {
-    table.know("table");
-    if (wanted) table.points("table", rows, 2);
-    return;
-  }
-  table.points("table", rows, 2);
-  const auto falls = [](const Point& a, const Point& b) { return b.x() <= a.x() || b.y() < a.y(); };
-  const bool sound = rows.size() >= 2 && std::adjacent_find(rows.begin(), rows.end(), falls) == rows.end() &&
-                     rows.front().y() == 0 && rows.back().y() == 1;
-  for (const Point& row : rows) variable.table.emplace_back(row.x(), row.y());
-  if (sound || rows.empty()) return;
-  reading.problems.error(table.place("table"), fmt::format("the table of {} is no distribution", table.name()),
-                         "rows [value, probability of less than it], both rising, the first with 0, the last with 1",
-                         "correct the rows, as in table = [[20, 0], [30, 0.5], [35, 1]]");
-}
-
-void read_interval(TableReader& table, Reading& reading, RandomVariable& variable, bool uniform, bool triangular) {
-  const bool wanted = uniform || triangular;
-  const bool begins = table.number("from", variable.from, any_number(), wanted);
-  const bool ends = table.number("to", variable.to, any_number(), wanted);
-  const bool peaks = table.number("peak", variable.peak, any_number(), triangular);
-  if (!wanted || !begins || !ends) return;
-  if (variable.from >= variable.to) {
-    reading.problems.error(table.place("to"),
-                           fmt::format("{} goes from {} to {}", table.name(), variable.from, variable.to),
-                           "from below to: a distribution without width is a number",
-                           "widen it, or set the key itself and leave the [[random]] out");
-  } else if (triangular && peaks && (variable.peak < variable.from || variable.peak > variable.to)) {
-    reading.problems.error(table.place("peak"), fmt::format("peak in {} is {}", table.name(), variable.peak),
-                           fmt::format("a value from {} to {}", variable.from, variable.to), "move it");
-  }
-}
-
-void read_moments(TableReader& table, Reading& reading, RandomVariable& variable, bool normal, bool lognormal) {
-  const bool wanted = normal || lognormal;
-  table.number("mean", variable.mean, lognormal ? positive() : any_number(), wanted);
-  if (table.number("deviation", variable.deviation, not_negative(), wanted) && variable.deviation == 0) {
-    reading.problems.error(table.place("deviation"), fmt::format("deviation in {} is 0", table.name()),
-                           "a standard deviation above 0: a distribution without width is a number",
-                           "widen it, or set the key itself and leave the [[random]] out");
-  }
-}
-
-void read_values(TableReader& table, Reading& reading, RandomVariable& variable, bool wanted) {
-  constexpr std::size_t fewest = 5;
-  if (!wanted) return table.know("values");
-  if (!table.numbers("values", variable.values, any_number(), fewest)) return;
-  const auto [least, most] = std::minmax_element(variable.values.begin(), variable.values.end());
-  if (*least < *most) return;
-  reading.problems.error(table.place("values"), fmt::format("all values of {} are {}", table.name(), *least),
-                         "values that differ: a distribution without width is a number",
-                         "set the key itself and leave the [[random]] out");
-}
-
-void read_cuts(TableReader& table, Reading& reading, RandomVariable& variable) {
-  table.number("least", variable.least);
-  table.number("most", variable.most);
-  if (!variable.least || !variable.most || *variable.least < *variable.most) return;
-  reading.problems.error(
-      table.place("most"),
-      fmt::format("{} is cut off at least = {} and most = {}", table.name(), *variable.least, *variable.most),
-      "least below most", "move one of them, or leave it out");
-}
 
 /// Where the number goes: one key, or settings that hold {NAME}.
 void read_target(TableReader& table, Reading& reading, RandomVariable& variable) {
@@ -128,16 +40,7 @@ RandomVariable read_variable(TableReader& table, Reading& reading) {
   RandomVariable variable{.line = table.place().line};
   table.text("name", variable.name);
   read_target(table, reading, variable);
-  WordList words;
-  for (const auto& [word, keys] : distributions()) words.push_back(word);
-  const bool known = table.word("distribution", variable.distribution, words, true);
-  const auto is = [&](const char* word) { return known && variable.distribution == word; };
-  read_moments(table, reading, variable, is("normal"), is("lognormal"));
-  read_interval(table, reading, variable, is("uniform"), is("triangular"));
-  read_table(table, reading, variable, is("table"));
-  read_values(table, reading, variable, is("fitted"));
-  read_cuts(table, reading, variable);
-  if (known) refuse_keys_of_others(table, reading, variable.distribution);
+  if (const auto distribution = read_distribution(table, reading, true)) variable.distribution = *distribution;
   return variable;
 }
 
