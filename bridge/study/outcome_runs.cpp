@@ -55,8 +55,7 @@ OutcomeRuns::OutcomeRuns(OutcomePlan plan, engine::Engine& engine)
       kept_(kept_file(plan_.kept, known_)) {}
 
 std::string OutcomeRuns::key_of(const Settings& settings) const {
-  return fmt::format("{} {} {}", base_, plan_.by,
-                     fmt::join(joined(joined(plan_.set, plan_.overrides), settings), "; "));
+  return fmt::format("{} {} {}", base_, plan_.by, fmt::join(joined(plan_.set, settings), "; "));
 }
 
 std::vector<Outcome> OutcomeRuns::make(const std::vector<Settings>& settings, std::size_t later, bool brief) {

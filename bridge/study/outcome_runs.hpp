@@ -40,7 +40,8 @@ class OutcomeRuns {
   [[nodiscard]] std::size_t made() const { return done_; }
 
  private:
-  /// What decides an outcome: the scene without its studies, the settings, the way, the version.
+  /// What decides an outcome: the scene as the command line has it, without its studies; the settings, the way, the
+  /// version.
   [[nodiscard]] std::string key_of(const Settings& settings) const;
   void tell(const Outcome& outcome, std::size_t left);
 

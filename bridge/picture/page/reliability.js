@@ -72,7 +72,7 @@ function comparisonTable(found) {
 function showLevels(to, found) {
   const [fit, samples] = [found.fit, found.samples];
   const whose = is(fit.samples) && fit.samples < samples.count ? ` of the ${fit.samples} of ${samples.count} samples that have one` : '';
-  to.append(paragraph(`Levels of failure${whose}: mean ${number(fit.mean)} m, deviation ${number(fit.deviation, 3)} m; ${fit.distribution} fits them best.`));
+  to.append(paragraph(`Levels of failure${whose}: mean ${number(fit.mean)} m, deviation ${number(fit.deviation, 3)} m; of common distributions the ${fit.distribution.toLowerCase()} one fits them best.`));
   if (!('cut_off_m' in fit)) return;
   const where = is(fit.cut_off_m) ? ` at ${number(fit.cut_off_m, 6)} m, the highest level that is looked at` : ' at the end of the filling';
   to.append(paragraph(`They are cut off${where}: ${samples.that_stand} samples stand there. With them the mean is higher, and the deviation another.`, 'bad'));
@@ -82,7 +82,7 @@ function showReliability(to, found) {
   if (found.trouble) return to.append(paragraph('It was not found: ' + found.trouble + '.'));
   const samples = found.samples;
   to.append(paragraph(`Probability of failure at a level of ${number(found.level_m, 6)} m or below. The level at which each sample fails is found by ${wayOf(found.by)}.`),
-    table(['method', 'probability', '95 % interval', 'reliability index', 'levels found'], methodRows(found)));
+    table(['method', 'probability', '95 % interval', 'reliability index', 'levels computed'], methodRows(found)));
   if (samples.without_answer > 0) to.append(paragraph(`${samples.without_answer} samples have no answer, which widens the interval: as if all of them failed, or none.`, 'bad'));
   if (found.upper_bound) to.append(paragraph('Limit analysis is an upper bound here: the true level is this or lower, and the true probability this or higher.', 'bad'));
   for (const method of ['form', 'sorm', 'importance', 'subset', 'sobol']) {
