@@ -20,7 +20,7 @@ using scene::Diagnostic;
 using scene::Randomness;
 using scene::RandomVariable;
 
-constexpr const char* remedy =
+constexpr const char* other_distribution =
     "cut its distribution off with least or most, or take one without such values, as \"lognormal\" of what is above 0";
 
 /// The scene with one variable at some probability of its distribution.
@@ -63,14 +63,14 @@ class OneVariable {
   RandomPoint point_;
 };
 
-constexpr double rare = 1e-4;
+constexpr double rare_draw = 1e-4;
 
 /// Of the values below the middle, or above it: the share that is refused, by bisection; `wrong` at the outermost.
 std::optional<Diagnostic> refused_side(OneVariable& variable, bool below) {
   const auto at = [below](double share) { return below ? share : 1 - share; };
-  std::optional<Diagnostic> wrong = variable.wrong_at(at(rare));
+  std::optional<Diagnostic> wrong = variable.wrong_at(at(rare_draw));
   if (!wrong) return std::nullopt;
-  double refused = rare;
+  double refused = rare_draw;
   double sound = 0.5;
   constexpr double near = 1.01;
   while (sound / refused > near) {
@@ -79,7 +79,7 @@ std::optional<Diagnostic> refused_side(OneVariable& variable, bool below) {
   }
   wrong->severity = Diagnostic::Severity::warning;
   wrong->found = fmt::format("{:.2g} % of the values that are drawn are refused, as {}", 100 * refused, wrong->found);
-  wrong->remedy = remedy;
+  wrong->remedy = other_distribution;
   return wrong;
 }
 
@@ -115,7 +115,7 @@ std::string why_no_answer(const Randomness& randomness, const Outcome& row) {
       const std::string reason = trouble.substr(at + place.size());
       return fmt::format("[[random]] \"{}\" draws {:.6g}, which is refused: {}; {}", variable.name,
                          std::strtod(setting.c_str() + key.size() + 1, nullptr), reason.substr(0, reason.rfind(';')),
-                         remedy);
+                         other_distribution);
     }
   }
   return fmt::format("{}: {}", fmt::join(settings, ", "), trouble);

@@ -120,7 +120,7 @@ std::string sobol_text(const json& answer) {
 }
 
 /// Do both ways come to the same, at all points?
-bool agree(const json& comparison) {
+bool ways_agree(const json& comparison) {
   constexpr double near = 1e-3;
   return std::all_of(comparison.begin(), comparison.end(), [](const json& row) {
     std::vector<json> found;
@@ -145,7 +145,7 @@ std::string found_text(const json& found) {
 std::string comparison_text(const json& answer) {
   std::string text;
   for (const json& row : answer.value("comparison", json::array())) {
-    text += fmt::format("{:<8}", !text.empty() ? "" : agree(answer["comparison"]) ? "AGREE" : "DIFFER");
+    text += fmt::format("{:<8}", !text.empty() ? "" : ways_agree(answer["comparison"]) ? "AGREE" : "DIFFER");
     std::string words = row["where"];
     for (const auto& [by, found] : row.items()) {
       if (by != "where") words += fmt::format("; {}: {}", way_of(by), found_text(found));
