@@ -170,6 +170,7 @@ class Crew {
       const json line = json::parse(one.heard.substr(0, at));
       one.heard.erase(0, at + 1);
       worked_s_ += line[1].get<double>();
+      if (counter_.stopped()) continue;  // it may be what it is because of the stop
       answered_[line[0].get<std::size_t>()] = true;
       heard_(line[0], line[2]);
     }

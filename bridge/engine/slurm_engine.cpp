@@ -60,6 +60,7 @@ class QueuedWork {
     constexpr int most_vain = 3;
     for (int vain = 0; !missing_.empty();) {
       const std::size_t before = missing_.size();
+      if (signals_.next() != 0) return false;
       if (!wait_for(submit_missing())) return false;
       vain = missing_.size() < before ? 0 : vain + 1;
       if (vain == most_vain) give_up(vain);
@@ -136,14 +137,21 @@ class QueuedWork {
       pollfd stop{signals_.descriptor(), POLLIN, 0};
       ::poll(&stop, 1, look_every_ms);
       if (signals_.next() == 0) continue;
-      cancel(job);
-      take_up();
-      fs::remove(job_file());
+      take_out(job);
       return false;
     }
     fs::remove(job_file());
     take_up();
     return true;
+  }
+
+  /// The job's number is kept where it may still be there: the same command finds it again.
+  void take_out(const std::string& job) {
+    const std::string trouble = cancel(job);
+    take_up();
+    if (trouble.empty()) return static_cast<void>(fs::remove(job_file()));
+    fmt::print(stderr, "{}: job {} may still be in the queue: \"{}\"; \"scancel {}\" takes it out\n", work_.name, job,
+               trouble, job);
   }
 
   /// Hands on what has come since.

@@ -1,39 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/engine/slurm_queue.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
-#include <cstdio>
-#include <cstdlib>
+#include <cerrno>
 #include <sstream>
 #include <stdexcept>
-
-#include "bridge/results/shell_word.hpp"
 
 namespace blockweir::engine {
 namespace {
 
 struct Said {
-  int status = 0;
+  int status = 0;    ///< 128 + signal where one has ended it
   std::string text;  ///< on both outputs
 };
 
+/// Starts `words` in a process group of its own: what a terminal sends to ours, as Ctrl-C, ends no question halfway.
+pid_t start(const std::vector<std::string>& words, int output) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawn_file_actions_t files;
+  ::posix_spawn_file_actions_init(&files);
+  ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&files, output, STDERR_FILENO);
+  pid_t child = -1;
+  const int failed = ::posix_spawnp(&child, arguments.front(), &files, &attributes, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&files);
+  ::posix_spawnattr_destroy(&attributes);
+  return failed == 0 ? child : -1;
+}
+
 Said ask(const std::vector<std::string>& words) {
-  std::string command;
-  for (const std::string& word : words) command += results::shell_word(word) + " ";
-  std::FILE* pipe = ::popen((command + "2>&1").c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot start " + words.front() + ": end other programs");
+  std::array<int, 2> ends{};
+  const bool piped = ::pipe2(ends.data(), O_CLOEXEC) == 0;
+  const pid_t child = piped ? start(words, ends[1]) : -1;
+  if (piped) ::close(ends[1]);
+  if (child < 0) {
+    if (piped) ::close(ends[0]);
+    throw std::runtime_error("cannot start " + words.front() + ": end other programs");
+  }
   Said said;
   std::array<char, 4096> buffer{};
-  for (std::size_t more = 0; (more = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    said.text.append(buffer.data(), more);
+  for (ssize_t more = 0; (more = ::read(ends[0], buffer.data(), buffer.size())) != 0;) {
+    if (more < 0 && errno != EINTR) break;
+    if (more > 0) said.text.append(buffer.data(), static_cast<std::size_t>(more));
   }
-  const int status = ::pclose(pipe);
-  said.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+  ::close(ends[0]);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  said.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   while (said.text.ends_with('\n')) said.text.pop_back();
   return said;
+}
+
+/// Why a question has no answer; never empty.
+std::string trouble_of(const char* program, const Said& said) {
+  return said.text.empty() ? fmt::format("{} ended with status {} and said nothing", program, said.status) : said.text;
+}
+
+bool is_unknown_job(const Said& said) {
+  return said.text.find("Invalid job id") != std::string::npos;
 }
 
 }  // namespace
@@ -77,7 +114,7 @@ QueueState state_of(const std::string& job) {
   const Said said = ask({"squeue", "--noheader", "--array", "--jobs=" + job, "--format=%T %r"});
   QueueState state;
   if (said.status != 0) {  // a job that has been over for some minutes is not known any more
-    if (said.text.find("Invalid job id") == std::string::npos) state.trouble = said.text;
+    if (!is_unknown_job(said)) state.trouble = trouble_of("squeue", said);
     return state;
   }
   std::istringstream lines(said.text);
@@ -93,8 +130,9 @@ QueueState state_of(const std::string& job) {
   return state;
 }
 
-void cancel(const std::string& job) {
-  ask({"scancel", job});
+std::string cancel(const std::string& job) {
+  const Said said = ask({"scancel", job});
+  return said.status == 0 || is_unknown_job(said) ? "" : trouble_of("scancel", said);
 }
 
 }  // namespace blockweir::engine

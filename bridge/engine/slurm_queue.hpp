@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Slurm's own commands: sbatch, squeue, scancel.
+// Slurm's own commands: sbatch, squeue, scancel. No signal of a terminal ends them.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,8 @@ struct QueueState {
 };
 QueueState state_of(const std::string& job);
 
-/// Takes the job out of the queue and ends its tasks. That it has gone already is well.
-void cancel(const std::string& job);
+/// Takes the job out of the queue and ends its tasks. That it has gone already is well. Returns why it may still be
+/// there; empty where it has been taken out.
+std::string cancel(const std::string& job);
 
 }  // namespace blockweir::engine

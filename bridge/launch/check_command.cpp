@@ -14,6 +14,7 @@
 #include "bridge/study/bench.hpp"
 #include "bridge/study/load_case_scene.hpp"
 #include "bridge/study/open_study.hpp"
+#include "bridge/study/refused_draws.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::launch {
@@ -61,6 +62,9 @@ int check(const CheckOptions& options) {
   wrong.from([&] { studies += study::study_tasks(path, overrides).size(); });
   wrong.from([&] { studies += study::open_study_tasks(path, overrides, /*jobs=*/1).size(); });
   wrong.from([&] { study::bench_settings(path, overrides); });
+  wrong.from([&] {
+    for (auto& warning : study::refused_draws(path, read, overrides)) warnings.push_back(std::move(warning));
+  });
   for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
   if (!options.strict) {
     for (const auto& warning : warnings) fmt::print(stderr, "{}\n", warning.text());

@@ -6,6 +6,7 @@
 #include <openturns/CenteredFiniteDifferenceHessian.hxx>
 #include <openturns/CompositeRandomVector.hxx>
 #include <openturns/EvaluationImplementation.hxx>
+#include <openturns/Exception.hxx>
 #include <openturns/FORM.hxx>
 #include <openturns/GreaterOrEqual.hxx>
 #include <openturns/Less.hxx>
@@ -82,10 +83,20 @@ json simulated(const OT::ProbabilitySimulationResult& result) {
           {"evaluations", result.getOuterSampling() * result.getBlockSize()}};
 }
 
+/// What OpenTURNS says of a search that ends on level ground, in the words of who asked.
+[[noreturn]] void fail_search(const OT::Exception& error) {
+  if (std::string(error.what()).find("gradient of the level function is zero") == std::string::npos) throw;
+  throw std::runtime_error("the search for the design point comes to a point at which no variable changes the level");
+}
+
 template <class Analysis>
 auto analysed(const OT::ThresholdEvent& event, const OT::Distribution& joint) {
   Analysis analysis(nearest_point(), event, joint.getMean());
-  analysis.run();
+  try {
+    analysis.run();
+  } catch (const OT::Exception& error) {
+    fail_search(error);
+  }
   return analysis.getResult();
 }
 

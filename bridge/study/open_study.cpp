@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "bridge/results/csv.hpp"
 #include "bridge/results/file_name.hpp"
@@ -12,6 +13,7 @@
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
+#include "bridge/scene/read/overrides.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/study_files.hpp"
 
@@ -57,6 +59,15 @@ std::string levels_in_doubt(const std::vector<Outcome>& runs) {
   return fmt::format("  WARNING {} of {} runs doubt their level (see level_uncertainty_m and level_is_bound); {}: {}\n",
                      std::count_if(runs.begin(), runs.end(), in_doubt), runs.size(),
                      fmt::join((*first)["settings"].get<Settings>(), ", "), (*first)["level_doubt"].get<std::string>());
+}
+
+/// How many runs have no answer, with the first that has none; empty where all have one.
+std::string unanswered(const std::vector<Outcome>& runs) {
+  const auto first = std::find_if_not(runs.begin(), runs.end(), has_answer);
+  if (first == runs.end()) return "";
+  return fmt::format("  NONE    {} of {} runs have no answer; {}: {}; the same command makes them again\n",
+                     std::count_if(runs.begin(), runs.end(), std::not_fn(has_answer)), runs.size(),
+                     fmt::join((*first)["settings"].get<Settings>(), ", "), (*first).value("trouble", "stopped"));
 }
 
 /// What was done before a stop, in the order in which it ended.
@@ -138,6 +149,20 @@ std::vector<OpenStudyTask> open_study_tasks(const fs::path& scene, const Setting
   return tasks;
 }
 
+void refuse_idle_overrides(const std::vector<OpenStudyTask>& tasks, const fs::path& scene, const Settings& overrides) {
+  if (tasks.empty() || overrides.empty()) return;
+  const scene::Scene read = scene::read(scene, overrides).scene;
+  scene::Gathered wrong;
+  for (const OpenStudyTask& task : tasks) {
+    for (const std::string& idle : scene::overrides_of(read, overrides, task.keys)) {
+      wrong.add({scene::Diagnostic::Severity::error, scene::override_place(idle), 0,
+                 fmt::format("[[study]] \"{}\" varies this key, so that it would have no effect", task.name),
+                 "keys that the study does not vary", "leave it out, or make another study with --name"});
+    }
+  }
+  wrong.report();
+}
+
 bool perform(const OpenStudyTask& task, const fs::path& scene, const Settings& overrides, const fs::path& out,
              engine::Engine& engine) {
   const results::FolderLock lock(out);
@@ -162,10 +187,11 @@ bool perform(const OpenStudyTask& task, const fs::path& scene, const Settings& o
     return false;
   }
   const bool fixed = level_is_fixed(task, scene, overrides);
-  fmt::print("{}\n{}{}", task.name, finding.text, fixed ? "" : levels_in_doubt(finding.runs));
+  const std::string none = unanswered(finding.runs);
+  fmt::print("{}\n{}{}{}", task.name, finding.text, fixed ? "" : levels_in_doubt(finding.runs), none);
   write_results(task, scene, finding, file);
   fmt::print("{0}.csv\n{0}.json\n", file.string());
-  return true;
+  return none.empty();
 }
 
 }  // namespace blockweir::study

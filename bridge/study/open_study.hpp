@@ -43,9 +43,13 @@ OpenStudyTask sample_task(const scene::OpenStudy& study, const std::filesystem::
 /// All [[study]] of a scene, each setting at its ends checked. Throws scene::SceneError when the scene is not sound.
 std::vector<OpenStudyTask> open_study_tasks(const std::filesystem::path& scene, const Settings& overrides, int jobs);
 
+/// Throws scene::SceneError where an override sets what one of the studies varies: it would have no effect.
+void refuse_idle_overrides(const std::vector<OpenStudyTask>& tasks, const std::filesystem::path& scene,
+                           const Settings& overrides);
+
 /// Makes the runs that are not done yet and writes NAME.csv, NAME.json and NAME.png to `out`, which is there; tells the
 /// finding on standard output and the runs on standard error. Stopped, it leaves the table of what is done, and throws
-/// Interrupted. False where there is no answer.
+/// Interrupted. False where there is no answer, or a run has none.
 bool perform(const OpenStudyTask& task, const std::filesystem::path& scene, const Settings& overrides,
              const std::filesystem::path& out, engine::Engine& engine);
 

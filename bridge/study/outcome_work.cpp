@@ -49,15 +49,21 @@ Outcome troubled(const char* outcome, const std::string& trouble) {
   return row;
 }
 
+bool has_answer(const Outcome& outcome) {
+  return outcome["outcome"] != "stopped";
+}
+
 namespace {
 
-/// The scene with `all`; one that ends on the move is run longer when that is asked for.
+/// The scene with `all`; one that ends on the move is run longer when that is asked for. Throws Interrupted: a run that
+/// was stopped on request has no outcome.
 Outcome run_out(const fs::path& scene, Settings all, const fs::path& folder, bool until_decided) {
   constexpr double longer = 4;
   constexpr int tries = 4;
   Outcome row;
   for (int k = 0; k < tries; ++k) {
     const process::RunResult result = process::run({.scene = scene, .out = folder, .overrides = all, .quiet = true});
+    if (result.exit_code == 130) throw Interrupted();
     if (!result.trouble.empty()) return troubled(result.refused ? "refused" : "stopped", result.trouble);
     row = outcome_of(result.summary);
     if (row["outcome"] != "moving" || !until_decided) break;
@@ -104,6 +110,8 @@ Outcome made_outcome(const json& common, const Settings& all, const fs::path& fo
   try {
     row = common["by"] == "factor" ? factor_out(common["scene"].get<std::string>(), all, folder)
                                    : run_out(common["scene"].get<std::string>(), all, folder, common["until_decided"]);
+  } catch (const process::Stopped&) {
+    throw Interrupted();
   } catch (const scene::SceneError& error) {
     row = troubled("refused", error.what());
   } catch (const std::exception& error) {

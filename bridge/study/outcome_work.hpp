@@ -17,6 +17,9 @@ using Outcome = nlohmann::json;
 /// One without an answer: "refused" or "stopped", and why.
 Outcome troubled(const char* outcome, const std::string& trouble);
 
+/// False of a run that was killed or broke off: of it nothing is known. That a scene is refused is an answer.
+bool has_answer(const Outcome& outcome);
+
 /// What all studies have their engines do. Of "by" = "check": see check_worker(). Else of "scene", "settings" that hold
 /// for all, "by" ("run", "factor", "limit" or "statics") and "until_decided": a run that ends on the move is made
 /// longer. Each item has its own "settings".

@@ -39,11 +39,14 @@ json correlations_json(const scene::Randomness& randomness) {
   return all;
 }
 
+std::unique_ptr<process::LineProgram> started() {
+  return std::make_unique<process::LineProgram>(std::vector<std::string>{"blockweir-probability"});
+}
+
 }  // namespace
 
 Probability::Probability(const std::vector<scene::Distribution>& distributions, int seed)
-    : common_({{"seed", seed}, {"variables", json::array()}, {"correlations", json::array()}}),
-      program_({"blockweir-probability"}) {
+    : common_({{"seed", seed}, {"variables", json::array()}, {"correlations", json::array()}}), program_(started()) {
   for (const auto& distribution : distributions) common_["variables"].push_back(distribution_json(distribution));
 }
 
@@ -53,29 +56,40 @@ Probability::Probability(const scene::Randomness& randomness)
 }
 
 json Probability::ask(json request, const Evaluate& evaluate) {
-  const std::string what = request["do"];
   for (const auto& [key, value] : common_.items()) {
     if (!request.contains(key)) request[key] = value;
   }
-  json heard = program_.ask(request);
+  json heard = program_->ask(request);
   while (heard.contains("evaluate")) {
-    heard = program_.ask({{"values", evaluate(heard["evaluate"].get<std::vector<RandomPoint>>())}});
+    std::vector<double> values;
+    try {
+      values = evaluate(heard["evaluate"].get<std::vector<RandomPoint>>());
+    } catch (...) {  // it waits for values that do not come
+      program_ = started();
+      throw;
+    }
+    heard = program_->ask({{"values", values}});
   }
   if (heard.contains("answer")) return heard["answer"];
-  throw std::runtime_error(fmt::format("{}: {}", what, heard.value("trouble", "no answer")));
+  throw std::runtime_error(heard.value("trouble", "no answer"));
 }
 
-Settings settings_of(const scene::Randomness& randomness, const RandomPoint& point) {
-  Settings settings;
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const scene::RandomVariable& variable = randomness.variables[i];
-    if (!variable.key.empty()) settings.push_back(setting(variable.key, point[i]));
-    for (const std::string& text : variable.set) settings.push_back(text);
-  }
+Settings settings_of_one(const scene::Randomness& randomness, std::size_t v, const RandomPoint& point) {
+  const scene::RandomVariable& variable = randomness.variables.at(v);
+  Settings settings = variable.set;
+  if (!variable.key.empty()) settings.push_back(setting(variable.key, point[v]));
   for (std::string& text : settings) {  // a setting may hold several of them
     for (std::size_t i = 0; i < point.size(); ++i) {
       boost::replace_all(text, "{" + randomness.variables[i].name + "}", fmt::format("{}", point[i]));
     }
+  }
+  return settings;
+}
+
+Settings settings_of(const scene::Randomness& randomness, const RandomPoint& point) {
+  Settings settings;
+  for (std::size_t v = 0; v < point.size(); ++v) {
+    for (std::string& text : settings_of_one(randomness, v, point)) settings.push_back(std::move(text));
   }
   return settings;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -31,8 +32,11 @@ class Probability {
 
  private:
   nlohmann::json common_;
-  process::LineProgram program_;
+  std::unique_ptr<process::LineProgram> program_;
 };
+
+/// What the scene is set to by variable `v` alone. Throws std::out_of_range where there is none.
+Settings settings_of_one(const scene::Randomness& randomness, std::size_t v, const RandomPoint& point);
 
 /// What the scene is set to where the variables have these values.
 Settings settings_of(const scene::Randomness& randomness, const RandomPoint& point);

@@ -10,6 +10,7 @@
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
+#include "bridge/study/refused_draws.hpp"
 #include "bridge/study/reliability_answer.hpp"
 #include "bridge/study/reliability_told.hpp"
 
@@ -36,6 +37,10 @@ int tell_reliability(const ReliabilityOptions& options) {
         "{}: found no [[random]]; expected one for each number that is uncertain; add [[random]] with key = "
         "\"joint.friction_angle_deg\", distribution = \"normal\", mean = 30 and deviation = 2, say",
         options.scene.string()));
+  }
+  refuse_overridden_draws(read, options.overrides);
+  for (const auto& warning : refused_draws(options.scene, read, options.overrides)) {
+    fmt::print(stderr, "{}\n", warning.text());
   }
   const fs::path folder =
       options.out.empty() ? fs::path("runs") / (process::case_name(options.scene) + "-reliability") : options.out;

@@ -2,7 +2,6 @@
 #include "bridge/study/reliability_answer.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +14,7 @@
 #include "bridge/study/engines.hpp"
 #include "bridge/study/outcome_runs.hpp"
 #include "bridge/study/probability.hpp"
+#include "bridge/study/refused_draws.hpp"
 #include "bridge/study/reliability_told.hpp"
 
 namespace blockweir::study {
@@ -101,11 +101,8 @@ class Reliability {
     points_ = drawn["points"].get<std::vector<RandomPoint>>();
     means_ = drawn["means"].get<RandomPoint>();
     require_sound(options_, randomness_, points_);
-    answer_ = {{"digest", digest_},
-               {"level_m", level_m_},
-               {"by", word_of(asked_.by)},
-               {"sampling", asked_.sampling},
-               {"means", means_}};
+    answer_ = {{"digest", digest_},           {"level_m", level_m_}, {"by", word_of(asked_.by)},
+               {"sampling", asked_.sampling}, {"means", means_},     {"correlated", !randomness_.correlations.empty()}};
     for (const auto& variable : randomness_.variables) {
       answer_["variables"].push_back(variable.name);
       answer_["distributions"].push_back(distribution_text(variable.distribution));
@@ -160,7 +157,10 @@ class Reliability {
     const std::vector<double> finite = capacities.finite();
     if (finite.size() < 10 || finite.front() == finite.back()) return;
     answer_["fit"] = probability_.ask({{"do", "fit"}, {"values", finite}});
-    answer_["fit"]["share"] = static_cast<double>(finite.size()) / static_cast<double>(capacities.size());
+    answer_["fit"]["samples"] = finite.size();
+    for (const Outcome& row : rows_) {  // what stands there may fail at any higher level: the fit is cut off
+      if (row["outcome"] == "stands") answer_["fit"]["cut_off_m"] = row.value("full_m", json());
+    }
   }
 
   /// A sample that stands at the highest level may fail at a higher one.
@@ -190,8 +190,9 @@ class Reliability {
       return;
     }
     constexpr std::size_t few = 64;
+    std::vector<Outcome> rows;
     const auto evaluate = [&](const std::vector<RandomPoint>& points) {
-      const std::vector<Outcome> rows = runs.make(settings(points), 0, points.size() <= few);
+      rows = runs.make(settings(points), 0, points.size() <= few);
       std::vector<double> values;
       for (const Outcome& row : rows) values.push_back(value_of(row));
       return values;
@@ -202,18 +203,31 @@ class Reliability {
     } catch (const scene::SceneError&) {
       throw;
     } catch (const std::runtime_error& error) {
-      answer_[method] = {{"trouble", error.what()}};
+      answer_[method] = {{"trouble", error.what() + why_level(rows)}};
     }
   }
 
+  /// Why all of the last points have the same level, where they do.
+  static std::string why_level(const std::vector<Outcome>& rows) {
+    const auto all = [&rows](const char* outcome) {
+      return !rows.empty() &&
+             std::all_of(rows.begin(), rows.end(), [&](const Outcome& row) { return row["outcome"] == outcome; });
+    };
+    if (all("stands")) {
+      return fmt::format(
+          "; all points there stand at {:.6g} m, the highest level that is looked at: may_overtop = true in [water] "
+          "looks for higher ones",
+          rows.front()["full_m"].get<double>());
+    }
+    return all("does not stand empty") ? "; no point there stands with an empty reservoir: see the scene's strength"
+                                       : "";
+  }
+
   /// The level as a function: where it stands full or not even empty, the ends of what was looked at.
-  static double value_of(const Outcome& row) {
+  [[nodiscard]] double value_of(const Outcome& row) const {
     const double capacity = capacity_of(row);
     if (std::isfinite(capacity)) return capacity;
-    if (std::isnan(capacity)) {
-      throw std::runtime_error(fmt::format("{}: {}", fmt::join(row["settings"].get<Settings>(), ", "),
-                                           row.value("trouble", "no level is found")));
-    }
+    if (std::isnan(capacity)) throw std::runtime_error(why_no_answer(randomness_, row));
     return row[capacity > 0 ? "full_m" : "empty_m"];
   }
 

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/results/csv.hpp"
 #include "bridge/study/study_files.hpp"
@@ -49,8 +52,25 @@ std::string samples_text(const json& answer) {
 std::string fit_text(const json& answer) {
   if (!answer.contains("fit")) return "";
   const json& fit = answer["fit"];
-  return fmt::format("LEVELS  of failure: mean {:.5g} m, deviation {:.3g} m; {} fits them best\n",
-                     fit["mean"].get<double>(), fit["deviation"].get<double>(), fit["distribution"].get<std::string>());
+  const json& samples = answer["samples"];
+  const bool cut_off = fit.contains("cut_off_m");
+  std::string text = fmt::format(
+      "LEVELS  of failure{}: mean {:.5g} m, deviation {:.3g} m; {} fits them best\n",
+      fit["samples"] == samples["count"]
+          ? ""
+          : fmt::format(", of the {} of {} samples that have "
+                        "one{}",
+                        fit["samples"].get<int>(), samples["count"].get<int>(), cut_off ? " below the highest" : ""),
+      fit["mean"].get<double>(), fit["deviation"].get<double>(), fit["distribution"].get<std::string>());
+  if (!cut_off) return text;
+  text += fmt::format(
+      "        WARNING they are cut off{}: with the {} samples that stand there the mean is higher, and the\n"
+      "        deviation another; {}\n",
+      fit["cut_off_m"].is_number() ? fmt::format(" at {:.6g} m", fit["cut_off_m"].get<double>()) : "",
+      samples["that_stand"].get<int>(),
+      answer["by"] == "run" ? "let the filling end at a higher level"
+                            : "may_overtop = true in [water] looks for higher levels");
+  return text;
 }
 
 std::string at_point(const json& answer, const json& point) {
@@ -70,6 +90,9 @@ std::string form_text(const json& answer, const char* method) {
       digits_of(method == std::string("form") ? found["index"] : found["breitung"]["index"], "{:.5g}"));
   if (method == std::string("sorm")) return text + " (Breitung)\n";
   text += fmt::format("\n        design point: {}\n", at_point(answer, found["design_point"]));
+  text += fmt::format("        importance {}: {}\n",
+                      answer.value("correlated", false) ? "y^2/|y|^2, not alpha^2" : "alpha^2",
+                      at_point(answer, found["importance"]));
   constexpr double near_m = 1e-4;
   if (std::abs(found["residual"].get<double>()) > near_m) {
     text += fmt::format("        WARNING the design point fails {:.2g} m off the level: trust the samples\n",
@@ -96,6 +119,24 @@ std::string sobol_text(const json& answer) {
   return text;
 }
 
+/// Do both ways come to the same, at all points?
+bool ways_agree(const json& comparison) {
+  constexpr double near = 1e-3;
+  return std::all_of(comparison.begin(), comparison.end(), [](const json& row) {
+    std::vector<json> found;
+    for (const auto& [by, one] : row.items()) {
+      if (by != "where") found.push_back(one);
+    }
+    const json& one = found.front();
+    const json& other = found.back();
+    if (!one["level_m"].is_number() || !other["level_m"].is_number()) {
+      return one["trouble"] == "" && other["trouble"] == "" && one["outcome"] == other["outcome"];
+    }
+    const double level_m = one["level_m"];
+    return std::abs(other["level_m"].get<double>() - level_m) <= near * std::abs(level_m);
+  });
+}
+
 std::string found_text(const json& found) {
   if (found["level_m"].is_number()) return fmt::format("{:.6g} m", found["level_m"].get<double>());
   return found["trouble"] == "" ? found["outcome"].get<std::string>() : "none: " + found["trouble"].get<std::string>();
@@ -104,7 +145,7 @@ std::string found_text(const json& found) {
 std::string comparison_text(const json& answer) {
   std::string text;
   for (const json& row : answer.value("comparison", json::array())) {
-    text += fmt::format("{:<8}", text.empty() ? "DIFFER" : "");
+    text += fmt::format("{:<8}", !text.empty() ? "" : ways_agree(answer["comparison"]) ? "AGREE" : "DIFFER");
     std::string words = row["where"];
     for (const auto& [by, found] : row.items()) {
       if (by != "where") words += fmt::format("; {}: {}", way_of(by), found_text(found));

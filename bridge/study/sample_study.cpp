@@ -14,14 +14,14 @@
 namespace blockweir::study {
 namespace {
 
-/// Interval of Clopper and Pearson, which holds the true share in 95 of 100 samples.
-std::array<double, 2> interval_of(std::size_t with, std::size_t of) {
+/// Interval of Clopper and Pearson, which holds the true share in 95 of 100 samples. Runs without an answer widen it:
+/// all of them end so, or none.
+std::array<double, 2> interval_of(std::size_t with, std::size_t without_answer, std::size_t of) {
   using Trials = boost::math::binomial_distribution<>;
   constexpr double tail = 0.025;
-  const auto successes = static_cast<double>(with);
   const auto trials = static_cast<double>(of);
-  return {Trials::find_lower_bound_on_p(trials, successes, tail),
-          Trials::find_upper_bound_on_p(trials, successes, tail)};
+  return {Trials::find_lower_bound_on_p(trials, static_cast<double>(with), tail),
+          Trials::find_upper_bound_on_p(trials, static_cast<double>(with + without_answer), tail)};
 }
 
 /// The first two variables, or the run's number over the only one, in the colour of the outcome.
@@ -47,9 +47,17 @@ std::string figure(const Settings& keys, const std::vector<Outcome>& runs) {
 Finding draw_sample(const Settings& keys, const std::vector<Settings>& settings, OutcomeRuns& runs) {
   Finding finding{.runs = runs.make(settings)};
   std::map<std::string, std::size_t> counts;
-  for (const Outcome& run : finding.runs) ++counts[shown_word(run)];
+  std::size_t without_answer = 0;
+  for (const Outcome& run : finding.runs) {
+    if (has_answer(run)) {
+      ++counts[shown_word(run)];
+    } else {
+      ++without_answer;
+    }
+  }
+  finding.answer["without_answer"] = without_answer;
   for (const auto& [word, count] : counts) {
-    const auto [least, most] = interval_of(count, settings.size());
+    const auto [least, most] = interval_of(count, without_answer, settings.size());
     finding.answer["outcomes"][word] = {{"runs", count}, {"share_from", least}, {"share_to", most}};
     finding.text += fmt::format(
         "  {:<24} {} of {} runs, {:.3g} %; 95 % interval {:.3g} to {:.3g} %\n", word, count, settings.size(),

@@ -189,6 +189,7 @@ void tell(const std::string& name, const StudyResult& result, const fs::path& ou
 
 int perform_all(const StudyOptions& options) {
   const Tasks tasks = tasks_of(options);
+  refuse_idle_overrides(tasks.open, options.scene, options.overrides);
   fs::path open_out = options.out;  // what is done has to stand somewhere, to be gone on from
   if (open_out.empty()) open_out = fs::path("runs") / (process::case_name(options.scene) + "-studies");
   if (!options.out.empty()) results::make_folder(options.out);

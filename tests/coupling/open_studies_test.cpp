@@ -177,6 +177,31 @@ TEST_F(OpenStudies, StoppedItLeavesATableAndGoesOn) {
   EXPECT_LE(lines(), std::max<long>(10, kept)) << "a run was made twice";
 }
 
+TEST_F(OpenStudies, ARunThatIsStoppedHasNoAnswerAndDoesNotCount) {
+  write_scene(
+      "[[study]]\nname = 'v'\nkind = 'sample'\nruns = 2\nvariable = [{ key = 'joint.friction_angle_deg', "
+      "distribution = 'uniform', from = 25, to = 30 }]\n");
+  const std::string command = programs + "/blockweir study scene.toml --out s --jobs 1 --set analysis.duration_s=";
+  const pid_t study = start(command + "1000", "log");
+  int stops = 0;
+  int status = -1;
+  for (int i = 0; i < 400 && status < 0; ++i) {  // those that make the runs, as a queue stops a task's processes
+    if (stops < 2 && shell("pkill -TERM -P " + std::to_string(study)) == 0) ++stops;
+    status = end_of(study, 0.1);
+  }
+  EXPECT_EQ(stops, 2);
+  EXPECT_EQ(status, 1) << text("log");
+  EXPECT_THAT(text("log"), HasSubstr("NONE    2 of 2 runs have no answer; joint.friction_angle_deg="));
+  EXPECT_THAT(text("log"), testing::Not(HasSubstr("95 % interval")));
+  EXPECT_EQ(text("s/v.runs.jsonl"), "");
+}
+
+TEST_F(OpenStudies, AnOverrideOfWhatAStudyVariesIsRefused) {
+  write_scene(slope);
+  EXPECT_EQ(study("--set analysis.gravity_tilt_deg=5"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("--set analysis.gravity_tilt_deg=5: error: [[study]] \"slope\" varies this key"));
+}
+
 TEST_F(OpenStudies, AFolderThatCannotBeWrittenIsRefusedAtOnce) {
   write_scene(slope);
   std::ofstream(folder / "taken") << "a file";

@@ -60,6 +60,29 @@ TEST(LocalEngine, ProcessesThatCannotBeginAreTold) {
                std::runtime_error);
 }
 
+/// Asks its task to end, as a queue does all processes of one, and only then answers.
+Worker ends_with_its_task(const json&) {
+  return [](const json& item) -> json {
+    if (item != 2) return item;
+    sigset_t term;
+    sigemptyset(&term);
+    sigaddset(&term, SIGTERM);
+    ::sigprocmask(SIG_BLOCK, &term, nullptr);
+    ::kill(::getppid(), SIGTERM);
+    int signal = 0;
+    ::sigwait(&term, &signal);
+    return "stopped";
+  };
+}
+
+TEST(LocalEngine, WhatAnItemAnswersAfterAStopDoesNotCount) {
+  std::map<std::size_t, json> answers;
+  const Work work = numbers(5);
+  EXPECT_FALSE(
+      local_engine(1, ends_with_its_task)->perform(work, [&](std::size_t i, const json& a) { answers[i] = a; }));
+  EXPECT_FALSE(answers.contains(2));
+}
+
 class Batches : public test::OwnFolder {};
 
 TEST_F(Batches, ATaskDoesItsOwnItemsAndNoneTwice) {
@@ -78,6 +101,18 @@ TEST_F(Batches, ATaskDoesItsOwnItemsAndNoneTwice) {
   EXPECT_EQ(files.take(seen).by_digest, (std::map<std::string, json>{{digests[4], 40}}));
   EXPECT_THROW(work_on_batch(folder, 3, times_common), std::runtime_error);
   EXPECT_THROW(work_on_batch(folder / "none", 0, times_common), std::runtime_error);
+}
+
+TEST_F(Batches, ATaskThatIsToldToEndLeavesItsItemForTheNext) {
+  const BatchFiles files(folder);
+  const Work work = numbers(5);
+  const auto digests = digests_of(work);
+  files.write(work.common, 5, digests, work.items);
+  EXPECT_EQ(work_on_batch(folder, 0, ends_with_its_task), 1);
+  std::set<std::string> seen;
+  EXPECT_FALSE(files.take(seen).by_digest.contains(digests[2]));
+  EXPECT_EQ(work_on_batch(folder, 0, times_common), 0);
+  EXPECT_EQ(files.take(seen).by_digest.at(digests[2]), 20);
 }
 
 TEST_F(Batches, AFileThatIsNotWholeDoesNotCount) {

@@ -94,6 +94,28 @@ TEST_F(Randomness, CorrelationsAreOfOneAndNotAgainstEachOther) {
   EXPECT_THAT(error(with(three + pair("a", "b", "0.2") + pair("b", "a", "0.2"))), HasSubstr("a second correlation of"));
 }
 
+TEST_F(Randomness, TheLevelIsLookedForAndNotDrawn) {
+  const std::string width = "distribution = 'uniform'\nfrom = 1\nto = 2\n";
+  const auto keyed = [&](const char* key) {
+    return error(with(std::string("[[random]]\nkey = '") + key + "'\n" + width));
+  };
+  EXPECT_THAT(
+      keyed("water.upstream_level_m"),
+      AllOf(HasSubstr("[[random]] \"water.upstream_level_m\" sets water.upstream_level_m; expected numbers that"),
+            HasSubstr("the one stated has no effect; leave it out: the fragility curve")));
+  EXPECT_THAT(keyed("water.upstream_level_m.from"), HasSubstr("that level is looked for"));
+  EXPECT_THAT(error(with("[[random]]\nname = 'w'\nset = ['water.upstream_level_m={w}']\n" + width)),
+              HasSubstr("[[random]] \"w\" sets water.upstream_level_m"));
+}
+
+TEST_F(Randomness, OfCorrelatedVariablesSobolIsNotAskedForByDefault) {
+  const std::string two = normal + of("b");
+  EXPECT_THAT(read(with(two)).randomness.reliability.methods, testing::ElementsAre("form", "sobol"));
+  EXPECT_THAT(
+      read(with(two + "[[correlation]]\nbetween = ['a', 'b']\ncoefficient = 0.2\n")).randomness.reliability.methods,
+      testing::ElementsAre("form"));
+}
+
 TEST_F(Randomness, WhatIsAskedForIsKnown) {
   EXPECT_THAT(error(with("[reliability]\nsamples = 100\n")), HasSubstr("[reliability] and no [[random]]"));
   EXPECT_THAT(error(with(normal + "[reliability]\nmethods = ['fourm']\n")), HasSubstr("did you mean \"form\"?"));

@@ -68,6 +68,16 @@ function comparisonTable(found) {
   return table(['level of failure m', ...ways.map(wayOf)], found.comparison.map(row => [row.where, ...ways.map(way => shown(row[way]))]));
 }
 
+/// Where some samples have no level, or one above all that are looked at, it is said of which the mean is.
+function showLevels(to, found) {
+  const [fit, samples] = [found.fit, found.samples];
+  const whose = is(fit.samples) && fit.samples < samples.count ? ` of the ${fit.samples} of ${samples.count} samples that have one` : '';
+  to.append(paragraph(`Levels of failure${whose}: mean ${number(fit.mean)} m, deviation ${number(fit.deviation, 3)} m; of common distributions the ${fit.distribution.toLowerCase()} one fits them best.`));
+  if (!('cut_off_m' in fit)) return;
+  const where = is(fit.cut_off_m) ? ` at ${number(fit.cut_off_m, 6)} m, the highest level that is looked at` : ' at the end of the filling';
+  to.append(paragraph(`They are cut off${where}: ${samples.that_stand} samples stand there. With them the mean is higher, and the deviation another.`, 'bad'));
+}
+
 function showReliability(to, found) {
   if (found.trouble) return to.append(paragraph('It was not found: ' + found.trouble + '.'));
   const samples = found.samples;
@@ -80,7 +90,8 @@ function showReliability(to, found) {
   }
   to.append(element('h3', {}, 'What is uncertain'),
     table(['variable', 'distribution', 'mean', 'at the design point', 'importance there', 'Sobol alone', 'Sobol in all'], variableRows(found)));
+  if (found.correlated && found.form && !found.form.trouble) to.append(paragraph("The variables are correlated. Importance is each one's share of the squared distance of the design point, in standard normal variables that are correlated as well. It is not FORM's alpha²."));
   if (found.curve && found.curve.length > 1) to.append(fragilityFigure(found));
-  if (found.fit) to.append(paragraph(`Levels of failure: mean ${number(found.fit.mean)} m, deviation ${number(found.fit.deviation, 3)} m; of common distributions the ${found.fit.distribution.toLowerCase()} one fits them best.`));
+  if (found.fit) showLevels(to, found);
   if (found.comparison) to.append(comparisonTable(found));
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "bridge/scene/read/overrides.hpp"
 
@@ -38,6 +39,21 @@ ReadScene read_entry(const std::filesystem::path& path, const SettingEntry& entr
     }
     throw SceneError(std::move(errors));
   }
+}
+
+std::vector<std::string> overrides_of(const Scene& scene, const std::vector<std::string>& overrides,
+                                      const std::vector<std::string>& keys) {
+  const toml::table file = toml::parse(scene.text);
+  const auto plain = [&file](const std::string& text) { return plain_key(file, text.substr(0, text.find('='))); };
+  std::vector<std::string> found;
+  std::copy_if(overrides.begin(), overrides.end(), std::back_inserter(found), [&](const std::string& one) {
+    const std::string set = plain(one);
+    return std::any_of(keys.begin(), keys.end(), [&](const std::string& key) {
+      const std::string own = plain(key);
+      return set == own || set.starts_with(own + ".");
+    });
+  });
+  return found;
 }
 
 }  // namespace blockweir::scene

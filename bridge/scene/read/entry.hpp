@@ -21,4 +21,9 @@ struct SettingEntry {
 /// name the entry, and its file and line for what it sets. So do warnings.
 ReadScene read_entry(const std::filesystem::path& path, const SettingEntry& entry, const std::vector<std::string>& all);
 
+/// Those of `overrides` that set one of `keys`, or a part of its value, whether they call an entry by its name or its
+/// index. A key may have "=value" behind it. `scene`: with the overrides.
+std::vector<std::string> overrides_of(const Scene& scene, const std::vector<std::string>& overrides,
+                                      const std::vector<std::string>& keys);
+
 }  // namespace blockweir::scene

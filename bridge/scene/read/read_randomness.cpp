@@ -90,6 +90,25 @@ void require_positive_definite(Reading& reading, const Randomness& random, const
       "take coefficients nearer to 0, or all from one set of measurements");
 }
 
+/// The level is what is looked for. A filling that is run may depend on numbers, but is none itself.
+void refuse_random_level(Reading& reading, const Randomness& random) {
+  const std::string level = "water.upstream_level_m";
+  const bool runs = random.reliability.by == CapacityBy::runs;
+  for (const RandomVariable& variable : random.variables) {
+    WordList keys = runs ? WordList{} : variable.set;
+    for (std::string& key : keys) key.erase(std::min(key.size(), key.find('=')));
+    keys.push_back(variable.key);
+    if (std::none_of(keys.begin(), keys.end(),
+                     [&](const std::string& key) { return key == level || (!runs && key.starts_with(level + ".")); }))
+      continue;
+    reading.problems.error(
+        reading.problems.at(variable.line), fmt::format("[[random]] \"{}\" sets {}", variable.name, level),
+        "numbers that the level of failure depends on: that level is looked for, so that the one stated has no effect",
+        "leave it out: the fragility curve has the probability of failure at each level, to be weighed with the "
+        "level's own distribution");
+  }
+}
+
 Reliability read_reliability(TableReader& table) {
   Reliability reliability;
   table.choice("by", reliability.by,
@@ -102,11 +121,13 @@ Reliability read_reliability(TableReader& table) {
   return reliability;
 }
 
-void read_methods(TableReader& table, Reading& reading, Reliability& reliability) {
+void read_methods(TableReader& table, Reading& reading, Randomness& random) {
+  Reliability& reliability = random.reliability;
   const WordList known{"form", "sorm", "importance", "subset", "sobol", "none"};
   WordList methods;
   if (!table.texts_if_any("methods", methods)) {
     if (reliability.by == CapacityBy::runs) reliability.methods.clear();
+    if (!random.correlations.empty()) std::erase(reliability.methods, "sobol");  // has none of correlated variables
     return;
   }
   for (const std::string& method : methods) {
@@ -144,7 +165,8 @@ Randomness read_randomness(Reading& reading) {
   TableReader table(reading.problems, reading.section("reliability"), "[reliability]");
   random.line = table.present() ? table.place().line : 0;
   random.reliability = read_reliability(table);
-  read_methods(table, reading, random.reliability);
+  read_methods(table, reading, random);
+  refuse_random_level(reading, random);
   const toml::table* stated = reading.file["reliability"].as_table();
   if (stated != nullptr && !stated->empty() && random.variables.empty()) {
     reading.problems.error(table.place(), "[reliability] and no [[random]]", "what is uncertain, as a [[random]] each",

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: blockweir_independent nlohmann_json::nlohmann_json
+// What blockweir reliability says of answers that are no whole ones, and of what would have no effect.
+#include "tests/independent/upper_crack.hpp"
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using independent::UncertainCrack;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class ReliabilityWords : public Processes {
+ protected:
+  [[nodiscard]] int reliability(const UncertainCrack& crack, const std::string& tables,
+                                const std::string& options = "") const {
+    std::ofstream(folder / "scene.toml") << crack.scene() << tables;
+    return shell(programs + "/blockweir reliability scene.toml --out r " + options);
+  }
+  [[nodiscard]] json answer() const { return json::parse(text("r/reliability.json")); }
+};
+
+TEST_F(ReliabilityWords, LevelsAreOfTheSamplesThatFailAndFormSaysWhyItFindsNone) {
+  EXPECT_EQ(reliability({.friction_deg = {46, 6}}, "[reliability]\nlevel_m = 21.5\nsamples = 60\nmethods = ['form']\n"),
+            1);
+  const json found = answer();
+  const int stand = found["samples"]["that_stand"];
+  ASSERT_GT(stand, 0);
+  EXPECT_EQ(found["fit"]["samples"], 60 - stand);
+  EXPECT_EQ(found["fit"]["cut_off_m"], 27);
+  EXPECT_THAT(text("out"), HasSubstr("LEVELS  of failure, of the " + std::to_string(60 - stand) +
+                                     " of 60 samples that have one below the highest: mean"));
+  EXPECT_THAT(text("out"), HasSubstr("WARNING they are cut off at 27 m: with the " + std::to_string(stand) +
+                                     " samples that stand there the mean is higher"));
+  EXPECT_THAT(text("out"), HasSubstr("NONE    by form: the search for the design point comes to a point at which no "
+                                     "variable changes the level; all points there stand at 27 m, the highest level "
+                                     "that is looked at: may_overtop = true in [water]"));
+  EXPECT_THAT(text("out"), HasSubstr("AGREE   at the means; limit analysis: stands; static analysis of the blocks: "
+                                     "stands"));
+}
+
+TEST_F(ReliabilityWords, ADrawThatTheSceneRefusesIsNamedAndTheNextMethodIsAsked) {
+  const UncertainCrack crack{.cohesion_pa = {4e3, 1.2e3}};
+  EXPECT_EQ(reliability(crack, "[reliability]\nlevel_m = 21\nsamples = 10\nmethods = ['importance', 'form']\n"), 1);
+  EXPECT_THAT(text("out"), HasSubstr("NONE    by importance: [[random]] \"cohesion\" draws -"));
+  EXPECT_THAT(text("out"), HasSubstr("expected a number of at least 0; cut its distribution off with least or most"));
+  EXPECT_THAT(text("out"), HasSubstr("FORM    P "));
+  EXPECT_THAT(text("out"), Not(HasSubstr("has ended before it answered")));
+  EXPECT_THAT(text("out"), HasSubstr("0.043 % of the values that are drawn are refused, as [[random]] \"cohesion\""));
+  EXPECT_EQ(shell(programs + "/blockweir check scene.toml"), 0);
+  EXPECT_THAT(text("out"), HasSubstr("warning: 0.043 % of the values that are drawn are refused, as [[random]] "
+                                     "\"cohesion\" sets joints.crack.cohesion_pa=-"));
+  EXPECT_EQ(shell(programs + "/blockweir check scene.toml --set random.1.least=0"), 0);
+  EXPECT_THAT(text("out"), HasSubstr("sound; "));
+}
+
+TEST_F(ReliabilityWords, ACorrelationMakesImportanceAnotherAndLeavesSobolOut) {
+  const UncertainCrack crack{.cohesion_pa = {20e3, 4e3}};
+  EXPECT_EQ(reliability(crack,
+                        "[[correlation]]\nbetween = ['friction', 'cohesion']\ncoefficient = -0.5\n"
+                        "[reliability]\nlevel_m = 23\nsamples = 10\n"),
+            0)
+      << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("importance y^2/|y|^2, not alpha^2: friction = "));
+  const json form = answer()["form"];
+  const double friction = (form["design_point"][0].get<double>() - 30) / 2;
+  const double cohesion = (form["design_point"][1].get<double>() - 20e3) / 4e3;
+  const double share = friction * friction / (friction * friction + cohesion * cohesion);
+  EXPECT_NEAR(form["importance"][0].get<double>(), share, 1e-6);
+  EXPECT_FALSE(answer().contains("sobol"));
+}
+
+TEST_F(ReliabilityWords, AnOverrideOfWhatIsDrawnIsRefused) {
+  EXPECT_EQ(reliability({}, "", "--set joints.0.friction_angle_deg=10"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("--set joints.0.friction_angle_deg=10: error: [[random]] \"friction\" draws this "
+                                     "key, so that it would have no effect"));
+  EXPECT_THAT(text("out"), HasSubstr("as --set random.0.KEY=VALUE does"));
+}
+
+}  // namespace
+}  // namespace blockweir::test
