@@ -29,7 +29,8 @@ bool SweepRows::begin(IslandEquations& s) {
       }
     });
   }
-  s.sweeps.begin(s.correction, s.island.contacts.size() + s.island.supports.size() + s.bolts.size(), !s.unknowns->shared());
+  s.sweeps.begin(s.correction, s.island.contacts.size() + s.island.supports.size() + s.bolts.size(),
+                 !s.unknowns->shared());
   return true;
 }
 
