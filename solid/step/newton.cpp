@@ -39,8 +39,10 @@ class Circle {
 int Newton::turn(int unknowns, const StepMode& mode) const {
   const int most = model_.scene.contact.max_iterations;
   const bool sweeps = may_sweep(step_, mode);
-  if (unknowns <= (sweeps ? few_unknowns : large_island)) return most;
-  if (state_.whole_law.after_failure()) return std::min(most, sweeps && trial_.falls() ? 10 : 20);
+  const bool falls = sweeps && trial_.falls();
+  const bool small = unknowns <= (sweeps ? few_unknowns : large_island);
+  if (small) return falls && state_.whole_law.after_failure() ? std::min(most, 20) : most;
+  if (state_.whole_law.after_failure()) return std::min(most, falls ? 10 : 20);
   return sweeps ? std::min(most, 40) : most;
 }
 
