@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -15,10 +14,10 @@
 #include "solid/crushed_corners.hpp"
 #include "solid/limit/limit_strength.hpp"
 #include "solid/reservoir_parts.hpp"
+#include "solid/safety_reserves.hpp"
 #include "solid/situation.hpp"
 #include "solid/static_blocks.hpp"
 #include "solid/static_strength.hpp"
-#include "solid/watch/edge_tension.hpp"
 #include "solid/watch/joint_table.hpp"
 #include "solid/watch/uplift_in_tension.hpp"
 #include "solid/water_by_kind.hpp"
@@ -77,21 +76,6 @@ json bolts_json(const solid::Solid& blocks) {
   return list;
 }
 
-/// Warns of bonds that their tension holds, with the sliding factor that is left where their cohesion cracks.
-void add_cracked_joint(const solid::Solid& blocks, double level_m, json& answer) {
-  solid::EdgeTension edge;
-  edge.look(blocks, std::numeric_limits<double>::quiet_NaN(), level_m);
-  if (const std::string warning = edge.warning(); !warning.empty()) answer["warnings"].push_back(warning);
-  const auto cracked = solid::EdgeTension::weakest(blocks);
-  if (!cracked) return;
-  answer["with_cracked_joint"] = {
-      {"factor", cracked->factor},
-      {"text",
-       fmt::format("with cohesion on what is not in tension alone, joint \"{}\" has a sliding factor of {:.4g}, "
-                   "not {:.4g}",
-                   cracked->joint, cracked->factor, cracked->whole_factor)}};
-}
-
 /// Forces on joints as the scene stands; where it does not, with just the strength with which it would.
 void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStrength& found, json& answer) {
   constexpr double just_stands = 1 - 1e-6;
@@ -108,8 +92,9 @@ void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStreng
   answer["joints"] = table_json(table);
   answer["bolts"] = bolts_json(blocks.solid());
   if (!stands) answer["joints_with_strength_times"] = 1 / reduction;
-  for (std::string& warning : solid::uplift_warnings(scene, table)) answer["warnings"].push_back(std::move(warning));
-  if (stands) add_cracked_joint(blocks.solid(), now.level_m, answer);
+  for (std::string& warning : solid::uplift_warnings(scene, now.level_m, table))
+    answer["warnings"].push_back(std::move(warning));
+  if (stands) solid::add_cracked_joints(blocks.solid(), now, answer);
 }
 
 /// A factor where there is one, else why there is none; both ways of finding it have these fields.
@@ -187,6 +172,8 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
   solid::add_shaking_left_out(scene, answer);
   if (by_limit.value && blocks.value) add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
+  if (by_limit.value) solid::add_water_factor(structure, now, stated, *by_limit.value, answer);
+  if (blocks.value) solid::add_stretch_of_anchors(now, *blocks.value, answer);
   if (by_limit.value) {
     solid::add_strength_with_crushed_corners(structure, limit::combined(dead, 1, stated), *by_limit.value, answer);
   }

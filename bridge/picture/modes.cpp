@@ -15,7 +15,7 @@ using geometry::Bounds;
 using nlohmann::json;
 using scene::Point;
 
-constexpr std::size_t most = 6;
+constexpr std::size_t most_pictures = 6;
 constexpr double swing_ratio = 0.05;  // largest displacement over the structure's size
 
 struct Outline {
@@ -76,7 +76,7 @@ std::string drawn(const scene::Scene& scene, const json& mode, std::size_t numbe
 
 void draw_modes(const scene::Scene& scene, const json& answer, const std::filesystem::path& out) {
   const json& modes = answer.contains("wet") ? answer["wet"] : answer["dry"];
-  const std::size_t count = std::min(most, modes.size());
+  const std::size_t count = std::min(most_pictures, modes.size());
   const Bounds view = view_of_swing(outlines_of(modes[0]));
   const Point span = view.high - view.low;
   const double aspect = std::clamp(span.y() / span.x(), 0.5, 2.0);

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <queue>
 #include <set>
 #include <tuple>
@@ -32,7 +33,7 @@ geometry::Bounds grown(const geometry::Bounds& box, double touching_m) {
 }
 
 /// Each joint whose uplift is one of these as a crack of its own.
-std::vector<Crack> single_joints(const Scene& scene, double touching_m, bool (*wanted)(Uplift)) {
+std::vector<Crack> single_joints(const Scene& scene, double touching_m, const std::function<bool(Uplift)>& wanted) {
   std::vector<Crack> cracks;
   std::set<std::pair<int, int>> named;
   const auto add = [&](int a, int b, const JointLaw& law) {
@@ -133,8 +134,12 @@ std::vector<Crack> find_cracks(const Scene& scene) {
   return cracks;
 }
 
+std::vector<Crack> find_joints(const Scene& scene, Uplift law) {
+  return single_joints(scene, touching_ratio * size_of(scene), [=](Uplift of_joint) { return of_joint == law; });
+}
+
 std::vector<Crack> find_flow_joints(const Scene& scene) {
-  return single_joints(scene, touching_ratio * size_of(scene), [](Uplift law) { return law == Uplift::flow; });
+  return find_joints(scene, Uplift::flow);
 }
 
 std::string name_of(const Scene& scene, const Crack& crack) {

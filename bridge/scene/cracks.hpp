@@ -32,7 +32,9 @@ struct Crack {
 /// within 45 degrees of its direction, is the same crack; of several such the straightest.
 std::vector<Crack> find_cracks(const Scene& scene);
 
-/// Joints through which water flows, one by one.
+/// Joints whose uplift is this law, one by one.
+std::vector<Crack> find_joints(const Scene& scene, Uplift law);
+/// Joints through which water flows.
 std::vector<Crack> find_flow_joints(const Scene& scene);
 
 /// In a message: the joint that the crack begins with, or its blocks.

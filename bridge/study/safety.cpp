@@ -139,6 +139,10 @@ std::string factors_text(const json& cases) {
     else if (c["factor"].is_null() && c.contains("why_no_factor"))
       tell("no factor: ", c["why_no_factor"]);
     if (c.contains("stopped")) tell("a lower bound, ", c["stopped"]);
+    if (c.contains("water_factor")) {
+      tell("it bears ", fmt::format("{:.5g} times what the water presses, by limit analysis",
+                                    c["water_factor"]["factor"].get<double>()));
+    }
     if (c.contains("load_factor")) {
       tell("it bears ", load_factor_text(c["load_factor"]));
     }
@@ -228,6 +232,8 @@ std::string joints_text(const json& answer) {
 double deciding_factor(const json& answer) {
   double factor = answer["outcome"] == "stands" ? std::numeric_limits<double>::infinity() : 0;
   if (answer["factor"].is_number()) factor = answer["factor"];
+  if (answer["limit_analysis_factor"].is_number())
+    factor = std::min(factor, answer["limit_analysis_factor"].get<double>());
   for (const char* lower : {"with_crushed_corners", "with_cracked_joint", "above_upper_bound"}) {
     if (answer.contains(lower)) factor = std::min(factor, answer[lower]["factor"].get<double>());
   }

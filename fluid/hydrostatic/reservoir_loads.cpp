@@ -12,41 +12,53 @@
 namespace blockweir::hydrostatic {
 namespace {
 
-/// A wet part of an edge that looks upstream. Outlines run counter-clockwise: it leads down.
-struct UpstreamFace {
+enum class Looks { upstream, downstream };
+
+/// A wet part of an edge that does not lie level. Outlines run counter-clockwise: one that looks upstream leads down.
+struct WetFace {
   const WetInterval* wet;
   Point from;
   Point to;
   double normal_x;  ///< size
 
+  [[nodiscard]] double top() const { return std::max(from.y(), to.y()); }
+  [[nodiscard]] double bottom() const { return std::min(from.y(), to.y()); }
   [[nodiscard]] double share(double y) const {
     const double along = (y - from.y()) / (to.y() - from.y());
     const double s = wet->s_from + (wet->s_to - wet->s_from) * along;
     return std::clamp(s, wet->s_from, wet->s_to);  // not by a rounding more, which the wire refuses
   }
+  /// Linear pressure between two heights.
+  void press(double high, double high_pa, double low, double low_pa, wire::Load& load) const {
+    if (from.y() > to.y()) {
+      wire::add_panel(load, wet->block, wet->edge, share(high), share(low), high_pa, low_pa);
+    } else {
+      wire::add_panel(load, wet->block, wet->edge, share(low), share(high), low_pa, high_pa);
+    }
+  }
 };
 
-std::vector<UpstreamFace> upstream_faces(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines,
-                                         const WaterBody& reservoir) {
-  std::vector<UpstreamFace> faces;
-  for (const WetInterval& wet : reservoir.wet->intervals) {
+std::vector<WetFace> faces_that(Looks looks, const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines,
+                                const WaterBody& pool) {
+  std::vector<WetFace> faces;
+  for (const WetInterval& wet : pool.wet->intervals) {
     if (scene.blocks[at(wet.block)].fixed) continue;
     const auto& outline = outlines[at(wet.block)];
     const Point& a = outline[at(wet.edge)];
     const Point span = outline[(at(wet.edge) + 1) % outline.size()] - a;
-    if (span.y() >= -1e-9 * span.norm()) continue;
-    faces.push_back({&wet, a + wet.s_from * span, a + wet.s_to * span, -span.y() / span.norm()});
+    const double down = looks == Looks::upstream ? -span.y() : span.y();
+    if (down <= 1e-9 * span.norm()) continue;
+    faces.push_back({&wet, a + wet.s_from * span, a + wet.s_to * span, down / span.norm()});
   }
   return faces;
 }
 
-void add_ice(const std::vector<UpstreamFace>& faces, const scene::Ice& ice, double level_m, wire::Load& load) {
+void add_ice(const std::vector<WetFace>& faces, const scene::Ice& ice, double level_m, wire::Load& load) {
   const double pressure = ice.thrust_n_per_m / ice.thickness_m;
-  for (const UpstreamFace& face : faces) {
-    const double low = std::max(face.to.y(), level_m - ice.thickness_m);
-    const double high = std::min(face.from.y(), level_m);
-    if (low >= high) continue;
-    wire::add_panel(load, face.wet->block, face.wet->edge, face.share(high), face.share(low), pressure, pressure);
+  for (const WetFace& face : faces) {
+    const double low = std::max(face.bottom(), level_m - ice.thickness_m);
+    const double high = std::min(face.top(), level_m);
+    if (low < high) face.press(high, pressure, low, pressure, load);
   }
 }
 
@@ -60,22 +72,21 @@ std::pair<double, double> of_same_force_and_moment(double factor, double z_from,
   return {4 * mean - 6 * lever, 6 * lever - 2 * mean};
 }
 
-void add_westergaard(const std::vector<UpstreamFace>& faces, double weight_times_coefficient, double level_m,
+void add_westergaard(const std::vector<WetFace>& faces, double weight_times_coefficient, double level_m,
                      wire::Load& load) {
   constexpr int elements = 10;
   double foot = std::numeric_limits<double>::infinity();
-  for (const UpstreamFace& face : faces) foot = std::min(foot, face.to.y());
+  for (const WetFace& face : faces) foot = std::min(foot, face.bottom());
   const double root_of_depth = std::sqrt(std::max(0.0, level_m - foot));
-  for (const UpstreamFace& face : faces) {
+  for (const WetFace& face : faces) {
     const double factor = 7.0 / 8 * weight_times_coefficient * root_of_depth * face.normal_x;
-    const double top = std::max(0.0, level_m - face.from.y());
-    const double bottom = level_m - face.to.y();
+    const double top = std::max(0.0, level_m - face.top());
+    const double bottom = level_m - face.bottom();
     for (int k = 0; k < elements; ++k) {
       const double z_from = top + (bottom - top) * k / elements;
       const double z_to = top + (bottom - top) * (k + 1) / elements;
       const auto [from_pa, to_pa] = of_same_force_and_moment(factor, z_from, z_to);
-      wire::add_panel(load, face.wet->block, face.wet->edge, face.share(level_m - z_from), face.share(level_m - z_to),
-                      from_pa, to_pa);
+      face.press(level_m - z_from, from_pa, level_m - z_to, to_pa, load);
     }
   }
 }
@@ -146,12 +157,17 @@ void add_reservoir_loads(const scene::Scene& scene, const std::vector<std::vecto
   if (water.crest_pressure != scene::CrestPressure::none) add_crest(scene, outlines, bodies, load);
   const bool westergaard = water.earthquake_coefficient != 0 && water.added_water == scene::AddedWater::westergaard;
   if (!water.ice && !westergaard) return;
-  const std::vector<UpstreamFace> faces = upstream_faces(scene, outlines, bodies.front());
   const double level_m = bodies.front().surface.from_m.y();
-  if (water.ice) add_ice(faces, *water.ice, level_m, load);
-  if (westergaard) {
-    add_westergaard(faces, water.earthquake_coefficient * scene::unit_weight_of_water(scene), level_m, load);
-  }
+  const std::vector<WetFace> upstream = faces_that(Looks::upstream, scene, outlines, bodies.front());
+  if (water.ice) add_ice(upstream, *water.ice, level_m, load);
+  if (!westergaard) return;
+  const double weight = water.earthquake_coefficient * scene::unit_weight_of_water(scene);
+  add_westergaard(upstream, weight, level_m, load);
+  if (!water.downstream_level_m) return;
+  // The ground that pushes the dam into the reservoir draws it away from the tailwater.
+  const WaterBody& tailwater = bodies.size() > 1 ? bodies[1] : bodies.front();
+  add_westergaard(faces_that(Looks::downstream, scene, outlines, tailwater), -weight, tailwater.surface.from_m.y(),
+                  load);
 }
 
 }  // namespace blockweir::hydrostatic

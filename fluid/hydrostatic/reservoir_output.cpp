@@ -14,7 +14,7 @@
 namespace blockweir::hydrostatic {
 namespace {
 
-constexpr const char* part = "reservoir";
+constexpr const char* part_name = "reservoir";
 
 /// Height of the water over its lowest point [m].
 double depth(const PoolSection& pool) {
@@ -81,7 +81,7 @@ void RecordedModel::restore(const std::string& state) {
 
 void RecordedModel::write(double time_s) {
   if (model_.updates() == written_update_) {
-    files_.repeat(last_file_, time_s, part);
+    files_.repeat(last_file_, time_s, part_name);
     ++repeats_;
   } else {
     const Stopwatch watch(meshing_s_);
@@ -93,7 +93,7 @@ void RecordedModel::write(double time_s) {
           pressure);
     }
     last_file_ = fmt::format("reservoir_{:06d}.vtu", meshes_++);
-    files_.add(grid, last_file_, time_s, part);
+    files_.add(grid, last_file_, time_s, part_name);
     written_update_ = model_.updates();
   }
   files_.save();

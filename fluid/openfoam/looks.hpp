@@ -12,6 +12,7 @@ namespace blockweir::openfoam {
 
 constexpr double untouched = 1e-6;   ///< share of a cell that a block may fill where the cell still counts as open
 constexpr double sealed = 1 - 1e-6;  ///< share at which it has no water
+constexpr double all_water = 0.99;   ///< volume fraction from which a cell counts as full of water
 
 /// A place that looks for its water, and which ways it does: the first is the best, others help where that is blocked.
 struct Seeker {

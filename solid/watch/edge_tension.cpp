@@ -100,6 +100,7 @@ std::vector<EdgeTension::Bond> EdgeTension::bonds_of(const Solid& solid) {
   for (const auto& [pair, joint] : bonded) {
     Bond bond = judged(solid, joint);
     if (bond.stress_pa <= 0) continue;
+    bond.blocks = pair;
     bond.joint = joint_name(solid, pair.first, pair.second);
     const bool first_fixed = solid.blocks()[at(pair.first)].fixed;
     bond.block = solid.blocks()[at(first_fixed ? pair.second : pair.first)].name;
@@ -117,11 +118,10 @@ void EdgeTension::look(const Solid& solid, double time_s, double level_m) {
   }
 }
 
-std::optional<CrackedJoint> EdgeTension::weakest(const Solid& solid) {
-  std::optional<CrackedJoint> found;
+std::vector<CrackedJoint> EdgeTension::cracked_joints(const Solid& solid) {
+  std::vector<CrackedJoint> found;
   for (const Bond& bond : bonds_of(solid)) {
-    if (bond.excess <= 0 || !loses_cohesion(bond)) continue;
-    if (!found || bond.cracked_factor < found->factor) found = {bond.joint, bond.cracked_factor, bond.factor};
+    if (bond.excess > 0 && loses_cohesion(bond)) found.push_back({bond.blocks, bond.joint, bond.cracked});
   }
   return found;
 }

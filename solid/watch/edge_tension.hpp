@@ -7,19 +7,19 @@
 // resultant from the nearer end.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {
 
-/// A joint part of which would crack, with its sliding factor once that part has no cohesion.
+/// A joint part of which would crack, so that its cohesion holds on less.
 struct CrackedJoint {
-  std::string joint;
-  double factor = 0;
-  double whole_factor = 0;  ///< with cohesion on all of it
+  std::pair<int, int> blocks;
+  std::string name;
+  double cracked = 0;  ///< share of the joint
 };
 
 class EdgeTension {
@@ -33,9 +33,8 @@ class EdgeTension {
   [[nodiscard]] double cracked() const { return worst_.cracked; }
   /// Shear strength over shear force of that joint with cohesion on what is not cracked alone.
   [[nodiscard]] double cracked_factor() const { return worst_.cracked_factor; }
-  /// Of the joints that bear more than their strength at an edge, that whose sliding factor is then lowest. None where
-  /// no joint loses cohesion by more than 1 % of its factor.
-  [[nodiscard]] static std::optional<CrackedJoint> weakest(const Solid& solid);
+  /// Those that bear more than their strength at an edge, and lose cohesion by more than 1 % of their sliding factor.
+  [[nodiscard]] static std::vector<CrackedJoint> cracked_joints(const Solid& solid);
   /// Empty where no bond bears more than its strength at its edge.
   [[nodiscard]] std::string warning() const;
 
@@ -53,6 +52,7 @@ class EdgeTension {
     double cracked = 0;         ///< share of the joint
     double factor = 0;          ///< shear strength over shear force with cohesion on all of the joint; 0: none
     double cracked_factor = 0;  ///< with cohesion on what is not cracked
+    std::pair<int, int> blocks;
     std::string joint;
     std::string block;  ///< that can have a mesh
   };

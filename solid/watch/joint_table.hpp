@@ -27,6 +27,7 @@ struct JointRow {
   double cracked_length_m = 0;
   double heel_stress_pa = 0;  ///< at the upstream end; tension positive
   double toe_stress_pa = 0;   ///< at the downstream end
+  Point upstream_end_m;
   Point downstream_end_m;
   std::vector<ForceSum> sums;  ///< on what stands on it, about that end
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bridge/scene/cracks.hpp"
 
@@ -21,21 +22,52 @@ bool is_of(const JointRow& row, const Crack& crack) {
   return std::abs(crack.length_m - row.length_m) < off_m && (crack.end() - row.downstream_end_m).norm() < off_m;
 }
 
+/// What such a law makes of a crack; nullptr of those that follow it, or have the full pressure anyway.
+const char* makes_of_a_crack(Uplift law) {
+  switch (law) {
+    case Uplift::drained:
+    case Uplift::triangular:
+      return "takes it to be closed";
+    case Uplift::flow:
+      return "lets water through it as if its faces touched";
+    case Uplift::none:
+      return "keeps water out of it";
+    default:
+      return nullptr;
+  }
+}
+
+/// The law of a row's water, where all of the row or the joint at its upstream end has one of those above.
+std::optional<Uplift> law_of(const scene::Scene& scene, const std::vector<Crack>& cracks, const JointRow& row) {
+  const auto crack = std::find_if(cracks.begin(), cracks.end(), [&](const Crack& c) { return is_of(row, c); });
+  if (crack != cracks.end()) return crack->law;
+  constexpr double strained = 1e-2;
+  for (const Uplift law : {Uplift::flow, Uplift::none}) {
+    for (const Crack& joint : scene::find_joints(scene, law)) {
+      for (const Point& end : {joint.mouth(), joint.end()}) {
+        if ((end - row.upstream_end_m).norm() < strained * row.length_m) return law;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-std::vector<std::string> uplift_warnings(const scene::Scene& scene, const std::vector<JointRow>& rows) {
+std::vector<std::string> uplift_warnings(const scene::Scene& scene, double level_m, const std::vector<JointRow>& rows) {
   constexpr double seen = 1e-2;
   std::vector<std::string> warnings;
   const std::vector<Crack> cracks = scene::find_cracks(scene);
   for (const JointRow& row : rows) {
-    if (row.uplift_n_per_m <= 0 || row.cracked_length_m <= seen * row.length_m) continue;
-    const auto crack = std::find_if(cracks.begin(), cracks.end(), [&](const Crack& c) { return is_of(row, c); });
-    if (crack == cracks.end() || (crack->law != Uplift::drained && crack->law != Uplift::triangular)) continue;
+    if (row.cracked_length_m <= seen * row.length_m) continue;
+    const auto law = law_of(scene, cracks, row);
+    const char* makes = law ? makes_of_a_crack(*law) : nullptr;
+    const bool is_wet = law == Uplift::none ? row.upstream_end_m.y() < level_m : row.uplift_n_per_m > 0;
+    if (makes == nullptr || !is_wet) continue;
     warnings.push_back(
         fmt::format("joint \"{}\" is in tension over {:.3g} % of its length, by the gravity method, and uplift = "
-                    "\"{}\" takes it to "
-                    "be closed; water in a crack has the full pressure of its mouth: state uplift = \"cracked\"",
-                    row.name, 100 * row.cracked_length_m / row.length_m, scene::named(crack->law).name));
+                    "\"{}\" {}; water in a crack has the full pressure of its mouth: state uplift = \"cracked\"",
+                    row.name, 100 * row.cracked_length_m / row.length_m, scene::named(*law).name, makes));
   }
   return warnings;
 }

@@ -6,7 +6,9 @@
 
 namespace blockweir::solid {
 
-/// A warning for each row in tension over more than 1 % of its length with uplift "drained" or "triangular".
-std::vector<std::string> uplift_warnings(const scene::Scene& scene, const std::vector<JointRow>& rows);
+/// A warning for each row in tension over more than 1 % of its length whose uplift does not follow the crack: with
+/// "drained", "triangular" and "flow", and with "none" where its upstream end is below `level_m`, which is NaN without
+/// water.
+std::vector<std::string> uplift_warnings(const scene::Scene& scene, double level_m, const std::vector<JointRow>& rows);
 
 }  // namespace blockweir::solid

@@ -106,6 +106,17 @@ TEST(ReservoirLoads, WestergaardsPressureOnALeaningFaceIsOfItsNormalsPart) {
   EXPECT_NEAR(w[1] / w[0], -lean, 1e-8);
 }
 
+/// With the depth of the tailwater; the downstream face leans by 11 in 20.
+TEST(ReservoirLoads, WestergaardsPressureIsTakenFromTheTailwater) {
+  const double nx = 1 / std::hypot(1, 11.0 / 20);
+  for (const double h : {5.0, 14.0, 16.0}) {  // the last as high as the reservoir
+    const std::string water = fmt::format("[water]\nupstream_level_m = 16\ndownstream_level_m = {}\n", h);
+    const auto with = [&](const char* k) { return water_on_dam(read_text(dam(0, water + k), "s.toml").scene)[0]; };
+    const double added = with("[earthquake]\nhorizontal_coefficient = 0.1\n") - with("");
+    EXPECT_NEAR(added / (7.0 / 12 * 0.1 * 9810 * (16 * 16 + h * h * nx)), 1, 1e-8) << h;
+  }
+}
+
 TEST(ReservoirLoads, AnEarthquakePushesAllThatCanMove) {
   const auto scene =
       read_text(dam(0, "[earthquake]\nhorizontal_coefficient = 0.1\nvertical_coefficient = 0.05\n"), "s.toml").scene;
@@ -131,6 +142,15 @@ TEST(ReservoirLoads, IceThatLiesOnNoFaceIsWarnedOfWithWhatItLoses) {
   EXPECT_THAT(warned(10, "50"), testing::AllOf(HasSubstr("thickness_m in [ice] is 50 m, which is unusual"),
                                                HasSubstr("[ice] loses 80 % of its thrust")));
   EXPECT_THAT(warned(0.2, "0.5"), HasSubstr("[ice] loses 60 % of its thrust"));
+}
+
+TEST(ReservoirLoads, IceOnAFaceThatLeansIsWarnedOfWithWhatItHolds) {
+  const auto warned = [](double foot_x) {
+    const std::string ice = "[water]\nupstream_level_m = 12\n[ice]\nthrust_n_per_m = 150e3\nthickness_m = 0.5\n";
+    return testing::PrintToString(read_text(dam(foot_x, ice), "s.toml").scene.warnings);
+  };
+  EXPECT_THAT(warned(-4), HasSubstr("20 % of its thrust presses down"));
+  EXPECT_THAT(warned(-0.5), testing::Not(HasSubstr("[ice]")));
 }
 
 TEST(ReservoirLoads, TheNappePressesOnTheCrest) {

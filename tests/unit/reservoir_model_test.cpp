@@ -8,55 +8,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bridge/scene/read/read.hpp"
+#include "tests/unit/reservoir_dam.hpp"
 
 namespace blockweir::reservoir {
 namespace {
-
-scene::Scene dam_of_two(const std::string& more = "") {
-  const std::string text = R"(analysis = { duration_s = 1, rigid = "all" }
-water = { upstream_level_m = 20 }
-joint = { friction_angle_deg = 30, uplift = "triangular" }
-material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
-[[block]]
-name = "rock"
-material = "m"
-fixed = true
-vertices_m = [[-50, -10], [80, -10], [80, 0], [-50, 0]]
-[[block]]
-name = "low"
-material = "m"
-vertices_m = [[0, 0], [16, 0], [16, 10], [0, 10]]
-[[block]]
-name = "top"
-material = "m"
-vertices_m = [[0, 10], [16, 10], [16, 22], [0, 22]]
-)" + (more.empty() ? "[fluid]\nmodel = \"reservoir\"\n" : more);
-  return scene::read_text(text, "dam").scene;
-}
-
-/// Both blocks move together, x along and v its rate.
-wire::Motion moved(double x, double v) {
-  wire::Motion motion;
-  motion.displacement.own() = {{}, {x, 0, 0, 0, 0, 0}, {x, 0, 0, 0, 0, 0}};
-  motion.velocity.own() = {{}, {v, 0, 0, 0, 0, 0}, {v, 0, 0, 0, 0, 0}};
-  return motion;
-}
-
-/// Of open water on faces that look upstream.
-double thrust(const wire::Load& load) {
-  const std::array<double, 3> height{0, 10, 12};
-  double sum = 0;
-  for (std::size_t i = 0; i < load.cracks_from; ++i) {
-    if (load.edge[i] != 3) continue;
-    sum += (load.s_to[i] - load.s_from[i]) * height[load.block[i]] *
-           (load.pressure_from_pa[i] + load.pressure_to_pa[i]) / 2;
-  }
-  return sum;
-}
-
-constexpr double still = 1000 * 9.81 * 20 * 20 / 2;
-constexpr double added = 0.5427545 * 1000 * 20 * 20;
 
 TEST(ReservoirModel, AnAccelerationAddsItsPressureToStillWater) {
   const scene::Scene scene = dam_of_two();
@@ -99,29 +54,6 @@ TEST(ReservoirModel, WhatIsRestoredGoesOnWithTheSameBits) {
   goes_on_with_the_same_bits(with_waves);
 }
 
-TEST(ReservoirModel, WavesGoOnAsTheMeshFollowsTheBlocks) {
-  const scene::Scene kept = dam_of_two(with_waves);
-  const scene::Scene anew = dam_of_two(
-      "[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"waves\", compressible = true, bottom_reflection = "
-      "0.8, "
-      "move_tolerance = 0 }\n");
-  ReservoirModel one(kept);
-  ReservoirModel other(anew);
-  wire::Load a;
-  wire::Load b;
-  double largest = 0;
-  for (int i = 0; i < 60; ++i) {
-    const double speed = i < 20 ? 0.01 * i : 0.2;  // 1 m/s2, then none
-    const wire::Motion motion = moved(i < 20 ? 5e-5 * i * i : 0.02 + 0.002 * (i - 20), speed);
-    one.advance(motion, 0.01 * i, a);
-    other.advance(motion, 0.01 * i, b);
-    largest = std::max(largest, std::abs(thrust(a) - still));
-    EXPECT_NEAR(thrust(a), thrust(b), 0.02 * added) << i;
-  }
-  EXPECT_GT(largest, 0.8 * added);
-  EXPECT_GT(std::abs(thrust(a) - still), 0.01 * added);  // it has not come to rest when the dam has no acceleration
-}
-
 TEST(ReservoirModel, WaterThatRemembersTellsTheGuardWhatAWindowFeels) {
   const scene::Scene level = dam_of_two();
   const scene::Scene sound = dam_of_two("[fluid]\nmodel = \"reservoir\"\nreservoir = { compressible = true }\n");
@@ -132,24 +64,6 @@ TEST(ReservoirModel, WaterThatRemembersTellsTheGuardWhatAWindowFeels) {
   // In 0.01 s sound runs 14.4 of 20 m.
   EXPECT_LT(b.added_mass[1][0], a.added_mass[1][0]);
   EXPECT_GT(b.added_mass[1][0], 0.3 * a.added_mass[1][0]);
-}
-
-TEST(ReservoirModel, FactorsAreKeptUntilACornerHasMovedAndChangeThePressuresByNoMore) {
-  const scene::Scene kept = dam_of_two();
-  const scene::Scene anew = dam_of_two("[fluid]\nmodel = \"reservoir\"\nreservoir = { move_tolerance = 0 }\n");
-  ReservoirModel one(kept);
-  ReservoirModel other(anew);
-  wire::Load a;
-  wire::Load b;
-  for (int i = 0; i < 30; ++i) {
-    const wire::Motion motion = moved(0.0015 * i, 0.01 * i);
-    one.advance(motion, 0.01 * i, a);
-    other.advance(motion, 0.01 * i, b);
-    EXPECT_NEAR(thrust(a), thrust(b), 1e-3 * added) << i;
-  }
-  EXPECT_EQ(one.report().counts.at("reservoir solutions"), 3);
-  EXPECT_EQ(other.report().counts.at("reservoir solutions"), 30);
-  EXPECT_THAT(one.report().skips, testing::Contains(testing::HasSubstr("mesh and factors in 27 of 30 windows")));
 }
 
 TEST(ReservoirModel, TheGuardIsToldNoLessThanBlocksPushTogether) {

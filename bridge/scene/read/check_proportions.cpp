@@ -12,7 +12,7 @@
 namespace blockweir::scene {
 namespace {
 
-constexpr const char* remedy = "are some coordinates in centimetres or millimetres? write metres";
+constexpr const char* in_metres = "are some coordinates in centimetres or millimetres? write metres";
 
 /// The box around what can move, or around what can not.
 std::optional<geometry::Bounds> box_of(const std::vector<Block>& blocks, bool fixed) {
@@ -34,7 +34,7 @@ void check_ground(const Scene& scene, const geometry::Bounds& structure, Problem
   problems.warning(
       problems.at(scene.blocks.front().line),
       fmt::format("what can move is {:.4g} m wide, and the fixed blocks {:.4g} m, which is unusual", width_m, ground_m),
-      fmt::format("at most {:g} times the width of the fixed blocks", most), remedy);
+      fmt::format("at most {:g} times the width of the fixed blocks", most), in_metres);
 }
 
 void check_depth(const toml::table& file, const Scene& scene, const geometry::Bounds& structure, Problems& problems) {
@@ -51,7 +51,7 @@ void check_depth(const toml::table& file, const Scene& scene, const geometry::Bo
                    fmt::format("upstream_level_m rises to {:.4g} m above the foot of what can move, which is {:.4g} m "
                                "high: {:.2g} % of it, which is unusual",
                                depth_m, height_m, 100 * depth_m / height_m),
-                   fmt::format("at least {:g} %", 100 * least), remedy);
+                   fmt::format("at least {:g} %", 100 * least), in_metres);
 }
 
 }  // namespace

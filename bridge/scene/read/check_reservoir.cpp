@@ -15,6 +15,18 @@
 namespace blockweir::scene {
 namespace {
 
+/// A sheet presses square to a face that leans, and so holds the structure down, which guidelines do not count on.
+void warn_of_leaning_ice(const Reading& reading, double downward) {
+  constexpr double seen = 0.05;
+  if (downward < seen) return;
+  reading.problems.warning(
+      reading.problems.at(reading.file["ice"].node()->source()),
+      fmt::format(
+          "[ice] presses square to a face that leans: {:.3g} % of its thrust presses down and holds the structure",
+          100 * downward),
+      "ice that acts level, as guidelines have it", "state its thrust as a [[load]] on the block in place of [ice]");
+}
+
 /// Faces take the pressure of the sheet that lies on them; what lies on none is lost from the thrust.
 void check_ice(const Reading& reading) {
   constexpr double round_off = 1e-6;
@@ -23,9 +35,14 @@ void check_ice(const Reading& reading) {
   const double thickness_m = scene.water.ice->thickness_m;
   const double level_m = scene.water.upstream_level_m->at(scene.analysis.duration_s);
   double held_m = 0;
+  double downward = 0;  // over the thrust
   for (const UpstreamFace& face : upstream_faces(scene, level_m)) {
-    held_m += std::max(0.0, face.top_m.y() - std::max(face.bottom_m.y(), level_m - thickness_m));
+    const double height_m = std::max(0.0, face.top_m.y() - std::max(face.bottom_m.y(), level_m - thickness_m));
+    const Point span = face.top_m - face.bottom_m;
+    held_m += height_m;
+    downward += height_m / thickness_m * span.x() / span.y();
   }
+  warn_of_leaning_ice(reading, downward);
   const double lost = 1 - held_m / thickness_m;
   if (lost <= round_off) return;
   reading.problems.warning(

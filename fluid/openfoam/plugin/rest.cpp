@@ -6,15 +6,9 @@
 #include <limits>
 
 #include "bridge/wire/placement.hpp"
+#include "fluid/openfoam/looks.hpp"
 
 namespace blockweir::openfoam {
-namespace {
-
-constexpr double all_water = 0.99;
-constexpr double untouched = 1e-6;  // share of a cell that a block may fill where its pressure is the water's own
-
-}  // namespace
-
 Rest::Rest(const Foam::fvMesh& mesh, const Foam::dictionary& dict, const ImmersedBlocks& blocks,
            const WaterLevels& levels)
     : mesh_(mesh),

@@ -8,7 +8,6 @@
 namespace blockweir::openfoam {
 namespace {
 
-constexpr double all_water = 0.99;
 constexpr double least_film = 0.01;  // of a cell: what is thinner is as good as dry
 constexpr double deep_cut = 0.95;    // a cell that blocks fill farther than this follows the water beside it too late
 

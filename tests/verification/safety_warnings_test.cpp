@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_process fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
+// What a factor on strength does not see: a structure that is about to turn over, a crack that the uplift does not
+// follow, anchors that take up their force as blocks move.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bridge/process/answers.hpp"
+#include "bridge/scene/read/read.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A wall of this outline on rock, before water of this depth.
+json safety_of(const std::string& outline, const std::string& joint, double level_m, const std::string& more = "") {
+  const std::string text = fmt::format(R"(analysis = {{ kind = "quasi-static", duration_s = 1, rigid = "all" }}
+water = {{ upstream_level_m = {:.17g} }}
+joint = {{ {} }}
+material.m = {{ youngs_modulus_pa = 50e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }}
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-20, -8], [30, -8], [30, 0], [-20, 0]]
+[[block]]
+name = "wall"
+material = "m"
+vertices_m = [{}]
+{})",
+                                       level_m, joint, outline, more);
+  const scene::Scene scene = scene::read_text(text, "wall.toml").scene;
+  return process::safety_answer(scene, hydrostatic::make);
+}
+
+std::string warnings(const json& answer) {
+  return answer["warnings"].dump();
+}
+
+/// W b/2 = f (rho g h^3/6 + rho g h b^2/2) with full uplift, f the factor on what the water presses.
+double turns_over_at(double b, double height, double h) {
+  const double water = 1000 * 9.81 * h;
+  return 2400 * 9.81 * b * height * b / 2 / (water * h * h / 6 + water * b * b / 2);
+}
+
+TEST(SafetyWarnings, WhatIsAboutToTurnOverIsSaidToBe) {
+  const std::string joint = "friction_angle_deg = 60, uplift = \"full\"";
+  for (const double scale : {0.1, 1.0, 7.0}) {
+    const std::string outline = fmt::format("[0, 0], [{0}, 0], [{0}, {1}], [0, {1}]", 2 * scale, 8 * scale);
+    const json near = safety_of(outline, joint, 5.47 * scale);
+    EXPECT_NEAR(near["water_factor"]["factor"].get<double>(), turns_over_at(2, 8, 5.47), 1e-7);
+    EXPECT_THAT(warnings(near), HasSubstr("near its end: 1.00"));
+    const json far = safety_of(outline, joint, 4 * scale);
+    EXPECT_NEAR(far["water_factor"]["factor"].get<double>(), turns_over_at(2, 8, 4), 1e-7);
+    EXPECT_THAT(warnings(far), Not(HasSubstr("near its end")));
+  }
+}
+
+TEST(SafetyWarnings, ACrackThatTheUpliftDoesNotFollowIsTold) {
+  const std::string outline = "[0, 0], [4.2, 0], [2.5, 9], [0, 9]";
+  for (const char* law : {"none", "triangular", "flow"}) {
+    const std::string aperture = std::string(law) == "flow" ? ", hydraulic_aperture_m = 3e-4" : "";
+    const auto joint = fmt::format("friction_angle_deg = 60, uplift = \"{}\"{}", law, aperture);
+    EXPECT_THAT(warnings(safety_of(outline, joint, 8.5)), HasSubstr("state uplift = \\\"cracked\\\"")) << law;
+    EXPECT_THAT(warnings(safety_of(outline, joint, 5)), Not(HasSubstr("in tension"))) << law;
+  }
+  EXPECT_THAT(warnings(safety_of(outline, "friction_angle_deg = 60, uplift = \"cracked\"", 8)),
+              Not(HasSubstr("in tension")));
+}
+
+TEST(SafetyWarnings, AnchorsThatStretchAsBlocksMoveAreTold) {
+  const std::string outline = "[0, 0], [7, 0], [2, 9], [0, 9]";
+  const std::string anchor = R"([[bolt]]
+name = "b"
+from_block = "wall"
+to_block = "rock"
+from_m = [1, 0.5]
+to_m = [-6, -6]
+stiffness_n_per_m2 = 2e7
+)";
+  const std::string joint = "friction_angle_deg = 45, uplift = \"triangular\"";
+  const json stretched = safety_of(outline, joint, 8, anchor);
+  ASSERT_TRUE(stretched.contains("with_less_stretch"));
+  EXPECT_LT(stretched["with_less_stretch"]["factor"], 0.8 * stretched["factor"].get<double>());
+  EXPECT_THAT(warnings(stretched), HasSubstr("anchors that stretch while blocks move"));
+  const std::string weak = anchor + "prestress_n_per_m = 1e5\nyield_n_per_m = 1e5\n";
+  EXPECT_THAT(warnings(safety_of(outline, joint, 8, weak)), Not(HasSubstr("stretch")));
+}
+
+}  // namespace
+}  // namespace blockweir::test
