@@ -46,6 +46,15 @@ bool ContactSearch::entered(const std::vector<Placement>& placements, const std:
              c.edge_block == passing.edge_block;
     });
   };
+  // A vertex that has gone through an edge and out again beside its end has that end in one of its sides. Where the two
+  // are a contact, that holds what the step at hand has not closed yet.
+  const auto side_holds_end = [&](const ContactPoint& through, std::size_t sides, std::size_t ends) {
+    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
+      return c.vertex_block == through.edge_block && c.edge_block == through.vertex_block &&
+             (c.vertex == through.edge || at(c.vertex) == next(at(through.edge), ends)) &&
+             (c.edge == through.vertex || at(through.vertex) == next(at(c.edge), sides));
+    });
+  };
   const std::size_t before = entered_.size();
   for (const ContactPoint& c : passing_) {
     if (!of_interest(c.vertex_block) && !of_interest(c.edge_block)) continue;
@@ -53,6 +62,9 @@ bool ContactSearch::entered(const std::vector<Placement>& placements, const std:
     const auto& vertices = outline(placements, c.vertex_block, outlines_[0]);
     const auto& edges = outline(placements, c.edge_block, outlines_[1]);
     if (!within(vertices, at(c.vertex), edges, at(c.edge)) || presses_already(c)) continue;
+    const bool through =
+        !encloses(edges, vertices[at(c.vertex)]) && pierces(vertices, at(c.vertex), edges, at(c.edge), coincidence_);
+    if (through && side_holds_end(c, vertices.size(), edges.size())) continue;
     const Point span = edges[next(at(c.edge), edges.size())] - edges[at(c.edge)];
     entered_.push_back(c);
     entered_.back().gap = cross(vertices[at(c.vertex)] - edges[at(c.edge)], span.normalized());

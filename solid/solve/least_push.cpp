@@ -47,12 +47,27 @@ void LeastPush::visit(Row& row, double tolerance_m, Progress& progress) {
   progress.largest_m = std::max(progress.largest_m, row.flexibility * std::abs(more));
   progress.ahead -= row.flexibility * more * (found - row.push_before);
   row.push = found;
-  for (std::size_t i = 0; i < 2; ++i) moved_[at(row.body[i])] += more * row.moves[i];
+  for (std::size_t i = 0; i < 2; ++i) {
+    moved_[at(row.body[i])] += more * row.moves[i];
+    touched_[at(row.body[i])] = 1;
+  }
+}
+
+/// Far from all that overlaps nothing is to be pushed, however often that is asked.
+bool LeastPush::acts(std::size_t row) {
+  if (acts_[row] == 0) {
+    const auto moved = [&](int body) { return at(body) + 1 < touched_.size() && touched_[at(body)] != 0; };
+    if (!moved(rows_[row].body[0]) && !moved(rows_[row].body[1])) return false;
+    acts_[row] = 1;
+  }
+  return true;
 }
 
 /// All pushes, and what they displace, by so much of what the last sweeps have changed.
 void LeastPush::go_on(double beyond) {
-  for (Row& row : rows_) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (acts_[i] == 0) continue;
+    Row& row = rows_[i];
     const double now = row.push;
     row.push += beyond * (now - row.push_before);
     row.push_before = now;
@@ -67,14 +82,21 @@ void LeastPush::go_on(double beyond) {
 void LeastPush::solve(double tolerance_m) {
   constexpr int most_sweeps = 100;  // each there and back
   moved_before_ = moved_;
+  touched_.assign(moved_.size(), 0);
+  acts_.clear();
+  for (const Row& row : rows_) acts_.push_back(row.gap < -tolerance_m / 2);
   double momentum = 1;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     const double next = (1 + std::sqrt(1 + 4 * momentum * momentum)) / 2;
     go_on((momentum - 1) / next);
     Progress progress;
-    for (Row& row : rows_) visit(row, tolerance_m, progress);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (acts(i)) visit(rows_[i], tolerance_m, progress);
+    }
     if (progress.largest_m <= tolerance_m / 2) return;
-    for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) visit(*row, tolerance_m, progress);
+    for (std::size_t i = rows_.size(); i-- > 0;) {
+      if (acts(i)) visit(rows_[i], tolerance_m, progress);
+    }
     momentum = progress.ahead > 0 ? 1 : next;
   }
 }

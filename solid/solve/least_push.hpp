@@ -49,10 +49,13 @@ class LeastPush {
   };
 
   [[nodiscard]] double gap(const Row& row) const;
+  [[nodiscard]] bool acts(std::size_t row);
   void visit(Row& row, double tolerance_m, Progress& progress);
   void go_on(double beyond);
 
   std::vector<Row> rows_;
+  std::vector<char> acts_;     ///< of each: does it overlap, or has a body of it been moved?
+  std::vector<char> touched_;  ///< has a body been moved?
   std::vector<Eigen::Vector3d> moved_;
   std::vector<Eigen::Vector3d> moved_before_;
 };

@@ -144,9 +144,10 @@ Eigen::Vector2d HeldVelocities::rate_of_fixed(const Interaction& action, double 
 /// Velocities along held directions become those of what holds them. Of a contact all that it gives its blocks in the
 /// step is bounded by its friction (Moreau 1999): the impulse of its force, and what settles the velocity.
 void HeldVelocities::settle_by_impulses(IslandEquations& s, double dt) {
-  const bool many_fall = s.unknowns->total > few_unknowns && trial_.falls();
-  const double unheard_m_per_s = std::max(1e-9, many_fall ? 1e-4 * trial_.fall_m() / dt : 0);
-  const int most = s.unknowns->total > large_island ? 20 : 1000;
+  const bool falls = trial_.falls();
+  const bool many_fall = s.unknowns->total > few_unknowns && falls;
+  const double unheard_m_per_s = std::max(1e-9, (many_fall ? 1e-4 : 1e-6) * trial_.fall_m() / dt);
+  const int most = s.unknowns->total > large_island ? 20 : falls ? 100 : 300;
   Eigen::VectorXd& beyond = s.correction;  // what velocities have beyond those that are due
   beyond.setZero();
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {

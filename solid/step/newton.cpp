@@ -42,14 +42,16 @@ class Circle {
 int Newton::turn(int unknowns, const StepMode& mode) const {
   const int most = model_.scene.contact.max_iterations;
   const bool sweeps = may_sweep(step_, mode);
+  const bool falls = sweeps && trial_.falls();
+  const bool has_failed = state_.whole_law.after_failure();
   constexpr int enough = 40;
   if (!sweeps && unknowns <= large_island) {
     // States of held joints are known, and nothing else would find their forces.
     const bool others_follow = model_.is(scene::AnalysisKind::at_rest) && !formulation_->settings().joints_held;
     return others_follow && unknowns > few_at_rest ? std::min(most, enough) : most;
   }
-  if (unknowns <= few_unknowns) return most;
-  if (state_.whole_law.after_failure()) return std::min(most, sweeps && trial_.falls() ? 10 : 20);
+  if (unknowns <= few_unknowns) return falls && has_failed ? std::min(most, 20) : most;
+  if (has_failed) return std::min(most, falls ? 10 : 20);
   return sweeps ? std::min(most, enough) : most;
 }
 

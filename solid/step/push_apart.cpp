@@ -17,7 +17,7 @@ EdgeFrame PushApart::frame_now(const ContactPoint& c) const {
 
 /// Where a contact's blocks are now. What rounded coordinates left at the start and what its slip has opened are no
 /// part of the gap, nor what its spring gives way. Of a vertex that has slid past its edge the end of the edge is
-/// looked at: that may be in the vertex's block.
+/// looked at, too: that may be in the vertex's block.
 PushApart::Meeting PushApart::meeting_now(const ContactPoint& c) const {
   const EdgeFrame edge = frame_now(c);
   const Placement& of_edge = state_.placements[at(c.edge_part)];
@@ -25,25 +25,51 @@ PushApart::Meeting PushApart::meeting_now(const ContactPoint& c) const {
   const Point vertex = state_.place(c);
   const double s = edge.t.dot(vertex - from);
   const bool beside = std::max(-s, s - edge.length) > 2e-7 * model_.size_m;
-  Meeting meeting = beside ? turned_round(c, s < 0 ? from : of_edge.position(c.edge_to))
+  const std::size_t end = s < 0 ? at(c.edge) : next(at(c.edge), model_.parts.outlines[at(c.edge_block)].size());
+  Meeting meeting = beside ? meeting_of(corner_now(c.vertex_block, at(c.vertex)), corner_now(c.edge_block, end))
                            : Meeting{c.vertex_block, c.edge_block, vertex, edge.n, edge.n.dot(vertex - from)};
   meeting.gap -= c.gap_at_start + model_.laws[c.law].dilation_m(c.slip_m) + formulation_->gap_under_force_m(c);
   return meeting;
 }
 
-/// The end of a contact's edge, and the face at its vertex that this is least behind.
-PushApart::Meeting PushApart::turned_round(const ContactPoint& c, const Point& end) const {
-  const auto& outline = model_.parts.outlines[at(c.vertex_block)];
-  Meeting meeting{c.edge_block, c.vertex_block, end, {}, -std::numeric_limits<double>::infinity()};
-  for (const std::size_t side : {previous(at(c.vertex), outline.size()), at(c.vertex)}) {
-    const Placement& placement = state_.placements[at(outline[side].part)];
-    const Point from = placement.position(model_.parts.vertex(outline[side]));
-    const Point t = (placement.position(model_.parts.end(outline[side])) - from).normalized();
-    const Point n(t.y(), -t.x());
-    const double gap = n.dot(end - from);
-    if (gap > meeting.gap) meeting.gap = gap, meeting.normal = n;
+/// A corner of a block between its neighbours, as they are now.
+PushApart::Corner PushApart::corner_now(int block, std::size_t vertex) const {
+  const auto& outline = model_.parts.outlines[at(block)];
+  Corner corner{block, {}};
+  for (const std::size_t v : {previous(vertex, outline.size()), vertex, next(vertex, outline.size())}) {
+    corner.points.push_back(state_.placements[at(outline[v].part)].position(model_.parts.vertex(outline[v])));
+  }
+  return corner;
+}
+
+/// Two corners side by side: of their four faces the one that parts them most. It has the other corner's block on its
+/// outer side: through a sharp corner the other may have come out again.
+PushApart::Meeting PushApart::meeting_of(const Corner& vertex, const Corner& end) const {
+  Meeting meeting{end.block, vertex.block, end.points[1], {}, -std::numeric_limits<double>::infinity()};
+  bool parted = false;
+  for (const auto& [of, other] : {std::pair(&vertex, &end), std::pair(&end, &vertex)}) {
+    for (const std::size_t side : {0, 1}) {
+      const Point t = (of->points[side + 1] - of->points[side]).normalized();
+      const Point n(t.y(), -t.x());
+      const double gap = n.dot(other->points[1] - of->points[1]);
+      const bool parts = faces(other->points, 1, n, parallel_tolerance);
+      if (parts == parted ? gap <= meeting.gap || (!parts && of == &end) : parted) continue;
+      parted = parts;
+      meeting = {other->block, of->block, other->points[1], n, gap};
+    }
   }
   return meeting;
+}
+
+/// As no overlap becomes a velocity, more may stay for a while than a step would close: half of all sweeps of pushes
+/// went into the last tenths of a micrometre.
+double PushApart::pushed_m() const {
+  return 8 * formulation_->settings().lasting_overlap_m;
+}
+
+void PushApart::meet(const IslandEquations& s) {
+  meetings_.clear();
+  for (const int k : s.island.contacts) meetings_.push_back(meeting_now(state_.contacts[at(k)]));
 }
 
 bool PushApart::push(const IslandEquations& s) {
@@ -54,13 +80,16 @@ bool PushApart::push(const IslandEquations& s) {
   const auto was_left = [&](int k) { return state_.contacts[at(k)].overlap_m < -settings.lasting_overlap_m; };
   if (s.found != Found::by_sweeps && std::none_of(s.island.contacts.begin(), s.island.contacts.end(), was_left))
     return false;
-  const auto overlaps = [&](int k) { return meeting_now(state_.contacts[at(k)]).gap < -settings.lasting_overlap_m; };
-  const auto any = [&] { return std::any_of(s.island.contacts.begin(), s.island.contacts.end(), overlaps); };
+  const auto overlaps = [&](const Meeting& m) { return m.gap < -pushed_m(); };
   int pushes = 0;
-  while (pushes < most && any()) push_once(s), ++pushes;
-  for (const int k : s.island.contacts) {
-    ContactPoint& c = state_.contacts[at(k)];
-    const double gap = meeting_now(c).gap;
+  meet(s);
+  for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) {
+    push_once(s);
+    meet(s);
+  }
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    ContactPoint& c = state_.contacts[at(s.island.contacts[i])];
+    const double gap = meetings_[i].gap;
     c.overlap_m = std::min(0.0, gap);
     c.gap = gap + model_.laws[c.law].dilation_m(c.slip_m) + formulation_->gap_under_force_m(c);
     counts_.overlap_m = std::max(counts_.overlap_m, -c.overlap_m);
@@ -89,8 +118,7 @@ void PushApart::push_once(const IslandEquations& s) {
   }
   std::vector<Overlap> overlaps;
 
-  for (const int k : s.island.contacts) {
-    const Meeting m = meeting_now(state_.contacts[at(k)]);
+  for (const Meeting& m : meetings_) {
     const Point& n = m.normal;
     Overlap& o = overlaps.emplace_back(Overlap{m.gap, {}});
     for (const bool second : {false, true}) {
@@ -101,7 +129,7 @@ void PushApart::push_once(const IslandEquations& s) {
   }
   LeastPush push(mass, overlaps);
 
-  push.solve(formulation_->settings().lasting_overlap_m);
+  push.solve(pushed_m());
   // What sticks does so where it has been pushed to.
   for (const int k : s.island.contacts) {
     ContactPoint& c = state_.contacts[at(k)];

@@ -25,11 +25,21 @@ class PushApart : StepPart {
     double gap;    ///< m
   };
 
+  struct Corner {
+    int block;
+    std::vector<Point> points;  ///< the corner between its neighbours [m]
+  };
+
+  void meet(const IslandEquations& island);
   void push_once(const IslandEquations& island);
   [[nodiscard]] EdgeFrame frame_now(const ContactPoint& c) const;
   [[nodiscard]] Meeting meeting_now(const ContactPoint& c) const;
-  [[nodiscard]] Meeting turned_round(const ContactPoint& c, const Point& end) const;
+  [[nodiscard]] Corner corner_now(int block, std::size_t vertex) const;
+  [[nodiscard]] Meeting meeting_of(const Corner& vertex, const Corner& end) const;
+  [[nodiscard]] double pushed_m() const;  ///< overlaps that are larger are pushed apart
   void displace(std::size_t block, const Eigen::Vector3d& by);
+
+  std::vector<Meeting> meetings_;  ///< of the island's contacts, as its blocks are now
 };
 
 }  // namespace blockweir::solid

@@ -57,6 +57,7 @@ void StepTrial::set_matrices(double step_s, const Newmark& of_scheme) {
 }
 
 void StepTrial::begin() {
+  falls_ = state_.fastest_m_per_s() * dt > fall_m();
   for_each(model_.blocks.size(), [&](std::size_t b) {
     const bool own = !model_.blocks[b].is_part() && b >= state_.guard.blocks();
     history[b] = own ? scheme.history(model_.blocks[b].inertia, state_.blocks[b], dt)

@@ -63,8 +63,8 @@ class StepTrial {
   [[nodiscard]] double retardation_s(std::size_t b) const { return model_.blocks[b].retardation.of(slides_[b]); }
   /// Twice that of a fall from rest through the step: a measure of what the integrator is off by [m].
   [[nodiscard]] double fall_m() const { return model_.scene.analysis.gravity_m_per_s2 * dt * dt; }
-  /// Is any block faster than that?
-  [[nodiscard]] bool falls() const { return state_.fastest_m_per_s() * dt > fall_m(); }
+  /// Is any block faster than that as the step begins?
+  [[nodiscard]] bool falls() const { return falls_; }
   /// Largest displacement of any vertex [m].
   [[nodiscard]] double largest_increment() const;
   /// Do blocks move, one of them so far, or turn by more than a step may?
@@ -79,6 +79,7 @@ class StepTrial {
   const State& state_;
   std::vector<bool> slides_;    ///< has a contact that slips as the step begins
   std::vector<Vector6> still_;  ///< no increment
+  bool falls_ = false;
 };
 
 }  // namespace blockweir::solid

@@ -42,7 +42,8 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   for (int round = 1;; ++round) {
     if (!linearize(s, round == 1)) return Found::nothing;
     const double visits = most_visits / static_cast<double>(s.sweeps.rows().size());
-    const double most = begins ? most_sweeps : std::clamp(visits, least_sweeps, most_sweeps);
+    const double most =
+        begins && trial_.first_force.empty() ? most_sweeps : std::clamp(visits, least_sweeps, most_sweeps);
     left_m = sweep(s, static_cast<int>(most * share_of_round[std::min(round, 3) - 1]), enough_m);
     s.correction = s.sweeps.displacement();
     if (!s.correction.allFinite()) return Found::nothing;
@@ -65,7 +66,7 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
     if (exact) return Found::finished;
   }
   // Off by more than a fall through the step, a structure that stands would be thrown.
-  if (left_m > trial_.fall_m() && !mode.roughly) return Found::nothing;
+  if (left_m > trial_.fall_m() && !mode.roughly && !trial_.falls()) return Found::nothing;
   s.left_m = left_m;
   take_forces(s);
   s.balance_alone();

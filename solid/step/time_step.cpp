@@ -46,7 +46,7 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
   }
   const bool seen = has_seen(outcome == Outcome::made, moved, mode);
   if (outcome != Outcome::made || !seen) {
-    if (!seen && any_swept()) tried_ = state_.contacts;
+    if (!seen && (any_swept() || any_found(Found::finished))) tried_ = state_.contacts;
     for (IslandEquations& s : islands_) formulation_->undo(s.held());
     state_.contacts_stand = seen;
     return seen ? outcome : attempt_again(stretch, mode);
