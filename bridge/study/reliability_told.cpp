@@ -54,14 +54,13 @@ std::string fit_text(const json& answer) {
   const json& fit = answer["fit"];
   const json& samples = answer["samples"];
   const bool cut_off = fit.contains("cut_off_m");
-  std::string text = fmt::format(
-      "LEVELS  of failure{}: mean {:.5g} m, deviation {:.3g} m; {} fits them best\n",
-      fit["samples"] == samples["count"]
-          ? ""
-          : fmt::format(", of the {} of {} samples that have "
-                        "one{}",
-                        fit["samples"].get<int>(), samples["count"].get<int>(), cut_off ? " below the highest" : ""),
-      fit["mean"].get<double>(), fit["deviation"].get<double>(), fit["distribution"].get<std::string>());
+  std::string text =
+      fmt::format("LEVELS  of failure{}: mean {:.5g} m, deviation {:.3g} m; {} fits them best\n",
+                  fit["samples"] == samples["count"]
+                      ? ""
+                      : fmt::format(" of the {} of {} samples that {}", fit["samples"].get<int>(),
+                                    samples["count"].get<int>(), cut_off ? "fail below the highest level" : "have one"),
+                  fit["mean"].get<double>(), fit["deviation"].get<double>(), fit["distribution"].get<std::string>());
   if (!cut_off) return text;
   text += fmt::format(
       "        WARNING they are cut off{}: with the {} samples that stand there the mean is higher, and the\n"

@@ -30,8 +30,8 @@ TEST_F(ReliabilityWords, LevelsAreOfTheSamplesThatFailAndFormSaysWhyItFindsNone)
   ASSERT_GT(stand, 0);
   EXPECT_EQ(found["fit"]["samples"], 60 - stand);
   EXPECT_EQ(found["fit"]["cut_off_m"], 27);
-  EXPECT_THAT(text("out"), HasSubstr("LEVELS  of failure, of the " + std::to_string(60 - stand) +
-                                     " of 60 samples that have one below the highest: mean"));
+  EXPECT_THAT(text("out"), HasSubstr("LEVELS  of failure of the " + std::to_string(60 - stand) +
+                                     " of 60 samples that fail below the highest level: mean"));
   EXPECT_THAT(text("out"), HasSubstr("WARNING they are cut off at 27 m: with the " + std::to_string(stand) +
                                      " samples that stand there the mean is higher"));
   EXPECT_THAT(text("out"), HasSubstr("NONE    by form: the search for the design point comes to a point at which no "

@@ -71,7 +71,7 @@ function comparisonTable(found) {
 /// Where some samples have no level, or one above all that are looked at, it is said of which the mean is.
 function showLevels(to, found) {
   const [fit, samples] = [found.fit, found.samples];
-  const whose = is(fit.samples) && fit.samples < samples.count ? ` of the ${fit.samples} of ${samples.count} samples that have one` : '';
+  const whose = is(fit.samples) && fit.samples < samples.count ? ` of the ${fit.samples} of ${samples.count} samples that ${"cut_off_m" in fit ? "fail below the highest level" : "have one"}` : '';
   to.append(paragraph(`Levels of failure${whose}: mean ${number(fit.mean)} m, deviation ${number(fit.deviation, 3)} m; of common distributions the ${fit.distribution.toLowerCase()} one fits them best.`));
   if (!('cut_off_m' in fit)) return;
   const where = is(fit.cut_off_m) ? ` at ${number(fit.cut_off_m, 6)} m, the highest level that is looked at` : ' at the end of the filling';
