@@ -140,8 +140,8 @@ int run_solver(const scene::Scene& scene, const fs::path& folder, const RunOptio
   if (scene.openfoam.reconstruct) run_program("reconstructPar", {"reconstructPar", "-case", folder}, folder);
   const auto seconds = times(folder, solved_s);
   const auto counts = numbers<long>(folder / "blockweir.counts");
-  std::ifstream told(folder / "blockweir.warnings");
-  for (std::string warning; std::getline(told, warning);) warnings.push_back(warning);
+  std::ifstream of_plugin(folder / "blockweir.warnings");
+  for (std::string warning; std::getline(of_plugin, warning);) warnings.push_back(warning);
   const nlohmann::json report = {{"seconds", seconds},
                                  {"counts", counts},
                                  {"skips", skips(seconds, counts)},

@@ -29,6 +29,7 @@ class Fluid final : public FluidLine {
     done_ += 'h';
     load = load_;
   }
+  [[nodiscard]] std::string name() const override { return "fluid"; }
 
  private:
   /// With the third motion.
