@@ -112,7 +112,8 @@ TEST_F(Batches, ATaskThatIsToldToEndLeavesItsItemForTheNext) {
   std::set<std::string> seen;
   EXPECT_FALSE(files.take(seen).by_digest.contains(digests[2]));
   EXPECT_EQ(work_on_batch(folder, 0, times_common), 0);
-  EXPECT_EQ(files.take(seen).by_digest.at(digests[2]), 20);
+  std::set<std::string> of_the_next;  // this process writes both, under the same names
+  EXPECT_EQ(files.take(of_the_next).by_digest[digests[2]], 20);
 }
 
 TEST_F(Batches, AFileThatIsNotWholeDoesNotCount) {
