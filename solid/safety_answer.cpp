@@ -76,10 +76,29 @@ json bolts_json(const solid::Solid& blocks) {
   return list;
 }
 
+/// What acts on a structure that no strength holds: forces within it that balance this there are none.
+void add_loads(Situation& now, const FluidMaker& make_fluid, json& answer) {
+  solid::Effort effort("loads on joints");
+  solid::StaticBlocks blocks(now.scene, now.water_if_any(), effort);
+  const auto parts =
+      now.water ? solid::reservoir_parts(now.scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
+  json rows = json::array();
+  for (const solid::JointRow& row : solid::loads_on_joints(blocks.solid(), blocks.pressures(now.level_m), parts)) {
+    rows.push_back({{"name", row.name},
+                    {"length_m", row.length_m},
+                    {"downstream_end_m", {row.downstream_end_m.x(), row.downstream_end_m.y()}},
+                    {"sums", sums_json(row.sums)}});
+  }
+  answer["loads_on_joints"] = rows;
+  answer["why_no_joints"] =
+      "no strength of the joints holds the structure, so that no forces in its joints and anchors balance what acts on "
+      "it; below is what acts on all that stands on each joint";
+}
+
 /// Forces on joints as the scene stands; where it does not, with just the strength with which it would.
 void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStrength& found, json& answer) {
   constexpr double just_stands = 1 - 1e-6;
-  if (found.bearing == Bearing::bears_none) return;
+  if (found.bearing == Bearing::bears_none) return add_loads(now, make_fluid, answer);
   const bool stands = found.bearing == Bearing::bears_any || found.factor >= 1;
   const double reduction = stands ? 1 : found.factor * just_stands;
   const scene::Scene scene = solid::with_reduced_strength(now.scene, reduction);

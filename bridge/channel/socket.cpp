@@ -18,8 +18,10 @@ constexpr int reconnect_ms = 5;  // who connects may come first: its next try is
 /// An I/O thread answers even while its process computes; a stopped or vanished process does not. Only who connects
 /// beats, and says how long the listener is to wait for the next one: ZeroMQ 4.3.4 aborts where a beat of the
 /// listener's own falls due for a stranger who has just left.
+/// The wire has the time to live in tenths of a second, as 16 bits.
 void keep_beating(zmq::socket_t& socket, double timeout_s) {
-  const int every_ms = static_cast<int>(std::max(100.0, 1000 * timeout_s / 4));
+  constexpr double longest_ms = 3e6;  // twice as long is still below 65,535 tenths
+  const int every_ms = static_cast<int>(std::clamp(1000 * timeout_s / 4, 100.0, longest_ms));
   socket.set(zmq::sockopt::heartbeat_ivl, every_ms);
   socket.set(zmq::sockopt::heartbeat_timeout, 2 * every_ms);
   socket.set(zmq::sockopt::heartbeat_ttl, 2 * every_ms);

@@ -29,6 +29,7 @@ json report_data(const ReportParts& parts) {
   data["histories"] = histories_data(parts.run);
   data["program"] = parts.program;
   data["commands"] = parts.commands;
+  data["home"] = parts.home;
   data["digest"] = parts.scene.digest;
   data["scene"] = parts.scene.text;
   return data;

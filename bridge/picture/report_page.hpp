@@ -20,6 +20,7 @@ struct ReportParts {
   nlohmann::json reliability;         ///< as reliability.json has it, or the same; null: nothing is uncertain
   std::string program;                ///< version, commit, compiler: a line each
   std::vector<std::string> commands;  ///< that give the figures again
+  std::string home{};                 ///< folder in which an external fluid's command starts; empty without one
 };
 
 /// What the page shows: lengths in m, forces in N, pressures in Pa, times in s. Throws std::invalid_argument where the

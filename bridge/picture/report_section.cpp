@@ -36,6 +36,7 @@ std::string water_in(const scene::JointLaw& law) {
                         drain->efficiency);
     if (std::isfinite(drain->head_m)) text += fmt::format(", to a head at {:.4g} m", drain->head_m);
   }
+  if (law.has_flow()) text += fmt::format(", aperture {:.3g} mm", 1e3 * law.hydraulic_aperture_m);
   const std::size_t piezometers = law.known_heads.piezometers.size();
   if (piezometers > 0) text += fmt::format(" of {} piezometer{}", piezometers, piezometers == 1 ? "" : "s");
   return text;
@@ -59,6 +60,25 @@ json laws(const scene::Scene& scene) {
     if (told.insert(name).second) rows.push_back(law(name, joint.law));
   }
   rows.push_back(law(rows.empty() ? "all joints" : "all other joints", scene.default_joint));
+  return rows;
+}
+
+/// Lines of drains and grout curtains that the water in joints meets.
+json flow_rows(const scene::JointFlow& flow) {
+  json rows = json::array();
+  const auto place = [](const Point& p) { return fmt::format("({:.4g}, {:.4g})", p.x(), p.y()); };
+  for (const scene::DrainLine& drain : flow.drains) {
+    rows.push_back(
+        {drain.name.empty() ? "drain" : fmt::format("drain \"{}\"", drain.name),
+         fmt::format("from {} to {} m, efficiency {:.4g}, {}", place(drain.from_m), place(drain.to_m), drain.efficiency,
+                     drain.head_m ? fmt::format("to a head at {:.4g} m", *drain.head_m) : "into air")});
+  }
+  for (const scene::Grout& grout : flow.grouts) {
+    std::string corners;
+    for (const Point& p : grout.outline_m) corners += (corners.empty() ? "" : ", ") + place(p);
+    rows.push_back({grout.name.empty() ? "grout" : fmt::format("grout \"{}\"", grout.name),
+                    fmt::format("within {} m: apertures times {:.3g}", corners, grout.aperture_factor)});
+  }
   return rows;
 }
 
@@ -125,6 +145,7 @@ json section_data(const scene::Scene& scene) {
   return {{"blocks", blocks},
           {"materials", materials},
           {"laws", laws(scene)},
+          {"flow", flow_rows(scene.joint_flow)},
           {"joints", joints(scene)},
           {"bolts", bolts_data(scene)},
           {"dimensions", dimensions(scene)},

@@ -67,7 +67,7 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
     echo.tell();
     return true;
   });
-  if (supervised.interrupted) throw Stopped();
+  if (supervised.asked_to_stop) throw Stopped();
   const std::string trouble = first_trouble(supervised, folder);
   if (!trouble.empty() && supervised.ends.front().exit_code == 2) throw std::invalid_argument(trouble);
   if (!trouble.empty()) throw std::runtime_error(trouble);

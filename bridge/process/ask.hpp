@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "bridge/process/stopped.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::process {
@@ -26,11 +26,6 @@ struct Asked {
   std::filesystem::path folder;
   scene::Scene scene;
   nlohmann::json answer;
-};
-
-/// Ctrl-C was pressed before there was an answer.
-struct Stopped : std::runtime_error {
-  Stopped() : std::runtime_error("stopped on request") {}
 };
 
 /// `out`, or where it is empty the folder that it stands for.

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "bridge/process/stopped.hpp"
 #include "bridge/scene/diagnostic.hpp"
 
 namespace blockweir::process {
@@ -32,8 +33,8 @@ inline bool reader_is_gone() {
 inline constexpr int closed_pipe = 141;
 
 /// What `work` returns, 1 where that was 0 and standard output did not take what it said; where it throws, a message on
-/// standard error and 2 when the scene or the command is wrong (SceneError, std::invalid_argument), else 1. Plain
-/// fputs: where even the message cannot be written, the status says enough.
+/// standard error and 130 when it was stopped, 2 when the scene or the command is wrong (SceneError,
+/// std::invalid_argument), else 1. Plain fputs: where even the message cannot be written, the status says enough.
 template <class Work>
 int exit_status(const char* program, Work work) noexcept {
   const auto say = [program](const std::exception& error) {
@@ -56,6 +57,9 @@ int exit_status(const char* program, Work work) noexcept {
   } catch (const std::invalid_argument& error) {
     say(error);
     return 2;
+  } catch (const Stopped& stopped) {
+    say(stopped);
+    return stopped_status;
   } catch (const std::system_error& error) {
     if (error.code().value() == EPIPE && reader_is_gone()) return closed_pipe;
     say(error);

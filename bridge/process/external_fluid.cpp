@@ -27,6 +27,14 @@ std::vector<std::string> environment_of(const scene::Scene& scene, const Process
           fmt::format("BLOCKWEIR_TIMEOUT_S={}", scene.coupling.timeout_s)};
 }
 
+/// Empty where there is no such note.
+fs::path noted_home(const fs::path& note) {
+  std::ifstream stream(note);
+  std::string home;
+  std::getline(stream, home);
+  return home;
+}
+
 }  // namespace
 
 bool is_started_by_hand(const scene::Scene& scene) {
@@ -37,12 +45,11 @@ fs::path home_of_external(const scene::Scene& scene, const fs::path& folder) {
   if (scene.fluid != external.model) return {};
   const fs::path own = folder / external.folder;
   const fs::path note = own / "started_in";
-  if (std::ifstream stream(note); stream) {
-    std::string home;
-    std::getline(stream, home);
-    return home;
-  }
-  const fs::path home = fs::absolute(scene.file).parent_path();
+  const fs::path beside = fs::absolute(scene.file).parent_path();
+  fs::path home = noted_home(note);
+  if (!home.empty()) return home;
+  home = noted_home(beside / external.folder / "started_in");  // the scene is the copy that a run has kept
+  if (home.empty()) home = beside;
   results::make_folder(own);
   results::replace_file(note, home.string() + "\n");
   return home;

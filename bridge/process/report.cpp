@@ -96,6 +96,10 @@ std::string report(const RunResult& result) {
   text += fmt::format("time    {} s of wall time{}\n", number(s["wall_time_s"]),
                       simulated.is_null() ? "" : fmt::format(" for {} s simulated", number(simulated)));
   const std::string folder = result.folder.string();
+  if (!result.in_place_of.empty()) {
+    text += fmt::format("        {} holds an earlier run and was kept; --out {} would write over it\n",
+                        result.in_place_of.string(), results::shell_word(result.in_place_of.string()));
+  }
   text += fmt::format("results {} {}\n", folder,
                       has_frames(result.folder)
                           ? fmt::format("(blocks.pvd opens in ParaView; \"blockweir plot {}\" draws figures)",

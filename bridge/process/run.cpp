@@ -39,6 +39,12 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 constexpr double grace_s = 5;
 
+fs::path usual_folder(const RunOptions& options) {
+  std::string name = case_name(options.scene);
+  if (!options.variant.empty()) name += "-" + results::file_name(options.variant);
+  return fs::path("runs") / name;
+}
+
 fs::path results_folder(const RunOptions& options) {
   if (!options.out.empty()) {
     if (fs::exists(options.out / results::FolderLock::file))
@@ -49,10 +55,9 @@ fs::path results_folder(const RunOptions& options) {
     }
     return options.out;
   }
-  std::string name = case_name(options.scene);
-  if (!options.variant.empty()) name += "-" + results::file_name(options.variant);
-  fs::path out = fs::path("runs") / name;
-  for (int n = 2; fs::exists(out); ++n) out = fs::path("runs") / fmt::format("{}-{}", name, n);
+  const fs::path usual = usual_folder(options);
+  fs::path out = usual;
+  for (int n = 2; fs::exists(out); ++n) out = fmt::format("{}-{}", usual.string(), n);
   return out;
 }
 
@@ -176,6 +181,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   ::close(pipe_ends[0]);
   ::close(pipe_ends[1]);
 
+  result.asked_to_stop = supervised.asked_to_stop;
   result.trouble = first_trouble(supervised, folder);
   result.refused = !result.trouble.empty() && is_refusal(supervised);
   const std::uint64_t last = resumable_window(folder, scene);
@@ -207,7 +213,9 @@ RunResult run(const RunOptions& options) {
   const results::FolderLock lock(folder);
   forget_former_run(folder, read.scene);
   results::replace_file(scene_of(folder), read.scene.text);
-  return go(read.scene, folder, 0, options);
+  RunResult result = go(read.scene, folder, 0, options);
+  if (options.out.empty() && folder != usual_folder(options)) result.in_place_of = usual_folder(options);
+  return result;
 }
 
 RunResult resume(const ResumeOptions& options) {

@@ -32,10 +32,12 @@ struct ResumeOptions {
 struct RunResult {
   int exit_code = 0;  ///< 0 done, 1 the run failed, 130 stopped by Ctrl-C
   std::filesystem::path folder;
-  nlohmann::json summary;
-  std::string trouble;   ///< one line, when it failed
-  std::string advice;    ///< how it may go on, where it can; its folder has to last
-  bool refused = false;  ///< when it failed: all processes ended by themselves, and said why
+  std::filesystem::path in_place_of{};  ///< the folder that would have been its own, had no earlier run been there
+  nlohmann::json summary{};
+  std::string trouble{};       ///< one line, when it failed
+  std::string advice{};        ///< how it may go on, where it can; its folder has to last
+  bool asked_to_stop = false;  ///< by Ctrl-C, be it after the run had ended
+  bool refused = false;        ///< when it failed: all processes ended by themselves, and said why
 };
 
 /// Runs a scene's processes. Throws scene::SceneError, with `strict` for warnings too, and std::invalid_argument for a

@@ -257,7 +257,7 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
     if (const int asked = stop_signals; asked > heard) {
       const bool once = std::exchange(heard, asked) == 0 && asked == 1;
       const bool alone = ::getppid() != parent;  // nobody will ask a second time
-      result.interrupted = true;
+      result.interrupted = result.asked_to_stop = true;
       if (once && in_touch && !alone) {
         children.signal_first(SIGTERM);
       } else {

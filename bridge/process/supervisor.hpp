@@ -38,6 +38,7 @@ struct ChildEnd {
 struct Supervised {
   std::vector<ChildEnd> ends;  ///< of all but those aside, in the order in which they ended
   bool interrupted = false;    ///< we were asked to stop
+  bool asked_to_stop = false;  ///< the same, also where all had just ended well: who has more to do does not do it
   bool overdue = false;        ///< it took too long and was killed
   [[nodiscard]] bool all_fine() const;
 };

@@ -2,6 +2,7 @@
 #include "bridge/scene/upstream_faces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "bridge/scene/block_index.hpp"
@@ -61,6 +62,24 @@ std::vector<UpstreamFace> upstream_faces(const Scene& scene, double below_m) {
     }
   }
   return faces;
+}
+
+std::vector<UpstreamFloor> upstream_floors(const Scene& scene, double below_m) {
+  std::vector<UpstreamFloor> floors;
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    if (scene.blocks[b].fixed) continue;
+    const auto& outline = scene.blocks[b].vertices;
+    for (std::size_t e = 0; e < outline.size(); ++e) {
+      const Point& right = outline[e];  // counter-clockwise: what looks up leads to the left
+      const Point& left = outline[(e + 1) % outline.size()];
+      const double near = 1e-6 * (left - right).norm();
+      if (left.x() >= right.x() || std::abs(left.y() - right.y()) > near || right.y() >= below_m) continue;
+      double end = right.x();
+      for (const Block& other : scene.blocks) end = std::min(end, leftmost(other.vertices, right.y() + near));
+      if (end - left.x() > near) floors.push_back({static_cast<int>(b), left, {end, right.y()}});
+    }
+  }
+  return floors;
 }
 
 }  // namespace blockweir::scene

@@ -17,4 +17,13 @@ struct UpstreamFace {
 
 std::vector<UpstreamFace> upstream_faces(const Scene& scene, double below_m);
 
+/// A part of a level edge that looks up, from left to right, and that no block stands on or before.
+struct UpstreamFloor {
+  int block = 0;
+  Point left_m;
+  Point right_m;
+};
+
+std::vector<UpstreamFloor> upstream_floors(const Scene& scene, double below_m);
+
 }  // namespace blockweir::scene

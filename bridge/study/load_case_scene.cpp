@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "bridge/scene/read/entry.hpp"
+#include "bridge/scene/read/own_laws.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::study {
@@ -30,6 +33,31 @@ std::optional<scene::Diagnostic> idle_load_case(const scene::LoadCase& load_case
                                        fmt::join(load_case.set, " and ")),
                            "a set that makes another scene of it",
                            "correct it, or leave the load case out"};
+}
+
+std::vector<scene::Diagnostic> missed_joints(const scene::LoadCase& load_case, const scene::Scene& with) {
+  constexpr std::string_view of_all = "joint.";
+  std::vector<scene::Diagnostic> warnings;
+  const auto& set = load_case.set;
+  for (const std::string& setting : set) {
+    const std::size_t equals = setting.find('=');
+    if (!setting.starts_with(of_all) || equals == std::string::npos) continue;
+    const std::string key = setting.substr(of_all.size(), equals - of_all.size());
+    const std::string value = setting.substr(equals);
+    std::vector<std::string> missed = scene::laws_that_state(with.text, key);
+    std::erase_if(missed, [&](const std::string& law) {
+      const std::string own = law + "." + key + "=";
+      return std::any_of(set.begin(), set.end(), [&](const std::string& s) { return s.starts_with(own); });
+    });
+    if (missed.empty()) continue;
+    warnings.push_back(
+        {scene::Diagnostic::Severity::warning, with.file.string(), load_case.line,
+         fmt::format("[[load_case]] \"{}\" sets {}, which does not reach {}: {} own {}", load_case.name, setting,
+                     fmt::join(missed, ", "), missed.size() > 1 ? "they state their" : "it states its", key),
+         "a setting for each joint that it is to reach",
+         fmt::format("add \"{}.{}{}\" to set, or leave {} out there", missed.front(), key, value, key)});
+  }
+  return warnings;
 }
 
 }  // namespace blockweir::study

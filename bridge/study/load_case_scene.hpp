@@ -20,4 +20,8 @@ scene::ReadScene load_case_scene(const scene::LoadCase& load_case, const std::fi
 std::optional<scene::Diagnostic> idle_load_case(const scene::LoadCase& load_case, scene::Scene without,
                                                 scene::Scene with);
 
+/// Warns of each "joint.KEY=..." of a load case that leaves joints as they are which state the key themselves. `with`
+/// is the scene that it makes.
+std::vector<scene::Diagnostic> missed_joints(const scene::LoadCase& load_case, const scene::Scene& with);
+
 }  // namespace blockweir::study

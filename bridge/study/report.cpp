@@ -2,11 +2,14 @@
 #include "bridge/study/report.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <fstream>
+#include <optional>
 
 #include "bridge/picture/report_page.hpp"
 #include "bridge/process/ask.hpp"
+#include "bridge/process/external_fluid.hpp"
 #include "bridge/process/former_run.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/process/run.hpp"
@@ -38,6 +41,12 @@ json or_trouble(Answer answer) {
   } catch (const std::runtime_error& error) {
     return {{"trouble", error.what()}};
   }
+}
+
+/// Can a folder "runs" be made, or be written into, where we are?
+bool may_write_here() {
+  const fs::path runs = "runs";
+  return ::access(fs::exists(runs) ? runs.c_str() : ".", W_OK) == 0;
 }
 
 json summary_of(const fs::path& run) {
@@ -102,6 +111,7 @@ picture::ReportParts parts_of(const fs::path& run, const std::string& program, c
   });
   question.out = scratch.path() / "safety";
   parts.safety = or_trouble([&] { return safety_answers(question); });
+  parts.home = process::home_of_external(parts.scene, run).string();
   std::vector<const char*> commands{"run", "level", "safety", "report"};
   if (!parts.reliability.is_null()) commands.insert(commands.end() - 1, "reliability");
   for (const char* command : commands) {
@@ -116,12 +126,23 @@ int write_report(const ReportOptions& options) {
   if (!options.out.empty()) results::require_writable_file("--out", options.out);
   const json kept = options.reliability.empty() ? json() : kept_reliability(options.reliability);
   fs::path run = options.source;
+  std::optional<process::TemporaryFolder> scratch;
   if (!process::is_run(options.source)) {
-    const process::RunResult made = process::run(
-        {.scene = options.source, .variant = options.variant, .overrides = options.overrides, .margin = true});
+    fs::path folder = options.run;
+    if (folder.empty() && !options.out.empty() && !may_write_here()) folder = scratch.emplace().path() / "run";
+    const process::RunResult made = process::run({.scene = options.source,
+                                                  .out = folder,
+                                                  .variant = options.variant,
+                                                  .overrides = options.overrides,
+                                                  .margin = true});
     fmt::print("{}", process::report(made));
     if (made.exit_code != 0) return made.exit_code;
+    if (made.asked_to_stop) throw process::Stopped();
     run = made.folder;
+  } else if (!options.run.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: found a run, beside --run; expected a scene with it; leave it out, or name the scene",
+                    options.source.string()));
   } else if (!options.variant.empty() || !options.overrides.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: found a run, beside --set or --variant; expected a scene with them; leave them out, or name "

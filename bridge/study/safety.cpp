@@ -168,7 +168,7 @@ std::string factors_text(const json& cases) {
 }
 
 /// What acts on all that stands on each joint; the joint bears their sum.
-std::string sums_text(const json& joints) {
+std::string sums_text(const json& joints, const char* last) {
   constexpr const char* row = "{:<32.32} {:>12} {:>12} {:>14}\n";
   std::string text;
   for (const json& j : joints) {
@@ -193,7 +193,7 @@ std::string sums_text(const json& joints) {
       y += s["y_n_per_m"].get<double>();
       moment += s["moment_n"].get<double>();
     }
-    add("sum, which the joint bears", x, y, moment);
+    add(last, x, y, moment);
   }
   return text;
 }
@@ -201,6 +201,11 @@ std::string sums_text(const json& joints) {
 /// Forces of a metre of thickness.
 std::string joints_text(const json& answer) {
   const json& joints = answer["joints"];
+  if (answer.contains("why_no_joints")) {
+    return fmt::format("\nno forces in joints, {}: {}\n", answer["name"].get<std::string>(),
+                       answer["why_no_joints"].get<std::string>()) +
+           sums_text(answer["loads_on_joints"], "sum");
+  }
   if (joints.empty()) return {};
   constexpr const char* forces = "{:<20.20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n";
   constexpr const char* stresses = "{:<20.20} {:>9} {:>9} {:>9} {:>9} {:>9}\n";
@@ -224,7 +229,7 @@ std::string joints_text(const json& answer) {
                         scaled(j["toe_stress_pa"], "{:.1f}", 1e-3));
   }
   constexpr std::size_t most = 4;  // of a mesh of joints the file has the rest
-  return joints.size() > most ? text : text + sums_text(joints);
+  return joints.size() > most ? text : text + sums_text(joints, "sum, which the joint bears");
 }
 
 }  // namespace
@@ -254,9 +259,12 @@ json safety_answers(const process::AskOptions& options) {
     one.overrides = joined(options.overrides, load_case.set);
     one.quiet = quiet;
     json found = answer_of(load_case, one);
-    const auto idle =
-        idle_load_case(load_case, read.scene, scene::read_variant(one.scene, one.variant, one.overrides).scene);
+    const scene::Scene with = scene::read_variant(one.scene, one.variant, one.overrides).scene;
+    const auto idle = idle_load_case(load_case, read.scene, with);
     if (idle && !load_case.set.empty()) found["warnings"].push_back(idle->message());
+    for (const scene::Diagnostic& missed : missed_joints(load_case, with)) {
+      found["warnings"].push_back(missed.message());
+    }
     for (std::string& warning : without_effect(options.overrides, load_case)) {
       found["warnings"].push_back(std::move(warning));
     }

@@ -213,7 +213,10 @@ int perform_all(const StudyOptions& options) {
       sound = perform(task, options.scene, options.overrides, open_out, *engine) && sound;
     }
   } catch (const Interrupted&) {
-    fmt::print(stderr, "stopped on request{}\n", tasks.open.empty() ? "" : "; the same command goes on with [[study]]");
+    fmt::print(stderr, "stopped on request{}\n",
+               tasks.open.empty()
+                   ? ""
+                   : "; the runs of each [[study]] that are done are kept, and the same command makes the others");
     return 130;
   }
   if (!options.out.empty()) draw_orders(orders, options.out);

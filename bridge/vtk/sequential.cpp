@@ -20,6 +20,11 @@ void begin(double* range) {
   range[1] = std::numeric_limits<double>::lowest();
 }
 
+/// Of no values: VTK's reader cannot read back the bounds that a search begins with.
+void end(double* range) {
+  if (range[0] > range[1]) range[0] = range[1] = 0;
+}
+
 /// A value that is no number has no place in a range.
 void widen(double* range, double value) {
   range[0] = std::fmin(range[0], value);
@@ -43,6 +48,7 @@ bool SequentialArray::ComputeScalarRange(double* ranges) {
   for (vtkIdType i = 0; i < GetNumberOfTuples(); ++i) {
     for (int c = 0; c < components; ++c) widen(ranges + 2 * c, *value++);
   }
+  for (int c = 0; c < components; ++c) end(ranges + 2 * c);
   return true;
 }
 
@@ -55,6 +61,7 @@ bool SequentialArray::ComputeVectorRange(double range[2]) {
     for (int c = 0; c < components; ++c, ++value) squares += *value * *value;
     widen(range, std::sqrt(squares));
   }
+  end(range);
   return true;
 }
 

@@ -66,7 +66,7 @@ void check_width(const scene::Scene& scene) {
 }
 
 /// An end of the model at which the bed's corner `end` keeps the water off.
-std::string dry_end(const scene::Scene& scene, const char* side, const GroundEnd& end) {
+std::string dry_end(const scene::Scene& scene, const char* side, const scene::BedCorner& end) {
   const double bed_m = scene.blocks[at(end.block)].vertices[at(end.vertex)].y();
   return fmt::format(
       "water on the model's {} end below {} m: a cut in ground that goes on ([water] wets_ends = true wets it)", side,
@@ -80,15 +80,15 @@ HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
       cracks_(scene::find_cracks(scene)),
       crack_pools_(scene, cracks_),
       crack_ends_(scene, cracks_),
-      flow_(scene, ground_cut(scene)) {
+      flow_(scene, joints::ground_cut(scene)) {
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
     if (cracks_[k].law == scene::Uplift::cracked) parted_.emplace(k, joints::Parted(scene, cracks_[k]));
   }
   if (scene.water.uplift_in_shaking == scene::ShakenUplift::zero_where_open) shaking_ends_s_ = shaking_ends_s(scene);
   structure_.open_crack_width_m = scene.water.open_crack_width_m;
   check_width(scene);
-  structure_.ground = find_ground_ends(scene);
-  structure_.floats = lowest_floats(scene);
+  structure_.ground = scene::find_ground_ends(scene);
+  structure_.floats = scene::lowest_floats(scene);
   for (const scene::Block& block : scene.blocks) {
     centroids_.push_back(geometry::centroid(block.vertices));
     structure_.outlines.push_back(block.vertices);
@@ -192,7 +192,7 @@ schedule::FluidReport HydrostaticModel::report() const {
     report.skips.emplace_back(
         "all but one pressure element of a face: consistent forces of a linear pressure need no more");
   }
-  const GroundEnds& ground = structure_.ground;
+  const scene::GroundEnds& ground = structure_.ground;
   if (ground.left && scene_.water.upstream_level_m) report.skips.push_back(dry_end(scene_, "left", *ground.left));
   if (ground.right && scene_.water.downstream_level_m) report.skips.push_back(dry_end(scene_, "right", *ground.right));
   if (scene_.water.earthquake_coefficient != 0 && scene_.water.added_water == scene::AddedWater::westergaard) {

@@ -89,7 +89,7 @@ class Search {
     bool right;
   };
 
-  [[nodiscard]] const Point& corner(const GroundEnd& end) const {
+  [[nodiscard]] const Point& corner(const scene::BedCorner& end) const {
     return structure_.outlines[at(end.block)][at(end.vertex)];
   }
   [[nodiscard]] double left() const { return all_.min().x() - pad_; }

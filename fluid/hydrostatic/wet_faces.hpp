@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fluid/hydrostatic/ground_ends.hpp"
+#include "bridge/scene/ground_ends.hpp"
 #include "fluid/hydrostatic/wet_edges.hpp"
 
 namespace blockweir::hydrostatic {
@@ -15,7 +15,7 @@ enum class Pool { upstream, downstream };
 struct Structure {
   std::vector<std::vector<Point>> outlines;
   double open_crack_width_m = 0.05;  ///< narrower gaps carry no water
-  GroundEnds ground{};
+  scene::GroundEnds ground{};
   bool floats = false;  ///< there is water below the lowest block
 };
 

@@ -19,6 +19,9 @@ struct GroundCut {
   double bottom_m = 0;
 };
 
+/// That of a scene; empty where no water flows in joints.
+GroundCut ground_cut(const scene::Scene& scene);
+
 /// Part of a stretch that a channel is; shares 0..1 of the stretch.
 struct Part {
   std::size_t stretch = 0;

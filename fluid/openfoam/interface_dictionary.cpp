@@ -7,7 +7,6 @@
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/cracks.hpp"
 #include "bridge/schedule/hello.hpp"
-#include "fluid/hydrostatic/ground_ends.hpp"
 #include "fluid/joints/flow_scene.hpp"
 #include "fluid/openfoam/dictionary.hpp"
 
@@ -154,7 +153,7 @@ std::string interface_dictionary(const scene::Scene& scene, const Surroundings& 
 void write_interface(const std::filesystem::path& folder, const scene::Scene& scene, const Surroundings& around,
                      const std::string& endpoint, std::uint64_t first_window) {
   if (scene::flows_in_joints(scene)) {
-    results::replace_file(folder / "constant/blockweirJoints", joints::pack({scene, hydrostatic::ground_cut(scene)}));
+    results::replace_file(folder / "constant/blockweirJoints", joints::pack({scene, joints::ground_cut(scene)}));
   }
   results::replace_file(folder / "constant/blockweir", interface_dictionary(scene, around, endpoint, first_window));
 }

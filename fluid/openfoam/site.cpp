@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "bridge/scene/block_facts.hpp"
-#include "fluid/hydrostatic/ground_ends.hpp"
+#include "bridge/scene/ground_ends.hpp"
 
 namespace blockweir::openfoam {
 namespace {
@@ -68,8 +68,7 @@ int highest_ground(const Site& site, const scene::Scene& scene, double end_m) {
   return highest;
 }
 
-double find_bed(const Site& site, const scene::Scene& scene, double end_m,
-                const std::optional<hydrostatic::GroundEnd>& end) {
+double find_bed(const Site& site, const scene::Scene& scene, double end_m, const std::optional<scene::BedCorner>& end) {
   const int ground = highest_ground(site, scene, end_m);
   if (ground < 0) return -std::numeric_limits<double>::infinity();
   const double own = top_at(end_m, scene.blocks[static_cast<std::size_t>(ground)]);
@@ -110,7 +109,7 @@ Site find_site(const scene::Scene& scene) {
   site.model = scene::bounds_of(scene);
   site.highest_m = highest_water(scene);
   site.ground = find_ground(scene, site.model, site.highest_m);
-  const hydrostatic::GroundEnds ends = hydrostatic::find_ground_ends(scene);
+  const scene::GroundEnds ends = scene::find_ground_ends(scene);
   site.bed_left_m = find_bed(site, scene, site.model.low.x(), ends.left);
   site.bed_right_m = find_bed(site, scene, site.model.high.x(), ends.right);
   const double bed = std::min(site.bed_left_m, site.bed_right_m);

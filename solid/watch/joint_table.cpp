@@ -99,4 +99,19 @@ std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, c
   return rows;
 }
 
+std::vector<JointRow> loads_on_joints(const Solid& solid, const wire::Load& water,
+                                      const std::vector<WaterPart>& parts) {
+  const Surfaces surfaces(solid);
+  const std::vector<SurfaceSum> sums = surface_sums(solid, surfaces);
+  const auto joints = surfaces.joints();
+  std::vector<JointRow> rows;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    JointRow row{
+        .name = surfaces.names()[i], .length_m = sums[i].length_m(), .downstream_end_m = sums[i].downstream_end()};
+    row.sums = force_sums(solid, water, parts, joints[i], row.downstream_end_m);
+    if (!row.sums.empty()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 }  // namespace blockweir::solid

@@ -35,4 +35,7 @@ struct JointRow {
 /// `water`: what presses on the blocks now.
 std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, const std::vector<WaterPart>& parts);
 
+/// Name, length, downstream end and sums alone, of all surfaces: what acts on a structure that no forces hold.
+std::vector<JointRow> loads_on_joints(const Solid& solid, const wire::Load& water, const std::vector<WaterPart>& parts);
+
 }  // namespace blockweir::solid

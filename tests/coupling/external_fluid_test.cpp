@@ -106,6 +106,7 @@ TEST_F(ExternalFluid, RunsInASceneWithoutWater) {
   std::ofstream(folder / "dry.toml") << R"(
 title = "a block that a stranger's water pushes off its base"
 analysis = { duration_s = 0.2, stop_at_failure = true }
+coupling = { timeout_s = 86400 }
 joint = { friction_angle_deg = 30 }
 material.stone = { youngs_modulus_pa = 50e9, poissons_ratio = 0.2, density_kg_per_m3 = 2500 }
 fluid = { model = "external", external = { command = ["/usr/bin/python3", "push.py"], remembers = false } }
@@ -119,6 +120,10 @@ with Fluid("a push") as fluid:
   EXPECT_EQ(shell("env PYTHONPATH=" + kit + "python " + programs + "/blockweir run dry.toml --out run"), 0)
       << text("out") << text("run/external.log");
   EXPECT_EQ(summary()["outcome"], "fails") << text("out");  // 20 kN over the 14.2 kN that friction takes
+  // The copy of the scene knows in which folder the command starts.
+  EXPECT_EQ(shell("env PYTHONPATH=" + kit + "python " + programs + "/blockweir run run/scene.toml --out again"), 0)
+      << text("out") << text("again/external.log");
+  EXPECT_EQ(nlohmann::json::parse(text("again/summary.json"))["outcome"], "fails");
 }
 
 /// What a liar hears, and what the user reads.

@@ -165,7 +165,7 @@ TEST_F(OpenStudies, StoppedItLeavesATableAndGoesOn) {
   ASSERT_GE(lines(), 3);
   kill(first, SIGINT);
   EXPECT_EQ(end_of(first, 20), 130) << text("log");
-  EXPECT_THAT(text("log"), HasSubstr("stopped on request; the same command goes on with [[study]]"));
+  EXPECT_THAT(text("log"), HasSubstr("stopped on request; the runs of each [[study]] that are done are kept"));
   EXPECT_FALSE(orphan());
   const std::string table = text("s/v.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + lines());

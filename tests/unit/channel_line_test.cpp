@@ -12,6 +12,7 @@
 
 #include "bridge/channel/channel.hpp"
 #include "bridge/channel/endpoint.hpp"
+#include "bridge/channel/socket.hpp"
 
 namespace blockweir::channel {
 namespace {
@@ -47,6 +48,15 @@ TEST_F(Line, EndpointsThatCannotBeAreRefused) {
   EXPECT_THAT(refusal("ipc://" + std::string(200, 'x')),
               HasSubstr("the path has 200 bytes, at most 107 fit a socket; choose a shorter one"));
   EXPECT_THAT(refusal("ipc://" + (folder / "no/line").string(), false), HasSubstr("there is no folder"));
+}
+
+TEST_F(Line, APatienceMayBeOfAnyLength) {
+  for (const double patience_s : {1e-3, 14000.0, 86400.0, 1e300}) {
+    zmq::context_t context;
+    zmq::socket_t socket(context, zmq::socket_type::pair);
+    Options options{Side::connects, "ipc://" + (folder / "line").string(), "nobody", patience_s, patience_s};
+    EXPECT_NO_THROW(set_up(socket, options)) << patience_s;
+  }
 }
 
 TEST_F(Line, AFileThatIsNoSocketIsNotRemoved) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: fluid_hydrostatic
 // Which faces on a model's ends are cuts in ground that goes on, and which are walls in water.
-#include "fluid/hydrostatic/ground_ends.hpp"
+#include "bridge/scene/ground_ends.hpp"
 
 #include <gmock/gmock.h>
 
@@ -31,7 +31,7 @@ const Outline ground = {{-20, -6}, {40, -6}, {40, 0}, {-20, 0}};
 const Outline dam = {{0, 0}, {12, 0}, {3, 20}, {0, 20}};
 
 TEST(GroundEnds, GroundUnderWaterGoesOnBeyondBothEnds) {
-  const GroundEnds ends = find_ground_ends(scene_of({ground}, {dam}, 15));
+  const scene::GroundEnds ends = find_ground_ends(scene_of({ground}, {dam}, 15));
   ASSERT_TRUE(ends.left && ends.right);
   EXPECT_EQ(ends.left->block, 0);
   EXPECT_EQ(ends.left->vertex, 3);
@@ -39,7 +39,7 @@ TEST(GroundEnds, GroundUnderWaterGoesOnBeyondBothEnds) {
 }
 
 TEST(GroundEnds, JointedRockOnAFixedBaseIsGroundUpToItsBed) {
-  const GroundEnds ends = find_ground_ends(
+  const scene::GroundEnds ends = find_ground_ends(
       scene_of({{{-20, -15}, {50, -15}, {50, -12}, {-20, -12}}},
                {{{-20, -12}, {50, -12}, {50, -5}, {-20, -7}}, {{-20, -7}, {50, -5}, {50, 0}, {-20, 0}}, dam}, 15));
   ASSERT_TRUE(ends.left && ends.right);

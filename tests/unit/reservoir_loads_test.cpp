@@ -179,6 +179,36 @@ TEST(ReservoirLoads, SiltPressesDownstreamAndDownWhereAFaceLooksUp) {
   EXPECT_NEAR(leaning[1] / (-vertical * width / 2), 1, 1e-9);
 }
 
+/// A slab of 10 m before a wall: the silt's weight on it, and nothing on its end, where the ground goes on.
+TEST(ReservoirLoads, SiltWeighsOnAFloorThatCanMove) {
+  const auto scene = read_text(R"(analysis = { duration_s = 1 }
+water = { upstream_level_m = 4 }
+material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }
+joint = { friction_angle_deg = 45 }
+silt = { level_m = 3, submerged_density_kg_per_m3 = 1000, pressure_coefficient = 0.4 }
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-10, -5], [12, -5], [12, -2], [-10, -2]]
+[[block]]
+name = "slab"
+material = "m"
+vertices_m = [[-10, -2], [4, -2], [4, 0], [-10, 0]]
+[[block]]
+name = "wall"
+material = "m"
+vertices_m = [[0, 0], [3, 0], [1, 5], [0, 5]]
+)",
+                               "s.toml")
+                         .scene;
+  const auto loads = statics::stated_loads_of(scene, 0);
+  EXPECT_NEAR(loads[1][0], 0, 1e-6);
+  EXPECT_NEAR(loads[1][1] / -294300, 1, 1e-9);
+  EXPECT_NEAR(loads[2][0] / (0.4 * 9810 * 9 / 2), 1, 1e-9);
+  EXPECT_NEAR(loads[2][1], 0, 1e-6);
+}
+
 TEST(ReservoirLoads, AreRefusedWhereTheyCannotAct) {
   const auto refusal = [](const std::string& table) { return testing::PrintToString(errors(dam(0, table))); };
   EXPECT_THAT(refusal("[ice]\nthrust_n_per_m = 1e5\nthickness_m = 0.5\n"), HasSubstr("[ice] without a reservoir"));

@@ -37,7 +37,7 @@ inline WaterMesh mesh_of(const Wall& wall, double ratio, const FarEnd& left) {
   hydrostatic::Structure structure;
   structure.outlines = wall.outlines();
   structure.open_crack_width_m = 1e-3;
-  structure.ground.left = hydrostatic::GroundEnd{0, 3};
+  structure.ground.left = scene::BedCorner{0, 3};
   hydrostatic::Pools pools;
   const auto water =
       pools.find(structure, wall.H, std::numeric_limits<double>::quiet_NaN(), scene::CrestPressure::none);

@@ -36,6 +36,8 @@ std::string set(const Magnitude& row, double value) {
                                                               {"analysis", "[analysis]"},
                                                               {"joint", "[joint]"},
                                                               {"water", "[water]"},
+                                                              {"contact", "[contact]"},
+                                                              {"load_case[]", "[[load_case]]"},
                                                               {"bolt[]", "[[bolt]]"},
                                                               {"ice", "[ice]"},
                                                               {"silt", "[silt]"}};
@@ -48,6 +50,9 @@ std::string set(const Magnitude& row, double value) {
       "[[bolt]]\nname = \"bar\"\nfrom_block = \"base\"\nfrom_m = [0, 1]\nto_m = [-3, 0]\narea_m2_per_m = 1e-3\n"
       "youngs_modulus_pa = 210e9\n";
   if (row.section == std::string("ice")) scene += "[ice]\nthickness_m = 0.5\nthrust_n_per_m = 1e5\n";
+  if (row.section == std::string("load_case[]")) {
+    scene += "[[load_case]]\nname = \"flood\"\nset = [\"title=x\"]\nsource = \"a guideline\"\n";
+  }
   if (row.section == std::string("silt")) scene += "[silt]\nlevel_m = 1\npressure_coefficient = 0.5\n";
   return set(scene, headings.at(row.section), key, value);
 }

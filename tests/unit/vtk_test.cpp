@@ -81,6 +81,17 @@ TEST_F(VtkFiles, AreDrawnWithTheWatersSurfaceWhereTheModelStands) {
   EXPECT_EQ(water->GetPoint(2)[1], 1.5);
 }
 
+/// Of no values there is no range: VTK's reader cannot read the bounds with which a search for one begins.
+TEST_F(VtkFiles, OfNoWaterHaveRangesThatCanBeRead) {
+  Frame dry = frame_at(0);
+  dry.panels.clear();
+  dry.upstream_level_m = std::nan("");
+  VtkWriter(folder).write(dry);
+  std::ifstream file(folder / "frames/water_000000.vtu");
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  EXPECT_EQ(text.find("e+308"), std::string::npos) << text;
+}
+
 /// Debian 12's ParaView reads no others from 4 kB on.
 TEST_F(VtkFiles, AreXmlThroughout) {
   VtkWriter(folder).write(frame_at(1.0 / 3));

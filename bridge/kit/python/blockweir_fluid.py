@@ -99,7 +99,9 @@ class Fluid:
         self._socket = self._context.socket(zmq.PAIR)
         self._socket.setsockopt(zmq.LINGER, 1000)
         self._socket.setsockopt(zmq.RECONNECT_IVL, 5)
-        beat_ms = max(100, int(250 * self.timeout_s))  # answered by ZeroMQ itself, while this program computes
+        # Beats are answered by ZeroMQ itself, while this program computes. Twice 3e6 ms is below 65,535 tenths of a
+        # second, which is as long as ZeroMQ can tell.
+        beat_ms = int(max(100, min(250 * self.timeout_s, 3e6)))
         for option, ms in ((zmq.HEARTBEAT_IVL, beat_ms), (zmq.HEARTBEAT_TTL, 2 * beat_ms),
                            (zmq.HEARTBEAT_TIMEOUT, 2 * beat_ms)):
             self._socket.setsockopt(option, ms)
@@ -268,7 +270,7 @@ class Fluid:
         poller = zmq.Poller()
         for socket in (self._socket, self._events):
             poller.register(socket, zmq.POLLIN)
-        ready = dict(poller.poll(int(1000 * self.timeout_s)))
+        ready = dict(poller.poll(int(min(1000 * self.timeout_s, 2e9))))
         if not ready:
             raise FluidError(f"the solid has been silent for {self.timeout_s:g} s at {self.endpoint} {moment}")
         if self._socket not in ready and not self._socket.poll(100):  # what it sent last may still be on its way

@@ -33,18 +33,34 @@ function loadCasesInWords() {
 /// Of a load case or the level: what its answer warns of, and what the reading of its scene does.
 const warningsOf = answer => [...(answer.scene_warnings || []), ...(answer.warnings || [])];
 
-/// Every warning once, in the words of the first answer that has it: the run, each load case, the level.
+/// Every text once, with those that it holds for: [who, texts] each.
+function onceEach(answers) {
+  const holders = new Map();
+  for (const [who, texts] of answers) {
+    for (const text of new Set(texts)) holders.set(text, [...(holders.get(text) || []), who]);
+  }
+  return [...holders].map(([text, who]) => [who, text]);
+}
+
+/// Of the load cases: each text with the cases that it holds for.
+function ofCases(textsOf) {
+  const cases = report.safety.trouble ? [] : report.safety;
+  return onceEach(cases.map(c => [c.name, textsOf(c)])).map(([names, text]) =>
+    [names.length === cases.length && names.length > 1 ? 'all load cases' : `load case${names.length > 1 ? 's' : ''} ${names.map(n => `"${n}"`).join(', ')}`, text]);
+}
+
+/// Every warning once, with whom it holds for: the run, load cases, the level.
 function allWarnings() {
-  const told = new Set(report.summary.warnings || []);
-  const lines = [...told].map(text => 'Warning: ' + text);
-  const add = (who, answer) => {
-    for (const text of warningsOf(answer).filter(w => !told.has(w))) {
-      told.add(text);
-      lines.push(`Warning, ${who}: ${text}`);
-    }
+  const run = report.summary.warnings || [];
+  const told = new Set(run);
+  const lines = run.map(text => 'Warning: ' + text);
+  const add = ([who, text]) => {
+    if (told.has(text)) return;
+    told.add(text);
+    lines.push(`Warning, ${who}: ${text}`);
   };
-  if (!report.safety.trouble) for (const c of report.safety) add(`load case "${c.name}"`, c);
-  if (!report.level.trouble) add('level of failure', report.level);
+  ofCases(warningsOf).forEach(add);
+  if (!report.level.trouble) warningsOf(report.level).forEach(text => add(['level of failure', text]));
   return lines;
 }
 
@@ -52,8 +68,9 @@ function writeVerdict() {
   const s = report.summary;
   const words = {fails: 'The structure FAILS', stands: 'The structure STANDS', moving: 'UNDECIDED: something still moves at the end', stopped: 'STOPPED'};
   const short = s.outcome === 'stands' ? loadCases().filter(fallsShort).length : 0;
-  chapter('verdict').append(element('p', {class: `outcome ${short > 0 ? 'short' : s.outcome}`}, (words[s.outcome] || s.outcome) +
-    (short > 0 ? `, but ${short} of its load cases ${short > 1 ? 'do' : 'does'} not reach the required factor` : '')));
+  const fallen = s.outcome === 'stands' ? loadCases().filter(c => c.outcome === 'fails').length : 0;
+  chapter('verdict').append(element('p', {class: `outcome ${fallen > 0 ? 'fails' : short > 0 ? 'short' : s.outcome}`}, (words[s.outcome] || s.outcome) +
+    (fallen > 0 ? `, but fails in ${fallen} of its load cases` : short > 0 ? `, but ${short} of its load cases ${short > 1 ? 'do' : 'does'} not reach the required factor` : '')));
   const lines = [];
   if (s.outcome === 'fails') {
     const f = s.failure;
@@ -83,7 +100,20 @@ function writeSection() {
     element('h3', {}, 'Materials'),
     table(['material', 'density kg/m3', 'modulus GPa', "Poisson's ratio"], report.materials.map(m => [m.name, number(m.density), number(m.modulus / 1e9), number(m.poisson)])),
     element('h3', {}, 'Joints'),
-    table(['joint', 'friction deg', 'residual deg', 'cohesion kPa', 'tension kPa', 'water in it'], report.laws.map(l => [l.name, number(l.friction), number(l.residual), kilo(l.cohesion, 0), kilo(l.tension, 0), l.uplift])));
+    table(['joint', 'friction deg', 'residual deg', 'cohesion kPa', 'tension kPa', 'water in it'], report.laws.map(l => [l.name, number(l.friction), number(l.residual), kilo(l.cohesion, 0), kilo(l.tension, 0), l.uplift])),
+    ...(report.flow.length > 0 ? [element('h3', {}, 'Drains and grout'), table(['', ''], report.flow)] : []));
+}
+
+/// What acts on a structure that nothing holds, joint by joint.
+function writeLoads(c, to) {
+  to.append(element('h3', {}, `Loads on joints: ${c.name}`), paragraph(`No table of joints nor of anchors: ${c.why_no_joints}.`, 'quiet'));
+  for (const joint of c.loads_on_joints) {
+    const sum = key => joint.sums.reduce((total, s) => total + s[key], 0);
+    const row = (name, s) => [name, kilo(s('x_n_per_m')), kilo(s('y_n_per_m')), kilo(s('moment_n'))];
+    to.append(table([`on ${joint.name}`, 'x kN/m', 'y kN/m', 'moment kN'],
+      [...joint.sums.map(s => row(s.name, key => s[key])), row('sum', sum)]),
+    paragraph(`Moments about (${number(joint.downstream_end_m[0], 4)}, ${number(joint.downstream_end_m[1], 4)}) m, counter-clockwise positive.`, 'quiet'));
+  }
 }
 
 /// Water in the joints: what flows, and the uplift beside that of the guideline laws.
@@ -102,22 +132,26 @@ function writeFlow() {
 function writeCases() {
   const to = chapter('cases');
   if (report.safety.trouble) return to.append(paragraph('No factor was found: ' + report.safety.trouble));
-  const doubt = c => (warningsOf(c).length > 0 ? ', see warning' : '');
+  // Of a case that is not satisfied, the warning is pointed at only where it is why.
+  const cause = c => (c.satisfied === false && c.with_cracked_joint ? c.with_cracked_joint.text : '');
+  const doubt = c => (cause(c) ? ', see below' : c.satisfied && warningsOf(c).length > 0 ? ', see warning' : '');
   const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied && !doubt(c) ? 'good' : 'bad'}, (c.satisfied ? 'yes' : 'NO') + doubt(c)));
   to.append(table(['load case', 'class', 'level m', 'tailwater m', 'outcome', 'factor', 'by limit analysis', 'required', 'satisfied', 'source'],
     report.safety.map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), number(c.required, 4), answer(c), c.source || '-'])),
   paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis.', 'quiet'));
-  for (const c of report.safety) {
-    for (const warning of warningsOf(c)) to.append(paragraph(`Warning, load case "${c.name}": ${warning}`, 'bad'));
-    if (c.limit_analysis_note) to.append(paragraph(`Load case "${c.name}", limit analysis: ${c.limit_analysis_note}.`, 'quiet'));
-    if (!is(c.factor) && c.why_no_factor) to.append(paragraph(`Load case "${c.name}": no factor, as ${c.why_no_factor}.`, 'quiet'));
-  }
+  const tellEach = (textsOf, words, kind) => ofCases(textsOf).forEach(told => to.append(paragraph(words(...told), kind)));
+  const upper = text => text.charAt(0).toUpperCase() + text.slice(1);
+  tellEach(c => (cause(c) ? [cause(c)] : []), (who, text) => `Not enough, ${who}: ${text}.`, 'bad');
+  tellEach(warningsOf, (who, text) => `Warning, ${who}: ${text}`, 'bad');
+  tellEach(c => (c.limit_analysis_note ? [c.limit_analysis_note] : []), (who, text) => `${upper(who)}, limit analysis: ${text}.`, 'quiet');
+  tellEach(c => (!is(c.factor) && c.why_no_factor ? [c.why_no_factor] : []), (who, text) => `${upper(who)}: no factor, as ${text}.`, 'quiet');
   for (const c of report.safety.filter(c => c.load_factor)) {
     const grown = c.load_factor;
     to.append(paragraph(`Load case "${c.name}": it bears ${number(grown.factor)} times ${grown.loads.join(' and ')} by limit analysis; as stated: ${grown.constant.join(' and ')}.`, 'quiet'));
   }
   to.append(caseFigures(report));
   for (const c of report.safety) {
+    if (c.why_no_joints) writeLoads(c, to);
     if (!c.joints || c.joints.length === 0) continue;
     const scaled = c.joints_with_strength_times;
     const together = element('div', {class: 'together'});
@@ -182,6 +216,7 @@ function writeAgain() {
   chapter('again').append(
     table(['', ''], [['program', report.program.split('\n')[0]], ...report.program.split('\n').slice(1).map(line => [line.slice(0, 10).trim(), line.slice(10)]), ['digest of the scene', report.digest], ['wall time', number(report.summary.wall_time_s, 3) + ' s']]),
     paragraph('Save the scene below as a file. These commands give the figures of this report again:'),
+    ...(report.home ? [paragraph(`Save it in ${report.home}, in which the command of [fluid.external] starts; or run the copy in the run's folder, which knows that.`)] : []),
     element('pre', {}, report.commands.join('\n')), element('h3', {}, 'The scene as it was run'), element('pre', {}, report.scene));
 }
 

@@ -54,7 +54,13 @@ void check_ice(const Reading& reading) {
       "a sheet that lies on a face over all of its thickness", "correct thickness_m, in metres, or the level");
 }
 
-/// What lies above the crest would go over it.
+/// Highest of the level's rows and its value at the end, with the crest of its waves.
+double highest_of(const TimeTable& level, double end_s) {
+  const double sine = level.sine ? std::abs(level.sine->amplitude) : 0;
+  return std::max(level.rows_at(end_s), *std::max_element(level.value.begin(), level.value.end())) + sine;
+}
+
+/// What lies above the crest would go over it, and what lies above the water has not settled in it.
 void check_silt(const Reading& reading) {
   const Scene& scene = reading.scene;
   const toml::node* level = reading.file["silt"]["level_m"].node();
@@ -63,6 +69,14 @@ void check_silt(const Reading& reading) {
   double crest_m = -std::numeric_limits<double>::infinity();
   for (const Block& block : scene.blocks) {
     if (!block.fixed) crest_m = std::max(crest_m, geometry::bounds_of(block.vertices).high.y());
+  }
+  const auto& water = scene.water.upstream_level_m;
+  if (*level_m <= crest_m && water && *level_m > highest_of(*water, scene.analysis.duration_s)) {
+    reading.problems.warning(reading.problems.at(level->source()),
+                             fmt::format("level_m in [silt] is {:.6g} m, above the highest reservoir, {:.6g} m",
+                                         *level_m, highest_of(*water, scene.analysis.duration_s)),
+                             "silt up to the water's level, whose weight is that under water",
+                             "exchange the two, or lower the silt");
   }
   if (*level_m <= crest_m) return;
   reading.problems.warning(reading.problems.at(level->source()),
@@ -81,12 +95,6 @@ Point place_at(const Crack& crack, double station_m) {
     }
   }
   return crack.end();
-}
-
-/// Highest of the level's rows and its value at the end, with the crest of its waves.
-double highest_of(const TimeTable& level, double end_s) {
-  const double sine = level.sine ? std::abs(level.sine->amplitude) : 0;
-  return std::max(level.rows_at(end_s), *std::max_element(level.value.begin(), level.value.end())) + sine;
 }
 
 void check_drains(const Reading& reading) {
@@ -113,6 +121,28 @@ void check_drains(const Reading& reading) {
     } else if (up && head_m > highest_of(*up, end_s)) {
       warn("above the highest reservoir,", highest_of(*up, end_s),
            "state the gallery's height, not the depth under it");
+    }
+  }
+}
+
+/// Heads are heights from the joint at the piezometer up to the reservoir's level when they were read.
+void check_piezometers(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  if (scene.fluid == FluidModel::none) return;
+  for (const Crack& crack : find_cracks(scene)) {
+    if (crack.law != Uplift::heads) continue;
+    for (const Piezometer& p : crack.known.piezometers) {
+      const double joint_m = place_at(crack, p.station_m).y();
+      const bool low = p.head_m < joint_m;
+      if (!low && p.head_m <= crack.known.level_m) continue;
+      reading.problems.warning(
+          reading.problems.at(crack.known.line),
+          fmt::format("the piezometer at {:.6g} m of joint \"{}\" has a head of {:.6g} m, {} {:.6g} m", p.station_m,
+                      name_of(scene, crack), p.head_m,
+                      low ? "below the joint there," : "above the reservoir when it was read,",
+                      low ? joint_m : crack.known.level_m),
+          "a height on the y axis from the joint at the piezometer up to piezometers_level_m",
+          "state the height of the water in its pipe, not the depth under the level nor a pressure");
     }
   }
 }
@@ -192,6 +222,7 @@ void check_reservoir(const Reading& reading) {
   check_ice(reading);
   check_silt(reading);
   check_drains(reading);
+  check_piezometers(reading);
   check_sound(reading);
   check_sound_windows(reading);
   check_far_walls(reading);

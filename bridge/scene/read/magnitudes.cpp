@@ -8,6 +8,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <tuple>
 
 #include "bridge/scene/structure_size.hpp"
 
@@ -36,6 +37,10 @@ constexpr Magnitude table_of_magnitudes[] = {
     {"analysis", "duration_s", "s", 1e-6, 1e7, {}, "a year is 3e7 s: a run makes each of its steps"},
     {"analysis", "step_s", "s", 1e-9, 100, {}, "dynamic motions of dams take milliseconds to seconds"},
     {"analysis", "max_displacement_ratio", "", 1e-6, 1, {percent}, "1 % is 0.01"},
+    {"analysis", "rest_speed_m_per_s", "m/s", 1e-12, 0.01, {}, "what moves faster than this does not count as at rest"},
+    {"analysis", "residual_tolerance", "", 1e-15, 1e-3, {percent}},
+    {"contact", "force_tolerance", "", 1e-15, 1e-3, {percent}, "contact forces are found to this share of the largest"},
+    {"load_case[]", "required_factor", "", 0.5, 20, {percent}, "guidelines ask for 1 to 4"},
     {"joint", "friction_angle_deg", "deg", 2, 80, {radians}},
     {"joint", "residual_friction_angle_deg", "deg", 2, 80, {radians}},
     {"joint", "dilation_angle_deg", "deg", 0.5, 45, {radians}},
@@ -94,6 +99,48 @@ void check_row(const Magnitude& row, double least, const toml::table& file, Prob
                        fmt::format("{} in {} is {:.6g}{}, which is unusual", row.key, name, *value, unit),
                        fmt::format("{:.3g} to {:.3g}{}", least, row.most, unit), likely_meaning(row, *value));
     });
+  }
+}
+
+/// A run of so many windows, frames or rows would not end.
+void check_counts(const toml::table& file, const Scene& scene, Problems& problems) {
+  constexpr double most = 1e8;
+  // Of frames and rows those are counted that a step passes over.
+  const double rows = 1e6 * scene.analysis.duration_s / scene.analysis.step_s;
+  for (const auto& [section, key, every_s, countable] :
+       {std::tuple{"coupling", "window_s", scene.coupling.window_s, 1e15},
+        {"output", "frame_every_s", scene.output.frame_every_s, rows},
+        {"output", "history_every_s", scene.output.history_every_s, rows}}) {
+    const toml::node* node = file[section][key].node();
+    const double count = scene.analysis.duration_s / every_s;
+    if (node == nullptr || count <= most) continue;
+    const std::string found = fmt::format("{} in [{}] is {:.3g} s: {:.2g} of them in duration_s = {:.3g}", key, section,
+                                          every_s, count, scene.analysis.duration_s);
+    const std::string expected = fmt::format("at most {:.0e} in a run", count > countable ? countable : most);
+    const std::string remedy = fmt::format("lengthen {} to {:.2g} s, the step, or more", key, scene.analysis.step_s);
+    if (count > countable) {
+      problems.error(problems.at(node->source()), found, expected, remedy);
+    } else {
+      problems.warning(problems.at(node->source()), found + ", which is unusual", expected, remedy);
+    }
+  }
+}
+
+/// What moves by a good part of a structure in water has failed. Without water blocks may be made to bounce and roll.
+void check_lengths(const toml::table& file, const Scene& scene, double size_m, Problems& problems) {
+  for (const auto& [section, key, length_m, most_ratio] :
+       {std::tuple{"analysis", "failure_displacement_m", scene.analysis.failure_displacement_m,
+                   still_pools(scene.fluid) ? 0.2 : 100},
+        {"contact", "penetration_tolerance_m", scene.contact.penetration_tolerance_m, 1e-4}}) {
+    const toml::node* node = file[section][key].node();
+    if (node == nullptr || length_m <= most_ratio * size_m) continue;
+    problems.warning(problems.at(node->source()),
+                     fmt::format("{} in [{}] is {:.3g} m in a structure of {:.3g} m, which is unusual", key, section,
+                                 length_m, size_m),
+                     fmt::format("up to {:.2g} m, {:g} of the structure's size", most_ratio * size_m, most_ratio),
+                     length_m / 1000 <= most_ratio * size_m
+                         ? fmt::format("if it is in mm, write {:.4g}", length_m / 1000)
+                         : "shorten it, or leave it out");
   }
 }
 
@@ -192,6 +239,8 @@ void check_magnitudes(const toml::table& file, const Scene& scene, Problems& pro
   const double size_m = structure_size_m(scene.blocks);
   check_ranges(file, size_m, problems);
   check_steps(file, scene, problems);
+  check_counts(file, scene, problems);
+  check_lengths(file, scene, size_m, problems);
   check_size(scene, size_m, problems);
   check_crack_width(file, scene, size_m, problems);
   check_shaking(file, scene, problems);

@@ -14,6 +14,36 @@ std::vector<Diagnostic> by_line(std::vector<Diagnostic> diagnostics) {
   return diagnostics;
 }
 
+/// Names and keys of a thousand letters are shortened: a message is to be read.
+std::string readable(const std::string& text) {
+  constexpr std::size_t longest_word = 300;
+  constexpr std::size_t kept = 40;
+  const auto within_a_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };  // UTF-8
+  std::string shown;
+  std::string word;
+  const auto take = [&] {
+    if (word.size() > longest_word) {
+      std::size_t end = kept;
+      std::size_t begin = word.size() - kept;
+      while (within_a_letter(word[end])) ++end;
+      while (within_a_letter(word[begin])) ++begin;
+      word = word.substr(0, end) + "..." + word.substr(begin);
+    }
+    shown += word;
+    word.clear();
+  };
+  for (const char c : text) {
+    if (c != ' ') {
+      word += c;
+      continue;
+    }
+    take();
+    shown += c;
+  }
+  take();
+  return shown;
+}
+
 }  // namespace
 
 Place Problems::at(const toml::source_region& source) const {
@@ -22,20 +52,22 @@ Place Problems::at(const toml::source_region& source) const {
   return at(static_cast<int>(source.begin.line));
 }
 
-void Problems::error(const Place& place, std::string found, std::string expected, std::string remedy) {
+void Problems::error(const Place& place, const std::string& found, const std::string& expected,
+                     const std::string& remedy) {
   if (full()) return;
   errors_.push_back(
-      {Diagnostic::Severity::error, place.file, place.line, std::move(found), std::move(expected), std::move(remedy)});
+      {Diagnostic::Severity::error, place.file, place.line, readable(found), readable(expected), readable(remedy)});
 }
 
-void Problems::warning(const Place& place, std::string found, std::string expected, std::string remedy) {
+void Problems::warning(const Place& place, const std::string& found, const std::string& expected,
+                       const std::string& remedy) {
   if (warnings_.size() >= largest_count) return;
-  warnings_.push_back({Diagnostic::Severity::warning, place.file, place.line, std::move(found), std::move(expected),
-                       std::move(remedy)});
+  warnings_.push_back(
+      {Diagnostic::Severity::warning, place.file, place.line, readable(found), readable(expected), readable(remedy)});
 }
 
-void Problems::note(const Place& place, std::string found, std::string remedy) {
-  notes_.push_back({Diagnostic::Severity::note, place.file, place.line, std::move(found), "", std::move(remedy)});
+void Problems::note(const Place& place, const std::string& found, const std::string& remedy) {
+  notes_.push_back({Diagnostic::Severity::note, place.file, place.line, readable(found), "", readable(remedy)});
 }
 
 std::vector<Diagnostic> Problems::errors() const {

@@ -25,10 +25,10 @@ class Problems {
   [[nodiscard]] Place at(const toml::source_region& source) const;
 
   /// What comes after `largest_count` errors is not kept: it would not be read either.
-  void error(const Place& place, std::string found, std::string expected, std::string remedy);
+  void error(const Place& place, const std::string& found, const std::string& expected, const std::string& remedy);
   /// What may be meant, and is likely a slip or has no effect.
-  void warning(const Place& place, std::string found, std::string expected, std::string remedy);
-  void note(const Place& place, std::string found, std::string remedy);
+  void warning(const Place& place, const std::string& found, const std::string& expected, const std::string& remedy);
+  void note(const Place& place, const std::string& found, const std::string& remedy);
 
   [[nodiscard]] std::size_t count() const { return errors_.size(); }
   [[nodiscard]] bool full() const { return errors_.size() >= largest_count; }

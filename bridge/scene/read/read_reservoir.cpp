@@ -2,6 +2,11 @@
 // Loads on a dam beside its weight and still water: silt, ice, a pseudo-static earthquake.
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/block_facts.hpp"
+#include "bridge/scene/ground_ends.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/upstream_faces.hpp"
 
@@ -26,6 +31,16 @@ TimeTable constant(double value) {
 
 }  // namespace
 
+/// Is it a part of the cut by which the model ends in ground that goes on? There is more ground behind it, no silt.
+bool is_cut(const UpstreamFace& face, const Scene& scene) {
+  const auto end = find_ground_ends(scene).left;
+  if (!end) return false;
+  const Point& corner = scene.blocks[at(end->block)].vertices[at(end->vertex)];
+  const double near_m = 1e-6 * bounds_of(scene).size();
+  return std::abs(face.top_m.x() - corner.x()) <= near_m && std::abs(face.bottom_m.x() - corner.x()) <= near_m &&
+         face.top_m.y() <= corner.y() + near_m;
+}
+
 /// On a face with the outward normal n at the depth d: K gamma' d |n_x| downstream, gamma' d n_y down where it looks
 /// up.
 void read_silt(Reading& reading) {
@@ -40,8 +55,10 @@ void read_silt(Reading& reading) {
   const bool has_coefficient = table.number("pressure_coefficient", coefficient,
                                             {[](double k) { return k >= 0 && k <= 1; }, "a number from 0 to 1"}, true);
   if (!has_level || !has_density || !has_coefficient || reading.problems.count() > 0) return;
-  const std::vector<UpstreamFace> faces = upstream_faces(reading.scene, level);
-  if (faces.empty()) {
+  std::vector<UpstreamFace> faces = upstream_faces(reading.scene, level);
+  std::erase_if(faces, [&](const UpstreamFace& face) { return is_cut(face, reading.scene); });
+  const std::vector<UpstreamFloor> floors = upstream_floors(reading.scene, level);
+  if (faces.empty() && floors.empty()) {
     reading.problems.error(table.place("level_m"),
                            fmt::format("level_m in [silt] is {} m, below every upstream face that can move", level),
                            "a level above the structure's foot", "raise it, or leave [silt] out");
@@ -58,6 +75,15 @@ void read_silt(Reading& reading) {
                                         .to_m = face.bottom_m,
                                         .force_from_n_per_m2 = at_height(face.top_m.y()),
                                         .force_to_n_per_m2 = at_height(face.bottom_m.y()),
+                                        .origin = LoadOrigin::silt});
+  }
+  for (const UpstreamFloor& floor : floors) {
+    const std::array down{constant(0), constant(-weight * (level - floor.left_m.y()))};
+    reading.scene.line_loads.push_back({.block = floor.block,
+                                        .from_m = floor.left_m,
+                                        .to_m = floor.right_m,
+                                        .force_from_n_per_m2 = down,
+                                        .force_to_n_per_m2 = down,
                                         .origin = LoadOrigin::silt});
   }
 }

@@ -121,6 +121,12 @@ void read_materials(Reading& reading) {
     Material material;
     material.name = key.str();
     reading.materials.add(material.name);
+    constexpr std::size_t longest_name = 200;
+    if (material.name.size() > longest_name) {
+      problems.error(problems.at(node.source()),
+                     fmt::format("a material of a name of {} letters", material.name.size()),
+                     fmt::format("at most {}", longest_name), "shorten it");
+    }
     if (!node.is_table()) {
       problems.error(problems.at(node.source()), fmt::format("material.{} is not a section", material.name),
                      "[material.NAME]", "give each material a name and a section of its own");

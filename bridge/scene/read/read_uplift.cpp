@@ -13,8 +13,9 @@ namespace {
 
 const Range share{[](double s) { return s >= 0 && s <= 1; }, "a number from 0 to 1"};
 
+/// Keys that are not stated follow the drain of [joint], where that has one.
 void read_drain(TableReader& table, Reading& reading, KnownHeads& known) {
-  Drain drain;
+  Drain drain = known.drain.value_or(Drain{});
   table.number("drain_m", drain.station_m, positive());
   table.number("drain_efficiency", drain.efficiency, share);
   table.number("drain_head_m", drain.head_m);
@@ -22,7 +23,7 @@ void read_drain(TableReader& table, Reading& reading, KnownHeads& known) {
   const bool efficiency = table.has("drain_efficiency");
   const bool head = table.has("drain_head_m");
   if (!at && !efficiency && !head) return;
-  if (!at || (!efficiency && !head)) {
+  if (!known.drain && (!at || (!efficiency && !head))) {
     return reading.problems.error(table.place(efficiency ? "drain_efficiency"
                                               : head     ? "drain_head_m"
                                                          : "drain_m"),
@@ -31,12 +32,17 @@ void read_drain(TableReader& table, Reading& reading, KnownHeads& known) {
                                   at ? "add drain_efficiency" : "add drain_m, its way from the joint's upstream end");
   }
   known.drain = drain;
+  if (table.has("uplift")) return;
+  known.line = table.place(head ? "drain_head_m" : efficiency ? "drain_efficiency" : "drain_m").line;
 }
 
+/// Rows or level alone follow those of [joint], where that has both.
 void read_piezometers(TableReader& table, Reading& reading, KnownHeads& known) {
+  const bool followed = !known.piezometers.empty();
   std::vector<Point> rows;
   if (table.has("piezometers_m")) table.points("piezometers_m", rows, 1);
   table.number("piezometers_level_m", known.level_m);
+  if (table.has("piezometers_m")) known.piezometers.clear();
   for (const Point& row : rows) known.piezometers.push_back({row.x(), row.y()});
   const auto& p = known.piezometers;
   const auto falls = std::adjacent_find(
@@ -47,7 +53,7 @@ void read_piezometers(TableReader& table, Reading& reading, KnownHeads& known) {
                                        (falls + 1)->station_m, falls->station_m),
                            "rows [station, head] with stations that increase from the upstream end", "sort the rows");
   }
-  if (table.has("piezometers_m") == table.has("piezometers_level_m")) return;
+  if (followed || table.has("piezometers_m") == table.has("piezometers_level_m")) return;
   reading.problems.error(table.place(table.has("piezometers_m") ? "piezometers_m" : "piezometers_level_m"),
                          fmt::format("{} states piezometers by half", table.name()),
                          "piezometers_m, and piezometers_level_m, the reservoir's level when they were read",
@@ -99,11 +105,12 @@ void check_station(Reading& reading, const Crack& crack, const char* what, doubl
 void read_uplift(TableReader& table, JointLaw& law, Reading& reading) {
   std::vector<std::pair<const char*, Uplift>> words;
   for (const UpliftName& name : uplift_names) words.emplace_back(name.name, name.law);
-  if (table.has("uplift")) law.known_heads = {.line = table.place("uplift").line};
+  const Uplift followed = law.uplift;
   table.choice<Uplift>("uplift", law.uplift, words);
+  if (law.uplift != followed) law.known_heads = {};  // drains and piezometers are those of another law
+  if (table.has("uplift")) law.known_heads.line = table.place("uplift").line;
   KnownHeads& known = law.known_heads;
   read_drain(table, reading, known);
-  if (table.has("piezometers_m")) known.piezometers.clear();
   read_piezometers(table, reading, known);
   refuse_idle(table, reading, law);
   require(table, reading, law);

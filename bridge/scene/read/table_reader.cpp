@@ -176,6 +176,10 @@ bool TableReader::text(const char* key, std::string& into, bool required) {
   if (node == nullptr) return false;
   const auto value = node->is_string() ? node->value<std::string>() : std::nullopt;
   if (!value || (required && value->empty())) return wrong(key, *node, words);
+  constexpr std::size_t longest_name = 200;
+  if (std::string_view(key) == "name" && value->size() > longest_name) {
+    return wrong(key, *node, fmt::format("a name of at most {} letters", longest_name), "shorten it");
+  }
   into = *value;
   return true;
 }
@@ -226,11 +230,12 @@ std::vector<const toml::table*> TableReader::tables(const char* key, bool requir
 
 int TableReader::reference(const char* key, const Names& names, bool required) {
   std::string word;
-  if (!text(key, word, required) || word.empty()) return -1;
+  if (!text(key, word, required)) return -1;
   const int index = names.find(word);
   if (index >= 0) return index;
   problems_.error(place(key), fmt::format("{} in {} names no {}: \"{}\"", key, name_, names.kind(), word),
-                  one_of(names.list()), did_you_mean(word, names.list()));
+                  one_of(names.list()),
+                  word.empty() ? fmt::format("name one, or leave {} out", key) : did_you_mean(word, names.list()));
   return -1;
 }
 

@@ -64,7 +64,8 @@ std::vector<std::array<double, 2>> rows_of(std::istream& stream, const Layout& l
   bool heading_allowed = true;
   int line_number = 0;
   for (std::string line; std::getline(stream, line);) {
-    ++line_number;
+    constexpr const char* byte_order_mark = "\xEF\xBB\xBF";  // as spreadsheets begin a text in UTF-8
+    if (++line_number == 1 && line.starts_with(byte_order_mark)) line.erase(0, 3);
     boost::trim(line);
     if (line.empty() || line[0] == '#' || line[0] == '%') continue;
     const auto fields = fields_of(line);

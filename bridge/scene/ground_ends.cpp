@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fluid/hydrostatic/ground_ends.hpp"
+#include "bridge/scene/ground_ends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,33 +9,31 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::scene {
 namespace {
 
-using scene::Point;
+constexpr double no_height = std::numeric_limits<double>::infinity();
 
-constexpr double none = std::numeric_limits<double>::infinity();
-
-double highest(const std::optional<scene::TimeTable>& level) {
-  if (!level) return -none;
+double highest_level(const std::optional<TimeTable>& level) {
+  if (!level) return -no_height;
   return *std::max_element(level->value.begin(), level->value.end()) +
          (level->sine ? std::abs(level->sine->amplitude) : 0);
 }
 
-bool is_held(const scene::Scene& scene, int block) {
+bool is_held(const Scene& scene, int block) {
   return scene.blocks[at(block)].fixed ||
          std::any_of(scene.supports.begin(), scene.supports.end(),
-                     [&](const scene::Support& s) { return s.block == block && s.displacement_y_m; });
+                     [&](const Support& s) { return s.block == block && s.displacement_y_m; });
 }
 
 /// An upright face on the model's end.
 struct EndFace {
   double low_m;
   double high_m;
-  GroundEnd top;
+  BedCorner top;
 };
 
-std::vector<EndFace> faces_at(double end_m, const scene::Scene& scene, double near_m) {
+std::vector<EndFace> faces_at(double end_m, const Scene& scene, double near_m) {
   std::vector<EndFace> faces;
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     const auto& outline = scene.blocks[b].vertices;
@@ -53,9 +51,9 @@ std::vector<EndFace> faces_at(double end_m, const scene::Scene& scene, double ne
 constexpr double bed_slope = 0.25;  // what rises more steeply from the bed's end stands on it
 
 /// How far it is from the end to what stands on the bed.
-double bed_length(double end_m, double bed_m, const scene::Scene& scene, double near_m) {
-  double length = none;
-  for (const scene::Block& block : scene.blocks) {
+double bed_length(double end_m, double bed_m, const Scene& scene, double near_m) {
+  double length = no_height;
+  for (const Block& block : scene.blocks) {
     for (std::size_t v = 0; v < block.vertices.size(); ++v) {
       const Point& a = block.vertices[v];
       const Point& b = block.vertices[(v + 1) % block.vertices.size()];
@@ -74,14 +72,14 @@ double bed_length(double end_m, double bed_m, const scene::Scene& scene, double 
 
 }  // namespace
 
-GroundEnds find_ground_ends(const scene::Scene& scene) {
+GroundEnds find_ground_ends(const Scene& scene) {
   const std::optional<bool> wets_ends = scene.water.wets_ends;
   if (scene.blocks.empty() || wets_ends.value_or(false)) return {};
-  const geometry::Bounds model = scene::bounds_of(scene);
+  const geometry::Bounds model = bounds_of(scene);
   const double near = 1e-6 * model.size();
-  const double dry = std::min(model.high.y(),
-                              std::max(highest(scene.water.upstream_level_m), highest(scene.water.downstream_level_m)));
-  const auto ground_at = [&](double end_m) -> std::optional<GroundEnd> {
+  const double dry = std::min(model.high.y(), std::max(highest_level(scene.water.upstream_level_m),
+                                                       highest_level(scene.water.downstream_level_m)));
+  const auto ground_at = [&](double end_m) -> std::optional<BedCorner> {
     const std::vector<EndFace> faces = faces_at(end_m, scene, near);
     if (faces.empty()) return std::nullopt;
     EndFace column = faces.front();
@@ -97,22 +95,12 @@ GroundEnds find_ground_ends(const scene::Scene& scene) {
   return {ground_at(model.low.x()), ground_at(model.high.x())};
 }
 
-bool lowest_floats(const scene::Scene& scene) {
-  const auto height = [](const scene::Block& block) { return geometry::bounds_of(block.vertices).low.y(); };
+bool lowest_floats(const Scene& scene) {
+  const auto height = [](const Block& block) { return geometry::bounds_of(block.vertices).low.y(); };
   const auto lowest = std::min_element(scene.blocks.begin(), scene.blocks.end(),
                                        [&](const auto& a, const auto& b) { return height(a) < height(b); });
   if (lowest == scene.blocks.end() || is_held(scene, static_cast<int>(lowest - scene.blocks.begin()))) return false;
   return scene.materials[at(lowest->material)].density_kg_per_m3 < scene.water.density_kg_per_m3;
 }
 
-joints::GroundCut ground_cut(const scene::Scene& scene) {
-  joints::GroundCut cut;
-  if (!scene::flows_in_joints(scene) || scene.blocks.empty()) return cut;
-  const GroundEnds ends = find_ground_ends(scene);
-  const auto corner = [&](const std::optional<GroundEnd>& end) {
-    return end ? std::optional(scene.blocks[at(end->block)].vertices[at(end->vertex)]) : std::nullopt;
-  };
-  return {corner(ends.left), corner(ends.right), scene::bounds_of(scene).low.y()};
-}
-
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::scene
