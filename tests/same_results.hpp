@@ -10,8 +10,8 @@ class SameResults : public Processes {
  protected:
   /// `except`: what the counts of one run need not share with the other's, by the beginning of its name.
   void expect_same(const std::string& a, const std::string& b, const std::string& except = "none") const {
-    for (const char* file :
-         {"/history.csv", "/frames.jsonl", "/blocks.pvd", "/reservoir.pvd", "/flow.csv", "/joint_water.csv", "/joint_uplift.csv"}) {
+    for (const char* file : {"/history.csv", "/frames.jsonl", "/blocks.pvd", "/reservoir.pvd", "/flow.csv",
+                             "/joint_water.csv", "/joint_uplift.csv"}) {
       EXPECT_EQ(text(a + file), text(b + file)) << file;
     }
     EXPECT_EQ(lasting(a, except), lasting(b, except));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/block_facts.hpp"
 #include "bridge/scene/ground_ends.hpp"
+#include "bridge/scene/joint_flow.hpp"
 #include "fluid/joints/joint_network.hpp"
 
 namespace blockweir::joints {

@@ -15,7 +15,8 @@ TEST(ReservoirFollows, WavesGoOnAsTheMeshFollowsTheBlocks) {
       "[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"waves\", compressible = true, bottom_reflection = 0.8 "
       "}\n");
   const scene::Scene anew = dam_of_two(
-      "[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"waves\", compressible = true, bottom_reflection = 0.8, "
+      "[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"waves\", compressible = true, bottom_reflection = "
+      "0.8, "
       "move_tolerance = 0 }\n");
   ReservoirModel one(kept);
   ReservoirModel other(anew);
