@@ -7,7 +7,6 @@
 #include "bridge/launch/commands.hpp"
 #include "bridge/results/counted.hpp"
 #include "bridge/scene/read/check.hpp"
-#include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
@@ -15,7 +14,6 @@
 #include "bridge/study/bench.hpp"
 #include "bridge/study/load_case_scene.hpp"
 #include "bridge/study/open_study.hpp"
-#include "bridge/study/probability.hpp"
 #include "bridge/study/refused_draws.hpp"
 #include "bridge/study/study.hpp"
 
@@ -41,35 +39,6 @@ void add_warnings(const scene::ReadScene& read, const std::string& whose, int li
   }
 }
 
-/// A value that the variable may have, from its middle.
-double usual_value(const scene::RandomVariable& v) {
-  double value = v.mean;
-  if (v.distribution == "uniform") value = (v.from + v.to) / 2;
-  if (v.distribution == "triangular") value = v.peak;
-  if (!v.table.empty()) value = v.table[v.table.size() / 2].first;
-  if (!v.values.empty()) value = v.values[v.values.size() / 2];
-  if (v.least) value = std::max(value, *v.least);
-  return v.most ? std::min(value, *v.most) : value;
-}
-
-/// What each variable sets has to be there, as `blockweir reliability` asks for it.
-void check_random(const scene::Randomness& randomness, const std::filesystem::path& path,
-                  const std::vector<std::string>& overrides, scene::Gathered& wrong) {
-  study::RandomPoint usual;
-  for (const scene::RandomVariable& variable : randomness.variables) usual.push_back(usual_value(variable));
-  const auto all = study::settings_of(randomness, usual);
-  auto own = all.begin();
-  for (const scene::RandomVariable& variable : randomness.variables) {
-    const auto end = own + static_cast<std::ptrdiff_t>(variable.set.size() + (variable.key.empty() ? 0 : 1));
-    const std::vector<std::string> settings(own, end);
-    own = end;
-    wrong.from([&] {
-      scene::read_entry(path, {fmt::format("[[random]] \"{}\"", variable.name), variable.line, settings},
-                        study::joined(overrides, settings));
-    });
-  }
-}
-
 int check(const CheckOptions& options) {
   const std::filesystem::path& path = options.scene;
   const auto& overrides = options.overrides;
@@ -91,7 +60,6 @@ int check(const CheckOptions& options) {
       for (auto& missed : study::missed_joints(load_case, set.scene)) warnings.push_back(std::move(missed));
     });
   }
-  check_random(read.randomness, path, overrides, wrong);
   wrong.from([&] { studies += study::study_tasks(path, overrides).size(); });
   wrong.from([&] { studies += study::open_study_tasks(path, overrides, /*jobs=*/1).size(); });
   wrong.from([&] { study::bench_settings(path, overrides); });

@@ -115,6 +115,7 @@ class Water final : public schedule::FluidLine {
     model_.advance(motion, motion.time_s, load_);
   }
   void hear(wire::Load& load) override { load = load_; }
+  [[nodiscard]] std::string name() const override { return "reservoir"; }
 
  private:
   reservoir::ReservoirModel model_;
