@@ -186,7 +186,7 @@ TEST_F(OpenStudies, ARunThatIsStoppedHasNoAnswerAndDoesNotCount) {
   int stops = 0;
   int status = -1;
   for (int i = 0; i < 400 && status < 0; ++i) {  // those that make the runs, as a queue stops a task's processes
-    if (stops < 2 && shell("pkill -TERM -P " + std::to_string(study)) == 0) ++stops;
+    if (stops < 2 && shell("pkill -TERM -P " + std::to_string(study) + " -f '[b]lockweir study'") == 0) ++stops;
     status = end_of(study, 0.1);
   }
   EXPECT_EQ(stops, 2);
