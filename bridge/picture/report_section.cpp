@@ -64,7 +64,7 @@ json laws(const scene::Scene& scene) {
 }
 
 /// Lines of drains and grout curtains that the water in joints meets.
-json flow_rows(const scene::JointFlow& flow) {
+json drainage_rows(const scene::JointFlow& flow) {
   json rows = json::array();
   const auto place = [](const Point& p) { return fmt::format("({:.4g}, {:.4g})", p.x(), p.y()); };
   for (const scene::DrainLine& drain : flow.drains) {
@@ -145,7 +145,7 @@ json section_data(const scene::Scene& scene) {
   return {{"blocks", blocks},
           {"materials", materials},
           {"laws", laws(scene)},
-          {"flow", flow_rows(scene.joint_flow)},
+          {"drainage", drainage_rows(scene.joint_flow)},
           {"joints", joints(scene)},
           {"bolts", bolts_data(scene)},
           {"dimensions", dimensions(scene)},

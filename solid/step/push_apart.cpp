@@ -61,12 +61,6 @@ PushApart::Meeting PushApart::meeting_of(const Corner& vertex, const Corner& end
   return meeting;
 }
 
-/// As no overlap becomes a velocity, more may stay for a while than a step would close: half of all sweeps of pushes
-/// went into the last tenths of a micrometre.
-double PushApart::pushed_m() const {
-  return 8 * formulation_->settings().lasting_overlap_m;
-}
-
 void PushApart::meet(const IslandEquations& s) {
   meetings_.clear();
   for (const int k : s.island.contacts) meetings_.push_back(meeting_now(state_.contacts[at(k)]));
@@ -80,7 +74,7 @@ bool PushApart::push(const IslandEquations& s) {
   const auto was_left = [&](int k) { return state_.contacts[at(k)].overlap_m < -settings.lasting_overlap_m; };
   if (s.found != Found::by_sweeps && std::none_of(s.island.contacts.begin(), s.island.contacts.end(), was_left))
     return false;
-  const auto overlaps = [&](const Meeting& m) { return m.gap < -pushed_m(); };
+  const auto overlaps = [&](const Meeting& m) { return m.gap < -settings.lasting_overlap_m; };
   int pushes = 0;
   meet(s);
   for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) {
@@ -129,7 +123,7 @@ void PushApart::push_once(const IslandEquations& s) {
   }
   LeastPush push(mass, overlaps);
 
-  push.solve(pushed_m());
+  push.solve(formulation_->settings().lasting_overlap_m);
   // What sticks does so where it has been pushed to.
   for (const int k : s.island.contacts) {
     ContactPoint& c = state_.contacts[at(k)];

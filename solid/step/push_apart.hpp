@@ -36,7 +36,6 @@ class PushApart : StepPart {
   [[nodiscard]] Meeting meeting_now(const ContactPoint& c) const;
   [[nodiscard]] Corner corner_now(int block, std::size_t vertex) const;
   [[nodiscard]] Meeting meeting_of(const Corner& vertex, const Corner& end) const;
-  [[nodiscard]] double pushed_m() const;  ///< overlaps that are larger are pushed apart
   void displace(std::size_t block, const Eigen::Vector3d& by);
 
   std::vector<Meeting> meetings_;  ///< of the island's contacts, as its blocks are now

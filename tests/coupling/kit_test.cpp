@@ -87,8 +87,9 @@ TEST_F(Kit, DummyMovesBlocksAndPrintsTheForcesOnThem) {
 
 TEST_F(Kit, DummyTellsBothSidesOfAPanelThatIsNotThere) {
   EXPECT_EQ(dummy("", python + BLOCKWEIR_SOURCE "/tests/coupling/liar.py block"), 1);
-  EXPECT_THAT(text("out"), HasSubstr("the fluid loads block 1000, edge 3 in window 3, which the scene does not have"));
-  EXPECT_THAT(text("fluid"), HasSubstr("heard: the solid stopped in window 4: the fluid loads block 1000"));
+  EXPECT_THAT(text("out"),
+              HasSubstr("fluid \"a liar\" loads block 1000, edge 3 in window 3, which the scene does not have"));
+  EXPECT_THAT(text("fluid"), HasSubstr("heard: the solid stopped in window 4: fluid \"a liar\" loads block 1000"));
 }
 
 TEST_F(Kit, DummyRefusesAMoveOfNoBlock) {

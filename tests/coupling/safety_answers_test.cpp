@@ -83,7 +83,7 @@ TEST_F(Answers, IceAndTheEarthquakesWaterHaveSumsOfTheirOwnAndTheLoadsThatGrowAr
   constexpr double water = 9810.0 * (16 - 1) / 2;
   EXPECT_NEAR(sums["open water"]["x_n_per_m"].get<double>() / water, 1, 1e-5);  // on blocks that have settled
   EXPECT_NEAR(sums["ice"]["x_n_per_m"].get<double>() / 20e3, 1, 1e-6);
-  const double westergaard = 7.0 / 12 * 0.02 * 9810 * 16;  // on an upright face
+  const double westergaard = 7.0 / 12 * 0.02 * 9810 * (16 + 1);  // on upright faces, of both pools
   EXPECT_NEAR(sums["added water (Westergaard)"]["x_n_per_m"].get<double>() / westergaard, 1, 1e-6);
   EXPECT_EQ(found["tailwater_m"], 1);
   EXPECT_THAT(text("out"),

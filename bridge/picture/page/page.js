@@ -101,7 +101,7 @@ function writeSection() {
     table(['material', 'density kg/m3', 'modulus GPa', "Poisson's ratio"], report.materials.map(m => [m.name, number(m.density), number(m.modulus / 1e9), number(m.poisson)])),
     element('h3', {}, 'Joints'),
     table(['joint', 'friction deg', 'residual deg', 'cohesion kPa', 'tension kPa', 'water in it'], report.laws.map(l => [l.name, number(l.friction), number(l.residual), kilo(l.cohesion, 0), kilo(l.tension, 0), l.uplift])),
-    ...(report.flow.length > 0 ? [element('h3', {}, 'Drains and grout'), table(['', ''], report.flow)] : []));
+    ...(report.drainage.length > 0 ? [element('h3', {}, 'Drains and grout'), table(['', ''], report.drainage)] : []));
 }
 
 /// What acts on a structure that nothing holds, joint by joint.
