@@ -19,10 +19,13 @@ namespace {
 
 using namespace tests;
 
-const std::vector<std::vector<Point>> dam = {ground, {{0, 0}, {8, 0}, {3, 10}, {0, 10}}};
+/// No constant: that of the ground, of another file, may be made after it.
+scene::Scene dam() {
+  return tests::flowing({ground, {{0, 0}, {8, 0}, {3, 10}, {0, 10}}}, 9);
+}
 
 TEST(JointUplift, AParallelJointHasTheUpliftOfTheLawThatItFollows) {
-  scene::Scene scene = tests::flowing(dam, 9);
+  scene::Scene scene = dam();
   const double mouth = 9 * weight_n_per_m3;
   for (const bool drained : {false, true}) {
     if (drained) scene.joint_flow.drains = {{"curtain", {2, -1}, {2, 1}, 0.0, 0.7}};
@@ -67,7 +70,7 @@ TEST(JointUplift, ADrainTakesWhatTheJointBelowItDoesNot) {
 
 TEST(JointUplift, OfAJointThatHasOpenedAllAlongThereIsNone) {
   for (const scene::FlowKind kind : {scene::FlowKind::steady, scene::FlowKind::transient}) {
-    scene::Scene scene = tests::flowing(dam, 9);
+    scene::Scene scene = dam();
     scene.joint_flow.kind = kind;
     hydrostatic::HydrostaticModel model(scene);
     wire::Motion motion = at_rest(scene);
@@ -83,7 +86,7 @@ TEST(JointUplift, OfAJointThatHasOpenedAllAlongThereIsNone) {
 TEST(JointUplift, TheLastRowOfTheFlowIsThatOfTheRunsEnd) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "blockweir_joint_uplift_test";
   std::filesystem::create_directories(folder);
-  scene::Scene scene = tests::flowing(dam, 9);
+  scene::Scene scene = dam();
   scene.output.history_every_s = 1;
   hydrostatic::HydrostaticModel model(scene);
   wire::Load load;
