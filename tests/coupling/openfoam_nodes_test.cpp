@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
+// processors: 2
 // interFoam's ranks on two nodes of a Slurm allocation, the solid beside them. The nodes are two slurmd of this
 // machine: see tests/slurm.sh.
 #include "tests/openfoam.hpp"
