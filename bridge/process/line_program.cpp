@@ -29,10 +29,8 @@ namespace {
 [[noreturn]] void become_program(std::vector<std::string>& words, int line, int log, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // gone before we said so
-  for (const int stop : {SIGINT, SIGTERM}) {
-    std::signal(stop,
-                SIG_IGN);  // the parent's to hear, also where a queue tells all processes: this ends with its line
-  }
+  // A stop is the parent's to hear, also where a queue tells all processes: this ends when its line does.
+  for (const int stop : {SIGINT, SIGTERM}) std::signal(stop, SIG_IGN);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
