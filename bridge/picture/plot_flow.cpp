@@ -114,10 +114,11 @@ Panel over_time(const Rows& rows) {
   return panel;
 }
 
-/// Of the joint with the highest uplift at the end: its force over time, and those of the guideline laws.
+/// Of the joint with the highest uplift at the end: its force over time, and those of the guideline laws; none where
+/// there is one moment only.
 Panel against_laws(const Rows& rows) {
   namespace column = uplift_column;
-  if (rows.size() < 2) return {};
+  if (rows.size() < 2 || rows[1][0] == rows.back()[0]) return {};
   const Rows last = last_rows(rows);
   const auto highest = std::max_element(last.begin(), last.end(), [](const auto& a, const auto& b) {
     return figure(a[column::uplift]) < figure(b[column::uplift]);

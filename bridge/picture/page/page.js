@@ -138,9 +138,9 @@ function writeCases() {
   const cause = c => (c.satisfied === false && c.with_cracked_joint ? c.with_cracked_joint.text : '');
   const doubt = c => (cause(c) ? ', see below' : c.satisfied && warningsOf(c).length > 0 ? ', see warning' : '');
   const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied && !doubt(c) ? 'good' : 'bad'}, (c.satisfied ? 'yes' : 'NO') + doubt(c)));
-  to.append(table(['load case', 'class', 'level m', 'tailwater m', 'outcome', 'factor', 'by limit analysis', 'required', 'satisfied', 'source'],
-    report.safety.map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), number(c.required, 4), answer(c), c.source || '-'])),
-  paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis.', 'quiet'));
+  to.append(table(['load case', 'class', 'level m', 'tailwater m', 'outcome', 'factor', 'by limit analysis', 'on the water', 'required', 'satisfied', 'source'],
+    report.safety.map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), c.water_factor ? number(c.water_factor.factor) : '-', number(c.required, 4), answer(c), c.source || '-'])),
+  paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis. On the water: all that it presses may grow by so much, its uplift included, by limit analysis.', 'quiet'));
   const tellEach = (textsOf, words, kind) => ofCases(textsOf).forEach(told => to.append(paragraph(words(...told), kind)));
   const upper = text => text.charAt(0).toUpperCase() + text.slice(1);
   tellEach(c => (cause(c) ? [cause(c)] : []), (who, text) => `Not enough, ${who}: ${text}.`, 'bad');
