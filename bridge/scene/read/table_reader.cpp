@@ -25,7 +25,11 @@ std::string shown(const toml::node& node) {
     if constexpr (toml::is_value<decltype(value)>) stream << value;
   });
   std::string text = stream.str();
-  if (text.size() > 40) text = text.substr(0, 37) + "...";
+  constexpr std::size_t longest = 40;
+  if (text.size() > longest) {
+    text.resize(longest - 3);
+    text += "...";
+  }
   return text;
 }
 
