@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/situation.hpp"
+#include "solid/capacity/situation.hpp"
 
 #include <limits>
 

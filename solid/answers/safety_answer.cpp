@@ -10,17 +10,17 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
-#include "solid/answer_parts.hpp"
-#include "solid/crushed_corners.hpp"
+#include "solid/answers/answer_parts.hpp"
+#include "solid/answers/crushed_corners.hpp"
+#include "solid/answers/reservoir_parts.hpp"
+#include "solid/answers/safety_reserves.hpp"
+#include "solid/answers/water_by_kind.hpp"
+#include "solid/capacity/situation.hpp"
+#include "solid/capacity/static_blocks.hpp"
+#include "solid/capacity/static_strength.hpp"
 #include "solid/limit/limit_strength.hpp"
-#include "solid/reservoir_parts.hpp"
-#include "solid/safety_reserves.hpp"
-#include "solid/situation.hpp"
-#include "solid/static_blocks.hpp"
-#include "solid/static_strength.hpp"
 #include "solid/watch/joint_table.hpp"
 #include "solid/watch/uplift_in_tension.hpp"
-#include "solid/water_by_kind.hpp"
 
 namespace blockweir::process {
 namespace {

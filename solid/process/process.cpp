@@ -20,7 +20,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "bridge/schedule/hello.hpp"
 #include "bridge/schedule/run.hpp"
-#include "solid/coupled_solid.hpp"
+#include "solid/process/coupled_solid.hpp"
 
 namespace blockweir::process {
 namespace {

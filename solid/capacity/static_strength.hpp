@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "solid/capacity/still_water.hpp"
 #include "solid/limit/limit_analysis.hpp"
-#include "solid/still_water.hpp"
 
 namespace blockweir::solid {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/still_water.hpp"
+#include "solid/capacity/still_water.hpp"
 
 #include <fmt/format.h>
 

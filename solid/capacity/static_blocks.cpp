@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/static_blocks.hpp"
+#include "solid/capacity/static_blocks.hpp"
 
 #include <algorithm>
 

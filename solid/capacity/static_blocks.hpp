@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "solid/effort.hpp"
+#include "solid/capacity/effort.hpp"
+#include "solid/capacity/still_water.hpp"
 #include "solid/step/solid.hpp"
-#include "solid/still_water.hpp"
 #include "solid/watch/failure_watch.hpp"
 
 namespace blockweir::solid {

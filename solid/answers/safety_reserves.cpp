@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/safety_reserves.hpp"
+#include "solid/answers/safety_reserves.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "bridge/statics/loads.hpp"
-#include "solid/answer_parts.hpp"
+#include "solid/answers/answer_parts.hpp"
 #include "solid/watch/edge_tension.hpp"
 
 namespace blockweir::solid {

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "solid/capacity/still_water.hpp"
 #include "solid/limit/twist.hpp"
-#include "solid/still_water.hpp"
 
 namespace blockweir::solid {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/static_strength.hpp"
+#include "solid/capacity/static_strength.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "solid/static_blocks.hpp"
+#include "solid/capacity/static_blocks.hpp"
 
 namespace blockweir::solid {
 

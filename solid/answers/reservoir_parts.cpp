@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/reservoir_parts.hpp"
+#include "solid/answers/reservoir_parts.hpp"
 
 #include "bridge/statics/loads.hpp"
-#include "solid/still_water.hpp"
+#include "solid/capacity/still_water.hpp"
 
 namespace blockweir::solid {
 namespace {

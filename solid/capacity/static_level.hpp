@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "solid/still_water.hpp"
+#include "solid/capacity/still_water.hpp"
 #include "solid/watch/failure_watch.hpp"
 
 namespace blockweir::solid {

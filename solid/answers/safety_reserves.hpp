@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solid/capacity/situation.hpp"
+#include "solid/capacity/static_strength.hpp"
 #include "solid/limit/limit_strength.hpp"
-#include "solid/situation.hpp"
-#include "solid/static_strength.hpp"
 #include "solid/step/solid.hpp"
 
 namespace blockweir::solid {

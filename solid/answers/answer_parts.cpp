@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/answer_parts.hpp"
+#include "solid/answers/answer_parts.hpp"
 
 #include <fmt/format.h>
 

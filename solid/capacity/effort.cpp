@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/effort.hpp"
+#include "solid/capacity/effort.hpp"
 
 #include <fmt/format.h>
 

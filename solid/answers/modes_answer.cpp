@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "bridge/process/answers.hpp"
-#include "solid/answer_parts.hpp"
+#include "solid/answers/answer_parts.hpp"
+#include "solid/capacity/situation.hpp"
+#include "solid/capacity/static_blocks.hpp"
 #include "solid/modes/natural_modes.hpp"
 #include "solid/modes/structure.hpp"
-#include "solid/situation.hpp"
-#include "solid/static_blocks.hpp"
 
 namespace blockweir::process {
 namespace {

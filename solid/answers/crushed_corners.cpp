@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/crushed_corners.hpp"
+#include "solid/answers/crushed_corners.hpp"
 
 #include <fmt/format.h>
 

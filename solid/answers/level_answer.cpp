@@ -9,13 +9,13 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/statics/loads.hpp"
-#include "solid/answer_parts.hpp"
-#include "solid/crushed_corners.hpp"
+#include "solid/answers/answer_parts.hpp"
+#include "solid/answers/crushed_corners.hpp"
+#include "solid/capacity/static_level.hpp"
 #include "solid/expect/formula_parts.hpp"
 #include "solid/expect/formulas.hpp"
 #include "solid/limit/limit_level.hpp"
 #include "solid/output/water_on_crest.hpp"
-#include "solid/static_level.hpp"
 
 namespace blockweir::process {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/coupled_solid.hpp"
+#include "solid/process/coupled_solid.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 // without what only people read.
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
-#include "solid/answer_parts.hpp"
+#include "solid/answers/answer_parts.hpp"
+#include "solid/capacity/static_level.hpp"
 #include "solid/limit/limit_level.hpp"
-#include "solid/static_level.hpp"
 
 namespace blockweir::process {
 namespace {

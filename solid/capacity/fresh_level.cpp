@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/fresh_level.hpp"
+#include "solid/capacity/fresh_level.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "solid/static_blocks.hpp"
+#include "solid/capacity/static_blocks.hpp"
 #include "solid/watch/edge_tension.hpp"
 
 namespace blockweir::solid {

@@ -6,10 +6,10 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
-#include "solid/answer_parts.hpp"
-#include "solid/crushed_corners.hpp"
+#include "solid/answers/answer_parts.hpp"
+#include "solid/answers/crushed_corners.hpp"
+#include "solid/capacity/situation.hpp"
 #include "solid/limit/limit_strength.hpp"
-#include "solid/situation.hpp"
 
 namespace blockweir::process {
 namespace {

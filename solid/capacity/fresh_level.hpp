@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "solid/effort.hpp"
-#include "solid/still_water.hpp"
+#include "solid/capacity/effort.hpp"
+#include "solid/capacity/still_water.hpp"
 #include "solid/watch/failure_watch.hpp"
 
 namespace blockweir::solid {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/static_level.hpp"
+#include "solid/capacity/static_level.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "solid/fresh_level.hpp"
-#include "solid/static_blocks.hpp"
+#include "solid/capacity/fresh_level.hpp"
+#include "solid/capacity/static_blocks.hpp"
 #include "solid/watch/edge_tension.hpp"
 #include "solid/watch/slipped_body.hpp"
 
