@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/picture/report_flow.hpp"
+#include "bridge/report/flow_data.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/picture/report_section.hpp"
+#include "bridge/picture/section_data.hpp"
 
 #include <fmt/format.h>
 

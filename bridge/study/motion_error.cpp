@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/bench_motion.hpp"
+#include "bridge/study/motion_error.hpp"
 
 #include <algorithm>
 #include <cmath>

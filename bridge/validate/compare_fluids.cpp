@@ -16,11 +16,11 @@
 #include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "bridge/study/cases_folder.hpp"
-#include "bridge/study/compare.hpp"
-#include "bridge/study/compared_run.hpp"
 #include "bridge/study/study.hpp"
-#include "bridge/study/table_line.hpp"
+#include "bridge/validate/cases_folder.hpp"
+#include "bridge/validate/compare.hpp"
+#include "bridge/validate/compared_run.hpp"
+#include "bridge/validate/table_line.hpp"
 
 namespace blockweir::study {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/bench_figure.hpp"
+#include "bridge/validate/bench_figure.hpp"
 
 #include <fmt/format.h>
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/reliability.hpp"
+#include "bridge/reliability/reliability.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "bridge/process/programs.hpp"
+#include "bridge/reliability/refused_draws.hpp"
+#include "bridge/reliability/reliability_answer.hpp"
+#include "bridge/reliability/reliability_told.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
-#include "bridge/study/refused_draws.hpp"
-#include "bridge/study/reliability_answer.hpp"
-#include "bridge/study/reliability_told.hpp"
 
 namespace blockweir::study {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/refused_draws.hpp"
+#include "bridge/reliability/refused_draws.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <optional>
 
+#include "bridge/reliability/distribution_quantile.hpp"
 #include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/overrides.hpp"
-#include "bridge/study/distribution_quantile.hpp"
 #include "bridge/study/probability.hpp"
 
 namespace blockweir::study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/report.hpp"
+#include "bridge/report/report.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,18 +7,18 @@
 #include <fstream>
 #include <optional>
 
-#include "bridge/picture/report_page.hpp"
 #include "bridge/process/ask.hpp"
 #include "bridge/process/external_fluid.hpp"
 #include "bridge/process/former_run.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/process/run.hpp"
 #include "bridge/process/temporary_folder.hpp"
+#include "bridge/reliability/reliability_answer.hpp"
+#include "bridge/report/report_page.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/shell_word.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "bridge/study/reliability_answer.hpp"
 #include "bridge/study/safety.hpp"
 
 namespace blockweir::study {

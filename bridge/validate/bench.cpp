@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/bench.hpp"
+#include "bridge/validate/bench.hpp"
 
 #include <fmt/format.h>
 
@@ -11,11 +11,11 @@
 #include "bridge/process/run.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
-#include "bridge/study/bench_case.hpp"
-#include "bridge/study/bench_errors.hpp"
-#include "bridge/study/bench_figure.hpp"
-#include "bridge/study/cases_folder.hpp"
 #include "bridge/study/engines.hpp"
+#include "bridge/validate/bench_case.hpp"
+#include "bridge/validate/bench_errors.hpp"
+#include "bridge/validate/bench_figure.hpp"
+#include "bridge/validate/cases_folder.hpp"
 
 namespace blockweir::study {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "bridge/study/pareto.hpp"
+#include "bridge/validate/pareto.hpp"
 
 namespace blockweir::study {
 

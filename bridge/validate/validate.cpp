@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/validate.hpp"
+#include "bridge/validate/validate.hpp"
 
 #include <fmt/format.h>
 
@@ -12,11 +12,11 @@
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "bridge/study/cases_folder.hpp"
 #include "bridge/study/check_work.hpp"
 #include "bridge/study/engines.hpp"
 #include "bridge/study/study.hpp"
-#include "bridge/study/table_line.hpp"
+#include "bridge/validate/cases_folder.hpp"
+#include "bridge/validate/table_line.hpp"
 
 namespace blockweir::study {
 namespace {

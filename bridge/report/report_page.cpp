@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/picture/report_page.hpp"
+#include "bridge/report/report_page.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
 
-#include "bridge/picture/page_files.hpp"
+#include "bridge/picture/frames_data.hpp"
 #include "bridge/picture/pictured_state.hpp"
-#include "bridge/picture/report_flow.hpp"
-#include "bridge/picture/report_frames.hpp"
-#include "bridge/picture/report_histories.hpp"
-#include "bridge/picture/report_section.hpp"
+#include "bridge/picture/section_data.hpp"
+#include "bridge/report/flow_data.hpp"
+#include "bridge/report/histories_data.hpp"
+#include "bridge/report/page_files.hpp"
 
 namespace blockweir::picture {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/compare.hpp"
+#include "bridge/validate/compare.hpp"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/diagnostic.hpp"
-#include "bridge/study/cases_folder.hpp"
-#include "bridge/study/compared_run.hpp"
 #include "bridge/study/study.hpp"
-#include "bridge/study/table_line.hpp"
+#include "bridge/validate/cases_folder.hpp"
+#include "bridge/validate/compared_run.hpp"
+#include "bridge/validate/table_line.hpp"
 
 namespace blockweir::study {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/picture/report_frames.hpp"
+#include "bridge/picture/frames_data.hpp"
 
 #include <algorithm>
 #include <cmath>

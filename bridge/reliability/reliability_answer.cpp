@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/reliability_answer.hpp"
+#include "bridge/reliability/reliability_answer.hpp"
 
 #include <fmt/format.h>
 
@@ -7,15 +7,15 @@
 #include <chrono>
 #include <cmath>
 
+#include "bridge/reliability/capacities.hpp"
+#include "bridge/reliability/refused_draws.hpp"
+#include "bridge/reliability/reliability_told.hpp"
 #include "bridge/results/seconds.hpp"
 #include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
-#include "bridge/study/capacities.hpp"
 #include "bridge/study/engines.hpp"
 #include "bridge/study/outcome_runs.hpp"
 #include "bridge/study/probability.hpp"
-#include "bridge/study/refused_draws.hpp"
-#include "bridge/study/reliability_told.hpp"
 
 namespace blockweir::study {
 namespace {

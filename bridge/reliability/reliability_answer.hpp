@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "bridge/reliability/reliability.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "bridge/study/reliability.hpp"
 
 namespace blockweir::study {
 

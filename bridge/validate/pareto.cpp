@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/pareto.hpp"
+#include "bridge/validate/pareto.hpp"
 
 #include <algorithm>
 #include <limits>

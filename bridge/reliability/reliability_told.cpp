@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/reliability_told.hpp"
+#include "bridge/reliability/reliability_told.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/compared_run.hpp"
+#include "bridge/validate/compared_run.hpp"
 
 #include <fmt/format.h>
 
 #include "bridge/study/study.hpp"
-#include "bridge/study/table_line.hpp"
+#include "bridge/validate/table_line.hpp"
 
 namespace blockweir::study {
 

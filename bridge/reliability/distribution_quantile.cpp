@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/distribution_quantile.hpp"
+#include "bridge/reliability/distribution_quantile.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/lognormal.hpp>

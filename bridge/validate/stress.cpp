@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/stress.hpp"
+#include "bridge/validate/stress.hpp"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "bridge/study/cases_folder.hpp"
 #include "bridge/study/check_work.hpp"
 #include "bridge/study/engines.hpp"
 #include "bridge/study/study.hpp"
+#include "bridge/validate/cases_folder.hpp"
 
 namespace blockweir::study {
 namespace {

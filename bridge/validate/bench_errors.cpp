@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/bench_errors.hpp"
+#include "bridge/validate/bench_errors.hpp"
 
 #include <fmt/format.h>
 
-#include "bridge/study/bench_motion.hpp"
-#include "bridge/study/cases_folder.hpp"
 #include "bridge/study/check_work.hpp"
+#include "bridge/study/motion_error.hpp"
+#include "bridge/validate/cases_folder.hpp"
 
 namespace blockweir::study {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/study/capacities.hpp"
+#include "bridge/reliability/capacities.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>

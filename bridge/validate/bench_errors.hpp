@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bridge/engine/engine.hpp"
-#include "bridge/study/bench_case.hpp"
+#include "bridge/validate/bench_case.hpp"
 
 namespace blockweir::study {
 
