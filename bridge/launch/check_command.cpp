@@ -5,17 +5,17 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
+#include "bridge/reliability/refused_draws.hpp"
 #include "bridge/results/counted.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/scene/touching_pairs.hpp"
-#include "bridge/study/bench.hpp"
 #include "bridge/study/load_case_scene.hpp"
 #include "bridge/study/open_study.hpp"
-#include "bridge/study/refused_draws.hpp"
 #include "bridge/study/study.hpp"
+#include "bridge/validate/bench.hpp"
 
 namespace blockweir::launch {
 namespace {
