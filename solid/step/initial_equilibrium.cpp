@@ -96,6 +96,7 @@ bool InitialEquilibrium::settle(const std::vector<Panel>& water) {
   counts_.solved_islands = 0;  // what sleep saves is counted in steps of the run, which cost less
   profile_.equilibria = 0;
   trial_.frozen = fixed;
+  state_.held_by_ground.clear();
   for (std::size_t b = 0; b < model_.blocks.size() && !model_.boundary.empty(); ++b) {
     state_.held_by_ground.emplace_back(-model_.boundary.hold(b) * state_.blocks[b].displacement);
   }

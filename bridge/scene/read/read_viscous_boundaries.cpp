@@ -54,7 +54,8 @@ bool overlap(const ViscousFace& one, const ViscousFace& other) {
   const double near_m = rounding * one.length_m();
   const auto off = [&](const Point& p) { return std::abs(one.normal().dot(p - one.from_m)) > near_m; };
   if (off(other.from_m) || off(other.to_m)) return false;
-  const auto [low, high] = std::minmax(along.dot(other.from_m - one.from_m), along.dot(other.to_m - one.from_m));
+  const double low = along.dot(other.from_m - one.from_m);  // both run along the outline
+  const double high = along.dot(other.to_m - one.from_m);
   return std::min(high, one.length_m()) - std::max(low, 0.0) > near_m;
 }
 
@@ -110,12 +111,12 @@ void add_faces(TableReader& table, Reading& reading, const std::vector<ViscousFa
     };
     const auto& others = reading.scene.viscous_faces;
     if (!face.is_side() && face.normal().y() > 0) {
-      refuse("has a face that looks up", "ground below a face or beside it", "state a lower face");
-    } else if (std::any_of(others.begin(), others.end(), [&](const auto& other) { return overlap(face, other); })) {
-      refuse("covers a face that another one covers", "each face once", "leave one of the two out");
-    } else {
-      reading.scene.viscous_faces.push_back(face);
+      return refuse("has a face that looks up", "ground below a face or beside it", "state a lower face");
     }
+    if (std::any_of(others.begin(), others.end(), [&](const auto& other) { return overlap(face, other); })) {
+      return refuse("covers a face that another one covers", "each face once", "leave one of the two out");
+    }
+    reading.scene.viscous_faces.push_back(face);
   }
 }
 
