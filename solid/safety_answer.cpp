@@ -142,6 +142,21 @@ void add_what_is_above_the_bound(const StaticStrength& blocks, const limit::Limi
   answer["warnings"].push_back(text);
 }
 
+/// Between the blocks' factor and the bound there are forces in the joints that balance the loads within Coulomb's law,
+/// those of limit analysis, and others under which blocks slide: equilibrium does not say which come about.
+void add_friction_history(const limit::LimitAnalysis& structure, const StaticStrength& blocks,
+                          const limit::LimitStrength& bound, json& answer) {
+  constexpr double of_friction = 1e-2;  // less is what blocks strain and anchors stretch
+  if (structure.is_exact() || !blocks.stopped.empty()) return;
+  if (blocks.bearing != Bearing::fails_at_a_factor || bound.bearing != Bearing::fails_at_a_factor) return;
+  if (blocks.factor > bound.factor * (1 - of_friction)) return;
+  answer["friction_history"] = fmt::format(
+      "with strength over {:.4g} to {:.4g} some forces in the joints hold the structure and others do not; which come "
+      "about depends on how it was loaded, so that the blocks' factor may jump by some per cent from one level to the "
+      "next",
+      blocks.factor, bound.factor);
+}
+
 const char* outcome(const Attempt<StaticStrength>& blocks) {
   if (!blocks.value) return "not found";
   if (blocks.value->factor < 1 && blocks.value->factor + blocks.value->width > 1 && !blocks.value->stopped.empty()) {
@@ -174,8 +189,8 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   if (blocks.value && !blocks.value->stopped.empty()) answer["stopped"] = blocks.value->stopped;
   add_factor(by_limit, "limit_analysis_factor", "why_no_limit_analysis_factor", answer);
   solid::add_what_limit_analysis_takes(structure, answer);
-  if (has_limit) {
-    answer["gap"] = by_limit.value->gap;
+  if (has_limit) answer["gap"] = by_limit.value->gap;
+  if (by_limit.value && by_limit.value->bearing != Bearing::bears_any) {
     answer["mechanism"] = solid::mechanism_json(structure, by_limit.value->mechanism);
   }
   const auto loads = solid::attempt([&] { return structure.largest_factor(dead, stated); });
@@ -190,7 +205,10 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["water"] = now.water ? solid::water_by_kind(scene, make_fluid, now.level_m) : json::array();
   answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
   solid::add_shaking_left_out(scene, answer);
-  if (by_limit.value && blocks.value) add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
+  if (by_limit.value && blocks.value) {
+    add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
+    add_friction_history(structure, *blocks.value, *by_limit.value, answer);
+  }
   if (by_limit.value) solid::add_water_factor(structure, now, stated, *by_limit.value, answer);
   if (blocks.value) solid::add_stretch_of_anchors(now, *blocks.value, answer);
   if (by_limit.value) {

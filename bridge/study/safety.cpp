@@ -138,6 +138,8 @@ std::string factors_text(const json& cases) {
       tell("no answer: ", c["why_no_factor"]);
     else if (c["factor"].is_null() && c.contains("why_no_factor"))
       tell("no factor: ", c["why_no_factor"]);
+    if (!c.contains("gap") && c.contains("mechanism")) tell("mechanism: ", c["mechanism"]["text"]);
+    if (c.contains("friction_history")) tell("factor: ", c["friction_history"]);
     if (c.contains("stopped")) tell("a lower bound, ", c["stopped"]);
     if (c.contains("water_factor")) {
       tell("it bears ", fmt::format("{:.5g} times what the water presses, by limit analysis",

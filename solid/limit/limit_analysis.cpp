@@ -51,10 +51,22 @@ class LimitAnalysis::Program {
     for (std::size_t b = 0; b < live.size(); ++b) append(static_cast<int>(b), scaled(live[b]), entries);
     return lp_.add_variable(0, largest_factor_told, entries, /*objective=*/1);
   }
-  int add_shortage() {
+  int add_shortage(double price) {
     LinearProgram::Entries entries;
     for (const Strength& s : strengths_) entries.insert(entries.end(), {{s.forth, -1}, {s.back, -1}});
-    return lp_.add_variable(0, infinite, entries, /*objective=*/-1);
+    return lp_.add_variable(0, infinite, entries, -price);
+  }
+  /// Lets each equation of balance miss by as much as the worst does, which is to be least.
+  void add_imbalance() {
+    LinearProgram::Entries worst;
+    for (const int first : rows_) {
+      for (int row = first; first != 0 && row < first + 3; ++row) {
+        const int size = lp_.add_upper_bound(0);
+        worst.emplace_back(size, -1);
+        for (const double sign : {1.0, -1.0}) lp_.add_variable(0, infinite, {{row, sign}, {size, 1}});
+      }
+    }
+    lp_.add_variable(0, infinite, worst, /*objective=*/-1);
   }
   /// False where no forces balance the loads.
   bool solve() {
@@ -195,13 +207,23 @@ bool LimitAnalysis::bears(const Wrenches& loads) const {
 
 std::optional<Shortage> LimitAnalysis::shortage(const Wrenches& loads, double reduction) const {
   Program program(*this, loads, reduction);
-  const int ratio = program.add_shortage();
+  const int ratio = program.add_shortage(/*price=*/1);
   if (!program.solve()) return std::nullopt;
   Shortage found{.ratio = program.value(ratio),
                  .per_reduction = program.priced_strength() / (reduction * reduction),
                  .mechanism = program.mechanism()};
   if (found.ratio > 0) normalize(found.mechanism);
   return found;
+}
+
+Twists LimitAnalysis::collapse(const Wrenches& loads, bool however_strong) const {
+  Program program(*this, loads, /*reduction=*/1);
+  if (however_strong) program.add_shortage(/*price=*/0);
+  program.add_imbalance();
+  program.solve();
+  Twists mechanism = program.mechanism();
+  normalize(mechanism);
+  return mechanism;
 }
 
 /// Sup of -(N_1 w_1 + N_2 w_2 + S g) over admissible forces, w the openings of the ends and g the slip.

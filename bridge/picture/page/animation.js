@@ -24,7 +24,7 @@ class Animation {
   constructor(report, clock) {
     this.report = report;
     this.clock = clock;
-    this.scale = new Scale(report.view, 940, 46);
+    this.scale = new Scale(report.view, 940, 46, 12);
     const {svg, inside} = drawing(this.scale, true);
     this.inside = inside;
     this.shown = -1;

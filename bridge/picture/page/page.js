@@ -107,6 +107,7 @@ function writeSection() {
 /// What acts on a structure that nothing holds, joint by joint.
 function writeLoads(c, to) {
   to.append(element('h3', {}, `Loads on joints: ${c.name}`), paragraph(`No table of joints nor of anchors: ${c.why_no_joints}.`, 'quiet'));
+  if (c.mechanism) to.append(mechanismFigure(report, c.mechanism, c.level_m));
   for (const joint of c.loads_on_joints) {
     const sum = key => joint.sums.reduce((total, s) => total + s[key], 0);
     const row = (name, s) => [name, kilo(s('x_n_per_m')), kilo(s('y_n_per_m')), kilo(s('moment_n'))];
@@ -145,6 +146,7 @@ function writeCases() {
   const upper = text => text.charAt(0).toUpperCase() + text.slice(1);
   tellEach(c => (cause(c) ? [cause(c)] : []), (who, text) => `Not enough, ${who}: ${text}.`, 'bad');
   tellEach(warningsOf, (who, text) => `Warning, ${who}: ${text}`, 'bad');
+  tellEach(c => (c.friction_history ? [c.friction_history] : []), (who, text) => `${upper(who)}: ${text}.`, 'quiet');
   tellEach(c => (c.limit_analysis_note ? [c.limit_analysis_note] : []), (who, text) => `${upper(who)}, limit analysis: ${text}.`, 'quiet');
   tellEach(c => (!is(c.factor) && c.why_no_factor ? [c.why_no_factor] : []), (who, text) => `${upper(who)}: no factor, as ${text}.`, 'quiet');
   for (const c of report.safety.filter(c => c.load_factor)) {
