@@ -122,10 +122,12 @@ void add_factor(const Attempt<Strength>& found, const char* key, const char* why
   const bool has_one = found.value && found.value->bearing == Bearing::fails_at_a_factor;
   answer[key] = has_one ? json(found.value->factor) : json();
   if (has_one) return;
-  answer[why] = !found.value ? found.why_not
-                : found.value->bearing == Bearing::bears_any
-                    ? "no joint needs shear strength"
-                    : "no shear strength of the joints would hold the structure";
+  answer[why] =
+      !found.value ? found.why_not
+      : found.value->bearing == Bearing::bears_any
+          ? (answer["limit_analysis_factor"].is_number() ? "blocks stand with next to no strength of the joints"
+                                                         : "no joint needs shear strength")
+          : "no shear strength of the joints would hold the structure";
 }
 
 /// Blocks cannot bear more than limit analysis says, but for what they strain. Those that do hold each other at slivers
@@ -178,16 +180,20 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
       solid::attempt([&] { return limit::limit_strength(structure, limit::combined(dead, 1, stated)); });
   const bool has_limit = by_limit.value && by_limit.value->bearing == Bearing::fails_at_a_factor;
   const double guess = has_limit ? by_limit.value->factor : 1;
-  const auto blocks =
-      solid::attempt([&] { return solid::static_strength(scene, now.water_if_any(), now.level_m, guess); });
+  const auto blocks = solid::attempt([&] {
+    // Its search goes through all strengths, and those too weak creep for long.
+    const bool none = by_limit.value && by_limit.value->bearing == Bearing::bears_none;
+    if (none && !solid::stands(scene, now.water_if_any(), now.level_m)) return StaticStrength{};
+    return solid::static_strength(scene, now.water_if_any(), now.level_m, guess);
+  });
   if (!blocks.value && !by_limit.value) throw std::runtime_error(blocks.why_not + "; " + by_limit.why_not);
   json answer = {{"outcome", outcome(blocks)}, {"level_m", std::isnan(now.level_m) ? json() : json(now.level_m)}};
   const auto& tailwater = scene.water.downstream_level_m;
   answer["tailwater_m"] = tailwater ? json(tailwater->at(scene.analysis.duration_s)) : json();
+  add_factor(by_limit, "limit_analysis_factor", "why_no_limit_analysis_factor", answer);
   add_factor(blocks, "factor", "why_no_factor", answer);
   if (blocks.value) answer["factor_width"] = blocks.value->width;
   if (blocks.value && !blocks.value->stopped.empty()) answer["stopped"] = blocks.value->stopped;
-  add_factor(by_limit, "limit_analysis_factor", "why_no_limit_analysis_factor", answer);
   solid::add_what_limit_analysis_takes(structure, answer);
   if (has_limit) answer["gap"] = by_limit.value->gap;
   if (by_limit.value && by_limit.value->bearing != Bearing::bears_any) {

@@ -111,8 +111,21 @@ class LimitAnalysis::Program {
     double friction;
   };
 
+  /// Throws std::runtime_error where it is beyond what the simplex method can scale.
   [[nodiscard]] Wrench scaled(const Wrench& w) const {
-    return Wrench(w[0], w[1], w[2] / structure_.size_m_) / structure_.weight_n_per_m_;
+    constexpr double most = 1e9;
+    const Wrench scaled = Wrench(w[0], w[1], w[2] / structure_.size_m_) / structure_.weight_n_per_m_;
+    if (scaled.allFinite() && scaled.cwiseAbs().maxCoeff() <= most) return scaled;
+    throw std::runtime_error(fmt::format(
+        "limit analysis: found loads of {:.3g} times the structure's weight; expected at most {:.3g} times; "
+        "look for loads in wrong units",
+        scaled.cwiseAbs().maxCoeff(), most));
+  }
+  /// Per unit of weight; what is far beyond all loads is as good as any.
+  [[nodiscard]] double scaled(double strength_n_per_m) const {
+    constexpr double most = 1e9;
+    const double of_weight = strength_n_per_m / structure_.weight_n_per_m_;
+    return std::isinf(of_weight) ? of_weight : std::clamp(of_weight, -most, most);
   }
   void append(int block, const Wrench& load, LinearProgram::Entries& entries) const {
     if (block < 0 || rows_[at(block)] == 0) return;
@@ -127,8 +140,8 @@ class LimitAnalysis::Program {
   }
 
   void add(const Face& face, double reduction) {
-    const double cohesion = face.cohesion_n_per_m / structure_.weight_n_per_m_;
-    const double tension = face.tension_n_per_m / 2 / structure_.weight_n_per_m_;
+    const double cohesion = scaled(face.cohesion_n_per_m);
+    const double tension = scaled(face.tension_n_per_m / 2);
     Strength strength{.forth = lp_.add_upper_bound(cohesion / reduction),
                       .back = lp_.add_upper_bound(cohesion / reduction),
                       .normal = {},
@@ -155,8 +168,7 @@ class LimitAnalysis::Program {
     LinearProgram::Entries entries;
     append(tie.a, tie.direction, tie.at_a_m, entries);
     append(tie.b, -tie.direction, tie.at_b_m, entries);
-    const double weight = structure_.weight_n_per_m_;
-    lp_.add_variable(tie.low_n_per_m / weight, tie.high_n_per_m / weight, entries);
+    lp_.add_variable(scaled(tie.low_n_per_m), scaled(tie.high_n_per_m), entries);
   }
 
   const LimitAnalysis& structure_;

@@ -113,7 +113,7 @@ function momentText(frame) {
 
 /// Blocks displaced by the mechanism, so that the fastest vertex moves by 6 % of the structure.
 function mechanismFigure(report, mechanism, level) {
-  const scale = new Scale(report.view, fittingWidth(report.view), 46, 17);
+  const scale = new Scale(report.view, fittingWidth(report.view), 50, 17);
   const {svg, inside} = drawing(scale, true);
   const motions = new Map(mechanism.blocks.map(b => [b.name, b]));
   const by = 0.06 * report.size_m;

@@ -43,7 +43,7 @@ class Places {
 /// A drawing whose lines are drawn first and whose labels then find their places.
 class Sheet {
   constructor(view, width, textSize) {
-    this.scale = new Scale(view, width, 46, textSize);
+    this.scale = new Scale(view, width, 50, textSize);
     this.textSize = textSize;
     this.drawn = drawing(this.scale, true);
     this.places = new Places(this.scale);
