@@ -148,8 +148,8 @@ void add_what_is_above_the_bound(const StaticStrength& blocks, const limit::Limi
 /// those of limit analysis, and others under which blocks slide: equilibrium does not say which come about.
 void add_friction_history(const limit::LimitAnalysis& structure, const StaticStrength& blocks,
                           const limit::LimitStrength& bound, json& answer) {
-  constexpr double of_friction = 1e-2;  // less is what blocks strain and anchors stretch
-  if (structure.is_exact() || !blocks.stopped.empty()) return;
+  constexpr double of_friction = 1e-2;  // less is what blocks strain
+  if (structure.is_exact() || !structure.scene().bolts.empty() || !blocks.stopped.empty()) return;
   if (blocks.bearing != Bearing::fails_at_a_factor || bound.bearing != Bearing::fails_at_a_factor) return;
   if (blocks.factor > bound.factor * (1 - of_friction)) return;
   answer["friction_history"] = fmt::format(
