@@ -71,7 +71,8 @@ class Drawing {
     const Point size = sheet_.per_pixel() * Point(Sheet::letter * static_cast<double>(text.size()) + 10, Sheet::row);
     const auto middle = places_.place(wanted, size);
     if (!middle) return;  // the legend has the loads
-    if ((*middle - wanted).norm() > 2 * size.y() + size.x() / 2) {
+    const Point away = (*middle - wanted).cwiseAbs();
+    if (away.x() > size.x() / 2 + size.y() || away.y() > 1.5 * size.y()) {
       script += fmt::format("set arrow from {},{} to {},{} nohead lw 0.7 lc rgb '{}' front\n", wanted.x(), wanted.y(),
                             middle->x(), middle->y(), colour);
     }

@@ -76,7 +76,7 @@ class Sheet {
         continue;
       }
       const [x, y] = place;
-      if (Math.hypot(x - wantedX, y - wantedY) > 2 * h + w / 2) leaders.push(element('line', {x1: wantedX, y1: wantedY, x2: x, y2: y, stroke: colour, 'stroke-width': 0.7}));
+      if (Math.abs(x - wantedX) > w / 2 + h || Math.abs(y - wantedY) > 1.5 * h) leaders.push(element('line', {x1: wantedX, y1: wantedY, x2: x, y2: y, stroke: colour, 'stroke-width': 0.7}));
       names.push(label({x, y: y + 0.33 * this.textSize, 'text-anchor': 'middle'}, colour, text));
     }
     this.put(...leaders, ...names);
