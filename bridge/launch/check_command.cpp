@@ -7,6 +7,7 @@
 #include "bridge/launch/commands.hpp"
 #include "bridge/reliability/refused_draws.hpp"
 #include "bridge/results/counted.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/read.hpp"
@@ -66,9 +67,9 @@ int check(const CheckOptions& options) {
   wrong.from([&] {
     for (auto& warning : study::refused_draws(path, read, overrides)) warnings.push_back(std::move(warning));
   });
-  for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
+  for (const auto& note : read.notes) fmt::print(stderr, "{}", results::for_stderr(note.text() + "\n"));
   if (!options.strict) {
-    for (const auto& warning : warnings) fmt::print(stderr, "{}\n", warning.text());
+    for (const auto& warning : warnings) fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));
   }
   wrong.report();
   if (options.strict) scene::refuse_warnings(warnings);
@@ -77,13 +78,13 @@ int check(const CheckOptions& options) {
   const auto named = std::count_if(s.joints.begin(), s.joints.end(), [&](const scene::Joint& joint) {
     return touching.contains(std::minmax(joint.between[0], joint.between[1]));
   });
-  fmt::print(
+  const std::string sound = fmt::format(
       "{}: sound{}; {}, {} ({} with a name), {}, {}, {}, {} s in steps of {} s\n", s.file.string(),
       warnings.empty() ? "" : fmt::format(", with {} warning{}", warnings.size(), warnings.size() == 1 ? "" : "s"),
       counted(s.blocks.size(), "block"), counted(touching.size(), "joint"), named,
       counted(s.variants.size(), "variant"), counted(read.load_cases.size(), "load case"),
       counted(studies, "study", "studies"), s.analysis.duration_s, s.analysis.step_s);
-  fmt::print(
+  const std::string figures = fmt::format(
       "structure of {:.4g} m: failure_displacement_m = {:.3g}, rest_speed_m_per_s = {:.3g}, penetration_tolerance_m = "
       "{:.3g}{}\n",
       scene::structure_size_m(s.blocks), s.analysis.failure_displacement_m, s.analysis.rest_speed_m_per_s,
@@ -91,6 +92,7 @@ int check(const CheckOptions& options) {
       s.fluid == scene::FluidModel::hydrostatic
           ? fmt::format(", open_crack_width_m = {:.3g}", s.water.open_crack_width_m)
           : "");
+  fmt::print("{}", results::for_stdout(sound + figures));
   return 0;
 }
 

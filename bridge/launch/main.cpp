@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/version.hpp"
 #include "bridge/process/exit_status.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/nearest.hpp"
 
 namespace {
@@ -33,7 +35,12 @@ int run_command(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    std::ostringstream help;
+    std::ostringstream wrong;
+    const int status = app.exit(error, help, wrong);
+    fmt::print("{}", results::for_stdout(help.str()));
+    fmt::print(stderr, "{}", results::for_stderr(wrong.str()));
+    return status == 0 ? 0 : 2;
   }
   const auto asked = std::find_if(works.begin(), works.end(), [](const auto& work) { return work.first->parsed(); });
   return asked->second();

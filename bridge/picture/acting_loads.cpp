@@ -162,11 +162,15 @@ void put_water(const scene::Scene& scene, const json& water, json& list) {
     const auto parts = parts_of(scene, kind["panels"], in_joints);
     const auto name_of = [&](int part) {
       if (name == "open water") return std::string(part == 0 ? "water upstream" : "water downstream");
-      if (!in_joints) return name;
+      if (!in_joints) return name + (parts.size() == 1 ? "" : part == 0 ? " upstream" : " downstream");
       const bool apart = part != unknown_block && parts.size() <= told_apart;
       return apart ? "uplift under " + scene.blocks[at(part)].name : "uplift";
     };
-    for (const auto& [part, pressing] : parts) pressing.put(name_of(part), kinds.at(name), list);
+    for (const auto& [part, pressing] : parts) {
+      const std::size_t before = list.size();
+      pressing.put(name_of(part), kinds.at(name), list);
+      if (list.size() > before && !in_joints) list.back()["from_downstream"] = part != 0;
+    }
   }
 }
 

@@ -13,8 +13,9 @@ constexpr int unknown_block = -1;  ///< of a panel whose run has not kept its bl
 /// One entry for each load that acts at `time_s`, weight first:
 /// name; kind: "weight", "earthquake", "load", "silt", "water", "ice", "added water" or "uplift"; force [x, y] (N/m),
 /// the resultant on what can move; at [x, y] (m), the middle of what presses; strips: runs of [x, y, force x, force y]
-/// (N/m2) along an edge. Without strips the force acts at the point `at`. `water` is the answer to the question
-/// "water"; uplift is that on the underside of a block.
+/// (N/m2) along an edge; from_downstream: of water that is not in joints, is its pool that one? Without strips the
+/// force acts at the point `at`. `water` is the answer to the question "water"; uplift is that on the underside of a
+/// block.
 [[nodiscard]] nlohmann::json acting_loads(const scene::Scene& scene, const nlohmann::json& water, double time_s);
 
 /// Bolts: name, from and to (m), the blocks there (null: the ground), stiffness, prestress, and yield_n_per_m or null.

@@ -10,6 +10,7 @@
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/results/counted.hpp"
 #include "bridge/results/folder.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/block_facts.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/read/read.hpp"
@@ -60,7 +61,7 @@ void cut(const CutOptions& options) {
   terminal_for(options.out);
   results::require_writable_file("--out", options.out);
   const scene::ReadScene read = scene::read(options.scene, options.overrides);
-  for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
+  for (const auto& note : read.notes) fmt::print(stderr, "{}", results::for_stderr(note.text() + "\n"));
   const scene::Scene& scene = read.scene;
   draw(scene, options.out);
   std::vector<double> areas;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 
 namespace blockweir::picture {
@@ -25,6 +26,17 @@ std::vector<json> read_frames(const std::filesystem::path& run) {
   return frames;
 }
 
+namespace {
+
+/// What falls deep or is thrown far would leave the structure a dot: it is shown as far as that.
+View near_the_model(const View& view, const View& model) {
+  const double way = std::max(model.right - model.left, model.top - model.bottom) / 2;
+  return {std::max(view.left, model.left - way), std::min(view.right, model.right + way),
+          std::max(view.bottom, model.bottom - way), std::min(view.top, model.top + way)};
+}
+
+}  // namespace
+
 View view_of(const std::vector<json>& frames, double water_m) {
   View view;
   for (const json& block : frames.front()["blocks"]) {
@@ -33,6 +45,7 @@ View view_of(const std::vector<json>& frames, double water_m) {
     if (top <= water_m) continue;
     for (const json& p : block["outline"]) view.include(p[0], p[1]);
   }
+  std::optional<View> model;  // as it begins
   for (const json& frame : frames) {
     for (const json& block : frame["blocks"]) {
       if (block["fixed"].get<bool>()) continue;
@@ -45,7 +58,9 @@ View view_of(const std::vector<json>& frames, double water_m) {
     for (const char* pool : {"upstream_level_m", "downstream_level_m"}) {
       if (frame[pool].is_number()) view.include(view.left, frame[pool]);
     }
+    if (!model) model = view;
   }
+  view = near_the_model(view, *model);
   const double size = std::max(view.right - view.left, view.top - view.bottom);
   return {view.left - 0.35 * size, view.right + 0.2 * size, view.bottom - 0.12 * size, view.top + 0.08 * size};
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 
@@ -39,7 +40,12 @@ json diagram(const json& strip, double by, const Point& shift) {
 
 bool stands_beside_the_water(const json& load) {
   const std::string kind = load["kind"];
-  return (kind == "silt" || kind == "ice" || kind == "added water") && load["force"][0].get<double>() > 0;
+  return kind == "silt" || kind == "ice" || kind == "added water";
+}
+
+/// On a face that looks downstream.
+bool comes_from_downstream(const json& load) {
+  return load.value("from_downstream", load["force"][0].get<double>() < 0);
 }
 
 }  // namespace
@@ -50,11 +56,11 @@ void add_diagrams(json& loads, double size_m) {
   constexpr double gap = 0.02;
   constexpr double arrow = 0.1;
   double strongest = 0;
-  double beside_m = 0;
+  std::array<double, 2> beside_m = {0, 0};  // of the face, upstream and downstream
   for (const json& load : loads) strongest = std::max(strongest, largest(load));
   const auto reach = [&](const json& load) { return size_m * std::max(shortest, longest * largest(load) / strongest); };
   for (const json& load : loads) {
-    if (load["kind"] == "water" && load["force"][0].get<double>() > 0) beside_m = reach(load) + gap * size_m;
+    if (load["kind"] == "water") beside_m[comes_from_downstream(load) ? 1 : 0] = reach(load) + gap * size_m;
   }
   for (json& load : loads) {
     const Point force = point_of(load["force"]);
@@ -68,12 +74,17 @@ void add_diagrams(json& loads, double size_m) {
       continue;
     }
     const bool beside = stands_beside_the_water(load);
-    const Point shift(beside ? -beside_m : 0, 0);
+    const bool downstream = comes_from_downstream(load);
+    double& away_m = beside_m[downstream ? 1 : 0];
+    const Point shift(!beside ? 0 : downstream ? away_m : -away_m, 0);
+    // What an earthquake takes from the pressure pulls: its diagram stands on the outer side, too.
+    const bool pulls = beside && downstream == (force.x() > 0);
     for (const json& strip : load["strips"]) {
-      load["diagrams"].push_back(diagram(strip, reach(load) / largest(load), shift));
+      load["diagrams"].push_back(diagram(strip, (pulls ? -1 : 1) * reach(load) / largest(load), shift));
     }
-    load["arrow"] = {pair(at + shift - reach(load) * along), pair(at + shift)};
-    if (beside) beside_m += reach(load) + gap * size_m;
+    const Point outer = at + shift + (pulls ? 1 : -1) * reach(load) * along;
+    load["arrow"] = {pair(pulls ? at + shift : outer), pair(pulls ? outer : at + shift)};
+    if (beside) away_m += reach(load) + gap * size_m;
   }
 }
 

@@ -69,9 +69,15 @@ class Drawing {
   }
   void label(const Point& wanted, const std::string& text, const std::string& colour) {
     const Point size = sheet_.per_pixel() * Point(Sheet::letter * static_cast<double>(text.size()) + 10, Sheet::row);
-    const Point middle = places_.place(wanted, size);
-    script += fmt::format("set label {} at {},{} center boxed tc rgb '{}' front\n", gnuplot_text(text), middle.x(),
-                          middle.y(), colour);
+    const auto middle = places_.place(wanted, size);
+    if (!middle) return;  // the legend has the loads
+    const Point away = (*middle - wanted).cwiseAbs();
+    if (away.x() > size.x() / 2 + size.y() || away.y() > 1.5 * size.y()) {
+      script += fmt::format("set arrow from {},{} to {},{} nohead lw 0.7 lc rgb '{}' front\n", wanted.x(), wanted.y(),
+                            middle->x(), middle->y(), colour);
+    }
+    script += fmt::format("set label {} at {},{} center boxed tc rgb '{}' front\n", gnuplot_text(text), middle->x(),
+                          middle->y(), colour);
   }
 
   std::string script;

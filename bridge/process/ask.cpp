@@ -11,6 +11,7 @@
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/read.hpp"
 
 namespace blockweir::process {
@@ -38,7 +39,7 @@ class Echo {
     if (quiet_) return;
     if (!stream_.is_open()) stream_.open(log_);
     for (std::string line; std::getline(stream_, line);) {
-      if (line.ends_with("linear systems solved")) fmt::print(stderr, "{}\n", line);
+      if (line.ends_with("linear systems solved")) fmt::print(stderr, "{}", results::for_stderr(line + "\n"));
     }
     stream_.clear();  // more may come
   }
@@ -87,7 +88,7 @@ Asked ask(const std::string& question, const AskOptions& options) {
   scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
   for (const auto* told : {&read.notes, &read.warnings}) {
     for (const auto& line : *told) {
-      if (!options.quiet) fmt::print(stderr, "{}\n", line.text());
+      if (!options.quiet) fmt::print(stderr, "{}", results::for_stderr(line.text() + "\n"));
     }
   }
   Asked asked{.folder = answer_folder(question, options), .scene = std::move(read.scene)};

@@ -10,9 +10,11 @@
 #include <exception>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 #include "bridge/process/stopped.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/diagnostic.hpp"
 
 namespace blockweir::process {
@@ -38,10 +40,7 @@ inline constexpr int closed_pipe = 141;
 template <class Work>
 int exit_status(const char* program, Work work) noexcept {
   const auto say = [program](const std::exception& error) {
-    std::fputs(program, stderr);
-    std::fputs(": ", stderr);
-    std::fputs(error.what(), stderr);
-    std::fputs("\n", stderr);
+    std::fputs(results::for_stderr(std::string(program) + ": " + error.what() + "\n").c_str(), stderr);
   };
   try {
     const int status = work();
@@ -51,8 +50,7 @@ int exit_status(const char* program, Work work) noexcept {
     std::fputs(": standard output cannot be written: is the disk full?\n", stderr);
     return status == 0 ? 1 : status;
   } catch (const scene::SceneError& error) {
-    std::fputs(error.what(), stderr);
-    std::fputs("\n", stderr);
+    std::fputs(results::for_stderr(std::string(error.what()) + "\n").c_str(), stderr);
     return 2;
   } catch (const std::invalid_argument& error) {
     say(error);

@@ -32,7 +32,8 @@ std::string text_of(const json& found, bool fails) {
                        found["reservoir_factor"].get<double>(), level, found["why_no_factor"].get<std::string>(),
                        how());
   }
-  const std::string why = found["why_no_factor"];
+  const std::string why = found["why_no_factor"].get<std::string>() +
+                          (found.contains("mechanism") ? ": " + found["mechanism"]["text"].get<std::string>() : "");
   if (!found.contains("limit_analysis_note")) return "none: " + why;
   return fmt::format("none: {}; {}", why, found["limit_analysis_note"].get<std::string>());
 }

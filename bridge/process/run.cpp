@@ -29,6 +29,7 @@
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/seconds.hpp"
 #include "bridge/results/shell_word.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/read.hpp"
 
@@ -204,9 +205,9 @@ RunResult run(const RunOptions& options) {
   const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
   require_fit(read.scene, options.inproc);
   if (options.strict) scene::refuse_warnings(read.warnings);
-  for (const auto& note : read.notes) fmt::print(stderr, "{}\n", note.text());
+  for (const auto& note : read.notes) fmt::print(stderr, "{}", results::for_stderr(note.text() + "\n"));
   if (!options.quiet) {
-    for (const auto& warning : read.warnings) fmt::print(stderr, "{}\n", warning.text());
+    for (const auto& warning : read.warnings) fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));
   }
   const fs::path folder = results_folder(options);
   results::make_folder(folder);

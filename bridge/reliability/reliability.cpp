@@ -31,7 +31,7 @@ bool all_answered(const json& answer) {
 int tell_reliability(const ReliabilityOptions& options) {
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
   const scene::ReadScene read = scene::read(options.scene, options.overrides);
-  for (const auto& warning : read.warnings) fmt::print(stderr, "{}\n", warning.text());
+  for (const auto& warning : read.warnings) fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));
   if (read.randomness.variables.empty()) {
     throw std::invalid_argument(fmt::format(
         "{}: found no [[random]]; expected one for each number that is uncertain; add [[random]] with key = "
@@ -40,7 +40,7 @@ int tell_reliability(const ReliabilityOptions& options) {
   }
   refuse_overridden_draws(read, options.overrides);
   for (const auto& warning : refused_draws(options.scene, read, options.overrides)) {
-    fmt::print(stderr, "{}\n", warning.text());
+    fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));
   }
   const fs::path folder =
       options.out.empty() ? fs::path("runs") / (process::case_name(options.scene) + "-reliability") : options.out;

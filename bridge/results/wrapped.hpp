@@ -34,4 +34,9 @@ inline std::string for_stdout(const std::string& text) {
   return ::isatty(STDOUT_FILENO) != 0 ? wrapped(text) : text;
 }
 
+/// The same for standard error: errors, warnings, lines of progress.
+inline std::string for_stderr(const std::string& text) {
+  return ::isatty(STDERR_FILENO) != 0 ? wrapped(text) : text;
+}
+
 }  // namespace blockweir::results

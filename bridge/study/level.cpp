@@ -109,7 +109,9 @@ int tell_level(const LevelOptions& options) {
   fmt::print("{}", results::for_stdout(level_report(asked.answer)));
   if (limit.contains("mechanism")) {
     const auto picture = asked.folder / "mechanism.png";
-    picture::draw_mechanism(asked.scene, limit["mechanism"], limit["level_m"].get<double>(), picture);
+    const json& level_m = limit["level_m"];
+    picture::draw_mechanism(asked.scene, limit["mechanism"],
+                            level_m.is_number() ? std::optional(level_m.get<double>()) : std::nullopt, picture);
     fmt::print("picture {}\n", picture.string());
   }
   if (!options.json.empty()) results::replace_file(options.json, asked.answer.dump(2) + "\n");

@@ -33,10 +33,11 @@ json satisfied(const json& answer, const std::optional<double>& required) {
   return deciding_factor(answer) >= *required;
 }
 
-/// Is every factor that is required reached? One that is not found is not.
+/// Has every case an answer, and is every factor that is required reached?
 bool all_enough(const json& cases) {
-  return std::all_of(cases.begin(), cases.end(),
-                     [](const json& c) { return c["required"].is_null() || c["satisfied"] == true; });
+  return std::all_of(cases.begin(), cases.end(), [](const json& c) {
+    return c["outcome"] != "not found" && (c["required"].is_null() || c["satisfied"] == true);
+  });
 }
 
 /// What a factor on the stated loads leaves as it is.
@@ -138,6 +139,8 @@ std::string factors_text(const json& cases) {
       tell("no answer: ", c["why_no_factor"]);
     else if (c["factor"].is_null() && c.contains("why_no_factor"))
       tell("no factor: ", c["why_no_factor"]);
+    if (c.contains("mechanism")) tell("mechanism: ", c["mechanism"]["text"]);
+    if (c.contains("friction_history")) tell("factor: ", c["friction_history"]);
     if (c.contains("stopped")) tell("a lower bound, ", c["stopped"]);
     if (c.contains("water_factor")) {
       tell("it bears ", fmt::format("{:.5g} times what the water presses, by limit analysis",
@@ -288,7 +291,8 @@ int tell_safety(const SafetyOptions& options) {
   if (!options.json.empty()) results::replace_file(options.json, all);
   std::string text = factors_text(cases);
   for (const json& c : cases) text += joints_text(c);
-  text += fmt::format("results {} (safety.json, mechanism.png; a folder for each load case)\n", folder.string());
+  const char* drawn = cases[0].contains("mechanism") ? ", mechanism.png" : "";
+  text += fmt::format("results {} (safety.json{}; a folder for each load case)\n", folder.string(), drawn);
   fmt::print("{}", results::for_stdout(text));
   return all_enough(cases) ? 0 : 1;
 }

@@ -48,7 +48,10 @@ json limit_json(const limit::LimitAnalysis& structure, const Attempt<limit::Limi
   const limit::LimitLevel& found = *by_limit.value;
   json answer = outcome_json(found.outcome, found.level_m);
   answer["programs"] = found.programs;
-  if (found.outcome == Filled::does_not_stand_empty) return answer;
+  if (found.outcome == Filled::does_not_stand_empty) {
+    answer["mechanism"] = solid::mechanism_json(structure, found.at_it.mechanism);
+    return answer;
+  }
   if (found.at_it.bearing != limit::Bearing::fails_at_a_factor) return answer;
   answer["gap"] = found.at_it.gap;
   if (found.outcome == Filled::stands_full) {

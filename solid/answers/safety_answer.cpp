@@ -122,10 +122,12 @@ void add_factor(const Attempt<Strength>& found, const char* key, const char* why
   const bool has_one = found.value && found.value->bearing == Bearing::fails_at_a_factor;
   answer[key] = has_one ? json(found.value->factor) : json();
   if (has_one) return;
-  answer[why] = !found.value ? found.why_not
-                : found.value->bearing == Bearing::bears_any
-                    ? "no joint needs shear strength"
-                    : "no shear strength of the joints would hold the structure";
+  answer[why] =
+      !found.value ? found.why_not
+      : found.value->bearing == Bearing::bears_any
+          ? (answer["limit_analysis_factor"].is_number() ? "blocks stand with next to no strength of the joints"
+                                                         : "no joint needs shear strength")
+          : "no shear strength of the joints would hold the structure";
 }
 
 /// Blocks cannot bear more than limit analysis says, but for what they strain. Those that do hold each other at slivers
@@ -140,6 +142,21 @@ void add_what_is_above_the_bound(const StaticStrength& blocks, const limit::Limi
       bound.factor);
   answer["above_upper_bound"] = {{"factor", bound.factor}, {"text", text}};
   answer["warnings"].push_back(text);
+}
+
+/// Between the blocks' factor and the bound there are forces in the joints that balance the loads within Coulomb's law,
+/// those of limit analysis, and others under which blocks slide: equilibrium does not say which come about.
+void add_friction_history(const limit::LimitAnalysis& structure, const StaticStrength& blocks,
+                          const limit::LimitStrength& bound, json& answer) {
+  constexpr double of_friction = 1e-2;  // less is what blocks strain
+  if (structure.is_exact() || !structure.scene().bolts.empty() || !blocks.stopped.empty()) return;
+  if (blocks.bearing != Bearing::fails_at_a_factor || bound.bearing != Bearing::fails_at_a_factor) return;
+  if (blocks.factor > bound.factor * (1 - of_friction)) return;
+  answer["friction_history"] = fmt::format(
+      "with strength over {:.4g} to {:.4g} some forces in the joints hold the structure and others do not; which come "
+      "about depends on how it was loaded, so that the blocks' factor may jump by some per cent from one level to the "
+      "next",
+      blocks.factor, bound.factor);
 }
 
 const char* outcome(const Attempt<StaticStrength>& blocks) {
@@ -163,19 +180,23 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
       solid::attempt([&] { return limit::limit_strength(structure, limit::combined(dead, 1, stated)); });
   const bool has_limit = by_limit.value && by_limit.value->bearing == Bearing::fails_at_a_factor;
   const double guess = has_limit ? by_limit.value->factor : 1;
-  const auto blocks =
-      solid::attempt([&] { return solid::static_strength(scene, now.water_if_any(), now.level_m, guess); });
+  const auto blocks = solid::attempt([&] {
+    // Its search goes through all strengths, and those too weak creep for long.
+    const bool none = by_limit.value && by_limit.value->bearing == Bearing::bears_none;
+    if (none && !solid::stands(scene, now.water_if_any(), now.level_m)) return StaticStrength{};
+    return solid::static_strength(scene, now.water_if_any(), now.level_m, guess);
+  });
   if (!blocks.value && !by_limit.value) throw std::runtime_error(blocks.why_not + "; " + by_limit.why_not);
   json answer = {{"outcome", outcome(blocks)}, {"level_m", std::isnan(now.level_m) ? json() : json(now.level_m)}};
   const auto& tailwater = scene.water.downstream_level_m;
   answer["tailwater_m"] = tailwater ? json(tailwater->at(scene.analysis.duration_s)) : json();
+  add_factor(by_limit, "limit_analysis_factor", "why_no_limit_analysis_factor", answer);
   add_factor(blocks, "factor", "why_no_factor", answer);
   if (blocks.value) answer["factor_width"] = blocks.value->width;
   if (blocks.value && !blocks.value->stopped.empty()) answer["stopped"] = blocks.value->stopped;
-  add_factor(by_limit, "limit_analysis_factor", "why_no_limit_analysis_factor", answer);
   solid::add_what_limit_analysis_takes(structure, answer);
-  if (has_limit) {
-    answer["gap"] = by_limit.value->gap;
+  if (has_limit) answer["gap"] = by_limit.value->gap;
+  if (by_limit.value && by_limit.value->bearing != Bearing::bears_any) {
     answer["mechanism"] = solid::mechanism_json(structure, by_limit.value->mechanism);
   }
   const auto loads = solid::attempt([&] { return structure.largest_factor(dead, stated); });
@@ -190,7 +211,10 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["water"] = now.water ? solid::water_by_kind(scene, make_fluid, now.level_m) : json::array();
   answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
   solid::add_shaking_left_out(scene, answer);
-  if (by_limit.value && blocks.value) add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
+  if (by_limit.value && blocks.value) {
+    add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
+    add_friction_history(structure, *blocks.value, *by_limit.value, answer);
+  }
   if (by_limit.value) solid::add_water_factor(structure, now, stated, *by_limit.value, answer);
   if (blocks.value) solid::add_stretch_of_anchors(now, *blocks.value, answer);
   if (by_limit.value) {

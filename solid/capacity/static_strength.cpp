@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "solid/capacity/static_blocks.hpp"
 
@@ -41,8 +42,9 @@ class Search {
     const scene::Scene reduced = with_reduced_strength(scene_, reduction);
     try {
       return StaticBlocks(reduced, water_, effort_).begin(level_m_);
-    } catch (const SolveError&) {
-      return false;  // it has no equilibrium under its first loads
+    } catch (const SolveError& error) {
+      not_solved_ = error.what();  // it has no equilibrium under its first loads, or these cannot be solved
+      return false;
     }
   }
 
@@ -55,10 +57,17 @@ class Search {
       double& end = first ? fails_at_ : stands_at_;
       end = first ? end * (1 + step) : end / (1 + step);
       if (end > largest) return limit::Bearing::bears_any;
-      if (end < 1 / largest) return limit::Bearing::bears_none;
+      if (end < 1 / largest) return none();
       if (stands(end) != first) return limit::Bearing::fails_at_a_factor;
       (first ? stands_at_ : fails_at_) = end;
     }
+  }
+
+  /// Whatever the strength, nothing has found a rest. With ample strength the first loads have one, unless they cannot
+  /// be solved: that is no answer.
+  [[nodiscard]] limit::Bearing none() const {
+    if (not_solved_.empty()) return limit::Bearing::bears_none;
+    throw std::runtime_error("the blocks' equilibrium is not solved with any strength: " + not_solved_);
   }
 
   void narrow() {
@@ -75,12 +84,18 @@ class Search {
   const scene::Scene& scene_;
   StillWater* water_;
   double level_m_;
+  std::string not_solved_;  ///< why, of the last that was not
   Effort effort_{"factor by the blocks"};
   double stands_at_;
   double fails_at_;
 };
 
 }  // namespace
+
+bool stands(const scene::Scene& scene, StillWater* water, double level_m) {
+  Effort effort("the blocks");
+  return StaticBlocks(scene, water, effort).begin(level_m);
+}
 
 StaticStrength static_strength(const scene::Scene& scene, StillWater* water, double level_m, double guess) {
   return Search(scene, water, level_m, guess).found();

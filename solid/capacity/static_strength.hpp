@@ -13,6 +13,9 @@ namespace blockweir::solid {
 /// c and tan(phi), peak and residual, of all joints divided by that.
 scene::Scene with_reduced_strength(scene::Scene scene, double reduction);
 
+/// As the scene is, by one analysis from its outline. Throws as static_strength does.
+bool stands(const scene::Scene& scene, StillWater* water, double level_m);
+
 struct StaticStrength {
   limit::Bearing bearing = limit::Bearing::bears_none;  ///< as in limit::LimitStrength
   double factor = 0;    ///< the middle of the bracket; its lower end where the time was over
@@ -22,7 +25,7 @@ struct StaticStrength {
 
 /// Each reduction is an analysis of its own, from the scene's outline. `guess`: where the search begins. `water`: null
 /// where there is none; else `level_m` is the reservoir's. Throws TookTooLong when the time is over before a bracket is
-/// found.
+/// found, and std::runtime_error with the reason where no strength gives equations that can be solved.
 StaticStrength static_strength(const scene::Scene& scene, StillWater* water, double level_m, double guess);
 
 }  // namespace blockweir::solid

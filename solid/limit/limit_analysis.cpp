@@ -65,11 +65,23 @@ class LimitAnalysis::Program {
     for (std::size_t b = 0; b < live.size(); ++b) append(static_cast<int>(b), scaled(live[b]), entries);
     return lp_.add_variable(0, largest_factor_told, entries, /*objective=*/1);
   }
-  int add_shortage() {
+  int add_shortage(double price) {
     LinearProgram::Entries entries;
     for (const Strength& s : strengths_) entries.insert(entries.end(), {{s.forth, -1}, {s.back, -1}});
-    shortage_ = lp_.add_variable(0, infinite, entries, /*objective=*/-1);
+    shortage_ = lp_.add_variable(0, infinite, entries, -price);
     return *shortage_;
+  }
+  /// Lets each equation of balance miss by as much as the worst does, which is to be least.
+  void add_imbalance() {
+    LinearProgram::Entries worst;
+    for (const int first : rows_) {
+      for (int row = first; first != 0 && row < first + 3; ++row) {
+        const int size = lp_.add_upper_bound(0);
+        worst.emplace_back(size, -1);
+        for (const double sign : {1.0, -1.0}) lp_.add_variable(0, infinite, {{row, sign}, {size, 1}});
+      }
+    }
+    lp_.add_variable(0, infinite, worst, /*objective=*/-1);
   }
   /// False where no forces balance the loads.
   bool solve() {
@@ -133,8 +145,21 @@ class LimitAnalysis::Program {
     int shear = 0;
   };
 
+  /// Throws std::runtime_error where it is beyond what the simplex method can scale.
   [[nodiscard]] Wrench scaled(const Wrench& w) const {
-    return Wrench(w[0], w[1], w[2] / structure_.size_m_) / structure_.weight_n_per_m_;
+    constexpr double most = 1e9;
+    const Wrench scaled = Wrench(w[0], w[1], w[2] / structure_.size_m_) / structure_.weight_n_per_m_;
+    if (scaled.allFinite() && scaled.cwiseAbs().maxCoeff() <= most) return scaled;
+    throw std::runtime_error(fmt::format(
+        "limit analysis: found loads of {:.3g} times the structure's weight; expected at most {:.3g} times; "
+        "look for loads in wrong units",
+        scaled.cwiseAbs().maxCoeff(), most));
+  }
+  /// Per unit of weight; what is far beyond all loads is as good as any.
+  [[nodiscard]] double scaled(double strength_n_per_m) const {
+    constexpr double most = 1e9;
+    const double of_weight = strength_n_per_m / structure_.weight_n_per_m_;
+    return std::isinf(of_weight) ? of_weight : std::clamp(of_weight, -most, most);
   }
   void append(int block, const Wrench& load, LinearProgram::Entries& entries) const {
     if (block < 0 || rows_[at(block)] == 0) return;
@@ -149,10 +174,10 @@ class LimitAnalysis::Program {
   }
 
   void add(const Face& face, double reduction) {
-    const double tension = face.tension_n_per_m / 2 / structure_.weight_n_per_m_;
+    const double tension = scaled(face.tension_n_per_m / 2);
     const std::size_t first = strengths_.size();
     for (const Face::Bound& bound : face.bounds()) {
-      const double cohesion = bound.cohesion_n_per_m / structure_.weight_n_per_m_;
+      const double cohesion = scaled(bound.cohesion_n_per_m);
       strengths_.push_back({.forth = lp_.add_upper_bound(cohesion / reduction),
                             .back = lp_.add_upper_bound(cohesion / reduction),
                             .face = static_cast<int>(forces_.size()),
@@ -183,8 +208,7 @@ class LimitAnalysis::Program {
     LinearProgram::Entries entries;
     append(tie.a, tie.direction, tie.at_a_m, entries);
     append(tie.b, -tie.direction, tie.at_b_m, entries);
-    const double weight = structure_.weight_n_per_m_;
-    lp_.add_variable(tie.low_n_per_m / weight, tie.high_n_per_m / weight, entries);
+    lp_.add_variable(scaled(tie.low_n_per_m), scaled(tie.high_n_per_m), entries);
   }
 
   const LimitAnalysis& structure_;
@@ -238,7 +262,7 @@ bool LimitAnalysis::bears(const Wrenches& loads) const {
 
 std::optional<Shortage> LimitAnalysis::shortage(const Wrenches& loads, double reduction) const {
   Program program(*this, loads, reduction);
-  const int ratio = program.add_shortage();
+  const int ratio = program.add_shortage(/*price=*/1);
   if (!program.solve()) return std::nullopt;
   if (program.add_tangents(faces_, reduction)) return shortage(loads, reduction);
   Shortage found{.ratio = program.value(ratio),
@@ -246,6 +270,16 @@ std::optional<Shortage> LimitAnalysis::shortage(const Wrenches& loads, double re
                  .mechanism = program.mechanism()};
   if (found.ratio > 0) normalize(found.mechanism);
   return found;
+}
+
+Twists LimitAnalysis::collapse(const Wrenches& loads, bool however_strong) const {
+  Program program(*this, loads, /*reduction=*/1);
+  if (however_strong) program.add_shortage(/*price=*/0);
+  program.add_imbalance();
+  program.solve();
+  Twists mechanism = program.mechanism();
+  normalize(mechanism);
+  return mechanism;
 }
 
 /// Sup of -(N_1 w_1 + N_2 w_2 + S g) over admissible forces, w the openings of the ends and g the slip.

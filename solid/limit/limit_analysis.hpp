@@ -56,6 +56,10 @@ class LimitAnalysis {
   /// Nothing where no shear strength would do, as of what overturns.
   [[nodiscard]] std::optional<Shortage> shortage(const Wrenches& loads, double reduction) const;
 
+  /// How a structure begins to move that cannot bear its loads, with the shear strength it has or, `however_strong`,
+  /// with any: of all mechanisms the one with the most power over the sum of its velocities.
+  [[nodiscard]] Twists collapse(const Wrenches& loads, bool however_strong) const;
+
   /// Power that faces and bolts take up in a mechanism that opens as it slips by the associated rule, at least.
   [[nodiscard]] double resistance(const Twists& mechanism, double reduction = 1) const;
   /// Velocity of face.b against face.a at a point.

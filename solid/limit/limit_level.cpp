@@ -27,7 +27,10 @@ LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, con
   LimitLevel found{.level_m = range.full_m};
   const Wrenches tailwater = water(range.empty_m);
   const Wrenches empty = combined(dead, 1, tailwater);
-  if (!structure.bears(empty)) return found;
+  if (!structure.bears(empty)) {
+    found.at_it.mechanism = structure.collapse(empty, /*however_strong=*/false);
+    return found;
+  }
   const auto reservoir_at = [&](double level_m) { return combined(water(level_m), -1, tailwater); };
   while (++found.programs < most_programs) {
     found.at_it = structure.largest_factor(empty, reservoir_at(found.level_m));

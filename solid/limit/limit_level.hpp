@@ -17,7 +17,7 @@ using WaterAtLevel = std::function<Wrenches(double level_m)>;
 struct LimitLevel {
   Filled outcome = Filled::does_not_stand_empty;
   double level_m = 0;   ///< where it fails; else that of the full reservoir
-  LargestFactor at_it;  ///< of the reservoir's forces at that level
+  LargestFactor at_it;  ///< of the reservoir's forces at that level; its mechanism alone where it does not stand empty
   int programs = 0;     ///< solved
 };
 

@@ -49,9 +49,10 @@ LimitStrength limit_strength(const LimitAnalysis& structure, const Wrenches& loa
   double reduction = 1;
   while (bracket.borne == 0 || bracket.short_of == 0) {
     if (reduction > largest_reduction) return {.bearing = Bearing::bears_any};
-    if (reduction < 1 / largest_reduction) return {.bearing = Bearing::bears_none};
+    if (reduction < 1 / largest_reduction)
+      return {.bearing = Bearing::bears_none, .mechanism = bracket.shortage.mechanism};
     const auto shortage = structure.shortage(loads, reduction);
-    if (!shortage) return {.bearing = Bearing::bears_none};
+    if (!shortage) return {.bearing = Bearing::bears_none, .mechanism = structure.collapse(loads, true)};
     if (suffices(*shortage)) {
       bracket.borne = reduction;
       reduction *= 2;

@@ -10,8 +10,8 @@ namespace blockweir::solid::limit {
 struct LimitStrength {
   Bearing bearing = Bearing::bears_none;  ///< any: no joint needs shear strength; none: no shear strength would do
   double factor = 0;
-  Twists mechanism;
-  double gap = 0;  ///< power of loads less resistance, over the sum of loads times velocities in size
+  Twists mechanism;  ///< of what bears none, too; none where it bears any
+  double gap = 0;    ///< power of loads less resistance, over the sum of loads times velocities in size
 };
 
 LimitStrength limit_strength(const LimitAnalysis& structure, const Wrenches& loads);

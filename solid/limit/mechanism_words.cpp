@@ -60,6 +60,21 @@ Parting parting_of(const LimitAnalysis& structure, const Twists& mechanism) {
   return parting;
 }
 
+struct Motion {
+  const char* mode;
+  const char* of_one;
+  const char* of_more;
+};
+
+Motion motion_of(const Parting& parting) {
+  if (parting.faces.empty()) return {"falling", "falls", "fall"};
+  if (parting.turns && parting.slips)
+    return {"sliding and overturning", "slides and turns over", "slide and turn over"};
+  if (parting.turns) return {"overturning", "turns over", "turn over"};
+  if (parting.slips) return {"sliding", "slides", "slide"};
+  return {"lifting", "lifts off", "lift off"};
+}
+
 }  // namespace
 
 MechanismWords words_of(const LimitAnalysis& structure, const Twists& mechanism) {
@@ -82,13 +97,12 @@ MechanismWords words_of(const LimitAnalysis& structure, const Twists& mechanism)
     if (std::find(words.joints.begin(), words.joints.end(), name) == words.joints.end()) words.joints.push_back(name);
   }
   if (!parting.faces.empty()) words.mouth_m = upstream_end(*parting.faces.front());
-  words.mode = parting.turns ? (parting.slips ? "sliding and overturning" : "overturning") : "sliding";
+  const Motion motion = motion_of(parting);
+  words.mode = motion.mode;
   const bool one = names.size() == 1;
-  const char* verb = parting.turns ? (parting.slips ? (one ? "slides and turns over" : "slide and turn over")
-                                                    : (one ? "turns over" : "turn over"))
-                                   : (one ? "slides" : "slide");
-  words.text = fmt::format("{} {} {} on {} {}", one ? "block" : "blocks", listed(names), verb,
-                           words.joints.size() == 1 ? "joint" : "joints", listed(words.joints));
+  words.text = fmt::format("{} {} {}", one ? "block" : "blocks", listed(names), one ? motion.of_one : motion.of_more);
+  if (words.joints.empty()) return words;
+  words.text += fmt::format(" on {} {}", words.joints.size() == 1 ? "joint" : "joints", listed(words.joints));
   return words;
 }
 

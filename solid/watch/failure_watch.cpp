@@ -41,6 +41,7 @@ FailureWatch::FailureWatch(const Solid& solid)
   for (const scene::Support& support : solid.scene().supports) {
     if (++supports[at(support.block)] == 2) guided_[at(support.block)] = true;
   }
+  for (const scene::ViscousFace& face : solid.scene().viscous_faces) guided_[at(face.block)] = true;
   rings_ = solid.scene().analysis.integrator != scene::Integrator::shi ||
            solid.scene().contact.formulation == scene::ContactFormulation::penalty;
 }

@@ -124,7 +124,7 @@ class FailureWatch {
   bool begun_ = false;
   bool rings_ = false;        ///< velocities along held directions may flip from step to step
   double seen_s_ = 0;         ///< time of the last look
-  std::vector<bool> guided_;  ///< by supports at two of its points: how it moves is the scene's will, no failure
+  std::vector<bool> guided_;  ///< by supports at two of its points, or ground: how it moves is no failure
   std::vector<Failure> failures_;
 };
 

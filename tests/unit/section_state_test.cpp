@@ -104,6 +104,21 @@ TEST(SectionState, KindsHaveColoursOfTheirOwnAndStandBesideEachOther) {
   }
 }
 
+/// An earthquake takes from the tailwater's pressure: that pulls, on a face that looks downstream.
+TEST(SectionState, AddedWaterOfTheTailwaterStandsDownstream) {
+  json both = water;
+  both[2]["panels"].push_back({3, 0, 3, 1, -700, -100, 1});
+  const json state =
+      section_state(scene::read_text(scene::sample::text + more, "s.toml").scene, both, 0, json::array());
+  const json& pulls = load(state, "added water (Westergaard) downstream");
+  EXPECT_NEAR(pulls["force"][0].get<double>(), 400, 1e-9);
+  for (const json& outline : pulls["diagrams"]) {
+    for (const json& p : outline) EXPECT_GT(p[0].get<double>(), 3);
+  }
+  EXPECT_GT(pulls["arrow"][1][0].get<double>(), pulls["arrow"][0][0].get<double>());
+  EXPECT_NEAR(load(state, "added water (Westergaard) upstream")["force"][0].get<double>(), 950, 1e-9);
+}
+
 TEST(SectionState, TheLegendHasLoadsWithTheirSizesAndBolts) {
   const json state = state_of();
   std::vector<std::string> labels;

@@ -24,7 +24,7 @@ class Animation {
   constructor(report, clock) {
     this.report = report;
     this.clock = clock;
-    this.scale = new Scale(report.view, 940, 46);
+    this.scale = new Scale(report.view, 940, 46, 12);
     const {svg, inside} = drawing(this.scale, true);
     this.inside = inside;
     this.shown = -1;
@@ -45,7 +45,7 @@ class Animation {
     clock.movers.push(time => this.show(time));
     this.figure = element('figure', {class: 'screen', id: 'animation'}, svg,
       element('div', {class: 'controls'}, this.button, back, on, this.bar, this.told, speed, element('label', {}, this.pressures, ' pressures')),
-      element('figcaption', {}, 'Contacts: green sticks, red slips. Arrow keys step, the space bar plays.'));
+      element('figcaption', {}, 'Contacts: green sticks, red slips. What has moved far away is outside of the picture. Arrow keys step, the space bar plays.'));
     document.addEventListener('keydown', event => {
       if (['SELECT', 'BUTTON'].includes(event.target.tagName)) return;
       if (event.key === 'ArrowRight') this.step(1);

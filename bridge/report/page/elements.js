@@ -14,6 +14,14 @@ const number = (value, digits) => (is(value) ? Number(value.toPrecision(digits |
 const fixed = (value, decimals) => (is(value) ? value.toFixed(decimals) : '-');
 const kilo = (value, decimals) => fixed(is(value) ? value / 1000 : NaN, decimals === undefined ? 1 : decimals);
 
+const measure = document.createElement('canvas').getContext('2d');
+
+/// Of a text on paper, where letters are largest; `size` in the drawing's points.
+function textWidth(text, size) {
+  measure.font = `${size}px "Liberation Sans", Arial, sans-serif`;
+  return measure.measureText(text).width;
+}
+
 /// Rows of cells: a text, or an element; numbers stand to the right.
 function table(headings, rows) {
   const cell = (kind, content, right) => element(kind, right ? {class: 'number'} : {}, content);

@@ -104,16 +104,19 @@ function writeSection() {
     ...(report.drainage.length > 0 ? [element('h3', {}, 'Drains and grout'), table(['', ''], report.drainage)] : []));
 }
 
+/// What acts on all that stands on a joint, and the sum, which the joint bears.
+function sumsTable(joint) {
+  const row = (name, s) => [name, kilo(s('x_n_per_m')), kilo(s('y_n_per_m')), kilo(s('moment_n'))];
+  const sum = key => joint.sums.reduce((total, s) => total + s[key], 0);
+  return [table([`on ${joint.name}`, 'x kN/m', 'y kN/m', 'moment kN'], [...joint.sums.map(s => row(s.name, key => s[key])), row('sum', sum)]),
+    paragraph(`Moments about (${number(joint.downstream_end_m[0], 4)}, ${number(joint.downstream_end_m[1], 4)}) m, counter-clockwise positive.`, 'quiet')];
+}
+
 /// What acts on a structure that nothing holds, joint by joint.
 function writeLoads(c, to) {
   to.append(element('h3', {}, `Loads on joints: ${c.name}`), paragraph(`No table of joints nor of anchors: ${c.why_no_joints}.`, 'quiet'));
-  for (const joint of c.loads_on_joints) {
-    const sum = key => joint.sums.reduce((total, s) => total + s[key], 0);
-    const row = (name, s) => [name, kilo(s('x_n_per_m')), kilo(s('y_n_per_m')), kilo(s('moment_n'))];
-    to.append(table([`on ${joint.name}`, 'x kN/m', 'y kN/m', 'moment kN'],
-      [...joint.sums.map(s => row(s.name, key => s[key])), row('sum', sum)]),
-    paragraph(`Moments about (${number(joint.downstream_end_m[0], 4)}, ${number(joint.downstream_end_m[1], 4)}) m, counter-clockwise positive.`, 'quiet'));
-  }
+  if (c.mechanism) to.append(mechanismFigure(report, c.mechanism, c.level_m));
+  for (const joint of c.loads_on_joints) to.append(...sumsTable(joint));
 }
 
 /// Water in the joints: what flows, and the uplift beside that of the guideline laws.
@@ -145,8 +148,10 @@ function writeCases() {
   const upper = text => text.charAt(0).toUpperCase() + text.slice(1);
   tellEach(c => (cause(c) ? [cause(c)] : []), (who, text) => `Not enough, ${who}: ${text}.`, 'bad');
   tellEach(warningsOf, (who, text) => `Warning, ${who}: ${text}`, 'bad');
+  tellEach(c => (c.friction_history ? [c.friction_history] : []), (who, text) => `${upper(who)}: ${text}.`, 'quiet');
   tellEach(c => (c.limit_analysis_note ? [c.limit_analysis_note] : []), (who, text) => `${upper(who)}, limit analysis: ${text}.`, 'quiet');
   tellEach(c => (!is(c.factor) && c.why_no_factor ? [c.why_no_factor] : []), (who, text) => `${upper(who)}: no factor, as ${text}.`, 'quiet');
+  tellEach(c => (c.mechanism ? [c.mechanism.text] : []), (who, text) => `Mechanism of ${who}, by limit analysis: ${text}.`, 'quiet');
   for (const c of report.safety.filter(c => c.load_factor)) {
     const grown = c.load_factor;
     to.append(paragraph(`Load case "${c.name}": it bears ${number(grown.factor)} times ${grown.loads.join(' and ')} by limit analysis; as stated: ${grown.constant.join(' and ')}.`, 'quiet'));
@@ -161,8 +166,9 @@ function writeCases() {
     together.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));
     if (c.set.length > 0) together.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
     if (is(scaled)) together.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength.`, 'quiet'));
-    together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'sliding factor', 'resultant', 'crack m', 'heel kPa', 'toe kPa'],
-      c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), number(j.sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
+    together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'M kN', 'sliding factor', 'residual', 'resultant', 'crack m', 'heel kPa', 'toe kPa'],
+      c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.moment_n), number(j.sliding_factor, 4), number(j.residual_sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
+    if (c.joints.length <= 4) c.joints.forEach(joint => to.append(...sumsTable(joint)));  // of a mesh of joints the file has the rest
   }
 }
 

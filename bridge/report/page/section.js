@@ -1,15 +1,23 @@
 // The section at a moment, drawn to scale: x downstream, elevations upwards, water, blocks, pressures, loads.
 
-/// Metres of the section to the picture's points.
+/// Metres of the section to the picture's points. `textSize`, on paper, of the texts at its axes, if it has any.
 class Scale {
-  constructor(view, width, margin) {
+  constructor(view, width, margin, textSize) {
     this.view = view;
     this.margin = margin;
-    this.factor = (width - 2 * margin) / (view.right - view.left);
+    this.left = margin;
+    this.textSize = textSize;
     this.width = width;
+    if (textSize) {
+      const widest = all => Math.max(...all.map(value => textWidth(number(value), textSize)));
+      this.left = Math.max(margin, 26 + widest(ticks(view.bottom, view.top, 7)));
+      this.ticksAlong = Math.max(1, Math.min(9, (width - this.left - margin) / (widest(ticks(view.left, view.right, 9)) + 14)));
+    }
+    this.factor = (width - this.left - margin) / (view.right - view.left);
     this.height = this.factor * (view.top - view.bottom) + 2 * margin;
+    if (textSize) this.ticksUp = Math.max(1, Math.min(7, (this.height - 2 * margin) / (1.5 * textSize)));
   }
-  x(metres) { return this.margin + (metres - this.view.left) * this.factor; }
+  x(metres) { return this.left + (metres - this.view.left) * this.factor; }
   y(metres) { return this.margin + (this.view.top - metres) * this.factor; }
   points(outline) { return outline.map(p => this.x(p[0]).toFixed(1) + ',' + this.y(p[1]).toFixed(1)).join(' '); }
 }
@@ -39,13 +47,13 @@ function drawing(scale, axes) {
     element('defs', {}, element('clipPath', {id}, element('rect', frame))), inside);
   if (axes) {
     svg.append(element('rect', {...frame, fill: 'none', stroke: '#9aa3ad'}));
-    for (const x of ticks(view.left, view.right, 9)) {
+    for (const x of ticks(view.left, view.right, scale.ticksAlong)) {
       svg.append(element('line', {x1: scale.x(x), x2: scale.x(x), y1: scale.y(view.bottom), y2: scale.y(view.bottom) + 5, stroke: '#9aa3ad'}),
-        element('text', {x: scale.x(x), y: scale.y(view.bottom) + 18, 'text-anchor': 'middle'}, number(x)));
+        element('text', {x: scale.x(x), y: scale.y(view.bottom) + 5.5 + scale.textSize, 'text-anchor': 'middle'}, number(x)));
     }
-    for (const y of ticks(view.bottom, view.top, 7)) {
+    for (const y of ticks(view.bottom, view.top, scale.ticksUp)) {
       svg.append(element('line', {x1: scale.x(view.left) - 5, x2: scale.x(view.left), y1: scale.y(y), y2: scale.y(y), stroke: '#9aa3ad'}),
-        element('text', {x: scale.x(view.left) - 8, y: scale.y(y) + 4, 'text-anchor': 'end'}, number(y)));
+        element('text', {x: scale.x(view.left) - 8, y: scale.y(y) + 3, 'text-anchor': 'end'}, number(y)));
     }
     svg.append(element('text', {x: scale.x((view.left + view.right) / 2), y: scale.height - 4, 'text-anchor': 'middle'}, 'x (m), downstream to the right'),
       element('text', {x: 12, y: scale.y((view.top + view.bottom) / 2), transform: `rotate(-90 12 ${scale.y((view.top + view.bottom) / 2)})`, 'text-anchor': 'middle'}, 'elevation (m)'));
@@ -105,7 +113,7 @@ function momentText(frame) {
 
 /// Blocks displaced by the mechanism, so that the fastest vertex moves by 6 % of the structure.
 function mechanismFigure(report, mechanism, level) {
-  const scale = new Scale(report.view, fittingWidth(report.view), 46);
+  const scale = new Scale(report.view, fittingWidth(report.view), 50, 17);
   const {svg, inside} = drawing(scale, true);
   const motions = new Map(mechanism.blocks.map(b => [b.name, b]));
   const by = 0.06 * report.size_m;

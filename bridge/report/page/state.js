@@ -1,45 +1,54 @@
 // The section with all that acts on it at one moment or in one load case: diagrams, resultants, bolts, levels, a legend.
 
-/// Places for labels within the drawing's frame, none over another.
+/// Places for labels within the drawing's frame: none over another, and off the lines where there is room nearby.
 class Places {
   constructor(scale) {
     const {view} = scale;
     this.frame = {left: scale.x(view.left) + 2, right: scale.x(view.right) - 2, top: scale.y(view.top) + 2, bottom: scale.y(view.bottom) - 2};
-    this.taken = [];
+    this.labels = [];
+    this.lines = [];
   }
   within(x, y, w, h) {
     const f = this.frame;
     return [Math.max(f.left + w / 2, Math.min(f.right - w / 2, x)), Math.max(f.top + h / 2, Math.min(f.bottom - h / 2, y))];
   }
-  keepFree(x, y, w, h) { this.taken.push([x, y, w, h]); }
   keepLineFree(x1, y1, x2, y2) {
     const count = Math.max(1, Math.round(Math.hypot(x2 - x1, y2 - y1) / 8));
-    for (let i = 0; i <= count; ++i) this.keepFree(x1 + i / count * (x2 - x1), y1 + i / count * (y2 - y1), 5, 5);
+    for (let i = 0; i <= count; ++i) this.lines.push([x1 + i / count * (x2 - x1), y1 + i / count * (y2 - y1), 5, 5]);
   }
-  isFree(x, y, w, h) { return this.taken.every(t => Math.abs(t[0] - x) >= (t[2] + w) / 2 || Math.abs(t[1] - y) >= (t[3] + h) / 2); }
-  /// The free place nearest to where it is wanted; where all is full, that itself.
-  place(x, y, w, h) {
-    for (let ring = 0; ring <= 60; ++ring) {
-      for (let d = 0; d < (ring === 0 ? 1 : 16); ++d) {
-        const angle = 2 * Math.PI * (d + 0.5) / 16;
-        const at = this.within(x + ring * 5 * Math.cos(angle), y + ring * 5 * Math.sin(angle), w, h);
-        if (!this.isFree(...at, w, h)) continue;
-        this.keepFree(...at, w, h);
-        return at;
+  /// The place nearest to where it is wanted that none of the boxes covers, at most so far away.
+  nearest(boxes, x, y, w, h, far) {
+    const step = 5;
+    for (let ring = 0; ring * step <= far; ++ring) {
+      const directions = ring === 0 ? 1 : Math.max(16, 4 * ring);
+      for (let d = 0; d < directions; ++d) {
+        const angle = 2 * Math.PI * (d + 0.5) / directions;
+        const at = this.within(x + ring * step * Math.cos(angle), y + ring * step * Math.sin(angle), w, h);
+        if (boxes.every(t => Math.abs(t[0] - at[0]) >= (t[2] + w) / 2 || Math.abs(t[1] - at[1]) >= (t[3] + h) / 2)) return at;
       }
     }
-    return this.within(x, y, w, h);
+    return null;
+  }
+  /// Null where all is full.
+  place(x, y, w, h) {
+    const f = this.frame;
+    if (w > f.right - f.left) return null;
+    const at = this.nearest([...this.labels, ...this.lines], x, y, w, h, 8 * h) ||
+      this.nearest(this.labels, x, y, w, h, f.right - f.left + f.bottom - f.top);
+    if (at) this.labels.push([...at, w, h]);
+    return at;
   }
 }
 
 /// A drawing whose lines are drawn first and whose labels then find their places.
 class Sheet {
-  constructor(view, width, letter) {
-    this.scale = new Scale(view, width, 46);
-    this.letter = letter;
+  constructor(view, width, textSize) {
+    this.scale = new Scale(view, width, 50, textSize);
+    this.textSize = textSize;
     this.drawn = drawing(this.scale, true);
     this.places = new Places(this.scale);
     this.labels = [];
+    this.homeless = [];
   }
   put(...shapes) { this.drawn.inside.append(...shapes); }
   line(points, attributes) {
@@ -55,11 +64,22 @@ class Sheet {
     this.put(element('path', {d: `M${x2} ${y2} L${x2 - 10 * ux - 4 * uy} ${y2 - 10 * uy + 4 * ux} L${x2 - 10 * ux + 4 * uy} ${y2 - 10 * uy - 4 * ux} z`, fill: colour}));
   }
   label(at, text, colour) { this.labels.push([at, text, colour]); }
+  /// Labels last, over all lines. One that had to move away has a line to what it names. Those without a place: `homeless`.
   svg() {
+    const [names, leaders] = [[], []];
     for (const [at, text, colour] of this.labels) {
-      const [x, y] = this.places.place(this.scale.x(at[0]), this.scale.y(at[1]), this.letter * text.length + 6, 2.4 * this.letter);
-      this.put(label({x, y: y + 0.6 * this.letter, 'text-anchor': 'middle'}, colour, text));
+      const [wantedX, wantedY] = [this.scale.x(at[0]), this.scale.y(at[1])];
+      const [w, h] = [textWidth(text, this.textSize) + 6, 1.3 * this.textSize];
+      const place = this.places.place(wantedX, wantedY, w, h);
+      if (!place) {
+        this.homeless.push({label: text, colour});
+        continue;
+      }
+      const [x, y] = place;
+      if (Math.abs(x - wantedX) > w / 2 + h || Math.abs(y - wantedY) > 1.5 * h) leaders.push(element('line', {x1: wantedX, y1: wantedY, x2: x, y2: y, stroke: colour, 'stroke-width': 0.7}));
+      names.push(label({x, y: y + 0.33 * this.textSize, 'text-anchor': 'middle'}, colour, text));
     }
+    this.put(...leaders, ...names);
     return this.drawn.svg;
   }
 }
@@ -124,13 +144,13 @@ function drawDimensions(d, sheet) {
   if (d.crest[1] - d.crest[0] > 1e-6 * d.top) span([d.crest[0], above], [d.crest[1], above], `${number(d.crest[1] - d.crest[0])} m`);
 }
 
-function legendRows(state) {
-  return element('p', {class: 'legend'}, ...state.legend.map(row => element('span', {}, element('i', {style: `background: ${row.colour}`}), row.label)));
+function legendRows(rows) {
+  return element('p', {class: 'legend'}, ...rows.map(row => element('span', {}, element('i', {style: `background: ${row.colour}`}), row.label)));
 }
 
-/// The section in a state, `letter` points a letter wide; `whole` with dimensions and the names of joints.
-function stateFigure(report, state, width, letter, whole, caption) {
-  const sheet = new Sheet(state.view, width, letter);
+/// The section in a state, its texts `textSize` points high on paper; `whole` with dimensions and the names of joints.
+function stateFigure(report, state, width, textSize, whole, caption) {
+  const sheet = new Sheet(state.view, width, textSize);
   sheet.put(...state.pools.map(pool => element('polygon', {points: sheet.scale.points(pool), fill: 'var(--pool)'})),
     ...blockShapes(report, {outlines: report.blocks.map(b => b.outline)}, sheet.scale));
   drawLoads(state, sheet, whole);
@@ -138,18 +158,22 @@ function stateFigure(report, state, width, letter, whole, caption) {
   drawBolts(state.bolts, report.size_m, sheet, whole);
   if (whole) drawDimensions(report.dimensions, sheet);
   drawLevels(state, sheet);
-  return element('figure', {class: 'state'}, sheet.svg(), legendRows(state), element('figcaption', {}, caption));
+  const svg = sheet.svg();
+  const told = new Set(state.legend.map(row => row.label));
+  return element('figure', {class: 'state'}, svg, legendRows([...state.legend, ...sheet.homeless.filter(row => !told.has(row.label))]), element('figcaption', {}, caption));
 }
 
 function sectionFigure(report) {
-  return stateFigure(report, report.state, fittingWidth(report.state.view), 7.6, true,
-    `Blocks as the scene draws them, with what acts at ${number(report.state.time_s)} s. Diagrams stand on the outer side of what they press on, each kind to a scale of its own; an arrow is a resultant. Uplift stands below its joint. Dashed red: joints with a name.`);
+  const highest = Math.max(...report.blocks.flatMap(b => b.outline.map(p => p[1])));
+  const over = report.state.upstream > highest + 1e-6 * report.size_m ? ' Water above the highest block would flow over it, and is not drawn.' : '';
+  return stateFigure(report, report.state, fittingWidth(report.state.view), 14, true,
+    `Blocks as the scene draws them, with what acts at ${number(report.state.time_s)} s. Diagrams stand on the outer side of what they press on, each kind to a scale of its own; an arrow is a resultant. Uplift stands below its joint. Dashed red: joints with a name.${over}`);
 }
 
 /// A small section for each load case.
 function caseFigures(report) {
   const cases = report.safety.filter(c => c.section);
-  return element('div', {class: 'cases'}, ...cases.map(c => stateFigure(report, c.section, 460, 9, false,
+  return element('div', {class: 'cases'}, ...cases.map(c => stateFigure(report, c.section, 460, 17, false,
     `${c.name}${is(c.factor) ? `: factor ${number(c.factor, 4)}` : ''}${is(c.required) ? `, required ${number(c.required, 4)}` : ''}`)));
 }
 
