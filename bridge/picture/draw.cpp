@@ -53,30 +53,29 @@ std::string terminal_of(const Picture& picture) {
 }  // namespace
 
 std::string gnuplot_script(const Picture& picture, const std::string& output) {
-  return fmt::format("reset\nset terminal {}\nset output '{}'\n{}unset output\nundefine $*\n", terminal_of(picture),
-                     output, picture.commands);
+  return fmt::format("reset\nset terminal {}\nset output '{}'\n{}unset output\nundefine $*\n{}", terminal_of(picture),
+                     output, picture.commands, one_more_drawn);
 }
 
 void draw(const std::vector<Picture>& pictures, bool told) {
   const std::vector<MemoryFile> drawn(pictures.size());
-  std::string script;
+  std::string script = "set print '-'\n";
   for (std::size_t i = 0; i < pictures.size(); ++i) script += gnuplot_script(pictures[i], drawn[i].path());
-  GnuplotProgram program(drawn);
+  std::size_t all = 0;
+  for (std::size_t at = 0; (at = script.find(one_more_drawn, at)) != std::string::npos; ++at) ++all;
+  GnuplotProgram program(script, drawn);
   {
     DrawnShare share(told);
-    constexpr std::size_t piece = 16384;
-    for (std::size_t at = 0; at < script.size(); at += piece) {
-      program.read(std::string_view(script).substr(at, piece));
-      share.show(static_cast<double>(std::min(at + piece, script.size())) / static_cast<double>(script.size()));
+    for (std::size_t done = 0; program.printed();) {
+      share.show(static_cast<double>(++done) / static_cast<double>(std::max(all, done)));
     }
   }
   program.end();
   for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const std::string& file = pictures[i].file.string();
     const std::string picture = drawn[i].text();
-    if (picture.empty())
-      throw std::runtime_error(
-          fmt::format("{}: gnuplot drew nothing; try again with more memory", pictures[i].file.string()));
-    results::replace_file(pictures[i].file, picture);
+    if (picture.empty()) throw std::runtime_error(file + ": gnuplot drew nothing; try again with more memory");
+    results::replace_file(file, picture);
   }
 }
 

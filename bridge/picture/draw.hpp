@@ -16,6 +16,9 @@ struct Picture {
   int letter_points = 12;      ///< size of the letters
 };
 
+/// In a script: what is drawn so far counts as one more of all.
+inline constexpr const char* one_more_drawn = "print 'drawn'\n";
+
 /// gnuplot's commands for the picture, drawn into `output`, which is written by us and never by a user.
 std::string gnuplot_script(const Picture& picture, const std::string& output);
 

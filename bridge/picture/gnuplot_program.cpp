@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,14 +25,18 @@ constexpr int no_program = 127;
   throw std::runtime_error(fmt::format("cannot start gnuplot: {}; end other programs", std::strerror(errno)));
 }
 
-[[noreturn]] void become_gnuplot(int line, int words, const std::vector<MemoryFile>& outputs, pid_t parent) {
+/// It reads a file: what comes through a pipe it reads letter by letter.
+[[noreturn]] void become_gnuplot(const MemoryFile& script, int lines, int words, const std::vector<MemoryFile>& outputs,
+                                 pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(no_program);  // gone before we said so
   for (const MemoryFile& output : outputs) ::fcntl(output.number(), F_SETFD, 0);
-  ::dup2(line, STDIN_FILENO);
-  ::dup2(words, STDOUT_FILENO);
+  ::fcntl(script.number(), F_SETFD, 0);
+  ::dup2(::open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);
+  ::dup2(lines, STDOUT_FILENO);
   ::dup2(words, STDERR_FILENO);
-  ::execlp("gnuplot", "gnuplot", "--default-settings", nullptr);  // no start-up file of the user's
+  ::execlp("gnuplot", "gnuplot", "--default-settings", script.path().c_str(),
+           nullptr);  // no start-up file of the user's
   ::_exit(errno == ENOENT ? no_program : no_program - 1);
 }
 
@@ -64,39 +67,49 @@ std::string MemoryFile::text() const {
   return all;
 }
 
-GnuplotProgram::GnuplotProgram(const std::vector<MemoryFile>& outputs) {
+void MemoryFile::write(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t taken = ::write(file_, text.data(), text.size());
+    if (taken < 0 && errno == EINTR) continue;
+    if (taken <= 0) throw std::runtime_error(fmt::format("no memory for a picture: {}", std::strerror(errno)));
+    text.remove_prefix(static_cast<std::size_t>(taken));
+  }
+}
+
+GnuplotProgram::GnuplotProgram(const std::string& script, const std::vector<MemoryFile>& outputs) {
+  script_.write(script);
   std::array<int, 2> ends{};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) cannot_start_gnuplot();
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) cannot_start_gnuplot();
   const pid_t parent = ::getpid();
   child_ = ::fork();
-  if (child_ == 0) become_gnuplot(ends[1], words_.number(), outputs, parent);
+  if (child_ == 0) become_gnuplot(script_, ends[1], words_.number(), outputs, parent);
   const int why = errno;
   ::close(ends[1]);
-  line_ = ends[0];
+  lines_ = ends[0];
   if (child_ > 0) return;
-  ::close(line_);
+  ::close(lines_);
   errno = why;
   cannot_start_gnuplot();
 }
 
 GnuplotProgram::~GnuplotProgram() {
-  if (line_ >= 0) ::close(line_);
+  if (lines_ >= 0) ::close(lines_);
   if (child_ <= 0) return;
   ::kill(child_, SIGKILL);
   ::waitpid(child_, nullptr, 0);
 }
 
-void GnuplotProgram::read(std::string_view script) {
-  while (!script.empty()) {
-    const ssize_t taken = ::send(line_, script.data(), script.size(), MSG_NOSIGNAL);
-    if (taken < 0 && errno == EINTR) continue;
-    if (taken <= 0) return;
-    script.remove_prefix(static_cast<std::size_t>(taken));
+bool GnuplotProgram::printed() {
+  for (char letter = 0;;) {
+    const ssize_t more = ::read(lines_, &letter, 1);
+    if (more < 0 && errno == EINTR) continue;
+    if (more <= 0) return false;
+    if (letter == '\n') return true;
   }
 }
 
 void GnuplotProgram::end() {
-  ::close(std::exchange(line_, -1));
+  ::close(std::exchange(lines_, -1));
   int status = 0;
   while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) continue;
   child_ = -1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The gnuplot program, which reads commands and draws into files in memory.
+// The gnuplot program, which reads a script and draws into files in memory.
 #pragma once
 
 #include <sys/types.h>
@@ -25,6 +25,8 @@ class MemoryFile {
   /// What a child that inherits it opens.
   [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
   [[nodiscard]] std::string text() const;
+  /// Throws std::runtime_error where memory is short.
+  void write(std::string_view text);
 
  private:
   int file_;
@@ -32,20 +34,21 @@ class MemoryFile {
 
 class GnuplotProgram {
  public:
-  /// Draws into `outputs`. Throws std::runtime_error where no program can be started.
-  explicit GnuplotProgram(const std::vector<MemoryFile>& outputs);
+  /// Begins to draw into `outputs`. Throws std::runtime_error where no program can be started.
+  GnuplotProgram(const std::string& script, const std::vector<MemoryFile>& outputs);
   ~GnuplotProgram();
   GnuplotProgram(const GnuplotProgram&) = delete;
   GnuplotProgram& operator=(const GnuplotProgram&) = delete;
 
-  /// It draws while it reads: this takes as long. What it does not take shows when it ends.
-  void read(std::string_view script);
+  /// Waits until it prints a line; false where it prints no more.
+  bool printed();
   /// Throws std::runtime_error with gnuplot's last words where it is missing, or has refused a command.
   void end();
 
  private:
+  MemoryFile script_;
   MemoryFile words_;
-  int line_ = -1;
+  int lines_ = -1;
   pid_t child_ = -1;
 };
 

@@ -31,7 +31,7 @@ struct Sheet {
   static constexpr double width = 1000;
   static constexpr double left = 80;
   static constexpr double right = 30;
-  static constexpr double top = 50;
+  static constexpr double top = 70;  // a title of two lines
   static constexpr double below_axis = 72;
   static constexpr double row = 21;
   static constexpr double letter = 8.2;
@@ -188,8 +188,9 @@ Picture section_picture(const std::filesystem::path& run, const json& summary, c
   draw_bolts(state["bolts"], size_m, drawing);
   write_labels(data["joints"], state, drawing);
   const std::string title = fmt::format("{}: section at {:.4g} s", scene.title, state["time_s"].get<double>());
-  return {run / ("section" + ending), Sheet::width, sheet.height(),
-          frame_of(sheet, gnuplot_title(title, Sheet::width)) + drawing.script + legend(state["legend"])};
+  return {
+      run / ("section" + ending), Sheet::width, sheet.height(),
+      frame_of(sheet, gnuplot_title(shortened(title, 200), Sheet::width)) + drawing.script + legend(state["legend"])};
 }
 
 }  // namespace blockweir::picture

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_named = 8;
-constexpr std::size_t most_letters = 28;  // of a name in a legend
+constexpr std::size_t most_letters = 20;  // of a name in a legend
 constexpr std::size_t pixels = 1000;
 constexpr std::size_t pixels_of_others = 150;
 
@@ -105,7 +105,7 @@ class Series {
     }
     const std::string range = axis.rest > 0 ? fmt::format("[* < -{0} : {0} < *]", axis.rest) : "[*:*]";
     return fmt::format("{}set key {}\nset ylabel '{}'\nset yrange {}\nplot {}\n", curves.data,
-                       of_blocks ? "outside right top" : "inside top left", axis.label, range, curves.plots);
+                       of_blocks ? "outside right top samplen 2" : "inside top left", axis.label, range, curves.plots);
   }
 
  private:

@@ -210,19 +210,29 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   constexpr double tic_points = 30;        // that a number needs
   axes += fmt::format("set ytics {}\n", round_step(tic_points / snapshot_points * (view.right - view.left)));
   const std::string legend = water.empty() ? " (contacts: green stick, red slip)" : "";
+  const std::string title = summary.value("title", std::string("section"));
   const int columns = 3;
   const int rows = static_cast<int>((picks.size() + 2) / 3);
   std::string snapshots =
-      axes + fmt::format("set multiplot layout {},{} title {}\n", rows, columns,
-                         gnuplot_title(summary.value("title", std::string("section")) + legend, 1350));
+      axes + fmt::format("set multiplot layout {},{} title {}\n", rows, columns, gnuplot_title(title + legend, 1350));
   for (const std::size_t pick : picks) snapshots += moment(frames[pick], view, breached_s, true, flow_at(frames[pick]));
-  const json& one = frames[picks[picks.size() * 2 / 3]];
   std::vector<Picture> pictures{
-      {run / ("snapshots" + ending), 1350, 60 + rows * (60 + 430 * aspect), snapshots + "unset multiplot\n"},
-      {run / ("picture" + ending), 1000, 80 + 940 * aspect, axes + moment(one, view, breached_s, false, flow_at(one))}};
+      {run / ("snapshots" + ending), 1350, 60 + rows * (60 + 430 * aspect), snapshots + "unset multiplot\n"}};
+  // Where a structure falls, what is left at the end shows no longer how.
+  const bool fails = summary.contains("failure") && picks.size() > 1;
+  const json& one = frames[fails ? picks[picks.size() * 2 / 3] : picks.back()];
+  const std::string when =
+      fails ? fmt::format("between the failure and the end at {:.4g} s", frames.back()["time_s"].get<double>())
+            : "the end of the run";
+  pictures.push_back({run / ("picture" + ending), 1000, 120 + 940 * aspect,
+                      axes + fmt::format("set multiplot layout 1,1 title {}\n{}unset multiplot\n",
+                                         gnuplot_title(title + ": " + when, 1000),
+                                         moment(one, view, breached_s, false, flow_at(one)))});
   if (!animated) return pictures;
   std::string all = axes;
-  for (const json& frame : frames) all += moment(frame, view, breached_s, false, flow_at(frame));
+  for (const json& frame : frames) {
+    all += moment(frame, view, breached_s, false, flow_at(frame)) + one_more_drawn;
+  }
   pictures.push_back({run / "animation.gif", 900, 80 + 840 * aspect, all});
   return pictures;
 }

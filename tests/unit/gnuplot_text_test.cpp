@@ -64,10 +64,10 @@ class GnuplotText : public OwnFolder {
     std::ofstream(folder / "history.csv")
         << "time_s,upstream_level_m," << quoted(".displacement_x_m") << ',' << quoted(".displacement_y_m") << ','
         << quoted(".rotation_rad") << "\n0,1,0,0,0\n1,2,1,1,1\n";
-    const nlohmann::json outline = {{0, 0}, {1, 0}, {1, 1}};
-    const nlohmann::json blocks = {{{"name", name}, {"fixed", false}, {"outline", outline}}};
+    const auto outline = nlohmann::json::parse("[[0, 0], [1, 0], [1, 1]]");
+    const nlohmann::json block = {{"name", name}, {"fixed", false}, {"outline", outline}};
     std::ofstream(folder / "frames.jsonl") << nlohmann::json{{"time_s", 0.0},
-                                                             {"blocks", blocks},
+                                                             {"blocks", nlohmann::json::array({block})},
                                                              {"contacts", nlohmann::json::array()},
                                                              {"upstream_level_m", nullptr},
                                                              {"downstream_level_m", nullptr}}
@@ -89,8 +89,8 @@ class GnuplotText : public OwnFolder {
       all.insert(all.end(), more.begin(), more.end());
     }
     const std::array<scene::Sweep, 2> axes = {scene::Sweep{name, {"1"}}, scene::Sweep{"key", {name}}};
-    all.push_back(
-        {folder / "map.png", 800, 600, study::map_figure(axes, {{{"shown", "stands"}, {"verdict", "right"}}})});
+    const nlohmann::json cell = {{"shown", "stands"}, {"verdict", "right"}};
+    all.push_back({folder / "map.png", 800, 600, study::map_figure(axes, nlohmann::json::array({cell}))});
     return all;
   }
 };
@@ -150,6 +150,19 @@ TEST_F(GnuplotText, NoFileIsLeftWhereGnuplotRefuses) {
   EXPECT_TRUE(fs::is_empty(folder));
   picture::draw({sound});
   EXPECT_GT(fs::file_size(sound.file), 100U);
+}
+
+TEST_F(GnuplotText, AFullDiskIsToldWithItsReason) {
+  const fs::path full = folder / "full.png";
+  fs::create_symlink("/dev/full", full);
+  try {
+    picture::draw({{full, 100, 100, "plot x\n"}});
+    FAIL() << "a full disk took a picture";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()), "cannot write " + full.string() +
+                                             ": is the disk full, or the folder not writable? (No space left on "
+                                             "device)");
+  }
 }
 
 TEST(Curve, KeepsTheLowestAndHighestOfEachSpanAndTheGaps) {
