@@ -4,15 +4,15 @@
 namespace blockweir::solid {
 
 PointForces::PointForces(const ForceRule& rule, const Eigen::Matrix2d& flexibility)
-    : gap_by_normal_(flexibility(0, 0) + rule.compliance[0]),
-      gap_by_shear_(flexibility(1, 0)),
-      slip_by_shear_(flexibility(1, 1) + rule.compliance[1]),
-      friction_(rule.friction),
-      cohesion_(rule.cohesion),
+    : may_open_(rule.opens && rule.least_normal == 0),
+      opening_(rule.opening),
       least_normal_(rule.least_normal),
       most_normal_(rule.most_normal),
-      opening_(rule.opening),
-      may_open_(rule.opens && rule.least_normal == 0) {
+      friction_(rule.friction),
+      cohesion_(rule.cohesion),
+      gap_by_normal_(flexibility(0, 0) + rule.compliance[0]),
+      gap_by_shear_(flexibility(1, 0)),
+      slip_by_shear_(flexibility(1, 1) + rule.compliance[1]) {
   const double per = 1 / (gap_by_normal_ * slip_by_shear_ - gap_by_shear_ * gap_by_shear_);
   stiffness_ = {slip_by_shear_ * per, -gap_by_shear_ * per, gap_by_normal_ * per};
   shear_per_slip_ = 1 / slip_by_shear_;
@@ -25,24 +25,6 @@ PointForces::PointForces(const ForceRule& rule, const Eigen::Matrix2d& flexibili
     s.gap_by_cohesion = cohesion_ > 0 ? by_shear * side * cohesion_ : 0;
     s.normal_per_gap = by_normal > 0 ? 1 / by_normal : 0;
   }
-}
-
-/// The normal force that closes the gap while shear of this sign is at its bound, unless the slip is to the wrong side.
-bool PointForces::slips(double gap, double slip, bool positive, RuledForce& found) const {
-  const Slipping& s = slipping_[positive ? 1 : 0];
-  if (s.normal_per_gap == 0) return false;
-  const double side = positive ? 1 : -1;
-  const double normal = within(-(gap - s.opening * slip + s.gap_by_cohesion) * s.normal_per_gap);
-  const double shear = side * std::max(0.0, cohesion_ + friction_ * normal);
-  found.force = {normal, shear};
-  return side * (slip + gap_by_shear_ * normal + slip_by_shear_ * shear) <= 0;
-}
-
-RuledForce PointForces::at_bound(double gap, double slip, bool positive) const {
-  RuledForce found{{0, 0}, true};
-  if (slips(gap, slip, positive, found) || slips(gap, slip, !positive, found)) return found;
-  found.force = {within(-gap / gap_by_normal_), 0};
-  return found;
 }
 
 }  // namespace blockweir::solid

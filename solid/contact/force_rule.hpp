@@ -44,15 +44,21 @@ class PointForces {
   /// `flexibility`: d (gap, slip) / d (normal, shear), symmetric and positive, the rule's compliance not among it.
   PointForces(const ForceRule& rule, const Eigen::Matrix2d& flexibility);
 
+  /// Plain numbers: they stay in registers.
+  struct Found {
+    double normal = 0;
+    double shear = 0;
+    bool slips = false;
+  };
   /// `gap`, `slip`: what they would be without the forces [m]. Of Coulomb's law one point has at least one solution,
   /// for friction that does not jam; where it jams the shear is left out.
-  [[nodiscard]] RuledForce at(double gap, double slip) const {
+  [[nodiscard]] Found at(double gap, double slip) const {
     if (may_open_ && gap >= opening_[slip > 0 ? 0 : 1] * slip) return {};
     const double free_normal = -(stiffness_[0] * gap + stiffness_[1] * slip);
     const double normal = within(free_normal);
     const double shear = normal == free_normal ? -(stiffness_[1] * gap + stiffness_[2] * slip)
                                                : -(slip + gap_by_shear_ * normal) * shear_per_slip_;
-    if (std::abs(shear) <= std::max(0.0, cohesion_ + friction_ * normal)) return {{normal, shear}, false};
+    if (std::abs(shear) <= std::max(0.0, cohesion_ + friction_ * normal)) return {normal, shear, false};
     return at_bound(gap, slip, shear > 0);
   }
 
@@ -65,26 +71,41 @@ class PointForces {
   };
 
   [[nodiscard]] double within(double normal) const { return std::min(std::max(normal, least_normal_), most_normal_); }
-  [[nodiscard]] RuledForce at_bound(double gap, double slip, bool positive) const;
-  [[nodiscard]] bool slips(double gap, double slip, bool positive, RuledForce& found) const;
+  [[nodiscard]] Found at_bound(double gap, double slip, bool positive) const {
+    Found found{0, 0, true};
+    if (slips(gap, slip, positive, found) || slips(gap, slip, !positive, found)) return found;
+    return {within(-gap / gap_by_normal_), 0, true};
+  }
+  /// The normal force that closes the gap while shear of this sign is at its bound, unless the slip is to the wrong
+  /// side.
+  [[nodiscard]] bool slips(double gap, double slip, bool positive, Found& found) const {
+    const Slipping& s = slipping_[positive ? 1 : 0];
+    if (s.normal_per_gap == 0) return false;
+    const double side = positive ? 1 : -1;
+    found.normal = within(-(gap - s.opening * slip + s.gap_by_cohesion) * s.normal_per_gap);
+    found.shear = side * std::max(0.0, cohesion_ + friction_ * found.normal);
+    return side * (slip + gap_by_shear_ * found.normal + slip_by_shear_ * found.shear) <= 0;
+  }
 
+  // In the order in which a visit reads them.
+  bool may_open_ = true;
+  std::array<double, 2> opening_ = {0, 0};
   std::array<double, 3> stiffness_ = {0, 0, 0};  ///< gap, both, slip
+  double least_normal_ = 0;
+  double most_normal_ = 0;
+  double friction_ = 0;
+  double cohesion_ = 0;
+  std::array<Slipping, 2> slipping_;
   double gap_by_normal_ = 0;
   double gap_by_shear_ = 0;
   double slip_by_shear_ = 0;
   double shear_per_slip_ = 0;
-  double friction_ = 0;
-  double cohesion_ = 0;
-  double least_normal_ = 0;
-  double most_normal_ = 0;
-  std::array<double, 2> opening_ = {0, 0};
-  std::array<Slipping, 2> slipping_;
-  bool may_open_ = true;
 };
 
 /// Of a point that is asked once.
 inline RuledForce forces_of(const ForceRule& rule, const Eigen::Matrix2d& flexibility, const Eigen::Vector2d& apart) {
-  return PointForces(rule, flexibility).at(apart[0], apart[1]);
+  const PointForces::Found found = PointForces(rule, flexibility).at(apart[0], apart[1]);
+  return {{found.normal, found.shear}, found.slips};
 }
 
 }  // namespace blockweir::solid

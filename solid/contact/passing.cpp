@@ -38,38 +38,61 @@ const std::vector<Point>& ContactSearch::outline(const std::vector<Placement>& p
   return corners;
 }
 
+void ContactSearch::sort_passing() {
+  passing_of_.clear();
+  for (std::size_t i = 0; i < passing_.size(); ++i) {
+    for (const int b : {passing_[i].vertex_block, passing_[i].edge_block})
+      passing_of_.emplace_back(b, static_cast<int>(i));
+  }
+  std::sort(passing_of_.begin(), passing_of_.end());
+}
+
+bool ContactSearch::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts) {
+  bool any = false;
+  for (const ContactPoint& c : passing_) any = note_entered(placements, contacts, c) || any;
+  return any;
+}
+
 bool ContactSearch::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
-                            const std::function<bool(int)>& of_interest) {
-  const auto presses_already = [&](const ContactPoint& passing) {
-    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
-      return c.state != ContactState::open && c.vertex_block == passing.vertex_block && c.vertex == passing.vertex &&
-             c.edge_block == passing.edge_block;
-    });
-  };
+                            const std::vector<int>& island) {
+  bool any = false;
+  for (const int b : island) {
+    auto of_b = std::lower_bound(passing_of_.begin(), passing_of_.end(), std::pair(b, 0));
+    for (; of_b != passing_of_.end() && of_b->first == b; ++of_b) {
+      const ContactPoint& c = passing_[at(of_b->second)];
+      const int other = c.vertex_block == b ? c.edge_block : c.vertex_block;
+      if (other < b && std::binary_search(island.begin(), island.end(), other)) continue;  // looked at with that one
+      any = note_entered(placements, contacts, c) || any;
+    }
+  }
+  return any;
+}
+
+bool ContactSearch::note_entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                                 const ContactPoint& c) {
+  if (c.gap < -give_) return false;  // behind the edge's line all along
+  const auto& vertices = outline(placements, c.vertex_block, outlines_[0]);
+  const auto& edges = outline(placements, c.edge_block, outlines_[1]);
+  if (!within(vertices, at(c.vertex), edges, at(c.edge))) return false;
+  const bool presses_already = std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& other) {
+    return other.state != ContactState::open && other.vertex_block == c.vertex_block && other.vertex == c.vertex &&
+           other.edge_block == c.edge_block;
+  });
+  if (presses_already) return false;
   // A vertex that has gone through an edge and out again beside its end has that end in one of its sides. Where the two
   // are a contact, that holds what the step at hand has not closed yet.
-  const auto side_holds_end = [&](const ContactPoint& through, std::size_t sides, std::size_t ends) {
-    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
-      return c.vertex_block == through.edge_block && c.edge_block == through.vertex_block &&
-             (c.vertex == through.edge || at(c.vertex) == next(at(through.edge), ends)) &&
-             (c.edge == through.vertex || at(through.vertex) == next(at(c.edge), sides));
-    });
+  const auto side_holds_end = [&](const ContactPoint& other) {
+    return other.vertex_block == c.edge_block && other.edge_block == c.vertex_block &&
+           (other.vertex == c.edge || at(other.vertex) == next(at(c.edge), edges.size())) &&
+           (other.edge == c.vertex || at(c.vertex) == next(at(other.edge), vertices.size()));
   };
-  const std::size_t before = entered_.size();
-  for (const ContactPoint& c : passing_) {
-    if (!of_interest(c.vertex_block) && !of_interest(c.edge_block)) continue;
-    if (c.gap < -give_) continue;  // behind the edge's line all along
-    const auto& vertices = outline(placements, c.vertex_block, outlines_[0]);
-    const auto& edges = outline(placements, c.edge_block, outlines_[1]);
-    if (!within(vertices, at(c.vertex), edges, at(c.edge)) || presses_already(c)) continue;
-    const bool through =
-        !encloses(edges, vertices[at(c.vertex)]) && pierces(vertices, at(c.vertex), edges, at(c.edge), coincidence_);
-    if (through && side_holds_end(c, vertices.size(), edges.size())) continue;
-    const Point span = edges[next(at(c.edge), edges.size())] - edges[at(c.edge)];
-    entered_.push_back(c);
-    entered_.back().gap = cross(vertices[at(c.vertex)] - edges[at(c.edge)], span.normalized());
-  }
-  return entered_.size() > before;
+  const bool through =
+      !encloses(edges, vertices[at(c.vertex)]) && pierces(vertices, at(c.vertex), edges, at(c.edge), coincidence_);
+  if (through && std::any_of(contacts.begin(), contacts.end(), side_holds_end)) return false;
+  const Point span = edges[next(at(c.edge), edges.size())] - edges[at(c.edge)];
+  entered_.push_back(c);
+  entered_.back().gap = cross(vertices[at(c.vertex)] - edges[at(c.edge)], span.normalized());
+  return true;
 }
 
 bool ContactSearch::presses_too(const ContactPoint& c) const {

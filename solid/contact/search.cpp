@@ -105,6 +105,7 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
   count_from_passing();
   drop_edges_seen_from_within();
   keep_one_of_each_meeting();
+  sort_passing();
   contacts.swap(found_);
 }
 

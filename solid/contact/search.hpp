@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -45,11 +44,11 @@ class ContactSearch {
 
   /// Has a step to these placements taken a corner that was let pass into the block that it met? If so, the next search
   /// from the same start keeps its contact. What one of `contacts`, as the step has
-  /// them, holds on another edge of that block has not, however far its spring lets it in. Of blocks that are
-  /// `of_interest`.
-  [[nodiscard]] bool entered(
-      const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
-      const std::function<bool(int block)>& of_interest = [](int) { return true; });
+  /// them, holds on another edge of that block has not, however far its spring lets it in. Of all
+  /// blocks, or of those of an island, by increasing number.
+  [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts);
+  [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                             const std::vector<int>& island);
   /// Has it turned two faces onto each other at corners of which one was left out for the other? If so, the next search
   /// from the same start keeps both.
   [[nodiscard]] bool turned_on(const std::vector<Placement>& placements);
@@ -62,6 +61,7 @@ class ContactSearch {
   void serialize(Archive& archive) {
     archive(corners_at_pairs_, pairs_, broad_searches_, reach_, passing_, stood_for_, coincidence_, opened_at_pairs_,
             parted_);
+    if (Archive::is_loading::value) sort_passing();
   }
 
  private:
@@ -94,7 +94,10 @@ class ContactSearch {
   [[nodiscard]] bool bound_overlap(const ContactPoint& a, const ContactPoint& b) const;
   [[nodiscard]] bool within(const std::vector<Point>& vertices, std::size_t v, const std::vector<Point>& edges,
                             std::size_t edge) const;
+  void sort_passing();
   [[nodiscard]] bool did_enter(const ContactPoint& c) const;
+  bool note_entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                    const ContactPoint& passing);
   const std::vector<Point>& outline(const std::vector<Placement>& placements, int block,
                                     std::vector<Point>& corners) const;
   [[nodiscard]] bool presses_too(const ContactPoint& c) const;
@@ -117,12 +120,13 @@ class ContactSearch {
   std::vector<std::pair<int, int>> pairs_;
   std::vector<ContactPoint> found_;
   std::vector<char> inherited_;
-  std::vector<ContactPoint> passing_;           ///< corners that may pass each other, left out
-  std::vector<ContactPoint> passed_;            ///< those of the search before
-  std::vector<ContactPoint> stood_for_;         ///< left out for what their corner has on the other block's edge
-  std::array<std::vector<Point>, 2> outlines_;  ///< of such corners' blocks
-  std::vector<ContactPoint> entered_;           ///< of passing ones, those that did not in the step at hand
-  std::vector<ContactPoint> turned_on_;         ///< of those stood for, the ones that press too in it
+  std::vector<ContactPoint> passing_;            ///< corners that may pass each other, left out
+  std::vector<std::pair<int, int>> passing_of_;  ///< (block, index of a passing one), of both blocks, sorted
+  std::vector<ContactPoint> passed_;             ///< those of the search before
+  std::vector<ContactPoint> stood_for_;          ///< left out for what their corner has on the other block's edge
+  std::array<std::vector<Point>, 2> outlines_;   ///< of such corners' blocks
+  std::vector<ContactPoint> entered_;            ///< of passing ones, those that did not in the step at hand
+  std::vector<ContactPoint> turned_on_;          ///< of those stood for, the ones that press too in it
   // Of joints that dilate; empty where none does.
   std::vector<std::pair<std::pair<int, int>, double>> openings_;  ///< of pairs, at which their faces still touch [m]
   std::vector<double> opened_;                                    ///< the largest of each block

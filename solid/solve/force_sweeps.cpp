@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace blockweir::solid {
 
@@ -25,6 +26,8 @@ void ForceSweeps::begin_sweeps() {
   nearest_m_ = least_m_ = std::numeric_limits<double>::infinity();
   in_vain_ = 0;
   part_ = 1;
+  sweeps_ = 0;
+  last_m_ = std::numeric_limits<double>::infinity();
 }
 
 void ForceSweeps::displace(const Eigen::VectorXd& displacement) {
@@ -37,21 +40,12 @@ void ForceSweeps::let_act() {
   begin_sweeps();
 }
 
-namespace {
-
-/// Of rigid blocks, most of what is swept: no loop, and sums that do not wait for each other.
-double dot3(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-}  // namespace
-
 void ForceSweeps::act(const Row& row, double normal, double shear) {
   for (const End& end : row.ends) {
     const double* by_normal = entries_.data() + end.first_entry + 2 * end.count;
     const double* by_shear = by_normal + end.count;
     double* moved = displacement_.data() + end.first;
-    if (end.count == 3) {
+    if (end.count == 3) {  // of rigid blocks, most of what is swept: no loop
       const std::array<double, 3> sum = {moved[0] + (normal * by_normal[0] + shear * by_shear[0]),
                                          moved[1] + (normal * by_normal[1] + shear * by_shear[1]),
                                          moved[2] + (normal * by_normal[2] + shear * by_shear[2])};
@@ -62,24 +56,28 @@ void ForceSweeps::act(const Row& row, double normal, double shear) {
   }
 }
 
-Eigen::Vector2d ForceSweeps::apart(const Row& row) const {
-  double gap = row.apart[0];
-  double slip = row.apart[1];
+ForceSweeps::Apart ForceSweeps::apart_of(const Row& row) const {
+  Apart now{row.apart[0], row.apart[1]};
   for (const End& end : row.ends) {
     const double* of_gap = entries_.data() + end.first_entry;
     const double* of_slip = of_gap + end.count;
     const double* moved = displacement_.data() + end.first;
     if (end.count == 3) {
-      gap += dot3(of_gap, moved);
-      slip += dot3(of_slip, moved);
+      now.gap += of_gap[0] * moved[0] + of_gap[1] * moved[1] + of_gap[2] * moved[2];
+      now.slip += of_slip[0] * moved[0] + of_slip[1] * moved[1] + of_slip[2] * moved[2];
       continue;
     }
     for (Eigen::Index i = 0; i < end.count; ++i) {
-      gap += of_gap[i] * moved[i];
-      slip += of_slip[i] * moved[i];
+      now.gap += of_gap[i] * moved[i];
+      now.slip += of_slip[i] * moved[i];
     }
   }
-  return {gap, slip};
+  return now;
+}
+
+Eigen::Vector2d ForceSweeps::apart(const Row& row) const {
+  const Apart now = apart_of(row);
+  return {now.gap, now.slip};
 }
 
 /// In scalars: a pair that has just been written one by one is read slowly as one.
@@ -87,15 +85,15 @@ void ForceSweeps::visit(Row& row, Progress& progress) {
   const Eigen::Matrix2d& W = row.flexibility;
   const double normal = row.force[0];
   const double shear = row.force[1];
-  const Eigen::Vector2d now = apart(row);
-  const RuledForce found =
-      row.forces.at(now[0] - W(0, 0) * normal - W(0, 1) * shear, now[1] - W(1, 0) * normal - W(1, 1) * shear);
-  const double more_normal = part_ * (found.force[0] - normal);
-  const double more_shear = part_ * (found.force[1] - shear);
+  const Apart now = apart_of(row);
+  const PointForces::Found found =
+      row.forces.at(now.gap - W(0, 0) * normal - W(0, 1) * shear, now.slip - W(1, 0) * normal - W(1, 1) * shear);
+  const double more_normal = part_ * (found.normal - normal);
+  const double more_shear = part_ * (found.shear - shear);
   row.slips = found.slips;
   if (more_normal == 0 && more_shear == 0) return;
-  row.force[0] = part_ == 1 ? found.force[0] : normal + more_normal;
-  row.force[1] = part_ == 1 ? found.force[1] : shear + more_shear;
+  row.force[0] = part_ == 1 ? found.normal : normal + more_normal;
+  row.force[1] = part_ == 1 ? found.shear : shear + more_shear;
   act(row, more_normal, more_shear);
   progress.ahead -= W(0, 0) * more_normal * (row.force[0] - row.force_before[0]) +
                     W(1, 1) * more_shear * (row.force[1] - row.force_before[1]);
@@ -105,7 +103,8 @@ void ForceSweeps::visit(Row& row, Progress& progress) {
 
 /// All forces, and what they displace, by so much of what the last sweep has changed.
 void ForceSweeps::go_on(double beyond) {
-  for (Row& row : rows_) {
+  for (const int k : acting_) {
+    Row& row = rows_[at(k)];
     const Eigen::Vector2d now = row.force;
     row.force += beyond * (now - row.force_before);
     row.force_before = now;
@@ -117,6 +116,26 @@ void ForceSweeps::go_on(double beyond) {
   }
 }
 
+/// Half of the rows are contacts that stay open: they are looked at in every tenth sweep, and before an end.
+void ForceSweeps::choose_rows() {
+  constexpr int between = 10;
+  saw_all_ = sweeps_++ % between == 0 || part_ != 1 || last_m_ <= enough_m_;
+  if (!saw_all_) return;
+  acting_.resize(rows_.size());
+  std::iota(acting_.begin(), acting_.end(), 0);
+}
+
+int ForceSweeps::settle(int most, double enough_m) {
+  enough_m_ = enough_m;
+  double before_m = std::numeric_limits<double>::infinity();  // acceleration turns: two sweeps are to be near
+  for (int n = 1; n <= most; ++n) {
+    const double left_m = sweep();
+    if (saw_all_ && std::max(left_m, before_m) <= enough_m) return n;
+    before_m = left_m;
+  }
+  return most;
+}
+
 double ForceSweeps::sweep() {
   constexpr int patience = 50;
   constexpr double part = 0.7;
@@ -124,6 +143,7 @@ double ForceSweeps::sweep() {
     part_ = part;
     nearest_m_ = std::numeric_limits<double>::infinity();
   }
+  choose_rows();
   return last_m_ = part_ == 1 ? sweep_ahead() : sweep_part_way();
 }
 
@@ -136,7 +156,13 @@ double ForceSweeps::sweep_ahead() {
   go_on((momentum_ - 1) / next);
   if (accelerates_) momentum_ = next;
   Progress progress;
-  for (Row& row : rows_) visit(row, progress);
+  for (const int k : acting_) visit(rows_[at(k)], progress);
+  if (saw_all_) {
+    std::erase_if(acting_, [&](int k) {
+      const Row& row = rows_[at(k)];
+      return row.force.isZero(0) && row.force_before.isZero(0);
+    });
+  }
   least_m_ = std::min(least_m_, progress.largest_m);
   if (progress.ahead > 0 || progress.largest_m > grows * least_m_) {
     momentum_ = 1;
@@ -178,7 +204,8 @@ double ForceSweeps::residual() const {
   double largest = 0;
   for (const Row& row : rows_) {
     const Eigen::Vector2d without = apart(row) - row.flexibility * row.force;
-    const Eigen::Vector2d change = row.forces.at(without[0], without[1]).force - row.force;
+    const PointForces::Found found = row.forces.at(without[0], without[1]);
+    const Eigen::Vector2d change = Eigen::Vector2d(found.normal, found.shear) - row.force;
     largest = std::max(largest, (row.flexibility * change).cwiseAbs().maxCoeff());
   }
   return largest;

@@ -16,19 +16,20 @@ class ForceSweeps {
  public:
   /// What one end of a force meets: unknowns that follow each other.
   struct End {
-    Eigen::Index first = 0;
-    Eigen::Index count = 0;       ///< 0: what does not move
     std::size_t first_entry = 0;  ///< of its motions, then responses
+    int first = 0;
+    int count = 0;  ///< 0: what does not move
   };
+  /// In the order of a visit, what none reads last.
   struct Row {
     std::array<End, 2> ends;
-    Eigen::Matrix2d flexibility = Eigen::Matrix2d::Zero();  ///< of gap and slip, by the row's own forces
-    Eigen::Vector2d apart = Eigen::Vector2d::Zero();        ///< gap and slip without a displacement [m]
+    Eigen::Vector2d apart = Eigen::Vector2d::Zero();  ///< gap and slip without a displacement [m]
     Eigen::Vector2d force = Eigen::Vector2d::Zero();
-    ForceRule rule{};
+    Eigen::Matrix2d flexibility = Eigen::Matrix2d::Zero();   ///< of gap and slip, by the row's own forces
+    PointForces forces{};                                    ///< by the rule, as sweeps have them
     Eigen::Vector2d force_before = Eigen::Vector2d::Zero();  ///< as the sweep before left it, or the nearest
     bool slips = false;                                      ///< shear is at its bound
-    PointForces forces{};                                    ///< by the rule, as sweeps have them
+    ForceRule rule{};
   };
 
   /// No rows, but room for so many, and displacements that there are without forces.
@@ -48,7 +49,10 @@ class ForceSweeps {
   /// Each force once, from forces that go on as the last sweep changed them (Nesterov's acceleration), or that stand
   /// where that would lead away. Where that has long come no nearer, each force goes a part of the way. Largest change
   /// of a gap or slip by a row's own forces [m].
+  /// Of rows without a force most sweeps look only at those that the last look at all has found pressed.
   double sweep();
+  /// Sweeps until two in a row, the second of all rows, change no gap or slip by more than that [m]. Their number.
+  int settle(int most, double enough_m);
   /// After sweeps of parts of the way, which come and go: forces and displacements as the nearest of them left them.
   /// What that left [m]; that of the last sweep where none was such.
   double take_nearest();
@@ -65,15 +69,22 @@ class ForceSweeps {
     double largest_m = 0;  ///< change of a gap or slip
     double ahead = 0;      ///< above zero: the sweep has taken back what acceleration had gone ahead
   };
+  struct Apart {
+    double gap = 0;
+    double slip = 0;
+  };
   void begin_sweeps();
+  [[nodiscard]] inline Apart apart_of(const Row& row) const;
   double sweep_ahead();
   double sweep_part_way();
   void go_on(double beyond);
+  void choose_rows();
   void keep();
   void visit(Row& row, Progress& progress);
-  void act(const Row& row, double normal, double shear);
+  inline void act(const Row& row, double normal, double shear);
 
   std::vector<Row> rows_;
+  std::vector<int> acting_;  ///< rows that had a force as all were looked at last, or got one
   std::vector<double> entries_;
   Eigen::VectorXd displacement_;
   Eigen::VectorXd displacement_before_;  ///< as the sweep before left them, or the nearest of those part of the way
@@ -82,15 +93,18 @@ class ForceSweeps {
   double least_m_ = 0;    ///< that a sweep has changed since acceleration began
   double nearest_m_ = 0;  ///< that any has
   double last_m_ = 0;
-  int in_vain_ = 0;  ///< sweeps that came no nearer
-  double part_ = 1;  ///< of its way that a force goes
+  double enough_m_ = 0;
+  int sweeps_ = 0;        ///< of the same displacements
+  bool saw_all_ = false;  ///< did the last one?
+  int in_vain_ = 0;       ///< sweeps that came no nearer
+  double part_ = 1;       ///< of its way that a force goes
 };
 
 template <class Motions, class Responses>
 void ForceSweeps::add_end(bool second, Eigen::Index first, const Eigen::MatrixBase<Motions>& motions,
                           const Eigen::MatrixBase<Responses>& responses) {
   Row& row = rows_.back();
-  row.ends[second ? 1 : 0] = {first, motions.cols(), entries_.size()};
+  row.ends[second ? 1 : 0] = {entries_.size(), static_cast<int>(first), static_cast<int>(motions.cols())};
   entries_.resize(entries_.size() + at(4 * motions.cols()));
   double* to = entries_.data() + row.ends[second ? 1 : 0].first_entry;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {

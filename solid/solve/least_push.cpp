@@ -10,9 +10,12 @@ namespace blockweir::solid {
 
 LeastPush::LeastPush(const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps)
     : moved_(mass.size() + 1, Eigen::Vector3d::Zero()) {
+  constexpr double far = 10;  // times the deepest overlap: what is pushed moves by some of that
+  double reach_m = 0;
+  for (const Overlap& o : overlaps) reach_m = std::max(reach_m, -far * o.gap);
   const int still = static_cast<int>(mass.size());
   for (const Overlap& o : overlaps) {
-    if (o.ends[0].body < 0 && o.ends[1].body < 0) continue;
+    if (o.gap > reach_m || (o.ends[0].body < 0 && o.ends[1].body < 0)) continue;
     Row& row = rows_.emplace_back();
     row.gap = o.gap;
     for (std::size_t i = 0; i < 2; ++i) {

@@ -176,8 +176,7 @@ void HeldVelocities::settle_by_impulses(IslandEquations& s, double dt) {
     row.force.setZero();
   }
   s.sweeps.displace(beyond);
-  for (int sweep = 0; sweep < most && s.sweeps.sweep() > unheard_m_per_s; ++sweep) {
-  }
+  s.sweeps.settle(most, unheard_m_per_s);
   const Eigen::VectorXd change = s.sweeps.displacement() - before;
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
     state_.blocks[at(s.island.blocks[k])].velocity += s.unknowns->take_own(static_cast<int>(k), change);

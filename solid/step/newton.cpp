@@ -51,7 +51,7 @@ int Newton::turn(int unknowns, const StepMode& mode) const {
     return others_follow && unknowns > few_at_rest ? std::min(most, enough) : most;
   }
   if (unknowns <= few_unknowns) return falls && has_failed ? std::min(most, 20) : most;
-  if (has_failed) return std::min(most, falls ? 10 : 20);
+  if (has_failed) return std::min(most, falls ? 3 : 20);
   return sweeps ? std::min(most, enough) : most;
 }
 

@@ -66,15 +66,22 @@ void PushApart::meet(const IslandEquations& s) {
   for (const int k : s.island.contacts) meetings_.push_back(meeting_now(state_.contacts[at(k)]));
 }
 
+/// What may last of an island's overlaps: more where many blocks fall, as most of their pushes went into the rest.
+double PushApart::lasting_m(const IslandEquations& s) const {
+  constexpr double more = 10;
+  const bool many_fall = s.unknowns->total > large_island && trial_.falls();
+  return (many_fall ? more : 1) * formulation_->settings().lasting_overlap_m;
+}
+
 bool PushApart::push(const IslandEquations& s) {
   constexpr int most = 3;  // pushes turn blocks
-  const FormulationSettings& settings = formulation_->settings();
-  if (settings.lasting_overlap_m == 0) return false;
+  const double lasting = lasting_m(s);
+  if (lasting == 0) return false;
   // Newton's method leaves none but those that a swept step had left.
-  const auto was_left = [&](int k) { return state_.contacts[at(k)].overlap_m < -settings.lasting_overlap_m; };
+  const auto was_left = [&](int k) { return state_.contacts[at(k)].overlap_m < -lasting; };
   if (s.found != Found::by_sweeps && std::none_of(s.island.contacts.begin(), s.island.contacts.end(), was_left))
     return false;
-  const auto overlaps = [&](const Meeting& m) { return m.gap < -settings.lasting_overlap_m; };
+  const auto overlaps = [&](const Meeting& m) { return m.gap < -lasting; };
   int pushes = 0;
   meet(s);
   for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) {
@@ -123,7 +130,7 @@ void PushApart::push_once(const IslandEquations& s) {
   }
   LeastPush push(mass, overlaps);
 
-  push.solve(formulation_->settings().lasting_overlap_m);
+  push.solve(lasting_m(s));
   // What sticks does so where it has been pushed to.
   for (const int k : s.island.contacts) {
     ContactPoint& c = state_.contacts[at(k)];

@@ -31,6 +31,7 @@ class PushApart : StepPart {
   };
 
   void meet(const IslandEquations& island);
+  [[nodiscard]] double lasting_m(const IslandEquations& island) const;
   void push_once(const IslandEquations& island);
   [[nodiscard]] EdgeFrame frame_now(const ContactPoint& c) const;
   [[nodiscard]] Meeting meeting_now(const ContactPoint& c) const;

@@ -51,6 +51,7 @@ void StepIslands::make() {
   std::vector<Island> found = find_islands(trial_.frozen, links_, support_blocks, joined);
   if (!model_.scene.analysis.islands) found = {join(found)};
   counts_.most_islands = std::max(counts_.most_islands, static_cast<long>(found.size()));
+  all_.reserve(found.size());
   for (Island& island : found) {
     std::vector<int> counts;
     std::vector<std::array<int, 3>> nodes;

@@ -21,7 +21,9 @@ constexpr int rounds = 2;  // blocks turn: forces act along other directions whe
 constexpr std::array<double, 3> share_of_round = {0.3, 0.7, 0.1};  // of the sweeps; corners show in the first already
 constexpr double most_visits = 3e4;                                // to contacts, in two rounds
 constexpr double least_sweeps = 100;                               // where an island is large
-constexpr double most_sweeps = 1000;  // also of the first step that is swept: what follows begins with its forces
+constexpr double most_sweeps = 1000;
+constexpr double most_at_first = 400;  // of the first step that is swept: what follows begins with its forces
+constexpr int few_in_a_fall = 24;      // unknowns
 
 }  // namespace
 
@@ -34,41 +36,43 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
     const Temporarily swept(formulation_->settings().swept, true);
     formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, held);
   }
+  // What falls is off by more than that anyway: only where a solution costs next to nothing is it made exact.
+  const bool few = s.unknowns->total <= (trial_.falls() ? few_in_a_fall : few_unknowns);
   const bool begins = !state_.whole_law.after_failure();
-  const double closely = begins || s.unknowns->total <= few_unknowns ? 1e-4 : 1;
+  const double closely = begins || few ? 1e-4 : 1;
   const double enough_m = closely * std::min(2e-8 * model_.size_m, 1e-4 * trial_.fall_m());
   constexpr int most_rounds = 20;  // bonds break a few at a time
   double left_m = 0;
+  bool broken = false;
   for (int round = 1;; ++round) {
     if (!linearize(s, round == 1)) return Found::nothing;
     const double visits = most_visits / static_cast<double>(s.sweeps.rows().size());
     const double most =
-        begins && trial_.first_force.empty() ? most_sweeps : std::clamp(visits, least_sweeps, most_sweeps);
+        begins && trial_.first_force.empty() ? most_at_first : std::clamp(visits, least_sweeps, most_sweeps);
     left_m = sweep(s, static_cast<int>(most * share_of_round[std::min(round, 3) - 1]), enough_m);
     s.correction = s.sweeps.displacement();
     if (!s.correction.allFinite()) return Found::nothing;
     s.move(1);
     take_forces(s);
-    if (round == 1 && state_.search.entered(trial_.placement, state_.contacts, [&](int b) { return s.has(b); })) {
+    if (round == 1 && state_.search.entered(trial_.placement, state_.contacts, s.island.blocks)) {
       return Found::corners;
     }
-    const bool broken = break_bonds(model_.laws, formulation_->settings().force_tolerance_n, model_.blocks,
-                                    s.island.contacts, state_.contacts);
+    broken = break_bonds(model_.laws, formulation_->settings().force_tolerance_n, model_.blocks, s.island.contacts,
+                         state_.contacts);
     if (round >= rounds && (!broken || round >= most_rounds)) break;
   }
   // From states and forces that are next to right Newton's method is exact in a solution or two.
   // In a fall it is worth that to few blocks.
-  const bool small = s.unknowns->total <= few_unknowns;
-  const bool near = left_m <= enough_m && formulation_->holds_exactly() && (small || !trial_.falls());
-  if (near && (small || !state_.finish.skips())) {
+  const bool near = left_m <= enough_m && formulation_->holds_exactly() && (few || !trial_.falls());
+  if (near && (few || !state_.finish.skips())) {
     const bool exact = or_undone(step_, s, mode, [&] { return finish(s, mode); });
-    if (!small) exact ? state_.finish.succeeded() : state_.finish.failed();
+    if (!few) exact ? state_.finish.succeeded() : state_.finish.failed();
     if (exact) return Found::finished;
   }
   // Off by more than a fall through the step, a structure that stands would be thrown.
   if (left_m > trial_.fall_m() && !mode.roughly && !trial_.falls()) return Found::nothing;
   s.left_m = left_m;
-  take_forces(s);
+  if (near || broken) take_forces(s);  // else they act
   s.balance_alone();
   s.find_residual([&](std::size_t k) { s.take_up(k); });
   return Found::by_sweeps;
@@ -87,14 +91,7 @@ bool SweptEquilibrium::finish(IslandEquations& s, const StepMode& mode) {
 /// What the last sweep, or the nearest to forces that stand, still moved.
 double SweptEquilibrium::sweep(IslandEquations& s, int most, double enough_m) {
   const Stopwatch watch(profile_.sweeps);
-  double left_m = 0;
-  double before_m = std::numeric_limits<double>::infinity();  // acceleration turns: two sweeps are to be near
-  for (int sweep = 1; sweep <= most; ++sweep) {
-    ++counts_.sweeps;
-    left_m = s.sweeps.sweep();
-    if (std::max(left_m, before_m) <= enough_m) break;
-    before_m = left_m;
-  }
+  counts_.sweeps += s.sweeps.settle(most, enough_m);
   return s.sweeps.take_nearest();
 }
 

@@ -51,6 +51,27 @@ TEST(ForceSweeps, BalanceMomentumAndPullNothingWhereverTheyStop) {
   }
 }
 
+/// The lower weight is pushed up into the upper one, whose row had been looked at before, and was open.
+TEST(ForceSweeps, EndOnlyWhenRowsThatWereOpenHaveBeenLookedAtAgain) {
+  ForceSweeps sweeps;
+  sweeps.begin(Eigen::VectorXd::Zero(2), 2);
+  Eigen::Matrix2Xd up = Eigen::Matrix2Xd::Zero(2, 1);
+  up(0, 0) = 1;
+  const Eigen::MatrixX2d response = up.transpose();
+  for (const bool ground : {false, true}) {
+    ForceSweeps::Row& row = sweeps.add_row();
+    row.apart = ground ? Eigen::Vector2d(-3, 0) : Eigen::Vector2d(1, 0);
+    sweeps.add_end(false, ground ? 0 : 1, up, response);
+    if (!ground) sweeps.add_end(true, 0, -up, -response);
+    sweeps.rows().back().flexibility(1, 1) = 1;
+  }
+  sweeps.let_act();
+  EXPECT_LT(sweeps.settle(1000, 1e-14), 1000);
+  EXPECT_LE(sweeps.residual(), 1e-13);
+  EXPECT_NEAR(sweeps.displacement()[0], 3, 1e-12);
+  EXPECT_NEAR(sweeps.displacement()[1], 2, 1e-12);
+}
+
 TEST(ForceSweeps, GoOnFromForcesThatTheyAreGiven) {
   ForceSweeps sweeps = stack();
   for (Eigen::Index k = 0; k < weights; ++k) {
