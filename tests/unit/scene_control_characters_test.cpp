@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_scene
+// links: bridge_scene_read
 // No text of a scene holds a character that a terminal obeys, or that ends a line of a table.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,7 +10,6 @@
 #include <sstream>
 
 #include "bridge/scene/read/check.hpp"
-#include "bridge/scene/read/control_characters.hpp"
 #include "bridge/scene/read/digest.hpp"
 #include "bridge/scene/read/encoding.hpp"
 #include "bridge/scene/read/entry.hpp"
