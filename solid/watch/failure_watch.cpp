@@ -161,8 +161,22 @@ void FailureWatch::look(double time_s, const Levels& levels) {
 }
 
 bool FailureWatch::rests_again() const {
-  const std::vector<int>& first = failures_.front().blocks;
-  return std::all_of(first.begin(), first.end(), [&](int b) { return slow_[at(b)]; });
+  for (std::size_t b = 0; b < watched_.size(); ++b) {
+    if (watched_[b].failed && !slow_[b]) return false;
+  }
+  return true;
+}
+
+double FailureWatch::farthest_failed_m() const {
+  const Point base = solid_.base().displacement(solid_.time_s());
+  double farthest = 0;
+  for (std::size_t b = 0; b < watched_.size(); ++b) {
+    if (!watched_[b].failed) continue;
+    for (const Point& X : solid_.blocks()[b].vertices) {
+      farthest = std::max(farthest, (solid_.placements()[b].displacement(X) - base).norm());
+    }
+  }
+  return farthest;
 }
 
 std::optional<Moving> FailureWatch::moving() const {
