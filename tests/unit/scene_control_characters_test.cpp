@@ -29,7 +29,7 @@ TEST(ControlCharacters, AreRefusedWithTheirLineInEachName) {
     const std::string name = fmt::format(R"(name = "ba\u{:04X}se")", code);
     if ((code >= 0x20 && code < 0x7f)) continue;
     const std::string words = said(R"(name = "base")", name);
-    EXPECT_THAT(words, testing::HasSubstr(fmt::format("s.toml:20: error: found the control character U+{:04X} in the "
+    EXPECT_THAT(words, testing::HasSubstr(fmt::format("s.toml:20: error: the control character U+{:04X} in the "
                                                       "text of name",
                                                       code)));
     for (const char c : words) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n') << code;
