@@ -3,7 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/engine_options.hpp"
-#include "bridge/study/bench.hpp"
+#include "bridge/validate/bench.hpp"
 
 namespace blockweir::launch {
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
+#include "bridge/reliability/refused_draws.hpp"
 #include "bridge/results/counted.hpp"
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/check.hpp"
@@ -12,11 +13,10 @@
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/scene/touching_pairs.hpp"
-#include "bridge/study/bench.hpp"
 #include "bridge/study/load_case_scene.hpp"
 #include "bridge/study/open_study.hpp"
-#include "bridge/study/refused_draws.hpp"
 #include "bridge/study/study.hpp"
+#include "bridge/validate/bench.hpp"
 
 namespace blockweir::launch {
 namespace {

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
-#include "bridge/study/compare.hpp"
+#include "bridge/validate/compare.hpp"
 
 namespace blockweir::launch {
 

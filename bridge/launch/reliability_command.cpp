@@ -3,7 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/engine_options.hpp"
-#include "bridge/study/reliability.hpp"
+#include "bridge/reliability/reliability.hpp"
 
 namespace blockweir::launch {
 

@@ -3,7 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/version.hpp"
-#include "bridge/study/report.hpp"
+#include "bridge/report/report.hpp"
 
 namespace blockweir::launch {
 

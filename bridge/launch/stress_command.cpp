@@ -3,7 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/engine_options.hpp"
-#include "bridge/study/stress.hpp"
+#include "bridge/validate/stress.hpp"
 
 namespace blockweir::launch {
 

@@ -3,7 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/engine_options.hpp"
-#include "bridge/study/validate.hpp"
+#include "bridge/validate/validate.hpp"
 
 namespace blockweir::launch {
 

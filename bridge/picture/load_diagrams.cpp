@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 using Point = Eigen::Vector2d;
 
-const std::map<std::string, const char*> colours = {
+const std::map<std::string, const char*> colour_of_kind = {
     {"weight", "#424242"}, {"earthquake", "#bf360c"}, {"load", "#7a1fa2"},        {"silt", "#795548"},
     {"water", "#1f6fb4"},  {"ice", "#00acc1"},        {"added water", "#ff8f00"}, {"uplift", "#2e7d32"}};
 
@@ -65,7 +65,7 @@ void add_diagrams(json& loads, double size_m) {
   for (json& load : loads) {
     const Point force = point_of(load["force"]);
     const Point at = point_of(load["at"]);
-    load["colour"] = colours.at(load["kind"]);
+    load["colour"] = colour_of_kind.at(load["kind"]);
     load["label"] = load["name"].get<std::string>() + " " + force_text(force.norm());
     load["diagrams"] = json::array();
     const Point along = force.isZero(0) ? Point(1, 0) : Point(force.normalized());

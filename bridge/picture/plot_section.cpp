@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/picture/frames_data.hpp"
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/picture/json_point.hpp"
 #include "bridge/picture/label_places.hpp"
 #include "bridge/picture/load_diagrams.hpp"
 #include "bridge/picture/pictured_state.hpp"
-#include "bridge/picture/report_frames.hpp"
-#include "bridge/picture/report_section.hpp"
+#include "bridge/picture/section_data.hpp"
 #include "bridge/picture/view.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/scene/read/read.hpp"

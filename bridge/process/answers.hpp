@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene is asked without a run of its own: the solid answers, on still water. Defined by solid.
+// What a scene is asked without a run of its own: the solid answers, on still water. Defined in solid/answers.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -43,6 +43,18 @@ std::string failure_text(const json& f, const char* word) {
   return text;
 }
 
+std::string check_text(const json& check) {
+  if (check.contains("trouble")) {
+    return fmt::format("OUT     {}: {}\n", check["name"].get<std::string>(), check["trouble"].get<std::string>());
+  }
+  const std::string got = check.contains("why_none") ? check["why_none"].get<std::string>()
+                                                     : fmt::format("got {}, off by {}", results::figure(check["got"]),
+                                                                   number(check["relative_error"]));
+  return fmt::format("{}  {}: expected {}, {} (tolerance {})\n", check["passed"].get<bool>() ? "ok    " : "OUT   ",
+                     check["name"].get<std::string>(), results::figure(check["expected"]), got,
+                     number(check["tolerance"]));
+}
+
 }  // namespace
 
 std::string report(const RunResult& result) {
@@ -76,18 +88,7 @@ std::string report(const RunResult& result) {
   for (const json& warning : s.value("warnings", json::array())) {
     text += fmt::format("WARNING {}\n", warning.get<std::string>());
   }
-  for (const json& check : s.value("checks", json::array())) {
-    if (check.contains("trouble")) {
-      text += fmt::format("OUT     {}: {}\n", check["name"].get<std::string>(), check["trouble"].get<std::string>());
-      continue;
-    }
-    const std::string got = check.contains("why_none") ? check["why_none"].get<std::string>()
-                                                       : fmt::format("got {}, off by {}", results::figure(check["got"]),
-                                                                     number(check["relative_error"]));
-    text += fmt::format("{}  {}: expected {}, {} (tolerance {})\n", check["passed"].get<bool>() ? "ok    " : "OUT   ",
-                        check["name"].get<std::string>(), results::figure(check["expected"]), got,
-                        number(check["tolerance"]));
-  }
+  for (const json& check : s.value("checks", json::array())) text += check_text(check);
   if (const std::size_t skips = s.value("skips", json::array()).size(); skips > 0) {
     text += fmt::format("skipped {} kinds of work that the result does not need; \"blockweir profile {}\" lists them\n",
                         skips, results::shell_word(result.folder.string()));

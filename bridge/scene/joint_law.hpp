@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The law of a joint as a scene states it, and the keys that state it. How contacts follow it:
-// solid/contact/joint_law.hpp.
+// The law of a joint as a scene states it. How contacts follow it: solid/contact/joint_law.hpp.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <variant>
-#include <vector>
 
+#include "bridge/scene/barton_bandis.hpp"
+#include "bridge/scene/strength_line.hpp"
 #include "bridge/scene/uplift.hpp"
 
 namespace blockweir::scene {
 
-/// Mohr-Coulomb: |shear| <= cohesion * bonded length + N tan(friction angle);
-/// tension <= tension strength * bonded length.
-struct JointLaw {
+/// The laws of friction that changes with the normal stress, by priority: a new one is a file of its own, and a name
+/// here.
+using CurvedFriction = FirstOf<BartonBandis>;
+
+/// Mohr-Coulomb: |shear| <= cohesion * bonded length + N tan(friction angle), or its CurvedFriction in place of the
+/// latter; tension <= tension strength * bonded length.
+struct JointLaw : CurvedFriction {
   double friction_angle_deg = 30;
   double residual_friction_angle_deg = 30;  ///< after the bond has failed; default: the peak angle
   double cohesion_pa = 0;
@@ -52,95 +55,16 @@ struct JointLaw {
   }
   /// Strength reduction: tan(phi) and c over the factor.
   void reduce(double factor) {
+    cohesion_pa /= factor;
+    if (bends()) {
+      curve_over *= factor;
+      return;
+    }
     constexpr double degree = std::numbers::pi / 180;
     for (double* angle_deg : {&friction_angle_deg, &residual_friction_angle_deg}) {
       *angle_deg = std::atan(std::tan(*angle_deg * degree) / factor) / degree;
     }
-    cohesion_pa /= factor;
   }
 };
-
-/// A key of [joint] that states one member of the law; the reader and its checks go by it.
-struct JointLawKey {
-  enum class Range { any, not_negative, angle };
-
-  const char* name;
-  std::variant<double JointLaw::*, std::optional<double> JointLaw::*, bool JointLaw::*> member;
-  Range range = Range::any;
-  /// Has the law a value of it that does nothing? Null: it always does something.
-  bool (*is_idle)(const JointLaw&) = nullptr;
-  const char* without = "";                   ///< what the joint then lacks
-  std::vector<const char*> supplied_by = {};  ///< keys of what it lacks
-};
-
-/// In the order of the reference of keys.
-inline const std::vector<JointLawKey>& joint_law_keys() {
-  using Range = JointLawKey::Range;
-  constexpr const char* flow = "flow of water";
-  static const std::vector<JointLawKey> keys = {
-      {"friction_angle_deg", &JointLaw::friction_angle_deg, Range::angle},
-      {"residual_friction_angle_deg", &JointLaw::residual_friction_angle_deg, Range::angle},
-      {"cohesion_pa", &JointLaw::cohesion_pa, Range::not_negative},
-      {"tension_strength_pa", &JointLaw::tension_strength_pa, Range::not_negative},
-      {"bonded_length_m",
-       &JointLaw::bonded_length_m,
-       Range::not_negative,
-       [](const JointLaw& law) { return law.bonded_length_m && !law.is_bonded(); },
-       "bond",
-       {"cohesion_pa", "tension_strength_pa"}},
-      {"keeps_cohesion",
-       &JointLaw::keeps_cohesion,
-       Range::any,
-       [](const JointLaw& law) { return law.keeps_cohesion && !law.is_bonded(); },
-       "bond",
-       {"cohesion_pa", "tension_strength_pa"}},
-      {"softening_slip_m",
-       &JointLaw::softening_slip_m,
-       Range::not_negative,
-       [](const JointLaw& law) { return law.softening_slip_m > 0 && !law.weakens(); },
-       "bond or residual friction",
-       {"cohesion_pa", "tension_strength_pa", "residual_friction_angle_deg"}},
-      {"dilation_angle_deg", &JointLaw::dilation_angle_deg, Range::angle},
-      {"dilation_limit_m",
-       &JointLaw::dilation_limit_m,
-       Range::not_negative,
-       [](const JointLaw& law) { return law.dilation_limit_m && law.dilation_angle_deg == 0; },
-       "dilation_angle_deg",
-       {"dilation_angle_deg"}},
-      {"hydraulic_aperture_m",
-       &JointLaw::hydraulic_aperture_m,
-       Range::not_negative,
-       [](const JointLaw& law) {
-         return !law.has_flow() && law.hydraulic_aperture_m != JointLaw{}.hydraulic_aperture_m;
-       },
-       flow,
-       {"uplift"}},
-      {"least_aperture_m",
-       &JointLaw::least_aperture_m,
-       Range::not_negative,
-       [](const JointLaw& law) { return !law.has_flow() && law.least_aperture_m; },
-       flow,
-       {"uplift"}},
-      {"largest_aperture_m",
-       &JointLaw::largest_aperture_m,
-       Range::not_negative,
-       [](const JointLaw& law) { return !law.has_flow() && law.largest_aperture_m; },
-       flow,
-       {"uplift"}},
-      {"aperture_stiffness_pa_per_m",
-       &JointLaw::aperture_stiffness_pa_per_m,
-       Range::not_negative,
-       [](const JointLaw& law) { return !law.has_flow() && law.aperture_stiffness_pa_per_m; },
-       flow,
-       {"uplift"}},
-      {"aperture_pressure_pa",
-       &JointLaw::aperture_pressure_pa,
-       Range::any,
-       [](const JointLaw& law) { return !law.has_flow() && law.aperture_pressure_pa != 0; },
-       flow,
-       {"uplift"}},
-  };
-  return keys;
-}
 
 }  // namespace blockweir::scene

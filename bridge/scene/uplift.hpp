@@ -4,10 +4,10 @@
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
+
+#include "bridge/scene/drain.hpp"
 
 namespace blockweir::scene {
 
@@ -38,15 +38,6 @@ constexpr bool is_profile(Uplift law) {
   return law != Uplift::none && law != Uplift::flow;
 }
 
-/// A line of drains that crosses a joint.
-struct Drain {
-  double station_m = 0;  ///< from the joint's upstream end
-  /// By which the drain takes away the head of the undrained joint above the head that it drains to, 0..1.
-  double efficiency = 1;
-  /// That it drains to, as a height on the y axis; NaN: the lower of both ends' heads.
-  double head_m = std::numeric_limits<double>::quiet_NaN();
-};
-
 struct Piezometer {
   double station_m = 0;  ///< from the joint's upstream end
   double head_m = 0;     ///< as a height on the y axis
@@ -60,10 +51,6 @@ struct KnownHeads {
   int line = 0;                         ///< where the scene file states the law
 };
 
-inline bool operator==(const Drain& a, const Drain& b) {
-  const bool same_head = a.head_m == b.head_m || (std::isnan(a.head_m) && std::isnan(b.head_m));
-  return a.station_m == b.station_m && a.efficiency == b.efficiency && same_head;
-}
 inline bool operator==(const Piezometer& a, const Piezometer& b) {
   return a.station_m == b.station_m && a.head_m == b.head_m;
 }

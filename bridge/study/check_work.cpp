@@ -9,7 +9,7 @@
 #include "bridge/process/run.hpp"
 #include "bridge/process/temporary_folder.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "bridge/study/bench_motion.hpp"
+#include "bridge/study/motion_error.hpp"
 
 namespace blockweir::study {
 namespace {

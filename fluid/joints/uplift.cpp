@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "fluid/joints/drain.hpp"
+
 namespace blockweir::joints {
 namespace {
 
@@ -29,9 +31,7 @@ double drained_pressure(const scene::Drain& drain, const Joint& joint) {
   const double p = joint.mouth.pressure_pa + share * (joint.end.pressure_pa - joint.mouth.pressure_pa);
   const double undrained = height_at(joint, drain.station_m) + p / joint.water_n_per_m3;
   const double lower = std::min(head(joint, joint.mouth), head(joint, joint.end));
-  const double drains_to = std::isnan(drain.head_m) ? lower : drain.head_m;
-  const double left = std::max(0.0, undrained - drains_to) * (1 - drain.efficiency);
-  return pressure_of(joint, drain.station_m, std::min(undrained, drains_to + left));
+  return pressure_of(joint, drain.station_m, head_at_drain(drain, undrained, lower));
 }
 
 void triangular(const KnownHeads& /*known*/, const Joint& joint, Profile& into) {

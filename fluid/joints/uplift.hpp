@@ -44,10 +44,9 @@ class Profile {
   std::vector<Knot> knots_;
 };
 
-/// triangular: linear from the mouth's pressure to the end's; full: the higher of both; drained: through the pressure
-/// at the drain, whose head is h_0 + (1 - efficiency) (h - h_0), h that of the joint without it, h_0 what it drains to;
-/// cracked: an end's pressure where the joint is open from there, in between as without or with a drain that the crack
-/// has not reached; heads: through the piezometers, whose heads above the end's follow the mouth's in proportion.
+/// triangular: linear from the mouth's pressure to the end's; full: the higher of both; drained: through that at
+/// the drain (fluid/joints/drain.hpp); cracked: an end's pressure where the joint is open from there, in between as
+/// without or with a drain that the crack has not reached; heads: through the piezometers, whose heads above the end's follow the mouth's in proportion.
 Profile uplift(scene::Uplift law, const scene::KnownHeads& known, const Joint& joint);
 
 }  // namespace blockweir::joints

@@ -30,7 +30,7 @@ class Bonds {
   /// Tension beyond the strength of a bond that holds; 0 where there is none.
   [[nodiscard]] double overstress_pa(const ContactPoint& c) const {
     if (c.let_go) return 0;
-    const Strength strength = laws_[c.law].strength(c.bond, c.bond_length);
+    const Strength strength = laws_.strength(c, c.force.x());
     const double excess_n = -c.force.x() - strength.tension - tolerance_n_;
     return strength.holds_together() && excess_n > 0 ? excess_n / c.bond_length : 0;
   }
@@ -58,7 +58,7 @@ class Bonds {
       const ContactPoint& c = contacts_[at(k)];
       if (c.state == ContactState::open) continue;
       shear_n += c.force.y();
-      strength_n += laws_[c.law].strength(c.bond, c.bond_length).shear_bound(c.force.x());
+      strength_n += laws_.strength(c, c.force.x()).shear_bound(c.force.x());
     }
     constexpr double round_off = 1e-6;
     // What slips in directions that no motion has in common only strains under its load.

@@ -139,10 +139,10 @@ Formulation::Progress& Formulation::follow(const Trial& trial, int index, const 
 Ruled Formulation::ruled_contact(const Trial& trial, int index, const ContactPoint& c) {
   const Progress& progress = follow(trial, index, c, edge_frame(trial, c));
   const JointProperties& law = laws_[c.law];
-  const Strength strength = iterated_strength(c);
+  const Strength strength = iterated_strength(c, c.force.x());
   // What is left of a bond that has let go holds while sweeps last; where they open the contact it is lost (bonds.cpp).
   const bool for_good = c.let_go && law.keeps_cohesion;
-  ForceRule rule{.friction = strength.friction, .cohesion = for_good ? 0 : strength.cohesion};
+  ForceRule rule{.friction = strength.friction, .cohesion = (for_good ? 0 : strength.cohesion) + strength.intercept};
   if (strength.tension > 0) {
     rule.least_normal = -strength.tension;
     rule.opens = false;
@@ -167,7 +167,7 @@ Ruled Formulation::ruled_support(const Trial& trial, int index, const Support& s
 Interaction Formulation::take_contact(const Trial& trial, int index, ContactPoint& c, const RuledForce& found) {
   const EdgeFrame edge = edge_frame(trial, c);
   Progress& progress = follow(trial, index, c, edge);
-  const bool open = found.force.isZero(0) || iterated_strength(c).opens(found.force.x());
+  const bool open = found.force.isZero(0) || iterated_strength(c, found.force.x()).opens(found.force.x());
   const ContactState state = open ? ContactState::open : found.slips ? ContactState::slip : ContactState::stick;
   if (state != c.state) state_changes_.fetch_add(1, std::memory_order_relaxed);
   c.state = state;
@@ -201,7 +201,7 @@ bool Formulation::follow_with_friction(const Held& held) {
 }
 
 double Formulation::shear_bound(const ContactPoint& c) const {
-  return laws_[c.law].strength(c.bond, c.bond_length).shear_bound(c.force.x());
+  return laws_.strength(c, c.force.x()).shear_bound(c.force.x());
 }
 
 double Formulation::dilation_slope(const ContactPoint& c, const Progress& progress) const {
@@ -209,20 +209,19 @@ double Formulation::dilation_slope(const ContactPoint& c, const Progress& progre
   return laws_[c.law].dilation_slope(c.slip_m + progress.separation.y(), -progress.slip_force);
 }
 
-Strength Formulation::iterated_strength(const ContactPoint& c) const {
-  Strength strength = laws_[c.law].strength(c.bond, c.bond_length);
+Strength Formulation::iterated_strength(const ContactPoint& c, double normal) const {
+  Strength strength = laws_.strength(c, normal);
   if (!c.let_go && strength.holds_together()) strength.tension = std::numeric_limits<double>::infinity();
   return strength;
 }
 
 JointForce Formulation::judge(int index, ContactPoint& c, const Eigen::Vector2d& stuck) {
   Progress& progress = contacts_[at(index)];
-  const Strength strength = iterated_strength(c);
+  const Strength strength = iterated_strength(c, stuck.x());
   JointForce force;
   const bool states_stand = settings_.states_stand && !laws_[c.law].bonds();
   if (states_stand) {
-    force =
-        acting(c.state, strength.friction, stuck.x(), c.state == ContactState::slip ? progress.slip_force : stuck.y());
+    force = acting(c.state, strength, stuck.x(), c.state == ContactState::slip ? progress.slip_force : stuck.y());
     progress.turning = false;
   } else if (settings_.joints_held) {
     if (c.state != ContactState::open) force = {ContactState::stick, stuck.x(), stuck.y(), 0};

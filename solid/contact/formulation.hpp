@@ -167,7 +167,7 @@ class Formulation {
   JointForce judge(int index, ContactPoint& c, const Eigen::Vector2d& stuck);
 
   /// By which iterates judge: only forces that have converged open a bond (pull_off).
-  [[nodiscard]] Strength iterated_strength(const ContactPoint& c) const;
+  [[nodiscard]] Strength iterated_strength(const ContactPoint& c, double normal) const;
 
   /// d(resisted gap)/d(slip) of a slipping contact that dilates; else 0.
   [[nodiscard]] double dilation_slope(const ContactPoint& c, const Progress& progress) const;

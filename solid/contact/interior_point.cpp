@@ -19,8 +19,8 @@ constexpr double most_lost = 0.99;
 }  // namespace
 
 double InteriorPoint::shear_bound(const ContactPoint& c, const Point& p) const {
-  const Strength of = strength(c);
-  return of.shear_bound(p.normal.force - of.tension);
+  const double normal = p.normal.force - tension(c);
+  return laws_.strength(c, normal).shear_bound(normal);
 }
 
 void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
@@ -39,7 +39,7 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
     const double product = change * motion;
     const auto balanced = [product](double force) { return Pair{force, product / force}; };
     const double gap = follow(trial, k, c, edge_frame(trial, c)).separation.x();
-    p.normal = balanced(gap > motion ? product / gap : std::max(change, c.force.x() + strength(c).tension));
+    p.normal = balanced(gap > motion ? product / gap : std::max(change, c.force.x() + tension(c)));
     const double most = shear_bound(c, p);
     bounds_.set(k, most);
     p.has_friction = most > 0;
@@ -71,7 +71,7 @@ Interaction InteriorPoint::contact(const Trial& trial, int index, ContactPoint& 
     p.force.y() = p.shear + p.stiffness.y() * (slip - (p.separation.y() - (f.motion - b.motion)));
   }
   Interaction action = interaction_of(c, edge, p.separation.y());
-  action.force = p.force - Eigen::Vector2d(strength(c).tension, 0);
+  action.force = p.force - Eigen::Vector2d(tension(c), 0);
   action.stiffness = p.stiffness.asDiagonal().toDenseMatrix();
   return action;
 }
@@ -149,7 +149,7 @@ void InteriorPoint::hand_over(const Held& held) const {
     if (p.normal.stiffness() > stiffness) {
       const double most = p.has_friction ? shear_bound(c, p) : 0;
       const bool slips = !p.has_friction || std::min(p.forward.stiffness(), p.backward.stiffness()) < stiffness;
-      c.multiplier = {p.normal.force - strength(c).tension, std::clamp(p.shear, -most, most)};
+      c.multiplier = {p.normal.force - tension(c), std::clamp(p.shear, -most, most)};
       c.state = slips ? ContactState::slip : ContactState::stick;
     }
     c.force = c.multiplier;

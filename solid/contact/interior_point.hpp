@@ -80,7 +80,7 @@ class InteriorPoint final : public Formulation {
                      ContactPoint& /*c*/) override {}
   void begin_support(const Trial& /*trial*/, int /*k*/, Support& /*s*/) override {}
 
-  [[nodiscard]] Strength strength(const ContactPoint& c) const { return laws_[c.law].strength(c.bond, c.bond_length); }
+  [[nodiscard]] double tension(const ContactPoint& c) const { return laws_.strength(c, c.force.x()).tension; }
   /// By the pressure of now.
   [[nodiscard]] double shear_bound(const ContactPoint& c, const Point& p) const;
 

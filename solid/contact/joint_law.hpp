@@ -14,13 +14,15 @@ namespace blockweir::solid {
 
 enum class ContactState : int { open = 0, stick = 1, slip = 2 };
 
-/// Strength of a contact as it stands now [N per metre], friction as a tangent.
+/// Strength of a contact as it stands now, near a normal force [N per metre], friction as a tangent.
 struct Strength {
-  double friction = 0;  ///< tan(phi)
-  double cohesion = 0;  ///< c times bonded length
-  double tension = 0;   ///< T times bonded length
+  double friction = 0;   ///< tan(phi), or of friction that bends its tangent
+  double cohesion = 0;   ///< c times bonded length
+  double tension = 0;    ///< T times bonded length
+  double intercept = 0;  ///< of that tangent
 
-  [[nodiscard]] double shear_bound(double normal) const { return std::max(0.0, cohesion + normal * friction); }
+  [[nodiscard]] double shear_of_friction(double normal) const { return normal * friction + intercept; }
+  [[nodiscard]] double shear_bound(double normal) const { return std::max(0.0, cohesion + shear_of_friction(normal)); }
   /// Does a bond carry what would be lost at once if it opened?
   [[nodiscard]] bool holds_together() const { return cohesion > 0 || tension > 0; }
   /// A contact that has no tension lets go at zero.
@@ -39,6 +41,7 @@ struct JointProperties {
   double dilation;          ///< opening per slip
   double dilation_limit_m;  ///< slip beyond which it opens no further
   int joint;                ///< index into Scene::joints, -1 for the default
+  scene::CurvedFriction curve;
 
   JointProperties(const scene::JointLaw& law, int of_joint)
       : friction(tangent(law.friction_angle_deg)),
@@ -50,18 +53,27 @@ struct JointProperties {
         softening_slip_m(law.softening_slip_m),
         dilation(tangent(law.dilation_angle_deg)),
         dilation_limit_m(law.dilation_limit_m.value_or(std::numeric_limits<double>::infinity())),
-        joint(of_joint) {}
+        joint(of_joint),
+        curve(law) {}
 
   /// Has it a bond that can be lost? Whether it is depends on the states on the way to an equilibrium.
   [[nodiscard]] bool bonds() const { return cohesion_pa > 0 || tension_pa > 0 || friction != residual_friction; }
   /// Does slip wear the bond down, rather than break it?
   [[nodiscard]] bool softens() const { return softening_slip_m > 0; }
   [[nodiscard]] bool dilates() const { return dilation > 0; }
-  /// Of a contact whose bond of that length is left to the part `bond`.
-  [[nodiscard]] Strength strength(double bond, double length) const {
-    return {.friction = residual_friction + bond * (friction - residual_friction),
-            .cohesion = bond * cohesion_pa * length,
-            .tension = bond * tension_pa * length};
+  /// Is its friction the same at any normal force?
+  [[nodiscard]] bool is_straight() const { return !curve.bends(); }
+  /// Near a normal force, of a contact that stands for that length of joint, and whose bond is left to the part `bond`.
+  [[nodiscard]] Strength strength(double bond, double bonded_m, double length_m, double normal) const {
+    Strength found{.friction = residual_friction + bond * (friction - residual_friction),
+                   .cohesion = bond * cohesion_pa * bonded_m,
+                   .tension = bond * tension_pa * bonded_m};
+    if (is_straight()) return found;
+    const double pressure_pa = length_m > 0 ? std::max(0.0, normal) / length_m : 0;
+    const scene::StrengthLine line = curve.tangent(found.friction, pressure_pa);
+    found.friction = line.friction;
+    found.intercept = line.cohesion_pa * length_m;
+    return found;
   }
   /// What is left of a softening bond after so long a path of slip.
   [[nodiscard]] double bond_after(double slip_path_m) const {
@@ -97,7 +109,8 @@ struct JointProperties {
   }
   /// Do two laws without bonds slide alike?
   [[nodiscard]] bool slides_as(const JointProperties& other) const {
-    return friction == other.friction && dilation == other.dilation && dilation_limit_m == other.dilation_limit_m;
+    return friction == other.friction && dilation == other.dilation && dilation_limit_m == other.dilation_limit_m &&
+           curve == other.curve;
   }
 
  private:
@@ -124,11 +137,11 @@ inline JointForce admissible(const Strength& strength, double normal, double she
 
 /// What acts in a state that is known, whether it is admissible or not: without cohesion and tension, slip on the side
 /// to which `shear` points.
-inline JointForce acting(ContactState state, double friction, double normal, double shear) {
+inline JointForce acting(ContactState state, const Strength& strength, double normal, double shear) {
   if (state == ContactState::open) return {};
   if (state == ContactState::stick) return {state, normal, shear, 0};
-  const double slope = std::copysign(friction, shear);
-  return {state, normal, slope * normal, slope};
+  const double slope = std::copysign(strength.friction, shear);
+  return {state, normal, slope * normal + std::copysign(strength.intercept, shear), slope};
 }
 
 /// The same with a bound of shear that does not depend on the normal force and acts on an open contact, too (Tresca's

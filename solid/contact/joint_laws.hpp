@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bridge/scene/scene.hpp"
-#include "solid/contact/joint_law.hpp"
+#include "solid/contact/contact_point.hpp"
 
 namespace blockweir::solid {
 
@@ -38,6 +38,10 @@ class JointLaws {
   [[nodiscard]] bool any_plane() const { return !on_planes_.empty(); }
   [[nodiscard]] bool dilate() const {
     return std::any_of(laws_.begin(), laws_.end(), [](const JointProperties& law) { return law.dilates(); });
+  }
+  /// Of a contact near a normal force [N per metre].
+  [[nodiscard]] Strength strength(const ContactPoint& c, double normal) const {
+    return (*this)[c.law].strength(c.bond, c.bond_length, c.length, normal);
   }
   [[nodiscard]] const JointProperties& operator[](int law) const { return laws_[static_cast<std::size_t>(law)]; }
 

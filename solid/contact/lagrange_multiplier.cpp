@@ -46,8 +46,7 @@ class LagrangeMultiplier final : public Formulation {
     double shear = c.multiplier.y();
     double slope = 0;
     if (stuck.state == ContactState::slip) {
-      const Strength strength = laws_[c.law].strength(c.bond, c.bond_length);
-      const double bound = strength.shear_bound(c.multiplier.x());
+      const double bound = laws_.strength(c, c.multiplier.x()).shear_bound(c.multiplier.x());
       shear = std::copysign(bound, stuck.shear);
       slope = dilation_slope(c, progress);
     } else {

@@ -17,6 +17,12 @@ namespace blockweir::solid::expect {
 
 PlaneJoint plane_joint(const Scene& s, const std::string& name) {
   const scene::Joint& named = joint_named(s, name);
+  if (named.law.bends()) {
+    throw std::runtime_error(fmt::format(
+        "joint \"{}\" has a friction that changes with the normal stress; expected one with a friction angle "
+        "alone, as formulas have it; expect a value in place of a formula",
+        name));
+  }
   const auto higher_of = [&](const scene::Joint& joint) {
     const auto centre_height = [&](int block) { return geometry::centroid(s.blocks[at(block)].vertices).y(); };
     return joint.between[centre_height(joint.between[0]) > centre_height(joint.between[1]) ? 0 : 1];

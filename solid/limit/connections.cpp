@@ -48,7 +48,9 @@ Face face_of(const scene::TracePiece& piece, int a, int b, int joint, const scen
   // Outlines run counter-clockwise: what lies to the right of an edge is out of its block.
   const Point forwards = piece.s_from_a < piece.s_to_a ? along : Point(-along);
   face.normal = Point(forwards.y(), -forwards.x());
+  face.law = &law;
   face.friction = law.friction();
+  if (law.bends()) face.tangents = {law.tangent(face.friction, 0)};
   face.cohesion_n_per_m = law.cohesion_pa * bonded * face.length_m();
   face.tension_n_per_m = law.tension_cut_off_pa() * bonded * face.length_m();
   return face;
@@ -99,6 +101,32 @@ class Bodies {
 };
 
 }  // namespace
+
+std::vector<Face::Bound> Face::bounds() const {
+  if (tangents.empty()) return {{cohesion_n_per_m, friction}};
+  std::vector<Bound> all;
+  for (const scene::StrengthLine& line : tangents) {
+    all.push_back({cohesion_n_per_m + line.cohesion_pa * length_m(), line.friction});
+  }
+  return all;
+}
+
+bool Face::add_tangent(double normal_n_per_m, double shear_n_per_m) {
+  constexpr double close = 1e-10;
+  constexpr double same = 1e-9;  // of slopes: beyond, programs do not tell them apart
+  if (tangents.empty()) return false;
+  const double compression = std::max(0.0, normal_n_per_m);
+  const scene::StrengthLine line = law->tangent(friction, compression / length_m());
+  const double bound = cohesion_n_per_m + line.cohesion_pa * length_m() + line.friction * normal_n_per_m;
+  if (shear_n_per_m <= bound + close * (cohesion_n_per_m + compression)) return false;
+  const bool known = std::any_of(tangents.begin(), tangents.end(),
+                                 [&](const auto& t) { return std::abs(t.friction - line.friction) < same; });
+  if (known) return false;
+  const auto next =
+      std::find_if(tangents.begin(), tangents.end(), [&](const auto& t) { return t.friction < line.friction; });
+  tangents.insert(next, line);
+  return true;
+}
 
 std::vector<Face> faces_of(const scene::Scene& scene) {
   const double touching_m = scene::rounding_ratio * scene::structure_size_m(scene.blocks);

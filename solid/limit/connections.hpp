@@ -17,11 +17,23 @@ struct Face {
   int joint = -1;  ///< index into Scene::joints; -1: the default law
   Point from_m;
   Point to_m;
-  Point normal;                 ///< out of a
-  bool in_kink = false;         ///< a point: the corner of one block in a reflex corner of the other
+  Point normal;          ///< out of a
+  bool in_kink = false;  ///< a point: the corner of one block in a reflex corner of the other
+  const scene::JointLaw* law = nullptr;
   double friction = 0;          ///< tan(phi)
   double cohesion_n_per_m = 0;  ///< c L, L what is bonded of it
   double tension_n_per_m = 0;   ///< T L, not beyond the apex of Mohr-Coulomb's cone
+
+  std::vector<scene::StrengthLine> tangents{};  ///< that bound friction which bends, the steepest first
+
+  /// Straight bounds of the shear force [N/m], which is within all of them.
+  struct Bound {
+    double cohesion_n_per_m = 0;
+    double friction = 0;
+  };
+  [[nodiscard]] std::vector<Bound> bounds() const;
+  /// Of friction that bends: does shear go beyond the bound under that normal force [N/m]? Adds the tangent there.
+  bool add_tangent(double normal_n_per_m, double shear_n_per_m);
 
   [[nodiscard]] double length_m() const { return (to_m - from_m).norm(); }
   [[nodiscard]] Point along() const { return {-normal.y(), normal.x()}; }

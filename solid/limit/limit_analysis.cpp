@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "bridge/scene/at.hpp"
@@ -26,6 +27,19 @@ std::vector<Face> held_by(const scene::Scene& scene, Kinks kinks) {
   std::vector<Face> faces = faces_of(scene);
   if (kinks == Kinks::give_way) std::erase_if(faces, [](const Face& face) { return face.in_kink; });
   return faces;
+}
+
+/// The bound that a mechanism meets which opens the face by so much a slip: that of associated flow between the two
+/// tangents beside it.
+Face::Bound bound_of(const Face& face, double opening_per_slip) {
+  const std::vector<Face::Bound> bounds = face.bounds();
+  const auto next =
+      std::find_if(bounds.begin(), bounds.end(), [&](const auto& b) { return b.friction <= opening_per_slip; });
+  if (next == bounds.begin()) return bounds.front();
+  if (next == bounds.end()) return bounds.back();
+  const Face::Bound& steeper = *(next - 1);
+  const double share = (opening_per_slip - next->friction) / (steeper.friction - next->friction);
+  return {next->cohesion_n_per_m + share * (steeper.cohesion_n_per_m - next->cohesion_n_per_m), opening_per_slip};
 }
 
 }  // namespace
@@ -54,7 +68,8 @@ class LimitAnalysis::Program {
   int add_shortage(double price) {
     LinearProgram::Entries entries;
     for (const Strength& s : strengths_) entries.insert(entries.end(), {{s.forth, -1}, {s.back, -1}});
-    return lp_.add_variable(0, infinite, entries, -price);
+    shortage_ = lp_.add_variable(0, infinite, entries, -price);
+    return *shortage_;
   }
   /// Lets each equation of balance miss by as much as the worst does, which is to be least.
   void add_imbalance() {
@@ -91,24 +106,43 @@ class LimitAnalysis::Program {
     }
     return twists;
   }
+  /// Adds tangents to faces whose friction bends and whose forces are beyond it; true where there were any.
+  bool add_tangents(std::vector<Face>& faces, double reduction) const {
+    const double weight = structure_.weight_n_per_m_;
+    const double lacks = shortage_ ? lp_.value(*shortage_) : 0;
+    bool added = false;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      double normal = 0;
+      for (const int variable : forces_[i].normal) normal += lp_.value(variable);
+      const double shear = (std::abs(lp_.value(forces_[i].shear)) - lacks) * reduction;
+      added = faces[i].add_tangent(normal * weight, shear * weight) || added;
+    }
+    return added;
+  }
   /// Sum over the faces of what each lacks per unit of strength times that strength.
   [[nodiscard]] double priced_strength() const {
     double sum = 0;
     for (const Strength& s : strengths_) {
       double normal = 0;
-      for (const int variable : s.normal) normal += lp_.value(variable);
+      for (const int variable : forces_[at(s.face)].normal) normal += lp_.value(variable);
       sum += (lp_.dual(s.forth) + lp_.dual(s.back)) * (s.cohesion + s.friction * normal);
     }
     return sum;
   }
 
  private:
+  /// A bound of a face's shear.
   struct Strength {
     int forth;  ///< rows of shear along the face and against it
     int back;
-    std::vector<int> normal;  ///< variables
+    int face;
     double cohesion;
     double friction;
+  };
+  /// Variables of a face.
+  struct Forces {
+    std::vector<int> normal;
+    int shear = 0;
   };
 
   /// Throws std::runtime_error where it is beyond what the simplex method can scale.
@@ -140,13 +174,18 @@ class LimitAnalysis::Program {
   }
 
   void add(const Face& face, double reduction) {
-    const double cohesion = scaled(face.cohesion_n_per_m);
     const double tension = scaled(face.tension_n_per_m / 2);
-    Strength strength{.forth = lp_.add_upper_bound(cohesion / reduction),
-                      .back = lp_.add_upper_bound(cohesion / reduction),
-                      .normal = {},
-                      .cohesion = cohesion,
-                      .friction = face.friction};
+    const std::size_t first = strengths_.size();
+    for (const Face::Bound& bound : face.bounds()) {
+      const double cohesion = scaled(bound.cohesion_n_per_m);
+      strengths_.push_back({.forth = lp_.add_upper_bound(cohesion / reduction),
+                            .back = lp_.add_upper_bound(cohesion / reduction),
+                            .face = static_cast<int>(forces_.size()),
+                            .cohesion = cohesion,
+                            .friction = bound.friction});
+    }
+    const std::span<const Strength> strengths = std::span(strengths_).subspan(first);
+    Forces forces;
     const auto on_both = [&](const Point& on_b, const Point& place) {
       LinearProgram::Entries entries;
       append(face.b, on_b, place, entries);
@@ -155,14 +194,15 @@ class LimitAnalysis::Program {
     };
     for (const Point& place : face.ends()) {
       LinearProgram::Entries entries = on_both(face.normal, place);
-      entries.insert(entries.end(),
-                     {{strength.forth, -face.friction / reduction}, {strength.back, -face.friction / reduction}});
-      strength.normal.push_back(lp_.add_variable(-tension, infinite, entries));
+      for (const Strength& s : strengths) {
+        entries.insert(entries.end(), {{s.forth, -s.friction / reduction}, {s.back, -s.friction / reduction}});
+      }
+      forces.normal.push_back(lp_.add_variable(-tension, infinite, entries));
     }
     LinearProgram::Entries shear = on_both(face.along(), face.from_m);
-    shear.insert(shear.end(), {{strength.forth, 1}, {strength.back, -1}});
-    lp_.add_variable(-infinite, infinite, shear);
-    strengths_.push_back(strength);
+    for (const Strength& s : strengths) shear.insert(shear.end(), {{s.forth, 1}, {s.back, -1}});
+    forces.shear = lp_.add_variable(-infinite, infinite, shear);
+    forces_.push_back(std::move(forces));
   }
   void add(const Tie& tie) {
     LinearProgram::Entries entries;
@@ -174,6 +214,8 @@ class LimitAnalysis::Program {
   const LimitAnalysis& structure_;
   std::vector<int> rows_;  ///< first of the three of each block; 0: it is fixed
   std::vector<Strength> strengths_;
+  std::vector<Forces> forces_;   ///< by face
+  std::optional<int> shortage_;  ///< variable
   LinearProgram lp_;
 };
 
@@ -202,6 +244,7 @@ LargestFactor LimitAnalysis::largest_factor(const Wrenches& dead, const Wrenches
   Program program(*this, dead, /*reduction=*/1);
   const int factor = program.add_factor(live);
   if (!program.solve()) return {};
+  if (program.add_tangents(faces_, /*reduction=*/1)) return largest_factor(dead, live);
   LargestFactor found{.bearing = Bearing::fails_at_a_factor, .factor = program.value(factor)};
   if (found.factor >= largest_factor_told) return {.bearing = Bearing::bears_any};
   found.mechanism = program.mechanism();
@@ -221,6 +264,7 @@ std::optional<Shortage> LimitAnalysis::shortage(const Wrenches& loads, double re
   Program program(*this, loads, reduction);
   const int ratio = program.add_shortage(/*price=*/1);
   if (!program.solve()) return std::nullopt;
+  if (program.add_tangents(faces_, reduction)) return shortage(loads, reduction);
   Shortage found{.ratio = program.value(ratio),
                  .per_reduction = program.priced_strength() / (reduction * reduction),
                  .mechanism = program.mechanism()};
@@ -233,6 +277,7 @@ Twists LimitAnalysis::collapse(const Wrenches& loads, bool however_strong) const
   if (however_strong) program.add_shortage(/*price=*/0);
   program.add_imbalance();
   program.solve();
+  if (!however_strong && program.add_tangents(faces_, /*reduction=*/1)) return collapse(loads, however_strong);
   Twists mechanism = program.mechanism();
   normalize(mechanism);
   return mechanism;
@@ -243,10 +288,13 @@ double LimitAnalysis::resistance(const Twists& mechanism, double reduction) cons
   double sum = 0;
   for (const Face& face : faces_) {
     const double slip = std::abs(face.along().dot(jump(face, mechanism, face.from_m)));
-    sum += face.cohesion_n_per_m / reduction * slip;
-    for (const Point& end : face.ends()) {
-      const double opening = face.normal.dot(jump(face, mechanism, end));
-      sum += face.tension_n_per_m / 2 * std::max(0.0, opening - face.friction / reduction * slip);
+    std::vector<double> openings;
+    for (const Point& end : face.ends()) openings.push_back(face.normal.dot(jump(face, mechanism, end)));
+    const double least = *std::min_element(openings.begin(), openings.end());
+    const Face::Bound bound = bound_of(face, slip > 0 ? least / slip * reduction : 0);
+    sum += bound.cohesion_n_per_m / reduction * slip;
+    for (const double opening : openings) {
+      sum += face.tension_n_per_m / 2 * std::max(0.0, opening - bound.friction / reduction * slip);
     }
   }
   for (const Tie& tie : ties_) {

@@ -73,7 +73,7 @@ class LimitAnalysis {
 
   const scene::Scene& scene_;
   std::vector<Point> centroids_;
-  std::vector<Face> faces_;
+  mutable std::vector<Face> faces_;  ///< friction that bends gets the tangents that loads so far have asked for
   std::vector<Tie> ties_;
   bool is_exact_ = false;
   double size_m_ = 0;          ///< by which lengths are scaled

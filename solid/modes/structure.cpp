@@ -54,7 +54,7 @@ Eigen::SparseMatrix<double> summed(const std::vector<Eigen::Triplet<double>>& en
 /// A joint without any shear strength does not slip where nothing pushes it.
 bool holds_shear(const Solid& solid, const ContactPoint& c) {
   if (c.state != ContactState::stick) return false;
-  const Strength strength = solid.laws()[c.law].strength(c.bond, c.bond_length);
+  const Strength strength = solid.laws().strength(c, c.force.x());
   return strength.friction > 0 || strength.cohesion > 0;
 }
 

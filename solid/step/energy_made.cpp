@@ -127,7 +127,7 @@ void StepEnergy::look_at_links(const IslandEquations& s, const std::vector<int>&
       look(s.actions[k], false);
     } else if (const int i = s.island.contacts[k]; touches(i)) {
       const ContactPoint& c = state_.contacts[at(i)];
-      look(s.actions[k], model_.laws[c.law].strength(c.bond, c.bond_length).tension == 0);
+      look(s.actions[k], model_.laws.strength(c, c.force.x()).tension == 0);
     }
   }
   for (const int k : s.island.supports) {

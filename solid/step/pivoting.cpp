@@ -16,7 +16,7 @@ bool Pivoting::fits(const IslandEquations& s, const StepMode& mode) const {
          s.unknowns->total <= large_island && !s.unknowns->shared() &&
          std::none_of(s.island.contacts.begin(), s.island.contacts.end(), [&](int k) {
            const JointProperties& law = model_.laws[state_.contacts[at(k)].law];
-           return law.bonds() || law.dilates();
+           return law.bonds() || law.dilates() || !law.is_straight();
          });
 }
 
@@ -50,7 +50,7 @@ bool Pivoting::release_contacts(IslandEquations& s, Released& released) {
     }
     apart.insert(apart.end(), {separation.value.x(), separation.value.y()});
     released.ids.push_back(k);
-    released.contacts.friction.push_back(model_.laws[c.law].strength(c.bond, c.bond_length).friction);
+    released.contacts.friction.push_back(model_.laws.strength(c, c.force.x()).friction);
   }
   const auto n = static_cast<Eigen::Index>(pulls.size());
   Eigen::MatrixXd pull(s.unknowns->total, n);

@@ -57,12 +57,12 @@ Resultant resultant(const Solid& solid, const std::vector<const ContactPoint*>& 
     const double s = along.dot(solid.place(*c) - about);
     low = std::min(low, s);
     high = std::max(high, s);
-    const Strength strength = solid.laws()[c->law].strength(c->bond, c->bond_length);
+    const Strength strength = solid.laws().strength(*c, c->force.x());
     r.normal += c->force.x();
     r.moment += c->force.x() * s;
     r.shear += c->force.y();
     r.cohesion += strength.cohesion;
-    r.friction += c->force.x() * strength.friction;
+    r.friction += strength.shear_of_friction(c->force.x());
   }
   r.length_m = high - low;
   r.moment = std::abs(r.moment - r.normal * (low + high) / 2);

@@ -35,7 +35,8 @@ std::vector<SurfaceSum> surface_sums(const Solid& solid, const Surfaces& surface
       const auto [force, pushed] = force_on_side(solid, c, sum.across());
       const JointProperties& law = solid.laws()[c.law];
       const double kept = law.keeps_cohesion ? c.bond : 0;
-      sum.add(law.strength(c.bond, c.bond_length), law.strength(kept, c.bond_length), force, pushed, solid.place(c));
+      const Strength residual = law.strength(kept, c.bond_length, c.length, c.force.x());
+      sum.add(solid.laws().strength(c, c.force.x()), residual, force, pushed, solid.place(c));
     }
   }
   return sums;

@@ -31,9 +31,9 @@ class SurfaceSum {
   /// of it that is normal to the contact's own edge.
   void add(const Strength& law, const Strength& residual, const Point& force, const Point& pushed, const Point& place) {
     const double pressed = across().dot(force);
-    residual_ += residual.cohesion + residual.friction * pressed;
+    residual_ += residual.cohesion + residual.shear_of_friction(pressed);
     cohesion_ += law.cohesion;
-    friction_ += law.friction * pressed;
+    friction_ += law.shear_of_friction(pressed);
     shear_ += cross(across(), force);
     buttress_ += cross(across(), pushed);
     normal_ += pressed;

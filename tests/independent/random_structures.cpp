@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long, as each kind of structure is a function that draws one, and they share the dam's section and its laws.
 #include "tests/independent/random_structures.hpp"
 
 #include <cmath>
@@ -7,57 +6,12 @@
 #include <utility>
 
 #include "tests/independent/limit_analysis.hpp"
+#include "tests/independent/random_section.hpp"
 #include "tests/independent/rock_foundation.hpp"
 #include "tests/independent/voronoi_cells.hpp"
 
 namespace blockweir::independent {
 namespace {
-
-/// A dam's section: heel at the origin, toe on the base, level crest.
-struct Section {
-  double height;
-  double base;
-  double face_lean;  ///< m of the upstream face towards the dam, a metre of height
-  double crest;
-  double dip;  ///< of the base, radians, down towards the toe
-
-  [[nodiscard]] Vec toe() const { return {base, -base * std::tan(dip)}; }
-  [[nodiscard]] Vec face_top() const { return {face_lean * height, height}; }
-  [[nodiscard]] Vec back_top() const { return {face_lean * height + crest, height}; }
-  [[nodiscard]] Vec on_face(double share) const { return share * face_top(); }
-  [[nodiscard]] Vec on_back(double share) const { return toe() + share * (back_top() - toe()); }
-  [[nodiscard]] std::vector<Vec> outline() const { return {Vec(0, 0), toe(), back_top(), face_top()}; }
-};
-
-Section random_section(Random& random, double height) {
-  Section section{.height = height};
-  section.base = height * random.between(0.45, 1.0);
-  section.face_lean = random.chance(0.5) ? 0 : random.between(0, 0.12);
-  section.crest = section.base * random.between(0.15, 0.6) * (1 - section.face_lean);
-  section.dip = random.chance(0.5) ? 0 : random.between(-8, 12) * std::numbers::pi / 180;
-  return section;
-}
-
-/// Level before the heel; beyond the toe it does not rise into the dam's way.
-Body ground_under(const Section& s) {
-  const double reach = 2 * s.height;
-  const Vec end = s.toe() + Vec(reach, s.dip > 0 ? -reach * std::tan(s.dip) : 0);
-  const double floor = std::min(0.0, end.y()) - s.height / 2;
-  Body ground{"ground", {Vec(-reach, floor), Vec(end.x(), floor), end, s.toe(), Vec(0, 0), Vec(-reach, 0)}, true};
-  if (s.dip >= 0) ground.outline_m.erase(ground.outline_m.begin() + 3);
-  return ground;
-}
-
-/// Strengths are a share of the weight's mean stress on the base.
-Law random_law(Random& random, double weight_stress_pa) {
-  Law law{.friction_deg = random.between(25, 60)};
-  if (random.chance(0.3)) law.cohesion_pa = random.between(0, 0.4) * weight_stress_pa;
-  // More than the cone bears in tension counts as what it bears.
-  const double apex = law.cohesion_pa / std::tan(law.friction_deg * std::numbers::pi / 180);
-  if (random.chance(0.5)) law.tension_pa = random.between(0, 1.3) * apex;
-  law.uplift = random.of(std::vector{Uplift::none, Uplift::triangular, Uplift::full});
-  return law;
-}
 
 /// Tries until the structure fails at a level worth the trial.
 template <class Draw>
@@ -296,33 +250,6 @@ void shuffle(std::vector<T>& all, Random& random) {
 }
 
 }  // namespace
-
-Random::Random(std::uint64_t seed, const std::string& purpose) : state_(seed) {
-  for (const char letter : purpose) state_ = next() + static_cast<std::uint64_t>(letter);
-}
-
-std::uint64_t Random::next() {
-  std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31);
-}
-
-double Random::between(double low, double high) {
-  return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
-}
-
-double Random::between_orders(double low, double high) {
-  return low * std::pow(high / low, between(0, 1));
-}
-
-std::size_t Random::below(std::size_t count) {
-  return static_cast<std::size_t>(next() % count);
-}
-
-bool Random::chance(double probability) {
-  return between(0, 1) < probability;
-}
 
 RandomStructure monolith(std::uint64_t seed) {
   return drawn(seed, "monolith", draw_monolith);

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "solid/coupled_solid.hpp"
+#include "solid/process/coupled_solid.hpp"
 #include "tests/own_folder.hpp"
 
 namespace blockweir::solid {

@@ -64,7 +64,7 @@ std::vector<double> angles_between(const scene::Scene& scene, const std::string&
   for (const ContactPoint& c : contacts) {
     if (c.pair() != std::pair<int, int>(std::minmax({index(a), index(b)}))) continue;
     const JointProperties& law = solid.laws()[c.law];
-    angles.push_back(std::atan(law.strength(c.bond, c.bond_length).friction) * 180 / std::numbers::pi);
+    angles.push_back(std::atan(solid.laws().strength(c, c.force.x()).friction) * 180 / std::numbers::pi);
     EXPECT_EQ(law.joint, -1) << "none of the cut's joints, which results speak of";
     EXPECT_EQ(law.cohesion_pa, 0);
   }

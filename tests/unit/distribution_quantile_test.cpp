@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_study
+// links: bridge_reliability
 // Quantiles of what a [[random]] may be, by their closed forms.
-#include "bridge/study/distribution_quantile.hpp"
+#include "bridge/reliability/distribution_quantile.hpp"
 
 #include <gtest/gtest.h>
 

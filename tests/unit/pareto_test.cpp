@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_study
+// links: bridge_validate
 // Which runs nobody betters.
-#include "bridge/study/pareto.hpp"
+#include "bridge/validate/pareto.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

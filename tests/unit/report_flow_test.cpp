@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_picture
+// links: bridge_report
 // Tables of the water in joints, as pictures and the report read them.
-#include "bridge/picture/report_flow.hpp"
+#include "bridge/report/flow_data.hpp"
 
 #include <gtest/gtest.h>
 

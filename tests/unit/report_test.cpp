@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_picture
+// links: bridge_report
 // What a report takes from a scene and a run.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -7,11 +7,11 @@
 
 #include <fstream>
 
+#include "bridge/picture/frames_data.hpp"
 #include "bridge/picture/history.hpp"
-#include "bridge/picture/report_frames.hpp"
-#include "bridge/picture/report_histories.hpp"
-#include "bridge/picture/report_page.hpp"
-#include "bridge/picture/report_section.hpp"
+#include "bridge/picture/section_data.hpp"
+#include "bridge/report/histories_data.hpp"
+#include "bridge/report/report_page.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "tests/own_folder.hpp"
 #include "tests/unit/scene_sample.hpp"

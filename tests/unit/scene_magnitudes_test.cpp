@@ -45,6 +45,8 @@ std::string set(const Magnitude& row, double value) {
   std::string scene = with("[water]", "[water]\natmosphere = \"wet-faces\"");
   if (row.section == std::string("analysis")) scene = scene.substr(0, scene.find("[water]"));
   if (key == "duration_s") scene = set(scene, "[analysis]", "step_s", value / 100);
+  if (key == "roughness") scene = set(scene, "[joint]", "wall_strength_pa", 50e6);
+  if (key == "wall_strength_pa") scene = set(scene, "[joint]", "roughness", 8);
   if (key == "step_s") scene = set(scene, "[analysis]", "duration_s", value * 100);
   scene +=
       "[[bolt]]\nname = \"bar\"\nfrom_block = \"base\"\nfrom_m = [0, 1]\nto_m = [-3, 0]\narea_m2_per_m = 1e-3\n"

@@ -14,37 +14,10 @@
 #include "bridge/wire/checksum.hpp"
 #include "bridge/wire/codec.hpp"
 #include "bridge/wire/messages_generated.h"
+#include "tests/unit/wire_sample.hpp"
 
 namespace blockweir::wire {
 namespace {
-
-/// What goes over the line.
-template <class Message>
-struct Sent {
-  explicit Sent(const Message& message) { encode(message, builder, parts); }
-  [[nodiscard]] Part frame(Keeper keeper = nullptr) const {
-    return {builder.GetBufferPointer(), builder.GetSize(), std::move(keeper)};
-  }
-  flatbuffers::FlatBufferBuilder builder;
-  std::vector<Part> parts;
-};
-
-Load sample() {
-  return {.window = 17,
-          .time_s = 0.17,
-          .holds_until_s = std::numeric_limits<double>::infinity(),
-          .upstream_level_m = 22,
-          .downstream_level_m = std::nan(""),
-          .block = {1, 2},
-          .edge = {3, 0},
-          .s_from = {0, 0.25},
-          .s_to = {0.5, 1},
-          .pressure_from_pa = {1e4, 2e4},
-          .pressure_to_pa = {3e4, 0},
-          .cracks_from = 1,
-          .breached = true,
-          .added_mass = {{}, {4e4, -1, 2e5, 3e3, 0.5, 1e6}}};
-}
 
 template <class Message>
 std::string refusal(const Message& message) {
@@ -62,7 +35,7 @@ std::string refusal(const Message& message) {
 }
 
 TEST(Codec, LoadArrivesAsItWasSent) {
-  const Load sent = sample();
+  const Load sent = sample_load();
   Load got;
   decode(Sent(sent).frame(), got);
   EXPECT_EQ(got.window, 17U);
@@ -76,22 +49,22 @@ TEST(Codec, LoadArrivesAsItWasSent) {
 }
 
 TEST(Codec, ALoadWithoutAddedMassHasNone) {
-  Load sent = sample();
+  Load sent = sample_load();
   sent.added_mass.clear();
-  Load got = sample();  // storage in use
+  Load got = sample_load();  // storage in use
   decode(Sent(sent).frame(), got);
   EXPECT_TRUE(got.added_mass.empty());
 }
 
 TEST(Codec, AnAddedMassThatIsNotANumberIsNamed) {
-  Load load = sample();
+  Load load = sample_load();
   load.added_mass.own()[1][2] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(refusal(load), "added mass 2 of block 1 is inf in window 17");
 }
 
 TEST(Codec, AddedMassesBetweenBlocksArriveWhereThereAreAny) {
-  Load sent = sample();
-  Load got = sample();
+  Load sent = sample_load();
+  Load got = sample_load();
   decode(Sent(sent).frame(), got);
   EXPECT_TRUE(got.coupled.empty());
   sent.coupled = {{0, 2}, {1, 2}};
@@ -100,13 +73,13 @@ TEST(Codec, AddedMassesBetweenBlocksArriveWhereThereAreAny) {
   EXPECT_EQ(got.coupled, sent.coupled);
   EXPECT_EQ(got.added_mass_between, sent.added_mass_between);
   EXPECT_EQ(got.edge, sent.edge);
-  decode(Sent(sample()).frame(), got);
+  decode(Sent(sample_load()).frame(), got);
   EXPECT_TRUE(got.coupled.empty());
   EXPECT_TRUE(got.added_mass_between.empty());
 }
 
 TEST(Codec, AddedMassesBetweenBlocksThatAreNotOneAPairOrNoNumbersAreRefused) {
-  Load load = sample();
+  Load load = sample_load();
   load.coupled = {{0, 2}, {1, 2}};
   load.added_mass_between = {{1, 2, 3, 4, 5, 6, 7, 8, 9}};
   EXPECT_EQ(refusal(load), "2 pairs of blocks and 1 added masses between them in window 17");
@@ -130,7 +103,7 @@ std::string refusal_of_told(const Load& load, const std::function<void(buffer::C
 }
 
 TEST(Codec, AddedMassesThatAreNotSixABlockAreRefused) {
-  Load load = sample();
+  Load load = sample_load();
   load.pressure_to_pa = {0, 1, 2, 3, 4, 5, 6};
   load.added_mass.clear();
   // The table gets to say that these are the added masses, which stand behind them.
@@ -139,12 +112,12 @@ TEST(Codec, AddedMassesThatAreNotSixABlockAreRefused) {
 }
 
 TEST(Codec, AFrameThatHoldsLessOrMoreThanItsTableSaysIsRefused) {
-  EXPECT_EQ(refusal_of_told(sample(),
+  EXPECT_EQ(refusal_of_told(sample_load(),
                             [](buffer::ColumnSum* told) {
                               told[6] = {16, told[6].sum()};
                             }),
             "no edge in window 17");
-  EXPECT_EQ(refusal_of_told(sample(),
+  EXPECT_EQ(refusal_of_told(sample_load(),
                             [](buffer::ColumnSum* told) {
                               told[6] = {0, checksum(nullptr, 0)};
                             }),
@@ -176,18 +149,18 @@ TEST(Codec, DisplacementsAndVelocitiesOfUnequalNumberAreRefused) {
 }
 
 TEST(Codec, APressureThatIsNotANumberIsNamed) {
-  Load load = sample();
+  Load load = sample_load();
   load.pressure_to_pa.own()[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal(load), "pressure of panel 1 (block 2, edge 0) is nan in window 17");
 }
 
 TEST(Codec, ColumnsStayInTheFrameThatIsKept) {
-  const Load sent = sample();
+  const Load sent = sample_load();
   auto memory = std::make_shared<Sent<Load>>(sent);
   const std::uint8_t* frame = memory->builder.GetBufferPointer();
   const std::uint8_t* end = frame + memory->builder.GetSize();
   const std::weak_ptr<Sent<Load>> kept = memory;
-  Load got = sample();
+  Load got = sample_load();
   decode({frame, memory->builder.GetSize(), std::move(memory)}, got);
   const auto* pressure = reinterpret_cast<const std::uint8_t*>(got.pressure_to_pa.data());
   EXPECT_TRUE(frame <= pressure && pressure < end);
@@ -205,95 +178,35 @@ TEST(Codec, ColumnsStayInTheFrameThatIsKept) {
 }
 
 TEST(Codec, PressuresThatHoldUntilNoTimeAreRefused) {
-  Load load = sample();
+  Load load = sample_load();
   load.holds_until_s = std::nan("");
   EXPECT_EQ(refusal(load), "time that the pressures hold is nan in window 17");
 }
 
 TEST(Codec, ColumnsOfUnequalLengthAreRefused) {
-  Load load = sample();
+  Load load = sample_load();
   load.s_to.own().pop_back();
   EXPECT_EQ(refusal(load), "columns of 2 and 1 panels in window 17");
 }
 
 TEST(Codec, CracksBeyondThePanelsAreRefused) {
-  Load load = sample();
+  Load load = sample_load();
   load.cracks_from = 3;
   EXPECT_EQ(refusal(load), "cracks from panel 3 of 2 in window 17");
 }
 
 TEST(Codec, FractionsOutsideTheEdgeAreRefused) {
-  Load load = sample();
+  Load load = sample_load();
   load.s_to.own()[0] = 1.5;
   EXPECT_THAT(refusal(load), testing::HasSubstr("end of panel 0 (block 1, edge 3) is 1.5"));
 }
 
 TEST(Codec, APanelThatRunsBackwardsIsNamed) {
-  Load load = sample();
+  Load load = sample_load();
   load.s_from.own()[1] = 1;
   EXPECT_EQ(refusal(load), "");  // to a point
   load.s_to.own()[1] = 0.75;
   EXPECT_EQ(refusal(load), "s_to of panel 1 (block 2, edge 0) is 0.75 in window 17, before its s_from of 1");
-}
-
-std::vector<std::uint8_t> sound_frame() {
-  const Sent sent(sample());
-  const auto* bytes = static_cast<const std::uint8_t*>(sent.frame().data);
-  return {bytes, bytes + sent.frame().size};
-}
-
-void read(const std::vector<std::uint8_t>& bytes) {
-  const Part frame{bytes.data(), bytes.size()};
-  Load into;
-  if (verify(frame) == Kind::load) decode(frame, into);
-}
-
-/// What a reader says of bytes that stand before a sound checksum.
-std::string refusal_of_table(const std::uint8_t* table, std::size_t size) {
-  const std::array<std::uint64_t, 2> trailer{0, checksum(table, size)};
-  std::vector<std::uint8_t> bytes(table, table + size);
-  const auto* end = reinterpret_cast<const std::uint8_t*>(trailer.data());
-  bytes.insert(bytes.end(), end, end + sizeof trailer);
-  try {
-    read(bytes);
-  } catch (const BadMessage& bad) {
-    return bad.what();
-  }
-  return "";
-}
-
-TEST(Codec, WhatHoldsNoTableIsRefused) {
-  const std::vector<std::uint8_t> noise(24, 0xa5);
-  EXPECT_EQ(refusal_of_table(noise.data(), noise.size()),
-            fmt::format("40 bytes that are not a message of protocol {}", protocol_version));
-  const std::vector<std::uint8_t> frame = sound_frame();
-  EXPECT_THAT(refusal_of_table(frame.data(), 0), testing::StartsWith("16 bytes that are damaged, or not of protocol"));
-}
-
-TEST(Codec, ATableWithoutAMessageIsRefused) {
-  flatbuffers::FlatBufferBuilder builder;
-  buffer::FinishEnvelopeBuffer(builder, buffer::CreateEnvelope(builder));
-  EXPECT_EQ(refusal_of_table(builder.GetBufferPointer(), builder.GetSize()),
-            fmt::format("a message of {} bytes without a known body", builder.GetSize() + 16));
-}
-
-TEST(Codec, EveryFlippedBitIsSeen) {
-  std::vector<std::uint8_t> bytes = sound_frame();
-  ASSERT_NO_THROW(read(bytes));
-  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
-    const auto flip = static_cast<std::uint8_t>(1U << bit % 8);
-    bytes[bit / 8] ^= flip;
-    EXPECT_THROW(read(bytes), BadMessage) << bit;
-    bytes[bit / 8] ^= flip;
-  }
-}
-
-TEST(Codec, EveryTruncationIsSeen) {
-  std::vector<std::uint8_t> bytes = sound_frame();
-  while (!bytes.empty()) {
-    bytes.pop_back();
-    EXPECT_THROW(read(bytes), BadMessage) << bytes.size();
-  }
 }
 
 TEST(Hello, EveryDifferenceIsNamedWithBothValues) {

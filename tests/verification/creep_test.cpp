@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_process fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
+// links: solid_answers fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
 // A dam on joints that dip, with next to no strength too little: it creeps for hundreds of static steps.
 #include <gtest/gtest.h>
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "solid/static_blocks.hpp"
-#include "solid/static_strength.hpp"
+#include "solid/capacity/static_blocks.hpp"
+#include "solid/capacity/static_strength.hpp"
 
 namespace blockweir::test {
 namespace {

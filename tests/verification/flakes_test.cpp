@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: blockweir_independent solid_process bridge_scene_read
+// links: blockweir_independent solid_answers bridge_scene_read
 // Joint sets cut flakes off a section, as thin as chance will have it: they stand with what they lie on.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "bridge/scene/read/read.hpp"
-#include "solid/static_blocks.hpp"
-#include "solid/static_strength.hpp"
+#include "solid/capacity/static_blocks.hpp"
+#include "solid/capacity/static_strength.hpp"
 #include "tests/independent/random_structures.hpp"
 #include "tests/verification/campaign.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: blockweir_independent solid_process fluid_hydrostatic bridge_scene_read
+// links: blockweir_independent solid_answers fluid_hydrostatic bridge_scene_read
 // Factors of safety under water far above all that can move, against the block's own equilibrium.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

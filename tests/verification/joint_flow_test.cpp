@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: fluid_hydrostatic solid_process bridge_scene_read nlohmann_json::nlohmann_json
+// links: fluid_hydrostatic solid_answers bridge_scene_read nlohmann_json::nlohmann_json
 // Dams whose uplift is that of water which flows through their joints, against moments and forces by hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

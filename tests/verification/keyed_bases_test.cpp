@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: blockweir_independent solid_process fluid_hydrostatic bridge_scene_read nlohmann_json::nlohmann_json
+// links: blockweir_independent solid_answers fluid_hydrostatic bridge_scene_read nlohmann_json::nlohmann_json
 // Dams with a key at the heel, drawn at random: friction at toe and key is not determined by equilibrium, so the level
 // of failure depends on how the joints' forces came about. The level that is told is one that holds without history.
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
-#include "solid/static_blocks.hpp"
+#include "solid/capacity/static_blocks.hpp"
 #include "tests/independent/random_structures.hpp"
 #include "tests/verification/campaign.hpp"
 

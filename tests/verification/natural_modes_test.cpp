@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_process fluid_hydrostatic fluid_reservoir bridge_scene_read
+// links: solid_answers fluid_hydrostatic fluid_reservoir bridge_scene_read
 // Natural frequencies, dry and wet, against closed forms and published figures.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

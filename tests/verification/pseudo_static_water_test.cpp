@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_process fluid_hydrostatic fluid_reservoir bridge_scene_read
+// links: solid_answers fluid_hydrostatic fluid_reservoir bridge_scene_read
 // Factors of safety in a pseudo-static earthquake, the water's added pressure by finite elements.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: blockweir_independent solid_process fluid_hydrostatic nlohmann_json::nlohmann_json
+// links: blockweir_independent solid_answers fluid_hydrostatic nlohmann_json::nlohmann_json
 // Structures drawn at random: the level that is found without a run, by rigid blocks and by limit analysis, against
 // limit equilibrium and limit analysis that share no code with the program.
 #include <fstream>
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "solid/answer_parts.hpp"
-#include "solid/static_level.hpp"
+#include "solid/answers/answer_parts.hpp"
+#include "solid/capacity/static_level.hpp"
 #include "tests/verification/random_trials.hpp"
 
 namespace blockweir::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_process fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
+// links: solid_answers fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
 // What a factor on strength does not see: a structure that is about to turn over, a crack that the uplift does not
 // follow, anchors that take up their force as blocks move.
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: blockweir_independent solid_process bridge_scene_read
+// links: blockweir_independent solid_answers bridge_scene_read
 // Corners that bear by being sharp: feather edges that lie flush with the ground, and corners in a kink of the ground.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,9 +9,9 @@
 
 #include "bridge/scene/read/read.hpp"
 #include "bridge/statics/loads.hpp"
-#include "solid/crushed_corners.hpp"
-#include "solid/static_blocks.hpp"
-#include "solid/static_strength.hpp"
+#include "solid/answers/crushed_corners.hpp"
+#include "solid/capacity/static_blocks.hpp"
+#include "solid/capacity/static_strength.hpp"
 #include "tests/independent/random_structures.hpp"
 #include "tests/verification/campaign.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: blockweir_independent solid_process fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
+// links: blockweir_independent solid_answers fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
 // A block on a slope that is too steep for it, with an anchor that is slack: what stops it after it has slid as far as
 // a failure does not make it stand.
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "solid/static_level.hpp"
-#include "solid/static_strength.hpp"
+#include "solid/capacity/static_level.hpp"
+#include "solid/capacity/static_strength.hpp"
 #include "solid/step/solid.hpp"
 #include "tests/independent/random_structures.hpp"
 #include "tests/verification/campaign.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "bridge/scene/joint_law_keys.hpp"
 #include "bridge/scene/read/reading.hpp"
 
 namespace blockweir::scene {

@@ -46,6 +46,8 @@ constexpr Magnitude table_of_magnitudes[] = {
     {"joint", "dilation_angle_deg", "deg", 0.5, 45, {radians}},
     {"joint", "cohesion_pa", "Pa", 1000, 1e12, {kilopascals, megapascals}, "", grows_with_size},
     {"joint", "tension_strength_pa", "Pa", 1000, 1e12, {megapascals, kilopascals}, "", grows_with_size},
+    {"joint", "roughness", "", 0.5, 20, {}, "JRC is 2 for smooth joints, 20 for the roughest"},
+    {"joint", "wall_strength_pa", "Pa", 1e6, 5e8, {megapascals, kilopascals}},
     {"water", "density_kg_per_m3", "kg/m3", 500, 2000, {tonnes, {"kN/m3", 1000 / 9.81}}},
     {"water", "atmospheric_pressure_pa", "Pa", 3e4, 1.2e5, {kilopascals, {"hPa", 100}, {"bar", 1e5}}},
     {"ice", "thickness_m", "m", 0.1, 2, {{"cm", 0.01}, {"mm", 0.001}}},

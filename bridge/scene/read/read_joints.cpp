@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "bridge/scene/joint_law_keys.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/structure_size.hpp"

@@ -50,10 +50,10 @@ Range drawn_length() {
   return {[](double x) { return x > 0 && x < 1e6; }, "a number above 0, below 1e6"};
 }
 
-TableReader::TableReader(Problems& problems, const toml::table* table, std::string name)
+TableKeys::TableKeys(Problems& problems, const toml::table* table, std::string name)
     : problems_(problems), table_(table), name_(std::move(name)) {}
 
-TableReader::~TableReader() {
+TableKeys::~TableKeys() {
   if (table_ == nullptr) return;
   for (const auto& [key, node] : *table_) {
     const std::string word(key.str());
@@ -65,20 +65,20 @@ TableReader::~TableReader() {
   }
 }
 
-Place TableReader::place() const {
+Place TableKeys::place() const {
   return present() ? problems_.at(table_->source()) : problems_.at(0);
 }
 
-Place TableReader::place(const char* key) const {
+Place TableKeys::place(const char* key) const {
   return has(key) ? problems_.at(table_->get(key)->source()) : place();
 }
 
-Place TableReader::place(const char* key, std::size_t entry) const {
+Place TableKeys::place(const char* key, std::size_t entry) const {
   const toml::array* list = has(key) ? table_->get(key)->as_array() : nullptr;
   return list != nullptr && entry < list->size() ? problems_.at((*list)[entry].source()) : place(key);
 }
 
-const toml::node* TableReader::ask(const char* key, bool required, const std::string& expected) {
+const toml::node* TableKeys::ask(const char* key, bool required, const std::string& expected) {
   if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.emplace_back(key);
   const toml::node* node = table_ != nullptr ? table_->get(key) : nullptr;
   if (node == nullptr && required) {
@@ -87,14 +87,13 @@ const toml::node* TableReader::ask(const char* key, bool required, const std::st
   return node;
 }
 
-bool TableReader::wrong(const char* key, const toml::node& node, const std::string& expected,
-                        const std::string& remedy) {
+bool TableKeys::wrong(const char* key, const toml::node& node, const std::string& expected, const std::string& remedy) {
   problems_.error(problems_.at(node.source()), fmt::format("{} in {} is {}", key, name_, shown(node)), expected,
                   remedy.empty() ? fmt::format("correct {}", key) : remedy);
   return false;
 }
 
-bool TableReader::not_one_of(const char* key, const std::string& word, const std::vector<std::string>& known) {
+bool TableKeys::not_one_of(const char* key, const std::string& word, const std::vector<std::string>& known) {
   problems_.error(place(key), fmt::format("{} in {} is \"{}\"", key, name_, word), one_of(known),
                   did_you_mean(word, known));
   return false;
@@ -201,7 +200,7 @@ bool TableReader::texts(const char* key, std::vector<std::string>& into, std::op
 }
 
 bool TableReader::texts_if_any(const char* key, std::vector<std::string>& into) {
-  asked_.emplace_back(key);
+  know(key);
   if (!has(key)) return false;
   texts(key, into);
   return true;

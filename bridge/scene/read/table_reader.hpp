@@ -27,15 +27,15 @@ Range not_negative();
 /// Of a length that a drawing can have: above 0, below 1e6 m.
 Range drawn_length();
 
-/// A value that is wrong is reported and leaves `into` as it was; so does a key that is absent, unless required.
-class TableReader {
+/// A table of the file, which of its keys have been asked for, and what messages say of them.
+class TableKeys {
  public:
   /// `table` may be null (absent): all keys then take their defaults. `name` is how messages call it: "[analysis]".
-  TableReader(Problems& problems, const toml::table* table, std::string name);
+  TableKeys(Problems& problems, const toml::table* table, std::string name);
   /// Reports the keys that were never asked for.
-  ~TableReader();
-  TableReader(const TableReader&) = delete;
-  TableReader& operator=(const TableReader&) = delete;
+  ~TableKeys();
+  TableKeys(const TableKeys&) = delete;
+  TableKeys& operator=(const TableKeys&) = delete;
 
   [[nodiscard]] bool present() const { return table_ != nullptr; }
   [[nodiscard]] bool has(const char* key) const { return table_ != nullptr && table_->contains(key); }
@@ -44,6 +44,26 @@ class TableReader {
   [[nodiscard]] Place place(const char* key) const;
   /// Of one entry of a list.
   [[nodiscard]] Place place(const char* key, std::size_t entry) const;
+  /// Says that the key is known, whatever it holds.
+  void know(const char* key) { ask(key, false, ""); }
+
+ protected:
+  const toml::node* ask(const char* key, bool required, const std::string& expected);
+  bool wrong(const char* key, const toml::node& node, const std::string& expected, const std::string& remedy = "");
+  bool not_one_of(const char* key, const std::string& word, const std::vector<std::string>& known);
+
+  Problems& problems_;
+  const toml::table* table_;
+  std::string name_;
+
+ private:
+  std::vector<std::string> asked_;
+};
+
+/// A value that is wrong is reported and leaves `into` as it was; so does a key that is absent, unless required.
+class TableReader : public TableKeys {
+ public:
+  using TableKeys::TableKeys;
 
   bool number(const char* key, double& into, const Range& range = any_number(), bool required = false);
   bool number(const char* key, std::optional<double>& into, const Range& range = any_number());
@@ -73,8 +93,6 @@ class TableReader {
   const toml::table* table(const char* key);
   /// A list of tables, at least one where it is required.
   std::vector<const toml::table*> tables(const char* key, bool required);
-  /// Says that the key is known, whatever it holds.
-  void know(const char* key) { ask(key, false, ""); }
   /// `duration_s` is where a ramp without `to` ends.
   bool time_table(const char* key, std::optional<TimeTable>& into, double duration_s);
   /// An index into `names`; -1 when it is wrong or absent.
@@ -96,18 +114,10 @@ class TableReader {
   }
 
  private:
-  const toml::node* ask(const char* key, bool required, const std::string& expected);
-  bool wrong(const char* key, const toml::node& node, const std::string& expected, const std::string& remedy = "");
-  bool not_one_of(const char* key, const std::string& word, const std::vector<std::string>& known);
   bool points_of(const char* key, const toml::node& node, std::vector<Point>& into, std::size_t least);
   bool rows(const char* key, TimeTable& into);
   bool ramp(TimeTable& into, double duration_s);
   bool wave(TimeTable& into);
-
-  Problems& problems_;
-  const toml::table* table_;
-  std::string name_;
-  std::vector<std::string> asked_;
 };
 
 /// The value where the node is a finite number.

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/picture/section_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "bridge/geometry/outline.hpp"
+#include "bridge/geometry/polygon.hpp"
+#include "bridge/picture/acting_loads.hpp"
+#include "bridge/picture/json_point.hpp"
+#include "bridge/scene/at.hpp"
+#include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/structure_size.hpp"
+
+namespace blockweir::picture {
+namespace {
+
+using nlohmann::json;
+using scene::Point;
+
+json outline_of(const std::vector<Point>& points) {
+  json list = json::array();
+  for (const Point& p : points) list.push_back(pair(p));
+  return list;
+}
+
+/// The law of the water in a joint, with what the scene states of it.
+std::string water_in(const scene::JointLaw& law) {
+  std::string text = scene::named(law.uplift).name;
+  if (const auto& drain = law.known_heads.drain) {
+    text += fmt::format(", drain at {:.4g} m from the upstream end, efficiency {:.4g}", drain->station_m,
+                        drain->efficiency);
+    if (std::isfinite(drain->head_m)) text += fmt::format(", to a head at {:.4g} m", drain->head_m);
+  }
+  if (law.has_flow()) text += fmt::format(", aperture {:.3g} mm", 1e3 * law.hydraulic_aperture_m);
+  const std::size_t piezometers = law.known_heads.piezometers.size();
+  if (piezometers > 0) text += fmt::format(" of {} piezometer{}", piezometers, piezometers == 1 ? "" : "s");
+  return text;
+}
+
+json law(const std::string& name, const scene::JointLaw& law) {
+  return {{"name", name},
+          {"friction", law.friction_angle_deg},
+          {"residual", law.residual_friction_angle_deg},
+          {"cohesion", law.cohesion_pa},
+          {"tension", law.tension_strength_pa},
+          {"uplift", water_in(law)}};
+}
+
+/// Joints of one set, cut or region share a name and a law: the first of them stands for all.
+json laws(const scene::Scene& scene) {
+  json rows = json::array();
+  std::set<std::string> told;
+  for (const scene::Joint& joint : scene.joints) {
+    const std::string& name = joint.set.empty() ? joint.name : joint.set;
+    if (told.insert(name).second) rows.push_back(law(name, joint.law));
+  }
+  rows.push_back(law(rows.empty() ? "all joints" : "all other joints", scene.default_joint));
+  return rows;
+}
+
+/// Lines of drains and grout curtains that the water in joints meets.
+json drainage_rows(const scene::JointFlow& flow) {
+  json rows = json::array();
+  const auto place = [](const Point& p) { return fmt::format("({:.4g}, {:.4g})", p.x(), p.y()); };
+  for (const scene::DrainLine& drain : flow.drains) {
+    rows.push_back(
+        {drain.name.empty() ? "drain" : fmt::format("drain \"{}\"", drain.name),
+         fmt::format("from {} to {} m, efficiency {:.4g}, {}", place(drain.from_m), place(drain.to_m), drain.efficiency,
+                     drain.head_m ? fmt::format("to a head at {:.4g} m", *drain.head_m) : "into air")});
+  }
+  for (const scene::Grout& grout : flow.grouts) {
+    std::string corners;
+    for (const Point& p : grout.outline_m) corners += (corners.empty() ? "" : ", ") + place(p);
+    rows.push_back({grout.name.empty() ? "grout" : fmt::format("grout \"{}\"", grout.name),
+                    fmt::format("within {} m: apertures times {:.3g}", corners, grout.aperture_factor)});
+  }
+  return rows;
+}
+
+json joints(const scene::Scene& scene) {
+  constexpr double touching = 1e-6;  // of the structure
+  const double touching_m = touching * scene::structure_size_m(scene.blocks);
+  json list = json::array();
+  std::set<std::string> told;
+  for (const scene::Joint& joint : scene.joints) {
+    const auto trace =
+        scene::trace_joint(scene.blocks[at(joint.between[0])], scene.blocks[at(joint.between[1])], touching_m);
+    if (trace.pieces.empty()) continue;
+    json line = json::array({pair(trace.mouth())});
+    for (const auto& piece : trace.pieces) line.push_back(pair(piece.to_m));
+    const std::string& name = joint.set.empty() ? joint.name : joint.set;
+    list.push_back({{"name", name}, {"lines", json::array({line})}, {"labelled", told.insert(name).second}});
+  }
+  return list;
+}
+
+/// Of all that can move: height, and the ends of its lowest and highest line.
+json dimensions(const scene::Scene& scene) {
+  std::vector<Point> movable;
+  for (const auto& block : scene.blocks) {
+    if (!block.fixed) movable.insert(movable.end(), block.vertices.begin(), block.vertices.end());
+  }
+  if (movable.empty()) return nullptr;
+  const geometry::Bounds box = geometry::bounds_of(movable);
+  const double near = 1e-6 * box.size();
+  const auto ends_at = [&](double y) {
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    for (const Point& p : movable) {
+      if (std::abs(p.y() - y) > near) continue;
+      left = std::min(left, p.x());
+      right = std::max(right, p.x());
+    }
+    return json{left, right};
+  };
+  return {{"bottom", box.low.y()},
+          {"top", box.high.y()},
+          {"right", box.high.x()},
+          {"base", ends_at(box.low.y())},
+          {"crest", ends_at(box.high.y())}};
+}
+
+}  // namespace
+
+json section_data(const scene::Scene& scene) {
+  json blocks = json::array();
+  for (const auto& block : scene.blocks) {
+    blocks.push_back({{"name", block.name},
+                      {"fixed", block.fixed},
+                      {"outline", outline_of(block.vertices)},
+                      {"centroid", pair(geometry::centroid(block.vertices))}});
+  }
+  json materials = json::array();
+  for (const auto& material : scene.materials) {
+    materials.push_back({{"name", material.name},
+                         {"density", material.density_kg_per_m3},
+                         {"modulus", material.youngs_modulus_pa},
+                         {"poisson", material.poissons_ratio}});
+  }
+  return {{"blocks", blocks},
+          {"materials", materials},
+          {"laws", laws(scene)},
+          {"drainage", drainage_rows(scene.joint_flow)},
+          {"joints", joints(scene)},
+          {"bolts", bolts_data(scene)},
+          {"dimensions", dimensions(scene)},
+          {"size_m", scene::structure_size_m(scene.blocks)}};
+}
+
+}  // namespace blockweir::picture

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Writes SOURCE, a C++ file that holds the files of PAGE as texts; leaves it alone while they are the same.
+cmake_minimum_required(VERSION 3.25)
+file(READ ${PAGE}/report.html html)
+file(READ ${PAGE}/report.css style)
+set(script "")
+foreach(file elements section state chart animation reliability page)
+  file(READ ${PAGE}/${file}.js text)
+  string(APPEND script "${text}")
+endforeach()
+set(text "#include \"bridge/report/page_files.hpp\"\n\nnamespace blockweir::picture {\n")
+foreach(part html style script)
+  string(APPEND text "const char* const page_${part} = R\"page(${${part}})page\";\n")
+endforeach()
+file(CONFIGURE OUTPUT ${SOURCE} CONTENT "@text@}  // namespace blockweir::picture\n" @ONLY)

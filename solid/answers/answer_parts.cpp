@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/answers/answer_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace blockweir::solid {
+
+nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit::Twists& mechanism) {
+  const limit::MechanismWords words = limit::words_of(structure, mechanism);
+  nlohmann::json moving = nlohmann::json::array();
+  for (const std::size_t b : words.moving) {
+    moving.push_back({{"name", structure.scene().blocks[b].name},
+                      {"velocity_x", mechanism[b].x()},
+                      {"velocity_y", mechanism[b].y()},
+                      {"spin_per_m", mechanism[b].z()}});
+  }
+  return {{"text", words.text}, {"mode", words.mode}, {"joints", words.joints}, {"blocks", moving}};
+}
+
+void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohmann::json& answer) {
+  answer["upper_bound"] = !structure.is_exact();
+  if (structure.holds_any_force()) {
+    answer["limit_analysis_note"] = anchors_note;
+  } else if (yields_above_prestress(structure.scene())) {
+    answer["limit_analysis_note"] = yields_note;
+  }
+}
+
+bool yields_above_prestress(const scene::Scene& scene) {
+  return std::any_of(scene.bolts.begin(), scene.bolts.end(), [](const scene::Bolt& bolt) {
+    return bolt.yield_n_per_m && *bolt.yield_n_per_m > bolt.prestress_n_per_m;
+  });
+}
+
+void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answer) {
+  if (scene.water.earthquake_coefficient != 0) {
+    answer["added_water_pressure"] = scene::name_of(scene.water.added_water);
+  }
+}
+
+void add_shaking_left_out(const scene::Scene& scene, nlohmann::json& answer) {
+  if (!scene.base_motion) return;
+  const double end_s = scene.analysis.duration_s;
+  answer["warnings"].push_back(fmt::format(
+      "[base_motion] is left out of this static answer, but for the acceleration at the run's end, {:.3g} "
+      "and {:.3g} m/s2; \"blockweir run\" shakes the structure, [earthquake] states a pseudo-static case",
+      scene.base_motion->acceleration_x_m_per_s2.at(end_s), scene.base_motion->acceleration_y_m_per_s2.at(end_s)));
+}
+
+bool has_bonds(const scene::Scene& scene) {
+  return scene.default_joint.weakens() ||
+         std::any_of(scene.joints.begin(), scene.joints.end(), [](const auto& joint) { return joint.law.weakens(); });
+}
+
+bool strains(const scene::Scene& scene) {
+  return scene.analysis.rigid != scene::Rigid::all &&
+         std::any_of(scene.blocks.begin(), scene.blocks.end(),
+                     [](const scene::Block& block) { return !block.fixed && !block.rigid; });
+}
+
+scene::Scene with_rigid_blocks(scene::Scene scene) {
+  scene.analysis.rigid = scene::Rigid::all;
+  for (scene::Block& block : scene.blocks) block.mesh_size_m = 0;
+  return scene;
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The level at which one sample of many fails: as level_answer() finds it, but by one of its two ways alone, and
+// without what only people read.
+#include "bridge/process/answers.hpp"
+#include "bridge/statics/loads.hpp"
+#include "solid/answers/answer_parts.hpp"
+#include "solid/capacity/static_level.hpp"
+#include "solid/limit/limit_level.hpp"
+
+namespace blockweir::process {
+namespace {
+
+using nlohmann::json;
+using solid::StillWater;
+using solid::limit::Filled;
+namespace limit = solid::limit;
+
+/// `empty_m`, `full_m`: between which levels it was looked for.
+json capacity_json(Filled outcome, double level_m, const limit::LevelRange& range) {
+  const bool fails = outcome == Filled::fails;
+  const char* word = fails ? "fails" : outcome == Filled::stands_full ? "stands" : "does not stand empty";
+  return {{"outcome", word},
+          {"level_m", fails ? json(level_m) : json()},
+          {"empty_m", range.empty_m},
+          {"full_m", range.full_m}};
+}
+
+json by_limit_analysis(const scene::Scene& scene, StillWater& water) {
+  const limit::LimitAnalysis structure(scene);
+  const limit::Wrenches dead =
+      limit::combined(statics::weights_of(scene), 1, statics::stated_loads_of(scene, scene.analysis.duration_s));
+  const auto water_at = [&](double level_m) { return statics::water_forces(scene, water.at(level_m)); };
+  const limit::LimitLevel found = limit_level(structure, dead, water_at, water.range());
+  json answer = capacity_json(found.outcome, found.level_m, water.range());
+  answer["is_exact"] = structure.is_exact();
+  if (found.outcome != Filled::fails) return answer;
+  const limit::MechanismWords words = limit::words_of(structure, found.at_it.mechanism);
+  answer["mode"] = words.mode;
+  if (!words.joints.empty()) answer["joint"] = words.joints.front();
+  if (words.mouth_m) answer["head_m"] = found.level_m - words.mouth_m->y();
+  return answer;
+}
+
+json by_the_blocks(const scene::Scene& scene, StillWater& water) {
+  const solid::StaticLevel found = solid::static_level(scene, water);
+  json answer = capacity_json(found.outcome, found.level_m, water.range());
+  if (found.outcome != Filled::fails || !found.failure) return answer;
+  answer["mode"] = found.failure->mode;
+  answer["joint"] = found.failure->joint;
+  answer["head_m"] = found.failure->head_m + (found.level_m - found.failure->level_m);
+  return answer;
+}
+
+}  // namespace
+
+json capacity_answer(const scene::Scene& scene, const FluidMaker& make_fluid, Capacity by) {
+  StillWater water(scene, make_fluid);
+  return by == Capacity::limit ? by_limit_analysis(scene, water) : by_the_blocks(scene, water);
+}
+
+}  // namespace blockweir::process

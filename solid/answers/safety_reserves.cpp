@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/answers/safety_reserves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bridge/statics/loads.hpp"
+#include "solid/answers/answer_parts.hpp"
+#include "solid/watch/edge_tension.hpp"
+
+namespace blockweir::solid {
+
+using limit::Bearing;
+
+namespace {
+
+/// The same with the cohesion of the part that is not cracked.
+scene::Scene with_cracked_joints(scene::Scene scene, const std::vector<CrackedJoint>& cracked) {
+  for (const CrackedJoint& c : cracked) {
+    auto joint = std::find_if(scene.joints.begin(), scene.joints.end(), [&](const scene::Joint& j) {
+      return std::pair<int, int>(std::minmax(j.between[0], j.between[1])) == c.blocks;
+    });
+    if (joint == scene.joints.end()) {
+      joint = scene.joints.insert(joint, {c.name, {c.blocks.first, c.blocks.second}, scene.default_joint});
+    }
+    joint->law.cohesion_pa *= 1 - c.cracked;
+  }
+  return scene;
+}
+
+}  // namespace
+
+void add_water_factor(const limit::LimitAnalysis& structure, Situation& now, const limit::Wrenches& stated,
+                      const limit::LimitStrength& strength, nlohmann::json& answer) {
+  if (!now.water) return;
+  const limit::Wrenches dry = limit::combined(statics::weights_of(now.scene), 1, stated);
+  const auto found = attempt(
+      [&] { return structure.largest_factor(dry, statics::water_forces(now.scene, now.water->at(now.level_m))); });
+  if (!found.value || found.value->bearing != Bearing::fails_at_a_factor) return;
+  const double factor = found.value->factor;
+  answer["water_factor"] = {{"factor", factor}, {"gap", found.value->gap}};
+  constexpr double scarce = 1.1;
+  const bool strong = strength.bearing == Bearing::bears_any ||
+                      (strength.bearing == Bearing::fails_at_a_factor && strength.factor > scarce);
+  if (factor < 1 || factor >= scarce || !strong) return;
+  answer["warnings"].push_back(
+      fmt::format("near its end: {:.5g} times what the water presses, its uplift included, brings it down, by limit "
+                  "analysis; a factor on strength does not see how near a structure is to turning over: look at the "
+                  "resultants and at `level`",
+                  factor));
+}
+
+void add_stretch_of_anchors(Situation& now, const StaticStrength& found, nlohmann::json& answer) {
+  if (now.scene.bolts.empty() || found.bearing == Bearing::bears_none) return;
+  constexpr double share = 0.1;
+  constexpr double seen = 1e-2;
+  scene::Scene stiff = now.scene;
+  stiff.analysis.failure_displacement_m *= share;
+  const double guess = found.bearing == Bearing::fails_at_a_factor ? found.factor : 1;
+  const auto other = attempt([&] { return static_strength(stiff, now.water_if_any(), now.level_m, guess); });
+  if (!other.value || other.value->bearing != Bearing::fails_at_a_factor) return;
+  const double factor = other.value->factor;
+  if (found.bearing == Bearing::fails_at_a_factor && factor > found.factor * (1 - seen)) return;
+  answer["with_less_stretch"] = {{"factor", factor}, {"failure_displacement_m", stiff.analysis.failure_displacement_m}};
+  answer["warnings"].push_back(
+      fmt::format("the blocks' factor counts on anchors that stretch while blocks move, by up to "
+                  "failure_displacement_m = {:.3g} m; if they may move by {:.3g} m only it is {:.5g}: state as "
+                  "failure_displacement_m what the structure may move",
+                  now.scene.analysis.failure_displacement_m, stiff.analysis.failure_displacement_m, factor));
+}
+
+void add_cracked_joints(const Solid& blocks, Situation& now, nlohmann::json& answer) {
+  EdgeTension edge;
+  edge.look(blocks, std::numeric_limits<double>::quiet_NaN(), now.level_m);
+  if (const std::string warning = edge.warning(); !warning.empty()) answer["warnings"].push_back(warning);
+  const std::vector<CrackedJoint> cracked = EdgeTension::cracked_joints(blocks);
+  if (cracked.empty()) return;
+  const scene::Scene weaker = with_cracked_joints(now.scene, cracked);
+  const auto found = attempt([&] {
+    const limit::Wrenches stated = statics::stated_loads_of(weaker, weaker.analysis.duration_s);
+    return limit::limit_strength(limit::LimitAnalysis(weaker), limit::combined(now.dead(), 1, stated));
+  });
+  if (!found.value || found.value->bearing == Bearing::bears_any) return;
+  const double factor = found.value->bearing == Bearing::bears_none ? 0 : found.value->factor;
+  const auto most = std::max_element(cracked.begin(), cracked.end(),
+                                     [](const auto& a, const auto& b) { return a.cracked < b.cracked; });
+  answer["with_cracked_joint"] = {
+      {"factor", factor},
+      {"text", fmt::format("with cohesion on what is not in tension alone it is {:.5g}, by limit analysis; most is in "
+                           "tension of joint \"{}\", {:.3g} % of it",
+                           factor, most->name, 100 * most->cracked)}};
+}
+
+}  // namespace blockweir::solid

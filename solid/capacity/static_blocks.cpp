@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/capacity/static_blocks.hpp"
+
+#include <algorithm>
+
+#include "bridge/checkpoint/archive.hpp"
+#include "solid/watch/capture.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+/// What the static analysis calls balanced, over the weight: the answer is as exact as that.
+constexpr double balanced = 1e-11;
+
+scene::Scene at_rest(scene::Scene scene) {
+  scene.analysis.kind = scene::AnalysisKind::at_rest;
+  scene.analysis.residual_tolerance = std::min(scene.analysis.residual_tolerance, balanced);
+  return scene;
+}
+
+}  // namespace
+
+StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water, Effort& effort)
+    : scene_(at_rest(scene)), far_m_(scene_.analysis.failure_displacement_m), solid_(scene_), water_(water) {
+  solid_.call_meanwhile([&effort] { effort.solved_one(); });
+}
+
+bool StaticBlocks::begin(double level_m) {
+  if (scene_.analysis.start == scene::Start::equilibrium) solid_.settle(panels_of(pressures(level_m), solid_));
+  if (!rests_at(level_m, 1)) return false;
+  most_slip_m_ = far_m_ + solid_.largest_displacement_m();
+  return true;
+}
+
+bool StaticBlocks::rests_at(double level_m, double share) {
+  constexpr int most_rounds = 20;
+  scene_.analysis.failure_displacement_m = share * far_m_;
+  const double end_s = scene_.analysis.duration_s;
+  slipped_before_m_ = solid_.largest_slip_m();
+  moved_before_m_ = solid_.largest_displacement_m();
+  for (int round = 0; round < most_rounds; ++round) {
+    solid_.advance(end_s, end_s, panels_of(pressures(level_m), solid_));
+    if (!solid_.rest().found) return false;
+    // An anchor that leans more and more as its dam slides stops it at last; the dam has failed by then.
+    if (solid_.largest_slip_m() - slipped_before_m_ > share * far_m_ || slipped_away()) return false;
+    if (solid_.rest().steps == 1) break;
+  }
+  return true;
+}
+
+bool StaticBlocks::slipped_away() const {
+  return solid_.largest_slip_m() > most_slip_m_;
+}
+
+bool StaticBlocks::went_far() const {
+  return slipped_away() || std::max(solid_.largest_slip_m() - slipped_before_m_,
+                                    solid_.largest_displacement_m() - moved_before_m_) > far_m_;
+}
+
+std::string StaticBlocks::state() const {
+  return checkpoint::pack(solid_);
+}
+
+void StaticBlocks::restore(const std::string& state) {
+  checkpoint::unpack(state, solid_);
+}
+
+const wire::Load& StaticBlocks::pressures(double level_m) {
+  static const wire::Load none;
+  if (water_ == nullptr) return none;
+  motion_.displacement.own().resize(solid_.described());
+  motion_.velocity.own().resize(solid_.described());
+  for (std::size_t b = 0; b < solid_.described(); ++b) {
+    Vector6::Map(motion_.displacement.own()[b].data()) = solid_.states()[b].displacement;
+  }
+  return water_->at(level_m, motion_);
+}
+
+Levels StaticBlocks::levels(double level_m) {
+  if (water_ == nullptr) return {};
+  const wire::Load& load = pressures(level_m);
+  return {load.upstream_level_m, load.downstream_level_m};
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/capacity/static_level.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "solid/capacity/fresh_level.hpp"
+#include "solid/capacity/static_blocks.hpp"
+#include "solid/watch/edge_tension.hpp"
+#include "solid/watch/slipped_body.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+std::string warning_of(StaticBlocks& blocks, const std::string& resting, double level_m) {
+  blocks.restore(resting);
+  EdgeTension edge;
+  edge.look(blocks.solid(), std::numeric_limits<double>::quiet_NaN(), level_m);
+  return edge.warning();
+}
+
+class LevelSearch {
+ public:
+  LevelSearch(const scene::Scene& scene, StillWater& water, double width)
+      : scene_(scene),
+        water_(water),
+        full_m_(water.range().full_m),
+        range_m_(full_m_ - water.range().empty_m),
+        width_m_(width * range_m_),
+        rests_m_(water.range().empty_m),
+        blocks_(scene, &water, effort_) {}
+
+  StaticLevel found(std::optional<double> suspect_m) {
+    StaticLevel found = after_a_rise();
+    const bool stands_empty = found.outcome != limit::Filled::does_not_stand_empty;
+    if (stands_empty && found.stopped.empty()) look_without_history(suspect_m, found);
+    return found;
+  }
+
+ private:
+  StaticLevel after_a_rise() {
+    if (!blocks_.begin(rests_m_)) {
+      if (!blocks_.went_far())
+        throw std::runtime_error(
+            "level by the blocks: no equilibrium was found under the empty reservoir, and no block had gone as far as "
+            "a failure; expected one of both; run the scene and look at its motion");
+      return {.level_m = rests_m_};
+    }
+    resting_ = blocks_.state();
+    StaticLevel found;
+    try {
+      do {
+        narrow();
+      } while (has_bracket() && stands_beyond(found));
+      found.warning = warning_of(blocks_, resting_, rests_m_);
+    } catch (const TookTooLong& stopped) {
+      if (!has_bracket() && rests_m_ < full_m_) throw;
+      if (fails_m_ - rests_m_ > width_m_) found.stopped = stopped.what();
+    }
+    found.settles_m = settles_m_;
+    found.outcome = has_bracket() ? limit::Filled::fails : limit::Filled::stands_full;
+    found.level_m = has_bracket() ? (rests_m_ + fails_m_) / 2 : full_m_;
+    found.width_m = has_bracket() ? fails_m_ - rests_m_ : 0;
+    return found;
+  }
+
+  /// Just below the levels, so that a level which does not depend on the history costs an analysis.
+  void look_without_history(std::optional<double> suspect_m, StaticLevel& found) {
+    constexpr double below = 1e-3;
+    const double empty_m = water_.range().empty_m;
+    const auto just_below = [&](double level_m) { return level_m - below * (level_m - empty_m); };
+    const bool fails = found.outcome == limit::Filled::fails;
+    std::vector<double> levels = {fails ? std::min(rests_m_, just_below(found.level_m)) : full_m_};
+    if (suspect_m && *suspect_m < found.level_m) levels.push_back(just_below(*suspect_m));
+    std::optional<FreshLevel> fresh;
+    try {
+      fresh = fresh_level(scene_, water_, effort_, empty_m, levels);
+    } catch (const TookTooLong& stopped) {
+      found.stopped = stopped.what();
+    }
+    if (!fresh) return;
+    found.slow_rise = {found.outcome, found.level_m};
+    found.outcome = limit::Filled::fails;
+    found.level_m = (fresh->stands_m + fresh->fails_m) / 2;
+    found.width_m = fresh->fails_m - fresh->stands_m;
+    found.failure = fresh->failure;
+    found.stopped = fresh->stopped;
+    found.warning = fresh->warning;
+  }
+
+  [[nodiscard]] bool has_bracket() const { return fails_m_ <= full_m_; }
+
+  void narrow() {
+    constexpr int rises = 20;
+    while (rests_m_ < full_m_ && fails_m_ - rests_m_ > width_m_) {
+      effort_.knows(fmt::format("rests at {:.9g} m", rests_m_) +
+                    (has_bracket() ? fmt::format(", fails at {:.9g} m", fails_m_) : ""));
+      const double next_m = has_bracket() ? (rests_m_ + fails_m_) / 2 : std::min(full_m_, rests_m_ + range_m_ / rises);
+      if (next_m <= rests_m_ || next_m >= fails_m_) break;
+      // What only strains moves less under a small rise, and what slips need not be followed as far.
+      const double share = std::min(1.0, followed_ * std::max(1e-6, (next_m - rests_m_) / range_m_));
+      if (blocks_.rests_at(next_m, share)) {
+        rest_at(next_m);
+      } else {
+        fails_m_ = next_m;
+        blocks_.restore(resting_);
+      }
+    }
+  }
+
+  void rest_at(double level_m) {
+    rests_m_ = level_m;
+    resting_ = blocks_.state();
+  }
+
+  /// Follows the blocks all the way: what slips a little and then rests has not failed, and the search goes on from
+  /// there, to a coarser bracket. Otherwise tells how they fail.
+  bool stands_beyond(StaticLevel& found) {
+    constexpr double seen = 1e-4;  // beyond the level, so that how the blocks fail is seen
+    const double beyond_m = fails_m_ + seen * range_m_;
+    blocks_.restore(resting_);
+    FailureWatch watch(blocks_.solid());
+    watch.look(0, blocks_.levels(rests_m_));
+    if (blocks_.rests_at(beyond_m, 1)) {
+      if (!settles_m_) settles_m_ = rests_m_;
+      rest_at(beyond_m);
+      fails_m_ = unknown;
+      followed_ *= 100;
+      width_m_ = std::max(width_m_, settled_width * range_m_);
+      return true;
+    }
+    watch.look(1, blocks_.levels(beyond_m));
+    if (!watch.failures().empty()) found.failure = watch.failures().front();
+    if (found.failure) return false;
+    found.slips_add_up = blocks_.slipped_away();
+    if (blocks_.went_far()) {
+      found.failure = slipped_body(blocks_.solid(), beyond_m);
+    } else {
+      throw std::runtime_error(fmt::format(
+          "level by the blocks: they rest up to {:.9g} m; at {:.9g} m no equilibrium was found, and no block "
+          "had gone as far as a failure; expected one of both; run the scene at that level and look at its motion",
+          rests_m_, beyond_m));
+    }
+    return false;
+  }
+
+  static constexpr double unknown = std::numeric_limits<double>::infinity();
+  static constexpr double settled_width = 1e-6;  // each level past the bracket takes a slip of the whole way
+
+  const scene::Scene& scene_;
+  StillWater& water_;
+  double full_m_;
+  double range_m_;
+  double width_m_;
+  double rests_m_;
+  double fails_m_ = unknown;
+  std::string resting_;  ///< the blocks at rests_m_
+  Effort effort_{"level by the blocks"};
+  StaticBlocks blocks_;
+  std::optional<double> settles_m_;
+  double followed_ = 10;  ///< way on which the blocks may come to rest, over that of a failure, per rise over the range
+};
+
+}  // namespace
+
+StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width, std::optional<double> suspect_m) {
+  return LevelSearch(scene, water, width).found(suspect_m);
+}
+
+}  // namespace blockweir::solid

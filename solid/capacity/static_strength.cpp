@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/capacity/static_strength.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "solid/capacity/static_blocks.hpp"
+
+namespace blockweir::solid {
+
+scene::Scene with_reduced_strength(scene::Scene scene, double reduction) {
+  scene.default_joint.reduce(reduction);
+  for (scene::Joint& joint : scene.joints) joint.law.reduce(reduction);
+  return scene;
+}
+
+namespace {
+
+class Search {
+ public:
+  Search(const scene::Scene& scene, StillWater* water, double level_m, double guess)
+      : scene_(scene), water_(water), level_m_(level_m), stands_at_(guess), fails_at_(guess) {}
+
+  StaticStrength found() {
+    if (const auto bearing = bracket(); bearing != limit::Bearing::fails_at_a_factor) return {.bearing = bearing};
+    StaticStrength found{.bearing = limit::Bearing::fails_at_a_factor};
+    try {
+      narrow();
+      found.factor = (stands_at_ + fails_at_) / 2;
+    } catch (const TookTooLong& stopped) {
+      found.factor = stands_at_;
+      found.stopped = stopped.what();
+    }
+    found.width = fails_at_ - stands_at_;
+    return found;
+  }
+
+ private:
+  bool stands(double reduction) {
+    const scene::Scene reduced = with_reduced_strength(scene_, reduction);
+    try {
+      return StaticBlocks(reduced, water_, effort_).begin(level_m_);
+    } catch (const SolveError& error) {
+      not_solved_ = error.what();  // it has no equilibrium under its first loads, or these cannot be solved
+      return false;
+    }
+  }
+
+  /// Grows from the guess on until it has both ends.
+  limit::Bearing bracket() {
+    constexpr double largest = 1e6;  // a factor beyond is none
+    const bool first = stands(stands_at_);
+    for (double step = nearest;; step *= 100) {
+      effort_.knows(fmt::format("{} with strength over {:.6g}", first ? "stands" : "fails", stands_at_));
+      double& end = first ? fails_at_ : stands_at_;
+      end = first ? end * (1 + step) : end / (1 + step);
+      if (end > largest) return limit::Bearing::bears_any;
+      if (end < 1 / largest) return none();
+      if (stands(end) != first) return limit::Bearing::fails_at_a_factor;
+      (first ? stands_at_ : fails_at_) = end;
+    }
+  }
+
+  /// Whatever the strength, nothing has found a rest. With ample strength the first loads have one, unless they cannot
+  /// be solved: that is no answer.
+  [[nodiscard]] limit::Bearing none() const {
+    if (not_solved_.empty()) return limit::Bearing::bears_none;
+    throw std::runtime_error("the blocks' equilibrium is not solved with any strength: " + not_solved_);
+  }
+
+  void narrow() {
+    while (fails_at_ - stands_at_ > exact * stands_at_) {
+      effort_.knows(fmt::format("stands with strength over {:.7g}, fails over {:.7g}", stands_at_, fails_at_));
+      const double middle = (stands_at_ + fails_at_) / 2;
+      (stands(middle) ? stands_at_ : fails_at_) = middle;
+    }
+  }
+
+  static constexpr double nearest = 1e-8;  // first step from the guess, over it
+  static constexpr double exact = 1e-7;    // width of the bracket at the end, over the factor
+
+  const scene::Scene& scene_;
+  StillWater* water_;
+  double level_m_;
+  std::string not_solved_;  ///< why, of the last that was not
+  Effort effort_{"factor by the blocks"};
+  double stands_at_;
+  double fails_at_;
+};
+
+}  // namespace
+
+bool stands(const scene::Scene& scene, StillWater* water, double level_m) {
+  Effort effort("the blocks");
+  return StaticBlocks(scene, water, effort).begin(level_m);
+}
+
+StaticStrength static_strength(const scene::Scene& scene, StillWater* water, double level_m, double guess) {
+  return Search(scene, water, level_m, guess).found();
+}
+
+}  // namespace blockweir::solid
