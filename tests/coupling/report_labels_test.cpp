@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_study solid_process fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
+// links: bridge_study solid_answers fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
 // Sections of all cases and of their load cases, as a report draws them: no two labels touch.
 #include "bridge/picture/section_data.hpp"
 #include "bridge/picture/section_state.hpp"
