@@ -142,6 +142,10 @@ inline std::string scene_with(const std::string& table) {
   if (table == "wall") {
     return head + own + "brick_length_m = 1\nbrick_height_m = 1\nrows = 2\ncolumns = 3\n" + ground;
   }
+  if (table == "viscous_boundary") {
+    return head + "[[viscous_boundary]]\nblock = \"ground\"\n" +
+           std::regex_replace(ground, std::regex("fixed = true\n"), "");
+  }
   if (table == "heap") return head + own + "width_m = 4\nsize_m = 1\n";
   if (table == "section" || table == "region" || table == "cut" || table == "joint_set") {
     return head + ground + R"([section]

@@ -83,21 +83,68 @@ json simulated(const OT::ProbabilitySimulationResult& result) {
           {"evaluations", result.getOuterSampling() * result.getBlockSize()}};
 }
 
-/// What OpenTURNS says of a search that ends on level ground, in the words of who asked.
-[[noreturn]] void fail_search(const OT::Exception& error) {
-  if (std::string(error.what()).find("gradient of the level function is zero") == std::string::npos) throw;
-  throw std::runtime_error("the search for the design point comes to a point at which no variable changes the level");
+bool ends_on_level_ground(const OT::Exception& error) {
+  return std::string(error.what()).find("gradient of the level function is zero") != std::string::npos;
+}
+
+/// Points off level ground, the nearest to the means first: along each axis of standard space, and where none of these
+/// changes the level, among draws. A structure that the means fill to its crest has the same level all around.
+std::vector<OT::Point> points_on_slopes(const OT::ThresholdEvent& event, const OT::Distribution& joint) {
+  constexpr double step = 0.5;  // in deviations
+  constexpr int steps = 12;
+  constexpr unsigned draws = 200;
+  const auto to_physical = joint.getInverseIsoProbabilisticTransformation();
+  OT::Sample points(1, joint.getMean());
+  for (int k = 1; k <= steps; ++k) {
+    for (OT::UnsignedInteger axis = 0; axis < joint.getDimension(); ++axis) {
+      for (const double sign : {-1.0, 1.0}) {
+        OT::Point at(joint.getDimension());
+        at[axis] = sign * k * step;
+        points.add(to_physical(at));
+      }
+    }
+  }
+  std::vector<OT::Point> found;
+  const auto keep_slopes = [&] {
+    const OT::Sample levels = event.getFunction()(points);
+    for (OT::UnsignedInteger i = 1; i < points.getSize(); ++i) {
+      if (levels(i, 0) < levels(0, 0)) found.push_back(points[i]);
+    }
+  };
+  keep_slopes();
+  if (!found.empty()) return found;
+  points = OT::Sample(1, joint.getMean());
+  points.add(joint.getSample(draws));
+  keep_slopes();
+  return found;
+}
+
+/// Throws OT::Exception where the search from `start` does not end.
+template <class Analysis>
+auto analysed_from(const OT::Point& start, const OT::ThresholdEvent& event) {
+  Analysis analysis(nearest_point(), event, start);
+  analysis.run();
+  return analysis.getResult();
 }
 
 template <class Analysis>
 auto analysed(const OT::ThresholdEvent& event, const OT::Distribution& joint) {
-  Analysis analysis(nearest_point(), event, joint.getMean());
   try {
-    analysis.run();
+    return analysed_from<Analysis>(joint.getMean(), event);
   } catch (const OT::Exception& error) {
-    fail_search(error);
+    if (!ends_on_level_ground(error)) throw;
   }
-  return analysis.getResult();
+  constexpr std::size_t most_starts = 8;
+  std::vector<OT::Point> starts = points_on_slopes(event, joint);
+  starts.resize(std::min(starts.size(), most_starts));
+  for (const OT::Point& start : starts) {
+    try {
+      return analysed_from<Analysis>(start, event);
+    } catch (const OT::Exception& error) {
+      if (!ends_on_level_ground(error)) throw;
+    }
+  }
+  throw std::runtime_error("the search for the design point comes to a point at which no variable changes the level");
 }
 
 /// beta with P = Phi(-beta), below 0 where the means fail.

@@ -2,15 +2,18 @@
 // A name that a scene gives, as that of a file or folder.
 #pragma once
 
-#include <cctype>
 #include <string>
 
 namespace blockweir::results {
 
-/// Letters and digits stay, all else becomes a hyphen.
+/// Letters and digits stay, in any script (UTF-8); all else becomes a hyphen. Two names may become one: the reader of
+/// scenes refuses that (OwnFiles).
 inline std::string file_name(std::string name) {
+  const auto stays = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c & 0x80) != 0;
+  };
   for (char& c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+    if (!stays(c)) c = '-';
   }
   return name;
 }

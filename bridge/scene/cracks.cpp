@@ -168,6 +168,7 @@ std::vector<int> parted_by(const Scene& scene, const std::set<std::pair<int, int
     if (scene.blocks[b].fixed) hold(static_cast<int>(b));
   }
   for (const Support& support : scene.supports) hold(support.block);
+  for (const ViscousFace& face : scene.viscous_faces) hold(face.block);
   const double touching_m = touching_ratio * size_of(scene);
   const BlockIndex index(scene.blocks);
   while (!open.empty()) {

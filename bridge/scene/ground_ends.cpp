@@ -8,6 +8,7 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
+#include "bridge/scene/viscous_ground.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -23,7 +24,8 @@ double highest_level(const std::optional<TimeTable>& level) {
 bool is_held(const Scene& scene, int block) {
   return scene.blocks[at(block)].fixed ||
          std::any_of(scene.supports.begin(), scene.supports.end(),
-                     [&](const Support& s) { return s.block == block && s.displacement_y_m; });
+                     [&](const Support& s) { return s.block == block && s.displacement_y_m; }) ||
+         rests_on_viscous_ground(scene, block);
 }
 
 /// An upright face on the model's end.

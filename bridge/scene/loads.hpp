@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,6 +63,24 @@ struct BodyLoad {
   std::array<TimeTable, 2> value;  ///< x and y
   LoadOrigin origin = LoadOrigin::stated;
   bool operator==(const BodyLoad&) const = default;
+};
+
+/// A straight part of a block's outline beyond which the ground goes on. At rest it is held; waves leave through it
+/// (Lysmer and Kuhlemeyer 1969), and those of a base motion come in.
+struct ViscousFace {
+  int block = 0;
+  Point from_m;  ///< along the outline, counter-clockwise
+  Point to_m;
+  int material = 0;  ///< of the ground beyond: index into Scene::materials
+
+  [[nodiscard]] double length_m() const { return (to_m - from_m).norm(); }
+  [[nodiscard]] Point normal() const {  ///< out of the block
+    const Point along = (to_m - from_m).normalized();
+    return {along.y(), -along.x()};
+  }
+  /// Else the ground is below it, and bears it.
+  [[nodiscard]] bool is_side() const { return std::abs(normal().x()) > std::abs(normal().y()); }
+  bool operator==(const ViscousFace&) const = default;
 };
 
 /// How the ground's acceleration acts: as an inertia force on all that can move, motions then being relative to the

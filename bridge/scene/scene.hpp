@@ -151,6 +151,7 @@ struct Scene {
   JointLaw default_joint;
   std::vector<Joint> joints;  ///< pairs that are not listed follow default_joint
   std::vector<Support> supports;
+  std::vector<ViscousFace> viscous_faces;
   std::vector<PointLoad> point_loads;
   std::vector<FacePressure> face_pressures;
   std::vector<LineLoad> line_loads;

@@ -53,7 +53,7 @@ StudyResult find_limit(const scene::LimitStudy& study, StudyRuns& runs) {
             study.key, value));
       }
       const double duration_s = longer * summary["simulated_s"].get<double>();
-      summary = runs.run({setting(study.key, value), setting("analysis.duration_s", duration_s)}, answer);
+      summary = runs.run_longer({setting(study.key, value)}, duration_s, answer);
     }
     const std::string word = outcome_word(summary);
     expected = summary["checks"][0]["expected"].get<double>();

@@ -10,6 +10,8 @@
 #include "bridge/process/run.hpp"
 #include "bridge/process/temporary_folder.hpp"
 #include "bridge/scene/diagnostic.hpp"
+#include "bridge/scene/read/ramp_ends.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "bridge/study/check_work.hpp"
 #include "bridge/study/safety.hpp"
 
@@ -67,6 +69,7 @@ Outcome run_out(const fs::path& scene, Settings all, const fs::path& folder, boo
     if (!result.trouble.empty()) return troubled(result.refused ? "refused" : "stopped", result.trouble);
     row = outcome_of(result.summary);
     if (row["outcome"] != "moving" || !until_decided) break;
+    if (k == 0) all = joined(all, scene::ramp_ends(scene::read(scene, all).scene));
     all.push_back(setting("analysis.duration_s", longer * row["simulated_s"].get<double>()));
   }
   return row;

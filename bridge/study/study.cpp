@@ -15,6 +15,7 @@
 #include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/nearest.hpp"
+#include "bridge/scene/read/ramp_ends.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/check_work.hpp"
 #include "bridge/study/engines.hpp"
@@ -116,6 +117,13 @@ json StudyRuns::run(const Settings& settings, const scene::Expectation& expected
   Attempt attempt = this->attempt(settings, expected, /*longest_s=*/0);
   if (attempt.trouble.empty()) return std::move(attempt.summary);
   throw std::runtime_error(fmt::format("{}: {}", fmt::join(settings, ", "), attempt.trouble));
+}
+
+json StudyRuns::run_longer(Settings settings, double duration_s, const scene::Expectation& expected) {
+  const scene::Scene own = scene::read(scene_, joined(joined(task_.set, overrides_), settings)).scene;
+  settings = joined(std::move(settings), scene::ramp_ends(own));
+  settings.push_back(setting("analysis.duration_s", duration_s));
+  return run(settings, expected);
 }
 
 Settings joined(Settings first, const Settings& second) {

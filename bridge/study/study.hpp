@@ -51,6 +51,8 @@ class StudyRuns {
 
   /// Its summary. Throws std::runtime_error when the run fails, and Interrupted.
   nlohmann::json run(const Settings& settings, const scene::Expectation& expected);
+  /// The same over another duration: what rises or falls holds the value that it has where the scene's own one ends.
+  nlohmann::json run_longer(Settings settings, double duration_s, const scene::Expectation& expected);
 
   [[nodiscard]] double wall_time_s() const { return wall_time_s_; }
 

@@ -27,6 +27,10 @@ void serialize(Archive& archive, Support& support) {
   archive(support.block);
 }
 template <class Archive>
+void serialize(Archive& archive, ViscousFace& face) {
+  archive(face.block);
+}
+template <class Archive>
 void serialize(Archive& archive, DrainLine& drain) {
   archive(drain.name, drain.from_m, drain.to_m, drain.head_m, drain.efficiency);
 }
@@ -40,8 +44,8 @@ void serialize(Archive& archive, JointFlow& flow) {
 }
 template <class Archive>
 void serialize(Archive& archive, Scene& scene) {
-  archive(scene.materials, scene.blocks, scene.default_joint, scene.joints, scene.supports, scene.joint_flow,
-          scene.fluid);
+  archive(scene.materials, scene.blocks, scene.default_joint, scene.joints, scene.supports, scene.viscous_faces,
+          scene.joint_flow, scene.fluid);
   archive(scene.water.density_kg_per_m3, scene.water.open_crack_width_m, scene.water.elements_per_face);
   archive(scene.analysis.gravity_m_per_s2, scene.analysis.reuse_factors);
   archive(scene.output.history_every_s, scene.output.frame_every_s);

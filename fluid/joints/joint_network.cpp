@@ -10,6 +10,7 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
+#include "bridge/scene/viscous_ground.hpp"
 #include "fluid/joints/groups.hpp"
 
 namespace blockweir::joints {
@@ -141,8 +142,10 @@ bool JointNetwork::is_cut(const Place& place, const Point& ground_m) const {
   };
   if (below(ground_.left) || below(ground_.right)) return true;
   const auto held = [&](int b) {
-    return scene_.blocks[at(b)].fixed || std::any_of(scene_.supports.begin(), scene_.supports.end(),
-                                                     [&](const scene::Support& s) { return s.block == b; });
+    return scene_.blocks[at(b)].fixed ||
+           std::any_of(scene_.supports.begin(), scene_.supports.end(),
+                       [&](const scene::Support& s) { return s.block == b; }) ||
+           scene::is_viscous_ground(scene_, b);
   };
   return p.y() <= ground_.bottom_m + near_m && std::any_of(place.blocks.begin(), place.blocks.end(), held);
 }

@@ -113,12 +113,11 @@ Point ReservoirModel::steady_acceleration() const {
 
 Point ReservoirModel::ground_acceleration(const scene::TimeSpan& window) const {
   if (!scene_.base_motion) return Point::Zero();
-  if (scene_.base_motion->form == scene::BaseForm::inertia) {
+  const auto ground = std::find(fixed_.begin(), fixed_.end(), true);
+  if (scene_.base_motion->form == scene::BaseForm::inertia || ground == fixed_.end()) {
     return {scene_.base_motion->acceleration_x_m_per_s2.at(window),
             scene_.base_motion->acceleration_y_m_per_s2.at(window)};
   }
-  const auto ground = std::find(fixed_.begin(), fixed_.end(), true);
-  if (ground == fixed_.end()) return Point::Zero();
   return accelerations_[static_cast<std::size_t>(ground - fixed_.begin())].head<2>();
 }
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/reservoir/scene_water.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+
+#include "bridge/scene/at.hpp"
 
 namespace blockweir::reservoir {
 namespace {
@@ -36,6 +41,26 @@ FarEnds far_ends(const scene::Scene& scene, const std::vector<std::vector<Point>
   return {end(scene.reservoir.upstream_wall_m, left, -1), end(scene.reservoir.downstream_wall_m, right, 1)};
 }
 
+/// The block that lies on the water.
+std::string cover_of(const scene::Scene& scene, const WaterMesh& mesh) {
+  const BoundarySide* highest = nullptr;
+  for (const BoundarySide& side : mesh.side) {
+    const auto height = [&](const BoundarySide& s) { return mesh.node[at(s.node[1])].y(); };
+    if (side.block >= 0 && (highest == nullptr || height(side) > height(*highest))) highest = &side;
+  }
+  return highest == nullptr ? "ground" : fmt::format("block \"{}\"", scene.blocks[at(highest->block)].name);
+}
+
+/// Water that is shut in cannot give way: its pressure has no answer.
+void require_surface(const scene::Scene& scene, const WaterMesh& mesh) {
+  const auto is_surface = [](const BoundarySide& side) { return side.kind == BoundarySide::Kind::surface; };
+  if (mesh.side.empty() || std::any_of(mesh.side.begin(), mesh.side.end(), is_surface)) return;
+  throw std::runtime_error(
+      fmt::format("{}: [fluid.reservoir] has a pool without a surface: {} covers all of it; expected a free surface on "
+                  "each pool; lower its level, or move its wall off",
+                  scene.file.string(), cover_of(scene, mesh)));
+}
+
 }  // namespace
 
 WaterPhysics physics_of(const scene::Scene& scene) {
@@ -50,7 +75,9 @@ WaterPhysics physics_of(const scene::Scene& scene) {
 
 WaterMesh mesh_of(const scene::Scene& scene, const hydrostatic::WaterBody& body,
                   const std::vector<std::vector<Point>>& outlines) {
-  return mesh_water(body, outlines, far_ends(scene, outlines, depth(body)), fineness_of(scene));
+  WaterMesh mesh = mesh_water(body, outlines, far_ends(scene, outlines, depth(body)), fineness_of(scene));
+  require_surface(scene, mesh);
+  return mesh;
 }
 
 }  // namespace blockweir::reservoir

@@ -97,6 +97,10 @@ std::vector<std::string> warnings_of(const solid::Solid& blocks, const json& mod
                        " motions have no frequency: no joint, bolt or support holds them, as where a joint slips or "
                        "blocks touch at one corner");
   }
+  if (!blocks.boundary().empty()) {
+    warnings.push_back(
+        "[[viscous_boundary]] is held fast here: the ground beyond has no modes, and waves do not leave");
+  }
   const auto even = std::find_if(blocks.blocks().begin(), blocks.blocks().end(), [](const solid::Block& block) {
     return !block.fixed && !block.rigid && !block.meshed && !block.is_part();
   });

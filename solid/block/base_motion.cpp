@@ -73,6 +73,15 @@ Point BaseMotion::displacement(double time_s) const {
   return {axes_[0].displacement(time_s), axes_[1].displacement(time_s)};
 }
 
+Point BaseMotion::ground_velocity(const scene::TimeSpan& step, bool mean) const {
+  const double from_s = std::max(0.0, step.from_s);
+  const double to_s = std::max(0.0, step.to_s);
+  if (!mean || !(step.to_s > step.from_s)) return {axes_[0].velocity(to_s), axes_[1].velocity(to_s)};
+  const Point moved(axes_[0].displacement(to_s) - axes_[0].displacement(from_s),
+                    axes_[1].displacement(to_s) - axes_[1].displacement(from_s));
+  return moved / (step.to_s - step.from_s);
+}
+
 Point BaseMotion::velocity(double time_s) const {
   if (!moves_supports_) return Point::Zero();
   return {axes_[0].velocity(time_s), axes_[1].velocity(time_s)};

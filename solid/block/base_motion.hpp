@@ -48,6 +48,9 @@ class BaseMotion {
   [[nodiscard]] Point displacement(double time_s) const;
   [[nodiscard]] Point velocity(double time_s) const;
   [[nodiscard]] bool moves_supports() const { return moves_supports_; }
+  [[nodiscard]] bool shakes() const { return shakes_; }
+  /// Of the ground itself, in whichever form it acts: at the step's end, or its mean over the step [m/s].
+  [[nodiscard]] Point ground_velocity(const scene::TimeSpan& step, bool mean) const;
 
  private:
   std::array<BaseAxis, 2> axes_;

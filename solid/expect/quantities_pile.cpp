@@ -16,6 +16,7 @@ std::vector<std::size_t> groups_that_touch(const Outcome& o) {
   std::vector<bool> free(s.blocks.size());
   for (std::size_t b = 0; b < free.size(); ++b) free[b] = !s.blocks[b].fixed;
   for (const scene::Support& support : s.supports) free[static_cast<std::size_t>(support.block)] = false;
+  for (const scene::ViscousFace& face : s.viscous_faces) free[static_cast<std::size_t>(face.block)] = false;
   std::vector<std::size_t> next(free.size());
   std::iota(next.begin(), next.end(), 0);
   const auto group = [&](std::size_t b) {

@@ -174,6 +174,19 @@ std::vector<Tie> ties_of(const scene::Scene& scene) {
     if (support.displacement_x_m) hold(Point::UnitX());
     if (support.displacement_y_m) hold(Point::UnitY());
   }
+  for (const scene::ViscousFace& face : scene.viscous_faces) {
+    for (const Point& end : {face.from_m, face.to_m}) {
+      for (const Point& direction : {Point(Point::UnitX()), Point(Point::UnitY())}) {
+        if (face.is_side() && direction.y() != 0) continue;
+        ties.push_back({.a = face.block,
+                        .at_a_m = end,
+                        .at_b_m = end,
+                        .direction = direction,
+                        .low_n_per_m = -infinite,
+                        .high_n_per_m = infinite});
+      }
+    }
+  }
   for (const scene::Bolt& bolt : scene.bolts) {
     Tie tie{.a = bolt.blocks[0],
             .b = bolt.blocks[1],

@@ -10,11 +10,12 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "bridge/scene/viscous_ground.hpp"
 
 namespace blockweir::solid::limit {
 namespace {
 
-constexpr int ground = -1;  // all fixed blocks
+constexpr int ground = -1;  // all that it is made of
 
 using Joints = std::map<std::pair<int, int>, const Face*>;  // the first face of each pair
 
@@ -39,17 +40,22 @@ std::size_t standing(const Joints& joints) {
 }  // namespace
 
 bool follow_from_equilibrium(const scene::Scene& scene, const std::vector<Face>& faces, const std::vector<Tie>& ties) {
-  if (!ties.empty()) return false;
+  const auto is_ground = [&](int block) {
+    return block >= 0 && (scene.blocks[at(block)].fixed || scene::rests_on_viscous_ground(scene, block));
+  };
+  const auto holds_ground = [&](const Tie& tie) { return tie.b < 0 && is_ground(tie.a); };
+  if (!std::all_of(ties.begin(), ties.end(), holds_ground)) return false;
   const double tolerance_m = scene::rounding_ratio * scene::structure_size_m(scene.blocks);
-  const auto body = [&](int block) { return scene.blocks[at(block)].fixed ? ground : block; };
+  const auto body = [&](int block) { return is_ground(block) ? ground : block; };
   Joints joints;
   for (const Face& face : faces) {
+    if (is_ground(face.a) && is_ground(face.b)) continue;
     if (face.cohesion_n_per_m > 0 || face.tension_n_per_m > 0) return false;
     const auto [first, is_new] = joints.emplace(std::minmax(body(face.a), body(face.b)), &face);
     if (!is_new && !in_one_plane(*first->second, face, tolerance_m)) return false;
   }
-  const auto can_move = static_cast<std::size_t>(
-      std::count_if(scene.blocks.begin(), scene.blocks.end(), [](const scene::Block& b) { return !b.fixed; }));
+  std::size_t can_move = 0;
+  for (int b = 0; b < static_cast<int>(scene.blocks.size()); ++b) can_move += is_ground(b) ? 0 : 1;
   return joints.size() == can_move && standing(joints) == can_move;
 }
 

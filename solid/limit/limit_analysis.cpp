@@ -5,15 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
+#include "bridge/scene/at.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/statics/loads.hpp"
 #include "solid/limit/determinacy.hpp"
-#include "solid/limit/limit_program.hpp"
+#include "solid/limit/linear_program.hpp"
 
 namespace blockweir::solid::limit {
 namespace {
+
+constexpr double largest_factor_told = 1e6;  // a factor beyond is none
 
 bool any_moves(const scene::Scene& scene) {
   return std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const auto& block) { return !block.fixed; });
@@ -25,20 +29,182 @@ std::vector<Face> held_by(const scene::Scene& scene, Kinks kinks) {
   return faces;
 }
 
-/// The bound that a mechanism meets which opens the face by so much a slip: that of associated flow between the two
-/// tangents beside it.
-Face::Bound bound_of(const Face& face, double opening_per_slip) {
-  const std::vector<Face::Bound> bounds = face.bounds();
-  const auto next =
-      std::find_if(bounds.begin(), bounds.end(), [&](const auto& b) { return b.friction <= opening_per_slip; });
-  if (next == bounds.begin()) return bounds.front();
-  if (next == bounds.end()) return bounds.back();
-  const Face::Bound& steeper = *(next - 1);
-  const double share = (opening_per_slip - next->friction) / (steeper.friction - next->friction);
-  return {next->cohesion_n_per_m + share * (steeper.cohesion_n_per_m - next->cohesion_n_per_m), opening_per_slip};
-}
-
 }  // namespace
+
+/// Balance and strength, forces in units of the weight and moments in that times the size.
+class LimitAnalysis::Program {
+ public:
+  Program(const LimitAnalysis& structure, const Wrenches& dead, double reduction)
+      : structure_(structure), rows_(dead.size(), 0) {
+    for (std::size_t b = 0; b < dead.size(); ++b) {
+      if (structure.scene_.blocks[b].fixed) continue;
+      const Wrench load = scaled(dead[b]);
+      rows_[b] = lp_.add_equation(-load[0]);
+      lp_.add_equation(-load[1]);
+      lp_.add_equation(-load[2]);
+    }
+    for (const Face& face : structure.faces_) add(face, reduction);
+    for (const Tie& tie : structure.ties_) add(tie);
+  }
+
+  int add_factor(const Wrenches& live) {
+    LinearProgram::Entries entries;
+    for (std::size_t b = 0; b < live.size(); ++b) append(static_cast<int>(b), scaled(live[b]), entries);
+    return lp_.add_variable(0, largest_factor_told, entries, /*objective=*/1);
+  }
+  int add_shortage(double price) {
+    LinearProgram::Entries entries;
+    for (const Strength& s : strengths_) entries.insert(entries.end(), {{s.forth, -1}, {s.back, -1}});
+    shortage_ = lp_.add_variable(0, infinite, entries, -price);
+    return *shortage_;
+  }
+  /// Lets each equation of balance miss by as much as the worst does, which is to be least.
+  void add_imbalance() {
+    LinearProgram::Entries worst;
+    for (const int first : rows_) {
+      for (int row = first; first != 0 && row < first + 3; ++row) {
+        const int size = lp_.add_upper_bound(0);
+        worst.emplace_back(size, -1);
+        for (const double sign : {1.0, -1.0}) lp_.add_variable(0, infinite, {{row, sign}, {size, 1}});
+      }
+    }
+    lp_.add_variable(0, infinite, worst, /*objective=*/-1);
+  }
+  /// False where no forces balance the loads.
+  bool solve() {
+    const ProgramStatus status = lp_.maximize();
+    if (status == ProgramStatus::unbounded) {
+      throw std::runtime_error(
+          fmt::format("{}: limit analysis: found no limit: joints and bolts can balance loads of any size; expected "
+                      "joints and bolts of finite strength; "
+                      "state yield_n_per_m for each [[bolt]], or lower cohesion_pa and tension_strength_pa",
+                      structure_.scene_.file.string()));
+    }
+    return status == ProgramStatus::optimal;
+  }
+
+  [[nodiscard]] double value(int variable) const { return lp_.value(variable); }
+  /// The balance's duals: the motion on which live loads have power.
+  [[nodiscard]] Twists mechanism() const {
+    Twists twists(rows_.size(), Twist::Zero());
+    for (std::size_t b = 0; b < rows_.size(); ++b) {
+      if (rows_[b] == 0) continue;
+      twists[b] = {lp_.dual(rows_[b]), lp_.dual(rows_[b] + 1), lp_.dual(rows_[b] + 2) / structure_.size_m_};
+    }
+    return twists;
+  }
+  /// Adds tangents to faces whose friction bends and whose forces are beyond it; true where there were any.
+  bool add_tangents(std::vector<Face>& faces, double reduction) const {
+    const double weight = structure_.weight_n_per_m_;
+    const double lacks = shortage_ ? lp_.value(*shortage_) : 0;
+    bool added = false;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      double normal = 0;
+      for (const int variable : forces_[i].normal) normal += lp_.value(variable);
+      const double shear = (std::abs(lp_.value(forces_[i].shear)) - lacks) * reduction;
+      added = faces[i].add_tangent(normal * weight, shear * weight) || added;
+    }
+    return added;
+  }
+  /// Sum over the faces of what each lacks per unit of strength times that strength.
+  [[nodiscard]] double priced_strength() const {
+    double sum = 0;
+    for (const Strength& s : strengths_) {
+      double normal = 0;
+      for (const int variable : forces_[at(s.face)].normal) normal += lp_.value(variable);
+      sum += (lp_.dual(s.forth) + lp_.dual(s.back)) * (s.cohesion + s.friction * normal);
+    }
+    return sum;
+  }
+
+ private:
+  /// A bound of a face's shear.
+  struct Strength {
+    int forth;  ///< rows of shear along the face and against it
+    int back;
+    int face;
+    double cohesion;
+    double friction;
+  };
+  /// Variables of a face.
+  struct Forces {
+    std::vector<int> normal;
+    int shear = 0;
+  };
+
+  /// Throws std::runtime_error where it is beyond what the simplex method can scale.
+  [[nodiscard]] Wrench scaled(const Wrench& w) const {
+    constexpr double most = 1e9;
+    const Wrench scaled = Wrench(w[0], w[1], w[2] / structure_.size_m_) / structure_.weight_n_per_m_;
+    if (scaled.allFinite() && scaled.cwiseAbs().maxCoeff() <= most) return scaled;
+    throw std::runtime_error(fmt::format(
+        "limit analysis: found loads of {:.3g} times the structure's weight; expected at most {:.3g} times; "
+        "look for loads in wrong units",
+        scaled.cwiseAbs().maxCoeff(), most));
+  }
+  /// Per unit of weight; what is far beyond all loads is as good as any.
+  [[nodiscard]] double scaled(double strength_n_per_m) const {
+    constexpr double most = 1e9;
+    const double of_weight = strength_n_per_m / structure_.weight_n_per_m_;
+    return std::isinf(of_weight) ? of_weight : std::clamp(of_weight, -most, most);
+  }
+  void append(int block, const Wrench& load, LinearProgram::Entries& entries) const {
+    if (block < 0 || rows_[at(block)] == 0) return;
+    for (int k = 0; k < 3; ++k) entries.emplace_back(rows_[at(block)] + k, load[k]);
+  }
+  /// A unit force on the block.
+  void append(int block, const Point& direction, const Point& place, LinearProgram::Entries& entries) const {
+    if (block < 0) return;
+    Wrench load = wrench_of(direction, place, structure_.centroids_[at(block)]);
+    load[2] /= structure_.size_m_;
+    append(block, load, entries);
+  }
+
+  void add(const Face& face, double reduction) {
+    const double tension = scaled(face.tension_n_per_m / 2);
+    const std::size_t first = strengths_.size();
+    for (const Face::Bound& bound : face.bounds()) {
+      const double cohesion = scaled(bound.cohesion_n_per_m);
+      strengths_.push_back({.forth = lp_.add_upper_bound(cohesion / reduction),
+                            .back = lp_.add_upper_bound(cohesion / reduction),
+                            .face = static_cast<int>(forces_.size()),
+                            .cohesion = cohesion,
+                            .friction = bound.friction});
+    }
+    const std::span<const Strength> strengths = std::span(strengths_).subspan(first);
+    Forces forces;
+    const auto on_both = [&](const Point& on_b, const Point& place) {
+      LinearProgram::Entries entries;
+      append(face.b, on_b, place, entries);
+      append(face.a, -on_b, place, entries);
+      return entries;
+    };
+    for (const Point& place : face.ends()) {
+      LinearProgram::Entries entries = on_both(face.normal, place);
+      for (const Strength& s : strengths) {
+        entries.insert(entries.end(), {{s.forth, -s.friction / reduction}, {s.back, -s.friction / reduction}});
+      }
+      forces.normal.push_back(lp_.add_variable(-tension, infinite, entries));
+    }
+    LinearProgram::Entries shear = on_both(face.along(), face.from_m);
+    for (const Strength& s : strengths) shear.insert(shear.end(), {{s.forth, 1}, {s.back, -1}});
+    forces.shear = lp_.add_variable(-infinite, infinite, shear);
+    forces_.push_back(std::move(forces));
+  }
+  void add(const Tie& tie) {
+    LinearProgram::Entries entries;
+    append(tie.a, tie.direction, tie.at_a_m, entries);
+    append(tie.b, -tie.direction, tie.at_b_m, entries);
+    lp_.add_variable(scaled(tie.low_n_per_m), scaled(tie.high_n_per_m), entries);
+  }
+
+  const LimitAnalysis& structure_;
+  std::vector<int> rows_;  ///< first of the three of each block; 0: it is fixed
+  std::vector<Strength> strengths_;
+  std::vector<Forces> forces_;   ///< by face
+  std::optional<int> shortage_;  ///< variable
+  LinearProgram lp_;
+};
 
 LimitAnalysis::LimitAnalysis(const scene::Scene& scene, Kinks kinks)
     : scene_(scene),
@@ -102,48 +268,6 @@ Twists LimitAnalysis::collapse(const Wrenches& loads, bool however_strong) const
   Twists mechanism = program.mechanism();
   normalize(mechanism);
   return mechanism;
-}
-
-/// Sup of -(N_1 w_1 + N_2 w_2 + S g) over admissible forces, w the openings of the ends and g the slip.
-double LimitAnalysis::resistance(const Twists& mechanism, double reduction) const {
-  double sum = 0;
-  for (const Face& face : faces_) {
-    const double slip = std::abs(face.along().dot(jump(face, mechanism, face.from_m)));
-    std::vector<double> openings;
-    for (const Point& end : face.ends()) openings.push_back(face.normal.dot(jump(face, mechanism, end)));
-    const double least = *std::min_element(openings.begin(), openings.end());
-    const Face::Bound bound = bound_of(face, slip > 0 ? least / slip * reduction : 0);
-    sum += bound.cohesion_n_per_m / reduction * slip;
-    for (const double opening : openings) {
-      sum += face.tension_n_per_m / 2 * std::max(0.0, opening - bound.friction / reduction * slip);
-    }
-  }
-  for (const Tie& tie : ties_) {
-    const double stretch =
-        tie.direction.dot(velocity(tie.b, mechanism, tie.at_b_m) - velocity(tie.a, mechanism, tie.at_a_m));
-    const double force = stretch > 0 ? tie.high_n_per_m : tie.low_n_per_m;
-    if (std::isfinite(force)) sum += force * stretch;  // what cannot yield does not stretch
-  }
-  return sum;
-}
-
-Point LimitAnalysis::velocity(int block, const Twists& mechanism, const Point& place) const {
-  return block < 0 ? Point::Zero().eval() : velocity_at(mechanism[at(block)], place, centroids_[at(block)]);
-}
-
-Point LimitAnalysis::jump(const Face& face, const Twists& mechanism, const Point& place) const {
-  return velocity(face.b, mechanism, place) - velocity(face.a, mechanism, place);
-}
-
-void LimitAnalysis::normalize(Twists& mechanism) const {
-  double fastest = 0;
-  for (std::size_t b = 0; b < mechanism.size(); ++b) {
-    for (const Point& vertex : scene_.blocks[b].vertices) {
-      fastest = std::max(fastest, velocity_at(mechanism[b], vertex, centroids_[b]).norm());
-    }
-  }
-  if (fastest == 0) return;
-  for (Twist& twist : mechanism) twist /= fastest;
 }
 
 }  // namespace blockweir::solid::limit

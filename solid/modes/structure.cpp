@@ -97,6 +97,7 @@ void Structure::add_blocks(Entries& mass, Entries& stiffness) const {
     add(part, part, block.inertia.matrix(), mass);
     Matrix6 k = Matrix6::Zero();
     k.bottomRightCorner<3, 3>() = block.stiffness;
+    if (!solid_.boundary().empty()) k += solid_.boundary().hold(at(part));
     add(part, part, k, stiffness);
   }
   for (const StrainCoupling& c : solid_.parts().couplings) {

@@ -76,11 +76,12 @@ json failure(const expect::Outcome& o) {
   std::string text = doubt(o.solid, first);
   if (o.solid.scene().analysis.kind == scene::AnalysisKind::dynamic && o.failure.rests_again()) {
     constexpr double small_ratio = 0.05;  // of the structure: what moves farther has fallen
-    const bool is_small = o.last.largest_displacement_m <= small_ratio * o.solid.size_m();
+    const double farthest_m = o.failure.farthest_failed_m();
+    const bool is_small = farthest_m <= small_ratio * o.solid.size_m();
     text += fmt::format(
         "{}the blocks that failed came to rest again before the run ended, at most {:.3g} m from where they were "
         "drawn{}",
-        text.empty() ? "" : "; ", o.last.largest_displacement_m,
+        text.empty() ? "" : "; ", farthest_m,
         is_small ? ": if that is acceptable, state a larger failure_displacement_m" : "");
   }
   if (!text.empty()) found["doubt"] = text;
@@ -99,6 +100,23 @@ json moving(const Solid& solid, const Moving& m) {
                            name, m.speed_m_per_s, m.travel_m)}};
 }
 
+/// Was the lowest sliding factor one of an oscillation, which has died down under loads that did not change? The factor
+/// that is left then, in words; empty else. Ground that shakes has no other minimum.
+std::string transient_text(const expect::Outcome& o) {
+  constexpr double seen = 0.01;        // of the factor
+  constexpr double same_level = 1e-3;  // of the structure
+  const auto& lowest = o.margins.sliding();
+  const auto& now = o.margins.sliding_now();
+  const scene::Scene& scene = o.solid.scene();
+  if (!lowest || !now || scene.base_motion || scene.analysis.kind == scene::AnalysisKind::at_rest) return {};
+  const bool level_changed = std::abs(now->level_m - lowest->level_m) > same_level * 2 * o.solid.size_m();
+  if (level_changed || now->value < (1 + seen) * lowest->value) return {};
+  return fmt::format(
+      "; under the same level it is {:.4g} at the end: the lowest is that of an oscillation, as after the start; with "
+      "kind = \"static\" there is none",
+      now->value);
+}
+
 json margin(const expect::Outcome& o) {
   const auto place = [](const Margin& m) {
     return fmt::format(" joint \"{}\" at {:.4g} s", m.joint, m.time_s) +
@@ -111,7 +129,7 @@ json margin(const expect::Outcome& o) {
                                 : "no sliding factor: no joint, and no line of joints, runs through the structure";
   if (const auto& m = o.margins.sliding()) {
     found = {{"sliding_factor", m->value}, {"joint", m->joint}, {"level_m", m->level_m}, {"time_s", m->time_s}};
-    text = fmt::format("lowest sliding factor {:.4g} on", m->value) + place(*m);
+    text = fmt::format("lowest sliding factor {:.4g} on", m->value) + place(*m) + transient_text(o);
   }
   if (const auto& m = o.margins.overturning()) {
     found["overturning"] = {{"end_distance", m->value},

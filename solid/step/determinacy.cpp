@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/viscous_ground.hpp"
 #include "solid/solve/islands.hpp"
 
 namespace blockweir::solid {
@@ -93,7 +94,8 @@ std::vector<bool> rigid_blocks(const scene::Scene& scene, const std::vector<Bloc
     bool free_to_choose = group.contacts.size() + group.supports.size() <= group.blocks.size();
     for (const int b : group.blocks) {
       load += largest_load(scene, blocks[at(b)], b);
-      free_to_choose = free_to_choose && !must_strain(blocks[at(b)]) && !bolted(scene, b);
+      free_to_choose =
+          free_to_choose && !must_strain(blocks[at(b)]) && !bolted(scene, b) && !scene::is_viscous_ground(scene, b);
     }
     for (const int b : group.blocks) {
       const scene::Material& material = scene.materials[at(scene.blocks[at(b)].material)];

@@ -24,6 +24,9 @@ std::vector<bool> unanchored(const Model& model, const State& state) {
     if (model.blocks[static_cast<std::size_t>(b)].fixed) anchor(b);
   }
   for (const Support& s : state.supports) anchor(s.block);
+  for (int b = 0; b < static_cast<int>(model.blocks.size()) && !model.boundary.empty(); ++b) {
+    if (!model.boundary.hold(static_cast<std::size_t>(b)).isZero(0)) anchor(b);
+  }
   for (const Bolt& bolt : state.bolts) {
     if (bolt.part[1] < 0) {
       anchor(bolt.part[0]);
@@ -93,6 +96,10 @@ bool InitialEquilibrium::settle(const std::vector<Panel>& water) {
   counts_.solved_islands = 0;  // what sleep saves is counted in steps of the run, which cost less
   profile_.equilibria = 0;
   trial_.frozen = fixed;
+  state_.held_by_ground.clear();
+  for (std::size_t b = 0; b < model_.blocks.size() && !model_.boundary.empty(); ++b) {
+    state_.held_by_ground.emplace_back(-model_.boundary.hold(b) * state_.blocks[b].displacement);
+  }
   time_step_.begin_anew();
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
     state_.blocks[b].velocity = released[b].velocity;

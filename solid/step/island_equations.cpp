@@ -85,6 +85,11 @@ void IslandEquations::balance_own(std::size_t b) {
   const Vector6 velocity = trial_.scheme.velocity_factor(trial_.dt) * trial_.increment[b] + trial_.past_velocity[b];
   Vector6 drag = model_.scene.analysis.mass_damping_per_s * (block.inertia * velocity);
   drag.tail<3>() += trial_.retardation_s(b) * (block.stiffness * velocity.tail<3>());
+  if (!model_.boundary.empty()) {
+    drag += trial_.scheme.damps
+                ? Vector6(model_.boundary.drag(b) * velocity)
+                : Vector6(model_.boundary.hold(b) * (state_.blocks[b].displacement + trial_.increment[b]));
+  }
   trial_.balance[b] = trial_.external[b] - drag;
   trial_.balance[b].tail<3>() -= block.stiffness * (state_.blocks[b].displacement + trial_.increment[b]).tail<3>();
   trial_.round_off[b] = sum_round_off * (magnitude(trial_.external[b], block) + magnitude(drag, block));

@@ -42,6 +42,7 @@ class Solid {
   [[nodiscard]] std::size_t described() const { return model_.described(); }  ///< number of the scene's blocks
   [[nodiscard]] const JointLaws& laws() const { return model_.laws; }
   [[nodiscard]] const BaseMotion& base() const { return model_.base; }
+  [[nodiscard]] const ViscousBoundary& boundary() const { return model_.boundary; }
   [[nodiscard]] double weight_n_per_m() const { return model_.weight_n_per_m; }  ///< of all that can move
   /// Half the height of what can move, at least half its width.
   [[nodiscard]] double size_m() const { return model_.size_m; }

@@ -41,8 +41,9 @@ struct State : Standing {
   bool contacts_stand = false;  ///< nothing has moved since they were searched
   double next_dt = 0;           ///< step that the last window ended with [s]
   bool started = false;
-  double time_s = 0;  ///< of blocks
-  Rest rest;          ///< of a static analysis
+  double time_s = 0;                    ///< of blocks
+  Rest rest;                            ///< of a static analysis
+  std::vector<Vector6> held_by_ground;  ///< what has held each part at rest on a viscous boundary; none without one
   Sleep sleep;
   AddedMassGuard guard;
   WaterWork water_work;
@@ -73,7 +74,7 @@ struct State : Standing {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(blocks, contacts, contacts_stand, next_dt, started, time_s, rest, sleep, guard, water_work, energy,
-            smooth_steps, search, whole_law, finish, lagging);
+            smooth_steps, search, whole_law, finish, lagging, held_by_ground);
     for (Support& support : supports) archive(support);
     for (Bolt& bolt : bolts) archive(bolt);
   }

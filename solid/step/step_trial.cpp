@@ -53,6 +53,8 @@ void StepTrial::set_matrices(double step_s, const Newmark& of_scheme) {
     matrix[b] = (scheme.mass_factor(dt) + drag) * model_.blocks[b].inertia.matrix();
     matrix[b].bottomRightCorner<3, 3>() += (1 + velocity_factor * retardation_s(b)) * model_.blocks[b].stiffness;
     if (b < state_.guard.blocks()) matrix[b].topLeftCorner<3, 3>() += scheme.mass_factor(dt) * state_.guard.mass(b);
+    if (model_.boundary.empty()) return;
+    matrix[b] += scheme.damps ? Matrix6(velocity_factor * model_.boundary.drag(b)) : model_.boundary.hold(b);
   });
 }
 

@@ -79,6 +79,7 @@ void TimeStep::begin(const Stretch& stretch, const StepMode& mode) {
   const bool has_time = model_.is(scene::AnalysisKind::dynamic) && !mode.settles;
   const scene::TimeSpan span(has_time ? stretch.end_s - stretch.dt : stretch.end_s, stretch.end_s);
   model_.loads.evaluate(span, stretch.water, state_.placements, trial_.external, base_moves);
+  if (!model_.boundary.empty() && mode.scheme.damps) push_boundary(span);
   if (state_.guard.acts()) water_.begin_step(stretch.dt);
   require_finite_loads(step_, stretch.end_s);
   trial_.begin();
@@ -88,6 +89,12 @@ void TimeStep::begin(const Stretch& stretch, const StepMode& mode) {
                          model_.base.displacement(stretch.end_s);
   }
   begin_contacts(mode);
+}
+
+/// By the ground beyond: what has held the ground at rest, and what comes in.
+void TimeStep::push_boundary(const scene::TimeSpan& span) {
+  for (std::size_t b = 0; b < state_.held_by_ground.size(); ++b) trial_.external[b] += state_.held_by_ground[b];
+  model_.boundary.add_free_field(model_.base, span, !trial_.scheme.second_order(), trial_.external);
 }
 
 void TimeStep::begin_contacts(const StepMode& mode) {

@@ -37,6 +37,7 @@ class TimeStep : StepPart {
   bool find_contacts();
   void begin(const Stretch& stretch, const StepMode& mode);
   void begin_contacts(const StepMode& mode);
+  void push_boundary(const scene::TimeSpan& span);
   void start_where_it_rests(const IslandEquations& island);
   bool solve(const StepMode& mode);
   bool accept(const Stretch& stretch, const StepMode& mode);

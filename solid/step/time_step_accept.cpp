@@ -143,6 +143,13 @@ void TimeStep::act_by_end_rates(std::size_t b, double dt) {
   const double drag = model_.scene.analysis.mass_damping_per_s;
   state.acceleration -= drag * beyond;
   trial_.balance[b] -= drag * (model_.blocks[b].inertia * beyond);
+  if (!model_.boundary.empty()) {
+    const Vector6 pull = model_.boundary.drag(b) * beyond;
+    trial_.balance[b] -= pull;
+    const Eigen::Index moves = model_.blocks[b].unknowns();
+    const Matrix6 inertia = model_.blocks[b].inertia.matrix();
+    state.acceleration.head(moves) -= inertia.topLeftCorner(moves, moves).ldlt().solve(pull.head(moves));
+  }
   if (model_.blocks[b].rigid || trial_.retardation_s(b) == 0) return;
   const Eigen::Vector3d strain = trial_.retardation_s(b) * (model_.blocks[b].stiffness * beyond.tail<3>());
   trial_.balance[b].tail<3>() -= strain;

@@ -41,6 +41,7 @@ FailureWatch::FailureWatch(const Solid& solid)
   for (const scene::Support& support : solid.scene().supports) {
     if (++supports[at(support.block)] == 2) guided_[at(support.block)] = true;
   }
+  for (const scene::ViscousFace& face : solid.scene().viscous_faces) guided_[at(face.block)] = true;
   rings_ = solid.scene().analysis.integrator != scene::Integrator::shi ||
            solid.scene().contact.formulation == scene::ContactFormulation::penalty;
 }
@@ -160,8 +161,22 @@ void FailureWatch::look(double time_s, const Levels& levels) {
 }
 
 bool FailureWatch::rests_again() const {
-  const std::vector<int>& first = failures_.front().blocks;
-  return std::all_of(first.begin(), first.end(), [&](int b) { return slow_[at(b)]; });
+  for (std::size_t b = 0; b < watched_.size(); ++b) {
+    if (watched_[b].failed && !slow_[b]) return false;
+  }
+  return true;
+}
+
+double FailureWatch::farthest_failed_m() const {
+  const Point base = solid_.base().displacement(solid_.time_s());
+  double farthest = 0;
+  for (std::size_t b = 0; b < watched_.size(); ++b) {
+    if (!watched_[b].failed) continue;
+    for (const Point& X : solid_.blocks()[b].vertices) {
+      farthest = std::max(farthest, (solid_.placements()[b].displacement(X) - base).norm());
+    }
+  }
+  return farthest;
 }
 
 std::optional<Moving> FailureWatch::moving() const {

@@ -72,8 +72,11 @@ class FailureWatch {
   /// Failures so far, the earliest first.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
 
-  /// What failed first was at rest at the last look.
+  /// All that failed was at rest at the last look.
   [[nodiscard]] bool rests_again() const;
+
+  /// Farthest that a vertex of what failed is from where it was drawn, against the base [m].
+  [[nodiscard]] double farthest_failed_m() const;
 
   /// The fastest block that neither stands nor has failed; none where there is none.
   [[nodiscard]] std::optional<Moving> moving() const;
@@ -121,7 +124,7 @@ class FailureWatch {
   bool begun_ = false;
   bool rings_ = false;        ///< velocities along held directions may flip from step to step
   double seen_s_ = 0;         ///< time of the last look
-  std::vector<bool> guided_;  ///< by supports at two of its points: how it moves is the scene's will, no failure
+  std::vector<bool> guided_;  ///< by supports at two of its points, or ground: how it moves is no failure
   std::vector<Failure> failures_;
 };
 

@@ -29,6 +29,7 @@ std::string holder(const Solid& solid, const SurfaceSum& sum) {
 void Margins::look(const Solid& solid, double time_s, double level_m) {
   if (!surfaces_) surfaces_.emplace(solid);
   const std::vector<SurfaceSum> sums = surface_sums(solid, *surfaces_);
+  sliding_now_.reset();
   for (std::size_t i = 0; i < sums.size(); ++i) {
     if (!sums[i].bears(surfaces_->weights()[i])) continue;
     const auto keep_lowest = [&](std::optional<Margin>& lowest, double value) {
@@ -41,6 +42,7 @@ void Margins::look(const Solid& solid, double time_s, double level_m) {
         buttressed_ = true;
       } else {
         keep_lowest(sliding_, sums[i].sliding_factor());
+        keep_lowest(sliding_now_, sums[i].sliding_factor());
       }
     }
     if (sums[i].is_pressed() && keep_lowest(overturning_, sums[i].end_distance())) {

@@ -33,6 +33,8 @@ class Margins {
 
   /// Lowest ratio of shear strength to shear force. None where no surface carries shear, or all that do are buttressed.
   [[nodiscard]] const std::optional<Margin>& sliding() const { return sliding_; }
+  /// That of the last look, of any surface. None likewise.
+  [[nodiscard]] const std::optional<Margin>& sliding_now() const { return sliding_now_; }
   /// Shortest way of the normal forces' resultant to an end of its surface, over the surface's length: 1/2 in the
   /// middle, 0 where the block overturns. None without surfaces.
   [[nodiscard]] const std::optional<Margin>& overturning() const { return overturning_; }
@@ -44,12 +46,13 @@ class Margins {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(surfaces_, sliding_, overturning_, buttressed_);
+    archive(surfaces_, sliding_, sliding_now_, overturning_, buttressed_);
   }
 
  private:
   std::optional<Surfaces> surfaces_;  ///< of the first look
   std::optional<Margin> sliding_;
+  std::optional<Margin> sliding_now_;
   std::optional<Margin> overturning_;
   bool buttressed_ = false;
 };

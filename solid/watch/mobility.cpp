@@ -199,6 +199,15 @@ std::vector<Hold> holds_of(const Solid& solid, const std::vector<bool>& moves) {
     if (s.displacement_x_m) holds.push_back({s.block, -1, place, Point::UnitX(), true, block.radius});
     if (s.displacement_y_m) holds.push_back({s.block, -1, place, Point::UnitY(), true, block.radius});
   }
+  for (const scene::ViscousFace& face : solid.scene().viscous_faces) {
+    if (!moves[at(face.block)]) continue;
+    const Block& block = solid.blocks()[at(face.block)];
+    for (const Point& end : {face.from_m, face.to_m}) {
+      const Point place = solid.placements()[at(face.block)].position(end - block.centroid);
+      holds.push_back({face.block, -1, place, Point::UnitX(), true, block.radius});
+      holds.push_back({face.block, -1, place, Point::UnitY(), true, block.radius});
+    }
+  }
   for (const Bolt& bolt : solid.bolts()) {
     const auto [a, b] = bolt.described->blocks;
     if ((a >= 0 && moves[at(a)]) || (b >= 0 && moves[at(b)])) hold(solid, bolt, holds);

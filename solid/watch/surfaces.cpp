@@ -9,6 +9,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/read/check.hpp"
+#include "bridge/scene/viscous_ground.hpp"
 #include "solid/watch/joint_name.hpp"
 
 namespace blockweir::solid {
@@ -108,7 +109,8 @@ class Connections {
   [[nodiscard]] int node(int block) const {
     const auto& supports = solid_.scene().supports;
     const auto holds = [&](const scene::Support& s) { return s.block == block; };
-    const bool held = solid_.blocks()[at(block)].fixed || std::any_of(supports.begin(), supports.end(), holds);
+    const bool held = solid_.blocks()[at(block)].fixed || std::any_of(supports.begin(), supports.end(), holds) ||
+                      scene::is_viscous_ground(solid_.scene(), block);
     return held ? ground() : block;
   }
   [[nodiscard]] Reach reached(const std::set<Pair>& without) const {

@@ -89,6 +89,26 @@ std::string shaken(const std::string& keys, const std::string& rows = "[0, 1], [
   return sample::text + "[base_motion]\n" + keys + "\nacceleration_x_m_per_s2 = { table = [" + rows + "] }\n";
 }
 
+TEST(RecordCorrection, AGapIsSeenWhereRowsAreElseEquallyFarApart) {
+  TimeTable record{{}, {}};
+  for (int i = 0; i < 100; ++i) {
+    record.time_s.push_back(0.01 * i);
+    record.value.push_back(std::sin(0.3 * i));
+  }
+  EXPECT_FALSE(row_before_gap(record));
+  record.time_s.back() = 5;  // a last row may be far off
+  EXPECT_FALSE(row_before_gap(record));
+  TimeTable gap = record;
+  gap.time_s.erase(gap.time_s.begin() + 49);
+  gap.value.erase(gap.value.begin() + 49);
+  EXPECT_EQ(row_before_gap(gap), 48U);
+  gap.value[48] = gap.value[49] = 0;  // the ground is still
+  EXPECT_FALSE(row_before_gap(gap));
+  gap.value[48] = 1;
+  for (double& time_s : gap.time_s) time_s *= time_s;  // no two steps are alike
+  EXPECT_FALSE(row_before_gap(gap));
+}
+
 TEST(RecordCorrection, TheSceneHasTheCorrectedRowsAndSaysWhatChanged) {
   const Scene raw = read_text(shaken(""), "s.toml").scene;
   EXPECT_EQ(raw.base_motion->correction, "");
@@ -112,6 +132,10 @@ TEST(RecordCorrection, WhatCannotBeCorrectedIsRefused) {
   expect_error(shaken("highpass_hz = 4\nlowpass_hz = 4"), 57, {"highpass_hz below lowpass_hz"});
   expect_error(shaken("lowpass_hz = 4", "[0, 1], [0.1, 2], [0.25, 0]"), 58, {"not equally far apart"});
   expect_error(shaken("lowpass_hz = 0"), 57, {"a number above 0"});
+  std::string rows = "[0, 0]";
+  for (int i = 1; i < 16; ++i) rows += i == 9 ? "" : fmt::format(", [{:.1f}, {}]", 0.1 * i, i % 3);
+  expect_error(shaken("", rows), 58,
+               {"acceleration_x_m_per_s2 in [base_motion] has a gap after row 9, from 0.8 to 1 s", "fill in the rows"});
 }
 
 }  // namespace

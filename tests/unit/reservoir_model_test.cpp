@@ -26,6 +26,26 @@ TEST(ReservoirModel, AnAccelerationAddsItsPressureToStillWater) {
   EXPECT_LT(load.cracks_from, load.block.size());  // uplift is there as it was
 }
 
+TEST(ReservoirModel, RefusesAPoolWithoutASurface) {
+  const scene::Scene scene = dam_of_two(
+      "[fluid]\nmodel = \"reservoir\"\nreservoir = { upstream_wall_m = -50 }\n"
+      "[[block]]\nname = \"roof\"\nmaterial = \"m\"\nfixed = true\n"
+      "vertices_m = [[-50, 18], [0, 18], [0, 22], [-50, 22]]\n");
+  ReservoirModel water(scene);
+  wire::Motion motion = moved(0, 0);
+  motion.displacement.own().resize(4);
+  motion.velocity.own().resize(4);
+  wire::Load load;
+  try {
+    water.advance(motion, 0, load);
+    ADD_FAILURE() << "it has an answer";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(),
+                testing::AllOf(testing::HasSubstr("dam: [fluid.reservoir] has a pool without a surface"),
+                               testing::HasSubstr("block \"roof\""), testing::HasSubstr("lower its level")));
+  }
+}
+
 constexpr const char* with_waves =
     "[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"waves\", compressible = true, bottom_reflection = 0.8 "
     "}\n";

@@ -49,7 +49,7 @@ TEST_F(LoadCases, NeedANameOfTheirOwnAndSomethingThatTheySet) {
   EXPECT_THAT(error(with("[[load_case]]\nname = 'flood'\n")), HasSubstr("set"));
   EXPECT_THAT(
       error(with("[[load_case]]\nname = 'a'\nset = ['title=x']\n[[load_case]]\nname = 'a'\nset = ['title=x']\n")),
-      HasSubstr("a second load case is called \"a\", as that of line 56"));
+      HasSubstr("a second load case is called \"a\", as that of line 57"));
   EXPECT_THAT(error(with("[[load_case]]\nname = 'a'\nset = ['title=x']\nrequired_factr = 2\n")),
               HasSubstr("did you mean \"required_factor\"?"));
 }

@@ -80,8 +80,9 @@ void check_materials(const Reading& reading) {
   const Scene& scene = reading.scene;
   for (std::size_t m = 0; m < scene.materials.size() && materials != nullptr; ++m) {
     const std::string& name = scene.materials[m].name;
-    const auto has_it = [&](const Block& block) { return block.material == static_cast<int>(m); };
+    const auto has_it = [&](const auto& made) { return made.material == static_cast<int>(m); };
     if (std::any_of(scene.blocks.begin(), scene.blocks.end(), has_it)) continue;
+    if (std::any_of(scene.viscous_faces.begin(), scene.viscous_faces.end(), has_it)) continue;
     reading.problems.warning(reading.problems.at(materials->get(name)->source()),
                              fmt::format("[material.{}] has no effect: no block is of it", name),
                              "the material of some block", "name it in a block, or leave it out");

@@ -61,6 +61,9 @@ std::vector<bool> held_by_themselves(const Scene& scene) {
   for (const Support& support : scene.supports) {
     if (support.block >= 0 && support.displacement_y_m) held[static_cast<std::size_t>(support.block)] = true;
   }
+  for (const ViscousFace& face : scene.viscous_faces) {
+    if (!face.is_side()) held[static_cast<std::size_t>(face.block)] = true;
+  }
   for (const Bolt& bolt : scene.bolts) {
     if (bolt.blocks[0] >= 0 && bolt.blocks[1] < 0) held[static_cast<std::size_t>(bolt.blocks[0])] = true;
   }

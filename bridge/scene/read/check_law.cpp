@@ -13,19 +13,21 @@ namespace {
 
 using Keys = std::vector<const char*>;
 
-/// Whether this law, or another that it may follow or that may follow it, states one of the keys: a 0 is then meant.
-bool states_one(const TableReader& table, const Reading& reading, bool of_all, const Keys& keys) {
-  const auto in = [&](const toml::table* law) {
-    return law != nullptr && std::any_of(keys.begin(), keys.end(), [&](const char* key) { return law->contains(key); });
-  };
-  if (std::any_of(keys.begin(), keys.end(), [&](const char* key) { return table.has(key); })) return true;
-  if (in(reading.file["joint"].as_table())) return true;
-  if (!of_all) return false;
+/// Does this law state one of the keys? A 0 is then meant; of laws of uplift only "flow" counts.
+bool states_one(const toml::table* law, const Keys& keys) {
+  if (law == nullptr) return false;
+  return std::any_of(keys.begin(), keys.end(), [&](const std::string key) {
+    return law->contains(key) && (key != "uplift" || (*law)[key].value<std::string>() == "flow");
+  });
+}
+
+/// Does a law that follows [joint]?
+bool follower_states_one(const Reading& reading, const Keys& keys) {
   for (const char* list : {"joints", "cut", "joint_set"}) {
     const toml::array* laws = reading.file[list].as_array();
     if (laws == nullptr) continue;
     for (const toml::node& law : *laws) {
-      if (in(law.as_table())) return true;
+      if (states_one(law.as_table(), keys)) return true;
     }
   }
   return false;
@@ -34,14 +36,19 @@ bool states_one(const TableReader& table, const Reading& reading, bool of_all, c
 }  // namespace
 
 void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool of_all) {
-  // What the law lacks is an error, unless it is stated as 0, or in [joint] for others to have: then it may be meant.
+  // What the law lacks is an error, unless it is stated as 0 or as another law: then it is a warning, and none where
+  // [joint] states it for others to have.
   const auto without = [&](const char* key, const char* missing, const Keys& enabling) {
     if (!table.has(key)) return;
+    if (of_all && follower_states_one(reading, enabling)) return;
     const std::string found = fmt::format("{} in {} has no effect: the joint has no {}", key, table.name(), missing);
     const std::string remedy = fmt::format("state it, or leave {} out", key);
-    const bool meant = states_one(table, reading, of_all, enabling);
-    if (!meant) return reading.problems.error(table.place(key), found, fmt::format("a {}", missing), remedy);
-    if (!of_all) reading.problems.warning(table.place(key), found, fmt::format("a {} above 0", missing), remedy);
+    const auto is_stated = [&](const char* k) { return table.has(k) || reading.file["joint"][k]; };
+    if (std::any_of(enabling.begin(), enabling.end(), is_stated)) {
+      reading.problems.warning(table.place(key), found, fmt::format("a {} above 0", missing), remedy);
+    } else {
+      reading.problems.error(table.place(key), found, fmt::format("a {}", missing), remedy);
+    }
   };
   const auto beside_keeping = [&](const char* key) {
     if (!table.has(key) || !law.keeps_cohesion) return;

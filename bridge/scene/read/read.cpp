@@ -74,7 +74,9 @@ toml::table parse(const std::string& text, const std::string& name) {
 void read_sections(Reading& reading, ReadScene& result) {
   for (const auto read : {read_heading, read_analysis, read_materials, read_default_joint}) read(reading);
   const std::size_t before = reading.problems.count();
-  for (const auto read : {read_section, read_arches, read_walls, read_heaps, read_blocks, read_supports}) read(reading);
+  for (const auto read :
+       {read_section, read_arches, read_walls, read_heaps, read_blocks, read_supports, read_viscous_boundaries})
+    read(reading);
   const bool structure_sound = reading.problems.count() == before;
   for (const auto read : {refuse_repeated_names,
                           read_joints,
@@ -109,6 +111,7 @@ void read_sections(Reading& reading, ReadScene& result) {
   if (structure_sound) check_held(reading.scene, reading.problems);
   if (reading.problems.count() == before) check_cracks(reading);
   if (reading.problems.count() == before) check_joint_flow(reading);
+  if (reading.problems.count() == before) check_viscous_boundaries(reading);
   if (reading.problems.count() > 0) {
     const double size_m = reading.scene.blocks.empty() ? 0 : structure_size_m(reading.scene.blocks);
     return check_ranges(reading.file, size_m, reading.problems);
@@ -153,6 +156,7 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   const auto folder = std::filesystem::path(name).parent_path();
   const bool drawn = take_drawing(file, folder, problems);
   const bool recorded = take_records(file, folder, problems);
+  refuse_control_characters(file, problems);
   if (problems.count() > before) throw SceneError(problems.errors());
   if (drawn || recorded || !overrides.empty()) {
     std::ostringstream merged;

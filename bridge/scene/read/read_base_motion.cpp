@@ -52,6 +52,17 @@ bool fits(TableReader& table, const char* key, const TimeTable& record, const Re
   return true;
 }
 
+/// Rows that are lacking would be a straight line.
+void check_gap(TableReader& table, const char* key, const TimeTable& record, Problems& problems) {
+  const std::optional<std::size_t> row = row_before_gap(record);
+  if (!row) return;
+  problems.error(table.place(key),
+                 fmt::format("{} in [base_motion] has a gap after row {}, from {:.6g} to {:.6g} s", key, *row + 1,
+                             record.time_s[*row], record.time_s[*row + 1]),
+                 "rows as far apart as most of them are",
+                 "fill in the rows that are lacking, or sample the record anew");
+}
+
 std::string change_of(const char* key, const GroundEnd& before, const GroundEnd& after) {
   return fmt::format(
       "{}: final velocity {:.4g} to {:.4g} m/s, final displacement {:.4g} to {:.4g} m, peak {:.4g} to {:.4g} m/s2", key,
@@ -76,6 +87,7 @@ void read_base_motion(Reading& reading) {
     std::optional<TimeTable> stated;
     if (!table.time_table(key, stated, analysis.duration_s)) return;
     into = *stated;
+    check_gap(table, key, *stated, reading.problems);
     if (correction.any() && fits(table, key, *stated, correction, reading.problems)) {
       into = corrected(*stated, correction);
       const std::string begin = base.correction.empty() ? words_of(correction) : base.correction;

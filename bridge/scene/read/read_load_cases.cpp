@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/scene/read/read_load_cases.hpp"
+
 #include <fmt/format.h>
 
-#include "bridge/scene/read/read_load_cases.hpp"
+#include "bridge/scene/read/own_files.hpp"
 
 namespace blockweir::scene {
 
 std::vector<LoadCase> read_load_cases(Reading& reading) {
   std::vector<LoadCase> all;
-  Names names("load case");
+  OwnFiles files("load case");
+  files.reserve("as it stands");
   reading.each("load_case", [&](TableReader& table) {
     LoadCase load_case{.line = table.place().line};
     table.text("name", load_case.name, true);
@@ -25,9 +28,7 @@ std::vector<LoadCase> read_load_cases(Reading& reading) {
       reading.problems.error(table.place("source"), fmt::format("{} has a source and no required_factor", table.name()),
                              "both or none", "add required_factor = ..., or leave source out");
     }
-    if (!load_case.name.empty() && !names.add(load_case.name)) {
-      refuse_second(reading, table.place("name"), "load case", load_case.name, {"load_case"});
-    }
+    files.add(reading, table, load_case.name);
     all.push_back(std::move(load_case));
   });
   return all;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "bridge/scene/read/own_files.hpp"
 #include "bridge/scene/read/read_distribution.hpp"
 
 namespace blockweir::scene {
@@ -129,18 +130,17 @@ OpenStudy read_open_study(TableReader& table, Reading& reading) {
 }  // namespace
 
 std::vector<OpenStudy> read_open_studies(Reading& reading) {
-  Names names("study");
+  OwnFiles files("study");
+  files.reserve("orders");
   const Studies& others = reading.scene.studies;
-  for (const auto& study : others.limits) names.add(study.name);
-  for (const auto& study : others.orders) names.add(study.name);
-  for (const auto& study : others.maps) names.add(study.name);
-  for (const auto& bench : others.benches) names.add(bench.name);
+  for (const auto& study : others.limits) files.take(study.name, study.line);
+  for (const auto& study : others.orders) files.take(study.name, study.line);
+  for (const auto& study : others.maps) files.take(study.name, study.line);
+  for (const auto& bench : others.benches) files.take(bench.name, bench.line);
   std::vector<OpenStudy> all;
   reading.each("study", [&](TableReader& table) {
     OpenStudy study = read_open_study(table, reading);
-    if (!study.name.empty() && !names.add(study.name)) {
-      refuse_second(reading, table.place("name"), "study", study.name, {"limit", "order", "map", "bench", "study"});
-    }
+    files.add(reading, table, study.name);
     all.push_back(std::move(study));
   });
   return all;

@@ -8,7 +8,7 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/answers.hpp"
 #include "bridge/scene/fluid_models.hpp"
-#include "bridge/scene/read/reading.hpp"
+#include "bridge/scene/read/own_files.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -186,15 +186,13 @@ void read_expectations(Reading& reading) {
 }
 
 void read_variants(Reading& reading) {
-  Names names("variant");
+  OwnFiles files("variant");
   reading.each("variant", [&](TableReader& table) {
     Variant variant{.line = table.place().line};
     table.text("name", variant.name, true);
     table.texts("set", variant.set);
     check_settings(table, reading, variant.set);
-    if (!variant.name.empty() && !names.add(variant.name)) {
-      refuse_second(reading, table.place("name"), "variant", variant.name, {"variant"});
-    }
+    files.add(reading, table, variant.name);
     reading.scene.variants.push_back(std::move(variant));
   });
 }

@@ -5,21 +5,16 @@
 #include <cmath>
 
 #include "bridge/scene/answers.hpp"
-#include "bridge/scene/read/reading.hpp"
+#include "bridge/scene/read/own_files.hpp"
 
 namespace blockweir::scene {
 namespace {
 
 /// Studies of all kinds by their names, and what `of` may name.
 struct Known {
-  Names studies{"study"};
+  OwnFiles studies{"study"};
   Names parts{"block, joint or arch"};
 };
-
-void require_own_name(TableReader& table, Reading& reading, Known& known, const std::string& name) {
-  if (name.empty() || known.studies.add(name)) return;
-  refuse_second(reading, table.place("name"), "study", name, {"limit", "order", "map", "bench"});
-}
 
 /// What all kinds have in common; the quantity is that of the kind. False when `of` names nothing.
 bool read_study(TableReader& table, Reading& reading, Known& known, Study& study) {
@@ -30,7 +25,7 @@ bool read_study(TableReader& table, Reading& reading, Known& known, Study& study
   table.word("formula", e.formula, formula_names());
   table.text("of", e.of);
   table.text("source", e.source);
-  require_own_name(table, reading, known, study.name);
+  known.studies.add(reading, table, study.name);
   return e.of.empty() || table.reference("of", known.parts) >= 0;
 }
 
@@ -97,7 +92,7 @@ void read_bench(TableReader& table, Reading& reading, Known& known) {
   table.texts_if_any("set", bench.set);
   table.text("key", bench.sweep.key, true);
   table.settings("values", bench.sweep.values);
-  require_own_name(table, reading, known, bench.name);
+  known.studies.add(reading, table, bench.name);
   check_settings(table, reading, bench.set, {bench.sweep.key});
   reading.scene.studies.benches.push_back(std::move(bench));
 }
@@ -119,6 +114,7 @@ void read_bench_motion(Reading& reading) {
 
 void read_studies(Reading& reading) {
   Known known;
+  known.studies.reserve("orders");
   for (const Block& block : reading.scene.blocks) known.parts.add(block.name);
   for (const Joint& joint : reading.scene.joints) known.parts.add(joint.name);
   for (const Arch& arch : reading.scene.arches) known.parts.add(arch.name);

@@ -103,6 +103,8 @@ void read_heaps(Reading& reading);
 void read_blocks(Reading& reading);
 void read_joints(Reading& reading);
 void read_supports(Reading& reading);
+/// [[viscous_boundary]]: faces beyond which the ground goes on.
+void read_viscous_boundaries(Reading& reading);
 void read_point_loads(Reading& reading);
 void read_face_pressures(Reading& reading);
 void read_line_loads(Reading& reading);
@@ -132,6 +134,8 @@ void read_variants(Reading& reading);
 void read_studies(Reading& reading);
 /// What [analysis], [contact] and [water] do not state of lengths and speeds, from the structure's size.
 void resolve_lengths(Reading& reading);
+/// Reports viscous boundaries that do not fit the analysis, or through which no base motion can come.
+void check_viscous_boundaries(const Reading& reading);
 /// Warns of what a sound scene states to no effect.
 void check_effects(const Reading& reading);
 /// Warns of loads of the reservoir that do not act as a sound scene states them.

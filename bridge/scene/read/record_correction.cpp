@@ -123,6 +123,24 @@ bool equal_steps(const TimeTable& record) {
   return true;
 }
 
+std::optional<std::size_t> row_before_gap(const TimeTable& record) {
+  constexpr std::size_t few_rows = 10;
+  constexpr double most_alike = 0.9;
+  if (record.stepwise || record.time_s.size() < few_rows) return std::nullopt;
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + 1 < record.time_s.size(); ++i) steps.push_back(record.time_s[i + 1] - record.time_s[i]);
+  std::vector<double> sorted = steps;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+  const double usual = sorted[sorted.size() / 2];
+  const auto alike =
+      std::count_if(steps.begin(), steps.end(), [&](double step) { return std::abs(step - usual) <= 0.01 * usual; });
+  if (static_cast<double>(alike) < most_alike * static_cast<double>(steps.size())) return std::nullopt;
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    if (steps[i] > 1.5 * usual && (record.value[i] != 0 || record.value[i + 1] != 0)) return i;
+  }
+  return std::nullopt;
+}
+
 TimeTable corrected(const TimeTable& record, const RecordCorrection& correction) {
   TimeTable result = record;
   const double last_step = record.time_s.back() - record.time_s[record.time_s.size() - 2];

@@ -28,6 +28,10 @@ struct GroundEnd {
 /// The rows between which times differ by more than 1 % are not equally far apart; a filter needs that they are.
 [[nodiscard]] bool equal_steps(const TimeTable& record);
 
+/// The row before the first gap in rows that are else equally far apart: a step half as long again as they are, not the
+/// last one, and not between zeros.
+[[nodiscard]] std::optional<std::size_t> row_before_gap(const TimeTable& record);
+
 /// The record with a row of 0 a step after its last, so that the ground does not move afterwards. Each filter is a
 /// Butterworth of fourth order, forward and backward: an amplitude of frequency f is multiplied by 1/(1 + (f/f_low)^8)
 /// and 1/(1 + (f_high/f)^8); it acts on the record between zeros. The polynomial that is taken out, before the filter

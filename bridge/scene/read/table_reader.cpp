@@ -24,9 +24,8 @@ std::string shown(const toml::node& node) {
   node.visit([&](const auto& value) {
     if constexpr (toml::is_value<decltype(value)>) stream << value;
   });
-  std::string text = stream.str();
-  if (text.size() > 40) text = text.substr(0, 37) + "...";
-  return text;
+  const std::string text = stream.str();
+  return text.size() > 40 ? fmt::format("{}...", text.substr(0, 37)) : text;
 }
 
 }  // namespace
