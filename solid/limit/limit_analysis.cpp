@@ -264,6 +264,7 @@ Twists LimitAnalysis::collapse(const Wrenches& loads, bool however_strong) const
   if (however_strong) program.add_shortage(/*price=*/0);
   program.add_imbalance();
   program.solve();
+  if (!however_strong && program.add_tangents(faces_, /*reduction=*/1)) return collapse(loads, however_strong);
   Twists mechanism = program.mechanism();
   normalize(mechanism);
   return mechanism;
