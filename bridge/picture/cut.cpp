@@ -7,6 +7,7 @@
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
+#include "bridge/picture/draw.hpp"
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/results/counted.hpp"
 #include "bridge/results/folder.hpp"
@@ -22,9 +23,8 @@ namespace {
 
 constexpr std::size_t most_names = 150;  // more would cover each other
 
-std::string terminal_for(const std::filesystem::path& file) {
-  if (file.extension() == ".png") return "pngcairo";
-  if (file.extension() == ".svg") return "svg";
+void require_picture(const std::filesystem::path& file) {
+  if (file.extension() == ".png" || file.extension() == ".svg") return;
   throw std::invalid_argument(fmt::format("--out {}: expected a name that ends in .png or .svg", file.string()));
 }
 
@@ -40,10 +40,10 @@ void draw(const scene::Scene& scene, const std::filesystem::path& out) {
   const scene::Point edge = scene::Point::Constant(0.03 * all.size());
   const double aspect = std::clamp(span.y() / span.x(), 0.2, 3.0);
   std::string script = fmt::format(
-      "set terminal {} size 1200,{:.0f}\nset output {}\nset title {}\nset size ratio -1\nunset key\n"
+      "set title {}\nset size ratio -1\nunset key\n"
       "set tics out nomirror\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-      terminal_for(out), 80 + 1120 * aspect, gnuplot_path(out), gnuplot_text(scene.title), all.low.x() - edge.x(),
-      all.high.x() + edge.x(), all.low.y() - edge.y(), all.high.y() + edge.y());
+      gnuplot_title(scene.title, 1200), all.low.x() - edge.x(), all.high.x() + edge.x(), all.low.y() - edge.y(),
+      all.high.y() + edge.y());
   int number = 0;
   for (const scene::Block& block : scene.blocks) {
     script += gnuplot_polygon(++number, block.vertices, style_of(block));
@@ -52,13 +52,13 @@ void draw(const scene::Scene& scene, const std::filesystem::path& out) {
     script += fmt::format("set label {} {} at {},{} center front font ',8'\n", number, gnuplot_text(block.name),
                           middle.x(), middle.y());
   }
-  gnuplot(script + "plot NaN notitle\n");
+  picture::draw({{out, 1200, 80 + 1120 * aspect, script + "plot NaN notitle\n"}});
 }
 
 }  // namespace
 
 void cut(const CutOptions& options) {
-  terminal_for(options.out);
+  require_picture(options.out);
   results::require_writable_file("--out", options.out);
   const scene::ReadScene read = scene::read(options.scene, options.overrides);
   for (const auto& note : read.notes) fmt::print(stderr, "{}", results::for_stderr(note.text() + "\n"));

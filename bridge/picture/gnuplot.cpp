@@ -3,94 +3,62 @@
 
 #include <fmt/format.h>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <csignal>
-#include <cstdio>
-#include <stdexcept>
 
 namespace blockweir::picture {
 
 namespace {
 
-class DrawnShare {
- public:
-  explicit DrawnShare(bool told) : told_(told), terminal_(::isatty(STDERR_FILENO) != 0) {}
-  ~DrawnShare() {
-    if (told_ && terminal_) fmt::print(stderr, "\r\033[K");
-  }
-  DrawnShare(const DrawnShare&) = delete;
-  DrawnShare& operator=(const DrawnShare&) = delete;
-  void show(double share) {
-    if (!told_) return;
-    constexpr int width = 30;
-    const int filled = static_cast<int>(share * width);
-    if (terminal_) {
-      fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f} %  drawing\033[K", "", filled, "", width - filled, 100 * share);
-    } else if (static_cast<int>(10 * share) > tenths_) {
-      tenths_ = static_cast<int>(10 * share);
-      fmt::print(stderr, "{:3.0f} %  drawing\n", 100 * share);
-    }
-    std::fflush(stderr);
-  }
+bool begins_letter(char c) {  // of UTF-8
+  return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+}
 
- private:
-  bool told_;
-  bool terminal_;
-  int tenths_ = 0;
-};
-
-/// gnuplot draws while it reads: the pipe takes more as it gets on.
-void write_told(const std::string& script, std::FILE* pipe, bool told) {
-  constexpr std::size_t piece = 16384;
-  DrawnShare drawn(told);
-  for (std::size_t at = 0; at < script.size(); at += piece) {
-    const std::size_t size = std::min(piece, script.size() - at);
-    std::fwrite(script.data() + at, 1, size, pipe);
-    std::fflush(pipe);
-    drawn.show(static_cast<double>(at + size) / static_cast<double>(script.size()));
+/// Where the letter with this number begins, or the end.
+std::size_t place_of(const std::string& text, std::size_t letter) {
+  std::size_t at = 0;
+  for (; at < text.size(); ++at) {
+    if (begins_letter(text[at]) && letter-- == 0) break;
   }
+  return at;
 }
 
 }  // namespace
 
-void gnuplot(const std::string& script, bool told) {
-  std::signal(SIGPIPE, SIG_IGN);                          // a missing program shows in its exit status
-  std::FILE* pipe = ::popen("gnuplot 2>/dev/null", "w");  // it warns of each curve that is level
-  if (pipe == nullptr)
-    throw std::runtime_error("cannot start gnuplot: the system opens no pipe to it; end other programs");
-  write_told(script, pipe, told);
-  const int status = ::pclose(pipe);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 127) {
-    throw std::runtime_error("the program gnuplot is missing: install the package gnuplot-nox");
-  }
-  if (status != 0) {
-    throw std::runtime_error(
-        fmt::format("gnuplot drew no figure: it ended with status {}; expected a folder that can be written, with room "
-                    "for the figure; gnuplot's own message stands above",
-                    status));
-  }
-}
-
 std::string gnuplot_text(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    if (c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&') quoted += "\\\\";
-    quoted += c == '\n' ? ' ' : c;
-  }
-  return quoted + "\"";
-}
-
-std::string gnuplot_path(const std::filesystem::path& path) {
   std::string quoted = "'";
-  for (const char c : path.string()) {
+  for (const char c : text) {
     if (c == '\'') quoted += '\'';
-    quoted += c;
+    const auto code = static_cast<unsigned char>(c);
+    quoted += code < 0x20 || code == 0x7f ? ' ' : c;
   }
   return quoted + "'";
+}
+
+std::string gnuplot_tic(std::string text) {
+  for (std::size_t at = 0; (at = text.find('%', at)) != std::string::npos; at += 2) text.insert(at, 1, '%');
+  return gnuplot_text(text);
+}
+
+std::string shortened(const std::string& text, std::size_t letters) {
+  if (place_of(text, letters) == text.size()) return text;
+  return text.substr(0, place_of(text, letters - 1)) + "…";
+}
+
+std::string gnuplot_title(const std::string& text, double width) {
+  constexpr int most_lines = 3;
+  constexpr double pixels_per_letter = 9.5;
+  const auto letters = static_cast<std::size_t>(width / pixels_per_letter);
+  std::string rest = text;
+  std::string title;
+  for (int line = 1;; ++line) {
+    const std::size_t end = place_of(rest, letters);
+    if (end == rest.size()) return title + gnuplot_text(rest);
+    if (line == most_lines) return title + gnuplot_text(shortened(rest, letters));
+    const std::size_t space = rest.rfind(' ', end);
+    const bool at_word = space != std::string::npos && space > 0;
+    title += gnuplot_text(rest.substr(0, at_word ? space : end)) + ".\"\\n\".";
+    rest.erase(0, at_word ? space + 1 : end);
+  }
 }
 
 std::string gnuplot_polygon(int number, const std::vector<Eigen::Vector2d>& outline, const std::string& style) {

@@ -9,8 +9,8 @@
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
+#include "bridge/picture/draw.hpp"
 #include "bridge/picture/gnuplot.hpp"
-#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/block_facts.hpp"
 #include "bridge/scene/structure_size.hpp"
 
@@ -53,18 +53,6 @@ Bounds view_around(const scene::Scene& scene) {
   return {view.low - margin, view.high + margin};
 }
 
-/// In lines that fit the picture.
-std::string title_of(const std::string& text) {
-  constexpr std::size_t width = 100;
-  std::istringstream lines(results::wrapped(text, width));
-  std::string title;
-  for (std::string line; std::getline(lines, line);) {
-    const std::string words = line.substr(std::min(line.size(), line.find_first_not_of(' ')));
-    title += (title.empty() ? "" : ".\"\\n\".") + gnuplot_text(words);
-  }
-  return title;
-}
-
 std::string reservoir(const Bounds& view, const scene::Scene& scene, double level_m) {
   double face = view.high.x();
   for (const scene::Block& block : scene.blocks) {
@@ -73,7 +61,7 @@ std::string reservoir(const Bounds& view, const scene::Scene& scene, double leve
   }
   return fmt::format(
       "set arrow from {},{} to {},{} nohead lc rgb '#1f6fb4' lw 2 front\n"
-      "set label \"{:.6g} m\" at {},{} offset 0.5,0.6 tc rgb '#1f6fb4' front\n",
+      "set label '{:.6g} m' at {},{} offset 0.5,0.6 tc rgb '#1f6fb4' front\n",
       view.low.x(), level_m, face, level_m, level_m, view.low.x(), level_m);
 }
 
@@ -85,11 +73,10 @@ void draw_mechanism(const scene::Scene& scene, const json& mechanism, const std:
   const Point span = view.high - view.low;
   const double aspect = std::clamp(span.y() / span.x(), 0.3, 2.0);
   std::string script = fmt::format(
-      "set terminal pngcairo font 'sans,11' size 900,{:.0f}\nset output {}\nset title {}\nset size ratio -1\n"
+      "set title {}\nset size ratio -1\n"
       "unset key\nset tics out nomirror\nset xlabel 'x (m)'\nset ylabel 'elevation (m)'\nset xrange [{}:{}]\n"
       "set yrange [{}:{}]\n",
-      100 + 800 * aspect, gnuplot_path(out), title_of(mechanism["text"].get<std::string>()), view.low.x(),
-      view.high.x(), view.low.y(), view.high.y());
+      gnuplot_title(mechanism["text"], 900), view.low.x(), view.high.x(), view.low.y(), view.high.y());
   const std::map<std::string, Eigen::Vector3d> motions = motions_of(mechanism);
   const double by = drawn_ratio * scene::structure_size_m(scene.blocks);
   int number = 0;
@@ -107,7 +94,7 @@ void draw_mechanism(const scene::Scene& scene, const json& mechanism, const std:
     script += gnuplot_polygon(++number, block.vertices, "fs empty border lc rgb '#303030' lw 1 dt 2 front");
   }
   if (level_m) script += reservoir(view, scene, *level_m);
-  gnuplot(script + "plot NaN notitle\n");
+  draw({{out, 900, 100 + 800 * aspect, script + "plot NaN notitle\n", 11}});
 }
 
 }  // namespace blockweir::picture

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bridge/geometry/outline.hpp"
+#include "bridge/picture/draw.hpp"
 #include "bridge/picture/gnuplot.hpp"
 
 namespace blockweir::picture {
@@ -53,7 +54,7 @@ std::string drawn(const scene::Scene& scene, const json& mode, std::size_t numbe
   const double by = largest > 0 ? swing_ratio * (view.high - view.low).norm() / largest : 0;
   const json& period = mode["period_s"];
   std::string script =
-      fmt::format("unset object\nset title \"{}: {}\"\n", number,
+      fmt::format("unset object\nset title '{}: {}'\n", number,
                   period.is_null() ? "free"
                                    : fmt::format("{:.4g} rad/s, {:.4g} Hz", mode["omega_rad_per_s"].get<double>(),
                                                  mode["frequency_hz"].get<double>()));
@@ -83,14 +84,14 @@ void draw_modes(const scene::Scene& scene, const json& answer, const std::filesy
   const std::size_t columns = std::min<std::size_t>(3, count);
   const std::size_t rows = (count + columns - 1) / columns;
   std::string script = fmt::format(
-      "set terminal pngcairo font 'sans,10' size {},{:.0f}\nset output {}\nset multiplot layout {},{} title \"{}\"\n"
+      "set multiplot layout {},{} title {}\n"
       "set size ratio -1\nunset key\nset tics out nomirror\nset xlabel 'x (m)'\nset ylabel 'elevation (m)'\n"
       "set xrange [{}:{}]\nset yrange [{}:{}]\n",
-      360 * columns, 40 + static_cast<double>(rows) * (80 + 290 * aspect), gnuplot_path(out), rows, columns,
-      answer.contains("wet") ? "natural modes, with the water's inertia" : "natural modes", view.low.x(), view.high.x(),
-      view.low.y(), view.high.y());
+      rows, columns, gnuplot_text(answer.contains("wet") ? "natural modes, with the water's inertia" : "natural modes"),
+      view.low.x(), view.high.x(), view.low.y(), view.high.y());
   for (std::size_t k = 0; k < count; ++k) script += drawn(scene, modes[k], k + 1, view);
-  gnuplot(script + "unset multiplot\n");
+  const double height = 40 + static_cast<double>(rows) * (80 + 290 * aspect);
+  draw({{out, 360.0 * static_cast<double>(columns), height, script + "unset multiplot\n", 10}});
 }
 
 }  // namespace blockweir::picture

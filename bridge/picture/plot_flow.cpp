@@ -108,7 +108,7 @@ Panel over_time(const Rows& rows) {
                          gnuplot_text(words_of_flow(rows.front()[column])));
   }
   panel.commands = fmt::format(
-      "set key bmargin center horizontal\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'flow (m^3 a day and "
+      "set key bmargin center horizontal\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'flow (m³ a day and "
       "metre)'\nplot {}\n",
       lines);
   return panel;
@@ -149,10 +149,10 @@ Panel against_laws(const Rows& rows) {
 
 }  // namespace
 
-std::string flow_script(const std::filesystem::path& run, const std::string& terminal, const std::string& ending) {
+std::vector<Picture> flow_picture(const std::filesystem::path& run, const std::string& ending) {
   const Rows along = flow_rows(run, "joint_water.csv");
   const Rows totals = flow_rows(run, "flow.csv");
-  if (along.size() < 2 || totals.size() < 2) return "";
+  if (along.size() < 2 || totals.size() < 2) return {};
   std::set<std::string> joints;
   for (std::size_t i = 1; i < along.size(); ++i) joints.insert(along[i][1]);
   const std::vector<double> times = times_of(along);
@@ -163,12 +163,11 @@ std::string flow_script(const std::filesystem::path& run, const std::string& ter
   const Panel below = over_time(totals);
   const Panel laws = against_laws(flow_rows(run, "joint_uplift.csv"));
   const int panels = laws.commands.empty() ? 2 : 3;
-  return above.data + below.data + laws.data +
-         fmt::format(
-             "reset\nset terminal {} size 900,{}\nset output {}\nset multiplot layout {},1\nset grid lc rgb '#dddddd'\n"
-             "set tics out nomirror\n{}{}{}unset multiplot\nset output\n",
-             terminal, 400 * panels, gnuplot_path(run / ("flow" + ending)), panels, above.commands, below.commands,
-             laws.commands);
+  return {{run / ("flow" + ending), 900, 400.0 * panels,
+           above.data + below.data + laws.data +
+               fmt::format("set multiplot layout {},1\nset grid lc rgb '#dddddd'\nset tics out nomirror\n{}{}{}unset "
+                           "multiplot\n",
+                           panels, above.commands, below.commands, laws.commands)}};
 }
 
 }  // namespace blockweir::picture

@@ -5,11 +5,13 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "bridge/picture/draw.hpp"
 
 namespace blockweir::picture {
 
-/// Script for flow.png; empty where nothing flows through the joints of the run. `terminal` and `ending` choose PNG or
-/// SVG.
-std::string flow_script(const std::filesystem::path& run, const std::string& terminal, const std::string& ending);
+/// `flow`; none where nothing flows through the joints of the run. `ending` chooses PNG or SVG.
+std::vector<Picture> flow_picture(const std::filesystem::path& run, const std::string& ending);
 
 }  // namespace blockweir::picture

@@ -31,7 +31,7 @@ struct Sheet {
   static constexpr double width = 1000;
   static constexpr double left = 80;
   static constexpr double right = 30;
-  static constexpr double top = 50;
+  static constexpr double top = 70;  // a title of two lines
   static constexpr double below_axis = 72;
   static constexpr double row = 21;
   static constexpr double letter = 8.2;
@@ -161,24 +161,21 @@ std::string legend(const json& rows) {
   return plots + "\n";
 }
 
-std::string frame_of(const Sheet& sheet, const std::string& terminal, const std::string& file,
-                     const std::string& title) {
+std::string frame_of(const Sheet& sheet, const std::string& title) {
   return fmt::format(
-      "reset\nset terminal {} size {},{:.0f}\nset output {}\nset lmargin at screen {}\nset rmargin at screen {}\n"
+      "set lmargin at screen {}\nset rmargin at screen {}\n"
       "set tmargin at screen {}\nset bmargin at screen {}\nset tics out nomirror\nset xlabel 'x [m]'\n"
       "set ylabel 'elevation [m]'\nset title {}\nset style textbox opaque noborder fillcolor rgb '#60ffffff' margins "
       "1,1\n"
       "set key at screen 0.5,0.005 bottom center horizontal Left reverse maxcols 2 samplen 2\n"
       "set xrange [{}:{}]\nset yrange [{}:{}]\n",
-      terminal, Sheet::width, sheet.height(), file, Sheet::left / Sheet::width, 1 - Sheet::right / Sheet::width,
-      1 - Sheet::top / sheet.height(), sheet.bottom() / sheet.height(), title, sheet.view.left, sheet.view.right,
-      sheet.view.bottom, sheet.view.top);
+      Sheet::left / Sheet::width, 1 - Sheet::right / Sheet::width, 1 - Sheet::top / sheet.height(),
+      sheet.bottom() / sheet.height(), title, sheet.view.left, sheet.view.right, sheet.view.bottom, sheet.view.top);
 }
 
 }  // namespace
 
-std::string section_script(const std::filesystem::path& run, const json& summary, const std::string& terminal,
-                           const std::string& ending) {
+Picture section_picture(const std::filesystem::path& run, const json& summary, const std::string& ending) {
   const scene::Scene scene = scene::read(process::scene_of(run)).scene;
   const json data = section_data(scene);
   const json state = pictured_state(scene, run, frames_data(run, summary));
@@ -197,8 +194,9 @@ std::string section_script(const std::filesystem::path& run, const json& summary
   draw_bolts(state["bolts"], size_m, drawing);
   write_labels(data["joints"], state, drawing);
   const std::string title = fmt::format("{}: section at {:.4g} s", scene.title, state["time_s"].get<double>());
-  return frame_of(sheet, terminal, gnuplot_path(run / ("section" + ending)), gnuplot_text(title)) + drawing.script +
-         legend(state["legend"]);
+  return {
+      run / ("section" + ending), Sheet::width, sheet.height(),
+      frame_of(sheet, gnuplot_title(shortened(title, 200), Sheet::width)) + drawing.script + legend(state["legend"])};
 }
 
 }  // namespace blockweir::picture

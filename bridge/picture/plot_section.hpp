@@ -7,10 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "bridge/picture/draw.hpp"
+
 namespace blockweir::picture {
 
-/// Script for `section`, from the run's own scene.
-std::string section_script(const std::filesystem::path& run, const nlohmann::json& summary, const std::string& terminal,
-                           const std::string& ending);
+/// `section`, from the run's own scene; `ending` chooses PNG or SVG.
+Picture section_picture(const std::filesystem::path& run, const nlohmann::json& summary, const std::string& ending);
 
 }  // namespace blockweir::picture

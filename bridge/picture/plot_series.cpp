@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bridge/picture/curve.hpp"
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/picture/history.hpp"
 #include "bridge/scene/read/nearest.hpp"
@@ -18,12 +19,27 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_named = 8;
+constexpr std::size_t most_letters = 20;  // of a name in a legend
+constexpr std::size_t pixels = 1000;
+constexpr std::size_t pixels_of_others = 150;
 
 /// A quantity's ending, its axis, and what of it is rest: the axis reaches as far at least.
 struct Axis {
   const char* quantity;
   const char* label;
   double rest = 0;
+  double factor = 1;  ///< from the history's unit to the axis's
+};
+
+/// Curves of a plot: their data, and what plots them.
+struct Curves {
+  void add(const std::string& rows, const std::string& style) {
+    data += fmt::format("$curve{} << EOD\n{}EOD\n", ++count, rows);
+    plots += fmt::format("{}$curve{} {}", plots.empty() ? "" : ", ", count, style);
+  }
+  std::string data{};
+  std::string plots{};
+  int count = 0;
 };
 
 bool holds(const std::vector<std::string>& list, const std::string& word) {
@@ -40,7 +56,7 @@ void require_known(const std::string& option, const std::string& word, const std
 
 class Series {
  public:
-  explicit Series(const PlotOptions& options) : file_(options.run / "history.csv"), history_(file_) {
+  explicit Series(const PlotOptions& options) : history_(options.run / "history.csv") {
     std::vector<std::string> blocks;
     constexpr const char* ending = ".displacement_x_m";
     for (const std::string& name : history_.names()) {
@@ -61,39 +77,39 @@ class Series {
   [[nodiscard]] std::string panel(const Axis& axis) const {
     const std::string quantity = axis.quantity;
     const bool of_blocks = quantity.starts_with('.');
-    std::string curves;
-    const auto add = [&](const fs::path& file, const History& history, const std::string& column,
+    Curves curves;
+    const auto add = [&](const History& history, const std::string& column, std::size_t spans,
                          const std::string& style) {
       if (!history.has_values(column)) return;
-      const auto place = std::find(history.names().begin(), history.names().end(), column) - history.names().begin();
-      curves += fmt::format("{}{} using 1:{} {}", curves.empty() ? "" : ", ", gnuplot_path(file), place + 1, style);
+      curves.add(curve_rows(history.column("time_s"), history.column(column), spans, axis.factor), style);
     };
-    if (!of_blocks) add(file_, history_, quantity, "with lines lw 2 title " + gnuplot_text(quantity));
+    if (!of_blocks) add(history_, quantity, pixels, "with lines lw 2 title " + gnuplot_text(quantity));
     for (const std::string& block : others_) {
-      if (of_blocks) add(file_, history_, block + quantity, "with lines lw 1 lc rgb '#b8b8b8' notitle");
+      if (of_blocks) add(history_, block + quantity, pixels_of_others, "with lines lw 1 lc rgb '#b8b8b8' notitle");
     }
     int colour = 0;
     for (const std::string& block : named_) {
       if (!of_blocks) break;
       ++colour;
-      add(file_, history_, block + quantity,
-          fmt::format("with lines lw 2 lt {} title {}", colour, gnuplot_text(block)));
+      const std::string name = shortened(block, most_letters);
+      add(history_, block + quantity, pixels,
+          fmt::format("with lines lw 2 lt {} title {}", colour, gnuplot_text(name)));
       if (!measured_) continue;
-      add(measured_file_, *measured_, block + quantity,
-          fmt::format("with points pt 6 lt {} title {}", colour, gnuplot_text(block + ", measured")));
+      add(*measured_, block + quantity, measured_->rows(),
+          fmt::format("with points pt 6 lt {} title {}", colour, gnuplot_text(name + ", measured")));
     }
-    if (!of_blocks && measured_) add(measured_file_, *measured_, quantity, "with points pt 6 lt 1 title 'measured'");
-    if (curves.empty()) return "";
+    if (!of_blocks && measured_) add(*measured_, quantity, measured_->rows(), "with points pt 6 lt 1 title 'measured'");
+    if (curves.plots.empty()) return "";
     if (of_blocks && !others_.empty()) {
-      curves += fmt::format(", NaN with lines lw 1 lc rgb '#b8b8b8' title \"{} more\"", others_.size());
+      curves.plots += fmt::format(", NaN with lines lw 1 lc rgb '#b8b8b8' title '{} more'", others_.size());
     }
     const std::string range = axis.rest > 0 ? fmt::format("[* < -{0} : {0} < *]", axis.rest) : "[*:*]";
-    return fmt::format("set ylabel \"{}\"\nset yrange {}\nplot {}\n", axis.label, range, curves);
+    return fmt::format("{}set key {}\nset ylabel '{}'\nset yrange {}\nplot {}\n", curves.data,
+                       of_blocks ? "outside right top samplen 2" : "inside top left", axis.label, range, curves.plots);
   }
 
  private:
   void take_measured(const fs::path& file) {
-    measured_file_ = file;
     std::error_code unreadable;
     if (!fs::is_regular_file(file, unreadable) || fs::is_empty(file, unreadable)) {
       throw std::invalid_argument(
@@ -109,48 +125,45 @@ class Series {
     for (const std::string& column : columns) require_known("--data " + file.string(), column, history_.names());
   }
 
-  fs::path file_;
   History history_;
   std::vector<std::string> named_;
   std::vector<std::string> others_;
-  fs::path measured_file_;
   std::optional<History> measured_;
 };
 
 }  // namespace
 
-std::string series_script(const PlotOptions& options, const nlohmann::json& summary, const std::string& terminal,
-                          const std::string& ending) {
+std::vector<Picture> series_pictures(const PlotOptions& options, const nlohmann::json& summary,
+                                     const std::string& ending) {
   const Series series(options);
   const fs::path& run = options.run;
-  std::string script =
-      "set datafile separator ','\nset datafile missing 'nan'\nset key autotitle columnhead\nset key top left\n"
-      "set grid lc rgb '#dddddd'\nset xlabel 'time [s]'\n";
+  std::string axes = "set grid lc rgb '#dddddd'\nset xlabel 'time [s]'\n";
   if (summary.contains("failure")) {
-    script += fmt::format("set arrow 1 from first {0}, graph 0 to first {0}, graph 1 nohead dt 2 lc rgb '#c00000'\n",
-                          summary["failure"]["time_s"].get<double>());
+    axes += fmt::format("set arrow 1 from first {0}, graph 0 to first {0}, graph 1 nohead dt 2 lc rgb '#c00000'\n",
+                        summary["failure"]["time_s"].get<double>());
   }
+  std::vector<Picture> pictures;
   const auto figure = [&](const std::string& name, const std::string& title, const std::vector<Axis>& panels) {
     std::string body;
     for (const Axis& axis : panels) body += series.panel(axis);
     if (body.empty()) return;
-    script += fmt::format(
-        "set terminal {} size 1000,{}\nset output {}\nset multiplot layout {},1 title {}\n{}unset multiplot\n",
-        terminal, 60 + 340 * panels.size(), gnuplot_path(run / (name + ending)), panels.size(), gnuplot_text(title),
-        body);
+    pictures.push_back({run / (name + ending), 1000, 60 + 340 * static_cast<double>(panels.size()),
+                        fmt::format("{}set multiplot layout {},1 title {}\n{}unset multiplot\n", axes, panels.size(),
+                                    gnuplot_title(title, 1000), body)});
   };
   constexpr double rest_m = 1e-4;
-  constexpr double rest_rad = 1e-5;
+  constexpr double rest_deg = 1e-3;
+  constexpr double deg_per_rad = 57.29577951308232;
   const std::string dashes = summary.contains("failure") ? " (dashes: the failure begins)" : "";
   const std::string title = summary.value("title", run.filename().string());
   figure("displacements", title + ": displacements of the centroids" + dashes,
          {{".displacement_x_m", "horizontal [m]", rest_m}, {".displacement_y_m", "vertical [m]", rest_m}});
   figure("velocities", title + ": velocities of the centroids" + dashes,
          {{".velocity_x_m_per_s", "horizontal [m/s]", rest_m}, {".velocity_y_m_per_s", "vertical [m/s]", rest_m}});
-  figure("rotations", title + ": rotations" + dashes, {{".rotation_rad", "rotation [rad]", rest_rad}});
+  figure("rotations", title + ": rotations" + dashes, {{".rotation_rad", "rotation [deg]", rest_deg, deg_per_rad}});
   figure("level", title + ": water level and largest displacement" + dashes,
          {{"upstream_level_m", "level [m]"}, {"largest_displacement_m", "largest displacement [m]", rest_m}});
-  return script;
+  return pictures;
 }
 
 }  // namespace blockweir::picture

@@ -4,13 +4,15 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "bridge/picture/draw.hpp"
 #include "bridge/picture/plot.hpp"
 
 namespace blockweir::picture {
 
-/// Scripts for displacements, velocities, rotations and level; `terminal` and `ending` choose PNG or SVG.
-std::string series_script(const PlotOptions& options, const nlohmann::json& summary, const std::string& terminal,
-                          const std::string& ending);
+/// Displacements, velocities, rotations and level; `ending` chooses PNG or SVG.
+std::vector<Picture> series_pictures(const PlotOptions& options, const nlohmann::json& summary,
+                                     const std::string& ending);
 
 }  // namespace blockweir::picture

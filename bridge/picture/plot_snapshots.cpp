@@ -137,8 +137,8 @@ std::string moment(const json& frame, const View& view, double breached_s, bool 
                         water.empty() && above_all(frame) ? " (above all blocks)" : "");
   }
   if (breached) level = fmt::format(", breached at {:.2f} s", breached_s);
-  text += fmt::format("set title \"{:.2f} s{}\"\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-                      frame["time_s"].get<double>(), level, view.left, view.right, view.bottom, view.top);
+  text += fmt::format("set title '{:.2f} s{}'\nset xrange [{}:{}]\nset yrange [{}:{}]\n", frame["time_s"].get<double>(),
+                      level, view.left, view.right, view.bottom, view.top);
   if (!water.empty()) {
     return text + "plot $water using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder lc rgb variable notitle\n";
   }
@@ -189,8 +189,8 @@ std::vector<std::size_t> chosen(const std::vector<json>& frames, const json& sum
 
 }  // namespace
 
-std::string snapshot_script(const fs::path& run, const json& summary, const std::string& terminal,
-                            const std::string& ending, bool animated) {
+std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary, const std::string& ending,
+                                       bool animated) {
   const std::vector<json> frames = read_frames(run);
   const auto picks = chosen(frames, summary);
   const OpenFoamWater water(run);
@@ -198,38 +198,43 @@ std::string snapshot_script(const fs::path& run, const json& summary, const std:
   for (const WaterBox& box : water.boxes(0)) highest = std::max(highest, box.top);
   const View view = view_of(frames, highest);
   const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.3, 2.0);
-  std::string script =
-      "reset\nset size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\n"
-      "set xlabel 'x [m]'\nset ylabel 'y [m]'\n";
+  std::string axes =
+      "set size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\nset xlabel 'x [m]'\n"
+      "set ylabel 'y [m]'\n";
   const double breached_s =
       summary.contains("breach") ? summary["breach"]["time_s"].get<double>() : std::numeric_limits<double>::infinity();
-  const auto begin = [&](const char* name, double width, double height) {
-    script += fmt::format("set terminal {} size {:.0f},{:.0f}\nset output {}\n", terminal, width, height,
-                          gnuplot_path(run / (name + ending)));
-  };
   const auto flow_at = [&](const json& frame) {
     return water.empty() ? "" : flow(water.boxes(frame["time_s"]), view, fastest_shown);
   };
   constexpr double snapshot_points = 390;  // of a snapshot's width
   constexpr double tic_points = 30;        // that a number needs
-  script += fmt::format("set ytics {}\n", round_step(tic_points / snapshot_points * (view.right - view.left)));
+  axes += fmt::format("set ytics {}\n", round_step(tic_points / snapshot_points * (view.right - view.left)));
   const std::string legend = water.empty() ? " (contacts: green stick, red slip)" : "";
+  const std::string title = summary.value("title", std::string("section"));
   const int columns = 3;
   const int rows = static_cast<int>((picks.size() + 2) / 3);
-  begin("snapshots", 1350, 60 + rows * (60 + 430 * aspect));
-  script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns,
-                        gnuplot_text(summary.value("title", std::string("section")) + legend));
-  for (const std::size_t pick : picks) script += moment(frames[pick], view, breached_s, true, flow_at(frames[pick]));
-  script += "unset multiplot\n";
-  begin("picture", 1000, 80 + 940 * aspect);
-  const json& one = frames[picks[picks.size() * 2 / 3]];
-  script += moment(one, view, breached_s, false, flow_at(one));
-  if (!animated) return script;
-  constexpr double playback_s = 0.1;  // a frame
-  script += fmt::format("set terminal gif animate delay {:.0f} loop 0 size 900,{:.0f}\nset output {}\n",
-                        100 * playback_s, 80 + 840 * aspect, gnuplot_path(run / "animation.gif"));
-  for (const json& frame : frames) script += moment(frame, view, breached_s, false, flow_at(frame));
-  return script;
+  std::string snapshots =
+      axes + fmt::format("set multiplot layout {},{} title {}\n", rows, columns, gnuplot_title(title + legend, 1350));
+  for (const std::size_t pick : picks) snapshots += moment(frames[pick], view, breached_s, true, flow_at(frames[pick]));
+  std::vector<Picture> pictures{
+      {run / ("snapshots" + ending), 1350, 60 + rows * (60 + 430 * aspect), snapshots + "unset multiplot\n"}};
+  // Where a structure falls, what is left at the end shows no longer how.
+  const bool fails = summary.contains("failure") && picks.size() > 1;
+  const json& one = frames[fails ? picks[picks.size() * 2 / 3] : picks.back()];
+  const std::string when =
+      fails ? fmt::format("between the failure and the end at {:.4g} s", frames.back()["time_s"].get<double>())
+            : "the end of the run";
+  pictures.push_back({run / ("picture" + ending), 1000, 120 + 940 * aspect,
+                      axes + fmt::format("set multiplot layout 1,1 title {}\n{}unset multiplot\n",
+                                         gnuplot_title(title + ": " + when, 1000),
+                                         moment(one, view, breached_s, false, flow_at(one)))});
+  if (!animated) return pictures;
+  std::string all = axes;
+  for (const json& frame : frames) {
+    all += moment(frame, view, breached_s, false, flow_at(frame)) + one_more_drawn;
+  }
+  pictures.push_back({run / "animation.gif", 900, 80 + 840 * aspect, all});
+  return pictures;
 }
 
 }  // namespace blockweir::picture

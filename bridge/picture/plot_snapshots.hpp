@@ -5,11 +5,15 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
+
+#include "bridge/picture/draw.hpp"
 
 namespace blockweir::picture {
 
-/// Script for `snapshots` (six moments) and `picture` (one).
-std::string snapshot_script(const std::filesystem::path& run, const nlohmann::json& summary,
-                            const std::string& terminal, const std::string& ending, bool animated);
+/// `snapshots` (six moments) and `picture` (one), and all moments as animation.gif where it is asked for; `ending`
+/// chooses PNG or SVG.
+std::vector<Picture> snapshot_pictures(const std::filesystem::path& run, const nlohmann::json& summary,
+                                       const std::string& ending, bool animated);
 
 }  // namespace blockweir::picture

@@ -50,9 +50,9 @@ std::string over_periods(const Component& c, double duration_s) {
 
 }  // namespace
 
-std::string spectrum_script(const std::filesystem::path& run, const std::string& terminal, const std::string& ending) {
+std::vector<Picture> spectrum_picture(const std::filesystem::path& run, const std::string& ending) {
   const scene::Scene scene = scene::read(process::scene_of(run)).scene;
-  if (!scene.base_motion) return "";
+  if (!scene.base_motion) return {};
   const double duration_s = scene.analysis.duration_s;
   std::string script;
   std::string history;
@@ -65,16 +65,17 @@ std::string spectrum_script(const std::filesystem::path& run, const std::string&
     history += fmt::format("{}$time_{} with lines lc rgb '{}' lw 1 title '{}'", comma, c.name, c.colour, c.name);
     spectrum += fmt::format("{}$spectrum_{} with lines lc rgb '{}' lw 2 title '{}'", comma, c.name, c.colour, c.name);
   }
-  if (history.empty()) return "";
-  return script +
-         fmt::format(
-             "reset\nset terminal {} size 900,760\nset output {}\nset multiplot layout 2,1\nset grid lc rgb '#dddddd'\n"
-             "set tics out nomirror\nset key top right\nset xlabel 'time (s)'\n"
-             "set ylabel 'acceleration of the ground (m/s^2)'\nplot {}\nset logscale x\nset xrange [0.02:5]\n"
-             "set xlabel 'period (s)'\nset ylabel 'pseudo-acceleration (m/s^2)'\nset title 'response spectrum, damping "
-             "ratio {}'\nplot {}\n"
-             "unset multiplot\nunset logscale\nset xrange [*:*]\nset output\n",
-             terminal, gnuplot_path(run / ("spectrum" + ending)), history, damping_ratio, spectrum);
+  if (history.empty()) return {};
+  return {{run / ("spectrum" + ending), 900, 760,
+           script + fmt::format(
+                        "set multiplot layout 2,1\nset grid lc rgb '#dddddd'\n"
+                        "set tics out nomirror\nset key top right\nset xlabel 'time (s)'\n"
+                        "set ylabel 'acceleration of the ground (m/s²)'\nplot {}\nset logscale x\nset xrange [0.02:5]\n"
+                        "set xlabel 'period (s)'\nset ylabel 'pseudo-acceleration (m/s²)'\nset title 'response "
+                        "spectrum, damping "
+                        "ratio {}'\nplot {}\n"
+                        "unset multiplot\n",
+                        history, damping_ratio, spectrum)}};
 }
 
 }  // namespace blockweir::picture

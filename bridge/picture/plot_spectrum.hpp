@@ -4,10 +4,13 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "bridge/picture/draw.hpp"
 
 namespace blockweir::picture {
 
-/// Script for spectrum.png; empty where the run's ground does not move. `terminal` and `ending` choose PNG or SVG.
-std::string spectrum_script(const std::filesystem::path& run, const std::string& terminal, const std::string& ending);
+/// `spectrum`; none where the run's ground does not move. `ending` chooses PNG or SVG.
+std::vector<Picture> spectrum_picture(const std::filesystem::path& run, const std::string& ending);
 
 }  // namespace blockweir::picture

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <vector>
 
+#include "bridge/picture/draw.hpp"
 #include "bridge/picture/gnuplot.hpp"
 
 namespace blockweir::picture {
@@ -86,7 +87,7 @@ std::string colour(const std::string& words, double turn) {
 }
 
 /// Each part is a bar from where the one before it ends.
-std::string picture(const std::vector<Side>& sides, const std::string& terminal, const std::filesystem::path& file) {
+Picture picture_of(const std::vector<Side>& sides, const std::filesystem::path& file) {
   std::string data;
   std::string curves;
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -107,10 +108,10 @@ std::string picture(const std::vector<Side>& sides, const std::string& terminal,
   for (std::size_t i = 0; i < sides.size(); ++i) {
     ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", sides[i].name, -static_cast<double>(i));
   }
-  return fmt::format(
-      "set terminal {}\nset output {}\nset xlabel 'wall time [s]'\nset ytics ({})\nset yrange [{}:0.6]\n"
-      "set key outside right top\nset xrange [0:*]\nset border 3\nset tics nomirror\nplot {}\n{}",
-      terminal, gnuplot_path(file), ticks, -static_cast<double>(sides.size()) + 0.4, curves, data);
+  return {file, 1100, 520,
+          fmt::format("set xlabel 'wall time [s]'\nset ytics ({})\nset yrange [{}:0.6]\n"
+                      "set key outside right top\nset xrange [0:*]\nset border 3\nset tics nomirror\nplot {}\n{}",
+                      ticks, -static_cast<double>(sides.size()) + 0.4, curves, data)};
 }
 
 }  // namespace
@@ -149,7 +150,7 @@ void profile(const ProfileOptions& options) {
   }
   fmt::print("{}", profile_tree(summary));
   const std::filesystem::path file = options.run / (options.svg ? "profile.svg" : "profile.png");
-  gnuplot(picture(sides_of(summary), options.svg ? "svg size 1100,520" : "pngcairo size 1100,520", file));
+  draw({picture_of(sides_of(summary), file)});
   fmt::print("{}\n", file.string());
 }
 

@@ -229,16 +229,17 @@ void draw_reliability(const json& answer, const std::filesystem::path& folder) {
   const json sobol = answer.value("sobol", json::object());
   if (!sobol.contains("first")) return;
   std::string bars;
+  std::string names;
   for (std::size_t i = 0; i < answer["variables"].size(); ++i) {
-    bars += fmt::format("{} {} {}\n", picture::gnuplot_text(answer["variables"][i]), sobol["first"][i].get<double>(),
-                        sobol["total"][i].get<double>());
+    bars += fmt::format("{} {}\n", sobol["first"][i].get<double>(), sobol["total"][i].get<double>());
+    names += fmt::format("{}{} {}", i == 0 ? "" : ", ", picture::gnuplot_tic(answer["variables"][i]), i);
   }
   draw_study(
       folder / "sobol.png", "What the level of failure depends on",
-      fmt::format("set style data histogram\nset style fill solid 0.8\nset ylabel \"Sobol's index, 1\"\nset yrange "
-                  "[0:*]\nset key outside bottom horizontal\nset grid y\n$bars << EOD\n{}EOD\nplot $bars using "
-                  "2:xtic(1) lc rgb '#204a87' title 'alone', '' using 3 lc rgb '#8fb0d9' title 'in all'\n",
-                  bars));
+      fmt::format("set style data histogram\nset style fill solid 0.8\nset ylabel 'Sobol''s index, 1'\nset yrange "
+                  "[0:*]\nset key outside bottom horizontal\nset grid y\nset xtics ({})\n$bars << EOD\n{}EOD\n"
+                  "plot $bars using 1 lc rgb '#204a87' title 'alone', '' using 2 lc rgb '#8fb0d9' title 'in all'\n",
+                  names, bars));
 }
 
 }  // namespace blockweir::study

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
 
 namespace blockweir::results {
@@ -23,8 +25,10 @@ void write_through(const std::filesystem::path& path, const std::string& text) {
 }  // namespace
 
 void cannot_write(const std::filesystem::path& path) {
-  throw std::runtime_error(
-      fmt::format("cannot write {}: is the disk full, or the folder not writable?", path.string()));
+  const int why = errno;
+  const bool told = why == ENOSPC || why == EDQUOT || why == EACCES || why == EROFS || why == EFBIG || why == EIO;
+  throw std::runtime_error(fmt::format("cannot write {}: is the disk full, or the folder not writable?{}",
+                                       path.string(), told ? fmt::format(" ({})", std::strerror(why)) : ""));
 }
 
 ResultFile::ResultFile(std::filesystem::path path, Begin begin)
@@ -68,10 +72,13 @@ void replace_file(const std::filesystem::path& path, const std::string& text) {
   std::error_code error;
   std::ofstream stream(fresh, std::ios::trunc);
   const bool whole = static_cast<bool>(stream << text << std::flush);
+  int why = errno;
   stream.close();
   if (whole) std::filesystem::rename(fresh, path, error);
   if (whole && !error) return;
+  if (whole) why = error.value();
   std::filesystem::remove(fresh, error);
+  errno = why;
   cannot_write(path);
 }
 

@@ -46,7 +46,7 @@ bool has(const json& cells, const char* word) {
 std::string tics(const char* axis, const scene::Sweep& sweep) {
   std::string text = fmt::format("set {}tics {} (", axis, *axis == 'x' ? "rotate by -40" : "");
   for (std::size_t i = 0; i < sweep.values.size(); ++i)
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_text(sweep.values[i]), i);
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", picture::gnuplot_tic(sweep.values[i]), i);
   return text + fmt::format(")\nset {}range [-0.5:{}]\nset {}label {}\n", axis,
                             static_cast<double>(sweep.values.size()) - 0.5, axis, gnuplot_text(sweep.key));
 }

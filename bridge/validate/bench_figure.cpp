@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <map>
 
+#include "bridge/picture/draw.hpp"
 #include "bridge/picture/gnuplot.hpp"
 
 namespace blockweir::study {
 namespace {
 
-using picture::gnuplot;
-using picture::gnuplot_path;
 using picture::gnuplot_text;
 
 constexpr double least_error = 1e-16;  // what is exact has a place on the axis, too
@@ -49,10 +48,10 @@ std::string time_tics() {
 void draw_bench(const std::filesystem::path& file, const std::string& title, const std::string& error,
                 const std::vector<Point>& points) {
   std::string script = fmt::format(
-      "set terminal pngcairo font 'sans,11' size 1100,560\nset output {}\nset title {}\nset logscale xy\n"
+      "set title {}\nset logscale xy\n"
       "set format x '%g'\nset format y '%.0e'\nset xlabel 'wall time [s]'\nset ylabel {}\nset grid\n"
       "set key outside right top Left reverse font ',9'\n{}{}",
-      gnuplot_path(file), gnuplot_text(title), gnuplot_text(error), ranges(points), time_tics());
+      gnuplot_text(title), gnuplot_text(error), ranges(points), time_tics());
   std::string plots;
   const auto plot = [&](const std::string& data, const std::string& style) {
     const auto number = std::count(plots.begin(), plots.end(), '$');
@@ -74,7 +73,7 @@ void draw_bench(const std::filesystem::path& file, const std::string& title, con
          fmt::format("with linespoints lw 1.5 pt {} lt {} title {}", 4 + i % 10, i + 1, gnuplot_text(names[i])));
   }
   plot(coordinates(points.front()), "pt 3 ps 3 lw 3 lc rgb 'black' title 'as it stands'");
-  gnuplot(script + "plot " + plots + "\n");
+  picture::draw({{file, 1100, 560, script + "plot " + plots + "\n", 11}});
 }
 
 }  // namespace blockweir::study

@@ -29,17 +29,27 @@ class EnergyBalance {
     owed_.resize(blocks);
     owed_[b] = energy_j_per_m;
   }
-  /// The base, which has moved so far in the step, pushes the structure with this force.
-  void lead(const Point& push, const Point& moved, bool by_shi) {
-    give((by_shi ? push : Point((push_ + push) / 2)).dot(moved));
+  /// How a base that moves has done so in a step.
+  struct Lead {
+    Point moved = Point::Zero();  ///< m
+    Point began = Point::Zero();  ///< at this velocity [m/s]
+    Point ended = Point::Zero();  ///< m/s
+    [[nodiscard]] Point mean() const { return (began + ended) / 2; }
+  };
+  /// The base moves so far in the step of dt, ends it at a velocity, and pushes the structure with this force. Work is
+  /// that of its impulse at the mean velocity: by that momentum, and so motion, changes.
+  void lead(const Point& push, const Point& moved, const Point& velocity, double dt, bool by_shi) {
+    lead_ = {moved, lead_.ended, velocity};
+    give(dt * (by_shi ? push : Point((push_ + push) / 2)).dot(lead_.mean()));
     push_ = push;
   }
+  [[nodiscard]] const Lead& lead() const { return lead_; }
   /// The step has ended under these loads.
   void end_step(const std::vector<Vector6>& loads) { before_ = loads; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(given_, stored_, owed_, before_, push_);
+    archive(given_, stored_, owed_, before_, push_, lead_.moved, lead_.began, lead_.ended);
   }
 
  private:
@@ -48,6 +58,7 @@ class EnergyBalance {
   std::vector<double> owed_;     ///< none where nothing is
   std::vector<Vector6> before_;  ///< loads at the last step's end; none where steps do not look back
   Point push_ = Point::Zero();   ///< of the base, then
+  Lead lead_;                    ///< of it, in the last step
 };
 
 }  // namespace blockweir::solid

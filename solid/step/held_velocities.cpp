@@ -214,12 +214,6 @@ double HeldVelocities::opening_slope(const IslandEquations& s, std::size_t actio
   return formulation_->opening_slope(k, state_.contacts[at(k)]);
 }
 
-Point HeldVelocities::base_velocity(double dt) const {
-  const BaseMotion& base = model_.base;
-  if (!to_mean()) return base.velocity(trial_.end_s);
-  return (base.displacement(trial_.end_s) - base.displacement(trial_.end_s - dt)) / dt;
-}
-
 Eigen::Vector2d HeldVelocities::led_rate(const IslandEquations& s, std::size_t action, double dt) const {
   const std::size_t contacts = s.island.contacts.size();
   if (action < contacts) return Eigen::Vector2d::Zero();

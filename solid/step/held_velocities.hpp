@@ -20,9 +20,6 @@ class HeldVelocities : StepPart {
   /// what leads.
   void settle(IslandEquations& island, double dt);
 
-  /// Of a base that moves, as velocities that it holds become: the step's mean, or that of its end.
-  [[nodiscard]] Point base_velocity(double dt) const;
-
  private:
   bool settle_solved(IslandEquations& island, double dt);
   bool project(IslandEquations& island, const std::vector<Eigen::Vector2d>& missing);

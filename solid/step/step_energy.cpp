@@ -15,8 +15,8 @@ void StepEnergy::balance(IslandEquations& s, double dt) {
     const double work = model_.blocks[b].is_part() ? trial_.at_corners(b, load).dot(trial_.corner_increment(b))
                                                    : load.dot(trial_.increment[b]);
     state_.energy.give(work - model_.loads.constant(b).dot(trial_.increment[b]));
-    trial_.for_motion[b] =
-        work - strained(block).dot(model_.blocks[b].stiffness * (strain(block) + strained(block) / 2));
+    trial_.for_motion[b] = work - load.head<2>().dot(state_.energy.lead().moved) -
+                           strained(block).dot(model_.blocks[b].stiffness * (strain(block) + strained(block) / 2));
   }
   for (const int k : s.couplings) {
     const StrainCoupling& c = model_.parts.couplings[at(k)];

@@ -21,7 +21,8 @@ class StepEnergy : StepPart {
   void balance(IslandEquations& island, double dt);
   /// What a step has made of nothing is taken back from the velocities. Contact forces act along the directions of the
   /// step's end, and points turn on their way there: a block that topples would gain by an error of the step's first
-  /// order. Where nothing anchors a group its momenta stay. Most steps make nothing: then nothing is grouped.
+  /// order. Where nothing anchors a group its momenta stay. Most steps make nothing: then nothing is grouped. On a base
+  /// that moves all this is seen from the base, as what it holds rests there.
   void take_back(IslandEquations& island);
   /// Or is more to be taken than all motion that is left?
   [[nodiscard]] bool affords(const IslandEquations& island) const;
@@ -35,6 +36,8 @@ class StepEnergy : StepPart {
     double kinetic = 0;
   };
   [[nodiscard]] Made made_by(std::size_t b) const;
+  [[nodiscard]] bool turns(std::size_t b) const;
+  [[nodiscard]] Vector6 carried(std::size_t b, const Point& velocity) const;
   [[nodiscard]] std::vector<Group> makers(const IslandEquations& island, std::vector<int>& group_of) const;
   [[nodiscard]] Eigen::Matrix<double, 6, 3> rigid_of(const IslandEquations& island, const std::vector<int>& group_of,
                                                      std::size_t block) const;

@@ -41,7 +41,7 @@ void settle_velocities(Step& step, IslandEquations& s, double dt, bool base_lead
   const double kinetic = led ? kinetic_energy(step, s) : 0;
   const Point momentum = base_leads ? energy.momentum(s) : Point::Zero();
   held.settle(s, dt);
-  if (base_leads) step.state.energy.give((energy.momentum(s) - momentum).dot(held.base_velocity(dt)));
+  if (base_leads) step.state.energy.give((energy.momentum(s) - momentum).dot(step.state.energy.lead().mean()));
   if (led) step.state.energy.give(kinetic_energy(step, s) - kinetic);
 }
 
@@ -59,7 +59,8 @@ bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
   const bool led = model_.base.moves_supports() && !mode.settles;
   if (led) {
     const Point moved = model_.base.displacement(end_s) - model_.base.displacement(end_s - dt);
-    state_.energy.lead(StepEnergy(step_).push_of_base(islands_), moved, !trial_.scheme.second_order());
+    state_.energy.lead(StepEnergy(step_).push_of_base(islands_), moved, model_.base.velocity(end_s), dt,
+                       !trial_.scheme.second_order());
   }
   StepEnergy energy(step_);
   bool any_slips = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_process fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
+// links: solid_answers fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
 // Do the blocks stand with their strength divided by this, under that level? One row a level, "#" stands, "." fails:
 //     strength_bench tests/bench/jointed_rock.toml 1.9 2.25 35 26 26.1
 // Each answer is an analysis of its own. Beside the row is the bound of limit analysis: below it forces that hold
@@ -12,9 +12,9 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/statics/loads.hpp"
+#include "solid/capacity/situation.hpp"
+#include "solid/capacity/static_strength.hpp"
 #include "solid/limit/limit_strength.hpp"
-#include "solid/situation.hpp"
-#include "solid/static_strength.hpp"
 
 int main(int count, char** arguments) {
   using namespace blockweir;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_study solid_process fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
+// links: bridge_study solid_answers fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
 // Sections of all cases and of their load cases, as a report draws them: no two labels touch.
-#include "bridge/picture/report_section.hpp"
+#include "bridge/picture/section_data.hpp"
 #include "bridge/picture/section_state.hpp"
 #include "bridge/process/answers.hpp"
 #include "bridge/study/load_case_scene.hpp"
@@ -53,7 +53,7 @@ class ReportLabels : public Processes {
   [[nodiscard]] std::string page() const {
     std::ostringstream html;
     html << "<!DOCTYPE html><meta charset=\"utf-8\"><style>";
-    const std::string sources = std::string(BLOCKWEIR_SOURCE) + "/bridge/picture/page/";
+    const std::string sources = std::string(BLOCKWEIR_SOURCE) + "/bridge/report/page/";
     html << std::ifstream(sources + "report.css").rdbuf() << "</style><body><script>";
     for (const char* file : {"elements.js", "section.js", "state.js"}) html << std::ifstream(sources + file).rdbuf();
     html << "const all = " << all_.dump() << ";\n" << draw_all << "</script></body>";

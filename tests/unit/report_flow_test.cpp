@@ -53,7 +53,9 @@ TEST_F(ReportFlow, HasTheJointsOfTheEndByUpliftAndTheDrains) {
 
 TEST_F(ReportFlow, IsDrawnBesideTheLawsOfTheJointWithMostUplift) {
   write_tables(folder);
-  const std::string script = picture::flow_script(folder, "pngcairo", ".png");
+  const auto pictures = picture::flow_picture(folder, ".png");
+  ASSERT_EQ(pictures.size(), 1);
+  const std::string& script = pictures.front().commands;
   EXPECT_NE(script.find("layout 3,1"), std::string::npos);
   EXPECT_NE(script.find("joint base"), std::string::npos);
   EXPECT_NE(script.find("$law_7 << EOD\n5 19\nEOD"), std::string::npos) << script;

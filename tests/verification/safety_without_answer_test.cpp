@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_process fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
+// links: solid_answers fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
 // Where `safety` has no factor it says why, and what it says is true.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -156,6 +156,7 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   const auto folder = std::filesystem::path(name).parent_path();
   const bool drawn = take_drawing(file, folder, problems);
   const bool recorded = take_records(file, folder, problems);
+  refuse_control_characters(file, problems);
   if (problems.count() > before) throw SceneError(problems.errors());
   if (drawn || recorded || !overrides.empty()) {
     std::ostringstream merged;

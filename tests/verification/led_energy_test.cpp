@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_step solid_watch bridge_scene_read
+// Blocks on a base that moves, or on a hinge, make no energy; and a base that moves is an inertia force seen from it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "bridge/scene/read/read.hpp"
+#include "solid/step/solid.hpp"
+#include "solid/watch/energy.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+std::string analysis(const std::string& integrator, double step_s, double duration_s) {
+  return fmt::format(R"([analysis]
+duration_s = {}
+step_s = {}
+integrator = "{}"
+rigid = "all"
+start = "unstressed"
+max_displacement_ratio = 0.2
+[material.m]
+youngs_modulus_pa = 1e10
+poissons_ratio = 0.2
+density_kg_per_m3 = 2000
+)",
+                     duration_s, step_s, integrator);
+}
+
+std::string on_base(int rows, double length_m, double height_m, double friction_deg, const std::string& acceleration,
+                    const std::string& form) {
+  return fmt::format(R"([joint]
+friction_angle_deg = {}
+[[block]]
+name = "g"
+material = "m"
+fixed = true
+vertices_m = [[-60, -3], [60, -3], [60, 0], [-60, 0]]
+[[wall]]
+name = "b"
+material = "m"
+rows = {}
+columns = 1
+brick_length_m = {}
+brick_height_m = {}
+[base_motion]
+acceleration_x_m_per_s2 = {}
+form = "{}"
+)",
+                     friction_deg, rows, length_m, height_m, acceleration, form);
+}
+
+constexpr const char* hinged = R"([[block]]
+name = "p"
+material = "m"
+vertices_m = [[0, 0], [0.4, 0], [0.4, 2], [0, 2]]
+initial_velocity_m_per_s = [2, 0.4]
+initial_spin_deg_per_s = -114.59155902616465
+[[support]]
+block = "p"
+point_m = [0.4, 0]
+displacement_x_m = 0
+displacement_y_m = 0
+)";
+
+struct Moved {
+  double made_over_largest = 0;  ///< energy above what was given, over the largest there was
+  double rotation_rad = 0;       ///< of the last block
+};
+
+Moved moved(const std::string& text) {
+  const scene::Scene scene = scene::read_text(text, "led").scene;
+  Solid solid(scene);
+  const double dt = scene.analysis.step_s;
+  double made = 0;
+  double largest = 0;
+  double last = energy_of(solid).total();
+  for (long n = 0; static_cast<double>(n) * dt < scene.analysis.duration_s - dt / 2; ++n) {
+    solid.advance(static_cast<double>(n) * dt, static_cast<double>(n + 1) * dt, {});
+    const Energy energy = energy_of(solid);
+    const double now = energy.total() - solid.energy_balance().given_j_per_m();
+    made += std::max(0.0, now - last);
+    largest = std::max(largest, energy.kinetic);
+    last = now;
+  }
+  return {made / largest, solid.states().back().displacement[2]};
+}
+
+class Led : public testing::TestWithParam<const char*> {};
+
+TEST_P(Led, BlocksThatRockOnAMovingBaseTurnAsUnderAnInertiaForceAndMakeNoEnergy) {
+  // The base's push is known as the mean of both ends, which generalized-alpha weighs otherwise.
+  const bool alpha = std::string(GetParam()) == "generalized-alpha";
+  for (const double step_s : {0.01, 0.005, 0.0025}) {
+    const std::string start = analysis(GetParam(), step_s, 0.6);
+    const Moved support = moved(start + on_base(1, 0.4, 2, 60, "3.0", "support"));
+    const Moved inertia = moved(start + on_base(1, 0.4, 2, 60, "3.0", "inertia"));
+    EXPECT_LE(support.made_over_largest, 1e-7) << step_s;
+    EXPECT_NEAR(support.rotation_rad, inertia.rotation_rad, 1e-3) << step_s;
+    const Moved swings =
+        moved(analysis(GetParam(), step_s, 1) + on_base(1, 0.4, 2, 30, "{ sine = 8, frequency_hz = 1.5 }", "support"));
+    EXPECT_LE(swings.made_over_largest, alpha ? 3e-4 : 1e-7) << step_s;
+  }
+}
+
+TEST_P(Led, WallsThatFallOnAMovingBaseMakeNoEnergy) {
+  const Moved wall =
+      moved(analysis(GetParam(), 0.01, 2) + on_base(6, 1, 0.5, 30, "{ sine = 6, frequency_hz = 0.5 }", "support"));
+  EXPECT_LE(wall.made_over_largest, 1e-5);
+}
+
+TEST_P(Led, ABlockThatTurnsOnAHingeMakesNoEnergy) {
+  const bool shi = std::string(GetParam()) == "shi";
+  EXPECT_LE(moved(analysis(GetParam(), 0.01, 0.5) + hinged).made_over_largest, shi ? 1e-12 : 2e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, Led, testing::Values("shi", "trapezoidal", "generalized-alpha"));
+
+}  // namespace
+}  // namespace blockweir::solid
