@@ -11,7 +11,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 const std::string on_jointed_rock = R"(
-analysis = { duration_s = 3 }
+analysis = { duration_s = 0.6 }
 material.concrete = { youngs_modulus_pa = 25e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
 material.schist = { youngs_modulus_pa = 10e9, poissons_ratio = 0.25, density_kg_per_m3 = 2600 }
 [joint]
