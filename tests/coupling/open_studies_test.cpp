@@ -53,6 +53,37 @@ TEST_F(OpenStudies, WhatIsDoneIsNotDoneAgainUnlessTheSceneChanges) {
   EXPECT_NEAR(nlohmann::json::parse(text("s/slope.json"))["answer"]["value"].get<double>(), 25, 0.6);
 }
 
+/// What ends on the move runs longer; the level, which rises as long as the run lasts, would pass the crest then.
+TEST_F(OpenStudies, ARunThatIsMadeLongerHoldsTheLevelThatItEndsAt) {
+  std::ofstream(folder / "scene.toml") << R"(
+analysis = { duration_s = 25, stop_at_failure = true }
+water = { upstream_level_m = { from = 2, rate_per_s = 0.1 } }
+joint = { friction_angle_deg = 30, uplift = "triangular" }
+material.masonry = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }
+[[block]]
+name = "rock"
+material = "masonry"
+fixed = true
+vertices_m = [[-10, -3], [12, -3], [12, 0], [-10, 0]]
+[[block]]
+name = "wall"
+material = "masonry"
+vertices_m = [[0, 0], [2.5, 0], [1, 5], [0, 5]]
+[[study]]
+name = "friction"
+kind = "critical"
+key = "joint.friction_angle_deg"
+from = 34.375
+to = 36
+width = 0.03
+)";
+  ASSERT_EQ(study(), 0) << text("out");
+  const double weight = 2300 * 9.81 * 1.75 * 5;
+  const double water = 9810 * 4.5 / 2;
+  const double exact_deg = std::atan(water * 4.5 / (weight - water * 2.5)) * 180 / std::numbers::pi;
+  EXPECT_NEAR(nlohmann::json::parse(text("s/friction.json"))["answer"]["value"].get<double>(), exact_deg, 0.6);
+}
+
 TEST_F(OpenStudies, WithoutAChangeThereIsNoAnswer) {
   write_scene("[[study]]\nname = 'slope'\nkind = 'critical'\nkey = 'analysis.gravity_tilt_deg'\nfrom = 10\nto = 20\n");
   EXPECT_EQ(study(), 1);

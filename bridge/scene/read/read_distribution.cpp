@@ -60,7 +60,10 @@ void read_interval(TableReader& table, Reading& reading, Distribution& found, bo
   const bool ends = table.number("to", found.to, any_number(), wanted);
   const bool peaks = table.number("peak", found.peak, any_number(), triangular);
   if (!wanted || !begins || !ends) return;
-  if (found.from >= found.to) {
+  if (found.from > found.to) {
+    reading.problems.error(table.place("to"), fmt::format("{} goes from {} to {}", table.name(), found.from, found.to),
+                           "from below to", "exchange the two");
+  } else if (found.from == found.to) {
     reading.problems.error(table.place("to"), fmt::format("{} goes from {} to {}", table.name(), found.from, found.to),
                            "from below to: a distribution without width is a number",
                            "widen the distribution, or set the key itself to a number");

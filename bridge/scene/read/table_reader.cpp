@@ -17,7 +17,9 @@ namespace {
 
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
-  if (const toml::array* list = node.as_array()) return fmt::format("a list of {}", list->size());
+  if (const toml::array* list = node.as_array()) {
+    return list->empty() ? "an empty list" : fmt::format("a list of {}", list->size());
+  }
   if (const auto number = node.as_floating_point())
     return fmt::format("{}", number->get());  // 0.6, not 17 digits of it
   std::ostringstream stream;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: fmt::fmt nlohmann_json::nlohmann_json
+// A lowest sliding factor that is one of ringing after the start is told beside the one that is left at rest; and of a
+// wall that falls into many blocks all are counted.
+#include "tests/coupling/verdicts.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const std::string on_jointed_rock = R"(
+analysis = { duration_s = 3 }
+material.concrete = { youngs_modulus_pa = 25e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
+material.schist = { youngs_modulus_pa = 10e9, poissons_ratio = 0.25, density_kg_per_m3 = 2600 }
+[joint]
+friction_angle_deg = 40
+uplift = "none"
+[[block]]
+name = "bedrock"
+material = "schist"
+fixed = true
+vertices_m = [[-50, -40], [80, -40], [80, -15], [-50, -15]]
+[section]
+material = "concrete"
+outline_m = [[-50, -15], [80, -15], [80, 0], [30, 0], [5, 30], [5, 35], [0, 35], [0, 0], [-50, 0]]
+[[region]]
+name = "rock mass"
+material = "schist"
+outline_m = [[-50, -15], [80, -15], [80, 0], [-50, 0]]
+[[cut]]
+name = "base"
+points_m = [[-1, 0], [31, 0]]
+friction_angle_deg = 45
+cohesion_pa = 200e3
+uplift="triangular"
+[[joint_set]]
+name = "foliation"
+region = "rock mass"
+dip_deg = -12
+spacing_m = 5
+friction_angle_deg = 22
+[[joint_set]]
+name = "cross"
+region = "rock mass"
+dip_deg = 78
+spacing_m = 15
+friction_angle_deg = 35
+[water]
+upstream_level_m = 20
+downstream_level_m = 2
+)";
+
+TEST_F(Verdicts, ALowestFactorOfRingingIsToldBesideThatAtRest) {
+  const json margin = run(on_jointed_rock)["margin"];
+  const double at_rest = std::tan(22 * std::numbers::pi / 180) / std::tan(12 * std::numbers::pi / 180);
+  EXPECT_LT(margin["sliding_factor"].get<double>(), 0.95 * at_rest);
+  EXPECT_THAT(margin["text"].get<std::string>(), HasSubstr("; under the same level it is 1.90"));
+}
+
+TEST_F(Verdicts, OfAWallThatFallsAllBlocksAreCountedAndNoneIsSaidToRestThatFalls) {
+  const json summary = run(R"(
+analysis = { duration_s = 1.2, step_s = 0.005 }
+joint = { friction_angle_deg = 35 }
+material.brick = { youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 1900 }
+water = { upstream_level_m = { from = 0.8, to = 1.05, rate_per_s = 1 } }
+[[block]]
+name = "ground"
+material = "brick"
+fixed = true
+vertices_m = [[-6, -2], [20, -2], [20, 0], [-6, 0]]
+[[wall]]
+name = "w"
+material = "brick"
+brick_length_m = 0.3
+brick_height_m = 0.12
+rows = 9
+columns = 1
+)");
+  ASSERT_EQ(summary["outcome"], "fails");
+  const json& failure = summary["failure"];
+  EXPECT_THAT(failure.value("doubt", ""), testing::Not(HasSubstr("came to rest again")));
+  EXPECT_GT(failure["blocks"].size(), 4U);
+  EXPECT_THAT(failure["text"].get<std::string>(), HasSubstr(" more"));
+}
+
+}  // namespace
+}  // namespace blockweir::test
