@@ -87,36 +87,31 @@ bool ends_on_level_ground(const OT::Exception& error) {
   return std::string(error.what()).find("gradient of the level function is zero") != std::string::npos;
 }
 
-/// Points off level ground, the nearest to the means first: along each axis of standard space, and where none of these
-/// changes the level, among draws. A structure that the means fill to its crest has the same level all around.
-std::vector<OT::Point> points_on_slopes(const OT::ThresholdEvent& event, const OT::Distribution& joint) {
-  constexpr double step = 0.5;  // in deviations
-  constexpr int steps = 12;
-  constexpr unsigned draws = 200;
+/// Which of these points have a lower level than the means? A structure that the means fill to its crest has the same
+/// level all around them.
+std::vector<OT::Point> on_slopes(const OT::ThresholdEvent& event, const OT::Distribution& joint, OT::Sample points) {
+  points.add(joint.getMean());
+  const OT::Sample levels = event.getFunction()(points);
+  const OT::UnsignedInteger last = points.getSize() - 1;
+  std::vector<OT::Point> found;
+  for (OT::UnsignedInteger i = 0; i < last; ++i) {
+    if (levels(i, 0) < levels(last, 0)) found.push_back(points[i]);
+  }
+  return found;
+}
+
+/// Both ways along each axis of standard space, so many deviations from its origin.
+OT::Sample along_axes(const OT::Distribution& joint, double deviations) {
   const auto to_physical = joint.getInverseIsoProbabilisticTransformation();
-  OT::Sample points(1, joint.getMean());
-  for (int k = 1; k <= steps; ++k) {
-    for (OT::UnsignedInteger axis = 0; axis < joint.getDimension(); ++axis) {
-      for (const double sign : {-1.0, 1.0}) {
-        OT::Point at(joint.getDimension());
-        at[axis] = sign * k * step;
-        points.add(to_physical(at));
-      }
+  OT::Sample points(0, joint.getDimension());
+  for (OT::UnsignedInteger axis = 0; axis < joint.getDimension(); ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      OT::Point at(joint.getDimension());
+      at[axis] = sign * deviations;
+      points.add(to_physical(at));
     }
   }
-  std::vector<OT::Point> found;
-  const auto keep_slopes = [&] {
-    const OT::Sample levels = event.getFunction()(points);
-    for (OT::UnsignedInteger i = 1; i < points.getSize(); ++i) {
-      if (levels(i, 0) < levels(0, 0)) found.push_back(points[i]);
-    }
-  };
-  keep_slopes();
-  if (!found.empty()) return found;
-  points = OT::Sample(1, joint.getMean());
-  points.add(joint.getSample(draws));
-  keep_slopes();
-  return found;
+  return points;
 }
 
 /// Throws OT::Exception where the search from `start` does not end.
@@ -127,22 +122,25 @@ auto analysed_from(const OT::Point& start, const OT::ThresholdEvent& event) {
   return analysis.getResult();
 }
 
+/// From the means; where these lie on level ground, from the nearest points off it along the axes, or among draws.
 template <class Analysis>
 auto analysed(const OT::ThresholdEvent& event, const OT::Distribution& joint) {
-  try {
-    return analysed_from<Analysis>(joint.getMean(), event);
-  } catch (const OT::Exception& error) {
-    if (!ends_on_level_ground(error)) throw;
-  }
-  constexpr std::size_t most_starts = 8;
-  std::vector<OT::Point> starts = points_on_slopes(event, joint);
-  starts.resize(std::min(starts.size(), most_starts));
-  for (const OT::Point& start : starts) {
-    try {
-      return analysed_from<Analysis>(start, event);
-    } catch (const OT::Exception& error) {
-      if (!ends_on_level_ground(error)) throw;
+  constexpr double step = 0.5;  // in deviations
+  constexpr int steps = 12;
+  constexpr unsigned draws = 200;
+  constexpr std::size_t most_starts = 4;  // of each ring, and of the draws
+  std::vector<OT::Point> starts{joint.getMean()};
+  for (int k = 1;; ++k) {
+    starts.resize(std::min(starts.size(), most_starts));
+    for (const OT::Point& start : starts) {
+      try {
+        return analysed_from<Analysis>(start, event);
+      } catch (const OT::Exception& error) {
+        if (!ends_on_level_ground(error)) throw;
+      }
     }
+    if (k > steps + 1) break;
+    starts = on_slopes(event, joint, k <= steps ? along_axes(joint, k * step) : joint.getSample(draws));
   }
   throw std::runtime_error("the search for the design point comes to a point at which no variable changes the level");
 }

@@ -33,6 +33,12 @@ std::string failure_text(const Solid& solid, const Failure& f) {
   return text;
 }
 
+/// Of those that failed apart from the first body.
+std::string others_text(std::size_t count) {
+  if (count == 0) return {};
+  return fmt::format(", and {} more block{} after it", count, count == 1 ? "" : "s");
+}
+
 /// What the level is good for; empty where it is that of slow filling to a thousandth of the head.
 std::string doubt(const Solid& solid, const Failure& f) {
   if (std::isnan(f.level_m)) return {};
@@ -72,7 +78,7 @@ json failure(const expect::Outcome& o) {
                 {"mode", first.mode},
                 {"joint", first.joint},
                 {"blocks", names},
-                {"text", failure_text(o.solid, first)}};
+                {"text", failure_text(o.solid, first) + others_text(names.size() - first.blocks.size())}};
   std::string text = doubt(o.solid, first);
   if (o.solid.scene().analysis.kind == scene::AnalysisKind::dynamic && o.failure.rests_again()) {
     constexpr double small_ratio = 0.05;  // of the structure: what moves farther has fallen

@@ -24,7 +24,8 @@ scene::Scene dropped(bool beside_the_ground) {
 
 TEST(FailureRest, IsThatOfAllThatFailed) {
   for (const bool beside : {false, true}) {
-    Solid solid(dropped(beside));
+    const scene::Scene scene = dropped(beside);
+    Solid solid(scene);
     FailureWatch watch(solid);
     watch.look(0, {});
     const double step_s = solid.scene().analysis.step_s;
