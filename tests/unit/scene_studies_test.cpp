@@ -78,7 +78,7 @@ TEST(SceneStudies, AnOrderNeedsThreeValues) {
 TEST(SceneStudies, ValuesOfAKeyAreNumbersFlagsOrTexts) {
   const std::string bench = "[[bench]]\nname = 'b'\nkey = 'a'\n";
   expect_some_error(with_study(bench), {"[[bench]] \"b\" has no \"values\"", "a list of at least 1"});
-  expect_some_error(with_study(bench + "values = []\n"), {"values in [[bench]] \"b\" is a list of 0"});
+  expect_some_error(with_study(bench + "values = []\n"), {"values in [[bench]] \"b\" is an empty list"});
   expect_some_error(with_study(bench + "values = [[1]]\n"), {"each a finite number, true, false or a text"});
 }
 
