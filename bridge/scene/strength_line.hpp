@@ -27,7 +27,7 @@ struct FirstOf : Laws... {
   /// Of the curve, or where there is none the straight line of that friction.
   [[nodiscard]] StrengthLine tangent(double friction, double normal_pa) const {
     StrengthLine line{.friction = friction};
-    ((Laws::bends() && (line = Laws::tangent(friction, normal_pa), true)) || ...);
+    static_cast<void>(((Laws::bends() && (line = Laws::tangent(friction, normal_pa), true)) || ...));
     if (bends()) line = {.cohesion_pa = line.cohesion_pa / curve_over, .friction = line.friction / curve_over};
     return line;
   }

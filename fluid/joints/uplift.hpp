@@ -46,7 +46,8 @@ class Profile {
 
 /// triangular: linear from the mouth's pressure to the end's; full: the higher of both; drained: through that at
 /// the drain (fluid/joints/drain.hpp); cracked: an end's pressure where the joint is open from there, in between as
-/// without or with a drain that the crack has not reached; heads: through the piezometers, whose heads above the end's follow the mouth's in proportion.
+/// without or with a drain that the crack has not reached; heads: through the piezometers, whose heads above the end's
+/// follow the mouth's in proportion.
 Profile uplift(scene::Uplift law, const scene::KnownHeads& known, const Joint& joint);
 
 }  // namespace blockweir::joints

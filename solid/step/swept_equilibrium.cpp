@@ -23,7 +23,6 @@ constexpr double most_visits = 3e4;                                // to contact
 constexpr double least_sweeps = 100;                               // where an island is large
 constexpr double most_sweeps = 1000;
 constexpr double most_at_first = 400;  // of the first step that is swept: what follows begins with its forces
-constexpr int few_in_a_fall = 24;      // unknowns
 
 }  // namespace
 
@@ -36,8 +35,7 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
     const Temporarily swept(formulation_->settings().swept, true);
     formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, held);
   }
-  // What falls is off by more than that anyway: only where a solution costs next to nothing is it made exact.
-  const bool few = s.unknowns->total <= (trial_.falls() ? few_in_a_fall : few_unknowns);
+  const bool few = s.unknowns->total <= few_unknowns;
   const bool begins = !state_.whole_law.after_failure();
   const double closely = begins || few ? 1e-4 : 1;
   const double enough_m = closely * std::min(2e-8 * model_.size_m, 1e-4 * trial_.fall_m());

@@ -79,7 +79,7 @@ TEST(SceneOverride, AWrongOneIsAnErrorOfTheArgument) {
   expect_refusal("analysis.step_s=-1", {"step_s in [analysis] is -1; expected a number above 0"});
   expect_refusal("analysis.step_s=fast", {"step_s in [analysis] is 'fast'"});
   expect_refusal("analysis.step_s=", {"step_s in [analysis] is ''"});
-  expect_refusal("analysis.step_s=1\nx=1", {"step_s in [analysis]"});
+  expect_refusal("analysis.step_s=1\nx=1", {"U+000A in the text of step_s"});
   expect_refusal("analyssi.step_s=1", {"unknown section \"analyssi\"", "did you mean \"analysis\"?"});
   expect_refusal("analysis.step_s.x=1", {"\"step_s\" has no keys"});
   expect_refusal("block.tpo.fixed=true", {"no [[block]] is \"tpo\"", "did you mean \"top\"?"});
