@@ -78,7 +78,7 @@ class Placement {
   [[nodiscard]] Point increment(const Vector6& increment, const Point& X) const {
     const double half = std::sin(increment[2] / 2);
     const double c1 = -2 * half * half;  // cos(dr) - 1
-    const double s = 2 * half * std::sqrt(1 - half * half);
+    const double s = std::sin(increment[2]);
     const Point y = X + strained(strain_, X);
     const Point z = strained(increment.tail<3>(), X);
     const Point moved(c1 * (y.x() + z.x()) - s * (y.y() + z.y()) + z.x(),

@@ -2,6 +2,7 @@
 // What loads and a moving base have given, and what springs hold: the part of a run's energy that no state tells.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "solid/block/motion.hpp"
@@ -29,27 +30,17 @@ class EnergyBalance {
     owed_.resize(blocks);
     owed_[b] = energy_j_per_m;
   }
-  /// How a base that moves has done so in a step.
-  struct Lead {
-    Point moved = Point::Zero();  ///< m
-    Point began = Point::Zero();  ///< at this velocity [m/s]
-    Point ended = Point::Zero();  ///< m/s
-    [[nodiscard]] Point mean() const { return (began + ended) / 2; }
-  };
-  /// The base moves so far in the step of dt, ends it at a velocity, and pushes the structure with this force. Work is
-  /// that of its impulse at the mean velocity: by that momentum, and so motion, changes.
-  void lead(const Point& push, const Point& moved, const Point& velocity, double dt, bool by_shi) {
-    lead_ = {moved, lead_.ended, velocity};
-    give(dt * (by_shi ? push : Point((push_ + push) / 2)).dot(lead_.mean()));
-    push_ = push;
+  /// How a base that moves has pushed a block through a step, which it ends with this force.
+  [[nodiscard]] Point push_through_step(std::size_t b, const Point& now) const {
+    return pushes_.empty() ? now : Point((pushes_[b] + now) / 2);
   }
-  [[nodiscard]] const Lead& lead() const { return lead_; }
+  void end_step_pushed_by(std::vector<Point> pushes) { pushes_ = std::move(pushes); }
   /// The step has ended under these loads.
   void end_step(const std::vector<Vector6>& loads) { before_ = loads; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(given_, stored_, owed_, before_, push_, lead_.moved, lead_.began, lead_.ended);
+    archive(given_, stored_, owed_, before_, pushes_);
   }
 
  private:
@@ -57,8 +48,7 @@ class EnergyBalance {
   double stored_ = 0;
   std::vector<double> owed_;     ///< none where nothing is
   std::vector<Vector6> before_;  ///< loads at the last step's end; none where steps do not look back
-  Point push_ = Point::Zero();   ///< of the base, then
-  Lead lead_;                    ///< of it, in the last step
+  std::vector<Point> pushes_;    ///< of a base that moves, then
 };
 
 }  // namespace blockweir::solid

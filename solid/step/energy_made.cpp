@@ -15,7 +15,6 @@ struct StepEnergy::Group {
   bool may_let_go = false;  ///< has a contact that no bond holds shut
   bool anchored = false;    ///< to what does not move
   bool led = false;         ///< by supports, whose work is not among the loads'
-  bool turns = false;       ///< does a block of it?
   double made = 0;          ///< kinetic energy beyond what there was for motion [J per metre]
   double round_off = 0;
   double kinetic = 0;
@@ -98,36 +97,19 @@ bool StepEnergy::touches(int contact) const {
          formulation_->before(contact).state != ContactState::open;
 }
 
-/// Rates of a block that goes with the base.
-Vector6 StepEnergy::carried(std::size_t b, const Point& velocity) const {
-  Vector6 rates = Vector6::Zero();
-  rates.head<2>() = velocity;
-  if (model_.blocks[b].is_part()) rates.segment<2>(2) = rates.tail<2>() = velocity;
-  return rates;
-}
-
-/// Does a block turn, by more than a hundredth of what it moves against the base? The base's velocity is known to the
-/// order of the step only: what slides on it without a turn makes nothing.
-bool StepEnergy::turns(std::size_t b) const {
-  constexpr double share = 1e-2;
-  const Point moved = trial_.increment[b].head<2>() - state_.energy.lead().moved;
-  return model_.blocks[b].radius * std::abs(trial_.increment[b][2]) > share * moved.norm();
-}
-
-/// Seen from the base: loads work on the way against it, (v1 - v0) M ((v0 + v1)/2 - mean of the base).
 StepEnergy::Made StepEnergy::made_by(std::size_t b) const {
   constexpr double round_off = 1e-12;
   const double force_n = formulation_->settings().force_tolerance_n;
   const Matrix6 M = trial_.inertia(b);
   const Vector6& v = state_.blocks[b].velocity;
   const Vector6& began = trial_.began_with[b];
-  const Vector6 ended_with = v - carried(b, state_.energy.lead().ended);
-  const Vector6 mean = (began + v) / 2 - carried(b, state_.energy.lead().mean());
-  const double ends = ended_with.dot(M * ended_with);
+  const Vector6 own = v - with_base(b);
+  const double ends = v.dot(M * v);
   const double moved_m =
       trial_.increment[b].head<2>().norm() + model_.blocks[b].radius * trial_.increment[b].tail<4>().norm();
-  return {(v - began).dot(M * mean) - trial_.for_motion[b] + state_.energy.owed(b),
-          round_off * (ends + began.dot(M * began) + std::abs(trial_.for_motion[b])) + force_n * moved_m, ends / 2};
+  return {(v - began).dot(M * (v + began)) / 2 - trial_.for_motion[b] + state_.energy.owed(b),
+          round_off * (ends + began.dot(M * began) + std::abs(trial_.for_motion[b])) + force_n * moved_m,
+          own.dot(M * own) / 2};
 }
 
 /// What holds each group, or may let it go.
@@ -187,18 +169,15 @@ std::vector<StepEnergy::Group> StepEnergy::makers(const IslandEquations& s, std:
     const auto b = at(s.island.blocks[k]);
     const Made made = made_by(b);
     group.made += made.energy;
-    group.turns = group.turns || turns(b);
     group.kinetic += made.kinetic;
     group.round_off += made.round_off;
     if (group.anchored) continue;
     const Eigen::Matrix<double, 6, 3> rigid = rigid_of(s, group_of, k);
     const Matrix6 M = trial_.inertia(b);
-    group.momentum += rigid.transpose() * (M * (state_.blocks[b].velocity - carried(b, state_.energy.lead().ended)));
+    group.momentum += rigid.transpose() * (M * (state_.blocks[b].velocity - with_base(b)));
     group.mass += rigid.transpose() * M * rigid;
   }
-  for (Group& group : groups) {
-    if (group.turns || !model_.base.moves_supports()) group.settle();
-  }
+  for (Group& group : groups) group.settle();
   return groups;
 }
 
@@ -221,11 +200,10 @@ void StepEnergy::take_back(IslandEquations& s) {
     if (!group.gives()) continue;
     const Eigen::Matrix<double, 6, 3> rigid = rigid_of(s, group_of, k);
     Vector6& velocity = state_.blocks[b].velocity;
-    const Vector6 with_base = carried(b, state_.energy.lead().ended);
-    const Vector6 own = velocity - with_base;
-    const Vector6 change = rigid * group.kept + group.left * (own - rigid * group.together) - own;
-    velocity += change;
-    state_.energy.give(with_base.dot(trial_.inertia(b) * change));  // by the base, which takes the impulse
+    const Vector6 before = velocity;
+    const Vector6 own = velocity - with_base(b);
+    velocity += rigid * group.kept + group.left * (own - rigid * group.together) - own;
+    give_by_base(b, before);
   }
 }
 

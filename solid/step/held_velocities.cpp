@@ -43,7 +43,7 @@ bool HeldVelocities::settle_solved(IslandEquations& s, double dt) {
     const Interaction& a = s.actions[k];
     if (a.held.isZero(0)) continue;
     Eigen::Vector2d m = lacks(a, false) - lacks(a, true);
-    if (!to_mean()) m += led_rate(s, k, dt);
+    m += led_rate(s, k, dt);
     missing[k] = a.held_stiffness(opening_slope(s, k)) * m;
     const Eigen::Vector2d along(m.x() - opening_slope(s, k) * m.y(), m.y());
     for (int axis = 0; axis < 2; ++axis) {
@@ -167,7 +167,7 @@ void HeldVelocities::settle_by_impulses(IslandEquations& s, double dt) {
       continue;
     }
     const bool bolt = i >= s.actions.size() - s.bolts.size();
-    if (!to_mean() && !bolt) row.apart -= led_rate(s, i, dt);
+    if (!bolt) row.apart -= led_rate(s, i, dt);
     const ForceRule held{.cohesion = row.rule.cohesion,
                          .least_normal = -row.rule.most_normal,
                          .most_normal = row.rule.most_normal,
@@ -214,9 +214,13 @@ double HeldVelocities::opening_slope(const IslandEquations& s, std::size_t actio
   return formulation_->opening_slope(k, state_.contacts[at(k)]);
 }
 
+/// Where velocities become the step's mean, what a moving base has beyond its own.
 Eigen::Vector2d HeldVelocities::led_rate(const IslandEquations& s, std::size_t action, double dt) const {
   const std::size_t contacts = s.island.contacts.size();
   if (action < contacts) return Eigen::Vector2d::Zero();
+  const BaseMotion& base = model_.base;
+  const double end_s = trial_.end_s;
+  if (to_mean()) return base.velocity(end_s) - (base.displacement(end_s) - base.displacement(end_s - dt)) / dt;
   return state_.supports[at(s.island.supports[action - contacts])].target_rate(trial_.end_s, dt) +
          model_.base.velocity(trial_.end_s);
 }

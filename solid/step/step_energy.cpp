@@ -15,8 +15,10 @@ void StepEnergy::balance(IslandEquations& s, double dt) {
     const double work = model_.blocks[b].is_part() ? trial_.at_corners(b, load).dot(trial_.corner_increment(b))
                                                    : load.dot(trial_.increment[b]);
     state_.energy.give(work - model_.loads.constant(b).dot(trial_.increment[b]));
-    trial_.for_motion[b] = work - load.head<2>().dot(state_.energy.lead().moved) -
-                           strained(block).dot(model_.blocks[b].stiffness * (strain(block) + strained(block) / 2));
+    const double led = pushes_.empty() ? 0 : push_of_base(b, load, dt).dot(moved_);
+    state_.energy.give(led);
+    trial_.for_motion[b] =
+        work + led - strained(block).dot(model_.blocks[b].stiffness * (strain(block) + strained(block) / 2));
   }
   for (const int k : s.couplings) {
     const StrainCoupling& c = model_.parts.couplings[at(k)];
@@ -43,28 +45,46 @@ void StepEnergy::balance(IslandEquations& s, double dt) {
   }
 }
 
-Point StepEnergy::momentum(const IslandEquations& s) const {
-  Point sum = Point::Zero();
-  for (const int block : s.island.blocks) {
-    const auto b = at(block);
-    const Vector6 own = trial_.inertia(b) * state_.blocks[b].velocity;
-    sum += own.head<2>();
-    if (model_.blocks[b].is_part()) sum += own.segment<2>(2) + own.tail<2>();  // one for each corner
-  }
-  return sum;
-}
-
-Point StepEnergy::push_of_base(const StepIslands& islands) const {
-  Point push = Point::Zero();
+void StepEnergy::lead(const StepIslands& islands, const Point& moved) {
+  moved_ = moved;
+  pushes_.assign(model_.blocks.size(), Point::Zero());
   for (const IslandEquations& s : islands) {
     if (s.found == Found::asleep) continue;
     for (const Interaction& action : s.actions) {
       for (const bool second : {false, true}) {
-        if (!trial_.moves(action.block(second))) push += (second ? 1 : -1) * action.pull();
+        if (trial_.moves(action.block(second))) continue;
+        pushes_[at(action.block(!second))] += (second ? 1 : -1) * action.pull();
       }
     }
   }
-  return push;
+}
+
+/// Through a step. Generalized-alpha weighs forces in its own way: there it is what momentum has gained beyond loads
+/// and damping; what blocks of a group give each other is no matter, as the base moves all alike.
+Point StepEnergy::push_of_base(std::size_t b, const Vector6& load, double dt) const {
+  if (!trial_.scheme.second_order()) return pushes_[b];
+  if (trial_.scheme.alpha_f == 0) return state_.energy.push_through_step(b, pushes_[b]);
+  const bool part = model_.blocks[b].is_part();
+  const Vector6 moved = part ? trial_.corner_increment(b) : trial_.increment[b];
+  const Vector6 gained = state_.blocks[b].velocity - trial_.began_with[b];
+  const Vector6 force = trial_.inertia(b) * (gained + model_.scene.analysis.mass_damping_per_s * moved) / dt;
+  return (part ? Point(force.head<2>() + force.segment<2>(2) + force.tail<2>()) : Point(force.head<2>())) -
+         load.head<2>();
+}
+
+/// Rates of a block that goes with the base.
+Vector6 StepEnergy::with_base(std::size_t b) const {
+  const Point velocity = model_.base.velocity(trial_.end_s);
+  Vector6 rates = Vector6::Zero();
+  rates.head<2>() = velocity;
+  if (model_.blocks[b].is_part()) rates.segment<2>(2) = rates.tail<2>() = velocity;
+  return rates;
+}
+
+void StepEnergy::give_by_base(std::size_t b, const Vector6& velocity_before) const {
+  const double work = with_base(b).dot(trial_.inertia(b) * (state_.blocks[b].velocity - velocity_before));
+  state_.energy.give(work);
+  trial_.for_motion[b] += work;
 }
 
 }  // namespace blockweir::solid

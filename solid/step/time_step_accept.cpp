@@ -35,13 +35,15 @@ bool supports_lead(const Step& step, const IslandEquations& s) {
 /// Velocities become those of what holds them. The impulses that take the blocks along give energy: a base at its own
 /// velocity, supports, of which each has its own, all that the blocks gain.
 void settle_velocities(Step& step, IslandEquations& s, double dt, bool base_leads, bool starts) {
-  HeldVelocities held(step);
-  const StepEnergy energy(step);
   const bool led = !base_leads && !starts && supports_lead(step, s);
   const double kinetic = led ? kinetic_energy(step, s) : 0;
-  const Point momentum = base_leads ? energy.momentum(s) : Point::Zero();
-  held.settle(s, dt);
-  if (base_leads) step.state.energy.give((energy.momentum(s) - momentum).dot(step.state.energy.lead().mean()));
+  std::vector<Vector6> before;
+  for (const int block : s.island.blocks) {
+    if (base_leads) before.push_back(step.state.blocks[at(block)].velocity);
+  }
+  HeldVelocities(step).settle(s, dt);
+  const StepEnergy energy(step);
+  for (std::size_t k = 0; k < before.size(); ++k) energy.give_by_base(at(s.island.blocks[k]), before[k]);
   if (led) step.state.energy.give(kinetic_energy(step, s) - kinetic);
 }
 
@@ -57,12 +59,8 @@ bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
     if (model_.blocks[b].fixed) state_.blocks[b].velocity.head<2>() = model_.base.velocity(end_s);
   }
   const bool led = model_.base.moves_supports() && !mode.settles;
-  if (led) {
-    const Point moved = model_.base.displacement(end_s) - model_.base.displacement(end_s - dt);
-    state_.energy.lead(StepEnergy(step_).push_of_base(islands_), moved, model_.base.velocity(end_s), dt,
-                       !trial_.scheme.second_order());
-  }
   StepEnergy energy(step_);
+  if (led) energy.lead(islands_, model_.base.displacement(end_s) - model_.base.displacement(end_s - dt));
   bool any_slips = false;
   for (IslandEquations& island : islands_) {
     if (island.found == Found::asleep) continue;
@@ -93,6 +91,7 @@ bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
     if (!water_.of_meshes()) energy.take_back(island);
     if (state_.guard.acts()) state_.energy.give(-water_.taken_by_water(island));
   }
+  if (led) state_.energy.end_step_pushed_by(energy.pushes());
   if (model_.scene.analysis.integrator != scene::Integrator::shi) state_.energy.end_step(trial_.external);
   state_.sleep.look(model_.blocks, trial_.increment, trial_.external, dt);
   ++counts_.steps;

@@ -3,6 +3,7 @@
 // blockweir report: one page that a browser opens without an error and a reader can use.
 #include <regex>
 
+#include "tests/coupling/masonry_wall.hpp"
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -17,17 +18,7 @@ class Report : public Processes {
 analysis = { duration_s = 4 }
 water = { upstream_level_m = { from = 4, rate_per_s = 0.1 } }
 joint = { friction_angle_deg = 30, uplift = "triangular" }
-material.masonry = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }
-[[block]]
-name = "rock"
-material = "masonry"
-fixed = true
-vertices_m = [[-10, -3], [12, -3], [12, 0], [-10, 0]]
-[[block]]
-name = "wall"
-material = "masonry"
-vertices_m = [[0, 0], [2.5, 0], [1, 5], [0, 5]]
-[[joints]]
+)" << masonry_wall << R"([[joints]]
 name = "base"
 between = ["rock", "wall"]
 [[point_load]]

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tests/coupling/answers.hpp"
+#include "tests/coupling/masonry_wall.hpp"
 
 namespace blockweir::test {
 namespace {
@@ -15,18 +16,9 @@ class Slips : public Answers {};
 
 const std::string drained = R"(analysis = { duration_s = 1 }
 water = { upstream_level_m = 3 }
-material.masonry = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }
 joint = { friction_angle_deg = 30, uplift = "drained", drain_m = 0.5, drain_efficiency = 0.5 }
-[[block]]
-name = "rock"
-material = "masonry"
-fixed = true
-vertices_m = [[-10, -3], [12, -3], [12, 0], [-10, 0]]
-[[block]]
-name = "wall"
-material = "masonry"
-vertices_m = [[0, 0], [2.5, 0], [1, 5], [0, 5]]
-[[joints]]
+)" + std::string(masonry_wall) +
+                            R"([[joints]]
 name = "base"
 between = ["rock", "wall"]
 drain_efficiency = 0.6

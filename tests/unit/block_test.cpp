@@ -71,6 +71,18 @@ TEST(Block, IncrementIsTheDifferenceOfPositions) {
   EXPECT_LT((start.increment(step, X) - moved).norm(), 1e-14);
 }
 
+/// What lies on its head has turned by half, and a stone that rolls by more: figures of points ask for all of it.
+TEST(Block, AnIncrementMayBeAnyTurn) {
+  const Point X(1.5, -0.7);
+  const Placement start(Point(2, 3), Vector6::Zero());
+  for (const double turn : {-9.0, -3.5, 3.1, 4.0, 7.0}) {
+    Vector6 d = Vector6::Zero();
+    d[2] = turn;
+    const Point moved = Placement(Point(2, 3), d).position(X) - start.position(X);
+    EXPECT_LT((start.increment(d, X) - moved).norm(), 1e-14) << turn;
+  }
+}
+
 TEST(Block, ASmallIncrementLosesNoDigits) {
   Vector6 step = Vector6::Zero();
   step[2] = 1e-13;
