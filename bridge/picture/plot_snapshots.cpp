@@ -207,8 +207,11 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
     return water.empty() ? "" : flow(water.boxes(frame["time_s"]), view, fastest_shown);
   };
   constexpr double snapshot_points = 390;  // of a snapshot's width
-  constexpr double tic_points = 30;        // that a number needs
-  axes += fmt::format("set ytics {}\n", round_step(tic_points / snapshot_points * (view.right - view.left)));
+  constexpr double tall_points = 30;       // that a number needs
+  constexpr double wide_points = 80;
+  const double m_per_point = (view.right - view.left) / snapshot_points;
+  axes += fmt::format("set ytics {}\nset xtics {}\n", round_step(tall_points * m_per_point),
+                      round_step(wide_points * m_per_point));
   const std::string legend = water.empty() ? " (contacts: green stick, red slip)" : "";
   const std::string title = summary.value("title", std::string("section"));
   const int columns = 3;
