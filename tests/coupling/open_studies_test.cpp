@@ -64,15 +64,15 @@ joint = { friction_angle_deg = 30, uplift = "triangular" }
 name = "friction"
 kind = "critical"
 key = "joint.friction_angle_deg"
-from = 34.375
-to = 36
-width = 0.03
+from = 34.6
+to = 35.2
+width = 0.0015
 )";
   ASSERT_EQ(study(), 0) << text("out");
   const double weight = 2300 * 9.81 * 1.75 * 5;
   const double water = 9810 * 4.5 / 2;
   const double exact_deg = std::atan(water * 4.5 / (weight - water * 2.5)) * 180 / std::numbers::pi;
-  EXPECT_NEAR(nlohmann::json::parse(text("s/friction.json"))["answer"]["value"].get<double>(), exact_deg, 0.06);
+  EXPECT_NEAR(nlohmann::json::parse(text("s/friction.json"))["answer"]["value"].get<double>(), exact_deg, 0.04);
 }
 
 TEST_F(OpenStudies, WithoutAChangeThereIsNoAnswer) {
