@@ -60,14 +60,26 @@ View reach_of_most(const std::vector<json>& frames) {
   return {reach(&View::left, -1), reach(&View::right, 1), reach(&View::bottom, -1), reach(&View::top, 1)};
 }
 
+/// Does the water press on fixed blocks alone? Then these are what the picture is about.
+bool stands_above_water(const json& frame) {
+  double lowest = 1e300;
+  for (const json& block : frame["blocks"]) {
+    if (block["fixed"].get<bool>()) continue;
+    for (const json& p : block["outline"]) lowest = std::min(lowest, p[1].get<double>());
+  }
+  const json& level = frame["upstream_level_m"];
+  return level.is_number() && level.get<double>() <= lowest;
+}
+
 }  // namespace
 
 View view_of(const std::vector<json>& frames, double water_m) {
   View model;  // as it begins
+  const bool with_ground = stands_above_water(frames.front());
   for (const json& block : frames.front()["blocks"]) {
     double top = -1e300;
     for (const json& p : block["outline"]) top = std::max(top, p[1].get<double>());
-    if (top > water_m || !block["fixed"].get<bool>()) include_outline(model, block);
+    if (with_ground || top > water_m || !block["fixed"].get<bool>()) include_outline(model, block);
   }
   const auto include_fittings = [](View& view, const json& frame) {
     for (const json& b : frame.value("bolts", json::array())) {  // their ends may lie in the ground

@@ -242,8 +242,8 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
       axes + tics(view, 390) +
       fmt::format("set multiplot layout {},{} title {}\n", rows, columns, gnuplot_title(title + legend, 450 * columns));
   for (const std::size_t pick : picks) snapshots += moment(frames[pick], film, true, flow_at(frames[pick]));
-  std::vector<Picture> pictures{{run / ("snapshots" + ending), 450.0 * columns, 60 + rows * (60 + 430 * aspect),
-                                 snapshots + "unset multiplot\n"}};
+  std::vector<Picture> pictures{{run / ("snapshots" + ending), 450.0 * columns,
+                                 60 + rows * (60 + (meshed ? 330 : 430) * aspect), snapshots + "unset multiplot\n"}};
   // Where a structure falls, what is left at the end shows no longer how.
   const bool fails = summary.contains("failure") && picks.size() > 1;
   const json& one = frames[fails ? picks[picks.size() * 2 / 3] : picks.back()];
@@ -253,7 +253,7 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   const double wide = meshed ? 720 : 900;  // beside the scale of stresses
   pictures.push_back(
       {run / ("picture" + ending), 1000, 120 + 1.04 * wide * aspect,
-       axes + tics(view, wide) +
+       axes + tics(view, wide / 1.5) +
            fmt::format("set multiplot layout 1,1 title {}\n{}unset multiplot\n",
                        gnuplot_title(title + ": " + when + scale, 1000), moment(one, film, false, flow_at(one)))});
   if (!animated) return pictures;

@@ -40,5 +40,14 @@ TEST(FramesView, OneBlockOfTwentyDoesNotMakeTheOthersSmall) {
   EXPECT_LT(view_of({before, frame_with_squares_at(places)}, still_water).right, 30);
 }
 
+TEST(FramesView, AFixedWallIsShownWhereItAloneStandsInWater) {
+  json frame = json::parse(R"({"upstream_level_m": 10, "downstream_level_m": null, "blocks": [
+      {"fixed": true, "outline": [[0, 0], [4, 0], [4, 10], [0, 10]]},
+      {"fixed": false, "outline": [[1, 10], [3, 10], [3, 11], [1, 11]]}]})");
+  EXPECT_LT(view_of({frame}, still_water).bottom, 0);
+  frame["upstream_level_m"] = 10.5;
+  EXPECT_GT(view_of({frame}, still_water).bottom, 9);
+}
+
 }  // namespace
 }  // namespace blockweir::picture
