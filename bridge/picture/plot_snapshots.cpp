@@ -192,7 +192,8 @@ std::string tics(const View& view, double panel_points) {
   constexpr double tall_points = 40;  // that a number needs
   constexpr double wide_points = 80;
   const double m_per_point = (view.right - view.left) / panel_points;
-  return fmt::format("set ytics {}\nset xtics {}\n", round_step(tall_points * m_per_point),
+  const double quarter = (view.top - view.bottom) / 4;  // flat pictures, too, have more numbers than one
+  return fmt::format("set ytics {}\nset xtics {}\n", round_step(std::min(tall_points * m_per_point, quarter)),
                      round_step(wide_points * m_per_point));
 }
 
