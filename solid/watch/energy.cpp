@@ -34,14 +34,14 @@ Energy energy_of(const Solid& solid) {
 
 void EnergyWatch::look(const Solid& solid) {
   now_ = energy_of(solid);
-  const EnergyBalance& balance = solid.energy_balance();
+  const EnergyBalance& balance = solid.state().energy;
   const double own = now_.total() + balance.stored_j_per_m() - balance.given_j_per_m();
   lowest_ = begun_ ? std::min(lowest_, own) : own;
   made_ = std::max(made_, own - lowest_);
   const double had =
       now_.kinetic + std::abs(now_.strain) + std::abs(now_.potential) + std::abs(balance.given_j_per_m());
   // What only strains and settles has next to no energy: it is held against what its weight gives as it fails.
-  if (!begun_) scale_ = solid.weight_n_per_m() * solid.scene().analysis.failure_displacement_m;
+  if (!begun_) scale_ = solid.model().weight_n_per_m * solid.scene().analysis.failure_displacement_m;
   scale_ = std::max(scale_, had);
   begun_ = true;
 }
