@@ -190,7 +190,7 @@ block = [ { name = "rock", material = "m", fixed = true, vertices_m = [[-6, -1],
   const auto warnings_with = [&](const std::string& kind) {
     std::string content = wall;
     scene(content.replace(content.find("MESH"), 4, kind));
-    EXPECT_EQ(shell("rm -rf o; " + programs + "/blockweir run s.toml --inproc --out o"), 0) << text("out");
+    EXPECT_EQ(shell("rm -rf o; " + programs + "/blockweir run s.toml --out o"), 0) << text("out");
     return summary()["warnings"].dump();
   };
   EXPECT_THAT(warnings_with("mesh_size_m = 2"),

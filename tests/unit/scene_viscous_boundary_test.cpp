@@ -118,12 +118,11 @@ TEST(SceneViscousBoundary, WarnsOfLoadsThatMoveTheGroundForGood) {
       on_rock(water("{ from = 2, rate_per_s = 1 }")), 25,
       {"the upstream level changes in the run and stays so", "by 2.94 mm in every second", "from time 0 on"});
   expect_warning(
-      on_rock(
-          boundary +
-          "[[point_load]]\nblock = \"wall\"\npoint_m = [0, 5]\nforce_n_per_m = [{ table = [[0, 0], [1, 1]] }, 0]\n"),
+      on_rock(boundary +
+              "[[point_load]]\nblock = \"wall\"\npoint_m = [0, 5]\nforce_x_n_per_m = { table = [[0, 0], [1, 1]] }\n"),
       25, {"a [[point_load]] changes"});
   EXPECT_THAT(warnings(on_rock(water("2"))), testing::IsEmpty());
-  EXPECT_THAT(warnings(on_rock(water("{ time_s = [0, 0.5, 1], value = [2, 3, 2] }"))), testing::IsEmpty());
+  EXPECT_THAT(warnings(on_rock(water("{ table = [[0, 2], [0.5, 3], [1, 2]] }"))), testing::IsEmpty());
 }
 
 }  // namespace
