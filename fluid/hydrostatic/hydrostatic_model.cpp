@@ -200,10 +200,10 @@ schedule::FluidReport HydrostaticModel::report() const {
         "the reservoir's answer to the earthquake: its added pressure is Westergaard's, 7/8 k_h rho g sqrt(H z) |n_x|");
   }
   if (const std::string warning = crack_ends_.warning(); !warning.empty()) report.warnings.push_back(warning);
-  if (const long kept = flow_.kept_factors(); kept > 0) {
+  if (const long kept = flow_.solver().kept(); kept > 0) {
     report.skips.push_back(
         fmt::format("factors of the flow through joints, {} of {} times: apertures had changed little", kept,
-                    kept + flow_.factorizations()));
+                    kept + flow_.solver().factorizations()));
   }
   for (const std::string& warning : flow_.warnings()) report.warnings.push_back(warning);
   if (!scene_.output.reservoir) report.skips.emplace_back("the reservoir's mesh: its pictures are not asked for");

@@ -53,8 +53,8 @@ class FlowInJoints {
   [[nodiscard]] double pressure(std::size_t channel, double share) const;
   /// Of what the user should know: where the cubic law ends, a network without an outlet. Empty: of nothing.
   [[nodiscard]] std::vector<std::string> warnings() const;
-  [[nodiscard]] long factorizations() const { return flow_.factorizations(); }
-  [[nodiscard]] long kept_factors() const { return flow_.kept(); }
+  /// It counts how often it has made factors, and kept them.
+  [[nodiscard]] const NetworkFlow& solver() const { return flow_; }
 
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);

@@ -97,7 +97,7 @@ std::vector<std::string> warnings_of(const solid::Solid& blocks, const json& mod
                        " motions have no frequency: no joint, bolt or support holds them, as where a joint slips or "
                        "blocks touch at one corner");
   }
-  if (!blocks.boundary().empty()) {
+  if (!blocks.model().boundary.empty()) {
     warnings.push_back(
         "[[viscous_boundary]] is held fast here: the ground beyond has no modes, and waves do not leave");
   }

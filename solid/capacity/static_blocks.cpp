@@ -36,24 +36,24 @@ bool StaticBlocks::rests_at(double level_m, double share) {
   constexpr int most_rounds = 20;
   scene_.analysis.failure_displacement_m = share * far_m_;
   const double end_s = scene_.analysis.duration_s;
-  slipped_before_m_ = solid_.largest_slip_m();
+  slipped_before_m_ = solid_.state().largest_slip_m();
   moved_before_m_ = solid_.largest_displacement_m();
   for (int round = 0; round < most_rounds; ++round) {
     solid_.advance(end_s, end_s, panels_of(pressures(level_m), solid_));
-    if (!solid_.rest().found) return false;
+    if (!solid_.state().rest.found) return false;
     // An anchor that leans more and more as its dam slides stops it at last; the dam has failed by then.
-    if (solid_.largest_slip_m() - slipped_before_m_ > share * far_m_ || slipped_away()) return false;
-    if (solid_.rest().steps == 1) break;
+    if (solid_.state().largest_slip_m() - slipped_before_m_ > share * far_m_ || slipped_away()) return false;
+    if (solid_.state().rest.steps == 1) break;
   }
   return true;
 }
 
 bool StaticBlocks::slipped_away() const {
-  return solid_.largest_slip_m() > most_slip_m_;
+  return solid_.state().largest_slip_m() > most_slip_m_;
 }
 
 bool StaticBlocks::went_far() const {
-  return slipped_away() || std::max(solid_.largest_slip_m() - slipped_before_m_,
+  return slipped_away() || std::max(solid_.state().largest_slip_m() - slipped_before_m_,
                                     solid_.largest_displacement_m() - moved_before_m_) > far_m_;
 }
 

@@ -23,9 +23,9 @@ class AugmentedLagrangian final : public Formulation {
 
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
     const EdgeFrame edge = edge_frame(trial, c);
-    Progress& progress = follow(trial, index, c, edge);
+    Progress& progress = progress_.follow(trial, index, c, edge);
     const JointForce force = judge(index, c, c.multiplier - c.penalty * progress.separation);
-    if (settings_.friction_lags) return with_lagging_friction(c, edge, progress, bounds_[index]);
+    if (settings_.friction_lags) return with_lagging_friction(c, edge, progress, lagged_.bounds[index]);
     if (force.state == ContactState::open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
     Interaction action = interaction_of(c, edge, progress.separation.y());
     action.force = c.force;
@@ -35,7 +35,7 @@ class AugmentedLagrangian final : public Formulation {
     if (force.state == ContactState::stick) {
       action.stiffness(1, 1) = action.held.y() = c.penalty;
     } else {
-      const double slope = dilation_slope(c, progress);
+      const double slope = progress_.dilation_slope(c, progress);
       action.stiffness(0, 1) = slope * c.penalty;
       action.stiffness.row(1) = force.shear_per_normal * action.stiffness.row(0);
     }
@@ -43,7 +43,7 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   Interaction support(const Trial& trial, int index, Support& s) override {
-    const Progress& progress = follow(trial, index, s);
+    const Progress& progress = progress_.follow(trial, index, s);
     s.force = s.multiplier - s.penalty * progress.separation;
     Interaction action = interaction_of(s);
     action.force = s.force;
@@ -64,10 +64,10 @@ class AugmentedLagrangian final : public Formulation {
       if (c.state == ContactState::open) {
         c.multiplier.setZero();  // no force is left to remember
       } else {
-        update(contacts_[at(k)], c);
+        update(progress_.contact(k), c);
       }
     });
-    for (const int k : held.support_ids) update(supports_[at(k)], held.supports[at(k)]);
+    for (const int k : held.support_ids) update(progress_.support(k), held.supports[at(k)]);
     return false;
   }
 
@@ -78,10 +78,10 @@ class AugmentedLagrangian final : public Formulation {
     };
     double most = largest(held.contact_ids.size(), [&](std::size_t i) {
       const int k = held.contact_ids[i];
-      return moves_by(contacts_[at(k)], held.contacts[at(k)]);
+      return moves_by(progress_.contact(k), held.contacts[at(k)]);
     });
     for (const int k : held.support_ids) {
-      most = std::max(most, moves_by(supports_[at(k)], held.supports[at(k)]));
+      most = std::max(most, moves_by(progress_.support(k), held.supports[at(k)]));
     }
     return most;
   }
@@ -92,7 +92,7 @@ class AugmentedLagrangian final : public Formulation {
     for_each(held.contact_ids.size(), [&](std::size_t i) {
       const int k = held.contact_ids[i];
       ContactPoint& c = held.contacts[at(k)];
-      Progress& progress = follow(trial, k, c, edge_frame(trial, c));
+      Progress& progress = progress_.follow(trial, k, c, edge_frame(trial, c));
       progress.slip_force = c.force.y();
       c.multiplier = c.force;
       if (c.state != ContactState::open) c.multiplier.x() += c.penalty * progress.separation.x();
@@ -100,18 +100,18 @@ class AugmentedLagrangian final : public Formulation {
     });
   }
 
-  [[nodiscard]] bool can_lag_friction() const override { return true; }
+  [[nodiscard]] LaggedFriction* lagged_friction() override { return &lagged_; }
 
  private:
   /// Bounds the penalty by the stiffness with which the blocks themselves resist at the contact. Its change is no
   /// reason for the force to change.
   void begin_contact(const Trial& trial, const std::vector<bool>& /*frozen*/, int k, ContactPoint& c) override {
-    const double change = bound(c.penalty, contacts_[at(k)].stiffness);
+    const double change = bound(c.penalty, progress_.contact(k).stiffness);
     if (change == 0 || c.state == ContactState::open) return;
-    c.multiplier += change * follow(trial, k, c, edge_frame(trial, c)).separation;
+    c.multiplier += change * progress_.follow(trial, k, c, edge_frame(trial, c)).separation;
   }
   void begin_support(const Trial& trial, int k, Support& s) override {
-    const double change = bound(s.penalty, supports_[at(k)].stiffness);
+    const double change = bound(s.penalty, progress_.support(k).stiffness);
     if (change != 0) s.multiplier += change * separation_of(trial, s).value;
   }
 
@@ -142,10 +142,10 @@ class AugmentedLagrangian final : public Formulation {
       const int k = held.contact_ids[i];
       const ContactPoint& c = held.contacts[at(k)];
       // Only an open contact that a negative multiplier held open may still have to close.
-      if (c.state == ContactState::open) return c.multiplier.x() >= 0 || contacts_[at(k)].separation.x() >= 0;
-      return settled(contacts_[at(k)], c);
+      if (c.state == ContactState::open) return c.multiplier.x() >= 0 || progress_.contact(k).separation.x() >= 0;
+      return settled(progress_.contact(k), c);
     };
-    const auto support_settled = [&](int k) { return settled(supports_[at(k)], held.supports[at(k)]); };
+    const auto support_settled = [&](int k) { return settled(progress_.support(k), held.supports[at(k)]); };
     return all_of(held.contact_ids.size(), contact_settled) &&
            std::all_of(held.support_ids.begin(), held.support_ids.end(), support_settled);
   }
@@ -189,14 +189,14 @@ class AugmentedLagrangian final : public Formulation {
       worst = std::max(worst, violation);
       worst_before = std::max(worst_before, std::exchange(p.last_violation, violation));
     };
-    for (const int k : held.contact_ids) look(contacts_[at(k)], held.contacts[at(k)]);
-    for (const int k : held.support_ids) look(supports_[at(k)], held.supports[at(k)]);
+    for (const int k : held.contact_ids) look(progress_.contact(k), held.contacts[at(k)]);
+    for (const int k : held.support_ids) look(progress_.support(k), held.supports[at(k)]);
     if (slow * worst <= worst_before) return;
     const auto raise = [&](const Progress& p, double& penalty) {
       penalty = std::min(rise * penalty, largest_penalty_ratio * p.stiffness);
     };
-    for (const int k : held.contact_ids) raise(contacts_[at(k)], held.contacts[at(k)].penalty);
-    for (const int k : held.support_ids) raise(supports_[at(k)], held.supports[at(k)].penalty);
+    for (const int k : held.contact_ids) raise(progress_.contact(k), held.contacts[at(k)].penalty);
+    for (const int k : held.support_ids) raise(progress_.support(k), held.supports[at(k)].penalty);
   }
 
   /// Where the scene starts it lower than steps choose by themselves it rises with each sweep: up to there it costs no

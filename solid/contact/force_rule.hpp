@@ -55,9 +55,12 @@ class PointForces {
   [[nodiscard]] Found at(double gap, double slip) const {
     if (may_open_ && gap >= opening_[slip > 0 ? 0 : 1] * slip) return {};
     const double free_normal = -(stiffness_[0] * gap + stiffness_[1] * slip);
-    const double normal = within(free_normal);
-    const double shear = normal == free_normal ? -(stiffness_[1] * gap + stiffness_[2] * slip)
-                                               : -(slip + gap_by_shear_ * normal) * shear_per_slip_;
+    double normal = free_normal;
+    double shear = -(stiffness_[1] * gap + stiffness_[2] * slip);
+    if (free_normal < least_normal_ || free_normal > most_normal_) [[unlikely]] {  // foretold: nothing waits for it
+      normal = within(free_normal);
+      shear = -(slip + gap_by_shear_ * normal) * shear_per_slip_;
+    }
     if (std::abs(shear) <= std::max(0.0, cohesion_ + friction_ * normal)) return {normal, shear, false};
     return at_bound(gap, slip, shear > 0);
   }

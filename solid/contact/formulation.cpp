@@ -15,6 +15,13 @@ namespace {
 // friction lags, where stiff contacts have ranges of slip that Newton's method passes by.
 constexpr double rigid_stiffness_ratio = 1e3;
 
+/// By which iterates judge: only forces that have converged open a bond (bonds.cpp).
+Strength iterated_strength(const JointLaws& laws, const ContactPoint& c, double normal) {
+  Strength strength = laws.strength(c, normal);
+  if (!c.let_go && strength.holds_together()) strength.tension = std::numeric_limits<double>::infinity();
+  return strength;
+}
+
 }  // namespace
 
 std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, const JointLaws& laws,
@@ -51,18 +58,18 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
   };
   const bool pile_stiffens = !settings_.friction_lags;
   const auto strainless = [&](int block) { return frozen[at(block)] || trial.blocks[at(block)].rigid; };
-  contacts_.resize(held.contacts.size());
-  contacts_before_.resize(held.contacts.size());
+  progress_.make_room(held.contacts.size(), held.supports.size());
+  before_.make_room(held.contacts.size(), held.supports.size());
   for_each(held.contact_ids.size(), [&](std::size_t i) {
     const int k = held.contact_ids[i];
     ContactPoint& c = held.contacts[at(k)];
-    contacts_before_[at(k)] = c;
+    before_.note(k, c);
     c.let_go = c.state == ContactState::open;
-    Progress& progress = contacts_[at(k)] = {};
+    Progress& progress = progress_.contact(k) = {};
     const EdgeFrame edge = edge_frame(trial, c);
     if (settings_.lasting_overlap_m > 0) {
       const bool measured = settings_.swept && holds_exactly();
-      const double gap = measured ? follow(trial, k, c, edge).separation.x() : c.overlap_m;
+      const double gap = measured ? progress_.follow(trial, k, c, edge).separation.x() : c.overlap_m;
       if (gap < -settings_.lasting_overlap_m) progress.overlap = gap;
     }
     const Point n = edge.n;
@@ -73,73 +80,20 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     progress.slip_force = c.multiplier.y();
     begin_contact(trial, frozen, k, c);
   });
-  supports_.resize(held.supports.size());
-  supports_before_.resize(held.supports.size());
   for (const int k : held.support_ids) {
     Support& s = held.supports[at(k)];
-    supports_before_[at(k)] = s;
-    Progress& progress = supports_[at(k)] = {};
+    before_.note(k, s);
+    Progress& progress = progress_.support(k) = {};
     progress.stiffness =
         2 / (flexibility(s.block, Point::Unit(0), s.material) + flexibility(s.block, Point::Unit(1), s.material));
     begin_support(trial, k, s);
   }
 }
 
-void Formulation::undo(const Held& held) const {
-  for_each(held.contact_ids.size(), [&](std::size_t i) {
-    const auto k = at(held.contact_ids[i]);
-    static_cast<ContactMemory&>(held.contacts[k]) = contacts_before_[k];
-  });
-  for (const int k : held.support_ids) held.supports[at(k)] = supports_before_[at(k)];
-}
-
-bool Formulation::changed(const Held& held) const {
-  return std::any_of(held.contact_ids.begin(), held.contact_ids.end(), [&](int k) {
-    const ContactMemory& before = contacts_before_[at(k)];
-    const ContactMemory& now = held.contacts[at(k)];
-    return now.state != before.state || (now.state == ContactState::slip && now.force.y() * before.force.y() < 0);
-  });
-}
-
-Formulation::Progress& Formulation::follow(const Trial& trial, int index, const ContactPoint& c,
-                                           const EdgeFrame& edge) {
-  Progress& progress = contacts_[at(index)];
-  const JointProperties& law = laws_[c.law];
-  if (law.dilates()) return follow_dilation(trial, c, edge, progress);
-  const Separation found = separation_of(trial, c, edge);
-  progress.separation = found.value;
-  progress.separation.x() -= progress.overlap;
-  progress.round_off = separation_round_off * c.penalty * found.moved;
-  return progress;
-}
-
-/// What the joint has opened before the step is taken off the gap first: in increments both are free of cancellation.
-Formulation::Progress& Formulation::follow_dilation(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge,
-                                                    Progress& progress) const {
-  const JointProperties& law = laws_[c.law];
-  const double opened_m = law.dilation_m(c.slip_m);
-  ContactPoint resisted = c;
-  resisted.separation -= opened_m * edge.n;
-  const Separation found = separation_of(trial, resisted, edge);
-  progress.separation = found.value;
-  progress.separation.x() -= law.opens_by(c.slip_m, found.value.y()) + progress.overlap;
-  const bool edge_turns = trial.increment[at(c.edge_part)][2] != 0;
-  progress.round_off = separation_round_off * c.penalty * (found.moved + (edge_turns ? opened_m : 0));
-  return progress;
-}
-
-Formulation::Progress& Formulation::follow(const Trial& trial, int index, const Support& s) {
-  Progress& progress = supports_[at(index)];
-  const Separation found = separation_of(trial, s);
-  progress.separation = found.value;
-  progress.round_off = separation_round_off * s.penalty * found.moved;
-  return progress;
-}
-
 Ruled Formulation::ruled_contact(const Trial& trial, int index, const ContactPoint& c) {
-  const Progress& progress = follow(trial, index, c, edge_frame(trial, c));
+  const Progress& progress = progress_.follow(trial, index, c, edge_frame(trial, c));
   const JointProperties& law = laws_[c.law];
-  const Strength strength = iterated_strength(c, c.force.x());
+  const Strength strength = iterated_strength(laws_, c, c.force.x());
   // What is left of a bond that has let go holds while sweeps last; where they open the contact it is lost (bonds.cpp).
   const bool for_good = c.let_go && law.keeps_cohesion;
   ForceRule rule{.friction = strength.friction, .cohesion = (for_good ? 0 : strength.cohesion) + strength.intercept};
@@ -161,16 +115,15 @@ Ruled Formulation::ruled_support(const Trial& trial, int index, const Support& s
   rule.most_normal = held.x() > 0 ? ForceRule::unbounded : 0;
   rule.least_normal = -rule.most_normal;
   rule.cohesion = held.y() > 0 ? ForceRule::unbounded : 0;
-  return {follow(trial, index, s).separation, rule};
+  return {progress_.follow(trial, index, s).separation, rule};
 }
 
 Interaction Formulation::take_contact(const Trial& trial, int index, ContactPoint& c, const RuledForce& found) {
   const EdgeFrame edge = edge_frame(trial, c);
-  Progress& progress = follow(trial, index, c, edge);
-  const bool open = found.force.isZero(0) || iterated_strength(c, found.force.x()).opens(found.force.x());
+  Progress& progress = progress_.follow(trial, index, c, edge);
+  const bool open = found.force.isZero(0) || iterated_strength(laws_, c, found.force.x()).opens(found.force.x());
   const ContactState state = open ? ContactState::open : found.slips ? ContactState::slip : ContactState::stick;
-  if (state != c.state) state_changes_.fetch_add(1, std::memory_order_relaxed);
-  c.state = state;
+  progress_.set_state(c, state);
   c.force = c.multiplier = found.force;
   progress.slip_force = found.force.y();
   progress.turning = false;
@@ -182,42 +135,16 @@ Interaction Formulation::take_contact(const Trial& trial, int index, ContactPoin
 }
 
 Interaction Formulation::take_support(const Trial& trial, int index, Support& s, const Eigen::Vector2d& force) {
-  follow(trial, index, s);
+  progress_.follow(trial, index, s);
   s.force = s.multiplier = force;
   Interaction action = interaction_of(s);
   action.force = force;
   return action;
 }
 
-void Formulation::lag_friction(const Held& held) {
-  bounds_.begin(held.contacts.size());
-  for (const int k : held.contact_ids) bounds_.set(k, shear_bound(held.contacts[at(k)]));
-}
-
-bool Formulation::follow_with_friction(const Held& held) {
-  return bounds_.follow(
-      held.contact_ids, [&](int k) { return shear_bound(held.contacts[at(k)]); },
-      [&](int k) { return settings_.force_tolerance_n + contacts_[at(k)].round_off; });
-}
-
-double Formulation::shear_bound(const ContactPoint& c) const {
-  return laws_.strength(c, c.force.x()).shear_bound(c.force.x());
-}
-
-double Formulation::dilation_slope(const ContactPoint& c, const Progress& progress) const {
-  if (c.state != ContactState::slip) return 0;
-  return laws_[c.law].dilation_slope(c.slip_m + progress.separation.y(), -progress.slip_force);
-}
-
-Strength Formulation::iterated_strength(const ContactPoint& c, double normal) const {
-  Strength strength = laws_.strength(c, normal);
-  if (!c.let_go && strength.holds_together()) strength.tension = std::numeric_limits<double>::infinity();
-  return strength;
-}
-
 JointForce Formulation::judge(int index, ContactPoint& c, const Eigen::Vector2d& stuck) {
-  Progress& progress = contacts_[at(index)];
-  const Strength strength = iterated_strength(c, stuck.x());
+  Progress& progress = progress_.contact(index);
+  const Strength strength = iterated_strength(laws_, c, stuck.x());
   JointForce force;
   const bool states_stand = settings_.states_stand && !laws_[c.law].bonds();
   if (states_stand) {
@@ -226,7 +153,7 @@ JointForce Formulation::judge(int index, ContactPoint& c, const Eigen::Vector2d&
   } else if (settings_.joints_held) {
     if (c.state != ContactState::open) force = {ContactState::stick, stuck.x(), stuck.y(), 0};
   } else if (settings_.friction_lags) {
-    force = admissible(strength, bounds_[index], stuck.x(), stuck.y());
+    force = admissible(strength, lagged_.bounds[index], stuck.x(), stuck.y());
     progress.turning = false;
   } else {
     force = admissible(strength, stuck.x(), stuck.y());
@@ -238,8 +165,7 @@ JointForce Formulation::judge(int index, ContactPoint& c, const Eigen::Vector2d&
   }
   if (!states_stand) progress.slip_force = force.shear;
   progress.swept = false;
-  if (force.state != c.state) state_changes_.fetch_add(1, std::memory_order_relaxed);
-  c.state = force.state;
+  progress_.set_state(c, force.state);
   c.force = {force.normal, force.shear};
   return force;
 }
@@ -249,9 +175,10 @@ bool Formulation::accept(const Trial& trial, const Held& held) const {
   for_each(held.contact_ids.size(), [&](std::size_t i) {
     const auto k = at(held.contact_ids[i]);
     ContactPoint& c = held.contacts[k];
-    const double slip = contacts_[k].separation.y() - c.elastic_slip;
+    const double slip = progress_.contact(held.contact_ids[i]).separation.y() - c.elastic_slip;
     // Closed in the step to come, what is left would become a velocity.
-    if (c.state == ContactState::stick && contacts_[k].swept) c.anchor += slip / edge_frame(trial, c).length;
+    if (c.state == ContactState::stick && progress_.contact(held.contact_ids[i]).swept)
+      c.anchor += slip / edge_frame(trial, c).length;
     if (c.state != ContactState::slip) return;
     any_slips.store(true, std::memory_order_relaxed);
     c.slid = true;

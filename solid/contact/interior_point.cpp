@@ -26,8 +26,8 @@ double InteriorPoint::shear_bound(const ContactPoint& c, const Point& p) const {
 void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
                           const Held& held) {
   Formulation::begin(trial, matrix, frozen, held);
-  points_.assign(contacts_.size(), {});
-  bounds_.begin(contacts_.size());
+  points_.assign(progress_.contacts(), {});
+  lagged_.bounds.begin(progress_.contacts());
   scale_n_ = settings_.force_tolerance_n;
   for (const int k : held.contact_ids) scale_n_ = std::max(scale_n_, held.contacts[at(k)].force.cwiseAbs().maxCoeff());
   const bool forces_known = change_n_ < scale_n_;
@@ -35,13 +35,13 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
   for (const int k : held.contact_ids) {
     const ContactPoint& c = held.contacts[at(k)];
     Point& p = points_[at(k)];
-    const double motion = change / contacts_[at(k)].stiffness;
+    const double motion = change / progress_.contact(k).stiffness;
     const double product = change * motion;
     const auto balanced = [product](double force) { return Pair{force, product / force}; };
-    const double gap = follow(trial, k, c, edge_frame(trial, c)).separation.x();
+    const double gap = progress_.follow(trial, k, c, edge_frame(trial, c)).separation.x();
     p.normal = balanced(gap > motion ? product / gap : std::max(change, c.force.x() + tension(c)));
     const double most = shear_bound(c, p);
-    bounds_.set(k, most);
+    lagged_.bounds.set(k, most);
     p.has_friction = most > 0;
     if (!p.has_friction) continue;
     const double least = std::min(most, change);
@@ -56,15 +56,15 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
 Interaction InteriorPoint::contact(const Trial& trial, int index, ContactPoint& c) {
   const EdgeFrame edge = edge_frame(trial, c);
   Point& p = points_[at(index)];
-  p.separation = follow(trial, index, c, edge).separation;
-  const double compliance = compliance_ratio / contacts_[at(index)].stiffness;
+  p.separation = progress_.follow(trial, index, c, edge).separation;
+  const double compliance = compliance_ratio / progress_.contact(index).stiffness;
   const Pair& n = p.normal;
   p.stiffness.x() = 1 / (1 / n.stiffness() + compliance);
   p.force.x() = n.force + p.stiffness.x() * (n.lacks(product_) - (p.separation.x() - n.motion));
   if (p.has_friction) {
     const Pair& f = p.forward;
     const Pair& b = p.backward;
-    const double most = bounds_[index];
+    const double most = lagged_.bounds[index];
     const double slip = f.lacks(product_) - (most + p.shear - f.force) / f.stiffness() -
                         (b.lacks(product_) - (most - p.shear - b.force) / b.stiffness());
     p.stiffness.y() = 1 / (1 / f.stiffness() + 1 / b.stiffness() + compliance);
@@ -78,7 +78,7 @@ Interaction InteriorPoint::contact(const Trial& trial, int index, ContactPoint& 
 
 Interaction InteriorPoint::support(const Trial& trial, int index, Support& s) {
   const Separation separation = separation_of(trial, s);
-  const double penalty = supports_[at(index)].stiffness / compliance_ratio;
+  const double penalty = progress_.support(index).stiffness / compliance_ratio;
   Interaction action = interaction_of(s);
   action.force = s.multiplier - penalty * separation.value;
   action.stiffness = (penalty * s.held()).asDiagonal().toDenseMatrix();
@@ -90,11 +90,11 @@ double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
   for (const int k : held.contact_ids) {
     const ContactPoint& c = held.contacts[at(k)];
     Point& p = points_[at(k)];
-    const Eigen::Vector2d moved = follow(trial, k, c, edge_frame(trial, c)).separation - p.separation;
+    const Eigen::Vector2d moved = progress_.follow(trial, k, c, edge_frame(trial, c)).separation - p.separation;
     const Eigen::Vector2d force = p.force - p.stiffness.cwiseProduct(moved);
     p.normal.follow(force.x() - p.normal.force, product_);
     if (!p.has_friction) continue;
-    const double most = bounds_[k];
+    const double most = lagged_.bounds[k];
     p.shear_change = force.y() - p.shear;
     p.forward.follow(most + force.y() - p.forward.force, product_);
     p.backward.follow(most - force.y() - p.backward.force, product_);
@@ -134,7 +134,7 @@ double InteriorPoint::follow_correction(const Trial& trial, const Held& held) {
     pair.product_change = 0;
   });
   const auto allowed = [&](int k) { return shear_bound(held.contacts[at(k)], points_[at(k)]); };
-  bounds_.follow(held.contact_ids, allowed, [](int /*k*/) { return 0.0; });
+  lagged_.bounds.follow(held.contact_ids, allowed, [](int /*k*/) { return 0.0; });
   product_ = 0;
   return fraction_ = fraction;
 }
@@ -143,7 +143,7 @@ void InteriorPoint::hand_over(const Held& held) const {
   for (const int k : held.contact_ids) {
     ContactPoint& c = held.contacts[at(k)];
     const Point& p = points_[at(k)];
-    const double stiffness = contacts_[at(k)].stiffness;
+    const double stiffness = progress_.contact(k).stiffness;
     c.multiplier.setZero();
     c.state = ContactState::open;
     if (p.normal.stiffness() > stiffness) {

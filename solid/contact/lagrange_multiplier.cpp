@@ -15,7 +15,7 @@ namespace {
 // this much of the blocks' own compliance, and Newton's iterations take its trace out of the answer.
 constexpr double regularization = 1e-9;
 
-class LagrangeMultiplier final : public Formulation {
+class LagrangeMultiplier final : public Formulation, private ForceConstraints {
  public:
   LagrangeMultiplier(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
 
@@ -26,17 +26,11 @@ class LagrangeMultiplier final : public Formulation {
     Formulation::begin(trial, matrix, frozen, held);
   }
 
-  [[nodiscard]] bool solves_for_forces() const override { return true; }
-  [[nodiscard]] std::span<const Constraint> constraints_of_contact(int index) const override {
-    return of_contacts_[at(index)].span();
-  }
-  [[nodiscard]] std::span<const Constraint> constraints_of_support(int index) const override {
-    return of_supports_[at(index)].span();
-  }
+  [[nodiscard]] const ForceConstraints* force_constraints() const override { return this; }
 
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
     const EdgeFrame edge = edge_frame(trial, c);
-    Progress& progress = follow(trial, index, c, edge);
+    Progress& progress = progress_.follow(trial, index, c, edge);
     const JointForce stuck = judge(index, c, c.multiplier - c.penalty * progress.separation);
     Constraints& constraints = of_contacts_[at(index)];
     constraints.count = 0;
@@ -48,7 +42,7 @@ class LagrangeMultiplier final : public Formulation {
     if (stuck.state == ContactState::slip) {
       const double bound = laws_.strength(c, c.multiplier.x()).shear_bound(c.multiplier.x());
       shear = std::copysign(bound, stuck.shear);
-      slope = dilation_slope(c, progress);
+      slope = progress_.dilation_slope(c, progress);
     } else {
       constraints.all[1] = {{0, 1}, {0, 1}, violation(progress.separation.y()), compliance};
     }
@@ -61,7 +55,7 @@ class LagrangeMultiplier final : public Formulation {
   }
 
   Interaction support(const Trial& trial, int index, Support& s) override {
-    const Progress& progress = follow(trial, index, s);
+    const Progress& progress = progress_.follow(trial, index, s);
     Interaction action = interaction_of(s);
     action.force = s.multiplier;
     action.held = s.penalty * s.held();
@@ -84,18 +78,11 @@ class LagrangeMultiplier final : public Formulation {
     for (const int k : held.contact_ids) {
       ContactPoint& c = held.contacts[at(k)];
       if (c.state == ContactState::open) c.multiplier.setZero();
-      settled = settled && within(contacts_[at(k)], c);
+      settled = settled && within(progress_.contact(k), c);
     }
-    for (const int k : held.support_ids) settled = settled && within(supports_[at(k)], held.supports[at(k)]);
+    for (const int k : held.support_ids) settled = settled && within(progress_.support(k), held.supports[at(k)]);
     return settled;
   }
-
-  /// Axes without a constraint get what the law says at the corrected normal force.
-  void correct_contact(int /*index*/, ContactPoint& c, const Eigen::Vector2d& force) override {
-    if (c.state == ContactState::open) return c.multiplier.setZero(), void();
-    c.multiplier = c.force + force;
-  }
-  void correct_support(int /*index*/, Support& s, const Eigen::Vector2d& force) override { s.multiplier += force; }
 
  private:
   struct Constraints {
@@ -104,10 +91,23 @@ class LagrangeMultiplier final : public Formulation {
     [[nodiscard]] std::span<const Constraint> span() const { return {all.data(), count}; }
   };
 
-  void begin_contact(const Trial& /*trial*/, const std::vector<bool>& /*frozen*/, int k, ContactPoint& c) override {
-    c.penalty = contacts_[at(k)].stiffness;
+  [[nodiscard]] std::span<const Constraint> of_contact(int index) const override {
+    return of_contacts_[at(index)].span();
   }
-  void begin_support(const Trial& /*trial*/, int k, Support& s) override { s.penalty = supports_[at(k)].stiffness; }
+  [[nodiscard]] std::span<const Constraint> of_support(int index) const override {
+    return of_supports_[at(index)].span();
+  }
+  /// Axes without a constraint get what the law says at the corrected normal force.
+  void correct(ContactPoint& c, const Eigen::Vector2d& force) const override {
+    if (c.state == ContactState::open) return c.multiplier.setZero(), void();
+    c.multiplier = c.force + force;
+  }
+  void correct(Support& s, const Eigen::Vector2d& force) const override { s.multiplier += force; }
+
+  void begin_contact(const Trial& /*trial*/, const std::vector<bool>& /*frozen*/, int k, ContactPoint& c) override {
+    c.penalty = progress_.contact(k).stiffness;
+  }
+  void begin_support(const Trial& /*trial*/, int k, Support& s) override { s.penalty = progress_.support(k).stiffness; }
 
   /// A tenth of what the tolerance lets be is none: redundant constraints would make forces of it, over their
   /// compliance. Ten times as much would show in the accelerations of short steps.

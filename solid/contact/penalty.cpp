@@ -25,7 +25,7 @@ class Penalty final : public Formulation {
 
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
     const EdgeFrame edge = edge_frame(trial, c);
-    Progress& progress = follow(trial, index, c, edge);
+    Progress& progress = progress_.follow(trial, index, c, edge);
     const Dashpot& dashpot = dashpots_[at(index)];
     const Eigen::Vector2d& apart = progress.separation;
     const Eigen::Vector2d moved = apart - dashpot.start;  // since the start of the step
@@ -43,14 +43,14 @@ class Penalty final : public Formulation {
     if (force.state == ContactState::stick) {
       action.stiffness(1, 1) = stiffness;
     } else {
-      action.stiffness(0, 1) = dilation_slope(c, progress) * stiffness;
+      action.stiffness(0, 1) = progress_.dilation_slope(c, progress) * stiffness;
       action.stiffness.row(1) = force.shear_per_normal * action.stiffness.row(0);
     }
     return action;
   }
 
   Interaction support(const Trial& trial, int index, Support& s) override {
-    const Progress& progress = follow(trial, index, s);
+    const Progress& progress = progress_.follow(trial, index, s);
     Interaction action = interaction_of(s);
     s.multiplier = s.force = action.force = -spring_ * progress.separation;
     action.round_off = progress.round_off;
@@ -82,21 +82,13 @@ class Penalty final : public Formulation {
 
   bool sweep(const Held& held) override {
     for (const int k : held.contact_ids) {
-      if (contacts_[at(k)].turning) return false;
+      if (progress_.contact(k).turning) return false;
       held.contacts[at(k)].multiplier = held.contacts[at(k)].force;
     }
     return true;
   }
 
   [[nodiscard]] bool holds_exactly() const override { return false; }
-
-  [[nodiscard]] double stored(int k, const ContactPoint& c) const override {
-    return c.stored_j_per_m - before(k).stored_j_per_m;
-  }
-  [[nodiscard]] double stored(int k, const Support& s) const override {
-    const double begins = s.held().cwiseProduct(s.separation).squaredNorm();
-    return spring_ * (supports_[at(k)].separation.squaredNorm() - begins) / 2;
-  }
 
  private:
   struct Dashpot {

@@ -2,13 +2,9 @@
 #include "solid/contact/search.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <tuple>
 
-#include "bridge/scene/at.hpp"
-#include "solid/block/parallel.hpp"
-#include "solid/contact/outline.hpp"
 #include "solid/contact/trial.hpp"
 
 namespace blockweir::solid {
@@ -37,24 +33,13 @@ double overlap(const Point& vertex, const Point& end, const Point& a, const Poin
 
 ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m,
                              double farthest_reach_m)
-    : parts_(parts),
-      laws_(laws),
-      dilates_(laws.dilate()),
-      reach_(std::min(reach_m, farthest_reach_m)),
-      farthest_reach_(farthest_reach_m),
-      coincidence_(1e-7 * size_m),
-      give_(2 * coincidence_) {
-  corners_.resize(parts.outlines.size());
-  boxes_.resize(parts.outlines.size());
-  for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
-  opened_.assign(corners_.size(), 0);
-  opened_at_pairs_ = opened_;
+    : parts_(parts), laws_(laws), outlines_(parts, size_m), pairs_(reach_m, farthest_reach_m, parts.outlines.size()) {
   if (laws.any_plane()) find_planes();
 }
 
 void ContactSearch::find_planes() {
-  planes_.resize(corners_.size());
-  for (std::size_t b = 0; b < corners_.size(); ++b) {
+  planes_.resize(parts_.outlines.size());
+  for (std::size_t b = 0; b < planes_.size(); ++b) {
     for (const OutlineSide& side : parts_.outlines[b]) {
       planes_[b].push_back(laws_.plane_of(static_cast<int>(b), side.described_edge, side.s_from, side.s_to));
     }
@@ -66,7 +51,7 @@ void ContactSearch::find_planes() {
 int ContactSearch::law_on(int vertex_block, std::size_t vertex, int edge_block, std::size_t edge,
                           const Point& t) const {
   if (planes_.empty()) return laws_.between(vertex_block, edge_block);
-  const auto& V = corners_[at(vertex_block)];
+  const auto& V = outlines_.of(vertex_block);
   const std::size_t before = previous(vertex, V.size());
   const double turned_in = t.dot((V[vertex] - V[before]).normalized());
   const double turned_out = t.dot((V[next(vertex, V.size())] - V[vertex]).normalized());
@@ -76,77 +61,33 @@ int ContactSearch::law_on(int vertex_block, std::size_t vertex, int edge_block, 
       {edge_block, parts_.outlines[at(edge_block)][edge].described_edge, planes_[at(edge_block)][edge]});
 }
 
-bool ContactSearch::rounds_to(double rounding_m) {
-  if (2 * rounding_m <= coincidence_) return false;
-  coincidence_ = 2 * rounding_m;
-  give_ = std::max(2 * coincidence_, give_);
-  return true;
-}
-
-bool ContactSearch::covers(double moved_m) {
-  if (reach_per_move * moved_m <= reach_ || reach_ == farthest_reach_) return true;
-  reach_ = std::min(farthest_reach_, 2 * reach_per_move * moved_m);
-  corners_at_pairs_.clear();
-  return false;
-}
-
 void ContactSearch::update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts) {
-  if (dilates_) note_openings(contacts);
-  refresh_pairs(placements);
-  found_.clear();
-  passed_.swap(passing_);
-  passing_.clear();
-  for (const auto& [a, b] : pairs_) {
-    if (!boxes_[static_cast<std::size_t>(a)].intersects(boxes_[static_cast<std::size_t>(b)])) continue;
+  openings_.note(contacts);
+  pairs_.refresh(placements, outlines_, openings_);
+  found_.all.clear();
+  passing_.begin_search();
+  for (const auto& [a, b] : pairs_.all()) {
+    if (!pairs_.box(a).intersects(pairs_.box(b))) continue;
     vertices_on_edges(a, b);
     vertices_on_edges(b, a);
   }
   inherit(placements, contacts);
-  count_from_passing();
-  drop_edges_seen_from_within();
-  keep_one_of_each_meeting();
-  sort_passing();
-  contacts.swap(found_);
-}
-
-void ContactSearch::refresh_pairs(const std::vector<Placement>& placements) {
-  std::atomic<bool> stale = corners_at_pairs_.empty();
-  for_each(corners_.size(), [&](std::size_t b) {
-    boxes_[b].setEmpty();
-    bool left = false;
-    const double room = margin() / 2 - (opened_[b] - opened_at_pairs_[b]);
-    for (std::size_t v = 0; v < corners_[b].size(); ++v) {
-      corners_[b][v] = placements[static_cast<std::size_t>(parts_.outlines[b][v].part)].position(
-          parts_.vertex(parts_.outlines[b][v]));
-      boxes_[b].extend(corners_[b][v]);
-      left = left ||
-             (!corners_at_pairs_.empty() && (corners_[b][v] - corners_at_pairs_[b][v]).cwiseAbs().maxCoeff() > room);
-    }
-    boxes_[b].min().array() -= reach_ / 2 + opened_[b];
-    boxes_[b].max().array() += reach_ / 2 + opened_[b];
-    if (left) stale.store(true, std::memory_order_relaxed);
-  });
-  if (!stale) return;
-  corners_at_pairs_ = corners_;
-  opened_at_pairs_ = opened_;
-  std::vector<Box> wide = boxes_;
-  std::vector<bool> movable(corners_.size());
-  for (std::size_t b = 0; b < corners_.size(); ++b) {
-    wide[b].min().array() -= margin() / 2;
-    wide[b].max().array() += margin() / 2;
-    movable[b] = !parts_.blocks[b].fixed;
-  }
-  pairs_ = neighbours(wide, movable);
-  ++broad_searches_;
+  CornerMeetings meetings(outlines_, openings_, passing_, found_);
+  meetings.count_from_passing();
+  meetings.drop_edges_seen_from_within();
+  meetings.keep_one_of_each();
+  passing_.end_search();
+  contacts.swap(found_.all);
 }
 
 void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
-  const auto& V = corners_[static_cast<std::size_t>(vertex_block)];
-  const auto& E = corners_[static_cast<std::size_t>(edge_block)];
-  const Box& zone = boxes_[at(edge_block)];
-  const double opened = opening(vertex_block, edge_block);
+  const auto& V = outlines_.of(vertex_block);
+  const auto& E = outlines_.of(edge_block);
+  const Box& zone = pairs_.box(edge_block);
+  const double opened = openings_.between(vertex_block, edge_block);
   // Less deep, a vertex that slipped past an acute corner keeps its contact.
-  const double deep = std::max(coincidence_, 1e-3 * (zone.sizes().minCoeff() - reach_ - 2 * opened_[at(edge_block)]));
+  const double deep = std::max(outlines_.coincidence_m(), 1e-3 * (zone.sizes().minCoeff() - pairs_.reach_m() -
+                                                                  2 * openings_.largest_m(at(edge_block))));
   for (std::size_t v = 0; v < V.size(); ++v) {
     if (!zone.contains(V[v])) continue;
     const Point& before = V[previous(v, V.size())];
@@ -164,7 +105,7 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       const double gap = n.dot(V[v] - a);
       const double s = t.dot(V[v] - a);
       const double beyond = std::max(-s, s - edge_length);
-      if (std::max({gap - opened, -gap, beyond}) > reach_) continue;
+      if (std::max({gap - opened, -gap, beyond}) > pairs_.reach_m()) continue;
       if (!faces(V, v, n, closing)) continue;
       if (gap < -deep && !encloses(E, V[v])) continue;  // on the block's far side, not in it
       ContactPoint contact;
@@ -187,8 +128,9 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       // Two acute corners may meet where neither faces the other's edges; farther from these, they may pass. In a
       // notch nothing passes: what has gone a little into its wall still stands on its floor.
       const bool in_notch = beyond > 0 && reflex(E, s < 0 ? e : next(e, E.size())) && encloses(E, V[v]);
-      const bool meets = beyond <= std::max(coincidence_, (gap - opened) / 2) || in_notch || did_enter(contact);
-      (meets ? found_ : passing_).push_back(contact);
+      const bool meets =
+          beyond <= std::max(outlines_.coincidence_m(), (gap - opened) / 2) || in_notch || passing_.did_enter(contact);
+      meets ? found_.all.push_back(contact) : passing_.add(contact);
     }
   }
 }
@@ -207,33 +149,35 @@ Point ContactSearch::apart(const std::vector<Placement>& placements, const Conta
 /// nearest new contact between the same two blocks that points the same way.
 void ContactSearch::inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old) {
   const auto take = [](ContactMemory& heir, const ContactMemory& from) { heir = from; };
-  inherited_.assign(found_.size(), 0);
+  found_.inherited.assign(found_.all.size(), 0);
   std::vector<const ContactPoint*> gone;
   std::vector<ContactPoint> parting;
   for (const ContactPoint& was : old) {
-    const auto heir = std::lower_bound(found_.begin(), found_.end(), was, precedes);
-    if (heir == found_.end() || !heir->same_key(was)) {
+    const auto heir = std::lower_bound(found_.all.begin(), found_.all.end(), was, precedes);
+    if (heir == found_.all.end() || !heir->same_key(was)) {
       if (was.state != ContactState::open) gone.push_back(&was);
-      if (slips_on(was)) parting.push_back(was);
+      if (openings_.slips_on(was)) parting.push_back(was);
       continue;
     }
     take(*heir, was);
-    inherited_[static_cast<std::size_t>(heir - found_.begin())] = 1;
-    if (was.state == ContactState::open && slips_on(was)) heir->slip_m = slip_since(was);
+    found_.inherited[static_cast<std::size_t>(heir - found_.all.begin())] = 1;
+    if (was.state == ContactState::open && openings_.slips_on(was)) heir->slip_m = openings_.slip_since(was);
     if (was.state == ContactState::open) continue;
     // In touch: slip goes on from the old anchor, so that what a tolerance lets through does not add up.
     heir->anchor = was.anchor;
     heir->separation = apart(placements, *heir);
   }
   for (const ContactPoint* was : gone) {
-    const Point& place = vertex_of(*was);
+    const Point& place = outlines_.vertex_of(*was);
     ContactPoint* nearest = nullptr;
-    double nearest_distance = reach_ + opening(*was);
-    const auto [first, end] = std::equal_range(found_.begin(), found_.end(), *was, of_lower_pair);
+    double nearest_distance = pairs_.reach_m() + openings_.of(*was);
+    const auto [first, end] = std::equal_range(found_.all.begin(), found_.all.end(), *was, of_lower_pair);
     for (auto heir = first; heir != end; ++heir) {
       ContactPoint& c = *heir;
-      if (inherited_[static_cast<std::size_t>(heir - found_.begin())] != 0 || !of_one_joint(c, *was)) continue;
-      const double distance = (vertex_of(c) - place).norm();
+      if (found_.inherited[static_cast<std::size_t>(heir - found_.all.begin())] != 0 ||
+          !outlines_.of_one_joint(c, *was))
+        continue;
+      const double distance = (outlines_.vertex_of(c) - place).norm();
       if (distance >= nearest_distance) continue;
       nearest = &c;
       nearest_distance = distance;
@@ -241,31 +185,10 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
     if (nearest == nullptr) continue;
     // Across the joint normal and tangent turn round, and so does the body that the force acts on: all signs stay.
     take(*nearest, *was);
-    inherited_[static_cast<std::size_t>(nearest - found_.data())] = 1;
+    found_.inherited[static_cast<std::size_t>(nearest - found_.all.data())] = 1;
   }
-  if (dilates_) remember_slips(parting);
-  for (ContactPoint& c : found_) count_from_start(c);
-}
-
-/// Gaps that rounded coordinates left at the start are none.
-void ContactSearch::count_from_start(ContactPoint& c) const {
-  if (c.gap_at_start == 0) return;
-  const auto [from, to] = edge_of(c);
-  const Point t = (to - from).normalized();
-  c.gap -= c.gap_at_start;
-  c.separation -= c.gap_at_start * Point(t.y(), -t.x());
-}
-
-/// Two contacts of one pair of blocks whose normals point the same way, or that are each other's twins across the
-/// joint.
-bool ContactSearch::of_one_joint(const ContactPoint& a, const ContactPoint& b) const {
-  const auto normal = [this](const ContactPoint& c) {
-    const auto [from, to] = edge_of(c);
-    const Point t = (to - from).normalized();
-    return Point(t.y(), -t.x());
-  };
-  if (a.pair() != b.pair()) return false;
-  return normal(a).dot(normal(b)) * (a.vertex_block == b.vertex_block ? 1 : -1) >= 1 - parallel_tolerance;
+  openings_.hand_on(parting, found_.all, found_.inherited);
+  for (ContactPoint& c : found_.all) outlines_.count_from_start(c);
 }
 
 }  // namespace blockweir::solid

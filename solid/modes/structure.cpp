@@ -97,7 +97,7 @@ void Structure::add_blocks(Entries& mass, Entries& stiffness) const {
     add(part, part, block.inertia.matrix(), mass);
     Matrix6 k = Matrix6::Zero();
     k.bottomRightCorner<3, 3>() = block.stiffness;
-    if (!solid_.boundary().empty()) k += solid_.boundary().hold(at(part));
+    if (!solid_.model().boundary.empty()) k += solid_.model().boundary.hold(at(part));
     add(part, part, k, stiffness);
   }
   for (const StrainCoupling& c : solid_.parts().couplings) {
@@ -120,7 +120,7 @@ void Structure::add_holds(Entries& stiffness) const {
     if (holds_shear(solid_, c)) k += along(tangent, holds);
     add_spring(c.vertex_part, c.vertex_at, c.edge_part, on_edge, k, stiffness);
   }
-  for (const Support& support : solid_.supports()) {
+  for (const Support& support : solid_.state().supports) {
     const Eigen::Matrix2d k = (holds * support.held()).asDiagonal();
     add_spring(support.block, support.material, -1, Point::Zero(), k, stiffness);
   }

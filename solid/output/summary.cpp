@@ -74,7 +74,7 @@ void add_interface_energy(const expect::Outcome& outcome, json& text) {
   const InterfaceEnergy& exchanged = outcome.interface_energy;
   if (!exchanged.looked()) return;
   text["interface_energy"] = {{"made_j_per_m", exchanged.made_j_per_m()},
-                              {"water_work_j_per_m", outcome.solid.water_work().sum_j_per_m()},
+                              {"water_work_j_per_m", outcome.solid.state().water_work.sum_j_per_m()},
                               {"grows", exchanged.growth().has_value()}};
   if (const auto& growth = exchanged.growth()) {
     text["interface_energy"]["window"] = growth->window;

@@ -203,7 +203,7 @@ void add_outcome(const expect::Outcome& outcome, json& text) {
 /// A static analysis that finds no equilibrium, and no failure, has stopped.
 void add_rest(const expect::Outcome& outcome, json& text) {
   if (outcome.solid.scene().analysis.kind != scene::AnalysisKind::at_rest) return;
-  const Rest& rest = outcome.solid.rest();
+  const Rest& rest = outcome.solid.state().rest;
   const auto steps = outcome.solid.counts().steps;
   text["rest"] = {{"found", rest.found}, {"unbalanced_ratio", rest.unbalanced}, {"steps", steps}};
   text["rest"]["text"] =

@@ -191,10 +191,10 @@ void CoupledSolid::record() {
 
 bool CoupledSolid::finished() const {
   const scene::Analysis& analysis = solid_.scene().analysis;
-  const bool sought = solid_.rest().steps > 0;
+  const bool sought = solid_.state().rest.steps > 0;
   // A static analysis ends when water that has followed the blocks moves them no more, or nothing holds them.
   if (analysis.kind == scene::AnalysisKind::at_rest && sought) {
-    return !solid_.rest().found || solid_.rest().steps == 1;
+    return !solid_.state().rest.found || solid_.state().rest.steps == 1;
   }
   if (interface_energy_.growth()) return true;
   return analysis.stop_at_failure && !failure_.failures().empty();

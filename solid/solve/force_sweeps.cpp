@@ -56,8 +56,8 @@ void ForceSweeps::act(const Row& row, double normal, double shear) {
   }
 }
 
-ForceSweeps::Apart ForceSweeps::apart_of(const Row& row) const {
-  Apart now{row.apart[0], row.apart[1]};
+/// What displacements add to these.
+ForceSweeps::Apart ForceSweeps::moved(const Row& row, Apart now) const {
   for (const End& end : row.ends) {
     const double* of_gap = entries_.data() + end.first_entry;
     const double* of_slip = of_gap + end.count;
@@ -76,20 +76,25 @@ ForceSweeps::Apart ForceSweeps::apart_of(const Row& row) const {
 }
 
 Eigen::Vector2d ForceSweeps::apart(const Row& row) const {
-  const Apart now = apart_of(row);
+  const Apart now = moved(row, {row.apart[0], row.apart[1]});
   return {now.gap, now.slip};
 }
 
-/// In scalars: a pair that has just been written one by one is read slowly as one.
+/// In scalars: a pair that has just been written one by one is read slowly as one. Each visit waits for what the one
+/// before has moved: what does not depend on that comes first.
 void ForceSweeps::visit(Row& row, Progress& progress) {
   const Eigen::Matrix2d& W = row.flexibility;
   const double normal = row.force[0];
   const double shear = row.force[1];
-  const Apart now = apart_of(row);
-  const PointForces::Found found =
-      row.forces.at(now.gap - W(0, 0) * normal - W(0, 1) * shear, now.slip - W(1, 0) * normal - W(1, 1) * shear);
-  const double more_normal = part_ * (found.normal - normal);
-  const double more_shear = part_ * (found.shear - shear);
+  const Apart without = moved(
+      row, {row.apart[0] - (W(0, 0) * normal + W(0, 1) * shear), row.apart[1] - (W(1, 0) * normal + W(1, 1) * shear)});
+  const PointForces::Found found = row.forces.at(without.gap, without.slip);
+  double more_normal = found.normal - normal;
+  double more_shear = found.shear - shear;
+  if (part_ != 1) {
+    more_normal *= part_;
+    more_shear *= part_;
+  }
   row.slips = found.slips;
   if (more_normal == 0 && more_shear == 0) return;
   row.force[0] = part_ == 1 ? found.normal : normal + more_normal;

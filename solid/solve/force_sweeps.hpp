@@ -74,7 +74,7 @@ class ForceSweeps {
     double slip = 0;
   };
   void begin_sweeps();
-  [[nodiscard]] inline Apart apart_of(const Row& row) const;
+  [[nodiscard]] inline Apart moved(const Row& row, Apart now) const;
   double sweep_ahead();
   double sweep_part_way();
   void go_on(double beyond);

@@ -56,20 +56,24 @@ void LeastPush::visit(Row& row, double tolerance_m, Progress& progress) {
   }
 }
 
-/// Far from all that overlaps nothing is to be pushed, however often that is asked.
-bool LeastPush::acts(std::size_t row) {
-  if (acts_[row] == 0) {
-    const auto moved = [&](int body) { return at(body) + 1 < touched_.size() && touched_[at(body)] != 0; };
-    if (!moved(rows_[row].body[0]) && !moved(rows_[row].body[1])) return false;
-    acts_[row] = 1;
+/// Far from all that overlaps nothing is to be pushed. Half of what is near is pushed by none: that is looked at in
+/// every fifth sweep, and before the last.
+void LeastPush::choose_rows(double tolerance_m) {
+  constexpr int between = 5;
+  saw_all_ = sweeps_++ % between == 0 || last_m_ <= tolerance_m / 2;
+  if (!saw_all_) return;
+  acting_.clear();
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Row& row = rows_[i];
+    if (row.gap < -tolerance_m / 2 || touched_[at(row.body[0])] != 0 || touched_[at(row.body[1])] != 0) {
+      acting_.push_back(i);
+    }
   }
-  return true;
 }
 
 /// All pushes, and what they displace, by so much of what the last sweeps have changed.
 void LeastPush::go_on(double beyond) {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (acts_[i] == 0) continue;
+  for (const std::size_t i : acting_) {
     Row& row = rows_[i];
     const double now = row.push;
     row.push += beyond * (now - row.push_before);
@@ -86,19 +90,18 @@ void LeastPush::solve(double tolerance_m) {
   constexpr int most_sweeps = 100;  // each there and back
   moved_before_ = moved_;
   touched_.assign(moved_.size(), 0);
-  acts_.clear();
-  for (const Row& row : rows_) acts_.push_back(row.gap < -tolerance_m / 2);
   double momentum = 1;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     const double next = (1 + std::sqrt(1 + 4 * momentum * momentum)) / 2;
     go_on((momentum - 1) / next);
+    choose_rows(tolerance_m);
     Progress progress;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (acts(i)) visit(rows_[i], tolerance_m, progress);
-    }
-    if (progress.largest_m <= tolerance_m / 2) return;
-    for (std::size_t i = rows_.size(); i-- > 0;) {
-      if (acts(i)) visit(rows_[i], tolerance_m, progress);
+    for (const std::size_t i : acting_) visit(rows_[i], tolerance_m, progress);
+    last_m_ = progress.largest_m;
+    if (saw_all_ && last_m_ <= tolerance_m / 2) return;
+    for (std::size_t i = acting_.size(); i-- > 0;) visit(rows_[acting_[i]], tolerance_m, progress);
+    if (saw_all_) {
+      std::erase_if(acting_, [&](std::size_t i) { return rows_[i].push == 0 && rows_[i].push_before == 0; });
     }
     momentum = progress.ahead > 0 ? 1 : next;
   }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace blockweir::solid {
@@ -49,13 +50,16 @@ class LeastPush {
   };
 
   [[nodiscard]] double gap(const Row& row) const;
-  [[nodiscard]] bool acts(std::size_t row);
+  void choose_rows(double tolerance_m);
   void visit(Row& row, double tolerance_m, Progress& progress);
   void go_on(double beyond);
 
   std::vector<Row> rows_;
-  std::vector<char> acts_;     ///< of each: does it overlap, or has a body of it been moved?
-  std::vector<char> touched_;  ///< has a body been moved?
+  std::vector<std::size_t> acting_;  ///< rows that are pushed, or may be
+  std::vector<char> touched_;        ///< has a body been moved?
+  int sweeps_ = 0;
+  bool saw_all_ = false;  ///< did the last sweep look at all that may be pushed?
+  double last_m_ = std::numeric_limits<double>::infinity();
   std::vector<Eigen::Vector3d> moved_;
   std::vector<Eigen::Vector3d> moved_before_;
 };

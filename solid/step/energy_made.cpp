@@ -94,7 +94,7 @@ std::vector<int> StepEnergy::groups_of(const IslandEquations& s) const {
 /// Is a contact closed as the step begins or as it ends?
 bool StepEnergy::touches(int contact) const {
   return state_.contacts[at(contact)].state != ContactState::open ||
-         formulation_->before(contact).state != ContactState::open;
+         formulation_->before().contact(contact).state != ContactState::open;
 }
 
 StepEnergy::Made StepEnergy::made_by(std::size_t b) const {

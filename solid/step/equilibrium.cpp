@@ -8,18 +8,18 @@
 
 namespace blockweir::solid {
 
-bool may_sweep(const Step& step, const StepMode& mode) {
+bool may_sweep(const StepWorkspace& step, const StepMode& mode) {
   return (mode.sweeps || mode.in_motion()) && !mode.smooth_only && !mode.friction_lags &&
-         !step.formulation->solves_for_forces();
+         step.formulation->force_constraints() == nullptr;
 }
 
-Found find_equilibrium(Step& step, IslandEquations& island, const StepMode& mode, bool newton) {
+Found find_equilibrium(StepWorkspace& step, IslandEquations& island, const StepMode& mode, bool newton) {
   if (newton && find_by_newton(step, island, mode)) return Found::by_newton;
   if (newton && mode.pivots && Pivoting(step).find(island, mode)) return Found::by_newton;
   return may_sweep(step, mode) ? SweptEquilibrium(step).find(island, mode) : Found::nothing;
 }
 
-bool find_by_newton(Step& step, IslandEquations& island, const StepMode& mode) {
+bool find_by_newton(StepWorkspace& step, IslandEquations& island, const StepMode& mode) {
   return mode.friction_lags ? LaggingFriction(step).find(island, mode) : Newton(step).find(island, mode);
 }
 

@@ -211,7 +211,7 @@ double HeldVelocities::impulse_per_force(double dt) const {
 double HeldVelocities::opening_slope(const IslandEquations& s, std::size_t action) const {
   if (action >= s.island.contacts.size()) return 0;
   const int k = s.island.contacts[action];
-  return formulation_->opening_slope(k, state_.contacts[at(k)]);
+  return -formulation_->progress().dilation_slope(state_.contacts[at(k)], formulation_->progress().contact(k));
 }
 
 /// Where velocities become the step's mean, what a moving base has beyond its own.

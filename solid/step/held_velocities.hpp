@@ -11,7 +11,7 @@ namespace blockweir::solid {
 
 class HeldVelocities : StepPart {
  public:
-  explicit HeldVelocities(Step& step) : StepPart(step) {}
+  explicit HeldVelocities(StepWorkspace& step) : StepPart(step) {}
 
   /// Velocities along held directions (closed contacts, sticking ones along the edge too, supports) become those of
   /// what holds them; the velocities get the smallest change, in the metric of the step's matrix, that does so. Where

@@ -26,19 +26,19 @@ Outcome StepsWithImpacts::make(const Stretch& stretch) {
   constexpr double longer = 10;
   if (model_.is(scene::AnalysisKind::quasi_static)) {
     const double long_s = longer * model_.pseudo_step_s();
-    if (long_s > stretch.dt && time_step_.try_all({long_s, stretch.end_s, stretch.water}, own) == Outcome::made) {
+    if (long_s > stretch.dt && methods_.try_all({long_s, stretch.end_s, stretch.water}, own) == Outcome::made) {
       return Outcome::made;
     }
   }
-  if (!model_.scheme.second_order() || !model_.scheme.damps) return time_step_.try_all(stretch, own);
+  if (!model_.scheme.second_order() || !model_.scheme.damps) return methods_.try_all(stretch, own);
   if (state_.smooth_steps >= State::smooth_steps_before_restart) {
-    const Outcome smooth = time_step_.try_all(stretch, {.scheme = model_.scheme, .smooth_only = true});
+    const Outcome smooth = methods_.try_all(stretch, {.scheme = model_.scheme, .smooth_only = true});
     made_by_shi_ = smooth != Outcome::made;
     if (smooth == Outcome::made) ++state_.smooth_steps;
     if (smooth == Outcome::made || smooth == Outcome::too_far) return smooth;
     state_.smooth_steps = 0;
   }
-  const Outcome outcome = time_step_.try_all(stretch, {});
+  const Outcome outcome = methods_.try_all(stretch, {});
   if (outcome != Outcome::made) return outcome;
   ++counts_.impact_steps;
   state_.smooth_steps = time_step_.contacts_change() ? 0 : state_.smooth_steps + 1;

@@ -5,14 +5,14 @@
 
 #include <vector>
 
-#include "solid/step/time_step.hpp"
+#include "solid/step/step_methods.hpp"
 
 namespace blockweir::solid {
 
 class StepsWithImpacts : StepPart {
  public:
-  StepsWithImpacts(Step& step, TimeStep& time_step, const WaterInertia& water)
-      : StepPart(step), time_step_(time_step), water_(water) {}
+  StepsWithImpacts(StepWorkspace& step, TimeStep& time_step, const WaterInertia& water)
+      : StepPart(step), time_step_(time_step), methods_(step, time_step), water_(water) {}
 
   /// Second-order schemes need the acceleration that the run starts with: a step of Shi's scheme, undone, gives it.
   void start_acceleration(const std::vector<Panel>& water, double from_s);
@@ -24,6 +24,7 @@ class StepsWithImpacts : StepPart {
 
  private:
   TimeStep& time_step_;
+  StepMethods methods_;
   const WaterInertia& water_;
   bool made_by_shi_ = true;
 };

@@ -131,7 +131,7 @@ void InitialEquilibrium::hold(const Stretch& pseudo_step, const StepMode& mode, 
   const auto solves = [&] {
     const Stretch stretch{dt, pseudo_step.end_s, pseudo_step.water};
     last = time_step_.attempt(stretch, mode);
-    if (step_.substitute && last == Outcome::not_found) last = time_step_.attempt_by_substitute(stretch, mode);
+    if (step_.substitute && last == Outcome::not_found) last = methods_.try_by_substitute(stretch, mode);
     return last == Outcome::made;
   };
   const auto settles = [&] {
@@ -192,10 +192,10 @@ bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode)
     const bool whole_step = dt >= pseudo_step.dt;
     const Stretch stretch{dt, pseudo_step.end_s, pseudo_step.water};
     const auto solved = [&] {
-      if (dt > pseudo_step.dt) return time_step_.attempt_with_lagging_friction(stretch, mode);
-      if (whole_step) return time_step_.try_all(stretch, mode);
+      if (dt > pseudo_step.dt) return methods_.try_with_lagging_friction(stretch, mode);
+      if (whole_step) return methods_.try_all(stretch, mode);
       const Outcome outcome = time_step_.attempt(stretch, mode);
-      return outcome == Outcome::not_found ? time_step_.attempt_softly(stretch, mode) : outcome;
+      return outcome == Outcome::not_found ? methods_.try_softly(stretch, mode) : outcome;
     };
     if (solved() != Outcome::made) {
       if (dt > pseudo_step.dt) {

@@ -4,13 +4,14 @@
 
 #include <vector>
 
-#include "solid/step/time_step.hpp"
+#include "solid/step/step_methods.hpp"
 
 namespace blockweir::solid {
 
 class InitialEquilibrium : StepPart {
  public:
-  InitialEquilibrium(Step& step, TimeStep& time_step) : StepPart(step), time_step_(time_step) {}
+  InitialEquilibrium(StepWorkspace& step, TimeStep& time_step)
+      : StepPart(step), time_step_(time_step), methods_(step, time_step) {}
 
   /// Lets weight and first loads settle with all joints held, then releases them. False where the structure is on the
   /// move. Throws SolveError when no equilibrium is found.
@@ -23,6 +24,7 @@ class InitialEquilibrium : StepPart {
   void start_moving(const Stretch& pseudo_step, double acceleration, const Standing& held, const StepMode& mode);
 
   TimeStep& time_step_;
+  StepMethods methods_;
 };
 
 /// Blocks that hang on nothing: no chain of touching contacts and bolts leads to the ground or to a support.

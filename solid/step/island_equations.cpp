@@ -35,8 +35,8 @@ double unbalanced_at_nodes(const IslandEquations& s) {
 
 }  // namespace
 
-IslandEquations::IslandEquations(Step& step, const WaterInertia& water, const std::vector<int>& numbers, Island of,
-                                 std::unique_ptr<Unknowns> its)
+IslandEquations::IslandEquations(StepWorkspace& step, const WaterInertia& water, const std::vector<int>& numbers,
+                                 Island of, std::unique_ptr<Unknowns> its)
     : StepPart(step),
       island(std::move(of)),
       unknowns(std::move(its)),
@@ -44,7 +44,7 @@ IslandEquations::IslandEquations(Step& step, const WaterInertia& water, const st
       correction(unknowns->total),
       water_(water),
       numbers_(numbers),
-      saddle_(*unknowns) {}
+      forces_(step, *unknowns) {}
 
 LinearSystem& IslandEquations::system() const {
   if (!system_) system_ = make_linear_system(*unknowns, island.couples);
@@ -129,7 +129,7 @@ void IslandEquations::let_act() {
     keep(of_bolts + i, interaction_of(now, state_.bolts[at(bolts[i])], model_.base.displacement(trial_.end_s)));
   }
   symmetric_ = symmetric;
-  set_saddle();
+  forces_.set(*this, water_);
 }
 
 void IslandEquations::take_up(std::size_t k) {

@@ -10,9 +10,9 @@
 #include "solid/solve/force_sweeps.hpp"
 #include "solid/solve/incidence.hpp"
 #include "solid/solve/islands.hpp"
-#include "solid/solve/saddle_point.hpp"
-#include "solid/step/step.hpp"
 #include "solid/step/step_mode.hpp"
+#include "solid/step/step_workspace.hpp"
+#include "solid/step/unknown_forces.hpp"
 #include "solid/step/water_inertia.hpp"
 
 namespace blockweir::solid {
@@ -24,7 +24,7 @@ constexpr double sum_round_off = 1e-13;  ///< relative, of a sum of some tens of
 class IslandEquations : StepPart {
  public:
   /// `numbers`: of each of the model's blocks, its index within its island.
-  IslandEquations(Step& step, const WaterInertia& water, const std::vector<int>& numbers, Island of,
+  IslandEquations(StepWorkspace& step, const WaterInertia& water, const std::vector<int>& numbers, Island of,
                   std::unique_ptr<Unknowns> its);
 
   Island island;
@@ -79,13 +79,6 @@ class IslandEquations : StepPart {
   }
 
  private:
-  /// A force that is solved for, of a contact or a support: what a unit of it exerts (normal, shear).
-  struct UnknownForce {
-    bool support;
-    int index;
-    Eigen::Vector2d force;
-  };
-
   void balance_own(std::size_t b);
   void balance_couplings();
   void let_act();
@@ -93,24 +86,13 @@ class IslandEquations : StepPart {
   void add_residual_at_corners(int k);
   void set_corner_maps();
   void assemble();
-  template <class System>
-  void add_own(System& to) const;
-  template <class System>
-  void add_stiffness_to(System& to, const Interaction& action) const;
-  template <class System>
-  void add_columns(System& to, const Interaction& action, bool of_second) const;
-  void set_saddle();
-  void add_constraints(const Interaction& action, bool support, int index);
-  void correct_forces();
 
   const WaterInertia& water_;
   const std::vector<int>& numbers_;
   mutable std::unique_ptr<LinearSystem> system_;
   WaterFactors water_factors_;  ///< of the system's last solution
   bool symmetric_ = true;       ///< are the actions' stiffnesses?
-  SaddlePoint saddle_;          ///< instead of the system while there are unknown forces
-  std::vector<UnknownForce> unknown_forces_;
-  Eigen::VectorXd forces_;  ///< of them
+  UnknownForces forces_;        ///< instead of the system while there are any
 };
 
 }  // namespace blockweir::solid

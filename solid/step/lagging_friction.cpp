@@ -19,7 +19,7 @@ namespace blockweir::solid {
 bool LaggingFriction::find(IslandEquations& s, const StepMode& mode) {
   const Held held = s.held();
   constexpr int few_solutions = 3;
-  formulation_->lag_friction(held);
+  formulation_->lagged_friction()->begin(held);
   // A step after one whose friction lagged begins with its states, or nearly so.
   const bool goes_on = state_.whole_law.after_failure();
   if (!goes_on || !or_undone(step_, s, mode, [&] { return minimize(s, few_solutions); })) {
@@ -30,7 +30,8 @@ bool LaggingFriction::find(IslandEquations& s, const StepMode& mode) {
     if (mode.settles && reached == Approach::nothing) return false;
   }
   for (int sweep = 0; sweep < model_.scene.contact.max_iterations; ++sweep) {
-    const bool bounds_stand = formulation_->follow_with_friction(held);
+    const bool bounds_stand = formulation_->lagged_friction()->follow(held, formulation_->progress(),
+                                                                      formulation_->settings().force_tolerance_n);
     if (!minimize(s, model_.scene.contact.max_iterations)) return false;
     const Stopwatch watch(profile_.sweeps);
     ++counts_.sweeps;

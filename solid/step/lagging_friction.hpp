@@ -14,7 +14,7 @@ constexpr double lagging_penalty_ratio = 1e-2;  ///< penalties while friction la
 
 class LaggingFriction : StepPart {
  public:
-  explicit LaggingFriction(Step& step) : StepPart(step) {}
+  explicit LaggingFriction(StepWorkspace& step) : StepPart(step) {}
 
   /// For where the states of the whole law run in circles: a slip changes the normal force that bounds it, there and at
   /// its neighbours, and brings the states back with which Newton's method began.

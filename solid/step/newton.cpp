@@ -73,7 +73,7 @@ bool Newton::find(IslandEquations& s, const StepMode& mode) {
     const double left = s.unbalanced();
     if (!std::isfinite(left)) {
       // Of redundant multipliers the forces may overflow: the substitute has none.
-      if (!formulation_->solves_for_forces()) require_numbers(step_, s);
+      if (formulation_->force_constraints() == nullptr) require_numbers(step_, s);
       return false;
     }
     if (left <= tolerance || left <= close * formulation_->unsettled(held)) {

@@ -10,7 +10,7 @@ namespace blockweir::solid {
 
 class Newton : StepPart {
  public:
-  explicit Newton(Step& step) : StepPart(step) {}
+  explicit Newton(StepWorkspace& step) : StepPart(step) {}
 
   /// By the whole of Coulomb's law: false where states are not found.
   bool find(IslandEquations& island, const StepMode& mode);

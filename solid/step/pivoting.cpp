@@ -12,7 +12,7 @@ namespace blockweir::solid {
 /// Contacts that only press and rub, and formulations that take up forces from a step before.
 bool Pivoting::fits(const IslandEquations& s, const StepMode& mode) const {
   const FormulationSettings& settings = formulation_->settings();
-  return formulation_->can_lag_friction() && !mode.friction_lags && !settings.joints_held &&
+  return formulation_->lagged_friction() != nullptr && !mode.friction_lags && !settings.joints_held &&
          s.unknowns->total <= large_island && !s.unknowns->shared() &&
          std::none_of(s.island.contacts.begin(), s.island.contacts.end(), [&](int k) {
            const JointProperties& law = model_.laws[state_.contacts[at(k)].law];

@@ -14,7 +14,7 @@ namespace blockweir::solid {
 
 class Pivoting : StepPart {
  public:
-  explicit Pivoting(Step& step) : StepPart(step) {}
+  explicit Pivoting(StepWorkspace& step) : StepPart(step) {}
 
   /// False where pivoting finds no forces either.
   bool find(IslandEquations& island, const StepMode& mode);

@@ -10,7 +10,7 @@ namespace blockweir::solid {
 
 class PushApart : StepPart {
  public:
-  explicit PushApart(Step& step) : StepPart(step) {}
+  explicit PushApart(StepWorkspace& step) : StepPart(step) {}
 
   /// Of an island, after the step has been accepted: has any block been pushed?
   bool push(const IslandEquations& island);

@@ -25,7 +25,7 @@ void refuse_step(double time_s, double dt, Outcome last) {
                   time_s, dt));
 }
 
-void require_small_strains(const Step& step) {
+void require_small_strains(const StepWorkspace& step) {
   constexpr double most = 0.2;
   for (std::size_t b = 0; b < step.model.described(); ++b) {
     const double strain = step.state.blocks[b].displacement.tail<3>().cwiseAbs().maxCoeff();
@@ -47,7 +47,7 @@ void require_small_strains(const Step& step) {
 namespace {
 
 /// What helps: a start without stress lets go what is on its way, and finds no states that this one does not find.
-std::string start_advice(const Step& step, bool moves_on, double overlap_m) {
+std::string start_advice(const StepWorkspace& step, bool moves_on, double overlap_m) {
   if (moves_on) {
     const bool rests = step.model.scene.analysis.kind == scene::AnalysisKind::at_rest;  // where nothing is on its way
     return std::string("what holds it? Give it a support, a bolt or a face to stand on") +
@@ -60,7 +60,7 @@ std::string start_advice(const Step& step, bool moves_on, double overlap_m) {
 }  // namespace
 
 /// What the last try of a start left open: where blocks still move, and which of them do not fit onto each other.
-void refuse_start(const Step& step, int steps, int most_steps, Outcome last) {
+void refuse_start(const StepWorkspace& step, int steps, int most_steps, Outcome last) {
   const bool too_far = last == Outcome::too_far;
   std::string text =
       fmt::format("no equilibrium under the first loads was found with all joints held ({} steps)", steps);
@@ -99,12 +99,12 @@ void refuse_start(const Step& step, int steps, int most_steps, Outcome last) {
   throw SolveError(text + "; " + start_advice(step, too_far || steps >= most_steps, overlap));
 }
 
-void refuse_number(const Step& step, std::size_t b, const char* what, double time_s) {
+void refuse_number(const StepWorkspace& step, std::size_t b, const char* what, double time_s) {
   throw NotFinite(fmt::format("{} of block \"{}\" is not a finite number at {:.6g} s (step {})", what,
                               step.model.blocks[b].name, time_s, step.counts.steps + 1));
 }
 
-void require_finite(const Step& step, double time_s) {
+void require_finite(const StepWorkspace& step, double time_s) {
   const auto finite = [&](std::size_t b) {
     return step.state.blocks[b].displacement.allFinite() && step.state.blocks[b].velocity.allFinite();
   };
@@ -114,13 +114,13 @@ void require_finite(const Step& step, double time_s) {
   }
 }
 
-void require_finite_loads(const Step& step, double time_s) {
+void require_finite_loads(const StepWorkspace& step, double time_s) {
   for (std::size_t b = 0; b < step.model.blocks.size(); ++b) {
     if (!step.trial.external[b].allFinite()) refuse_number(step, b, "the load", time_s);
   }
 }
 
-void require_numbers(const Step& step, const IslandEquations& s) {
+void require_numbers(const StepWorkspace& step, const IslandEquations& s) {
   for (const int b : s.island.blocks) {
     if (step.trial.balance[at(b)].hasNaN()) refuse_number(step, at(b), "the force", step.trial.end_s);
   }

@@ -86,7 +86,7 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
 
 Counts Solid::counts() const {
   Counts counts = step_.counts;
-  counts.state_changes = step_.formulation->state_changes();
+  counts.state_changes = step_.formulation->progress().state_changes();
   counts.broad_searches = state_.search.broad_searches();
   return counts;
 }

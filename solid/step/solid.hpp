@@ -34,6 +34,9 @@ class Solid {
   /// The same under water that is held, and answers the velocities that the blocks have now.
   void advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses = {});
 
+  /// Of both what is asked for all over has a name of its own.
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const scene::Scene& scene() const { return model_.scene; }
   [[nodiscard]] const Parts& parts() const { return model_.parts; }
   /// The scene's blocks in its order, then the triangles of meshes; so are states and placements. A block with a mesh
@@ -42,26 +45,16 @@ class Solid {
   [[nodiscard]] std::size_t described() const { return model_.described(); }  ///< number of the scene's blocks
   [[nodiscard]] const JointLaws& laws() const { return model_.laws; }
   [[nodiscard]] const BaseMotion& base() const { return model_.base; }
-  [[nodiscard]] const ViscousBoundary& boundary() const { return model_.boundary; }
-  [[nodiscard]] double weight_n_per_m() const { return model_.weight_n_per_m; }  ///< of all that can move
   /// Half the height of what can move, at least half its width.
   [[nodiscard]] double size_m() const { return model_.size_m; }
 
   [[nodiscard]] const std::vector<BlockState>& states() const { return state_.blocks; }
   [[nodiscard]] const std::vector<Placement>& placements() const { return state_.placements; }
   [[nodiscard]] const std::vector<ContactPoint>& contacts() const { return state_.contacts; }
-  [[nodiscard]] const std::vector<Support>& supports() const { return state_.supports; }
   [[nodiscard]] const std::vector<Bolt>& bolts() const { return state_.bolts; }
   [[nodiscard]] double time_s() const { return state_.time_s; }
-  /// Of a static analysis, as the last advance left it.
-  [[nodiscard]] const Rest& rest() const { return state_.rest; }
-  [[nodiscard]] const WaterWork& water_work() const { return state_.water_work; }
-  [[nodiscard]] const EnergyBalance& energy_balance() const { return state_.energy; }
-  /// Where the vertex of a contact is now [m].
-  [[nodiscard]] Point place(const ContactPoint& c) const { return state_.place(c); }
   /// Largest displacement of any vertex since the scene's outline, against the base [m].
   [[nodiscard]] double largest_displacement_m() const { return state_.largest_displacement_m(model_); }
-  [[nodiscard]] double largest_slip_m() const { return state_.largest_slip_m(); }
   /// Rate of the six unknowns, of a triangle as of any block.
   [[nodiscard]] Vector6 velocity(std::size_t b) const {
     return step_.trial.rate(b, state_.placements[b], state_.blocks[b].velocity);
@@ -74,8 +67,8 @@ class Solid {
   /// What a step changes.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(state_, step_.counts, step_.profile, *step_.formulation);
-    if (step_.substitute) archive(*step_.substitute);
+    archive(state_, step_.counts, step_.profile, step_.formulation->progress());
+    if (step_.substitute) archive(step_.substitute->progress());
     archive(time_step_.islands());
     if (!Archive::is_loading::value) return;
     state_.place_blocks(model_);
@@ -85,7 +78,7 @@ class Solid {
  private:
   Model model_;
   State state_;
-  Step step_;
+  StepWorkspace step_;
   WaterInertia water_;
   TimeStep time_step_;
   StepsWithImpacts steps_{step_, time_step_, water_};

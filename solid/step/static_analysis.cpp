@@ -34,7 +34,7 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) 
   for (double dt = longest; state_.rest.steps < most_steps && dt > shortest * longest;) {
     state_.stop();
     const Stretch stretch{dt, at_s, water};
-    Outcome outcome = time_step_.try_all(stretch, still);
+    Outcome outcome = methods_.try_all(stretch, still);
     if (outcome == Outcome::not_found && dt < brief * longest) {
       outcome = time_step_.attempt(stretch, still.with_sweeps());  // a bond is about to break
     }

@@ -5,13 +5,14 @@
 
 #include <vector>
 
-#include "solid/step/time_step.hpp"
+#include "solid/step/step_methods.hpp"
 
 namespace blockweir::solid {
 
 class StaticAnalysis : StepPart {
  public:
-  StaticAnalysis(Step& step, TimeStep& time_step) : StepPart(step), time_step_(time_step) {}
+  StaticAnalysis(StepWorkspace& step, TimeStep& time_step)
+      : StepPart(step), time_step_(time_step), methods_(step, time_step) {}
 
   /// Steps under loads of that time; what has been found is in the state.
   void come_to_rest(const std::vector<Panel>& water, double at_s);
@@ -21,6 +22,7 @@ class StaticAnalysis : StepPart {
 
  private:
   TimeStep& time_step_;
+  StepMethods methods_;
 };
 
 }  // namespace blockweir::solid

@@ -27,16 +27,24 @@ void StepEnergy::balance(IslandEquations& s, double dt) {
   }
   for (const int k : s.island.supports) {
     const Support& support = state_.supports[at(k)];
-    const Point force = by_shi ? support.force : Point((formulation_->support_before(k).force + support.force) / 2);
+    const Point force = by_shi ? support.force : Point((formulation_->before().support(k).force + support.force) / 2);
     state_.energy.give(force.dot(support.target(trial_.end_s) - support.target(trial_.end_s - dt)));
   }
   const auto store = [&](const Interaction& action, double rise) {
     state_.energy.store(rise);
     trial_.for_motion[at(trial_.moves(action.block_i) ? action.block_i : action.block_j)] -= rise;
   };
+  const auto stored_by_support = [this](int k) {
+    const Support& support = state_.supports[at(k)];
+    if (formulation_->holds_exactly()) return 0.0;
+    const double begins = support.held().cwiseProduct(support.separation).squaredNorm();
+    return support.penalty * (formulation_->progress().support(k).separation.squaredNorm() - begins) / 2;
+  };
   std::size_t next = 0;
-  for (const int k : s.island.contacts) store(s.actions[next++], formulation_->stored(k, state_.contacts[at(k)]));
-  for (const int k : s.island.supports) store(s.actions[next++], formulation_->stored(k, state_.supports[at(k)]));
+  for (const int k : s.island.contacts) {
+    store(s.actions[next++], state_.contacts[at(k)].stored_j_per_m - formulation_->before().contact(k).stored_j_per_m);
+  }
+  for (const int k : s.island.supports) store(s.actions[next++], stored_by_support(k));
   for (const int k : s.bolts) {
     const Bolt& bolt = state_.bolts[at(k)];
     const double tension = -s.actions[next].force.x();

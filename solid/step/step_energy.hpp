@@ -11,7 +11,7 @@ namespace blockweir::solid {
 
 class StepEnergy : StepPart {
  public:
-  explicit StepEnergy(Step& step) : StepPart(step) {}
+  explicit StepEnergy(StepWorkspace& step) : StepPart(step) {}
 
   /// The base has moved so far in the step, and pushes what is awake.
   void lead(const StepIslands& islands, const Point& moved);

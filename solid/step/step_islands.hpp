@@ -11,7 +11,7 @@ namespace blockweir::solid {
 
 class StepIslands : StepPart {
  public:
-  StepIslands(Step& step, const WaterInertia& water)
+  StepIslands(StepWorkspace& step, const WaterInertia& water)
       : StepPart(step), water_(water), numbers_(step.model.blocks.size()) {}
 
   /// Islands, and with them the symbolic factorizations, are kept while the contact graph stands.

@@ -8,7 +8,7 @@ namespace blockweir::solid {
 
 class SweepRows : StepPart {
  public:
-  explicit SweepRows(Step& step) : StepPart(step) {}
+  explicit SweepRows(StepWorkspace& step) : StepPart(step) {}
 
   /// No rows yet; displacements are those by the island's residual, each block by itself. False where a mesh has no
   /// solution.

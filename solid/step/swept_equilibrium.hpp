@@ -10,7 +10,7 @@ namespace blockweir::solid {
 
 class SweptEquilibrium : StepPart {
  public:
-  explicit SweptEquilibrium(Step& step) : StepPart(step) {}
+  explicit SweptEquilibrium(StepWorkspace& step) : StepPart(step) {}
 
   /// By sweeps, or from there by Newton's method.
   Found find(IslandEquations& island, const StepMode& mode);

@@ -7,7 +7,9 @@
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
+#include "solid/step/island_sleep.hpp"
 #include "solid/step/refusals.hpp"
+#include "solid/step/step_end.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -30,18 +32,19 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
   if (mode.smooth_only && state_.touching_contacts() != touching) {  // the search has dropped one
     return Outcome::contacts_change;
   }
-  const long state_changes_before = formulation_->state_changes();
+  const long state_changes_before = formulation_->progress().state_changes();
   if (searched || islands_.empty() || state_.guard.acts()) islands_.prepare();
   begin(stretch, mode);
   begin_with_forces_tried();
   const bool solved = solve(mode);
   const double moved = trial_.largest_increment();
+  StepEnd end(step_, islands_, water_);
   Outcome outcome = Outcome::made;
   if (!solved) {
     outcome = Outcome::not_found;
   } else if (trial_.goes_too_far(moved)) {
     outcome = Outcome::too_far;
-  } else if (mode.smooth_only && (contacts_change() || !affords_motion(stretch.dt))) {
+  } else if (mode.smooth_only && (contacts_change() || !end.affords_motion(stretch.dt))) {
     outcome = Outcome::contacts_change;
   }
   const bool seen = has_seen(outcome == Outcome::made, moved, mode);
@@ -51,8 +54,8 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
     state_.contacts_stand = seen;
     return seen ? outcome : attempt_again(stretch, mode);
   }
-  const bool otherwise = accept(stretch, mode);
-  state_.contacts_stand = moved == 0 && formulation_->state_changes() == state_changes_before && !otherwise;
+  const bool otherwise = end.accept(stretch, mode);
+  state_.contacts_stand = moved == 0 && formulation_->progress().state_changes() == state_changes_before && !otherwise;
   require_finite(step_, stretch.end_s);
   return Outcome::made;
 }
@@ -129,10 +132,11 @@ bool TimeStep::solve(const StepMode& mode) {
   bool all_by_newton = true;
   const bool falls =
       sweeps && trial_.falls();  // what sweeps have come near to is then no sign that Newton's method would
+  IslandSleep sleep(step_);
   for (IslandEquations& island : islands_) {
     island.found = Found::nothing;
-    if (may_sleep(island, mode)) {
-      put_to_sleep(island);
+    if (sleep.may_begin(island, mode)) {
+      sleep.begin(island);
       continue;
     }
     const Stopwatch watch(profile_.equilibria);
@@ -163,7 +167,7 @@ void TimeStep::begin_anew() {
 
 bool TimeStep::contacts_change() {
   return std::any_of(islands_.begin(), islands_.end(),
-                     [this](IslandEquations& s) { return formulation_->changed(s.held()); });
+                     [this](IslandEquations& s) { return formulation_->before().differs(s.held()); });
 }
 
 /// False where contacts are those of the step before.
@@ -199,43 +203,6 @@ void TimeStep::start_where_it_rests(const IslandEquations& s) {
     if (moved > round_off_m) continue;
     trial_.increment[b].setZero();
     trial_.placement[b] = state_.placements[b];
-  }
-}
-
-bool TimeStep::may_sleep(const IslandEquations& s, const StepMode& mode) const {
-  if (!model_.scene.analysis.sleep || mode.settles) return false;
-  const double tolerance_n = formulation_->settings().force_tolerance_n;
-  const auto rests = [&](int b) {
-    return state_.sleep.rests(static_cast<std::size_t>(b), model_.blocks, trial_.external, tolerance_n);
-  };
-  const auto in_place = [&](int k) {
-    const Support& support = state_.supports[static_cast<std::size_t>(k)];
-    return support.held().cwiseProduct(support.separation).norm() <= formulation_->settings().penetration_tolerance_m;
-  };
-  const auto rests_on = [&](int k) {
-    const ContactPoint& c = state_.contacts[static_cast<std::size_t>(k)];
-    return rests(c.vertex_part) && rests(c.edge_part);
-  };
-  const auto hangs_still = [&](int k) {
-    const auto& ends = state_.bolts[static_cast<std::size_t>(k)].part;
-    return std::all_of(ends.begin(), ends.end(),
-                       [&](int b) { return b < 0 ? !model_.base.moves_supports() : rests(b); });
-  };
-  return std::all_of(s.island.blocks.begin(), s.island.blocks.end(), rests) &&
-         std::all_of(s.bolts.begin(), s.bolts.end(), hangs_still) &&
-         std::all_of(s.island.supports.begin(), s.island.supports.end(), in_place) &&
-         std::all_of(s.island.contacts.begin(), s.island.contacts.end(), rests_on);
-}
-
-void TimeStep::put_to_sleep(IslandEquations& s) {
-  s.found = Found::asleep;
-  ++counts_.slept_islands;
-  for (const int block : s.island.blocks) {
-    const auto b = static_cast<std::size_t>(block);
-    trial_.increment[b].setZero();
-    trial_.placement[b] = state_.placements[b];
-    state_.blocks[b].velocity.setZero();
-    state_.blocks[b].acceleration.setZero();
   }
 }
 

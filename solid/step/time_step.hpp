@@ -9,16 +9,10 @@ namespace blockweir::solid {
 
 class TimeStep : StepPart {
  public:
-  TimeStep(Step& step, WaterInertia& water) : StepPart(step), water_(water), islands_(step, water) {}
+  TimeStep(StepWorkspace& step, WaterInertia& water) : StepPart(step), water_(water), islands_(step, water) {}
 
   /// One step by one method, or nothing at all: all but a step that is made leaves the state as it was.
   Outcome attempt(const Stretch& stretch, const StepMode& mode);
-  Outcome attempt_softly(const Stretch& stretch, const StepMode& mode);
-  Outcome attempt_with_lagging_friction(const Stretch& stretch, const StepMode& mode);
-  /// Of steps that Lagrange multipliers cannot settle.
-  Outcome attempt_by_substitute(const Stretch& stretch, const StepMode& mode);
-  /// By all methods that a mode has, in turn.
-  Outcome try_all(const Stretch& stretch, const StepMode& mode);
 
   /// In the last step: has any contact closed, opened, begun or ceased to slip?
   [[nodiscard]] bool contacts_change();
@@ -33,19 +27,12 @@ class TimeStep : StepPart {
   void begin_with_forces_tried();
   [[nodiscard]] bool has_seen(bool made, double moved_m, const StepMode& mode);
   [[nodiscard]] bool any_found(Found what) const;
-  Outcome try_far_from_laws(const Stretch& stretch, const StepMode& mode);
   bool find_contacts();
   void begin(const Stretch& stretch, const StepMode& mode);
   void begin_contacts(const StepMode& mode);
   void push_boundary(const scene::TimeSpan& span);
   void start_where_it_rests(const IslandEquations& island);
   bool solve(const StepMode& mode);
-  bool accept(const Stretch& stretch, const StepMode& mode);
-  [[nodiscard]] bool affords_motion(double dt);
-  void accept_motion(IslandEquations& island, double dt);
-  void act_by_end_rates(std::size_t b, double dt);
-  [[nodiscard]] bool may_sleep(const IslandEquations& island, const StepMode& mode) const;
-  void put_to_sleep(IslandEquations& island);
 
   WaterInertia& water_;
   StepIslands islands_;

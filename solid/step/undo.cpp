@@ -7,7 +7,7 @@
 
 namespace blockweir::solid {
 
-bool or_undone(Step& step, IslandEquations& s, const StepMode& mode, const std::function<bool()>& search) {
+bool or_undone(StepWorkspace& step, IslandEquations& s, const StepMode& mode, const std::function<bool()>& search) {
   std::vector<ContactMemory> contacts;
   std::vector<Support> supports;
   std::vector<Vector6> increments;
@@ -26,7 +26,7 @@ bool or_undone(Step& step, IslandEquations& s, const StepMode& mode, const std::
     const auto b = at(s.island.blocks[i]);
     step.trial.go_to(b, increments[i]);
   }
-  if (mode.friction_lags) step.formulation->lag_friction(s.held());
+  if (mode.friction_lags) step.formulation->lagged_friction()->begin(s.held());
   return false;
 }
 

@@ -10,6 +10,6 @@
 namespace blockweir::solid {
 
 /// What the search finds, or the island's trial as it was.
-bool or_undone(Step& step, IslandEquations& island, const StepMode& mode, const std::function<bool()>& search);
+bool or_undone(StepWorkspace& step, IslandEquations& island, const StepMode& mode, const std::function<bool()>& search);
 
 }  // namespace blockweir::solid

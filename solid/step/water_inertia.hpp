@@ -10,7 +10,7 @@
 
 #include "solid/solve/islands.hpp"
 #include "solid/solve/saddle_point.hpp"
-#include "solid/step/step.hpp"
+#include "solid/step/step_workspace.hpp"
 
 namespace blockweir::solid {
 
@@ -35,7 +35,7 @@ struct WaterFactors {
 
 class WaterInertia : StepPart {
  public:
-  explicit WaterInertia(Step& step) : StepPart(step) {}
+  explicit WaterInertia(StepWorkspace& step) : StepPart(step) {}
 
   void begin_window(const Answered& answered);
   /// The force M_a a' on blocks and meshes, and what the water's inertia remembers.

@@ -60,7 +60,7 @@ void capture_contact(const Solid& solid, const ContactPoint& c, ContactRow& row)
   const Point a = edge_placement.position(c.edge_from);
   const Point b = edge_placement.position(c.edge_to);
   const Point t = (b - a).normalized();
-  row.point_m = solid.place(c);
+  row.point_m = solid.state().place(c);
   row.normal = Point(t.y(), -t.x());
   row.vertex_block = c.vertex_block;
   row.edge_block = c.edge_block;

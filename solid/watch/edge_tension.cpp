@@ -42,10 +42,10 @@ struct Resultant {
 };
 
 Resultant resultant(const Solid& solid, const std::vector<const ContactPoint*>& joint) {
-  const Point about = solid.place(*joint.front());
+  const Point about = solid.state().place(*joint.front());
   Point along = Point::Zero();
   for (const ContactPoint* c : joint) {
-    const Point to = solid.place(*c) - about;
+    const Point to = solid.state().place(*c) - about;
     if (to.norm() > along.norm()) along = to;
   }
   if (along.norm() <= 1e-6 * solid.size_m()) return {};
@@ -54,7 +54,7 @@ Resultant resultant(const Solid& solid, const std::vector<const ContactPoint*>& 
   double high = 0;
   Resultant r;
   for (const ContactPoint* c : joint) {
-    const double s = along.dot(solid.place(*c) - about);
+    const double s = along.dot(solid.state().place(*c) - about);
     low = std::min(low, s);
     high = std::max(high, s);
     const Strength strength = solid.laws().strength(*c, c->force.x());

@@ -35,20 +35,20 @@ Energy energy_of(const Solid& solid) {
 
 void EnergyWatch::look(const Solid& solid) {
   now_ = energy_of(solid);
-  const EnergyBalance& balance = solid.energy_balance();
+  const EnergyBalance& balance = solid.state().energy;
   const double own = now_.total() + balance.stored_j_per_m() - balance.given_j_per_m();
   lowest_ = begun_ ? std::min(lowest_, own) : own;
   made_ = std::max(made_, own - lowest_);
   const double had =
       now_.kinetic + std::abs(now_.strain) + std::abs(now_.potential) + std::abs(balance.given_j_per_m());
-  if (!begun_) scale_ = least_lift * solid.weight_n_per_m() * solid.size_m();
+  if (!begun_) scale_ = least_lift * solid.model().weight_n_per_m * solid.size_m();
   scale_ = std::max(scale_, had);
   begun_ = true;
 }
 
 std::string EnergyWatch::warning(const Solid& solid) const {
   // What only strains and settles has next to no energy: it is held against what its weight gives as it fails.
-  const double failing = solid.weight_n_per_m() * solid.scene().analysis.failure_displacement_m;
+  const double failing = solid.model().weight_n_per_m * solid.scene().analysis.failure_displacement_m;
   const double made = made_ / std::max(scale_, failing);
   if (!(made > most_gain)) return {};
   return fmt::format(

@@ -12,7 +12,7 @@ std::vector<bool> in_debt(const Solid& solid) {
   std::vector<bool> marked(blocks.size());
   bool any = false;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    marked[b] = solid.energy_balance().owed(b) > 0;
+    marked[b] = solid.state().energy.owed(b) > 0;
     any = any || marked[b];
   }
   if (any) {
@@ -31,7 +31,7 @@ std::vector<bool> in_debt(const Solid& solid) {
       double owed = 0;
       double mass = 0;
       for (const int b : group.blocks) {
-        owed += solid.energy_balance().owed(at(b));
+        owed += solid.state().energy.owed(at(b));
         if (!blocks[at(b)].meshed) mass += blocks[at(b)].mass_per_m();
       }
       for (const int b : group.blocks) marked[at(b)] = owed > mass * rest * rest / 2;

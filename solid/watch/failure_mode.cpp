@@ -76,7 +76,7 @@ bool opens_by_turning(const MovedSince& moved, const MovingBody& body, const Pai
   each_left(solid, body, [&](const ContactPoint& c, int of_body) {
     if (c.state == ContactState::open) return;
     pressed += c.force.x();
-    place += c.force.x() * solid.place(c);
+    place += c.force.x() * solid.state().place(c);
     slip += c.force.x() * of_body * moved.apart(c);
   });
   if (pressed <= 0) return true;
@@ -89,7 +89,7 @@ bool opens_by_turning(const MovedSince& moved, const MovingBody& body, const Pai
   each_left(solid, body, [&](const ContactPoint& c, int of_body) {
     const Point away = way_out(solid, c, of_body);
     const double beyond_slip = away.dot(of_body * moved.apart(c)) - std::max(0.0, away.dot(slip));
-    const double by_turning = turn * away.dot(perpendicular(solid.place(c) - place));
+    const double by_turning = turn * away.dot(perpendicular(solid.state().place(c) - place));
     opens = opens || std::min({gap_now(solid, c), beyond_slip, by_turning}) >= least;
   });
   return opens;

@@ -45,7 +45,7 @@ void InterfaceEnergy::look(const std::vector<Panel>& panels, const wire::Motion&
   }
   auto forces = water_forces(panels, solid_.blocks(), placements, n, solid_.scene().water.nodal_rule);
   const double before = solid_work_;
-  solid_work_ = solid_.water_work().sum_j_per_m();
+  solid_work_ = solid_.state().water_work.sum_j_per_m();
   if (windows_++ == 0) {
     ways = told_;  // the first motion was told before the blocks settled
   } else {

@@ -114,7 +114,7 @@ void hold(const Solid& solid, const ContactPoint& c, std::vector<Hold>& holds) {
   const auto radius = [&](int block) { return solid.blocks()[at(block)].radius; };
   const auto add = [&](const Point& direction, bool both) {
     const double smaller_m = std::min(radius(c.vertex_block), radius(c.edge_block));
-    holds.push_back({c.vertex_block, c.edge_block, solid.place(c), direction, both, smaller_m});
+    holds.push_back({c.vertex_block, c.edge_block, solid.state().place(c), direction, both, smaller_m});
   };
   add(perpendicular(along), true);
   holds.back().weight = weight_of(solid, c);

@@ -24,7 +24,7 @@ std::pair<Point, Point> force_on_side(const Solid& solid, const ContactPoint& c,
 std::vector<SurfaceSum> surface_sums(const Solid& solid, const Surfaces& surfaces) {
   std::vector<SurfaceSum> sums(surfaces.names().size());
   for (const ContactPoint& c : solid.contacts()) {
-    for (const int surface : surfaces.of(c.pair())) sums[at(surface)].reach(solid.place(c));
+    for (const int surface : surfaces.of(c.pair())) sums[at(surface)].reach(solid.state().place(c));
   }
   const auto is_point = [&](const SurfaceSum& sum) { return sum.length_m() <= 1e-6 * solid.size_m(); };
   for (const ContactPoint& c : solid.contacts()) {
@@ -36,7 +36,7 @@ std::vector<SurfaceSum> surface_sums(const Solid& solid, const Surfaces& surface
       const JointProperties& law = solid.laws()[c.law];
       const double kept = law.keeps_cohesion ? c.bond : 0;
       const Strength residual = law.strength(kept, c.bond_length, c.length, c.force.x());
-      sum.add(solid.laws().strength(c, c.force.x()), residual, force, pushed, solid.place(c));
+      sum.add(solid.laws().strength(c, c.force.x()), residual, force, pushed, solid.state().place(c));
     }
   }
   return sums;

@@ -30,7 +30,7 @@ struct Sample {
   const scene::Scene scene;
   Model model;
   State state;
-  Step step;
+  StepWorkspace step;
   WaterInertia water;
   StepIslands islands{step, water};
   const StepMode mode{.scheme = {}};

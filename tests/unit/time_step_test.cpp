@@ -53,7 +53,8 @@ TEST(TimeStep, PenaltiesAreAStepsOwnAgainAfterOneWithLaggingFriction) {
   FormulationSettings& settings = steps.step.formulation->settings();
   const double usual = settings.penalty_ratio;
   const StepMode still{.scheme = {.damps = false}};
-  EXPECT_EQ(steps.time_step.attempt_with_lagging_friction({0.01, 0.01, steps.dry}, still), Outcome::made);
+  EXPECT_EQ(StepMethods(steps.step, steps.time_step).try_with_lagging_friction({0.01, 0.01, steps.dry}, still),
+            Outcome::made);
   EXPECT_EQ(settings.penalty_ratio, usual);
   EXPECT_FALSE(settings.friction_lags);
   EXPECT_EQ(steps.step.counts.lagged_steps, 1);

@@ -43,8 +43,8 @@ TEST(Creep, StepsThatFindNoStatesAreNotTriedAgainAfterEachThatDoes) {
     solid::StaticBlocks blocks(reduced, &water, effort);
     EXPECT_FALSE(blocks.begin(level_m)) << above;
     const solid::Solid& solid = blocks.solid();
-    EXPECT_LT(solid.counts().softened_steps, 50) << above << ' ' << solid.rest().steps;
-    most_steps = std::max<long>(most_steps, solid.rest().steps);
+    EXPECT_LT(solid.counts().softened_steps, 50) << above << ' ' << solid.state().rest.steps;
+    most_steps = std::max<long>(most_steps, solid.state().rest.steps);
   }
   EXPECT_GT(most_steps, 200);  // else nothing has crept
 }

@@ -69,7 +69,7 @@ TEST(Energy, StrainHoldsTheWorkOfALoad) {
   for (int n = 0; n < 5; ++n) solid.advance(n * 0.01, (n + 1) * 0.01, {});
   watch.look(solid);
   EXPECT_NEAR(energy_of(solid).strain, 1e6 * 1e6 * 2 / (2 * 50e9), 1e-6);  // F^2 L/(2 E A)
-  EXPECT_NEAR(solid.energy_balance().given_j_per_m(), 1e6 * 1e6 * 2 / 50e9, 1e-6);
+  EXPECT_NEAR(solid.state().energy.given_j_per_m(), 1e6 * 1e6 * 2 / 50e9, 1e-6);
   EXPECT_EQ(watch.gain(), 0);
 }
 

@@ -82,7 +82,7 @@ Moved moved(const std::string& text) {
   for (long n = 0; static_cast<double>(n) * dt < scene.analysis.duration_s - dt / 2; ++n) {
     solid.advance(static_cast<double>(n) * dt, static_cast<double>(n + 1) * dt, {});
     const Energy energy = energy_of(solid);
-    const double now = energy.total() - solid.energy_balance().given_j_per_m();
+    const double now = energy.total() - solid.state().energy.given_j_per_m();
     made += std::max(0.0, now - last);
     largest = std::max(largest, energy.kinetic);
     last = now;

@@ -39,8 +39,8 @@ TEST(Static, AColumnComesToRestUnderTheLoadOfItsEnd) {
   Solid solid(scene);
   solid.settle({});
   solid.advance(1, 1, {});
-  EXPECT_TRUE(solid.rest().found);
-  EXPECT_LE(solid.rest().unbalanced, 1e-8);
+  EXPECT_TRUE(solid.state().rest.found);
+  EXPECT_LE(solid.state().rest.unbalanced, 1e-8);
   double normal = 0;
   double shear = 0;
   for (const ContactPoint& c : solid.contacts()) {
@@ -81,9 +81,9 @@ TEST(Static, ABlockThatNothingHoldsFindsNoRest) {
     Solid solid(scene);
     solid.settle({});
     solid.advance(1, 1, {});
-    EXPECT_EQ(solid.rest().found, holds) << share;
+    EXPECT_EQ(solid.state().rest.found, holds) << share;
     if (!holds) {
-      EXPECT_NEAR(solid.rest().unbalanced, 0.01 / std::sqrt(3.0), 1e-3);
+      EXPECT_NEAR(solid.state().rest.unbalanced, 0.01 / std::sqrt(3.0), 1e-3);
     }
   }
 }
@@ -100,7 +100,7 @@ TEST(Static, ASeismicCoefficientIsABaseAcceleration) {
     Solid solid(scene);
     solid.settle({});
     solid.advance(1, 1, {});
-    EXPECT_EQ(solid.rest().found, holds) << share;
+    EXPECT_EQ(solid.state().rest.found, holds) << share;
   }
 }
 

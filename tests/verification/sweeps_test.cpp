@@ -49,7 +49,7 @@ TEST(Sweeps, StopsABlockThatFalls) {
   Solid solid(scene);
   run(solid, 0.1);
   EXPECT_GT(solid.counts().swept_islands, 0);
-  EXPECT_NEAR(solid.place(solid.contacts().front()).y(), 0, 1e-9);
+  EXPECT_NEAR(solid.state().place(solid.contacts().front()).y(), 0, 1e-9);
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ TEST_P(ViscousBoundaryOf, AWaveThatLeavesDoesNotComeBack) {
   EXPECT_NEAR(peaks[0].value, expected, error * expected);
   EXPECT_LT(std::abs(peaks[1].value), 0.01 * std::abs(peaks[0].value));
   EXPECT_LT(energy.gain(), 1e-3);
-  EXPECT_LT(energy.now().kinetic + energy.now().strain, 1e-3 * solid.energy_balance().given_j_per_m());
+  EXPECT_LT(energy.now().kinetic + energy.now().strain, 1e-3 * solid.state().energy.given_j_per_m());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ViscousBoundaryOf,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The end of a step that has been found.
+#include "solid/step/step_end.hpp"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <vector>
 
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
@@ -10,13 +12,12 @@
 #include "solid/step/mesh_motion.hpp"
 #include "solid/step/push_apart.hpp"
 #include "solid/step/step_energy.hpp"
-#include "solid/step/time_step.hpp"
 
 namespace blockweir::solid {
 namespace {
 
 /// Of an island's blocks, with the water that each pushes [J per metre].
-double kinetic_energy(const Step& step, const IslandEquations& s) {
+double kinetic_energy(const StepWorkspace& step, const IslandEquations& s) {
   double sum = 0;
   for (const int block : s.island.blocks) {
     const Vector6& velocity = step.state.blocks[at(block)].velocity;
@@ -25,7 +26,7 @@ double kinetic_energy(const Step& step, const IslandEquations& s) {
   return sum;
 }
 
-bool supports_lead(const Step& step, const IslandEquations& s) {
+bool supports_lead(const StepWorkspace& step, const IslandEquations& s) {
   return std::any_of(s.island.supports.begin(), s.island.supports.end(), [&](int k) {
     const Support& support = step.state.supports[at(k)];
     return support.target(step.trial.end_s) != support.target(step.trial.end_s - step.trial.dt);
@@ -34,7 +35,7 @@ bool supports_lead(const Step& step, const IslandEquations& s) {
 
 /// Velocities become those of what holds them. The impulses that take the blocks along give energy: a base at its own
 /// velocity, supports, of which each has its own, all that the blocks gain.
-void settle_velocities(Step& step, IslandEquations& s, double dt, bool base_leads, bool starts) {
+void settle_velocities(StepWorkspace& step, IslandEquations& s, double dt, bool base_leads, bool starts) {
   const bool led = !base_leads && !starts && supports_lead(step, s);
   const double kinetic = led ? kinetic_energy(step, s) : 0;
   std::vector<Vector6> before;
@@ -49,8 +50,7 @@ void settle_velocities(Step& step, IslandEquations& s, double dt, bool base_lead
 
 }  // namespace
 
-/// Does any contact slip, or any block lie otherwise than the step had it?
-bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
+bool StepEnd::accept(const Stretch& stretch, const StepMode& mode) {
   const double dt = stretch.dt;
   const double end_s = stretch.end_s;
   const Stopwatch watch(profile_.accept);
@@ -98,9 +98,7 @@ bool TimeStep::accept(const Stretch& stretch, const StepMode& mode) {
   return any_slips || pushed;
 }
 
-/// Soon after an impact a smooth step may make energy that no motion is there to give back. Only looked at: all is put
-/// back as it was.
-bool TimeStep::affords_motion(double dt) {
+bool StepEnd::affords_motion(double dt) {
   constexpr int soon = 10;  // steps
   if (state_.smooth_steps > soon || water_.of_meshes() || model_.base.moves_supports()) return true;
   const std::vector<BlockState> blocks = state_.blocks;
@@ -122,7 +120,7 @@ bool TimeStep::affords_motion(double dt) {
   return affords;
 }
 
-void TimeStep::accept_motion(IslandEquations& island, double dt) {
+void StepEnd::accept_motion(IslandEquations& island, double dt) {
   for_each(island.island.blocks.size(), [&](std::size_t k) {
     const auto b = static_cast<std::size_t>(island.island.blocks[k]);
     trial_.began_with[b] = state_.blocks[b].velocity;
@@ -136,7 +134,7 @@ void TimeStep::accept_motion(IslandEquations& island, double dt) {
 /// Viscous forces of a step by Shi's scheme go by its mean rates. The trapezoidal rule goes on from those of its end:
 /// their mean over a step is that of the step's mean rate, and takes. Generalized-alpha weighs them otherwise and would
 /// make energy of them.
-void TimeStep::act_by_end_rates(std::size_t b, double dt) {
+void StepEnd::act_by_end_rates(std::size_t b, double dt) {
   if (model_.scene.analysis.integrator != scene::Integrator::trapezoidal || !trial_.scheme.damps) return;
   BlockState& state = state_.blocks[b];
   const Vector6 beyond = state.velocity - trial_.increment[b] / dt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all parts of a step work on.
+// The workspace of a step: what all its parts work on.
 #pragma once
 
 #include <functional>
@@ -14,10 +14,10 @@
 namespace blockweir::solid {
 
 /// Model and state must outlive it.
-struct Step {
-  Step(const Model& of_model, State& of_state);
-  Step(const Step&) = delete;
-  Step& operator=(const Step&) = delete;
+struct StepWorkspace {
+  StepWorkspace(const Model& of_model, State& of_state);
+  StepWorkspace(const StepWorkspace&) = delete;
+  StepWorkspace& operator=(const StepWorkspace&) = delete;
 
   const Model& model;
   State& state;
@@ -32,7 +32,7 @@ struct Step {
 /// Whatever takes part in a step, which must outlive it.
 class StepPart {
  protected:
-  explicit StepPart(Step& step)
+  explicit StepPart(StepWorkspace& step)
       : step_(step),
         model_(step.model),
         state_(step.state),
@@ -41,7 +41,7 @@ class StepPart {
         counts_(step.counts),
         profile_(step.profile) {}
 
-  Step& step_;
+  StepWorkspace& step_;
   const Model& model_;
   State& state_;
   StepTrial& trial_;

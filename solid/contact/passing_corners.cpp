@@ -1,44 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Corners that the search lets pass each other: has a step taken one into the other's block after all?
-#include <algorithm>
+#include "solid/contact/passing_corners.hpp"
 
-#include "bridge/scene/at.hpp"
-#include "solid/contact/outline.hpp"
-#include "solid/contact/search.hpp"
+#include <algorithm>
 
 namespace blockweir::solid {
 
-bool ContactSearch::did_enter(const ContactPoint& c) const {
+void PassingCorners::begin_search() {
+  passed_.swap(passing_);
+  passing_.clear();
+}
+
+bool PassingCorners::passed_before(const ContactPoint& c) const {
+  return std::any_of(passed_.begin(), passed_.end(), [&](const ContactPoint& p) { return p.pair() == c.pair(); });
+}
+
+double PassingCorners::nearness(const ContactPoint& c) const {
+  const auto entered = std::find_if(entered_.begin(), entered_.end(), [&](const auto& e) { return e.same_key(c); });
+  return entered == entered_.end() ? c.gap : entered->gap;
+}
+
+bool PassingCorners::did_enter(const ContactPoint& c) const {
   return std::any_of(entered_.begin(), entered_.end(), [&](const ContactPoint& e) { return e.same_key(c); });
 }
 
 /// Has a vertex of one block entered another, by this edge? Not while it touches an edge that it may press on.
-bool ContactSearch::within(const std::vector<Point>& vertices, std::size_t v, const std::vector<Point>& edges,
-                           std::size_t edge) const {
+bool PassingCorners::within(const std::vector<Point>& vertices, std::size_t v, const std::vector<Point>& edges,
+                            std::size_t edge) const {
   const Point& p = vertices[v];
   bool touches = false;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const Point span = edges[next(e, edges.size())] - edges[e];
     const double s = std::clamp(span.dot(p - edges[e]) / span.squaredNorm(), 0.0, 1.0);
     const double distance = (edges[e] + s * span - p).norm();
-    if (distance > give_) continue;
+    if (distance > outlines_.give_m()) continue;
     if (faces(vertices, v, Point(span.y(), -span.x()).normalized(), closing)) return false;
-    touches = touches || distance <= coincidence_;
+    touches = touches || distance <= outlines_.coincidence_m();
   }
-  return touches || encloses(edges, p) || pierces(vertices, v, edges, edge, coincidence_);
+  return touches || encloses(edges, p) || pierces(vertices, v, edges, edge, outlines_.coincidence_m());
 }
 
 /// Where the block is now, in `corners`.
-const std::vector<Point>& ContactSearch::outline(const std::vector<Placement>& placements, int block,
-                                                 std::vector<Point>& corners) const {
+const std::vector<Point>& PassingCorners::outline(const std::vector<Placement>& placements, int block,
+                                                  std::vector<Point>& corners) const {
+  const Parts& parts = outlines_.parts();
   corners.clear();
-  for (const OutlineSide& side : parts_.outlines[at(block)]) {
-    corners.push_back(placements[at(side.part)].position(parts_.vertex(side)));
+  for (const OutlineSide& side : parts.outlines[at(block)]) {
+    corners.push_back(placements[at(side.part)].position(parts.vertex(side)));
   }
   return corners;
 }
 
-void ContactSearch::sort_passing() {
+void PassingCorners::end_search() {
   passing_of_.clear();
   for (std::size_t i = 0; i < passing_.size(); ++i) {
     for (const int b : {passing_[i].vertex_block, passing_[i].edge_block})
@@ -47,14 +59,14 @@ void ContactSearch::sort_passing() {
   std::sort(passing_of_.begin(), passing_of_.end());
 }
 
-bool ContactSearch::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts) {
+bool PassingCorners::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts) {
   bool any = false;
   for (const ContactPoint& c : passing_) any = note_entered(placements, contacts, c) || any;
   return any;
 }
 
-bool ContactSearch::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
-                            const std::vector<int>& island) {
+bool PassingCorners::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                             const std::vector<int>& island) {
   bool any = false;
   for (const int b : island) {
     auto of_b = std::lower_bound(passing_of_.begin(), passing_of_.end(), std::pair(b, 0));
@@ -68,11 +80,11 @@ bool ContactSearch::entered(const std::vector<Placement>& placements, const std:
   return any;
 }
 
-bool ContactSearch::note_entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
-                                 const ContactPoint& c) {
-  if (c.gap < -give_) return false;  // behind the edge's line all along
-  const auto& vertices = outline(placements, c.vertex_block, outlines_[0]);
-  const auto& edges = outline(placements, c.edge_block, outlines_[1]);
+bool PassingCorners::note_entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                                  const ContactPoint& c) {
+  if (c.gap < -outlines_.give_m()) return false;  // behind the edge's line all along
+  const auto& vertices = outline(placements, c.vertex_block, moved_[0]);
+  const auto& edges = outline(placements, c.edge_block, moved_[1]);
   if (!within(vertices, at(c.vertex), edges, at(c.edge))) return false;
   const bool presses_already = std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& other) {
     return other.state != ContactState::open && other.vertex_block == c.vertex_block && other.vertex == c.vertex &&
@@ -86,8 +98,8 @@ bool ContactSearch::note_entered(const std::vector<Placement>& placements, const
            (other.vertex == c.edge || at(other.vertex) == next(at(c.edge), edges.size())) &&
            (other.edge == c.vertex || at(c.vertex) == next(at(other.edge), vertices.size()));
   };
-  const bool through =
-      !encloses(edges, vertices[at(c.vertex)]) && pierces(vertices, at(c.vertex), edges, at(c.edge), coincidence_);
+  const bool through = !encloses(edges, vertices[at(c.vertex)]) &&
+                       pierces(vertices, at(c.vertex), edges, at(c.edge), outlines_.coincidence_m());
   if (through && std::any_of(contacts.begin(), contacts.end(), side_holds_end)) return false;
   const Point span = edges[next(at(c.edge), edges.size())] - edges[at(c.edge)];
   entered_.push_back(c);
@@ -95,19 +107,19 @@ bool ContactSearch::note_entered(const std::vector<Placement>& placements, const
   return true;
 }
 
-bool ContactSearch::presses_too(const ContactPoint& c) const {
+bool PassingCorners::presses_too(const ContactPoint& c) const {
   return std::any_of(turned_on_.begin(), turned_on_.end(), [&](const ContactPoint& t) { return t.same_key(c); });
 }
 
-bool ContactSearch::turned_on(const std::vector<Placement>& placements) {
+bool PassingCorners::turned_on(const std::vector<Placement>& placements) {
   const std::size_t before = turned_on_.size();
   for (const ContactPoint& c : stood_for_) {
     if (presses_too(c)) continue;
-    const Point vertex = outline(placements, c.vertex_block, outlines_[0])[at(c.vertex)];
-    const auto& edges = outline(placements, c.edge_block, outlines_[1]);
+    const Point vertex = outline(placements, c.vertex_block, moved_[0])[at(c.vertex)];
+    const auto& edges = outline(placements, c.edge_block, moved_[1]);
     const Point& from = edges[at(c.edge)];
     const double gap = cross(vertex - from, (edges[next(at(c.edge), edges.size())] - from).normalized());
-    if (gap < -give_ && encloses(edges, vertex)) turned_on_.push_back(c);
+    if (gap < -outlines_.give_m() && encloses(edges, vertex)) turned_on_.push_back(c);
   }
   return turned_on_.size() > before;
 }

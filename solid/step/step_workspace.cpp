@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/step/step.hpp"
+#include "solid/step/step_workspace.hpp"
 
 namespace blockweir::solid {
 
-Step::Step(const Model& of_model, State& of_state)
+StepWorkspace::StepWorkspace(const Model& of_model, State& of_state)
     : model(of_model),
       state(of_state),
       trial(model, state),

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/contact/corner_meetings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace blockweir::solid {
+
+void CornerMeetings::drop_edges_seen_from_within() {
+  const auto same_vertex = [](const ContactPoint& a, const ContactPoint& b) {
+    return a.vertex_block == b.vertex_block && a.vertex == b.vertex && a.edge_block == b.edge_block;
+  };
+  std::size_t kept = 0;
+  for (std::size_t first = 0, end = 0; first < found_.all.size(); first = end) {  // edges that one vertex meets
+    double best = found_.all[first].gap;
+    for (end = first; end < found_.all.size() && same_vertex(found_.all[first], found_.all[end]); ++end) {
+      best = std::max(best, found_.all[end].gap);
+    }
+    for (std::size_t i = first; i < end; ++i) {
+      const ContactPoint& c = found_.all[i];
+      if (c.state == ContactState::open && c.gap < -outlines_.coincidence_m() && (c.gap < best || !overlaps_at(c)))
+        continue;
+      found_.inherited[kept] = found_.inherited[i];
+      found_.all[kept++] = found_.all[i];
+    }
+  }
+  found_.all.resize(kept);
+  found_.inherited.resize(kept);
+}
+
+/// Is the vertex in the edge's block, or through the edge and out of that again?
+bool CornerMeetings::overlaps_at(const ContactPoint& c) const {
+  const auto& vertices = outlines_.of(c.vertex_block);
+  const auto& edges = outlines_.of(c.edge_block);
+  return encloses(edges, outlines_.vertex_of(c)) ||
+         pierces(vertices, at(c.vertex), edges, at(c.edge), outlines_.coincidence_m());
+}
+
+/// The vertex of the edge's block that the contact's vertex lies at, or -1.
+int CornerMeetings::met_vertex(const ContactPoint& c) const {
+  const auto& E = outlines_.of(c.edge_block);
+  const auto convex = [&](std::size_t w) {  // or straight: a node on a face
+    const Point in = (E[w] - E[previous(w, E.size())]).normalized();
+    return cross(in, (E[next(w, E.size())] - E[w]).normalized()) > -parallel_tolerance;
+  };
+  const auto e = static_cast<std::size_t>(c.edge);
+  const double opened = openings_.of(c);
+  Point vertex = outlines_.vertex_of(c);
+  if (opened > 0) {
+    const Point t = (E[next(e, E.size())] - E[e]).normalized();
+    vertex -= opened * Point(t.y(), -t.x());
+  }
+  for (const std::size_t w : {e, next(e, E.size())}) {
+    if ((E[w] - vertex).norm() < std::max(2 * outlines_.coincidence_m(), 2 * std::abs(c.gap - opened)) && convex(w)) {
+      return static_cast<int>(w);
+    }
+  }
+  return -1;
+}
+
+/// Can two corners pass each other: is the vertex on the outer side of the edge that goes on from this one at a corner?
+/// Then it is in the block of neither, and may leave along both.
+bool CornerMeetings::may_pass(const ContactPoint& c) const {
+  const auto& E = outlines_.of(c.edge_block);
+  const auto e = static_cast<std::size_t>(c.edge);
+  const auto goes_on = [&](std::size_t edge, std::size_t corner) {
+    const Point t = (E[next(edge, E.size())] - E[edge]).normalized();
+    const Point in = (E[corner] - E[previous(corner, E.size())]).normalized();
+    const Point out = (E[next(corner, E.size())] - E[corner]).normalized();
+    return cross(in, out) > parallel_tolerance && cross(outlines_.vertex_of(c) - E[edge], t) >= -outlines_.give_m();
+  };
+  return goes_on(previous(e, E.size()), e) || goes_on(next(e, E.size()), next(e, E.size()));
+}
+
+/// Do the vertices of two mirrored contacts bound what two faces have in common, or will have once these have turned
+/// onto each other? Then they are two contacts, its ends, however far the faces still are from each other.
+bool CornerMeetings::bound_overlap(const ContactPoint& a, const ContactPoint& b) const {
+  const auto along = [this](const ContactPoint& c) {
+    return Point(outlines_.edge_of(c).second - outlines_.edge_of(c).first).normalized();
+  };
+  const auto over_its_edge = [&](const ContactPoint& c) {
+    const auto [from, to] = outlines_.edge_of(c);
+    return std::min(along(c).dot(outlines_.vertex_of(c) - from), along(c).dot(to - outlines_.vertex_of(c))) >
+           2 * outlines_.coincidence_m();
+  };
+  return over_its_edge(a) && over_its_edge(b) && along(a).dot(along(b)) < -std::cos(parallel_tolerance + closing);
+}
+
+void CornerMeetings::count_from_passing() {
+  for (std::size_t i = 0; i < found_.all.size(); ++i) {
+    ContactPoint& c = found_.all[i];
+    if (found_.inherited[i] != 0 || c.gap >= -outlines_.coincidence_m() || c.gap <= -outlines_.give_m()) continue;
+    if (!passing_.passed_before(c)) continue;
+    c.gap_at_start = c.gap;
+    outlines_.count_from_start(c);
+  }
+}
+
+/// Is the vertex's block on the outer side of the edge, but for what blocks strain?
+bool CornerMeetings::faces_outside(const ContactPoint& c) const {
+  constexpr double strained = 1e-3;  // rad
+  const auto [from, to] = outlines_.edge_of(c);
+  const Point t = (to - from).normalized();
+  return faces(outlines_.of(c.vertex_block), at(c.vertex), Point(t.y(), -t.x()), strained);
+}
+
+void CornerMeetings::keep_one_of_each() {
+  std::vector<std::size_t> kept_for(found_.all.size());  // by each: itself, or what it was dropped for
+  for (std::size_t i = 0; i < kept_for.size(); ++i) kept_for[i] = i;
+  std::vector<std::size_t> mirrored_out;
+  const auto drop_for = [&](std::size_t dropped, std::size_t kept) {
+    kept_for[dropped] = kept;
+    if (found_.inherited[dropped] == 0 || found_.inherited[kept] != 0 ||
+        found_.all[dropped].state == ContactState::open)
+      return;
+    static_cast<ContactMemory&>(found_.all[kept]) = found_.all[dropped];
+    found_.inherited[kept] = 1;
+    outlines_.count_from_start(found_.all[kept]);
+  };
+  for (std::size_t i = 0; i < found_.all.size(); ++i) {
+    const int wi = kept_for[i] != i ? -1 : met_vertex(found_.all[i]);
+    if (wi < 0) continue;
+    for (std::size_t j = i + 1; j < found_.all.size() && found_.all[j].pair() == found_.all[i].pair(); ++j) {
+      ContactPoint& a = found_.all[i];
+      ContactPoint& b = found_.all[j];
+      if (kept_for[j] != j) continue;
+      const bool same = b.vertex_block == a.vertex_block && b.vertex == a.vertex && b.edge_block == a.edge_block;
+      const bool mirrored = b.vertex_block == a.edge_block && b.vertex == wi && b.edge_block == a.vertex_block;
+      if (!(same || mirrored) || met_vertex(b) < 0) continue;
+      if (mirrored &&
+          (met_vertex(b) != a.vertex || bound_overlap(a, b) || passing_.presses_too(a) || passing_.presses_too(b)))
+        continue;
+      // What the vertex's block is wholly on the outer side of outranks the far side of a thin block; faces that lie on
+      // each other a mere meeting of corners; then memory; then the entrance edge.
+      const auto rank = [&](std::size_t k) {
+        const ContactPoint& c = found_.all[k];
+        return std::make_tuple(faces_outside(c), c.length > 2 * outlines_.coincidence_m(),
+                               found_.inherited[k] != 0 && c.state != ContactState::open, passing_.did_enter(c),
+                               passing_.nearness(c));
+      };
+      const bool second = rank(j) > rank(i);
+      if (same) a.length = b.length = a.length + b.length;  // two edges of one face, which go on from each other
+      if (mirrored) mirrored_out.push_back(second ? i : j);
+      if (second) {
+        drop_for(i, j);
+        break;
+      }
+      drop_for(j, i);
+    }
+  }
+  let_pass(kept_for);
+  passing_.begin_stood_for();
+  for (const std::size_t i : mirrored_out) {
+    if (kept_for[i] < found_.all.size() && found_.all[i].gap >= -outlines_.coincidence_m())
+      passing_.add_stood_for(found_.all[i]);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < found_.all.size(); ++i) {
+    if (kept_for[i] == i) found_.all[kept++] = found_.all[i];
+  }
+  found_.all.resize(kept);
+}
+
+/// Corners that touch in a point, as those of bricks that slide over others, press only once one has entered. By which
+/// edge is seen then. Faces that share no more than blocks give way by catch on each other no longer than that.
+void CornerMeetings::let_pass(std::vector<std::size_t>& kept_for) {
+  const auto kept = [&](std::size_t i) {
+    while (kept_for[i] != i) i = kept_for[i];
+    return i;
+  };
+  std::vector<char> passes(found_.all.size(), 0);
+  for (std::size_t i = 0; i < found_.all.size(); ++i) passes[i] = kept_for[i] == i && passes_alone(found_.all[i]);
+  for (std::size_t i = 0; i < found_.all.size(); ++i) {
+    if (passing_.did_enter(found_.all[i])) passes[kept(i)] = 0;
+  }
+  std::vector<std::size_t> let;
+  for (std::size_t i = 0; i < found_.all.size(); ++i) {
+    if (passes[kept(i)] != 0) passing_.add(found_.all[i]), let.push_back(i);
+  }
+  for (const std::size_t i : let) kept_for[i] = found_.all.size();
+}
+
+/// By itself, whatever else describes its meeting. Faces askew to the way that they pass along lie over each other by
+/// their distance times a cotangent. Behind the edge counts from the edge itself: steps would add up.
+bool CornerMeetings::passes_alone(const ContactPoint& c) const {
+  constexpr double steepest = 10;
+  const bool open = c.state == ContactState::open && c.length <= std::max(outlines_.give_m(), steepest * c.gap);
+  const bool catches = c.length > 0 && c.length <= outlines_.give_m();
+  return (open || catches) && c.gap + c.gap_at_start > -outlines_.give_m() && may_pass(c);
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/contact/current_outlines.hpp"
+
+namespace blockweir::solid {
+
+CurrentOutlines::CurrentOutlines(const Parts& parts, double size_m)
+    : parts_(parts), corners_(parts.outlines.size()), coincidence_(1e-7 * size_m), give_(2 * coincidence_) {
+  for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
+}
+
+void CurrentOutlines::move(std::size_t block, const std::vector<Placement>& placements) {
+  const auto& sides = parts_.outlines[block];
+  for (std::size_t v = 0; v < sides.size(); ++v) {
+    corners_[block][v] = placements[at(sides[v].part)].position(parts_.vertex(sides[v]));
+  }
+}
+
+std::pair<Point, Point> CurrentOutlines::edge_of(const ContactPoint& c) const {
+  const auto& E = of(c.edge_block);
+  const auto e = at(c.edge);
+  return {E[e], E[next(e, E.size())]};
+}
+
+bool CurrentOutlines::of_one_joint(const ContactPoint& a, const ContactPoint& b) const {
+  const auto normal = [this](const ContactPoint& c) {
+    const auto [from, to] = edge_of(c);
+    const Point t = (to - from).normalized();
+    return Point(t.y(), -t.x());
+  };
+  if (a.pair() != b.pair()) return false;
+  return normal(a).dot(normal(b)) * (a.vertex_block == b.vertex_block ? 1 : -1) >= 1 - parallel_tolerance;
+}
+
+void CurrentOutlines::count_from_start(ContactPoint& c) const {
+  if (c.gap_at_start == 0) return;
+  const auto [from, to] = edge_of(c);
+  const Point t = (to - from).normalized();
+  c.gap -= c.gap_at_start;
+  c.separation -= c.gap_at_start * Point(t.y(), -t.x());
+}
+
+bool CurrentOutlines::rounds_to(double rounding_m) {
+  if (2 * rounding_m <= coincidence_) return false;
+  coincidence_ = 2 * rounding_m;
+  give_ = std::max(2 * coincidence_, give_);
+  return true;
+}
+
+}  // namespace blockweir::solid

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What contacts and supports remembered as the step at hand began.
+#pragma once
+
+#include <vector>
+
+#include "bridge/scene/at.hpp"
+#include "solid/contact/held.hpp"
+
+namespace blockweir::solid {
+
+class MemoryBefore {
+ public:
+  void make_room(std::size_t contacts, std::size_t supports);
+  void note(int index, const ContactPoint& c) { contacts_[at(index)] = c; }
+  void note(int index, const Support& s) { supports_[at(index)] = s; }
+
+  [[nodiscard]] const ContactMemory& contact(int index) const { return contacts_[at(index)]; }
+  [[nodiscard]] const Support& support(int index) const { return supports_[at(index)]; }
+  /// Has any contact closed, opened, begun or ceased to slip, or turned its slip round since?
+  [[nodiscard]] bool differs(const Held& held) const;
+  void restore(const Held& held) const;
+
+ private:
+  std::vector<ContactMemory> contacts_;
+  std::vector<Support> supports_;
+};
+
+}  // namespace blockweir::solid

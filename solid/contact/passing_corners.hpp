@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Corners that the search lets pass each other, and those that it leaves out for what their meeting has already: has a
+// step taken one into the other's block after all?
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "solid/contact/current_outlines.hpp"
+
+namespace blockweir::solid {
+
+class PassingCorners {
+ public:
+  /// Must outlive it.
+  explicit PassingCorners(const CurrentOutlines& outlines) : outlines_(outlines) {}
+
+  void begin_search();
+  void add(const ContactPoint& c) { passing_.push_back(c); }
+  /// Left out for what its corner has on the other block's edge.
+  void begin_stood_for() { stood_for_.clear(); }
+  void add_stood_for(const ContactPoint& c) { stood_for_.push_back(c); }
+  void end_search();
+
+  /// In the search before: did corners of these two blocks pass?
+  [[nodiscard]] bool passed_before(const ContactPoint& c) const;
+  /// In the step at hand.
+  [[nodiscard]] bool did_enter(const ContactPoint& c) const;
+  [[nodiscard]] bool presses_too(const ContactPoint& c) const;
+  /// How near a contact is to being the one of its meeting: of corners that a step has taken into each other that edge
+  /// is the entrance which the step has left least behind [m].
+  [[nodiscard]] double nearness(const ContactPoint& c) const;
+
+  /// ContactSearch says what these are.
+  [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts);
+  [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                             const std::vector<int>& island);
+  [[nodiscard]] bool turned_on(const std::vector<Placement>& placements);
+  void forget_entered() { entered_.clear(), turned_on_.clear(); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(passing_, stood_for_);
+    if (Archive::is_loading::value) end_search();
+  }
+
+ private:
+  [[nodiscard]] bool within(const std::vector<Point>& vertices, std::size_t v, const std::vector<Point>& edges,
+                            std::size_t edge) const;
+  bool note_entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                    const ContactPoint& passing);
+  const std::vector<Point>& outline(const std::vector<Placement>& placements, int block,
+                                    std::vector<Point>& corners) const;
+
+  const CurrentOutlines& outlines_;
+  std::vector<ContactPoint> passing_;            ///< corners that may pass each other, left out
+  std::vector<std::pair<int, int>> passing_of_;  ///< (block, index of a passing one), of both blocks, sorted
+  std::vector<ContactPoint> passed_;             ///< those of the search before
+  std::vector<ContactPoint> stood_for_;          ///< left out for what their corner has on the other block's edge
+  std::array<std::vector<Point>, 2> moved_;      ///< outlines of such corners' blocks
+  std::vector<ContactPoint> entered_;            ///< of passing ones, those that did not in the step at hand
+  std::vector<ContactPoint> turned_on_;          ///< of those stood for, the ones that press too in it
+};
+
+}  // namespace blockweir::solid
