@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "bridge/launch/commands.hpp"
 
 namespace blockweir::launch {
@@ -23,6 +25,29 @@ std::string escaped(const std::string& text, const std::string& marks) {
   return all;
 }
 
+/// The words that an option takes, with blanks between, where these are few; else empty.
+std::string values_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();  // as "TEXT:{local,slurm}"
+  const std::size_t first = type.find('{');
+  const std::size_t last = type.rfind('}');
+  if (first == std::string::npos || last == std::string::npos) return "";
+  std::string words = type.substr(first + 1, last - first - 1);
+  std::replace(words.begin(), words.end(), ',', ' ');
+  return words;
+}
+
+/// Cases of bash's "COMMAND --option", each with the words that this option takes.
+std::string bash_values(const CLI::App& command) {
+  std::string cases;
+  for (const CLI::Option* option : named_options(command)) {
+    const std::string values = values_of(*option);
+    if (values.empty()) continue;
+    cases += fmt::format("    \"{} --{}\") COMPREPLY=($(compgen -W \"{}\" -- \"$word\")); return ;;\n",
+                         command.get_name(), option->get_lnames().front(), values);
+  }
+  return cases;
+}
+
 std::string words_of(const CLI::App& app) {
   std::vector<std::string> words;
   for (const CLI::Option* option : named_options(app)) words.push_back("--" + option->get_lnames().front());
@@ -31,8 +56,10 @@ std::string words_of(const CLI::App& app) {
 
 /// An option as zsh's _arguments takes it.
 std::string zsh_option(const CLI::Option& option) {
+  const std::string values = values_of(option);
+  const std::string action = values.empty() ? "_files" : "(" + values + ")";
   return fmt::format("'{}--{}[{}]{}'", option.get_items_expected_max() > 1 ? "*" : "", option.get_lnames().front(),
-                     escaped(option.get_description(), "[]:\\"), takes_value(option) ? ":value:_files" : "");
+                     escaped(option.get_description(), "[]:\\"), takes_value(option) ? ":value:" + action : "");
 }
 
 }  // namespace
@@ -40,8 +67,10 @@ std::string zsh_option(const CLI::Option& option) {
 std::string bash_completion(const CLI::App& app) {
   std::string names;
   std::string options;
+  std::string values;
   for (const CLI::App* command : commands_of(app)) {
     names += command->get_name() + " ";
+    values += bash_values(*command);
     options += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), words_of(*command));
   }
   return fmt::format(
@@ -49,6 +78,9 @@ std::string bash_completion(const CLI::App& app) {
       "_blockweir() {{\n"
       "  local words= word=${{COMP_WORDS[COMP_CWORD]}}\n"
       "  COMPREPLY=()\n"
+      "  case \"${{COMP_WORDS[1]}} ${{COMP_WORDS[COMP_CWORD-1]}}\" in\n"
+      "{}"
+      "  esac\n"
       "  case ${{COMP_WORDS[1]}} in\n"
       "{}"
       "  esac\n"
@@ -56,7 +88,7 @@ std::string bash_completion(const CLI::App& app) {
       "  COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
       "}}\n"
       "complete -o default -F _blockweir blockweir\n",
-      options, names, words_of(app));
+      values, options, names, words_of(app));
 }
 
 std::string zsh_completion(const CLI::App& app) {

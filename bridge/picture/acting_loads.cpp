@@ -129,10 +129,29 @@ void put_on_edges(const scene::Scene& scene, double time_s, json& list) {
   }
 }
 
+constexpr int from_upstream = 0;
+constexpr int from_downstream = 1;
+constexpr int on_the_crest = 2;
+
+/// The highest point of what can move.
+double crest_m(const scene::Scene& scene) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const scene::Block& block : scene.blocks) {
+    for (const Point& p : block.vertices) highest = block.fixed ? highest : std::max(highest, p.y());
+  }
+  return highest;
+}
+
 /// Of the pressures of one kind, those that have a resultant of their own: in joints of each block above its joints,
-/// else from upstream and from downstream. Of both sides of a joint the upper block's counts.
+/// else from upstream, from downstream and on the crest. Of both sides of a joint the upper block's counts.
 std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels, bool in_joints) {
   std::map<int, Pressing> parts;
+  const double crest = crest_m(scene);
+  const auto side = [&](const Point& from, const Point& to, const Point& inwards) {
+    constexpr double level = 1e-3;  // of a crest's width
+    const bool crowns = inwards.y() < -0.5 && crest - std::min(from.y(), to.y()) <= level * (to - from).norm();
+    return crowns ? on_the_crest : inwards.x() < -1e-9 ? from_downstream : from_upstream;
+  };
   for (const json& p : panels) {
     const int block = p[6];
     if (block != unknown_block && scene.blocks[at(block)].fixed) continue;
@@ -140,11 +159,8 @@ std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels, 
     const Point to(p[2], p[3]);
     const Point inwards = Point(from.y() - to.y(), to.x() - from.x()).normalized();
     if (in_joints && inwards.y() <= 0) continue;
-    const bool from_downstream = inwards.x() < -1e-9;
-    parts[in_joints         ? block
-          : from_downstream ? 1
-                            : 0]
-        .add(from, to, p[4].get<double>() * inwards, p[5].get<double>() * inwards);
+    parts[in_joints ? block : side(from, to, inwards)].add(from, to, p[4].get<double>() * inwards,
+                                                           p[5].get<double>() * inwards);
   }
   return parts;
 }
@@ -161,15 +177,16 @@ void put_water(const scene::Scene& scene, const json& water, json& list) {
     const bool in_joints = name == "water in joints";
     const auto parts = parts_of(scene, kind["panels"], in_joints);
     const auto name_of = [&](int part) {
-      if (name == "open water") return std::string(part == 0 ? "water upstream" : "water downstream");
-      if (!in_joints) return name + (parts.size() == 1 ? "" : part == 0 ? " upstream" : " downstream");
+      const char* where = part == on_the_crest ? " on the crest" : part == from_upstream ? " upstream" : " downstream";
+      if (name == "open water") return std::string("water") + where;
+      if (!in_joints) return name + (parts.size() == 1 ? "" : where);
       const bool apart = part != unknown_block && parts.size() <= told_apart;
       return apart ? "uplift under " + scene.blocks[at(part)].name : "uplift";
     };
     for (const auto& [part, pressing] : parts) {
       const std::size_t before = list.size();
       pressing.put(name_of(part), kinds.at(name), list);
-      if (list.size() > before && !in_joints) list.back()["from_downstream"] = part != 0;
+      if (list.size() > before && !in_joints) list.back()["from_downstream"] = part == from_downstream;
     }
   }
 }

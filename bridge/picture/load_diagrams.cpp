@@ -60,7 +60,9 @@ void add_diagrams(json& loads, double size_m) {
   for (const json& load : loads) strongest = std::max(strongest, largest(load));
   const auto reach = [&](const json& load) { return size_m * std::max(shortest, longest * largest(load) / strongest); };
   for (const json& load : loads) {
-    if (load["kind"] == "water") beside_m[comes_from_downstream(load) ? 1 : 0] = reach(load) + gap * size_m;
+    if (load["kind"] != "water") continue;
+    double& beside = beside_m[comes_from_downstream(load) ? 1 : 0];
+    beside = std::max(beside, reach(load) + gap * size_m);
   }
   for (json& load : loads) {
     const Point force = point_of(load["force"]);

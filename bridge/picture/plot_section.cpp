@@ -124,9 +124,24 @@ void draw_bolts(const json& bolts, double size_m, Drawing& drawing) {
   }
 }
 
+/// How far the reservoir stands above the highest point of what can move; 0 where it does not.
+double over_the_crest_m(const json& data, const json& level_m) {
+  const json& box = data["dimensions"];
+  return level_m.is_number() && box.is_object() ? std::max(0.0, level_m.get<double>() - box["top"].get<double>()) : 0;
+}
+
+/// The surface of what flows over the crest, as far as the crest reaches. It is level here: its shape is not computed.
+void draw_nappe(const json& data, const json& state, Drawing& drawing) {
+  const json& level_m = state["upstream"];
+  if (over_the_crest_m(data, level_m) == 0) return;
+  drawing.line({state["view"]["left"].get<double>(), level_m.get<double>()},
+               {data["dimensions"]["crest"][1].get<double>(), level_m.get<double>()},
+               fmt::format("nohead dt 3 lw 1.5 lc rgb '{}'", water_colour));
+}
+
 /// Behind all lines are drawn, so that no text lies on one where there is room.
-void write_labels(const json& joints, const json& state, Drawing& drawing) {
-  for (const json& joint : joints) {
+void write_labels(const json& data, const json& state, Drawing& drawing) {
+  for (const json& joint : data["joints"]) {
     if (!joint["labelled"].get<bool>()) continue;
     const json& line = joint["lines"][0];
     drawing.label((point_of(line.front()) + point_of(line.back())) / 2, joint["name"], joint_colour);
@@ -144,8 +159,11 @@ void write_labels(const json& joints, const json& state, Drawing& drawing) {
   const json& view = state["view"];
   for (const auto& [pool, x] : {std::pair{"upstream", "left"}, {"downstream", "right"}}) {
     if (!state[pool].is_number()) continue;
+    const double over_m = over_the_crest_m(data, state[pool]);
     drawing.label({view[x].get<double>(), state[pool].get<double>()},
-                  fmt::format("{:.2f} m", state[pool].get<double>()), water_colour);
+                  fmt::format("{:.2f} m{}", state[pool].get<double>(),
+                              over_m > 0 ? fmt::format(", {:.2f} m over the crest", over_m) : ""),
+                  water_colour);
   }
   for (const json& bolt : state["bolts"]) {
     drawing.label((point_of(bolt["from"]) + point_of(bolt["to"])) / 2, bolt["label"], bolt_colour);
@@ -192,8 +210,10 @@ Picture section_picture(const std::filesystem::path& run, const json& summary, c
   draw_loads(state["acting"], drawing);
   draw_joints(data["joints"], drawing);
   draw_bolts(state["bolts"], size_m, drawing);
-  write_labels(data["joints"], state, drawing);
-  const std::string title = fmt::format("{}: section at {:.4g} s", scene.title, state["time_s"].get<double>());
+  draw_nappe(data, state, drawing);
+  write_labels(data, state, drawing);
+  const std::string title = fmt::format("{}: section at {:.4g} s{}", scene.title, state["time_s"].get<double>(),
+                                        over_the_crest_m(data, state["upstream"]) > 0 ? ", overtopped" : "");
   return {
       run / ("section" + ending), Sheet::width, sheet.height(),
       frame_of(sheet, gnuplot_title(shortened(title, 200), Sheet::width)) + drawing.script + legend(state["legend"])};

@@ -10,12 +10,15 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "bridge/picture/frames.hpp"
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/picture/openfoam_water.hpp"
+#include "bridge/picture/silt.hpp"
 #include "bridge/picture/still_pools.hpp"
+#include "bridge/process/programs.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -46,6 +49,16 @@ std::string pools(int& number, const json& frame, const View& view) {
   std::string text;
   for (const auto& pool : still_pools(frame, view)) {
     text += gnuplot_polygon(++number, pool, "fc rgb '#9fc5e8' fillstyle solid border lc rgb '#9fc5e8' behind");
+  }
+  return text;
+}
+
+std::string silt(int& number, const json& frame, const View& view) {
+  std::string text;
+  if (!frame.contains("silt_level_m")) return text;
+  for (const auto& body : silt_bodies(frame, frame["silt_level_m"], view)) {
+    text += gnuplot_polygon(++number, body,
+                            "fc rgb '#795548' fillstyle transparent pattern 4 border lc rgb '#795548' behind");
   }
   return text;
 }
@@ -121,7 +134,7 @@ std::string moment(const json& frame, const View& view, double breached_s, bool 
   const bool breached = frame["time_s"].get<double>() >= breached_s && water.empty();
   std::string text = "unset object\n" + water;
   const std::string layer = water.empty() ? "" : " front";  // over the water's boxes
-  if (water.empty() && !breached) text += pools(number, frame, view);
+  if (water.empty() && !breached) text += pools(number, frame, view) + silt(number, frame, view);
   for (const json& block : frame["blocks"]) {
     const bool fixed = block["fixed"].get<bool>();
     const std::string style = fixed ? "fc rgb '#8d7f6d' fillstyle solid border lc rgb '#5b5146' lw 1"
@@ -191,9 +204,13 @@ std::vector<std::size_t> chosen(const std::vector<json>& frames, const json& sum
 
 std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary, const std::string& ending,
                                        bool animated) {
-  const std::vector<json> frames = read_frames(run);
-  const auto picks = chosen(frames, summary);
+  std::vector<json> frames = read_frames(run);
   const OpenFoamWater water(run);
+  const std::optional<double> silt_m = water.empty() ? silt_level_m(process::scene_of(run)) : std::nullopt;
+  for (json& frame : frames) {
+    if (silt_m) frame["silt_level_m"] = *silt_m;
+  }
+  const auto picks = chosen(frames, summary);
   double highest = water.empty() ? 1e300 : -1e300;
   for (const WaterBox& box : water.boxes(0)) highest = std::max(highest, box.top);
   const View view = view_of(frames, highest);
@@ -212,7 +229,8 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   const double m_per_point = (view.right - view.left) / snapshot_points;
   axes += fmt::format("set ytics {}\nset xtics {}\n", round_step(tall_points * m_per_point),
                       round_step(wide_points * m_per_point));
-  const std::string legend = water.empty() ? " (contacts: green stick, red slip)" : "";
+  const std::string legend =
+      water.empty() ? fmt::format(" (contacts: green stick, red slip{})", silt_m ? "; hatched: silt" : "") : "";
   const std::string title = summary.value("title", std::string("section"));
   const int columns = 3;
   const int rows = static_cast<int>((picks.size() + 2) / 3);

@@ -133,7 +133,8 @@ void refuse_finished(const fs::path& folder) {
                                           lacks_checkpoint(scene, folder) ? no_checkpoint_of_external
                                           : ends_there_again(folder)
                                               ? "resuming would end in the same way: change the scene, and run it anew"
-                                              : "run it anew, with a shorter [output] checkpoint_every_s"));
+                                              : "mend the cause and run it anew, with a shorter [output] "
+                                                "checkpoint_every_s where such a run is to go on"));
 }
 
 /// What to do about a run that did not end well; `too_early`: it was stopped before its first checkpoint.

@@ -78,7 +78,8 @@ std::string first_trouble(const Supervised& supervised, const fs::path& folder) 
   }
   if (cause->external) return end_of_external(*cause);
   if (!cause->last_line.empty()) return cause->last_line;
-  return fmt::format("the {} process ended with {}", cause->name, cause->exit_code);
+  return fmt::format("the {0} process ended with {1}, and {0}.log does not say why: is the disk full?", cause->name,
+                     cause->exit_code);
 }
 
 }  // namespace blockweir::process

@@ -27,8 +27,10 @@ void write_through(const std::filesystem::path& path, const std::string& text) {
 void cannot_write(const std::filesystem::path& path) {
   const int why = errno;
   const bool told = why == ENOSPC || why == EDQUOT || why == EACCES || why == EROFS || why == EFBIG || why == EIO;
-  throw std::runtime_error(fmt::format("cannot write {}: is the disk full, or the folder not writable?{}",
-                                       path.string(), told ? fmt::format(" ({})", std::strerror(why)) : ""));
+  throw std::runtime_error(
+      fmt::format("cannot write {}: is the disk full, or the folder not writable?{}; make room, or "
+                  "choose another folder",
+                  path.string(), told ? fmt::format(" ({})", std::strerror(why)) : ""));
 }
 
 ResultFile::ResultFile(std::filesystem::path path, Begin begin)

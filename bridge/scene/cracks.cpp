@@ -11,6 +11,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_index.hpp"
+#include "bridge/scene/unnamed_joint.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -147,7 +148,7 @@ std::string name_of(const Scene& scene, const Crack& crack) {
   for (const Joint& joint : scene.joints) {
     if (std::minmax(joint.between[0], joint.between[1]) == std::minmax(part.block_a, part.block_b)) return joint.name;
   }
-  return scene.blocks[at(part.block_a)].name + " on " + scene.blocks[at(part.block_b)].name;
+  return unnamed_joint(scene, part.block_a, part.block_b);
 }
 
 std::vector<int> parted_by(const Scene& scene, const Crack& crack) {

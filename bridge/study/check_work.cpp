@@ -8,6 +8,7 @@
 
 #include "bridge/process/run.hpp"
 #include "bridge/process/temporary_folder.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/motion_error.hpp"
 
@@ -37,7 +38,10 @@ json done_study(const json& item) {
   const StudyTask task = named_task(item);
   int count = 0;
   const auto tell = [&](const std::string& settings, const std::string& outcome) {
-    if (item["told"].get<bool>()) fmt::print(stderr, "{}, run {}: {}: {}\n", task.name, ++count, settings, outcome);
+    if (item["told"].get<bool>()) {
+      fmt::print(stderr, "{}",
+                 results::for_stderr(fmt::format("{}, run {}: {}: {}\n", task.name, ++count, settings, outcome)));
+    }
   };
   const StudyResult result = go(task, item["scene"].get<std::string>(), item["overrides"].get<Settings>(), tell);
   return {{"check", result.check},

@@ -11,6 +11,7 @@
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/overrides.hpp"
@@ -183,12 +184,13 @@ bool perform(const OpenStudyTask& task, const fs::path& scene, const Settings& o
     results::replace_file(file.string() + ".csv", outcome_table(task.keys, kept_runs(kept)));
     throw;
   } catch (const std::runtime_error& error) {
-    fmt::print("{}\nSTOPPED {}\n", task.name, error.what());
+    fmt::print("{}", results::for_stdout(fmt::format("{}\nSTOPPED {}\n", task.name, error.what())));
     return false;
   }
   const bool fixed = level_is_fixed(task, scene, overrides);
   const std::string none = unanswered(finding.runs);
-  fmt::print("{}\n{}{}{}", task.name, finding.text, fixed ? "" : levels_in_doubt(finding.runs), none);
+  fmt::print(
+      "{}", results::for_stdout(task.name + "\n" + finding.text + (fixed ? "" : levels_in_doubt(finding.runs)) + none));
   write_results(task, scene, finding, file);
   fmt::print("{0}.csv\n{0}.json\n", file.string());
   return none.empty();

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 #include "bridge/results/seconds.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/read.hpp"
 
 namespace blockweir::study {
@@ -43,6 +46,19 @@ std::string duration(double seconds) {
   if (seconds < 90) return fmt::format("{:.0f} s", seconds);
   if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
   return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+/// A number that was drawn has sixteen digits: of "key=number" six are shown.
+std::string shortened(const std::string& setting) {
+  const std::size_t value = setting.find('=') + 1;
+  char* end = nullptr;
+  const double number = std::strtod(setting.c_str() + value, &end);
+  if (value == 0 || value == setting.size() || *end != '\0') return setting;
+  return fmt::format("{}{:.6g}", setting.substr(0, value), number);
+}
+
+void say(const std::string& text) {
+  fmt::print(stderr, "{}", results::for_stderr(text));
 }
 
 }  // namespace
@@ -102,14 +118,15 @@ void OutcomeRuns::tell(const Outcome& outcome, std::size_t left) {
     constexpr double told_every_s = 5;
     if (seconds_since(told_) < told_every_s) return;
     told_ = std::chrono::steady_clock::now();
-    return fmt::print(stderr, "{}: {} done, {}\n", plan_.name, done_, more);
+    return say(fmt::format("{}: {} done, {}\n", plan_.name, done_, more));
   }
   std::string ending = outcome["outcome"];
   if (outcome["factor"].is_number()) ending = fmt::format("factor {:.5g}", outcome["factor"].get<double>());
   if (outcome["mode"].is_string()) ending += " by " + outcome["mode"].get<std::string>();
   if (outcome.contains("trouble")) ending += ": " + outcome["trouble"].get<std::string>();
-  fmt::print(stderr, "{}: {}: {}; {}\n", plan_.name,
-             fmt::join(outcome["settings"].get<std::vector<std::string>>(), ", "), ending, more);
+  std::vector<std::string> settings = outcome["settings"];
+  std::transform(settings.begin(), settings.end(), settings.begin(), shortened);
+  say(fmt::format("{}: {}: {}; {}\n", plan_.name, fmt::join(settings, ", "), ending, more));
 }
 
 }  // namespace blockweir::study

@@ -12,6 +12,7 @@
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/entry.hpp"
 #include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/nearest.hpp"
@@ -183,9 +184,11 @@ void tell(const std::string& name, const StudyResult& result, const fs::path& ou
     fmt::print("STOPPED {}\n", check["trouble"].get<std::string>());
     return;
   }
-  fmt::print("{} {}: expected {}, got {}, off by {} (tolerance {})\n", check["passed"].get<bool>() ? "ok " : "OUT",
-             check["name"].get<std::string>(), figure(check["expected"]), figure(check["got"]),
-             figure(check["relative_error"]), figure(check["tolerance"]));
+  fmt::print("{}",
+             results::for_stdout(fmt::format(
+                 "{} {}: expected {}, got {}, off by {} (tolerance {})\n", check["passed"].get<bool>() ? "ok " : "OUT",
+                 check["name"].get<std::string>(), figure(check["expected"]), figure(check["got"]),
+                 figure(check["relative_error"]), figure(check["tolerance"]))));
   std::fflush(stdout);
   if (out.empty()) return;
   const fs::path file = out / results::file_name(name);

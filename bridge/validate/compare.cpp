@@ -126,6 +126,8 @@ int compare(const CompareOptions& options) {
     return 130;
   }
   if (!options.json.empty()) results::replace_file(options.json, rows.dump(2) + "\n");
+  std::error_code kept;
+  fs::remove(options.out, kept);  // where no run has left anything in it
   return sound ? 0 : 1;
 }
 

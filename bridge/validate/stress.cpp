@@ -13,6 +13,7 @@
 #include "bridge/study/engines.hpp"
 #include "bridge/study/study.hpp"
 #include "bridge/validate/cases_folder.hpp"
+#include "bridge/validate/table_line.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -70,11 +71,13 @@ json row(const Map& map, const StudyResult& result) {
 }
 
 void print(const json& rows) {
-  fmt::print("\n{:<62} {:>6} {:>6} {:>8} {:>6} {:>9}\n", "map", "cells", "right", "refused", "wrong", "time s");
+  fmt::print("\n{}", table_line("map", fmt::format("{:>6} {:>6} {:>8} {:>6} {:>9}    ", "cells", "right", "refused",
+                                                   "wrong", "time s")));
   for (const json& row : rows) {
-    fmt::print("{:<62} {:>6} {:>6} {:>8} {:>6} {:>9.3g}{}\n", row["map"].get<std::string>(), row["cells"].get<int>(),
-               row.value("right", 0), row.value("refused", 0), row.value("got", 0), row["wall_time_s"].get<double>(),
-               row["passed"].get<bool>() ? "" : "  OUT");
+    fmt::print("{}", table_line(row["map"],
+                                fmt::format("{:>6} {:>6} {:>8} {:>6} {:>9.3g} {:<3}", row["cells"].get<int>(),
+                                            row.value("right", 0), row.value("refused", 0), row.value("got", 0),
+                                            row["wall_time_s"].get<double>(), row["passed"].get<bool>() ? "" : "OUT")));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_index.hpp"
+#include "bridge/scene/unnamed_joint.hpp"
 
 namespace blockweir::joints {
 namespace {
@@ -78,7 +79,7 @@ std::string JointStretches::name(const Stretch& stretch) const {
   const int b = stretch.sides[1].block;
   const auto named = named_.find(std::minmax(a, b));
   if (named != named_.end()) return named->second->name;
-  return scene_.blocks[at(a)].name + " on " + scene_.blocks[at(b)].name;
+  return scene::unnamed_joint(scene_, a, b);
 }
 
 void JointStretches::search(const std::vector<std::vector<Point>>& outlines) {

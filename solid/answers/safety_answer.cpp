@@ -144,14 +144,21 @@ void add_what_is_above_the_bound(const StaticStrength& blocks, const limit::Limi
   answer["warnings"].push_back(text);
 }
 
+/// Where equilibrium does not determine friction: the blocks' factor below which it has a part in it.
+std::optional<double> jumps_below(const limit::LimitAnalysis& structure, const limit::LimitStrength& bound) {
+  constexpr double of_friction = 1e-2;  // less is what blocks strain
+  if (structure.is_exact() || !structure.scene().bolts.empty()) return std::nullopt;
+  if (bound.bearing != Bearing::fails_at_a_factor) return std::nullopt;
+  return bound.factor * (1 - of_friction);
+}
+
 /// Between the blocks' factor and the bound there are forces in the joints that balance the loads within Coulomb's law,
 /// those of limit analysis, and others under which blocks slide: equilibrium does not say which come about.
 void add_friction_history(const limit::LimitAnalysis& structure, const StaticStrength& blocks,
                           const limit::LimitStrength& bound, json& answer) {
-  constexpr double of_friction = 1e-2;  // less is what blocks strain
-  if (structure.is_exact() || !structure.scene().bolts.empty() || !blocks.stopped.empty()) return;
-  if (blocks.bearing != Bearing::fails_at_a_factor || bound.bearing != Bearing::fails_at_a_factor) return;
-  if (blocks.factor > bound.factor * (1 - of_friction)) return;
+  const std::optional<double> below = jumps_below(structure, bound);
+  if (!below || !blocks.stopped.empty()) return;
+  if (blocks.bearing != Bearing::fails_at_a_factor || (blocks.factor > *below && !blocks.creeps)) return;
   answer["friction_history"] = fmt::format(
       "with strength over {:.4g} to {:.4g} some forces in the joints hold the structure and others do not; which come "
       "about depends on how it was loaded, so that the blocks' factor may jump by some per cent from one level to the "
@@ -174,6 +181,7 @@ const char* outcome(const Attempt<StaticStrength>& blocks) {
 json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   Situation now(scene, make_fluid);
   const limit::LimitAnalysis structure(scene);
+  solid::tell_limit_analysis(structure);
   const limit::Wrenches stated = statics::stated_loads_of(scene, scene.analysis.duration_s);
   const limit::Wrenches dead = now.dead();
   const auto by_limit =
@@ -184,7 +192,8 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
     // Its search goes through all strengths, and those too weak creep for long.
     const bool none = by_limit.value && by_limit.value->bearing == Bearing::bears_none;
     if (none && !solid::stands(scene, now.water_if_any(), now.level_m)) return StaticStrength{};
-    return solid::static_strength(scene, now.water_if_any(), now.level_m, guess);
+    return solid::static_strength(scene, now.water_if_any(), now.level_m, guess,
+                                  by_limit.value ? jumps_below(structure, *by_limit.value) : std::nullopt);
   });
   if (!blocks.value && !by_limit.value) throw std::runtime_error(blocks.why_not + "; " + by_limit.why_not);
   json answer = {{"outcome", outcome(blocks)}, {"level_m", std::isnan(now.level_m) ? json() : json(now.level_m)}};

@@ -45,12 +45,11 @@ void add_water_factor(const limit::LimitAnalysis& structure, Situation& now, con
   constexpr double scarce = 1.1;
   const bool strong = strength.bearing == Bearing::bears_any ||
                       (strength.bearing == Bearing::fails_at_a_factor && strength.factor > scarce);
-  if (factor < 1 || factor >= scarce || !strong) return;
+  if (factor < 1 || factor >= scarce) return;
   answer["warnings"].push_back(
       fmt::format("near its end: {:.5g} times what the water presses, its uplift included, brings it down, by limit "
-                  "analysis; a factor on strength does not see how near a structure is to turning over: look at the "
-                  "resultants and at `level`",
-                  factor));
+                  "analysis; {}look at the resultants and at `level`",
+                  factor, strong ? "a factor on strength does not see how near a structure is to turning over: " : ""));
 }
 
 void add_stretch_of_anchors(Situation& now, const StaticStrength& found, nlohmann::json& answer) {

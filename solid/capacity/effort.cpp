@@ -17,6 +17,7 @@ void Effort::solved_one() {
   if (work_s > longest_s) {
     throw TookTooLong(fmt::format("{}: stopped after {:.0f} s of work, {}", whose_, work_s, known_));
   }
+  if (solved_ > last_allowed_) throw Undecided(whose_ + ": one analysis took too long");
   if (seconds_since(told_) < between_lines_s) return;
   told_ = Clock::now();
   fmt::print(stderr, "{}: {}, {:.0f} s of work, {} linear systems solved\n", whose_, known_, work_s, solved_);

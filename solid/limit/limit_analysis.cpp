@@ -70,18 +70,9 @@ class LimitAnalysis::Program {
     }
     lp_.add_variable(0, infinite, worst, /*objective=*/-1);
   }
-  /// False where no forces balance the loads.
-  bool solve() {
-    const ProgramStatus status = lp_.maximize();
-    if (status == ProgramStatus::unbounded) {
-      throw std::runtime_error(
-          fmt::format("{}: limit analysis: found no limit: joints and bolts can balance loads of any size; expected "
-                      "joints and bolts of finite strength; "
-                      "state yield_n_per_m for each [[bolt]], or lower cohesion_pa and tension_strength_pa",
-                      structure_.scene_.file.string()));
-    }
-    return status == ProgramStatus::optimal;
-  }
+  /// False where no forces balance the loads. All objectives are bounded: the factor by the largest that is told, what
+  /// is short and what is out of balance by none.
+  bool solve() { return lp_.maximize() == ProgramStatus::optimal; }
 
   [[nodiscard]] double value(int variable) const { return lp_.value(variable); }
   /// The balance's duals: the motion on which live loads have power.
@@ -225,6 +216,12 @@ LimitAnalysis::LimitAnalysis(const scene::Scene& scene, Kinks kinks)
 
 bool LimitAnalysis::holds_any_force() const {
   return std::any_of(scene_.bolts.begin(), scene_.bolts.end(), [](const auto& bolt) { return !bolt.yield_n_per_m; });
+}
+
+bool LimitAnalysis::has_shear_strength() const {
+  return std::any_of(faces_.begin(), faces_.end(), [](const Face& face) {
+    return face.friction > 0 || face.cohesion_n_per_m > 0 || !face.tangents.empty();
+  });
 }
 
 LargestFactor LimitAnalysis::largest_factor(const Wrenches& dead, const Wrenches& live) const {

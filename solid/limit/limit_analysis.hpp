@@ -49,6 +49,8 @@ class LimitAnalysis {
   [[nodiscard]] bool is_exact() const { return is_exact_; }
   /// Bolts without a yield strength: they hold whatever would stretch them.
   [[nodiscard]] bool holds_any_force() const;
+  /// Has some face friction or cohesion?
+  [[nodiscard]] bool has_shear_strength() const;
 
   /// Of `live` beside `dead`, from 0 up.
   [[nodiscard]] LargestFactor largest_factor(const Wrenches& dead, const Wrenches& live) const;

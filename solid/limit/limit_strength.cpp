@@ -42,9 +42,18 @@ double narrowed(const LimitAnalysis& structure, const Wrenches& loads, Bracket& 
   return bracket.borne;
 }
 
+/// Of what has no shear strength that could be reduced.
+LimitStrength without_strength(const LimitAnalysis& structure, const Wrenches& loads) {
+  const auto shortage = structure.shortage(loads, 1);
+  if (shortage && suffices(*shortage)) return {.bearing = Bearing::bears_any};
+  return {.bearing = Bearing::bears_none,
+          .mechanism = shortage ? shortage->mechanism : structure.collapse(loads, true)};
+}
+
 }  // namespace
 
 LimitStrength limit_strength(const LimitAnalysis& structure, const Wrenches& loads) {
+  if (!structure.has_shear_strength()) return without_strength(structure, loads);
   Bracket bracket;
   double reduction = 1;
   while (bracket.borne == 0 || bracket.short_of == 0) {

@@ -117,15 +117,17 @@ ProgramStatus LinearProgram::maximize() {
     const int status = glp_get_status(program_.get());
     relax(0, seed);
     if (failed == 0 && status == GLP_NOFEAS) return ProgramStatus::infeasible;
-    if (failed == 0 && status == GLP_UNBND) return ProgramStatus::unbounded;
     failed = solve(GLP_DUALP);  // its basis needs a few steps more
     if (failed == 0 && is_optimal()) return ProgramStatus::optimal;
     if (failed == 0 && glp_get_status(program_.get()) == GLP_NOFEAS) return ProgramStatus::infeasible;
   }
+  const int status = glp_get_status(program_.get());
   throw std::runtime_error(fmt::format(
-      "limit analysis: the simplex method ended with code {}, status {} on a linear program of {} rows and {} "
-      "variables; expected an optimum; loads or strengths in wrong units may be the cause",
-      failed, glp_get_status(program_.get()), glp_get_num_rows(program_.get()), glp_get_num_cols(program_.get())));
+      "limit analysis: the simplex method {} on a linear program of {} rows and {} variables; expected an optimum; "
+      "loads or strengths in wrong units may be the cause",
+      status == GLP_UNBND ? "found nothing that bounds the objective"
+                          : fmt::format("ended with code {}, status {}", failed, status),
+      glp_get_num_rows(program_.get()), glp_get_num_cols(program_.get())));
 }
 
 double LinearProgram::value(int variable) const {

@@ -13,7 +13,7 @@ namespace blockweir::solid::limit {
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
-enum class ProgramStatus { optimal, infeasible, unbounded };
+enum class ProgramStatus { optimal, infeasible };
 
 /// Variables and rows should be of the order of one: tolerances are absolute there, 1e-10.
 class LinearProgram {
@@ -29,7 +29,7 @@ class LinearProgram {
   /// new variable's number.
   int add_variable(double low, double high, Entries entries, double objective = 0);
 
-  /// Throws std::runtime_error where the simplex method comes to no end.
+  /// Throws std::runtime_error where the simplex method comes to no end, as where nothing bounds the objective.
   ProgramStatus maximize();
 
   [[nodiscard]] double value(int variable) const;

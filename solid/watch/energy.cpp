@@ -9,8 +9,7 @@
 namespace blockweir::solid {
 namespace {
 
-constexpr double most_gain = 1e-3;   // of the energy that the run had or a failure has, before it is warned of
-constexpr double least_lift = 1e-9;  // of the model's size: what lifts it by less is round-off
+constexpr double most_gain = 1e-3;  // before it is warned of
 
 }  // namespace
 
@@ -41,15 +40,14 @@ void EnergyWatch::look(const Solid& solid) {
   made_ = std::max(made_, own - lowest_);
   const double had =
       now_.kinetic + std::abs(now_.strain) + std::abs(now_.potential) + std::abs(balance.given_j_per_m());
-  if (!begun_) scale_ = least_lift * solid.model().weight_n_per_m * solid.size_m();
+  // What only strains and settles has next to no energy: it is held against what its weight gives as it fails.
+  if (!begun_) scale_ = solid.model().weight_n_per_m * solid.scene().analysis.failure_displacement_m;
   scale_ = std::max(scale_, had);
   begun_ = true;
 }
 
 std::string EnergyWatch::warning(const Solid& solid) const {
-  // What only strains and settles has next to no energy: it is held against what its weight gives as it fails.
-  const double failing = solid.model().weight_n_per_m * solid.scene().analysis.failure_displacement_m;
-  const double made = made_ / std::max(scale_, failing);
+  const double made = gain();
   if (!(made > most_gain)) return {};
   return fmt::format(
       "numerical error has added {:.3g} of the run's energy ({:.3g} J per metre): do not rely on the motion; expected "

@@ -25,7 +25,8 @@ class EnergyWatch {
  public:
   void look(const Solid& solid);
   [[nodiscard]] const Energy& now() const { return now_; }
-  /// Over what the run has had: the largest sum of the three energies' sizes and the work; 0 where nothing has moved.
+  /// Over what the run has had, at least what the weight gives as the structure fails: the largest sum of the three
+  /// energies' sizes and the work. 0 where nothing has weight or moves.
   [[nodiscard]] double gain() const { return scale_ > 0 ? made_ / scale_ : 0; }
   /// J per metre.
   [[nodiscard]] double made_j_per_m() const { return made_; }

@@ -65,6 +65,15 @@ std::vector<double> uplifts(const Solid& solid, const Surfaces& surfaces, const 
   return uplift;
 }
 
+/// From the crest down; of two at the same height the one upstream comes first.
+void sort_downwards(std::vector<JointRow>& rows, double size_m) {
+  const double same_m = 1e-6 * size_m;
+  const auto place = [&](const JointRow& row) {
+    return std::pair(-std::llround(row.downstream_end_m.y() / same_m), row.downstream_end_m.x());
+  };
+  std::stable_sort(rows.begin(), rows.end(), [&](const JointRow& a, const JointRow& b) { return place(a) < place(b); });
+}
+
 }  // namespace
 
 std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, const std::vector<WaterPart>& parts) {
@@ -96,6 +105,7 @@ std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, c
     }
     rows.push_back(std::move(row));
   }
+  sort_downwards(rows, solid.size_m());
   return rows;
 }
 
@@ -111,6 +121,7 @@ std::vector<JointRow> loads_on_joints(const Solid& solid, const wire::Load& wate
     row.sums = force_sums(solid, water, parts, joints[i], row.downstream_end_m);
     if (!row.sums.empty()) rows.push_back(std::move(row));
   }
+  sort_downwards(rows, solid.size_m());
   return rows;
 }
 

@@ -52,6 +52,26 @@ TEST_F(Answers, ADamThatNoLevelFailsOrThatDoesNotStandEmptyIsAnAnswer) {
   EXPECT_THAT(text("out"), HasSubstr("LIMIT   does not stand even with an empty reservoir"));
 }
 
+/// Nothing bounds what limit analysis finds then: that is said, with the key that bounds it, and no figure is made up.
+TEST_F(Answers, AnchorsThatHoldAnyForceHaveNoLimitAndTheRemedyIsTold) {
+  const std::string anchor =
+      "[[bolt]]\nname = 'a'\nfrom_block = 'b'\nfrom_m = [0.5, 9]\nto_m = [-3, -5]\nyoungs_modulus_pa = 2e11\n"
+      "area_m2_per_m = 1e-3\n";
+  const char* told = "in limit analysis anchors hold any force: state yield_n_per_m of each [[bolt]]";
+  write("s.toml", block_on_rock(4, "friction_angle_deg = 30\n") + anchor);
+  ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("LIMIT   stands at every level up to"));
+  EXPECT_THAT(text("out"), HasSubstr(told));
+  ASSERT_EQ(ask("safety s.toml --json b.json"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr(told));
+  const json safety = answer("b.json")["load_cases"][0];
+  EXPECT_TRUE(safety["limit_analysis_factor"].is_null()) << safety["limit_analysis_factor"];
+  EXPECT_TRUE(safety.contains("why_no_limit_analysis_factor"));
+  write("y.toml", text("s.toml") + "yield_n_per_m = 2e5\n");
+  ASSERT_EQ(ask("safety y.toml --json c.json"), 0) << text("out");
+  EXPECT_TRUE(answer("c.json")["load_cases"][0]["limit_analysis_factor"].is_number());
+}
+
 TEST_F(Answers, TheEarthquakesWaterIsToldToBeWestergaards) {
   write("s.toml", text(cases + "monolith-slides/scene.toml") + "\n[earthquake]\nhorizontal_coefficient = 0.05\n");
   ASSERT_EQ(ask("level s.toml --json a.json"), 0) << text("out");

@@ -59,6 +59,29 @@ TEST_F(Compare, KeepsRunsAndSaysHowToRepeatOneThatFailed) {
               testing::AllOf(testing::HasSubstr("above 0"), testing::HasSubstr("repeat it with blockweir")));
 }
 
+/// Of whatever kind: each has its reason and the command that makes the run, and none leaves a folder behind.
+TEST_F(Compare, HasTheReasonOfEachMissingRunAndLeavesNothingOfIt) {
+  const struct {
+    std::string words;
+    const char* reason;
+  } missing[] = {{"nowhere.toml", "nowhere.toml: error: there is no such file; expected a scene file"},
+                 {cases + "incline --set analysis.step_s=-1", "step_s in [analysis] is -1; expected a number above 0"},
+                 {cases + "incline --set joint.friction=3", "unknown key \"friction\" in [joint]; expected one of"}};
+  for (const auto& [words, reason] : missing) {
+    ASSERT_EQ(shell(programs + "/blockweir compare " + words + " --out kept --json table.json"), 1) << text("out");
+    const auto rows = nlohmann::json::parse(text("table.json"), nullptr, false);
+    ASSERT_EQ(rows.size(), 3U) << text("out");
+    for (const auto& row : rows) {
+      EXPECT_THAT(row["trouble"].get<std::string>(), testing::HasSubstr(reason));
+      EXPECT_THAT(row["command"].get<std::string>(),
+                  testing::AllOf(
+                      testing::StartsWith("blockweir run "),
+                      testing::HasSubstr("--set 'contact.formulation=" + row["formulation"].get<std::string>() + "'")));
+    }
+    EXPECT_FALSE(fs::exists(folder / "kept"));
+  }
+}
+
 /// Still water does not answer: the dam slips by a sixth of the way.
 TEST_F(Compare, SetsFluidsSideBySide) {
   ASSERT_EQ(shell(programs + "/blockweir compare " + cases +

@@ -68,6 +68,9 @@ TEST_F(CommandLine, BashCompletesCommandsAndTheirOptions) {
     const std::string options = completed("blockweir " + name + " --", 2);
     for (const CLI::Option* option : named_options(*command)) EXPECT_THAT(options, HasSubstr(option->get_name()));
   }
+  EXPECT_EQ(completed("blockweir study s.toml --engine", 4), "local slurm\n");
+  EXPECT_EQ(completed("blockweir study s.toml --engine sl", 4), "slurm\n");
+  EXPECT_EQ(completed("blockweir run s.toml --out", 4), "\n");
   EXPECT_EQ(completed("blockweir va", 1), "validate\n");
   EXPECT_EQ(completed("blockweir run --in", 2), "--inproc\n");
   EXPECT_EQ(completed("blockweir run cases/in", 2), "\n");  // left to the names of files
@@ -79,6 +82,7 @@ TEST_F(CommandLine, ZshTakesItsCompletion) {
     EXPECT_THAT(script, HasSubstr("\n    '" + command->get_name() + ":"));
     for (const CLI::Option* option : named_options(*command)) EXPECT_THAT(script, HasSubstr(option->get_name() + "["));
   }
+  EXPECT_THAT(script, HasSubstr(":value:(local slurm)'"));
   if (!installed("zsh")) GTEST_SKIP() << "zsh is not installed";
   write("_blockweir", script);
   EXPECT_EQ(said("zsh -f -c 'autoload -U compinit; compinit -D -u; source ./_blockweir; echo $_comps[blockweir]'"),

@@ -60,6 +60,19 @@ TEST(LimitCollapse, WithoutAnyFrictionWhatSlidesHasItsMechanism) {
   EXPECT_GT(power(statics::weights_of(scene), found.mechanism), 0);
 }
 
+/// Dividing no strength by anything leaves it as it is.
+TEST(LimitCollapse, WithoutAnyStrengthItBearsAnyReductionOrNone) {
+  for (const double breadth : {0.5, 1.0, 2.0, 4.0}) {
+    for (const double tilt_deg : {0.0, 1e-3, 5.0, 20.0}) {
+      const scene::Scene scene = leaning(breadth, 1, 0, tilt_deg);
+      const LimitAnalysis structure(scene);
+      EXPECT_FALSE(structure.has_shear_strength());
+      const LimitStrength found = limit_strength(structure, statics::weights_of(scene));
+      EXPECT_EQ(found.bearing, tilt_deg == 0 ? Bearing::bears_any : Bearing::bears_none) << breadth << " " << tilt_deg;
+    }
+  }
+}
+
 TEST(LimitCollapse, WhatDoesNotStandEmptyHasTheMechanismOfItsOwnStrength) {
   const scene::Scene scene = leaning(4, 1, 10, 20);
   const LimitAnalysis structure(scene);

@@ -28,6 +28,22 @@ std::string at_the_end(const std::string& lines) {
   return text + lines;
 }
 
+TEST(SceneEffects, KeysOfWaterThatAnotherKeySwitchesOffAreToldAndNotWhereTheyAct) {
+  for (const char* law : {"full", "triangular"}) {
+    const std::string crest = std::string("[water]\ncrest_pressure = \"") + law + "\"\n";
+    expect_warning(with("[water]", crest), 45,
+                   {"crest_pressure in [water] has no effect in this scene", "expected may_overtop = true in [water]"});
+    EXPECT_THAT(warnings(with("[water]", crest + "may_overtop = true\n")), IsEmpty());
+  }
+  EXPECT_THAT(warnings(with("[water]", "[water]\ncrest_pressure = \"none\"\n")), IsEmpty());
+  for (const char* key : {"wets_ends = true", "skip_unchanged = false"}) {
+    const std::string stated = with("[water]", std::string("[water]\n") + key + "\n");
+    EXPECT_THAT(warnings(stated), IsEmpty());
+    const auto said = warnings(with("\"hydrostatic\"", "\"openfoam\"", stated));
+    EXPECT_THAT(said, testing::Contains(HasSubstr("in [water] has no effect in this scene; expected model"))) << key;
+  }
+}
+
 TEST(SceneEffects, TheSampleHasNoWarning) {
   EXPECT_THAT(warnings(text), IsEmpty());
 }

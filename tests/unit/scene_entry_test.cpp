@@ -40,6 +40,35 @@ TEST_F(SceneEntries, ASettingThatNamesNoKeyIsToldAtItsLine) {
               testing::HasSubstr("s.toml:56: error: [[variant]] \"v\" sets nokey: this names no key"));
 }
 
+TEST_F(SceneEntries, TheRemedyOfWhatAVariantSetsDoesNotSpeakOfTheCommandLine) {
+  for (const char* set :
+       {"'nokey'", "'=3'", "'analysis..step_s=1'", "'analysis.step_s.x=1'", "'block.none.fixed=true'"}) {
+    EXPECT_THAT(error_of_variant(with_variant(set)),
+                testing::AllOf(testing::HasSubstr("s.toml:56: error: "), testing::Not(testing::HasSubstr("--set"))))
+        << set;
+  }
+}
+
+/// A key that is wrong is so with each of a study's values; values that are wrong are each told.
+TEST_F(SceneEntries, AKeyThatIsWrongWithSeveralValuesIsToldOnce) {
+  const auto file = write("s.toml", sample::text);
+  const auto errors_with = [&](const std::string& key) {
+    Gathered wrong;
+    for (const char* value : {"=-1", "=-2", "=-3"}) {
+      wrong.from([&] { read_entry(file, {"[[study]] \"s\"", 56, {key + value}}, {key + value}); });
+    }
+    try {
+      wrong.report();
+    } catch (const SceneError& error) {
+      return error.diagnostics().size();
+    }
+    return std::size_t{0};
+  };
+  EXPECT_EQ(errors_with("analysis.stp_s"), 1U);
+  EXPECT_EQ(errors_with("anlysis.step_s"), 1U);
+  EXPECT_EQ(errors_with("analysis.step_s"), 3U);
+}
+
 TEST_F(SceneEntries, WhatAVariantMakesWrongElsewhereNamesTheVariantToo) {
   EXPECT_THAT(error_of_variant(with_variant("'analysis.duration_s=0.015'")),
               testing::ContainsRegex("s.toml:[0-9]+: error: with \\[\\[variant\\]\\] \"v\": "));

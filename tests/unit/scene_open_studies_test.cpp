@@ -54,7 +54,10 @@ TEST(SceneOpenStudies, ADistributionHasAWidth) {
   };
   expect_one_error(with("distribution = 'normal', mean = 3"),
                    {"s.toml:60: error: variable 1 of [[study]] \"s\" has no \"deviation\"", "add deviation = ..."});
-  expect_one_error(with("distribution = 'normal', mean = 3, deviation = 0"), {"deviation", "above 0"});
+  for (const char* none : {"0", "-0.0", "-2", "-1e-300"}) {
+    expect_one_error(with(std::string("distribution = 'normal', mean = 3, deviation = ") + none),
+                     {"deviation in variable 1", "a standard deviation above 0"});
+  }
   expect_one_error(with("distribution = 'uniform', from = 3, to = 3"), {"goes from 3 to 3", "widen the distribution"});
   expect_one_error(with("distribution = 'triangular', from = 1, peak = 5, to = 4"), {"peak", "a value from 1 to 4"});
   expect_one_error(with("distribution = 'normel', mean = 3"), {"did you mean \"normal\"?"});

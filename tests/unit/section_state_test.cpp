@@ -104,6 +104,20 @@ TEST(SectionState, KindsHaveColoursOfTheirOwnAndStandBesideEachOther) {
   }
 }
 
+/// The nappe's weight is told apart from what presses on the face, wherever the crest lies.
+TEST(SectionState, WaterOnTheCrestHasALabelOfItsOwn) {
+  json over = water;
+  over[0]["panels"].push_back({3, 4, 0, 4, 5000, 15000, 2});
+  const scene::Scene scene = scene::read_text(scene::sample::text + more, "s.toml").scene;
+  const json state = section_state(scene, over, 0, json::array());
+  EXPECT_NEAR(load(state, "water on the crest")["force"][1].get<double>(), -30000, 1e-9);
+  EXPECT_NEAR(load(state, "water upstream")["force"][0].get<double>(), 20000, 1e-9);
+  EXPECT_NEAR(load(state, "water upstream")["force"][1].get<double>(), 0, 1e-9);
+  EXPECT_EQ(load(state, "water on the crest")["label"], "water on the crest 30 kN/m");
+  const auto in_legend = [&](const json& row) { return row["label"] == "water on the crest 30 kN/m"; };
+  EXPECT_TRUE(std::any_of(state["legend"].begin(), state["legend"].end(), in_legend)) << state["legend"].dump();
+}
+
 /// An earthquake takes from the tailwater's pressure: that pulls, on a face that looks downstream.
 TEST(SectionState, AddedWaterOfTheTailwaterStandsDownstream) {
   json both = water;

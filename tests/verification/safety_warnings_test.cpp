@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -59,6 +60,38 @@ TEST(SafetyWarnings, WhatIsAboutToTurnOverIsSaidToBe) {
     const json far = safety_of(outline, joint, 4 * scale);
     EXPECT_NEAR(far["water_factor"]["factor"].get<double>(), turns_over_at(2, 8, 4), 1e-7);
     EXPECT_THAT(warnings(far), Not(HasSubstr("near its end")));
+  }
+}
+
+/// Also where friction is as scarce.
+TEST(SafetyWarnings, AFactorOnTheWaterBelowOnePointOneIsWarnedOfWhateverTheStrength) {
+  int near = 0;
+  for (int step = 0; step <= 40; ++step) {
+    const json answer = safety_of("[0, 0], [3, 0], [3, 8], [0, 8]", "friction_angle_deg = 45", 6 + 0.05 * step);
+    const double factor = answer["water_factor"]["factor"];
+    const bool scarce = factor >= 1 && factor < 1.1;
+    near += scarce ? 1 : 0;
+    EXPECT_EQ(warnings(answer).find("near its end") != std::string::npos, scarce) << factor;
+  }
+  EXPECT_GT(near, 1);
+}
+
+/// From the crest down, however the scene lists its blocks; and by the name that a run gives.
+TEST(SafetyWarnings, JointsAreListedFromTheCrestDown) {
+  std::vector<int> courses{1, 2, 3, 4, 5};
+  for (int order = 0; order < 12; ++order, std::next_permutation(courses.begin() + 1, courses.end())) {
+    std::string more;
+    for (const int c : courses) {
+      more += fmt::format(
+          "[[block]]\nname = \"c{0}\"\nmaterial = \"m\"\nvertices_m = [[0, {0}], [3, {0}], [3, {1}], "
+          "[0, {1}]]\n",
+          c, c + 1);
+    }
+    const json answer = safety_of("[0, 0], [3, 0], [3, 1], [0, 1]", "friction_angle_deg = 45", 1, more);
+    std::vector<std::string> names;
+    for (const json& joint : answer["joints"]) names.push_back(joint["name"]);
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"c5 on c4", "c4 on c3", "c3 on c2", "c2 on c1", "c1 on wall", "wall on rock"}));
   }
 }
 

@@ -53,6 +53,13 @@ constexpr IdleKey idle_keys[] = {
     {"water", "atmospheric_pressure_pa",
      [](const Scene& s) { return !dry(s) && s.water.atmosphere == Atmosphere::none; }, "atmosphere = \"wet-faces\""},
     {"water", "open_crack_width_m", not_still_water, "model = \"hydrostatic\" in [fluid]"},
+    {"water", "wets_ends", not_still_water, "model = \"hydrostatic\" in [fluid]"},
+    {"water", "skip_unchanged", not_still_water, "model = \"hydrostatic\" in [fluid]"},
+    {"water", "crest_pressure",
+     [](const Scene& s) {
+       return still_pools(s.fluid) && s.water.crest_pressure != CrestPressure::none && !s.water.may_overtop;
+     },
+     "may_overtop = true in [water]"},
     {"water", "uplift_in_shaking", [](const Scene& s) { return !dry(s) && (!s.base_motion || !still_pools(s.fluid)); },
      "[base_motion], and model = \"hydrostatic\" or \"reservoir\" in [fluid]"},
     {"output", "reservoir", [](const Scene& s) { return s.output.reservoir && (dry(s) || !still_pools(s.fluid)); },

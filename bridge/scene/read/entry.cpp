@@ -11,6 +11,13 @@
 namespace blockweir::scene {
 namespace {
 
+/// Who wrote the entry has not written the command line's option.
+std::string without_option(std::string remedy) {
+  const std::string option = override_place("");
+  for (std::size_t at = 0; (at = remedy.find(option, at)) != std::string::npos;) remedy.erase(at, option.size());
+  return remedy;
+}
+
 /// Settings reach the reader as the command line's do: what stands at one of them stands at the entry.
 bool move_to(const SettingEntry& entry, const std::string& file, Diagnostic& d) {
   const auto& settings = entry.settings;
@@ -20,6 +27,7 @@ bool move_to(const SettingEntry& entry, const std::string& file, Diagnostic& d) 
   d.file = file;
   d.line = entry.line;
   d.found = fmt::format("{} sets {}: {}", entry.name, *stated, d.found);
+  d.remedy = without_option(std::move(d.remedy));
   return true;
 }
 

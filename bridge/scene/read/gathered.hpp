@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "bridge/scene/diagnostic.hpp"
@@ -23,9 +25,9 @@ class Gathered {
     }
   }
 
-  void add(const Diagnostic& error) {
-    const auto same = [&](const Diagnostic& other) { return other.text() == error.text(); };
-    if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back(error);
+  void add(Diagnostic error) {
+    const auto same = [&](const Diagnostic& other) { return without_value(other) == without_value(error); };
+    if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back(std::move(error));
   }
 
   /// Throws SceneError where something is wrong.
@@ -34,6 +36,16 @@ class Gathered {
   }
 
  private:
+  /// The text of an error of "... sets KEY=VALUE: ...", without the value: a key that is wrong is so with each.
+  static std::string without_value(Diagnostic error) {
+    std::string& found = error.found;
+    const std::size_t setting = found.find(" sets ");
+    const std::size_t value = setting == std::string::npos ? setting : found.find('=', setting);
+    const std::size_t end = value == std::string::npos ? value : found.find(": ", value);
+    if (end != std::string::npos) found.erase(value, end - value);
+    return error.text();
+  }
+
   std::vector<Diagnostic> errors_;
 };
 

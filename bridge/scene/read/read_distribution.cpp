@@ -75,9 +75,11 @@ void read_interval(TableReader& table, Reading& reading, Distribution& found, bo
 
 void read_moments(TableReader& table, Reading& reading, Distribution& found, bool normal, bool lognormal) {
   const bool wanted = normal || lognormal;
+  const Range stated{[](double) { return true; }, "a standard deviation above 0"};
   table.number("mean", found.mean, lognormal ? positive() : any_number(), wanted);
-  if (table.number("deviation", found.deviation, not_negative(), wanted) && found.deviation == 0) {
-    reading.problems.error(table.place("deviation"), fmt::format("deviation in {} is 0", table.name()),
+  if (table.number("deviation", found.deviation, stated, wanted) && found.deviation <= 0) {
+    reading.problems.error(table.place("deviation"),
+                           fmt::format("deviation in {} is {}", table.name(), found.deviation),
                            "a standard deviation above 0: a distribution without width is a number",
                            "widen the distribution, or set the key itself to a number");
   }

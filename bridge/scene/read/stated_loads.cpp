@@ -19,4 +19,8 @@ std::vector<std::string> stated_loads(const std::string& text) {
   return stated;
 }
 
+std::optional<double> silt_level_m(const std::string& text) {
+  return toml::parse(text)["silt"]["level_m"].value<double>();
+}
+
 }  // namespace blockweir::scene

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/study/safety_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace blockweir::study {
+namespace {
+
+using nlohmann::json;
+
+std::string scaled(const json& value, const char* format, double scale = 1) {
+  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>() * scale) : "-";
+}
+
+/// Which loads grow by the factor, and what stays as it is.
+std::string load_factor_text(const json& found) {
+  const auto list = [&](const char* key) {
+    return fmt::format("{}", fmt::join(found[key].get<std::vector<std::string>>(), " and "));
+  };
+  return fmt::format("{:.5g} times {}, by limit analysis; as stated: {}", found["factor"].get<double>(), list("loads"),
+                     list("constant"));
+}
+
+/// A name at the start of a row of figures; one that is longer than its column has a line of its own above them.
+std::string beside(const std::string& name, std::size_t column) {
+  return name.size() <= column ? name : name + "\n" + std::string(column, ' ');
+}
+
+std::string factors_text(const json& cases) {
+  constexpr const char* row = "{:<22} {:<7.7} {:<9} {:>7} {:>7} {:>7} {:>8} {:>6}\n";
+  std::string text = fmt::format(fmt::runtime(row), "LOAD CASE", "class", "outcome", "level m", "factor", "limit",
+                                 "required", "enough");
+  for (const json& c : cases) {
+    const json& enough = c["satisfied"];
+    text += fmt::format(fmt::runtime(row), beside(c["name"], 22), c["class"].get<std::string>(),
+                        c["outcome"].get<std::string>(), scaled(c["level_m"], "{:.5g}"), scaled(c["factor"], "{:.5g}"),
+                        scaled(c["limit_analysis_factor"], "{:.5g}"), scaled(c["required"], "{:.4g}"),
+                        enough.is_null()     ? "-"
+                        : enough.get<bool>() ? "yes"
+                                             : "NO");
+  }
+  for (const json& c : cases) {
+    const auto tell = [&](const char* what, const json& why) {
+      text += fmt::format("{}: {}{}\n", c["name"].get<std::string>(), what, why.get<std::string>());
+    };
+    if (c["tailwater_m"].is_number()) tell("tailwater at ", scaled(c["tailwater_m"], "{:.5g} m"));
+    if (c["outcome"] == "not found" && !c.contains("stopped"))
+      tell("no answer: ", c["why_no_factor"]);
+    else if (c["factor"].is_null() && c.contains("why_no_factor"))
+      tell("no factor: ", c["why_no_factor"]);
+    if (c.contains("mechanism")) tell("mechanism: ", c["mechanism"]["text"]);
+    if (c.contains("friction_history")) tell("factor: ", c["friction_history"]);
+    if (c.contains("stopped")) tell("a lower bound, ", c["stopped"]);
+    if (c.contains("water_factor")) {
+      tell("it bears ", fmt::format("{:.5g} times what the water presses, by limit analysis",
+                                    c["water_factor"]["factor"].get<double>()));
+    }
+    if (c.contains("load_factor")) {
+      tell("it bears ", load_factor_text(c["load_factor"]));
+    }
+    if (c.contains("with_cracked_joint") && c["satisfied"] == false) {
+      tell("not enough: ", c["with_cracked_joint"]["text"]);
+    }
+    if (c.contains("limit_analysis_note")) tell("limit: ", c["limit_analysis_note"]);
+    for (const json& warning : c["scene_warnings"]) {  // those of the scene as it stands are told by its reading
+      const json& told = cases[0]["scene_warnings"];
+      if (std::find(told.begin(), told.end(), warning) == told.end()) tell("WARNING ", warning);
+    }
+    for (const json& warning : c["warnings"]) {  // what the first has said of all is not said again
+      const json& told = cases[0]["warnings"];
+      if (&c == &cases[0] || std::find(told.begin(), told.end(), warning) == told.end()) tell("WARNING ", warning);
+    }
+    if (c.contains("added_water_pressure")) {
+      tell("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);
+    }
+  }
+  return text +
+         "factor: c and tan(phi) of all joints divided by it, the blocks just stand\n"
+         "limit:  the same by limit analysis, an upper bound\n";
+}
+
+/// What acts on all that stands on each joint; the joint bears their sum.
+std::string sums_text(const json& joints, const char* last) {
+  constexpr const char* row = "{:<32.32} {:>12} {:>12} {:>14}\n";
+  std::string text;
+  for (const json& j : joints) {
+    const auto coordinate = [&](std::size_t i) {
+      constexpr double rounding = 1e-9;
+      const double x = j["downstream_end_m"][i];
+      return std::abs(x) < rounding * j["length_m"].get<double>() ? 0 : x;
+    };
+    text += fmt::format("\nforces on what stands on {}, moments about ({:.4g}, {:.4g}) m\n",
+                        j["name"].get<std::string>(), coordinate(0), coordinate(1));
+    text += fmt::format(fmt::runtime(row), "", "x kN/m", "y kN/m", "moment kN");
+    const auto add = [&](const std::string& name, double x, double y, double moment) {
+      text += fmt::format(fmt::runtime(row), name, fmt::format("{:.2f}", x / 1e3), fmt::format("{:.2f}", y / 1e3),
+                          fmt::format("{:.2f}", moment / 1e3));
+    };
+    double x = 0;
+    double y = 0;
+    double moment = 0;
+    for (const json& s : j["sums"]) {
+      add(s["name"], s["x_n_per_m"], s["y_n_per_m"], s["moment_n"]);
+      x += s["x_n_per_m"].get<double>();
+      y += s["y_n_per_m"].get<double>();
+      moment += s["moment_n"].get<double>();
+    }
+    add(last, x, y, moment);
+  }
+  return text;
+}
+
+/// Forces of a metre of thickness.
+std::string joints_text(const json& answer) {
+  const json& joints = answer["joints"];
+  if (answer.contains("why_no_joints")) {
+    return fmt::format("\nno forces in joints, {}: {}\n", answer["name"].get<std::string>(),
+                       answer["why_no_joints"].get<std::string>()) +
+           sums_text(answer["loads_on_joints"], "sum");
+  }
+  if (joints.empty()) return {};
+  constexpr const char* forces = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n";
+  constexpr const char* stresses = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9}\n";
+  std::string text = fmt::format("\njoints that run through, {}{}\n", answer["name"].get<std::string>(),
+                                 answer.contains("joints_with_strength_times")
+                                     ? fmt::format(", with {:.4g} times the strength, as it does not stand",
+                                                   answer["joints_with_strength_times"].get<double>())
+                                     : "");
+  text += fmt::format(fmt::runtime(forces), "joint", "N kN/m", "T kN/m", "U kN/m", "M kN", "sliding", "residual");
+  for (const json& j : joints) {
+    text += fmt::format(fmt::runtime(forces), beside(j["name"], 20), scaled(j["normal_n_per_m"], "{:.1f}", 1e-3),
+                        scaled(j["shear_n_per_m"], "{:.1f}", 1e-3), scaled(j["uplift_n_per_m"], "{:.1f}", 1e-3),
+                        scaled(j["moment_n"], "{:.1f}", 1e-3), scaled(j["sliding_factor"], "{:.4g}"),
+                        scaled(j["residual_sliding_factor"], "{:.4g}"));
+  }
+  text += fmt::format(fmt::runtime(stresses), "joint", "result.", "pressed m", "crack m", "heel kPa", "toe kPa");
+  for (const json& j : joints) {
+    text += fmt::format(fmt::runtime(stresses), beside(j["name"], 20), scaled(j["resultant_from_downstream"], "{:.4f}"),
+                        scaled(j["compressed_length_m"], "{:.3f}"), scaled(j["cracked_length_m"], "{:.3f}"),
+                        scaled(j["heel_stress_pa"], "{:.1f}", 1e-3), scaled(j["toe_stress_pa"], "{:.1f}", 1e-3));
+  }
+  constexpr std::size_t most = 4;  // of a mesh of joints the file has the rest
+  return joints.size() > most ? text : text + sums_text(joints, "sum, which the joint bears");
+}
+
+}  // namespace
+
+std::string safety_text(const json& cases) {
+  std::string text = factors_text(cases);
+  for (const json& c : cases) text += joints_text(c);
+  return text;
+}
+
+}  // namespace blockweir::study

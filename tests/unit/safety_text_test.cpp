@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: bridge_study
+// The terminal's tables of `blockweir safety`: no name is cut off, and what has figures fits 80 columns.
+#include "bridge/study/safety_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <sstream>
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A name of words, some longer than any column.
+std::string name_of(std::mt19937& random) {
+  std::string name = "j" + std::to_string(random() % 1000);
+  for (unsigned words = random() % 9; words > 0; --words) name += " on block" + std::to_string(random() % 100);
+  return name;
+}
+
+json joint(const std::string& name, double size) {
+  return {{"name", name},
+          {"length_m", 10},
+          {"normal_n_per_m", size},
+          {"shear_n_per_m", size},
+          {"uplift_n_per_m", size},
+          {"moment_n", -size},
+          {"sliding_factor", 1.2345678},
+          {"residual_sliding_factor", nullptr},
+          {"resultant_from_downstream", 0.41234},
+          {"compressed_length_m", 8},
+          {"cracked_length_m", 2},
+          {"heel_stress_pa", -size},
+          {"toe_stress_pa", -size},
+          {"downstream_end_m", {10, 0}},
+          {"sums", json::array({{{"name", "weight"}, {"x_n_per_m", 0}, {"y_n_per_m", -size}, {"moment_n", size}}})}};
+}
+
+json load_case(const std::string& name) {
+  return {{"name", name},
+          {"class", "usual"},
+          {"outcome", "stands"},
+          {"level_m", 123.456},
+          {"tailwater_m", nullptr},
+          {"factor", 1.23456},
+          {"limit_analysis_factor", 1.23456},
+          {"required", 1.5},
+          {"satisfied", false},
+          {"scene_warnings", json::array()},
+          {"warnings", json::array()},
+          {"joints", json::array()}};
+}
+
+TEST(SafetyText, NamesAreWholeAndRowsFitATerminal) {
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 200; ++trial) {
+    json cases = json::array();
+    std::vector<std::string> names;
+    for (int c = 0; c < 2; ++c) {
+      names.push_back(name_of(random));
+      cases.push_back(load_case(names.back()));
+      for (unsigned joints = random() % 7; joints > 0; --joints) {
+        names.push_back(name_of(random));
+        cases.back()["joints"].push_back(joint(names.back(), 1 + static_cast<double>(random() % 100'000'000)));
+      }
+    }
+    const std::string text = blockweir::study::safety_text(cases);
+    for (const std::string& name : names) EXPECT_THAT(text, HasSubstr(name));
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find_first_not_of("0123456789.- yesNO") == std::string::npos) EXPECT_LE(line.size(), 80U) << line;
+    }
+  }
+}
+
+}  // namespace
