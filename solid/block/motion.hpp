@@ -18,25 +18,6 @@ inline Point strained(const Eigen::Ref<const Eigen::Vector3d>& strain, const Poi
   return {strain[0] * X.x() + strain[2] / 2 * X.y(), strain[1] * X.y() + strain[2] / 2 * X.x()};
 }
 
-/// sin a, and cos a - 1 without cancellation. Of what turns little in a step by their series, to round-off.
-struct SineAndCosineLessOne {
-  double sine = 0;
-  double cosine_less_one = 0;
-
-  explicit SineAndCosineLessOne(double a) {
-    constexpr double little = 0.03;
-    const double a2 = a * a;
-    if (std::abs(a) < little) {
-      sine = a * (1 - a2 / 6 * (1 - a2 / 20 * (1 - a2 / 42)));
-      cosine_less_one = -a2 / 2 * (1 - a2 / 12 * (1 - a2 / 30 * (1 - a2 / 56)));
-    } else {
-      const double half = std::sin(a / 2);
-      sine = std::sin(a);
-      cosine_less_one = -2 * half * half;
-    }
-  }
-};
-
 /// A block's placement with its sine and cosine at hand.
 class Placement {
  public:
@@ -95,7 +76,9 @@ class Placement {
   /// Displacement of a material point when this placement is changed by `increment` of the six unknowns, free of
   /// cancellation: R ((R(dr) - I)(I + E) X + R(dr) dE X) + du.
   [[nodiscard]] Point increment(const Vector6& increment, const Point& X) const {
-    const auto [s, c1] = SineAndCosineLessOne(increment[2]);
+    const double half = std::sin(increment[2] / 2);
+    const double c1 = -2 * half * half;  // cos(dr) - 1
+    const double s = std::sin(increment[2]);
     const Point y = X + strained(strain_, X);
     const Point z = strained(increment.tail<3>(), X);
     const Point moved(c1 * (y.x() + z.x()) - s * (y.y() + z.y()) + z.x(),
