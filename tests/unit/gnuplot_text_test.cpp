@@ -166,7 +166,7 @@ TEST_F(GnuplotText, AFullDiskIsToldWithItsReason) {
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(std::string(error.what()), "cannot write " + full.string() +
                                              ": is the disk full, or the folder not writable? (No space left on "
-                                             "device)");
+                                             "device); make room, or choose another folder");
   }
 }
 
