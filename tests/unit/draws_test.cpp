@@ -32,6 +32,12 @@ class DrawnSettings : public test::OwnFolder {
   }
 };
 
+TEST_F(DrawnSettings, AHeadingWithANameTwiceIsRefused) {
+  EXPECT_THAT(refusal("phi,phi2,phi\n1,2,3\n"),
+              HasSubstr("line 1 of v.csv, its heading, has \"phi\" twice; expected each column's name once"));
+  EXPECT_EQ(refusal("phi,,\n1,,\n"), "none") << "columns without a name, as a spreadsheet leaves them";
+}
+
 TEST_F(DrawnSettings, ComeFromAFileAsASpreadsheetWritesIt) {
   std::ofstream(folder / "v.csv") << "\xef\xbb\xbfphi, note\r\n30,\"dry, rough\"\r\n\r\n31.5,wet\r\n";
   scene::Sample sample{.file = "v.csv", .variables = {{.key = "a.b", .column = "phi"}}};

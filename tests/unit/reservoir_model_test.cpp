@@ -3,6 +3,7 @@
 // Water that answers accelerations, as the schedules see it.
 #include "fluid/reservoir/reservoir_model.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -43,6 +44,26 @@ TEST(ReservoirModel, RefusesAPoolWithoutASurface) {
     EXPECT_THAT(error.what(),
                 testing::AllOf(testing::HasSubstr("dam: [fluid.reservoir] has a pool without a surface"),
                                testing::HasSubstr("block \"roof\""), testing::HasSubstr("lower its level")));
+  }
+}
+
+/// By a wall on the model's own end, to which the bed rises, or just beyond it.
+TEST(ReservoirModel, AWallMayStandOnTheModelsEnd) {
+  const auto thrust_with = [](double wall_m) {
+    std::string text =
+        dam_of_two(fmt::format("[fluid]\nmodel = \"reservoir\"\nreservoir = {{ upstream_wall_m = {:.17g} }}\n", wall_m))
+            .text;
+    const std::string level = "[-50, 0]]";
+    text.replace(text.find(level), level.size(), "[0, 0], [-50, 3.1]]");
+    ReservoirModel water(scene::read_text(text, "dam").scene);
+    wire::Load load;
+    water.advance(moved(0, 0), 0, load);
+    water.advance(moved(1e-5, 2e-3), 0.01, load);
+    return thrust(load);
+  };
+  const double far = thrust_with(-50.5);
+  for (const double wall_m : {-50.0, -50.0000001, -50.00001, -50.0001, -50.001}) {
+    EXPECT_NEAR(thrust_with(wall_m) / far, 1, 1e-3) << wall_m;
   }
 }
 
