@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "bridge/launch/commands.hpp"
@@ -26,6 +27,23 @@ void refuse_unknown_command(int argc, char** argv) {
                                           near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near)));
 }
 
+/// --out that names no folder or file which could be made: CLI11 hands on an empty text as if nothing had been given.
+void refuse_impossible_out(const CLI::App& command) {
+  constexpr std::size_t longest = 255;  // of a name, on any file system
+  const CLI::Option* option = command.get_option_no_throw("--out");
+  if (option == nullptr || option->count() == 0) return;
+  const auto refuse = [](const std::string& found, const char* expected) {
+    throw std::invalid_argument(fmt::format("--out: found {}; expected {}; choose another", found, expected));
+  };
+  const std::filesystem::path out = option->results().back();
+  if (out.empty()) refuse("an empty text", "the path of a folder or file");
+  for (const std::filesystem::path& name : out) {
+    if (name.string().size() <= longest) continue;
+    refuse(fmt::format("a name of {} bytes, \"{}...\"", name.string().size(), name.string().substr(0, 20)),
+           "names of at most 255 bytes");
+  }
+}
+
 int run_command(int argc, char** argv) {
   CLI::App app{"blockweir: at which water level a structure of blocks fails, and how"};
   app.set_version_flag("--version", launch::version, "version, commit, compiler and the OpenFOAM that is found");
@@ -43,6 +61,7 @@ int run_command(int argc, char** argv) {
     return status == 0 ? 0 : 2;
   }
   const auto asked = std::find_if(works.begin(), works.end(), [](const auto& work) { return work.first->parsed(); });
+  refuse_impossible_out(*asked->first);
   return asked->second();
 }
 

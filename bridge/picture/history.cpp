@@ -35,6 +35,11 @@ History::History(const std::filesystem::path& file) {
   }
 }
 
+History::History(std::vector<std::string> names, std::vector<std::vector<double>> columns)
+    : names_(std::move(names)), columns_(std::move(columns)) {
+  for (std::size_t i = 0; i < names_.size(); ++i) index_.emplace(names_[i], i);
+}
+
 const std::vector<double>& History::column(const std::string& name) const {
   return columns_[index_.at(name)];
 }

@@ -13,6 +13,8 @@ class History {
  public:
   /// Throws std::invalid_argument where the file is missing or empty. A half-written last row is left out.
   explicit History(const std::filesystem::path& file);
+  /// Columns of one length, a name each.
+  History(std::vector<std::string> names, std::vector<std::vector<double>> columns);
 
   [[nodiscard]] std::size_t rows() const { return columns_.empty() ? 0 : columns_.front().size(); }
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }

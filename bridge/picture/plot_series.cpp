@@ -11,6 +11,7 @@
 #include "bridge/picture/curve.hpp"
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/picture/history.hpp"
+#include "bridge/picture/measured.hpp"
 #include "bridge/scene/read/nearest.hpp"
 
 namespace blockweir::picture {
@@ -116,7 +117,7 @@ class Series {
           fmt::format("--data {}: found no such file, or an empty one; expected CSV with a heading; check the path",
                       file.string()));
     }
-    measured_.emplace(file);
+    measured_ = read_measured(file);
     const auto& columns = measured_->names();
     if (columns.front() != "time_s") {
       throw std::invalid_argument(fmt::format("--data {}: found \"{}\" as the first column; expected time_s; rename it",

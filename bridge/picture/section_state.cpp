@@ -90,6 +90,7 @@ json section_state(const scene::Scene& scene, const json& water, double time_s, 
   const double size_m = scene::structure_size_m(scene.blocks);
   json state = {{"time_s", time_s}, {"acting", acting_loads(scene, water, time_s)}, {"bolts", bolts_data(scene)}};
   add_diagrams(state["acting"], size_m);
+  state["waves_left_out"] = scene.fluid == scene::FluidModel::openfoam && scene.openfoam.wave.has_value();
   state["upstream"] = level_at(scene.water.upstream_level_m, time_s);
   state["downstream"] = level_at(scene.water.downstream_level_m, time_s);
   for (std::size_t i = 0; i < state["bolts"].size(); ++i) {

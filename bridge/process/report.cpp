@@ -6,6 +6,7 @@
 
 #include "bridge/process/former_run.hpp"
 #include "bridge/process/run.hpp"
+#include "bridge/results/counted.hpp"
 #include "bridge/results/figure.hpp"
 #include "bridge/results/shell_word.hpp"
 
@@ -90,8 +91,8 @@ std::string report(const RunResult& result) {
   }
   for (const json& check : s.value("checks", json::array())) text += check_text(check);
   if (const std::size_t skips = s.value("skips", json::array()).size(); skips > 0) {
-    text += fmt::format("skipped {} kinds of work that the result does not need; \"blockweir profile {}\" lists them\n",
-                        skips, results::shell_word(result.folder.string()));
+    text += fmt::format("skipped {} of work that the result does not need; \"blockweir profile {}\" lists them\n",
+                        results::counted(skips, "kind"), results::shell_word(result.folder.string()));
   }
   const json simulated = s.value("simulated_s", json());
   text += fmt::format("time    {} s of wall time{}\n", number(s["wall_time_s"]),

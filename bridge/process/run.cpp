@@ -62,6 +62,18 @@ fs::path results_folder(const RunOptions& options) {
   return out;
 }
 
+/// OpenFOAM drops blanks and quotes from the paths that it is given, and finds nothing there.
+void require_path_of_openfoam(const scene::Scene& scene, const fs::path& folder) {
+  if (scene.fluid != scene::FluidModel::openfoam) return;
+  const std::string full = fs::absolute(folder).string();
+  const auto at = full.find_first_of(" \t\n\v\f\r\"'");
+  if (at == std::string::npos) return;
+  throw std::invalid_argument(
+      fmt::format("--out {}: found a {} in the folder's path, {}; expected a path without blanks and quotes, which "
+                  "OpenFOAM drops from paths; choose another --out, or work in another folder",
+                  folder.string(), full[at] == '"' || full[at] == '\'' ? "quote" : "blank", full));
+}
+
 json read_json(const fs::path& path) {
   std::ifstream stream(path);
   return stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
@@ -211,6 +223,7 @@ RunResult run(const RunOptions& options) {
     for (const auto& warning : read.warnings) fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));
   }
   const fs::path folder = results_folder(options);
+  require_path_of_openfoam(read.scene, folder);
   results::make_folder(folder);
   const results::FolderLock lock(folder);
   forget_former_run(folder, read.scene);
@@ -229,6 +242,7 @@ RunResult resume(const ResumeOptions& options) {
   const results::FolderLock lock(options.folder);
   const scene::Scene scene = scene::read(scene_of(options.folder), {}).scene;
   require_fit(scene, options.inproc);
+  require_path_of_openfoam(scene, options.folder);
   const std::uint64_t first = resumable_window(options.folder, scene);
   if (first == 0) {
     refuse_finished(options.folder);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "bridge/results/counted.hpp"
 #include "bridge/results/csv.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/read.hpp"
@@ -57,9 +58,14 @@ ValueTable read_table(const scene::OpenStudy& study, const fs::path& scene, cons
     Row cells = cells_of(line);
     if (table.heading.empty()) {
       if (cells[0].starts_with("\xef\xbb\xbf")) cells[0].erase(0, 3);  // of spreadsheets
+      for (auto cell = cells.begin(); cell != cells.end(); ++cell) {
+        if (cell->empty() || std::find(cells.begin(), cell, *cell) == cell) continue;
+        refuse(study, scene, fmt::format("line {} of {}, its heading, has \"{}\" twice", number, name, *cell),
+               "each column's name once", "rename or delete one of the columns");
+      }
       table.heading = std::move(cells);
     } else if (cells.size() != table.heading.size()) {
-      refuse(study, scene, fmt::format("line {} of {} has {} cells", number, name, cells.size()),
+      refuse(study, scene, fmt::format("line {} of {} has {}", number, name, results::counted(cells.size(), "cell")),
              fmt::format("{}, as the heading has", table.heading.size()), "correct the file");
     } else {
       table.rows.push_back(std::move(cells));

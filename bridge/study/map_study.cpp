@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "bridge/results/counted.hpp"
 #include "bridge/study/map_figure.hpp"
 #include "bridge/study/study.hpp"
 
@@ -97,7 +98,7 @@ StudyResult draw_map(const scene::MapStudy& study, StudyRuns& runs) {
   const long refused = count("refused");
   const long too_many = std::max(0L, refused - study.may_refuse);
   const long wrong = right == 0 ? cells : count("wrong") + too_many;  // a map without a right cell shows nothing
-  result.check = {{"name", fmt::format("wrong of {} cells", cells)},
+  result.check = {{"name", "wrong of " + results::counted(static_cast<std::size_t>(cells), "cell")},
                   {"expected", 0},
                   {"got", wrong},
                   {"relative_error", static_cast<double>(wrong)},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "bridge/picture/mechanism.hpp"
 #include "bridge/picture/section_state.hpp"
@@ -35,7 +36,8 @@ json satisfied(const json& answer, const std::optional<double>& required) {
 /// Has every case an answer, and is every factor that is required reached?
 bool all_enough(const json& cases) {
   return std::all_of(cases.begin(), cases.end(), [](const json& c) {
-    return c["outcome"] != "not found" && (c["required"].is_null() || c["satisfied"] == true);
+    return c["outcome"] != "not found" && !c.contains("contradiction") &&
+           (c["required"].is_null() || c["satisfied"] == true);
   });
 }
 
@@ -72,16 +74,19 @@ std::vector<std::string> without_effect(const Settings& overrides, const scene::
   return warnings;
 }
 
-/// Asks for one case, draws its mechanism, and adds what the scene says of it.
-json answer_of(const scene::LoadCase& load_case, const process::AskOptions& options) {
+using Pictures = std::vector<std::function<void()>>;
+
+/// Asks for one case, adds what draws its mechanisms, and what the scene says of it.
+json answer_of(const scene::LoadCase& load_case, const process::AskOptions& options, Pictures& pictures) {
   const process::Asked asked = process::ask("safety", options);
   json answer = asked.answer;
   const auto draw = [&](const json& found, const char* name) {
     const std::optional<double> level_m =
         answer["level_m"].is_number() ? std::optional(answer["level_m"].get<double>()) : std::nullopt;
-    if (found.contains("mechanism")) {
-      picture::draw_mechanism(asked.scene, found["mechanism"], level_m, asked.folder / name);
-    }
+    if (!found.contains("mechanism")) return;
+    pictures.emplace_back([scene = asked.scene, mechanism = found["mechanism"], level_m, file = asked.folder / name] {
+      picture::draw_mechanism(scene, mechanism, level_m, file);
+    });
   };
   draw(answer, "mechanism.png");
   draw(answer.value("load_factor", json::object()), "mechanism-loads.png");
@@ -116,7 +121,7 @@ double deciding_factor(const json& answer) {
   return factor;
 }
 
-json safety_answers(const process::AskOptions& options) {
+json safety_answers(const process::AskOptions& options, Pictures* pictures) {
   const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
   scene::Gathered wrong;
   for (const scene::LoadCase& load_case : read.load_cases) {
@@ -124,12 +129,14 @@ json safety_answers(const process::AskOptions& options) {
   }
   wrong.report();
   json cases = json::array();
+  Pictures own;
   const auto answer = [&](const scene::LoadCase& load_case, const fs::path& out, bool quiet) {
     process::AskOptions one = options;
     one.out = out;
     one.overrides = joined(options.overrides, load_case.set);
     one.quiet = quiet;
-    json found = answer_of(load_case, one);
+    json found = answer_of(load_case, one, pictures != nullptr ? *pictures : own);
+    for (const auto& draw : std::exchange(own, {})) draw();
     const scene::Scene with = scene::read_variant(one.scene, one.variant, one.overrides).scene;
     const auto idle = idle_load_case(load_case, read.scene, with);
     if (idle && !load_case.set.empty()) found["warnings"].push_back(idle->message());
@@ -153,14 +160,17 @@ int tell_safety(const SafetyOptions& options) {
   process::AskOptions question = options;
   question.out = process::answer_folder("safety", options);
   const fs::path& folder = question.out;
-  const json cases = safety_answers(question);
+  Pictures pictures;
+  const json cases = safety_answers(question, &pictures);
+  // What was found is told first: it took the time, and files and pictures may find the disk full.
+  fmt::print("{}", results::for_stdout(safety_text(cases)));
   const std::string all = json{{"load_cases", cases}}.dump(2) + "\n";
   results::replace_file(folder / "safety.json", all);
   if (!options.json.empty()) results::replace_file(options.json, all);
-  std::string text = safety_text(cases);
+  for (const auto& draw : pictures) draw();
   const char* drawn = cases[0].contains("mechanism") ? ", mechanism.png" : "";
-  text += fmt::format("results {} (safety.json{}; a folder for each load case)\n", folder.string(), drawn);
-  fmt::print("{}", results::for_stdout(text));
+  fmt::print("{}", results::for_stdout(fmt::format("results {} (safety.json{}; a folder for each load case)\n",
+                                                   folder.string(), drawn)));
   return all_enough(cases) ? 0 : 1;
 }
 

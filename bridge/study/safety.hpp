@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <vector>
 
 #include "bridge/process/ask.hpp"
 
@@ -17,8 +19,10 @@ struct SafetyOptions : process::AskOptions {
 double deciding_factor(const nlohmann::json& answer);
 
 /// The answers for the scene as it stands and each load case, a list as safety.json has it; a folder each in
-/// `options.out`, which has to be named. Throws as process::ask() does.
-nlohmann::json safety_answers(const process::AskOptions& options);
+/// `options.out`, which has to be named. `pictures`: null to draw mechanisms at once; else what draws them is added, so
+/// that a disk that is full for a picture costs no answer. Throws as process::ask() does.
+nlohmann::json safety_answers(const process::AskOptions& options,
+                              std::vector<std::function<void()>>* pictures = nullptr);
 
 /// Tells the factor of the scene as it stands and of each load case, by the blocks' own equilibrium and by limit
 /// analysis, with the joints that run through, and draws the mechanisms. Returns 1 where a load case does not reach the

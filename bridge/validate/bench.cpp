@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "bridge/process/run.hpp"
+#include "bridge/results/counted.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/study/engines.hpp"
@@ -252,7 +253,7 @@ int bench(const BenchOptions& options) {
   }
   const fs::path table = options.out / "bench.json";
   results::replace_file(table, rows.dump(2) + "\n");
-  fmt::print("{} cases; {}\n", rows.size(), table.string());
+  fmt::print("{}; {}\n", results::counted(rows.size(), "case"), table.string());
   return sound ? 0 : 1;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bridge/results/counted.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/read/nearest.hpp"
@@ -113,7 +114,8 @@ int stress(const StressOptions& options) {
   const fs::path table = options.out / "stress.json";
   results::replace_file(table, rows.dump(2) + "\n");
   const bool sound = std::all_of(rows.begin(), rows.end(), [](const json& r) { return r["passed"].get<bool>(); });
-  fmt::print("{} maps, {}; {}\n", rows.size(), sound ? "no cell is wrong" : "cells are WRONG", table.string());
+  fmt::print("{}, {}; {}\n", results::counted(rows.size(), "map"), sound ? "no cell is wrong" : "cells are WRONG",
+             table.string());
   return sound ? 0 : 1;
 }
 

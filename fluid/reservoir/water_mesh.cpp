@@ -85,20 +85,21 @@ Ring with_points(const Ring& ring, const std::vector<Point>& points, double tiny
   return all;
 }
 
-/// The body's region in corners, its ends in open water moved out to the far ends.
+/// The body's region in corners, its ends in open water moved to the far ends. A wall may stand on the blocks' own end:
+/// what water there is beyond ends at it.
 std::vector<Ring> region_of(const WaterBody& body, const std::vector<std::vector<Point>>& outlines, const FarEnds& far,
                             double tiny_m) {
   const Ends water = ends_of(body.wet->region);
   const Ends blocks = ends_of(outlines);
+  const double left_m = std::min(far.left.x_m, blocks.left);
+  const double right_m = std::max(far.right.x_m, blocks.right);
   const std::vector<Point> ends = ends_of_faces(body, outlines);
   std::vector<Ring> rings;
   for (const Ring& given : body.wet->region) {
     Ring ring = given;
     for (Point& p : ring) {
-      if (water.left < blocks.left - tiny_m && p.x() < water.left + tiny_m) p.x() = std::min(far.left.x_m, blocks.left);
-      if (water.right > blocks.right + tiny_m && p.x() > water.right - tiny_m) {
-        p.x() = std::max(far.right.x_m, blocks.right);
-      }
+      if (water.left < blocks.left - tiny_m && p.x() < std::max(water.left + tiny_m, left_m)) p.x() = left_m;
+      if (water.right > blocks.right + tiny_m && p.x() > std::min(water.right - tiny_m, right_m)) p.x() = right_m;
     }
     const Ring corners = corners_of(ring, tiny_m);
     if (corners.size() > 2) rings.push_back(with_points(corners, ends, 10 * tiny_m));

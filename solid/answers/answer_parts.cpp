@@ -49,13 +49,22 @@ void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answe
   }
 }
 
-void add_shaking_left_out(const scene::Scene& scene, nlohmann::json& answer) {
-  if (!scene.base_motion) return;
+void add_motion_left_out(const scene::Scene& scene, nlohmann::json& answer) {
   const double end_s = scene.analysis.duration_s;
-  answer["warnings"].push_back(fmt::format(
-      "[base_motion] is left out of this static answer, but for the acceleration at the run's end, {:.3g} "
-      "and {:.3g} m/s2; \"blockweir run\" shakes the structure, [earthquake] states a pseudo-static case",
-      scene.base_motion->acceleration_x_m_per_s2.at(end_s), scene.base_motion->acceleration_y_m_per_s2.at(end_s)));
+  if (scene.base_motion) {
+    answer["warnings"].push_back(fmt::format(
+        "[base_motion] is left out of this static answer, but for the acceleration at the run's end, {:.3g} "
+        "and {:.3g} m/s2; \"blockweir run\" shakes the structure, [earthquake] states a pseudo-static case",
+        scene.base_motion->acceleration_x_m_per_s2.at(end_s), scene.base_motion->acceleration_y_m_per_s2.at(end_s)));
+  }
+  if (scene.fluid == scene::FluidModel::openfoam && scene.openfoam.wave) {
+    const bool solitary = scene.openfoam.wave->kind == scene::WaveKind::solitary;
+    answer["warnings"].push_back(fmt::format(
+        "[fluid.wave] is left out of this static answer: {} of {:.3g} m in height {} not in the water, which is still "
+        "at the levels of [water]; \"blockweir run\" lets {} come and has the lowest factors then",
+        solitary ? "the solitary wave" : "the waves", scene.openfoam.wave->height_m, solitary ? "is" : "are",
+        solitary ? "it" : "them"));
+  }
 }
 
 bool has_bonds(const scene::Scene& scene) {

@@ -49,8 +49,8 @@ nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit
 /// Says after whom the water answers to an earthquake, where the scene has one.
 void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answer);
 
-/// Warns that a static answer leaves out how the ground shakes, where it does.
-void add_shaking_left_out(const scene::Scene& scene, nlohmann::json& answer);
+/// Warns that a static answer leaves out how the ground shakes and the waves that come, where they do.
+void add_motion_left_out(const scene::Scene& scene, nlohmann::json& answer);
 
 /// Has some joint a bond that slip or tension can break: cohesion, tension strength, a peak friction?
 bool has_bonds(const scene::Scene& scene);

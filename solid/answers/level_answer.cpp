@@ -155,8 +155,13 @@ struct Levels {
     return "slips that add up to failure_displacement_m: limit analysis asks for equilibrium alone";
   }
   [[nodiscard]] std::string of_an_upper_bound() const {
-    const bool lower = limit.value->outcome != Filled::does_not_stand_empty &&
-                       (blocks.value->outcome == Filled::does_not_stand_empty ||
+    if (limit.value->outcome == Filled::does_not_stand_empty) {
+      return "blocks that move before they rest: limit analysis takes the structure as it is drawn, where faces that "
+             "do "
+             "not touch hold nothing; no uplift acts between them, and the blocks' level is without it; let faces "
+             "touch";
+    }
+    const bool lower = (blocks.value->outcome == Filled::does_not_stand_empty ||
                         (blocks.value->outcome == Filled::fails && off(*blocks.value) < 0));
     // Before the slips: they add up because the anchors have not yet stretched to their yield.
     if (lower && !any_force && solid::yields_above_prestress(scene)) {
@@ -215,7 +220,7 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["difference"] = difference_json(levels);
   solid::add_water_in_an_earthquake(scene, answer);
   answer["warnings"] = water.warnings();
-  solid::add_shaking_left_out(scene, answer);
+  solid::add_motion_left_out(scene, answer);
   if (levels.blocks.value && !levels.blocks.value->warning.empty()) {
     answer["warnings"].push_back(levels.blocks.value->warning);
   }

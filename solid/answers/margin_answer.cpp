@@ -48,6 +48,7 @@ json margin_of(solid::Situation& now, const limit::LimitAnalysis& structure, con
                              {{"factor", nullptr},
                               {"why_no_factor", any ? "no joint needs shear strength"
                                                     : "no shear strength of the joints would hold the structure"}});
+    answer["holds_nothing"] = !any;
     if (!any && !answer.contains("mechanism")) answer["mechanism"] = solid::mechanism_json(structure, found.mechanism);
   }
   solid::add_strength_with_crushed_corners(structure, loads, found, answer);

@@ -11,6 +11,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
 #include "solid/answers/answer_parts.hpp"
+#include "solid/answers/contradiction.hpp"
 #include "solid/answers/crushed_corners.hpp"
 #include "solid/answers/reservoir_parts.hpp"
 #include "solid/answers/safety_reserves.hpp"
@@ -91,8 +92,9 @@ void add_loads(Situation& now, const FluidMaker& make_fluid, json& answer) {
   }
   answer["loads_on_joints"] = rows;
   answer["why_no_joints"] =
-      "no strength of the joints holds the structure, so that no forces in its joints and anchors balance what acts on "
-      "it; below is what acts on all that stands on each joint";
+      "with no strength of the joints the blocks find a rest, so that no forces in joints and anchors balance what "
+      "acts "
+      "on the structure; below is what acts on all that stands on each joint";
 }
 
 /// Forces on joints as the scene stands; where it does not, with just the strength with which it would.
@@ -219,8 +221,9 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["bolts"] = json::array();
   answer["water"] = now.water ? solid::water_by_kind(scene, make_fluid, now.level_m) : json::array();
   answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
-  solid::add_shaking_left_out(scene, answer);
+  solid::add_motion_left_out(scene, answer);
   if (by_limit.value && blocks.value) {
+    solid::add_contradiction(*blocks.value, *by_limit.value, answer);
     add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
     add_friction_history(structure, *blocks.value, *by_limit.value, answer);
   }
@@ -229,7 +232,9 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   if (by_limit.value) {
     solid::add_strength_with_crushed_corners(structure, limit::combined(dead, 1, stated), *by_limit.value, answer);
   }
-  if (blocks.value) solid::attempt([&] { return add_joints(now, make_fluid, *blocks.value, answer), true; });
+  const bool as_drawn = answer["outcome"] != "not found" || !answer.contains("contradiction");
+  if (blocks.value && as_drawn)
+    solid::attempt([&] { return add_joints(now, make_fluid, *blocks.value, answer), true; });
   return answer;
 }
 

@@ -57,6 +57,16 @@ bool StaticBlocks::went_far() const {
                                     solid_.largest_displacement_m() - moved_before_m_) > far_m_;
 }
 
+std::string StaticBlocks::moving_most() const {
+  const auto& states = solid_.states();
+  const auto farthest =
+      std::max_element(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(scene_.blocks.size()),
+                       [](const auto& a, const auto& b) {
+                         return a.displacement.template head<2>().norm() < b.displacement.template head<2>().norm();
+                       });
+  return scene_.blocks[static_cast<std::size_t>(farthest - states.begin())].name;
+}
+
 std::string StaticBlocks::state() const {
   return checkpoint::pack(solid_);
 }

@@ -30,6 +30,9 @@ class StaticBlocks {
   /// Has anything slipped by more than a failure since the scene's outline, as rests_at() has it?
   [[nodiscard]] bool slipped_away() const;
 
+  /// The name of the block whose centroid is farthest from where it is drawn.
+  [[nodiscard]] std::string moving_most() const;
+
   /// Of a StaticBlocks of the same scene.
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);

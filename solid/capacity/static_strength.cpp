@@ -33,7 +33,9 @@ class Search {
   }
 
   StaticStrength found() {
-    if (const auto bearing = bracket(); bearing != limit::Bearing::fails_at_a_factor) return {.bearing = bearing};
+    if (const auto bearing = bracket(); bearing != limit::Bearing::fails_at_a_factor) {
+      return {.bearing = bearing, .moving = moving_};
+    }
     StaticStrength found{.bearing = limit::Bearing::fails_at_a_factor};
     try {
       narrow();
@@ -53,7 +55,10 @@ class Search {
     const bool may_jump = jumps_below_ && reduction > *jumps_below_;
     effort_.allow(may_jump ? most_systems : LONG_MAX);
     try {
-      return StaticBlocks(reduced, water_, effort_).begin(level_m_);
+      StaticBlocks blocks(reduced, water_, effort_);
+      if (blocks.begin(level_m_)) return true;
+      moving_ = blocks.moving_most();
+      return false;
     } catch (const Undecided&) {
       creeps_ = true;
       return false;
@@ -111,6 +116,7 @@ class Search {
   double level_m_;
   std::optional<double> jumps_below_;
   bool creeps_ = false;     ///< some analysis was given up
+  std::string moving_;      ///< the block that went farthest in the last analysis that found no rest
   std::string not_solved_;  ///< why, of the last that was not
   Effort effort_{"factor by the blocks"};
   double stands_at_;

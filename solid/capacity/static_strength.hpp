@@ -22,6 +22,7 @@ struct StaticStrength {
   double factor = 0;    ///< the middle of the bracket; its lower end where the time was over
   double width = 0;     ///< of the bracket
   bool creeps = false;  ///< an analysis near the bound was given up, and counts as one that fails
+  std::string moving;   ///< where it bears none: the block that moves most in the last analysis
   std::string stopped;  ///< why it is no narrower; empty where it is as narrow as it is to be
 };
 

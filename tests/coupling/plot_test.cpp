@@ -23,6 +23,11 @@ TEST_F(Plot, DrawsTheSectionAndMeasuredPoints) {
   EXPECT_EQ(plot("--blocks blok"), 2);
   EXPECT_THAT(text("out"), HasSubstr("--blocks: found \"blok\", which the run does not have"));
   EXPECT_THAT(text("out"), HasSubstr("did you mean \"block\"?"));
+  std::ofstream(folder / "slip.csv") << "time_s,block.displacement_x_m\n0,abc\n";
+  fs::remove(folder / "o/displacements.png");
+  EXPECT_EQ(plot("--data slip.csv"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("--data slip.csv:2: found \"abc\""));
+  EXPECT_FALSE(fs::exists(folder / "o/displacements.png"));
   EXPECT_EQ(plot("--data nowhere.csv"), 2);
   EXPECT_THAT(text("out"), HasSubstr("--data nowhere.csv: found no such file"));
   std::ofstream(folder / "measured.csv") << "t,block.displacement_x_m\n0,0\n";

@@ -35,6 +35,25 @@ material = "m"
 vertices_m = [[0, 0], [1, 0], [1, 0.5], [0, 0.5]]
 )";
 
+TEST_F(Said, APathThatOpenFoamWouldChangeIsRefusedBeforeAnythingStarts) {
+  for (const char* out : {"'of sp'", "\"of'q\""}) {
+    EXPECT_EQ(shell(programs + "/blockweir run " + cases + "hydrostatic-wall-openfoam --out " + out), 2);
+    EXPECT_THAT(text("out"), AllOf(HasSubstr("expected a path without blanks and quotes, which OpenFOAM drops from "
+                                             "paths; choose another --out, or work in another folder")));
+  }
+  EXPECT_FALSE(fs::exists(folder / "of sp"));
+}
+
+TEST_F(Said, AnOutThatCannotBeAPathIsRefused) {
+  const std::string run = programs + "/blockweir run " + cases + "incline --out ";
+  EXPECT_EQ(shell(run + "''"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("--out: found an empty text; expected the path of a folder or file"));
+  EXPECT_EQ(shell(run + "a/" + std::string(300, 'b')), 2);
+  EXPECT_THAT(text("out"), HasSubstr("--out: found a name of 300 bytes, \"bbbbbbbbbbbbbbbbbbbb...\"; expected names "
+                                     "of at most 255 bytes; choose another"));
+  EXPECT_FALSE(fs::exists(folder / "a"));
+}
+
 TEST_F(Said, AWarningStandsBeforeTheRunInItsReportAndInItsSummary) {
   scene(block);
   ASSERT_EQ(shell(programs + "/blockweir run s.toml --out o"), 0) << text("out");

@@ -53,7 +53,7 @@ TEST_F(Stress, RightCellsAreDrawnAndCounted) {
   EXPECT_GT(rows()[0]["runs"][0]["iterations"], 0);
   EXPECT_THAT(text("out"), HasSubstr(" iterations, "));
   EXPECT_GT(fs::file_size(folder / "s/s/slide.png"), 1000U);
-  EXPECT_THAT(text("out"), HasSubstr("1 maps, no cell is wrong"));
+  EXPECT_THAT(text("out"), HasSubstr("1 map, no cell is wrong"));
 }
 
 /// Water of finite elements, up to 45 times as heavy as the wall that it presses on, on all schedules.

@@ -32,6 +32,12 @@ class DrawnSettings : public test::OwnFolder {
   }
 };
 
+TEST_F(DrawnSettings, AHeadingWithANameTwiceIsRefused) {
+  EXPECT_THAT(refusal("phi,phi2,phi\n1,2,3\n"),
+              HasSubstr("line 1 of v.csv, its heading, has \"phi\" twice; expected each column's name once"));
+  EXPECT_EQ(refusal("phi,,\n1,,\n"), "none") << "columns without a name, as a spreadsheet leaves them";
+}
+
 TEST_F(DrawnSettings, ComeFromAFileAsASpreadsheetWritesIt) {
   std::ofstream(folder / "v.csv") << "\xef\xbb\xbfphi, note\r\n30,\"dry, rough\"\r\n\r\n31.5,wet\r\n";
   scene::Sample sample{.file = "v.csv", .variables = {{.key = "a.b", .column = "phi"}}};
@@ -42,7 +48,7 @@ TEST_F(DrawnSettings, AFileThatIsWrongIsRefusedAtTheStudy) {
   EXPECT_THAT(refusal("Phi,c\n1,2\n"), testing::AllOf(HasSubstr("scene.toml:7: error: [[study]] \"s\": v.csv has no "
                                                                 "column \"phi\"; expected one of Phi, c"),
                                                       HasSubstr("did you mean \"Phi\"?")));
-  EXPECT_THAT(refusal("phi,c\n1\n"), HasSubstr("line 2 of v.csv has 1 cells; expected 2"));
+  EXPECT_THAT(refusal("phi,c\n1\n"), HasSubstr("line 2 of v.csv has 1 cell; expected 2"));
   EXPECT_THAT(refusal("phi,c\n,2\n"), HasSubstr("row 1 of v.csv has nothing for \"phi\""));
   EXPECT_THAT(refusal("phi\n"), HasSubstr("has no rows"));
   EXPECT_THAT(refusal("phi\n1\n", 2), HasSubstr("runs = 2, and v.csv has 1 rows"));

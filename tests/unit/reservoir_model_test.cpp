@@ -46,6 +46,19 @@ TEST(ReservoirModel, RefusesAPoolWithoutASurface) {
   }
 }
 
+/// The bed rises to a wall on the model's own end, or just beyond it.
+TEST(ReservoirModel, AWallMayStandOnTheModelsEnd) {
+  for (const double wall_m : {-50.0, -50.0000001, -50.00001, -50.0001, -50.001}) {
+    scene::Scene scene = dam_of_two();
+    scene.reservoir.upstream_wall_m = wall_m;
+    scene.blocks[0].vertices = {{-50, -10}, {80, -10}, {80, 0}, {0, 0}, {-50, 3.1}};
+    ReservoirModel water(scene);
+    wire::Load load;
+    EXPECT_NO_THROW(water.advance(moved(0, 0), 0, load)) << wall_m;
+    EXPECT_GT(thrust(load), 0.9 * still) << wall_m;
+  }
+}
+
 constexpr const char* with_waves =
     "[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"waves\", compressible = true, bottom_reflection = 0.8 "
     "}\n";

@@ -3,6 +3,8 @@
 // A section from a DXF drawing: layers, laws, supports, and drawings that do not serve.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "bridge/geometry/polygon.hpp"
 #include "tests/unit/scene_sample.hpp"
 
@@ -106,12 +108,34 @@ TEST_F(Drawing, ThatDoesNotServeIsRefused) {
   EXPECT_THAT(error(scene(drawing(line("section", 0, 0, 1, 1)))), HasSubstr("no closed line on the layer \"section\""));
   EXPECT_THAT(error(scene(drawing(square + entity("CIRCLE", "joints", point(0, 0) + "40\n1\n")))),
               HasSubstr("1 arcs or other curves"));
-  EXPECT_THAT(error(scene("not a drawing")), HasSubstr("scene.toml:9: error: the drawing d.dxf: it holds no line"));
+  EXPECT_THAT(error(scene("not a drawing\n\n")),
+              HasSubstr("d.dxf:1: error: found \"not a drawing\" as a group code; expected a whole number"));
+  EXPECT_THAT(error(scene(drawing(""))), HasSubstr("scene.toml:9: error: the drawing d.dxf: it holds no line"));
   EXPECT_THAT(error(scene(drawing(square + entity("POINT", "supports", point(9, 9))))),
               HasSubstr("no block of the section has the point (9, 9)"));
   static_cast<void>(scene(drawing(square)));
   std::filesystem::remove(folder_ / "d.dxf");
   EXPECT_THAT(error(folder_), HasSubstr("the drawing d.dxf: it cannot be read; expected a DXF file"));
+}
+
+std::string spoiled(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.rfind(from), from.size(), to);
+}
+
+TEST_F(Drawing, ThatIsDamagedIsRefusedWithTheLineOfTheDrawing) {
+  const std::string sound = drawing(square + line("joints", 0, 2, 4, 2) + entity("POINT", "supports", point(1, 0)));
+  const std::vector<std::array<std::string, 3>> faults = {
+      {"4.000000", "4x0", "d.dxf:38: error: found \"4x0\" after the group code 11; expected a finite number"},
+      {"4.000000", "nan", "found \"nan\" after the group code 11; expected a finite number; export the drawing again"},
+      {"4.000000", "1e999", "found \"1e999\" after the group code 11"},
+      {"11\n4.000000\n", "", "d.dxf:29: error: found LINE without the group code 11; expected all its coordinates"},
+      {"90\n4", "90\n5", "d.dxf:5: error: found LWPOLYLINE of 5 points with 4 x and 4 y"},
+      {"90\n4", "90\nfour", "found \"four\" after the group code 90; expected a whole number"},
+      {"EOF\n", "", "found the end of the file in or after \"ENDSEC\" at line 49; expected ENDSEC and EOF"},
+      {"0\nENDSEC\n", "", "d.dxf:49: error: found EOF after a section that has not ended; expected ENDSEC before it"},
+  };
+  for (const auto& [from, to, told] : faults) EXPECT_THAT(error(scene(spoiled(sound, from, to))), HasSubstr(told));
+  EXPECT_THAT(error(scene("AutoCAD Binary DXF\r\n\x1a")), HasSubstr("found a binary drawing; expected one of text"));
 }
 
 }  // namespace

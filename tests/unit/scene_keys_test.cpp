@@ -73,6 +73,9 @@ TEST(SceneKeys, AMissingKeyIsNamed) {
 
 TEST(SceneKeys, AWrongTypeIsNamed) {
   expect_error(with("step_s = 0.01", "step_s = \"fast\""), 5, {"step_s in [analysis] is 'fast'", "a number above 0"});
+  expect_error(with("step_s = 0.01", "step_s = \"1\""), 5,
+               {"step_s in [analysis] is the text '1'; expected a number above 0; take off the quotes"});
+  expect_error(with("fixed = true", "fixed = \"true\""), 17, {"is the text 'true'", "take off the quotes"});
   expect_error(with("fixed = true", "fixed = 1"), 17, {"fixed in [[block]] \"ground\" is 1", "true or false"});
   expect_error(with("max_iterations = 100", "max_iterations = 1.5"), 7, {"is 1.5", "a whole number from 1"});
   expect_error(with("name = \"crack\"", "name = 7", with("of = \"crack\"\n", "")), 28, {"is 7", "a text"});

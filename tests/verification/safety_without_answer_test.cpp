@@ -8,6 +8,7 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "solid/answers/contradiction.hpp"
 
 namespace blockweir::test {
 namespace {
@@ -45,6 +46,62 @@ TEST(SafetyWithoutAnswer, WhatOverturnsWhateverItsStrengthHasItsMechanism) {
   EXPECT_EQ(answer["outcome"], "fails");
   EXPECT_THAT(answer["why_no_factor"].get<std::string>(), HasSubstr("no shear strength"));
   EXPECT_THAT(answer["mechanism"]["text"].get<std::string>(), HasSubstr("\"wall\" turns over on joint"));
+}
+
+/// A wall a tenth of a millimetre above the rock lands on it, and has lost its uplift by then.
+TEST(SafetyWithoutAnswer, BlocksThatStandOnlyAfterTheyHaveMovedHaveNoFactor) {
+  const auto answer = [](double gap_m) {
+    const std::string text = fmt::format(R"(analysis = {{ duration_s = 1 }}
+water = {{ upstream_level_m = 3 }}
+joint = {{ friction_angle_deg = 30, uplift = "triangular" }}
+material.m = {{ youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }}
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-10, -3], [12, -3], [12, 0], [-10, 0]]
+[[block]]
+name = "wall"
+material = "m"
+vertices_m = [[0, {0}], [2.5, {0}], [1, 5], [0, 5]]
+)",
+                                         gap_m);
+    return process::safety_answer(scene::read_text(text, "wall.toml").scene, hydrostatic::make);
+  };
+  const json touching = answer(0);
+  EXPECT_EQ(touching["outcome"], "stands");
+  EXPECT_FALSE(touching.contains("contradiction"));
+  const json apart = answer(1e-4);
+  EXPECT_EQ(apart["outcome"], "not found");
+  EXPECT_TRUE(apart["factor"].is_null());
+  EXPECT_TRUE(apart["joints"].empty());
+  EXPECT_THAT(apart["why_no_factor"].get<std::string>(),
+              testing::AllOf(HasSubstr("the blocks stand only after they have moved (factor "),
+                             HasSubstr("faces do not touch, and no uplift acts between them")));
+}
+
+TEST(SafetyWithoutAnswer, ASearchWithoutRestBesideALimitFactorSaysWhichOfThemFailed) {
+  using solid::limit::Bearing;
+  const solid::StaticStrength no_rest{.bearing = Bearing::bears_none, .moving = "s14"};
+  for (const auto& [bound, outcome] : {std::pair(0.43, "fails"), std::pair(1.43, "not found")}) {
+    json answer = {{"outcome", "fails"}};
+    solid::add_contradiction(no_rest, {.bearing = Bearing::fails_at_a_factor, .factor = bound}, answer);
+    EXPECT_EQ(answer["outcome"], outcome) << bound;
+    EXPECT_THAT(answer["why_no_factor"].get<std::string>(),
+                HasSubstr("the blocks find no rest even with 1e6 times the strength; block \"s14\" moves most"));
+  }
+  json answer = {{"outcome", "fails"}};
+  solid::add_contradiction(no_rest, {.bearing = Bearing::bears_none}, answer);
+  EXPECT_FALSE(answer.contains("contradiction")) << "both say so";
+}
+
+TEST(SafetyWithoutAnswer, WavesThatAreLeftOutAreWarnedOf) {
+  const std::string water = "[water]\nupstream_level_m = 2\n[fluid]\nmodel = \"openfoam\"\nupstream_depths = 10\n";
+  const json still = safety_of("50e9", water);
+  EXPECT_THAT(still["warnings"].dump(), testing::Not(HasSubstr("wave")));
+  const json solitary = safety_of("50e9", water + "[fluid.wave]\nkind = \"solitary\"\nheight_m = 0.3\n");
+  EXPECT_THAT(solitary["warnings"].dump(), HasSubstr("[fluid.wave] is left out of this static answer: the solitary "
+                                                     "wave of 0.3 m in height is not in the water"));
 }
 
 TEST(SafetyWithoutAnswer, LoadsBeyondAllSenseAreAReasonAndNoCrash) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "bridge/scene/block_index.hpp"
@@ -30,6 +31,18 @@ double narrowest(const JointTrace& beside, const Block& b) {
   return gap_m;
 }
 
+/// What the scene states of water between the two, and a gap leaves out; empty where it states none.
+std::string lost_uplift(const Scene& scene, int a, int b) {
+  if (scene.fluid == FluidModel::none) return {};
+  const auto joint = std::find_if(scene.joints.begin(), scene.joints.end(), [&](const Joint& j) {
+    return j.between == std::array{a, b} || j.between == std::array{b, a};
+  });
+  const Uplift law = (joint == scene.joints.end() ? scene.default_joint : joint->law).uplift;
+  if (law == Uplift::none) return {};
+  return fmt::format("; the uplift \"{}\" acts only in a joint whose faces touch: none acts here, which is unsafe",
+                     named(law).name);
+}
+
 }  // namespace
 
 void check_gaps(const Scene& scene, Problems& problems) {
@@ -53,8 +66,9 @@ void check_gaps(const Scene& scene, Problems& problems) {
       problems.warning(
           problems.at(std::max(a.line, b.line)),
           fmt::format("blocks \"{}\" and \"{}\" have a gap of {:.3g} m between them near ({:.4g}, {:.4g}), "
-                      "which is unusual for a structure that begins at rest",
-                      a.name, b.name, gap_m, beside.mouth().x(), beside.mouth().y()),
+                      "which is unusual for a structure that begins at rest{}",
+                      a.name, b.name, gap_m, beside.mouth().x(), beside.mouth().y(),
+                      lost_uplift(scene, static_cast<int>(i), static_cast<int>(j))),
           "blocks that touch, or are farther apart", "move the vertices of one of them to the common boundary");
     }
   }

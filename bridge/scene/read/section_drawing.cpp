@@ -9,6 +9,7 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/read/dxf.hpp"
+#include "bridge/scene/read/dxf_pairs.hpp"
 #include "bridge/scene/read/table_reader.hpp"
 
 namespace blockweir::scene {
@@ -117,6 +118,12 @@ bool take_drawing(toml::table& file, const std::filesystem::path& folder, Proble
   };
   DxfDrawing drawing;
   try {
+    const DxfFault fault = first_fault_of_dxf(folder / *name);
+    if (!fault.found.empty()) {
+      problems.error({(folder / *name).string(), fault.line}, "found " + fault.found, fault.expected,
+                     "export the drawing again");
+      return true;
+    }
     drawing = read_dxf(folder / *name);
   } catch (const std::runtime_error& error) {
     return refuse(error.what(), "a DXF file, its path from the scene's folder", "check the path, or export it again");

@@ -30,6 +30,15 @@ std::string shown(const toml::node& node) {
   return text.size() > 40 ? fmt::format("{}...", text.substr(0, 37)) : text;
 }
 
+/// A number, true or false within quotes.
+bool is_quoted_value(const toml::node& node) {
+  const auto text = node.value_exact<std::string>();
+  if (!text || text->empty()) return false;
+  char* end = nullptr;
+  std::strtod(text->c_str(), &end);
+  return *end == '\0' || *text == "true" || *text == "false";
+}
+
 }  // namespace
 
 std::optional<double> finite_number(const toml::node& node) {
@@ -89,8 +98,12 @@ const toml::node* TableKeys::ask(const char* key, bool required, const std::stri
 }
 
 bool TableKeys::wrong(const char* key, const toml::node& node, const std::string& expected, const std::string& remedy) {
-  problems_.error(problems_.at(node.source()), fmt::format("{} in {} is {}", key, name_, shown(node)), expected,
-                  remedy.empty() ? fmt::format("correct {}", key) : remedy);
+  const bool quoted = is_quoted_value(node) && expected.find("text") == std::string::npos;
+  problems_.error(problems_.at(node.source()),
+                  fmt::format("{} in {} is {}{}", key, name_, quoted ? "the text " : "", shown(node)), expected,
+                  quoted           ? "take off the quotes"
+                  : remedy.empty() ? fmt::format("correct {}", key)
+                                   : remedy);
   return false;
 }
 
