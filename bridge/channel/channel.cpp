@@ -109,8 +109,8 @@ struct Channel::Line {
                         options.partner, options.endpoint, visitors.refusal()));
       }
       if (seconds_since(start) > options.open_timeout_s) {
-        const std::string met = visitors.strangers() > 0      ? fmt::format("{} strangers have", visitors.strangers())
-                                : !visitors.refusal().empty() ? "somebody who left in the middle of the handshake has"
+        const std::string met = visitors.strangers() > 0 ? fmt::format("{} other clients have", visitors.strangers())
+                                : !visitors.refusal().empty() ? "a client that left during the handshake has"
                                                               : "";
         throw PeerError(fmt::format("{} has not come to {} within {:.3g} s{}; is it running, with the same {}?",
                                     options.partner, options.endpoint, options.open_timeout_s,

@@ -109,7 +109,7 @@ void Visitors::gone(int descriptor) {
 
 void Visitors::log(const std::string& address) {
   if (++strangers_ > most_lines) return;
-  const std::string line = fmt::format("blockweir: turned a stranger from {} away at {}: {}{}\n", address, endpoint_,
+  const std::string line = fmt::format("blockweir: refused a client from {} at {}: {}{}\n", address, endpoint_,
                                        refusal_.empty() ? "it does not speak as the partner would" : refusal_,
                                        strangers_ == most_lines ? "; further ones are not logged" : "");
   std::fputs(line.c_str(), stderr);

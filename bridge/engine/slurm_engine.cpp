@@ -130,7 +130,7 @@ class QueuedWork {
       } else if (seconds_since(answered) > longest_silence_s) {
         throw std::runtime_error(fmt::format(
             "--engine slurm: the queue has not answered for {:.0f} s: \"{}\"; job {} may still be there, and "
-            "what it does counts; the same command goes on once the queue answers",
+            "what it does counts; the same command continues once the queue answers",
             longest_silence_s, state.trouble, job));
       }
       tell(state);
@@ -189,7 +189,7 @@ class QueuedWork {
     const std::string words = last_words(logs_);
     throw std::runtime_error(fmt::format(
         "--engine slurm: {} jobs in a row have left the queue without an answer, {} of {} are missing; {}; see "
-        "the logs in {}, and whether all machines see that folder and {}; the same command goes on",
+        "the logs in {}, and whether all machines see that folder and {}; the same command continues",
         vain, missing_.size(), digests_.size(),
         words.empty() ? "the tasks have said nothing" : "the last words of a task are \"" + words + "\"",
         logs_.string(), fs::read_symlink("/proc/self/exe").string()));

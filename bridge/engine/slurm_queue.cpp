@@ -102,7 +102,7 @@ std::string submit(const std::filesystem::path& script, const std::string& name,
   if (said.status == 0 && !number.empty() && number.find_first_not_of("0123456789") == std::string::npos) return number;
   const bool unreachable = said.text.find("contact") != std::string::npos;
   throw std::runtime_error(fmt::format(
-      "--engine slurm: the queue refused {} tasks: \"{}\"; {}; what is done is kept, and the same command goes on",
+      "--engine slurm: the queue refused {} tasks: \"{}\"; {}; what is done is kept, and the same command continues",
       tasks, said.text,
       unreachable
           ? "its controller does not answer: see whether \"sinfo\" does, and ask those who run the cluster"

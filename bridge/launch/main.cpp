@@ -27,7 +27,7 @@ void refuse_unknown_command(int argc, char** argv) {
 }
 
 int run_command(int argc, char** argv) {
-  CLI::App app{"blockweir: structures of blocks that stand in water"};
+  CLI::App app{"blockweir: at which water level a structure of blocks fails, and how"};
   app.set_version_flag("--version", launch::version, "version, commit, compiler and the OpenFOAM that is found");
   app.require_subcommand(1);
   const auto works = launch::add_commands(app);

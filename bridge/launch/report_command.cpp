@@ -14,10 +14,9 @@ Work report_command(CLI::App& app) {
   app.add_option("--out", options->out, "HTML file (default: report.html in the run's folder)");
   app.add_option("--reliability", options->reliability,
                  "folder of \"blockweir reliability\" for this scene (default: it is asked for, by limit analysis)");
-  app.add_option(
-      "--run", options->run,
-      "folder for the run of a scene (default: as \"blockweir run\" has it; with --out, where \"runs\" cannot "
-      "be written, a temporary one)");
+  app.add_option("--run", options->run,
+                 "folder for the run of a scene (default: that of \"blockweir run\"; with --out, where \"runs\" cannot "
+                 "be written, a temporary one)");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   return [options] {

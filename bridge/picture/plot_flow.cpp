@@ -93,7 +93,7 @@ Panel map_of_joints(const Rows& rows, double time_s, const History& history) {
   }
   return {fmt::format("$joints << EOD\n{}EOD\n", lines),
           fmt::format("unset key\nset size ratio -1\nset palette defined (0 '#dddddd', 0.01 '#9ecae1', 1 '#08306b')\n"
-                      "set cblabel 'pressure (kPa)'\nset title '{}'\nset xlabel 'x (m)'\nset ylabel 'y (m)'\n"
+                      "set title '{}: pressure in joints (kPa)'\nset xlabel 'x (m)'\nset ylabel 'y (m)'\n"
                       "plot $joints using 1:2:3 with lines lc palette lw 2\nset size noratio\nunset title\n",
                       title(history, time_s))};
 }
@@ -108,7 +108,8 @@ Panel over_time(const Rows& rows) {
                          gnuplot_text(words_of_flow(rows.front()[column])));
   }
   panel.commands = fmt::format(
-      "set key bmargin center horizontal\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'flow (m³ a day and "
+      "set key bmargin center horizontal\nset bmargin 6\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'flow (m³ "
+      "a day and "
       "metre)'\nplot {}\n",
       lines);
   return panel;
@@ -141,7 +142,8 @@ Panel against_laws(const Rows& rows) {
   add(column::drained, "drained", "lw 1.5 dt 4 lc rgb '#2c7a3f'");
   add(column::full, "full", "lw 1.5 dt 3 lc rgb '#d9622b'");
   panel.commands = fmt::format(
-      "set key bmargin center horizontal\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'uplift (kN/m)'\n"
+      "set key bmargin center horizontal\nset bmargin 6\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'uplift "
+      "(kN/m)'\n"
       "set title {}\nplot {}\nunset title\n",
       gnuplot_text("joint " + (*highest)[column::joint]), lines);
   return panel;

@@ -112,24 +112,39 @@ std::string flow(const std::vector<WaterBox>& boxes, const View& view, double fa
   return text + "E\n";
 }
 
-/// Of the points that mark contacts: no larger than a block can carry.
+/// Of the points that mark contacts: no larger than half of the blocks can carry.
 double marker_size(const json& frame, const View& view) {
   constexpr double most_per_width = 40;  // points of size 1 beside each other, over a panel
-  double narrowest = view.right - view.left;
+  std::vector<double> widths;
   for (const json& block : frame["blocks"]) {
     if (block["fixed"].get<bool>()) continue;
     double low = view.right;
     double high = view.left;
     for (const json& p : block["outline"])
       low = std::min(low, p[0].get<double>()), high = std::max(high, p[0].get<double>());
-    narrowest = std::min(narrowest, std::max(0.0, high - low));
+    widths.push_back(high - low);
   }
-  return std::clamp(most_per_width / 2 * narrowest / (view.right - view.left), 0.2, 1.0);
+  if (widths.empty()) return 1;
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::nth_element(widths.begin(), middle, widths.end());
+  return std::clamp(most_per_width / 2 * *middle / (view.right - view.left), 0.2, 1.0);
 }
 
-/// `breached_s`: from then on still water has no place; infinite where it keeps its own.
-std::string moment(const json& frame, const View& view, double breached_s, bool contacts,
-                   const std::string& water = "") {
+/// Digits behind the point that tell the moments of a run apart.
+int decimals_of(double end_s) {
+  return end_s > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(end_s))), 2, 9) : 2;
+}
+
+/// What a picture of several moments has in common.
+struct Film {
+  View view;
+  double breached_s;  // from then on still water has no place; infinite where it keeps its own
+  int decimals;       // of the time
+};
+
+std::string moment(const json& frame, const Film& film, bool contacts, const std::string& water = "") {
+  const View& view = film.view;
+  const double breached_s = film.breached_s;
   int number = 0;
   const bool breached = frame["time_s"].get<double>() >= breached_s && water.empty();
   std::string text = "unset object\n" + water;
@@ -150,8 +165,9 @@ std::string moment(const json& frame, const View& view, double breached_s, bool 
                         water.empty() && above_all(frame) ? " (above all blocks)" : "");
   }
   if (breached) level = fmt::format(", breached at {:.2f} s", breached_s);
-  text += fmt::format("set title '{:.2f} s{}'\nset xrange [{}:{}]\nset yrange [{}:{}]\n", frame["time_s"].get<double>(),
-                      level, view.left, view.right, view.bottom, view.top);
+  text +=
+      fmt::format("set title '{:.{}f} s{}'\nset xrange [{}:{}]\nset yrange [{}:{}]\n", frame["time_s"].get<double>(),
+                  film.decimals, level, view.left, view.right, view.bottom, view.top);
   if (!water.empty()) {
     return text + "plot $water using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder lc rgb variable notitle\n";
   }
@@ -162,8 +178,8 @@ std::string moment(const json& frame, const View& view, double breached_s, bool 
   }
   if (largest > 0) {
     text += fmt::format(
-        "set palette defined (-1 '#0000ff', 0 '#ffffff', 1 '#ff0000')\nset cbrange [{}:{}]\n"
-        "set cblabel 'larger principal stress [MPa]'\nset colorbox\n",
+        "set palette defined (-1 '#0000ff', 0 '#ffffff', 1 '#ff0000')\nset cbrange [{0}:{1}]\n"
+        "set cbtics ('{0:.3g}' {0}, '0' 0, '{1:.3g}' {1})\nset colorbox\n",
         -largest / 1e6, largest / 1e6);
     if (points.empty()) return text + "plot NaN with points palette notitle\n";
   }
@@ -182,6 +198,16 @@ double round_step(double least) {
     if (factor * power >= least) return factor * power;
   }
   return 10 * power;
+}
+
+/// Steps of the axes' numbers that leave room between them, in a panel so many points wide.
+std::string tics(const View& view, double panel_points) {
+  constexpr double tall_points = 40;  // that a number needs
+  constexpr double wide_points = 80;
+  const double m_per_point = (view.right - view.left) / panel_points;
+  const double quarter = (view.top - view.bottom) / 4;  // flat pictures, too, have more numbers than one
+  return fmt::format("set ytics {}\nset xtics {}\n", round_step(std::min(tall_points * m_per_point, quarter)),
+                     round_step(wide_points * m_per_point));
 }
 
 /// Six moments from just before the failure to the end, or over the whole run when nothing fails.
@@ -214,8 +240,8 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   double highest = water.empty() ? 1e300 : -1e300;
   for (const WaterBox& box : water.boxes(0)) highest = std::max(highest, box.top);
   const View view = view_of(frames, highest);
-  const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.3, 2.0);
-  std::string axes =
+  const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.12, 2.0);
+  const std::string axes =
       "set size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\nset xlabel 'x [m]'\n"
       "set ylabel 'y [m]'\n";
   const double breached_s =
@@ -223,36 +249,36 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   const auto flow_at = [&](const json& frame) {
     return water.empty() ? "" : flow(water.boxes(frame["time_s"]), view, fastest_shown);
   };
-  constexpr double snapshot_points = 390;  // of a snapshot's width
-  constexpr double tall_points = 30;       // that a number needs
-  constexpr double wide_points = 80;
-  const double m_per_point = (view.right - view.left) / snapshot_points;
-  axes += fmt::format("set ytics {}\nset xtics {}\n", round_step(tall_points * m_per_point),
-                      round_step(wide_points * m_per_point));
-  const std::string legend =
-      water.empty() ? fmt::format(" (contacts: green stick, red slip{})", silt_m ? "; hatched: silt" : "") : "";
+  const Film film{view, breached_s, decimals_of(frames.back()["time_s"])};
+  const bool meshed = frames.front().contains("triangles");
+  const std::string scale = meshed ? "; larger principal stress [MPa]" : "";
+  const std::string hatched = silt_m ? "; hatched: silt" : "";
+  const std::string legend = water.empty() ? " (contacts: green stick, red slip" + hatched + scale + ")" : "";
   const std::string title = summary.value("title", std::string("section"));
-  const int columns = 3;
-  const int rows = static_cast<int>((picks.size() + 2) / 3);
+  const std::size_t columns = std::min<std::size_t>(3, picks.size());
+  const std::size_t rows = (picks.size() + 2) / 3;
   std::string snapshots =
-      axes + fmt::format("set multiplot layout {},{} title {}\n", rows, columns, gnuplot_title(title + legend, 1350));
-  for (const std::size_t pick : picks) snapshots += moment(frames[pick], view, breached_s, true, flow_at(frames[pick]));
-  std::vector<Picture> pictures{
-      {run / ("snapshots" + ending), 1350, 60 + rows * (60 + 430 * aspect), snapshots + "unset multiplot\n"}};
+      axes + tics(view, 390) +
+      fmt::format("set multiplot layout {},{} title {}\n", rows, columns, gnuplot_title(title + legend, 450 * columns));
+  for (const std::size_t pick : picks) snapshots += moment(frames[pick], film, true, flow_at(frames[pick]));
+  std::vector<Picture> pictures{{run / ("snapshots" + ending), 450.0 * columns,
+                                 60 + rows * (60 + (meshed ? 330 : 430) * aspect), snapshots + "unset multiplot\n"}};
   // Where a structure falls, what is left at the end shows no longer how.
   const bool fails = summary.contains("failure") && picks.size() > 1;
   const json& one = frames[fails ? picks[picks.size() * 2 / 3] : picks.back()];
   const std::string when =
       fails ? fmt::format("between the failure and the end at {:.4g} s", frames.back()["time_s"].get<double>())
             : "the end of the run";
-  pictures.push_back({run / ("picture" + ending), 1000, 120 + 940 * aspect,
-                      axes + fmt::format("set multiplot layout 1,1 title {}\n{}unset multiplot\n",
-                                         gnuplot_title(title + ": " + when, 1000),
-                                         moment(one, view, breached_s, false, flow_at(one)))});
+  const double wide = meshed ? 720 : 900;  // beside the scale of stresses
+  pictures.push_back(
+      {run / ("picture" + ending), 1000, 120 + 1.04 * wide * aspect,
+       axes + tics(view, wide / 1.5) +
+           fmt::format("set multiplot layout 1,1 title {}\n{}unset multiplot\n",
+                       gnuplot_title(title + ": " + when + scale, 1000), moment(one, film, false, flow_at(one)))});
   if (!animated) return pictures;
-  std::string all = axes;
+  std::string all = axes + tics(view, 800);
   for (const json& frame : frames) {
-    all += moment(frame, view, breached_s, false, flow_at(frame)) + one_more_drawn;
+    all += moment(frame, film, false, flow_at(frame)) + one_more_drawn;
   }
   pictures.push_back({run / "animation.gif", 900, 80 + 840 * aspect, all});
   return pictures;

@@ -141,7 +141,7 @@ void refuse_finished(const fs::path& folder) {
 std::string advice_of(const scene::Scene& scene, const fs::path& folder, bool goes_on, bool too_early) {
   const fs::path repeat = folder / "repeat.toml";
   if (fs::exists(repeat)) return fmt::format("\"blockweir run {}\" repeats it", results::shell_word(repeat.string()));
-  if (goes_on) return fmt::format("\"blockweir resume {}\" goes on", results::shell_word(folder.string()));
+  if (goes_on) return fmt::format("\"blockweir resume {}\" continues the run", results::shell_word(folder.string()));
   if (too_early && lacks_checkpoint(scene, folder)) return no_checkpoint_of_external;
   return too_early ? "it has no checkpoint yet to resume from: run it anew" : "";
 }

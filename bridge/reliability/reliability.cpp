@@ -56,7 +56,7 @@ int tell_reliability(const ReliabilityOptions& options) {
     fmt::print("{0}/samples.csv\n{0}/reliability.json\n", folder.string());
     return all_answered(answer) ? 0 : 1;
   } catch (const Interrupted&) {
-    fmt::print(stderr, "stopped on request; the same command goes on\n");
+    fmt::print(stderr, "stopped on request; the same command continues\n");
     return 130;
   }
 }

@@ -69,8 +69,9 @@ void check_width(const scene::Scene& scene) {
 std::string dry_end(const scene::Scene& scene, const char* side, const scene::BedCorner& end) {
   const double bed_m = scene.blocks[at(end.block)].vertices[at(end.vertex)].y();
   return fmt::format(
-      "water on the model's {} end below {} m: a cut in ground that goes on ([water] wets_ends = true wets it)", side,
-      bed_m);
+      "water on the model's {} end below {} m: a dry cut through ground that continues ([water] wets_ends = true wets "
+      "it)",
+      side, bed_m);
 }
 
 }  // namespace

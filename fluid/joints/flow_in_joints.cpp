@@ -227,7 +227,7 @@ std::vector<std::string> FlowInJoints::warnings() const {
   if (highest_reynolds_ > laminar) {
     warnings.push_back(
         fmt::format("flow in joint \"{}\" has a Reynolds number of {:.3g}, above {}, where the cubic law ends: it "
-                    "tells too much flow",
+                    "overestimates the flow",
                     most_turbulent_joint_, highest_reynolds_, laminar));
   }
   if (const std::string warning = guard_.warning(); !warning.empty()) warnings.push_back(warning);

@@ -151,7 +151,7 @@ void require_water_columns(const scene::Scene& scene) {
     for (const int ground : site.ground) {
       if (scene.blocks[static_cast<std::size_t>(ground)].name != e.of) continue;
       throw std::invalid_argument(fmt::format(
-          "[[expect_water]] {} of \"{}\": this is ground, which goes on to the mesh's end, and water.csv has "
+          "[[expect_water]] {} of \"{}\": this is ground, which is extended to the mesh's end, and water.csv has "
           "no force on it; name a block that stands in the water",
           e.quantity, e.of));
     }

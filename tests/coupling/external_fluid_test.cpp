@@ -207,7 +207,7 @@ with Fluid("counter", save=None if os.environ.get("FORGETS") else save, restore=
   ASSERT_TRUE(under_way("run"));
   kill(launcher, SIGINT);
   EXPECT_EQ(end_of(launcher, 20), 130) << text("launcher");
-  EXPECT_THAT(text("launcher"), HasSubstr("goes on"));
+  EXPECT_THAT(text("launcher"), HasSubstr("continues the run"));
   EXPECT_EQ(shell(environment + programs + "/blockweir resume run"), 0) << text("out") << text("run/external.log");
   EXPECT_EQ(text("run/history.csv"), text("whole/history.csv"));
 

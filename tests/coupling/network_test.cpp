@@ -69,7 +69,7 @@ TEST_F(Network, AStrangersKeyIsTurnedAwayAndThePartnerStillComesIn) {
     EXPECT_THAT(text("stranger"), HasSubstr(says)) << keys;
     EXPECT_THAT(text("stranger"), HasSubstr("are both sides given --keys of one \"blockweir keys\"?")) << keys;
   }
-  EXPECT_THAT(text("solid"), testing::ContainsRegex("turned a stranger from 10.77.0.2:[0-9]+ away at "
+  EXPECT_THAT(text("solid"), testing::ContainsRegex("refused a client from 10.77.0.2:[0-9]+ at "
                                                     "tcp://10.77.0.1:5555: its key is not the partner's\n"));
   const pid_t b = fluid("--keys k/fluid");
   EXPECT_EQ(end_of(a, 60), 0) << text("solid");
@@ -83,8 +83,8 @@ TEST_F(Network, WithTheWrongKeyBothEndInTime) {
   const pid_t b = fluid("--keys other/fluid");
   EXPECT_EQ(end_of(a, 6), 1);
   EXPECT_EQ(end_of(b, 6), 1);
-  EXPECT_THAT(text("solid"), HasSubstr("turned a stranger from 10.77.0.2:"));
-  EXPECT_THAT(text("solid"), HasSubstr("strangers have; is it running"));
+  EXPECT_THAT(text("solid"), HasSubstr("refused a client from 10.77.0.2:"));
+  EXPECT_THAT(text("solid"), HasSubstr("other clients have; is it running"));
   EXPECT_THAT(text("fluid"), HasSubstr("--keys of the same make"));
 }
 

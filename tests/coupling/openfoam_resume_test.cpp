@@ -46,7 +46,7 @@ TEST_F(ResumeOpenFoam, AStoppedRunEndsAsAWholeOne) {
   ASSERT_TRUE(under_way("stopped"));
   kill(run, SIGINT);
   ASSERT_EQ(end_of(run, 20), 130) << text("log");
-  EXPECT_THAT(text("log"), testing::HasSubstr("\"blockweir resume stopped\" goes on"));
+  EXPECT_THAT(text("log"), testing::HasSubstr("\"blockweir resume stopped\" continues the run"));
   expect_same_end("stopped");
 }
 
@@ -87,7 +87,7 @@ TEST_F(ResumeOpenFoam, CasesGoOnFromRandomWindows) {
       int status = -1;
       while (rows_of("parts") < row && status < 0) status = end_of(run, 0.001);
       if (status < 0) kill(run, SIGINT), status = end_of(run, 60);
-      if (status == 130 && text("log").find("goes on") == std::string::npos) {
+      if (status == 130 && text("log").find("continues the run") == std::string::npos) {
         std::printf("%s %s: stopped before the first step, to which nothing goes on\n", version.of.c_str(),
                     version.variant.c_str());
       } else if (status == 130) {

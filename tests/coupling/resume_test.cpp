@@ -25,8 +25,9 @@ class Resume : public SameResults {
     ASSERT_TRUE(under_way("parts"));
     kill(run, SIGINT);
     ASSERT_EQ(end_of(run, 20), 130) << text("log");
-    EXPECT_THAT(text("log"),
-                HasSubstr("STOPPED on request; the results so far stand; \"blockweir resume parts\" goes on"));
+    EXPECT_THAT(
+        text("log"),
+        HasSubstr("STOPPED on request; the results so far stand; \"blockweir resume parts\" continues the run"));
     EXPECT_LT(text("parts/history.csv").size(), text("whole/history.csv").size());
     ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
     expect_same();
@@ -43,7 +44,7 @@ class Resume : public SameResults {
     }
     EXPECT_THAT(status, testing::AnyOf(0, 130)) << text("log");
     if (status != 130) return false;
-    if (text("log").find("goes on") == std::string::npos) {
+    if (text("log").find("continues the run") == std::string::npos) {
       // The signal met a launcher whose run was complete, before its report or after it, and ended it as any program.
       EXPECT_THAT(text("log"), testing::AnyOf("", HasSubstr("\nresults parts ")));
       EXPECT_THAT(text("parts/summary.json"), testing::Not(HasSubstr("\"stopped\"")));
@@ -131,7 +132,7 @@ TEST_F(Resume, AKilledRunGoesOnFromItsLastCheckpointWhenceverItWasKilled) {
     const std::string name = moment % 2 == 0 ? "solid" : "hydrostatic";
     EXPECT_TRUE(signal_child(run, name, "KILL"));
     EXPECT_EQ(end_of(run, 15), 1) << text("log");
-    EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume killed\" goes on"));
+    EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume killed\" continues the run"));
     ASSERT_EQ(shell(programs + "/blockweir resume killed --quiet"), 0) << text("out");
     EXPECT_EQ(text("whole/history.csv"), text("killed/history.csv")) << moment;
     fs::remove_all(folder / "killed");
@@ -175,7 +176,7 @@ TEST_F(Resume, IsNotAdvisedWhereTheRunWouldEndSoAgain) {
                           " --set analysis.integrator=shi --set output.checkpoint_every_s=0.0001")),
             1);
   ASSERT_TRUE(fs::exists(folder / "o/checkpoint")) << text("out");
-  EXPECT_THAT(text("out"), testing::Not(HasSubstr("goes on")));
+  EXPECT_THAT(text("out"), testing::Not(HasSubstr("continues the run")));
   fs::remove_all(folder / "o/checkpoint");
   EXPECT_EQ(shell(programs + "/blockweir resume o"), 2);
   EXPECT_THAT(text("out"), HasSubstr("resuming would end in the same way: change the scene"));

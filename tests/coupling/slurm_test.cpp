@@ -80,7 +80,7 @@ TEST_F(Slurm, ALostLauncherFindsItsJobAgainAndCtrlCTakesItOutOfTheQueue) {
   const int status = end_of(again, 60);
   if (status != 0) {  // else it had been done by then
     EXPECT_EQ(status, 130) << text("again");
-    EXPECT_THAT(text("again"), HasSubstr("stopped on request; the same command goes on"));
+    EXPECT_THAT(text("again"), HasSubstr("stopped on request; the same command continues"));
     for (int i = 0; i < 40 && shell("test -z \"$(squeue --noheader)\"") != 0; ++i) usleep(250'000);
     EXPECT_EQ(shell("test -z \"$(squeue --noheader)\""), 0) << "the job is still in the queue";
   }

@@ -83,7 +83,7 @@ TEST_F(Busy, AStoppedPartnerIsNamedAndLeavesACheckpoint) {
     EXPECT_TRUE(signal_child(pid, victim, "STOP"));
     EXPECT_EQ(end_of(pid, 20), 1) << text("log");
     EXPECT_THAT(text("log"), HasSubstr("the " + victim + " process was stopped (SIGSTOP) and answered no more"));
-    EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume o\" goes on"));
+    EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume o\" continues the run"));
     EXPECT_THAT(text("log"), testing::Not(HasSubstr("ended by signal")));
     EXPECT_FALSE(orphan());
     fs::remove_all(folder / "o");

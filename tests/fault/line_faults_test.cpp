@@ -221,7 +221,7 @@ TEST_F(LineFaults, ADiskThatFillsUpLeavesACheckpointToGoOnFrom) {
   EXPECT_EQ(shell("dd if=/dev/zero of=disk/filler bs=4k"), 1);
   EXPECT_EQ(end_of(run, 20), 1) << text("log");
   EXPECT_THAT(text("log"), HasSubstr("no room is left on the disk that holds disk/o"));
-  EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume disk/o\" goes on"));
+  EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume disk/o\" continues the run"));
   EXPECT_FALSE(orphan());
   fs::remove(folder / "disk/filler");
   EXPECT_EQ(shell(programs + "/blockweir resume disk/o --quiet"), 0) << text("out");

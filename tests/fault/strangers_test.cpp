@@ -48,7 +48,7 @@ class Strangers : public Processes {
     const pid_t fluid = start(programs + "/blockweir-hydrostatic " + scene + fluid_keys, "fluid");
     EXPECT_EQ(end_of(solid, 30), 0) << text("solid");
     EXPECT_EQ(end_of(fluid, 5), 0) << text("fluid");
-    EXPECT_THAT(text("solid"), HasSubstr("blockweir: turned a stranger from "));
+    EXPECT_THAT(text("solid"), HasSubstr("blockweir: refused a client from "));
   }
 
   const int port = 20000 + getpid() % 20000;

@@ -85,7 +85,8 @@ TEST(GroundEnds, TheReportSaysWhichAreDry) {
   scene::Scene scene = scene_of({ground}, {dam}, 15);
   const auto said = [&] { return HydrostaticModel(scene).report().skips; };
   const char* left =
-      "water on the model's left end below 0 m: a cut in ground that goes on ([water] wets_ends = true wets it)";
+      "water on the model's left end below 0 m: a dry cut through ground that continues ([water] wets_ends = true wets "
+      "it)";
   EXPECT_THAT(said(), testing::Contains(left));
   scene.water.wets_ends = true;
   EXPECT_THAT(said(), testing::Not(testing::Contains(testing::HasSubstr("wets_ends"))));

@@ -152,7 +152,7 @@ void check_viscous_boundaries(const Reading& reading) {
       stated == nullptr || stated->empty() ? reading.problems.at(0) : reading.problems.at((*stated)[0].source());
   if (scene.analysis.start == Start::unstressed && scene.analysis.gravity_m_per_s2 != 0) {
     reading.problems.error(place, "[[viscous_boundary]] bears no weight with start = \"unstressed\" in [analysis]",
-                           "start = \"equilibrium\": what holds the ground at rest goes on as a load",
+                           "start = \"equilibrium\": the forces that hold the ground at rest remain as loads",
                            "leave start out, or set gravity_m_per_s2 = 0");
   }
   if (!scene.base_motion) return;
