@@ -11,8 +11,8 @@
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/picture/draw.hpp"
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/picture/pictured_structure.hpp"
 #include "bridge/scene/block_facts.hpp"
-#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -78,7 +78,7 @@ void draw_mechanism(const scene::Scene& scene, const json& mechanism, const std:
       "set yrange [{}:{}]\n",
       gnuplot_title(mechanism["text"], 900), view.low.x(), view.high.x(), view.low.y(), view.high.y());
   const std::map<std::string, Eigen::Vector3d> motions = motions_of(mechanism);
-  const double by = drawn_ratio * scene::structure_size_m(scene.blocks);
+  const double by = drawn_ratio * pictured_structure(scene).size();
   int number = 0;
   for (const scene::Block& block : scene.blocks) {
     if (motions.contains(block.name)) continue;

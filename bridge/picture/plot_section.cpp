@@ -95,6 +95,7 @@ void draw_loads(const json& loads, Drawing& drawing) {
       drawing.polygon(outline,
                       fmt::format("fc rgb '{0}' fillstyle transparent solid 0.25 border lc rgb '{0}'", colour));
     }
+    if (!load["in_view"].get<bool>()) continue;
     drawing.line(point_of(load["arrow"][0]), point_of(load["arrow"][1]),
                  fmt::format("filled lw 2 lc rgb '{}'", colour));
   }
@@ -152,7 +153,7 @@ void write_labels(const json& data, const json& state, Drawing& drawing) {
                          [&](const json& l) { return l["kind"] == kind; });
   };
   for (const json& load : state["acting"]) {
-    if (static_cast<std::size_t>(of_kind(load["kind"])) <= most) {
+    if (load["in_view"].get<bool>() && static_cast<std::size_t>(of_kind(load["kind"])) <= most) {
       drawing.label(point_of(load["arrow"][0]), load["label"], load["colour"]);
     }
   }
@@ -182,8 +183,8 @@ std::string legend(const json& rows) {
 std::string frame_of(const Sheet& sheet, const std::string& title) {
   return fmt::format(
       "set lmargin at screen {}\nset rmargin at screen {}\n"
-      "set tmargin at screen {}\nset bmargin at screen {}\nset tics out nomirror\nset xlabel 'x [m]'\n"
-      "set ylabel 'elevation [m]'\nset title {}\nset style textbox opaque noborder fillcolor rgb '#60ffffff' margins "
+      "set tmargin at screen {}\nset bmargin at screen {}\nset tics out nomirror\nset xlabel 'x (m)'\n"
+      "set ylabel 'elevation (m)'\nset title {}\nset style textbox opaque noborder fillcolor rgb '#60ffffff' margins "
       "1,1\n"
       "set key at screen 0.5,0.005 bottom center horizontal Left reverse maxcols 2 samplen 2\n"
       "set xrange [{}:{}]\nset yrange [{}:{}]\n",
