@@ -18,6 +18,8 @@
 #include <openturns/SubsetSampling.hxx>
 #include <openturns/ThresholdEvent.hxx>
 
+#include <limits>
+
 namespace blockweir::probability {
 namespace {
 
@@ -196,13 +198,28 @@ json importance_sampling(const OT::Distribution& joint, const Evaluate& evaluate
 
 json subset_sampling(const OT::Distribution& joint, const Evaluate& evaluate, double threshold, unsigned samples) {
   constexpr unsigned block = 100;
-  const OT::ThresholdEvent event = event_of(joint, evaluate, threshold);
+  double highest = -std::numeric_limits<double>::infinity();
+  const Evaluate watched = [&](const OT::Sample& points) {
+    OT::Sample values = evaluate(points);
+    highest = std::max(highest, values.getMax()[0]);
+    return values;
+  };
+  const OT::ThresholdEvent event = event_of(joint, watched, threshold);
   OT::SubsetSampling sampling(event);
   sampling.setBlockSize(std::min(block, samples));
   sampling.setMaximumOuterSampling(std::max(1U, samples / block));
   sampling.run();
+  const OT::Point levels = sampling.getThresholdPerStep();
+  // Each threshold is taken to have a tenth of the points below it.
+  if (levels[0] >= highest) {
+    throw std::runtime_error(
+        "more than nine tenths of the points stand at the highest level that is looked at, and none of these is known "
+        "to be nearer to failing than another; ask \"importance\", or let may_overtop = true in [water] look for "
+        "higher "
+        "levels");
+  }
   json answer = simulated(sampling.getResult());
-  answer["levels"] = numbers(sampling.getThresholdPerStep());
+  answer["levels"] = numbers(levels);
   return answer;
 }
 

@@ -39,7 +39,8 @@ class Echo {
     if (quiet_) return;
     if (!stream_.is_open()) stream_.open(log_);
     for (std::string line; std::getline(stream_, line);) {
-      if (line.ends_with("linear systems solved")) fmt::print(stderr, "{}", results::for_stderr(line + "\n"));
+      if (line.ends_with("linear systems solved") || line.starts_with("limit analysis: "))
+        fmt::print(stderr, "{}", results::for_stderr(line + "\n"));
     }
     stream_.clear();  // more may come
   }

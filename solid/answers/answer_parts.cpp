@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace blockweir::solid {
 
@@ -17,6 +18,14 @@ nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit
                       {"spin_per_m", mechanism[b].z()}});
   }
   return {{"text", words.text}, {"mode", words.mode}, {"joints", words.joints}, {"blocks", moving}};
+}
+
+void tell_limit_analysis(const limit::LimitAnalysis& structure) {
+  constexpr std::size_t many = 300;
+  if (structure.faces().size() <= many) return;
+  fmt::print(stderr, "limit analysis: {} blocks, {} faces between them; then the blocks' own search\n",
+             structure.scene().blocks.size(), structure.faces().size());
+  std::fflush(stderr);
 }
 
 void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohmann::json& answer) {

@@ -38,6 +38,8 @@ inline constexpr const char* yields_note =
 /// Has some bolt a yield above its prestress?
 bool yields_above_prestress(const scene::Scene& scene);
 
+/// A line of progress where the linear programs will take their time.
+void tell_limit_analysis(const limit::LimitAnalysis& structure);
 /// Adds "upper_bound", and a "limit_analysis_note" on what the user has left open.
 void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohmann::json& answer);
 

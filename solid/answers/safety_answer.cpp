@@ -181,6 +181,7 @@ const char* outcome(const Attempt<StaticStrength>& blocks) {
 json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   Situation now(scene, make_fluid);
   const limit::LimitAnalysis structure(scene);
+  solid::tell_limit_analysis(structure);
   const limit::Wrenches stated = statics::stated_loads_of(scene, scene.analysis.duration_s);
   const limit::Wrenches dead = now.dead();
   const auto by_limit =

@@ -14,8 +14,8 @@ class WaterCourse {
   /// Factors of the last exchange, of the one before it, and of the one before that.
   using Weights = std::array<double, 3>;
 
-  /// `degree` 0 holds, 1 goes on linearly, 2 quadratically, as far as there have been exchanges with the same panels:
-  /// edges that fall dry or are wetted anew have no past.
+  /// `degree` 0 holds, 1 goes on linearly, 2 quadratically, as far as there have been exchanges with the same edges:
+  /// those that fall dry or are wetted anew have no past. A fluid may divide its edges anew in every exchange.
   explicit WaterCourse(int degree) : degree_(degree) {}
 
   void add(double time_s, std::vector<Panel> panels);
@@ -34,7 +34,7 @@ class WaterCourse {
   int degree_;
   std::array<double, 3> time_s_{};
   std::array<std::vector<Panel>, 3> panels_;  ///< the last first
-  int known_ = 0;                             ///< that have the same panels
+  int known_ = 0;                             ///< that have the same edges
   std::vector<Panel> blend_;
 };
 

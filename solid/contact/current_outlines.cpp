@@ -21,14 +21,19 @@ std::pair<Point, Point> CurrentOutlines::edge_of(const ContactPoint& c) const {
   return {E[e], E[next(e, E.size())]};
 }
 
+Point CurrentOutlines::normal_of(const ContactPoint& c) const {
+  const auto [from, to] = edge_of(c);
+  const Point t = (to - from).normalized();
+  return {t.y(), -t.x()};
+}
+
 bool CurrentOutlines::of_one_joint(const ContactPoint& a, const ContactPoint& b) const {
-  const auto normal = [this](const ContactPoint& c) {
-    const auto [from, to] = edge_of(c);
-    const Point t = (to - from).normalized();
-    return Point(t.y(), -t.x());
-  };
   if (a.pair() != b.pair()) return false;
-  return normal(a).dot(normal(b)) * (a.vertex_block == b.vertex_block ? 1 : -1) >= 1 - parallel_tolerance;
+  return normal_of(a).dot(normal_of(b)) * (a.vertex_block == b.vertex_block ? 1 : -1) >= 1 - parallel_tolerance;
+}
+
+double CurrentOutlines::turned(const ContactPoint& a, const ContactPoint& b) const {
+  return std::abs(cross(normal_of(a), normal_of(b)));
 }
 
 void CurrentOutlines::count_from_start(ContactPoint& c) const {

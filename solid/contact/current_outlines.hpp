@@ -37,6 +37,8 @@ class CurrentOutlines {
   /// Two contacts of one pair of blocks whose normals point the same way, or that are each other's twins across the
   /// joint.
   [[nodiscard]] bool of_one_joint(const ContactPoint& a, const ContactPoint& b) const;
+  /// Sine of the angle between the edges of two such.
+  [[nodiscard]] double turned(const ContactPoint& a, const ContactPoint& b) const;
   /// Gaps that rounded coordinates left at the start are none.
   void count_from_start(ContactPoint& c) const;
 
@@ -54,6 +56,8 @@ class CurrentOutlines {
   }
 
  private:
+  [[nodiscard]] Point normal_of(const ContactPoint& c) const;
+
   const Parts& parts_;
   std::vector<std::vector<Point>> corners_;
   double coincidence_;  ///< m

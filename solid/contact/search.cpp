@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "solid/contact/trial.hpp"
@@ -146,7 +147,8 @@ Point ContactSearch::apart(const std::vector<Placement>& placements, const Conta
 }
 
 /// The same contact keeps its memory and its slip anchor. Of those that are gone, each hands its force to the
-/// nearest new contact between the same two blocks that points the same way.
+/// nearest new contact between the same two blocks that points the same way: near along all of its face, or at a flat
+/// corner it would go on to the face beyond, and leave its own without a bond.
 void ContactSearch::inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old) {
   const auto take = [](ContactMemory& heir, const ContactMemory& from) { heir = from; };
   found_.inherited.assign(found_.all.size(), 0);
@@ -170,17 +172,19 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
   for (const ContactPoint* was : gone) {
     const Point& place = outlines_.vertex_of(*was);
     ContactPoint* nearest = nullptr;
-    double nearest_distance = pairs_.reach_m() + openings_.of(*was);
+    const double reach_m = pairs_.reach_m() + openings_.of(*was);
+    double nearest_m = std::numeric_limits<double>::infinity();
     const auto [first, end] = std::equal_range(found_.all.begin(), found_.all.end(), *was, of_lower_pair);
     for (auto heir = first; heir != end; ++heir) {
       ContactPoint& c = *heir;
       if (found_.inherited[static_cast<std::size_t>(heir - found_.all.begin())] != 0 ||
           !outlines_.of_one_joint(c, *was))
         continue;
-      const double distance = (outlines_.vertex_of(c) - place).norm();
-      if (distance >= nearest_distance) continue;
+      const double distance_m = (outlines_.vertex_of(c) - place).norm();
+      const double along_face_m = distance_m + outlines_.turned(c, *was) * was->length;
+      if (distance_m >= reach_m || along_face_m >= nearest_m) continue;
       nearest = &c;
-      nearest_distance = distance;
+      nearest_m = along_face_m;
     }
     if (nearest == nullptr) continue;
     // Across the joint normal and tangent turn round, and so does the body that the force acts on: all signs stay.

@@ -2,10 +2,10 @@
 // What a step has made of nothing.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "bridge/scene/at.hpp"
 #include "solid/step/step_energy.hpp"
+#include "solid/step/touching_groups.hpp"
 
 namespace blockweir::solid {
 
@@ -48,55 +48,6 @@ struct StepEnergy::Group {
   }
 };
 
-namespace {
-
-/// Columns: rates of a block, as its state has them, that moves with (x, y) and turns about a point.
-Eigen::Matrix<double, 6, 3> rigid_motions(const Block& block, const Placement& placement, const Point& about) {
-  Eigen::Matrix<double, 6, 3> motions = Eigen::Matrix<double, 6, 3>::Zero();
-  const auto place = [&](Eigen::Index row, const Point& p) {
-    motions.block<2, 2>(row, 0).setIdentity();
-    motions.block<2, 1>(row, 2) = perpendicular(p - about);
-  };
-  if (block.is_part()) {
-    for (int i = 0; i < 3; ++i) place(2 * i, placement.position(block.vertices[at(i)]));
-  } else {
-    place(0, placement.centre());
-    motions(2, 2) = 1;
-  }
-  return motions;
-}
-
-}  // namespace
-
-/// Of each of an island's blocks, by the first in it.
-std::vector<int> StepEnergy::groups_of(const IslandEquations& s) const {
-  std::vector<int> lower(s.island.blocks.size());
-  std::iota(lower.begin(), lower.end(), 0);
-  const auto lowest = [&](int k) {
-    while (lower[at(k)] != k) k = lower[at(k)] = lower[at(lower[at(k)])];
-    return k;
-  };
-  const auto join = [&](int a, int b) {
-    if (!trial_.moves(a) || !trial_.moves(b)) return;
-    const int i = lowest(s.local(a));
-    const int j = lowest(s.local(b));
-    lower[at(std::max(i, j))] = std::min(i, j);
-  };
-  for (const int k : s.island.contacts) {
-    if (touches(k)) join(state_.contacts[at(k)].vertex_part, state_.contacts[at(k)].edge_part);
-  }
-  for (const int k : s.bolts) join(state_.bolts[at(k)].part[0], state_.bolts[at(k)].part[1]);
-  for (const int k : s.couplings) join(model_.parts.couplings[at(k)].i, model_.parts.couplings[at(k)].j);
-  for (int k = 0; k < static_cast<int>(lower.size()); ++k) lower[at(k)] = lowest(k);
-  return lower;
-}
-
-/// Is a contact closed as the step begins or as it ends?
-bool StepEnergy::touches(int contact) const {
-  return state_.contacts[at(contact)].state != ContactState::open ||
-         formulation_->before().contact(contact).state != ContactState::open;
-}
-
 StepEnergy::Made StepEnergy::made_by(std::size_t b) const {
   constexpr double round_off = 1e-12;
   const double force_n = formulation_->settings().force_tolerance_n;
@@ -130,7 +81,7 @@ void StepEnergy::look_at_links(const IslandEquations& s, const std::vector<int>&
   for (std::size_t k = 0; k < s.actions.size(); ++k) {
     if (k >= s.island.contacts.size()) {
       look(s.actions[k], k < s.actions.size() - s.bolts.size() ? By::hinge : By::spring);
-    } else if (const int i = s.island.contacts[k]; touches(i)) {
+    } else if (const int i = s.island.contacts[k]; touches(step_, i)) {
       const ContactPoint& c = state_.contacts[at(i)];
       look(s.actions[k], model_.laws.strength(c, c.force.x()).tension == 0 ? By::may_let_go : By::spring);
     }
@@ -160,7 +111,7 @@ std::vector<StepEnergy::Group> StepEnergy::makers(const IslandEquations& s, std:
     return state_.energy.owed(at(b)) > 0 || made.energy > made.round_off;
   };
   if (std::none_of(s.island.blocks.begin(), s.island.blocks.end(), has_made)) return {};
-  group_of = groups_of(s);
+  group_of = touching_groups(step_, s);
   std::vector<Group> groups(group_of.size());
   look_at_links(s, group_of, groups);
   for (std::size_t k = 0; k < group_of.size(); ++k) {

@@ -45,6 +45,9 @@ int Newton::turn(int unknowns, const StepMode& mode) const {
   const bool falls = sweeps && trial_.falls();
   const bool has_failed = state_.whole_law.after_failure();
   constexpr int enough = 40;
+  // A smooth step keeps its states: where it has not found them soon, they change.
+  constexpr int states_known = 20;
+  if (mode.smooth_only && unknowns > few_unknowns && trial_.falls()) return std::min(most, states_known);
   if (!sweeps && unknowns <= large_island) {
     // States of held joints are known, and nothing else would find their forces.
     const bool others_follow = model_.is(scene::AnalysisKind::at_rest) && !formulation_->settings().joints_held;
@@ -72,8 +75,8 @@ bool Newton::find(IslandEquations& s, const StepMode& mode) {
   for (int iteration = 0; iteration < most; ++iteration) {
     const double left = s.unbalanced();
     if (!std::isfinite(left)) {
-      // Of redundant multipliers the forces may overflow: the substitute has none.
-      if (formulation_->force_constraints() == nullptr) require_numbers(step_, s);
+      // What iterates make of it is another method's; so it is with the forces of redundant multipliers.
+      if (iteration == 0 && formulation_->force_constraints() == nullptr) require_numbers(step_, s);
       return false;
     }
     if (left <= tolerance || left <= close * formulation_->unsettled(held)) {

@@ -50,9 +50,10 @@ struct State : Standing {
   EnergyBalance energy;
   int smooth_steps = 0;  ///< since the last in which contacts changed, where the integrator is of second order
   ContactSearch search;
-  Pause whole_law;  ///< of Coulomb, by Newton's method: fails where friction has to lag or contacts to be swept
-  Pause finish;     ///< by Newton's method, of what sweeps have found
-  Pause lagging;    ///< friction, where sweeps end far from their laws
+  Pause whole_law;    ///< of Coulomb, by Newton's method: fails where friction has to lag or contacts to be swept
+  Pause finish;       ///< by Newton's method, of what sweeps have found
+  Pause multipliers;  ///< of Lagrange, in motion: fail where the substitute makes the step
+  Pause lagging;      ///< friction, where sweeps end far from their laws
 
   void stand_as(const Standing& before);
   /// Nothing has a velocity, nor an acceleration.
@@ -74,7 +75,7 @@ struct State : Standing {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(blocks, contacts, contacts_stand, next_dt, started, time_s, rest, sleep, guard, water_work, energy,
-            smooth_steps, search, whole_law, finish, lagging, held_by_ground);
+            smooth_steps, search, whole_law, finish, multipliers, lagging, held_by_ground);
     for (Support& support : supports) archive(support);
     for (Bolt& bolt : bolts) archive(bolt);
   }

@@ -8,6 +8,7 @@
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
+#include "solid/step/angular_momentum.hpp"
 #include "solid/step/held_velocities.hpp"
 #include "solid/step/mesh_motion.hpp"
 #include "solid/step/push_apart.hpp"
@@ -71,6 +72,7 @@ bool StepEnd::accept(const Stretch& stretch, const StepMode& mode) {
       water_.pass_on(island, dt);
     }
     if (formulation_->holds_exactly()) settle_velocities(step_, island, dt, led, mode.settles);
+    if (!mode.settles) AngularMomentum(step_).restore(island);
     any_slips = formulation_->accept(trial_.now(), island.held()) || any_slips;
   }
   for (Bolt& bolt : state_.bolts) solid::accept(trial_.now(), model_.base.displacement(end_s), bolt);

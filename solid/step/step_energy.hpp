@@ -42,8 +42,6 @@ class StepEnergy : StepPart {
   [[nodiscard]] std::vector<Group> makers(const IslandEquations& island, std::vector<int>& group_of) const;
   [[nodiscard]] Eigen::Matrix<double, 6, 3> rigid_of(const IslandEquations& island, const std::vector<int>& group_of,
                                                      std::size_t block) const;
-  [[nodiscard]] std::vector<int> groups_of(const IslandEquations& island) const;
-  [[nodiscard]] bool touches(int contact) const;
   void look_at_links(const IslandEquations& island, const std::vector<int>& group_of, std::vector<Group>& groups) const;
 
   std::vector<Point> pushes_;    ///< of a base that moves, on each block as the step ends; none where it rests

@@ -11,9 +11,12 @@ namespace blockweir::solid {
 Outcome StepMethods::try_all(const Stretch& stretch, const StepMode& mode) {
   const auto lagging = [&] { return try_with_lagging_friction(stretch, mode); };
   if (!mode.in_motion() && state_.whole_law.skips() && lagging() == Outcome::made) return Outcome::made;
+  if (step_.substitute && mode.in_motion() && state_.multipliers.skips()) return try_by_substitute(stretch, mode);
   Outcome outcome = time_step_.attempt(stretch, mode);
   if (!mode.in_motion() && outcome == Outcome::made) state_.whole_law.succeeded();
+  if (mode.in_motion() && outcome == Outcome::made) state_.multipliers.succeeded();
   if (outcome != Outcome::not_found) return outcome;
+  if (step_.substitute && mode.in_motion()) state_.multipliers.failed();
   if (step_.substitute) return try_by_substitute(stretch, mode);
   if (mode.in_motion()) return try_far_from_laws(stretch, mode);
   const auto large = [](const IslandEquations& s) { return s.unknowns->total > large_island; };
@@ -35,9 +38,11 @@ Outcome StepMethods::try_far_from_laws(const Stretch& stretch, const StepMode& m
   const double standing_m_per_s = model_.scene.analysis.gravity_m_per_s2 * stretch.dt;  // of a fall through the step
   if (state_.fastest_m_per_s() <= standing_m_per_s && !state_.lagging.skips()) {
     outcome = try_with_lagging_friction(stretch, mode);
-    outcome == Outcome::not_found ? state_.lagging.failed() : state_.lagging.succeeded();
+    const bool in_vain = outcome == Outcome::not_found || outcome == Outcome::contacts_change;
+    in_vain ? state_.lagging.failed() : state_.lagging.succeeded();
   }
-  return outcome == Outcome::not_found ? time_step_.attempt(stretch, mode.with_rough_sweeps()) : outcome;
+  const bool sweeps = outcome == Outcome::not_found && !mode.smooth_only;
+  return sweeps ? time_step_.attempt(stretch, mode.with_rough_sweeps()) : outcome;
 }
 
 Outcome StepMethods::try_softly(const Stretch& stretch, const StepMode& mode) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: blockweir_independent nlohmann_json::nlohmann_json
 // What blockweir reliability says of answers that are no whole ones, and of what would have no effect.
+#include <cmath>
+
 #include "tests/independent/upper_crack.hpp"
 #include "tests/processes.hpp"
 
@@ -46,6 +48,21 @@ TEST_F(ReliabilityWords, FormSaysWhyItFindsNoneWhereNothingFails) {
   EXPECT_THAT(text("out"), HasSubstr("NONE    by form: the search for the design point comes to a point at which no "
                                      "variable changes the level; all points there stand at 27 m, the highest level "
                                      "that is looked at: may_overtop = true in [water]"));
+}
+
+/// Ties would be counted as a tenth of the points: probabilities came out up to 900 times too small.
+TEST_F(ReliabilityWords, SubsetsHaveNoAnswerWhereMostPointsStandAtTheCrest) {
+  const UncertainCrack crack{.friction_deg = {56, 4}};
+  const std::string tables =
+      "[reliability]\nlevel_m = 26\nsamples = 10\nmethod_samples = 400\nmethods = ['importance', 'subset']\n";
+  EXPECT_EQ(reliability(crack, tables), 1);
+  EXPECT_THAT(text("out"), HasSubstr("NONE    by subset: more than nine tenths of the points stand at the highest "
+                                     "level that is looked at"));
+  const double exact = crack.below(26 - 15);
+  EXPECT_LE(answer()["importance"]["interval"][0], exact);
+  EXPECT_GE(answer()["importance"]["interval"][1], exact);
+  EXPECT_EQ(reliability(crack, tables, "--set water.may_overtop=true"), 0) << text("out");
+  EXPECT_NEAR(std::log2(answer()["subset"]["probability"].get<double>() / exact), 0, 1);
 }
 
 TEST_F(ReliabilityWords, ADrawThatTheSceneRefusesIsNamedAndTheNextMethodIsAsked) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_scene_read
 // [[viscous_boundary]]: which faces it takes, and what is refused.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "bridge/scene/viscous_ground.hpp"
@@ -8,6 +9,8 @@
 
 using namespace blockweir::scene;
 using sample::expect_error;
+using sample::expect_warning;
+using sample::warnings;
 
 namespace {
 
@@ -105,6 +108,21 @@ TEST(SceneViscousBoundary, BesideTheModelAWaveComesUpInOneMaterial) {
   expect_error(on_rock(base + soil + "[[viscous_boundary]]\nblock = \"right\"\n"), 27,
                {"materials \"soil\" and \"rock\"", "[base_motion]", "below the model only"});
   EXPECT_EQ(scene_of(soil + "[[viscous_boundary]]\nblock = \"right\"\n").viscous_faces.size(), 4U);
+}
+
+TEST(SceneViscousBoundary, WarnsOfLoadsThatMoveTheGroundForGood) {
+  const std::string boundary = "[[viscous_boundary]]\n";
+  const auto water = [&](const char* level) { return boundary + "[water]\nupstream_level_m = " + level + "\n"; };
+  // c_s = 1,754 m/s below 40 m, c_p = 3,038 m/s beside 20 m, of 2,600 kg/m3: 0.340 GN s/m per metre.
+  expect_warning(
+      on_rock(water("{ from = 2, rate_per_s = 1 }")), 25,
+      {"the upstream level changes in the run and stays so", "by 2.94 mm in every second", "from time 0 on"});
+  expect_warning(
+      on_rock(boundary +
+              "[[point_load]]\nblock = \"wall\"\npoint_m = [0, 5]\nforce_x_n_per_m = { table = [[0, 0], [1, 1]] }\n"),
+      25, {"a [[point_load]] changes"});
+  EXPECT_THAT(warnings(on_rock(water("2"))), testing::IsEmpty());
+  EXPECT_THAT(warnings(on_rock(water("{ table = [[0, 2], [0.5, 3], [1, 2]] }"))), testing::IsEmpty());
 }
 
 }  // namespace

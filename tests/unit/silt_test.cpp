@@ -39,7 +39,7 @@ TEST(Silt, LiesUpToItsLevelUpstreamAloneWhateverTheWaterDoes) {
     const double level_m = height(random);
     const auto bodies = silt_bodies(wall(height(random), height(random)), level_m, view);
     ASSERT_EQ(bodies.size(), 1U);
-    EXPECT_NEAR(geometry::signed_area(bodies[0]), 10 * level_m, 0.01 * 10 * level_m);
+    EXPECT_NEAR(geometry::signed_area(bodies[0]), 10 * level_m, 0.02 * (10 + level_m));  // of gaps that are closed
     for (const Eigen::Vector2d& p : bodies[0]) {
       EXPECT_LE(p.x(), 0);
       EXPECT_LE(p.y(), level_m + 1e-6);

@@ -136,6 +136,8 @@ void read_studies(Reading& reading);
 void resolve_lengths(Reading& reading);
 /// Reports viscous boundaries that do not fit the analysis, or through which no base motion can come.
 void check_viscous_boundaries(const Reading& reading);
+/// Warns of loads that move a viscous boundary for good.
+void check_drift(const Reading& reading);
 /// Warns of what a sound scene states to no effect.
 void check_effects(const Reading& reading);
 /// Warns of loads of the reservoir that do not act as a sound scene states them.
