@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -24,16 +25,24 @@ std::vector<std::string> joints_of(const Rows& rows) {
   return names;
 }
 
-/// Pressure at a time over the distance from the joint's first point, so that a steep joint is no spike.
+/// Pressure at a time over the distance from the joint's upstream end, so that a steep joint is no spike.
 std::string pressures(const Rows& rows, double time_s, const std::string& joint) {
   std::string text;
-  const std::vector<std::string>* first = nullptr;
+  std::vector<Eigen::Vector3d> points;  // x, y [m], pressure [kPa]
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i][1] != joint || std::stod(rows[i][0]) != time_s) continue;
-    if (first == nullptr) first = &rows[i];
-    const double along_m =
-        std::hypot(figure(rows[i][2]) - figure((*first)[2]), figure(rows[i][3]) - figure((*first)[3]));
-    text += fmt::format("{:.8g} {:.6g}\n", along_m, figure(rows[i][5]) / 1000);
+    points.emplace_back(figure(rows[i][2]), figure(rows[i][3]), figure(rows[i][5]) / 1000);
+  }
+  if (points.empty()) return text;
+  // Of the smaller x, of equal ones the higher.
+  const Eigen::Vector3d mouth = *std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() > b.y();
+  });
+  if ((points.front() - mouth).head<2>().norm() > (points.back() - mouth).head<2>().norm()) {
+    std::reverse(points.begin(), points.end());
+  }
+  for (const Eigen::Vector3d& p : points) {
+    text += fmt::format("{:.8g} {:.6g}\n", (p - mouth).head<2>().norm(), p.z());
   }
   return text;
 }
@@ -74,7 +83,7 @@ std::vector<double> times_of(const Rows& rows) {
 
 /// A colour for each joint: thick at the last time, dashed and thin at the first.
 Panel along_joints(const Rows& rows, const std::vector<double>& times, const History& history) {
-  constexpr std::size_t most_letters = 26;
+  constexpr std::size_t most_letters = 48;
   Panel panel;
   std::string curves;
   int colour = 0;
@@ -92,7 +101,8 @@ Panel along_joints(const Rows& rows, const std::vector<double>& times, const His
   }
   const std::string first = times.size() > 1 ? "; dashed: " + title(history, times.front()) : "";
   panel.commands = fmt::format(
-      "set key outside right top samplen 2\nset yrange [0:*]\nset title {}\nset xlabel 'distance from the upstream end "
+      "set key bmargin center horizontal maxcols 2 samplen 2\nset bmargin 8\nset yrange [0:*]\nset title {}\nset "
+      "xlabel 'distance from the upstream end "
       "of the joint (m)'\n"
       "set ylabel 'pressure in joints (kPa)'\nplot {}\nunset title\n",
       gnuplot_text(title(history, times.back()) + first), curves);

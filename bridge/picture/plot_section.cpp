@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -67,6 +68,23 @@ class Drawing {
     const Point half = Point::Constant(3 * sheet_.per_pixel());
     for (int i = 0; i <= 40; ++i) places_.keep_free({from + i * step - half, from + i * step + half});
   }
+  /// What of it lies in the frame.
+  void line_in_view(const Point& from, const Point& to, const std::string& style) {
+    const Eigen::AlignedBox2d frame(Point(sheet_.view.left, sheet_.view.bottom),
+                                    Point(sheet_.view.right, sheet_.view.top));
+    double enters = 0;
+    double leaves = 1;
+    for (const int axis : {0, 1}) {
+      const double way = to[axis] - from[axis];
+      if (way == 0 && (from[axis] < frame.min()[axis] || from[axis] > frame.max()[axis])) return;
+      if (way == 0) continue;
+      const double low = (frame.min()[axis] - from[axis]) / way;
+      const double high = (frame.max()[axis] - from[axis]) / way;
+      enters = std::max(enters, std::min(low, high));
+      leaves = std::min(leaves, std::max(low, high));
+    }
+    if (enters < leaves) line(from + enters * (to - from), from + leaves * (to - from), style);
+  }
   void label(const Point& wanted, const std::string& text, const std::string& colour) {
     const Point size = sheet_.per_pixel() * Point(Sheet::letter * static_cast<double>(text.size()) + 10, Sheet::row);
     const auto middle = places_.place(wanted, size);
@@ -105,8 +123,8 @@ void draw_joints(const json& joints, Drawing& drawing) {
   for (const json& joint : joints) {
     for (const json& line : joint["lines"]) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        drawing.line(point_of(line[i]), point_of(line[i + 1]),
-                     fmt::format("nohead dt 2 lw 2 lc rgb '{}'", joint_colour));
+        drawing.line_in_view(point_of(line[i]), point_of(line[i + 1]),
+                             fmt::format("nohead dt 2 lw 2 lc rgb '{}'", joint_colour));
       }
     }
   }

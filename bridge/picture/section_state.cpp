@@ -38,7 +38,7 @@ View view_of(const geometry::Bounds& structure, const json& state) {
     if (state[pool].is_number()) view.include(view.left, state[pool]);
   }
   View around = {view.left - 0.3 * size_m, view.right + 0.2 * size_m, view.bottom - 0.12 * size_m,
-                 view.top + 0.1 * size_m};
+                 view.top + 0.17 * size_m};
   constexpr double edge = 0.07;  // for texts
   const auto include = [&](const json& p) {
     for (const double side : {-edge, edge}) {
