@@ -252,8 +252,9 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   const Film film{view, breached_s, decimals_of(frames.back()["time_s"])};
   const bool meshed = frames.front().contains("triangles");
   const std::string scale = meshed ? "; larger principal stress (MPa)" : "";
-  const std::string hatched = silt_m ? "; hatched: silt" : "";
-  const std::string legend = water.empty() ? " (contacts: green stick, red slip" + hatched + scale + ")" : "";
+  const std::string legend =
+      water.empty() ? fmt::format(" (contacts: green stick, red slip{}{})", silt_m ? "; hatched: silt" : "", scale)
+                    : "";
   const std::string title = summary.value("title", std::string("section"));
   const std::size_t columns = std::min<std::size_t>(3, picks.size());
   const std::size_t rows = (picks.size() + 2) / 3;
