@@ -54,11 +54,7 @@ Bounds view_around(const scene::Scene& scene) {
 }
 
 std::string reservoir(const Bounds& view, const scene::Scene& scene, double level_m) {
-  double face = view.high.x();
-  for (const scene::Block& block : scene.blocks) {
-    if (block.fixed) continue;
-    for (const Point& p : block.vertices) face = std::min(face, p.x());
-  }
+  const double face = pictured_structure(scene).low.x();
   return fmt::format(
       "set arrow from {},{} to {},{} nohead lc rgb '#1f6fb4' lw 2 front\n"
       "set label '{:.6g} m' at {},{} offset 0.5,0.6 tc rgb '#1f6fb4' front\n",
