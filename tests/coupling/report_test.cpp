@@ -117,7 +117,7 @@ method_samples = 50
   EXPECT_EQ(seen["labels_apart"], true);
   EXPECT_THAT(
       seen["section"].get<std::string>(),
-      testing::AllOf(HasSubstr("water upstream"), HasSubstr("uplift under wall"), HasSubstr("point load 1 kN/m"),
+      testing::AllOf(HasSubstr("water upstream"), HasSubstr("uplift in base"), HasSubstr("point load 1 kN/m"),
                      HasSubstr("(0.5, 5) in wall"), HasSubstr("force kN/m: low water")));
 }
 
