@@ -6,10 +6,13 @@
 #include <limits>
 #include <map>
 
+#include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/picture/json_point.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
+#include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -142,9 +145,37 @@ double crest_m(const scene::Scene& scene) {
   return highest;
 }
 
-/// Of the pressures of one kind, those that have a resultant of their own: in joints of each block above its joints,
-/// else from upstream, from downstream and on the crest. Of both sides of a joint the upper block's counts.
-std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels, bool in_joints) {
+/// Names of the joints in which water presses on a block.
+class JointNames {
+ public:
+  explicit JointNames(const scene::Scene& scene) : scene_(scene) {
+    for (const scene::Joint& joint : scene.joints) {
+      traces_.push_back(scene::trace_joint(scene.blocks[at(joint.between[0])], scene.blocks[at(joint.between[1])],
+                                           near * scene::structure_size_m(scene.blocks)));
+    }
+  }
+  /// Of the named joint of `block` through `place`, or else of what the block is.
+  [[nodiscard]] std::string uplift_at(int block, const Point& place) const {
+    const double near_m = near * scene::structure_size_m(scene_.blocks);
+    for (std::size_t j = 0; j < traces_.size(); ++j) {
+      const scene::Joint& joint = scene_.joints[j];
+      if (joint.between[0] != block && joint.between[1] != block) continue;
+      for (const scene::TracePiece& piece : traces_[j].pieces) {
+        if (geometry::distance_to_segment(place, piece.from_m, piece.to_m) > near_m) continue;
+        return "uplift in " + (joint.set.empty() ? joint.name : joint.set);
+      }
+    }
+    return block == unknown_block ? "uplift" : "uplift under " + scene_.blocks[at(block)].name;
+  }
+
+ private:
+  static constexpr double near = 1e-6;  // of the structure
+  const scene::Scene& scene_;
+  std::vector<scene::JointTrace> traces_{};
+};
+
+/// Of the pressures of open water, those from upstream, from downstream and on the crest.
+std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels) {
   std::map<int, Pressing> parts;
   const double crest = crest_m(scene);
   const auto side = [&](const Point& from, const Point& to, const Point& inwards) {
@@ -158,35 +189,53 @@ std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels, 
     const Point from(p[0], p[1]);
     const Point to(p[2], p[3]);
     const Point inwards = Point(from.y() - to.y(), to.x() - from.x()).normalized();
-    if (in_joints && inwards.y() <= 0) continue;
-    parts[in_joints ? block : side(from, to, inwards)].add(from, to, p[4].get<double>() * inwards,
-                                                           p[5].get<double>() * inwards);
+    parts[side(from, to, inwards)].add(from, to, p[4].get<double>() * inwards, p[5].get<double>() * inwards);
   }
   return parts;
+}
+
+/// A resultant for each named joint, and one for all that stands on other joints of a block. Of both sides of a joint
+/// the upper block's counts.
+void put_uplift(const scene::Scene& scene, const json& panels, json& list) {
+  constexpr std::size_t told_apart = 12;  // of a mesh of joints no picture can name each
+  const JointNames names(scene);
+  std::map<std::string, Pressing> parts;
+  for (const json& p : panels) {
+    const int block = p[6];
+    if (block != unknown_block && scene.blocks[at(block)].fixed) continue;
+    const Point from(p[0], p[1]);
+    const Point to(p[2], p[3]);
+    const Point inwards = Point(from.y() - to.y(), to.x() - from.x()).normalized();
+    if (inwards.y() <= 0) continue;
+    parts[names.uplift_at(block, (from + to) / 2)].add(from, to, p[4].get<double>() * inwards,
+                                                       p[5].get<double>() * inwards);
+  }
+  for (const auto& [name, pressing] : parts) {
+    pressing.put(parts.size() <= told_apart ? name : std::string("uplift"), "uplift", list);
+  }
 }
 
 void put_water(const scene::Scene& scene, const json& water, json& list) {
   const std::map<std::string, const char*> kinds = {{"open water", "water"},
                                                     {"ice", "ice"},
                                                     {"added water (Westergaard)", "added water"},
-                                                    {"added water (finite elements)", "added water"},
-                                                    {"water in joints", "uplift"}};
-  constexpr std::size_t told_apart = 4;  // blocks with uplift; of a mesh of joints no picture can name each
+                                                    {"added water (finite elements)", "added water"}};
   for (const json& kind : water) {
     const std::string name = kind["name"];
-    const bool in_joints = name == "water in joints";
-    const auto parts = parts_of(scene, kind["panels"], in_joints);
+    if (name == "water in joints") {
+      put_uplift(scene, kind["panels"], list);
+      continue;
+    }
+    const auto parts = parts_of(scene, kind["panels"]);
     const auto name_of = [&](int part) {
       const char* where = part == on_the_crest ? " on the crest" : part == from_upstream ? " upstream" : " downstream";
       if (name == "open water") return std::string("water") + where;
-      if (!in_joints) return name + (parts.size() == 1 ? "" : where);
-      const bool apart = part != unknown_block && parts.size() <= told_apart;
-      return apart ? "uplift under " + scene.blocks[at(part)].name : "uplift";
+      return name + (parts.size() == 1 ? "" : where);
     };
     for (const auto& [part, pressing] : parts) {
       const std::size_t before = list.size();
       pressing.put(name_of(part), kinds.at(name), list);
-      if (list.size() > before && !in_joints) list.back()["from_downstream"] = part == from_downstream;
+      if (list.size() > before) list.back()["from_downstream"] = part == from_downstream;
     }
   }
 }

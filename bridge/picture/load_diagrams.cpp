@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <map>
 #include <string>
 
@@ -29,23 +28,19 @@ double largest(const json& load) {
 }
 
 /// The strip, and against the load's direction `by` metres for each unit of it.
-json diagram(const json& strip, double by, const Point& shift) {
+json diagram(const json& strip, double by) {
   json outline = json::array();
-  for (const json& station : strip) outline.push_back(pair(shift + point_of(station)));
+  for (const json& station : strip) outline.push_back(pair(point_of(station)));
   for (auto station = strip.rbegin(); station != strip.rend(); ++station) {
-    outline.push_back(pair(shift + point_of(*station) - by * point_of(*station, 2)));
+    outline.push_back(pair(point_of(*station) - by * point_of(*station, 2)));
   }
   return outline;
 }
 
-bool stands_beside_the_water(const json& load) {
-  const std::string kind = load["kind"];
-  return kind == "silt" || kind == "ice" || kind == "added water";
-}
-
-/// On a face that looks downstream.
-bool comes_from_downstream(const json& load) {
-  return load.value("from_downstream", load["force"][0].get<double>() < 0);
+/// What an earthquake takes from the pressure on a face: its diagram stands on the outer side, too.
+bool pulls(const json& load) {
+  const double x = load["force"][0];
+  return load["kind"] == "added water" && load.value("from_downstream", x < 0) == (x > 0);
 }
 
 }  // namespace
@@ -53,17 +48,9 @@ bool comes_from_downstream(const json& load) {
 void add_diagrams(json& loads, double size_m) {
   constexpr double longest = 0.2;  // of the structure, as all that follow
   constexpr double shortest = 0.05;
-  constexpr double gap = 0.02;
   constexpr double arrow = 0.1;
   double strongest = 0;
-  std::array<double, 2> beside_m = {0, 0};  // of the face, upstream and downstream
   for (const json& load : loads) strongest = std::max(strongest, largest(load));
-  const auto reach = [&](const json& load) { return size_m * std::max(shortest, longest * largest(load) / strongest); };
-  for (const json& load : loads) {
-    if (load["kind"] != "water") continue;
-    double& beside = beside_m[comes_from_downstream(load) ? 1 : 0];
-    beside = std::max(beside, reach(load) + gap * size_m);
-  }
   for (json& load : loads) {
     const Point force = point_of(load["force"]);
     const Point at = point_of(load["at"]);
@@ -75,18 +62,12 @@ void add_diagrams(json& loads, double size_m) {
       load["arrow"] = {pair(at - arrow * size_m * along), pair(at)};
       continue;
     }
-    const bool beside = stands_beside_the_water(load);
-    const bool downstream = comes_from_downstream(load);
-    double& away_m = beside_m[downstream ? 1 : 0];
-    const Point shift(!beside ? 0 : downstream ? away_m : -away_m, 0);
-    // What an earthquake takes from the pressure pulls: its diagram stands on the outer side, too.
-    const bool pulls = beside && downstream == (force.x() > 0);
+    const double reach_m = size_m * std::max(shortest, longest * largest(load) / strongest);
     for (const json& strip : load["strips"]) {
-      load["diagrams"].push_back(diagram(strip, (pulls ? -1 : 1) * reach(load) / largest(load), shift));
+      load["diagrams"].push_back(diagram(strip, (pulls(load) ? -1 : 1) * reach_m / largest(load)));
     }
-    const Point outer = at + shift + (pulls ? 1 : -1) * reach(load) * along;
-    load["arrow"] = {pair(pulls ? at + shift : outer), pair(pulls ? outer : at + shift)};
-    if (beside) away_m += reach(load) + gap * size_m;
+    const Point outer = at + (pulls(load) ? 1 : -1) * reach_m * along;
+    load["arrow"] = pulls(load) ? json{pair(at), pair(outer)} : json{pair(outer), pair(at)};
   }
 }
 

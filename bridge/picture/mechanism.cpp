@@ -11,8 +11,8 @@
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/picture/draw.hpp"
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/picture/pictured_structure.hpp"
 #include "bridge/scene/block_facts.hpp"
-#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -54,11 +54,7 @@ Bounds view_around(const scene::Scene& scene) {
 }
 
 std::string reservoir(const Bounds& view, const scene::Scene& scene, double level_m) {
-  double face = view.high.x();
-  for (const scene::Block& block : scene.blocks) {
-    if (block.fixed) continue;
-    for (const Point& p : block.vertices) face = std::min(face, p.x());
-  }
+  const double face = pictured_structure(scene).low.x();
   return fmt::format(
       "set arrow from {},{} to {},{} nohead lc rgb '#1f6fb4' lw 2 front\n"
       "set label '{:.6g} m' at {},{} offset 0.5,0.6 tc rgb '#1f6fb4' front\n",
@@ -78,7 +74,7 @@ void draw_mechanism(const scene::Scene& scene, const json& mechanism, const std:
       "set yrange [{}:{}]\n",
       gnuplot_title(mechanism["text"], 900), view.low.x(), view.high.x(), view.low.y(), view.high.y());
   const std::map<std::string, Eigen::Vector3d> motions = motions_of(mechanism);
-  const double by = drawn_ratio * scene::structure_size_m(scene.blocks);
+  const double by = drawn_ratio * pictured_structure(scene).size();
   int number = 0;
   for (const scene::Block& block : scene.blocks) {
     if (motions.contains(block.name)) continue;

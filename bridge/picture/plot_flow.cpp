@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -16,17 +16,35 @@
 namespace blockweir::picture {
 namespace {
 
-/// Pressure over x at a time, a curve a joint.
-std::string pressures(const Rows& rows, double time_s, int number) {
-  std::string text;
-  std::string last;
+/// Names in the order of the table.
+std::vector<std::string> joints_of(const Rows& rows) {
+  std::vector<std::string> names;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (std::stod(rows[i][0]) != time_s) continue;
-    if (rows[i][1] != last) text += "\n";
-    last = rows[i][1];
-    text += fmt::format("{} {:.6g}\n", rows[i][2], std::stod(rows[i][5]) / 1000);
+    if (std::find(names.begin(), names.end(), rows[i][1]) == names.end()) names.push_back(rows[i][1]);
   }
-  return fmt::format("$at_{} << EOD\n{}EOD\n", number, text);
+  return names;
+}
+
+/// Pressure at a time over the distance from the joint's upstream end, so that a steep joint is no spike.
+std::string pressures(const Rows& rows, double time_s, const std::string& joint) {
+  std::string text;
+  std::vector<Eigen::Vector3d> points;  // x, y [m], pressure [kPa]
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (rows[i][1] != joint || std::stod(rows[i][0]) != time_s) continue;
+    points.emplace_back(figure(rows[i][2]), figure(rows[i][3]), figure(rows[i][5]) / 1000);
+  }
+  if (points.empty()) return text;
+  // Of the smaller x, of equal ones the higher.
+  const Eigen::Vector3d mouth = *std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() > b.y();
+  });
+  if ((points.front() - mouth).head<2>().norm() > (points.back() - mouth).head<2>().norm()) {
+    std::reverse(points.begin(), points.end());
+  }
+  for (const Eigen::Vector3d& p : points) {
+    text += fmt::format("{:.8g} {:.6g}\n", (p - mouth).head<2>().norm(), p.z());
+  }
+  return text;
 }
 
 std::string flows(const Rows& rows, std::size_t column) {
@@ -63,21 +81,31 @@ std::vector<double> times_of(const Rows& rows) {
   return times;
 }
 
-/// Curves over x, at five times from first to last.
+/// A colour for each joint: thick at the last time, dashed and thin at the first.
 Panel along_joints(const Rows& rows, const std::vector<double>& times, const History& history) {
-  constexpr std::array colours = {"#9ecae1", "#6baed6", "#3182bd", "#08519c", "#d9622b"};
+  constexpr std::size_t most_letters = 48;
   Panel panel;
   std::string curves;
-  const std::size_t count = std::min(times.size(), colours.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    const double time_s = times[count == 1 ? 0 : k * (times.size() - 1) / (count - 1)];
-    panel.data += pressures(rows, time_s, static_cast<int>(k));
-    curves += fmt::format("{}$at_{} with lines lc rgb '{}' lw 2 title '{}'", k > 0 ? ", " : "", k, colours[k],
-                          title(history, time_s));
+  int colour = 0;
+  int number = 0;
+  for (const std::string& joint : joints_of(rows)) {
+    ++colour;
+    const auto add = [&](double time_s, const std::string& look) {
+      const std::string data = pressures(rows, time_s, joint);
+      if (data.empty()) return;
+      panel.data += fmt::format("$at_{} << EOD\n{}EOD\n", ++number, data);
+      curves += fmt::format("{}$at_{} with lines lt {} {}", curves.empty() ? "" : ", ", number, colour, look);
+    };
+    if (times.size() > 1) add(times.front(), "lw 1 dt 2 notitle");
+    add(times.back(), "lw 2.5 title " + gnuplot_text(shortened(joint, most_letters)));
   }
+  const std::string first = times.size() > 1 ? "; dashed: " + title(history, times.front()) : "";
   panel.commands = fmt::format(
-      "set key bottom left\nset yrange [0:*]\nset xlabel 'x (m)'\nset ylabel 'pressure in joints (kPa)'\nplot {}\n",
-      curves);
+      "set key bmargin center horizontal maxcols 2 samplen 2\nset bmargin 8\nset yrange [0:*]\nset title {}\nset "
+      "xlabel 'distance from the upstream end "
+      "of the joint (m)'\n"
+      "set ylabel 'pressure in joints (kPa)'\nplot {}\nunset title\n",
+      gnuplot_text(title(history, times.back()) + first), curves);
   return panel;
 }
 

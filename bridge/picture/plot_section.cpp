@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -67,6 +68,23 @@ class Drawing {
     const Point half = Point::Constant(3 * sheet_.per_pixel());
     for (int i = 0; i <= 40; ++i) places_.keep_free({from + i * step - half, from + i * step + half});
   }
+  /// What of it lies in the frame.
+  void line_in_view(const Point& from, const Point& to, const std::string& style) {
+    const Eigen::AlignedBox2d frame(Point(sheet_.view.left, sheet_.view.bottom),
+                                    Point(sheet_.view.right, sheet_.view.top));
+    double enters = 0;
+    double leaves = 1;
+    for (const int axis : {0, 1}) {
+      const double way = to[axis] - from[axis];
+      if (way == 0 && (from[axis] < frame.min()[axis] || from[axis] > frame.max()[axis])) return;
+      if (way == 0) continue;
+      const double low = (frame.min()[axis] - from[axis]) / way;
+      const double high = (frame.max()[axis] - from[axis]) / way;
+      enters = std::max(enters, std::min(low, high));
+      leaves = std::min(leaves, std::max(low, high));
+    }
+    if (enters < leaves) line(from + enters * (to - from), from + leaves * (to - from), style);
+  }
   void label(const Point& wanted, const std::string& text, const std::string& colour) {
     const Point size = sheet_.per_pixel() * Point(Sheet::letter * static_cast<double>(text.size()) + 10, Sheet::row);
     const auto middle = places_.place(wanted, size);
@@ -95,6 +113,7 @@ void draw_loads(const json& loads, Drawing& drawing) {
       drawing.polygon(outline,
                       fmt::format("fc rgb '{0}' fillstyle transparent solid 0.25 border lc rgb '{0}'", colour));
     }
+    if (!load["in_view"].get<bool>()) continue;
     drawing.line(point_of(load["arrow"][0]), point_of(load["arrow"][1]),
                  fmt::format("filled lw 2 lc rgb '{}'", colour));
   }
@@ -104,8 +123,8 @@ void draw_joints(const json& joints, Drawing& drawing) {
   for (const json& joint : joints) {
     for (const json& line : joint["lines"]) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        drawing.line(point_of(line[i]), point_of(line[i + 1]),
-                     fmt::format("nohead dt 2 lw 2 lc rgb '{}'", joint_colour));
+        drawing.line_in_view(point_of(line[i]), point_of(line[i + 1]),
+                             fmt::format("nohead dt 2 lw 2 lc rgb '{}'", joint_colour));
       }
     }
   }
@@ -152,7 +171,7 @@ void write_labels(const json& data, const json& state, Drawing& drawing) {
                          [&](const json& l) { return l["kind"] == kind; });
   };
   for (const json& load : state["acting"]) {
-    if (static_cast<std::size_t>(of_kind(load["kind"])) <= most) {
+    if (load["in_view"].get<bool>() && static_cast<std::size_t>(of_kind(load["kind"])) <= most) {
       drawing.label(point_of(load["arrow"][0]), load["label"], load["colour"]);
     }
   }
@@ -182,8 +201,8 @@ std::string legend(const json& rows) {
 std::string frame_of(const Sheet& sheet, const std::string& title) {
   return fmt::format(
       "set lmargin at screen {}\nset rmargin at screen {}\n"
-      "set tmargin at screen {}\nset bmargin at screen {}\nset tics out nomirror\nset xlabel 'x [m]'\n"
-      "set ylabel 'elevation [m]'\nset title {}\nset style textbox opaque noborder fillcolor rgb '#60ffffff' margins "
+      "set tmargin at screen {}\nset bmargin at screen {}\nset tics out nomirror\nset xlabel 'x (m)'\n"
+      "set ylabel 'elevation (m)'\nset title {}\nset style textbox opaque noborder fillcolor rgb '#60ffffff' margins "
       "1,1\n"
       "set key at screen 0.5,0.005 bottom center horizontal Left reverse maxcols 2 samplen 2\n"
       "set xrange [{}:{}]\nset yrange [{}:{}]\n",

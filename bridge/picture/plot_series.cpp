@@ -29,7 +29,10 @@ struct Axis {
   const char* quantity;
   const char* label;
   double rest = 0;
-  double factor = 1;  ///< from the history's unit to the axis's
+  double factor = 1;             ///< from the history's unit to the axis's
+  const char* name = "";         ///< in the legend, of what is no block's
+  const char* second = nullptr;  ///< a quantity beside it, of that name
+  const char* second_name = "";
 };
 
 /// Curves of a plot: their data, and what plots them.
@@ -84,7 +87,10 @@ class Series {
       if (!history.has_values(column)) return;
       curves.add(curve_rows(history.column("time_s"), history.column(column), spans, axis.factor), style);
     };
-    if (!of_blocks) add(history_, quantity, pixels, "with lines lw 2 title " + gnuplot_text(quantity));
+    if (!of_blocks) add(history_, quantity, pixels, fmt::format("with lines lw 2 title '{}'", axis.name));
+    if (axis.second != nullptr) {
+      add(history_, axis.second, pixels, fmt::format("with lines lw 2 title '{}'", axis.second_name));
+    }
     for (const std::string& block : others_) {
       if (of_blocks) add(history_, block + quantity, pixels_of_others, "with lines lw 1 lc rgb '#b8b8b8' notitle");
     }
@@ -105,8 +111,8 @@ class Series {
       curves.plots += fmt::format(", NaN with lines lw 1 lc rgb '#b8b8b8' title '{} more'", others_.size());
     }
     const std::string range = axis.rest > 0 ? fmt::format("[* < -{0} : {0} < *]", axis.rest) : "[*:*]";
-    return fmt::format("{}set key {}\nset ylabel '{}'\nset yrange {}\nplot {}\n", curves.data,
-                       of_blocks ? "outside right top samplen 2" : "inside top left", axis.label, range, curves.plots);
+    return fmt::format("{}set key outside right top samplen 2\nset ylabel '{}'\nset yrange {}\nplot {}\n", curves.data,
+                       axis.label, range, curves.plots);
   }
 
  private:
@@ -138,7 +144,7 @@ std::vector<Picture> series_pictures(const PlotOptions& options, const nlohmann:
                                      const std::string& ending) {
   const Series series(options);
   const fs::path& run = options.run;
-  std::string axes = "set grid lc rgb '#dddddd'\nset xlabel 'time [s]'\n";
+  std::string axes = "set grid lc rgb '#dddddd'\nset xlabel 'time (s)'\n";
   if (summary.contains("failure")) {
     axes += fmt::format("set arrow 1 from first {0}, graph 0 to first {0}, graph 1 nohead dt 2 lc rgb '#c00000'\n",
                         summary["failure"]["time_s"].get<double>());
@@ -152,18 +158,19 @@ std::vector<Picture> series_pictures(const PlotOptions& options, const nlohmann:
                         fmt::format("{}set multiplot layout {},1 title {}\n{}unset multiplot\n", axes, panels.size(),
                                     gnuplot_title(title, 1000), body)});
   };
-  constexpr double rest_m = 1e-4;
-  constexpr double rest_deg = 1e-3;
+  constexpr double rest_m = 1e-9;  // round-off is no motion
+  constexpr double rest_deg = 1e-7;
   constexpr double deg_per_rad = 57.29577951308232;
   const std::string dashes = summary.contains("failure") ? " (dashes: the failure begins)" : "";
   const std::string title = summary.value("title", run.filename().string());
   figure("displacements", title + ": displacements of the centroids" + dashes,
-         {{".displacement_x_m", "horizontal [m]", rest_m}, {".displacement_y_m", "vertical [m]", rest_m}});
+         {{".displacement_x_m", "horizontal (m)", rest_m}, {".displacement_y_m", "vertical (m)", rest_m}});
   figure("velocities", title + ": velocities of the centroids" + dashes,
-         {{".velocity_x_m_per_s", "horizontal [m/s]", rest_m}, {".velocity_y_m_per_s", "vertical [m/s]", rest_m}});
-  figure("rotations", title + ": rotations" + dashes, {{".rotation_rad", "rotation [deg]", rest_deg, deg_per_rad}});
+         {{".velocity_x_m_per_s", "horizontal (m/s)", rest_m}, {".velocity_y_m_per_s", "vertical (m/s)", rest_m}});
+  figure("rotations", title + ": rotations" + dashes, {{".rotation_rad", "rotation (deg)", rest_deg, deg_per_rad}});
   figure("level", title + ": water level and largest displacement" + dashes,
-         {{"upstream_level_m", "level [m]"}, {"largest_displacement_m", "largest displacement [m]", rest_m}});
+         {{"upstream_level_m", "level (m)", 0, 1, "upstream", "downstream_level_m", "downstream"},
+          {"largest_displacement_m", "largest displacement (m)", rest_m, 1, "largest displacement"}});
   return pictures;
 }
 

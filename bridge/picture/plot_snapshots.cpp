@@ -242,8 +242,8 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   const View view = view_of(frames, highest);
   const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.12, 2.0);
   const std::string axes =
-      "set size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\nset xlabel 'x [m]'\n"
-      "set ylabel 'y [m]'\n";
+      "set size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\nset xlabel 'x (m)'\n"
+      "set ylabel 'y (m)'\n";
   const double breached_s =
       summary.contains("breach") ? summary["breach"]["time_s"].get<double>() : std::numeric_limits<double>::infinity();
   const auto flow_at = [&](const json& frame) {
@@ -251,7 +251,7 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   };
   const Film film{view, breached_s, decimals_of(frames.back()["time_s"])};
   const bool meshed = frames.front().contains("triangles");
-  const std::string scale = meshed ? "; larger principal stress [MPa]" : "";
+  const std::string scale = meshed ? "; larger principal stress (MPa)" : "";
   const std::string legend =
       water.empty() ? fmt::format(" (contacts: green stick, red slip{}{})", silt_m ? "; hatched: silt" : "", scale)
                     : "";

@@ -12,6 +12,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/picture/acting_loads.hpp"
 #include "bridge/picture/json_point.hpp"
+#include "bridge/picture/pictured_structure.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/structure_size.hpp"
@@ -99,14 +100,17 @@ json joints(const scene::Scene& scene) {
   return list;
 }
 
-/// Of all that can move: height, and the ends of its lowest and highest line.
+/// Of the structure in the picture: height, and the ends of its lowest and highest line.
 json dimensions(const scene::Scene& scene) {
+  const geometry::Bounds box = pictured_structure(scene);
   std::vector<Point> movable;
   for (const auto& block : scene.blocks) {
-    if (!block.fixed) movable.insert(movable.end(), block.vertices.begin(), block.vertices.end());
+    if (block.fixed) continue;
+    for (const Point& p : block.vertices) {
+      if ((p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all()) movable.push_back(p);
+    }
   }
   if (movable.empty()) return nullptr;
-  const geometry::Bounds box = geometry::bounds_of(movable);
   const double near = 1e-6 * box.size();
   const auto ends_at = [&](double y) {
     double left = std::numeric_limits<double>::infinity();
@@ -149,7 +153,7 @@ json section_data(const scene::Scene& scene) {
           {"joints", joints(scene)},
           {"bolts", bolts_data(scene)},
           {"dimensions", dimensions(scene)},
-          {"size_m", scene::structure_size_m(scene.blocks)}};
+          {"size_m", pictured_structure(scene).size()}};
 }
 
 }  // namespace blockweir::picture

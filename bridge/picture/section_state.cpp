@@ -5,9 +5,10 @@
 
 #include "bridge/picture/acting_loads.hpp"
 #include "bridge/picture/force_text.hpp"
+#include "bridge/picture/json_point.hpp"
 #include "bridge/picture/load_diagrams.hpp"
+#include "bridge/picture/pictured_structure.hpp"
 #include "bridge/picture/still_pools.hpp"
-#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -26,38 +27,56 @@ View neither_flat_nor_steep(const View& view) {
   return {view.left - wider, view.right + wider, view.bottom - higher, view.top + higher};
 }
 
-/// The ground reaches far beyond what is of interest: it is shown as far as loads and bolts reach.
-View view_of(const scene::Scene& scene, const json& state, double size_m) {
-  View view;
-  for (const scene::Block& block : scene.blocks) {
-    if (block.fixed) continue;
-    for (const scene::Point& p : block.vertices) view.include(p.x(), p.y());
-  }
-  if (view.left > view.right) {
-    for (const scene::Block& block : scene.blocks) {
-      for (const scene::Point& p : block.vertices) view.include(p.x(), p.y());
-    }
-  }
+/// The ground reaches far beyond what is of interest: it is shown as far as bolts reach, and as loads do within half
+/// the structure's size around it.
+View view_of(const geometry::Bounds& structure, const json& state) {
+  const double size_m = structure.size();
+  View view{structure.low.x(), structure.high.x(), structure.low.y(), structure.high.y()};
+  const scene::Point low = structure.low - scene::Point::Constant(size_m / 2);
+  const scene::Point high = structure.high + scene::Point::Constant(size_m / 2);
   for (const char* pool : {"upstream", "downstream"}) {
     if (state[pool].is_number()) view.include(view.left, state[pool]);
   }
   View around = {view.left - 0.3 * size_m, view.right + 0.2 * size_m, view.bottom - 0.12 * size_m,
-                 view.top + 0.1 * size_m};
+                 view.top + 0.17 * size_m};
   constexpr double edge = 0.07;  // for texts
   const auto include = [&](const json& p) {
     for (const double side : {-edge, edge}) {
       around.include(p[0].get<double>() + side * size_m, p[1].get<double>() + side * size_m);
     }
   };
+  const auto include_near = [&](const json& p) { include(pair(point_of(p).cwiseMax(low).cwiseMin(high))); };
   for (const json& load : state["acting"]) {
-    for (const json& p : load["arrow"]) include(p);
-    for (const json& outline : load["diagrams"]) std::for_each(outline.begin(), outline.end(), include);
+    for (const json& p : load["arrow"]) include_near(p);
+    for (const json& outline : load["diagrams"]) std::for_each(outline.begin(), outline.end(), include_near);
   }
   for (const json& bolt : state["bolts"]) {
     include(bolt["from"]);
     include(bolt["to"]);
   }
   return neither_flat_nor_steep(around);
+}
+
+/// A resultant whose point lies beyond the view is left to the legend; one that begins beyond it is cut there.
+void cut_arrows(json& acting, const View& view) {
+  const scene::Point low(view.left, view.bottom);
+  const scene::Point high(view.right, view.top);
+  const auto is_seen = [&](const scene::Point& p) {
+    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
+  };
+  for (json& load : acting) {
+    const scene::Point from = point_of(load["arrow"][0]);
+    const scene::Point to = point_of(load["arrow"][1]);
+    load["in_view"] = is_seen(to);
+    if (!is_seen(to) || is_seen(from)) continue;
+    double share = 1;  // of the way from `to`
+    for (const int axis : {0, 1}) {
+      const double way = from[axis] - to[axis];
+      if (way != 0) share = std::min(share, ((way > 0 ? high : low)[axis] - to[axis]) / way);
+    }
+    constexpr double inside = 0.9;  // its label stands within the frame
+    load["arrow"][0] = pair(to + inside * share * (from - to));
+  }
 }
 
 json pools_in(const scene::Scene& scene, const json& water, const json& state, const View& view) {
@@ -87,9 +106,9 @@ json pools_in(const scene::Scene& scene, const json& water, const json& state, c
 }  // namespace
 
 json section_state(const scene::Scene& scene, const json& water, double time_s, const json& bolt_forces) {
-  const double size_m = scene::structure_size_m(scene.blocks);
+  const geometry::Bounds structure = pictured_structure(scene);
   json state = {{"time_s", time_s}, {"acting", acting_loads(scene, water, time_s)}, {"bolts", bolts_data(scene)}};
-  add_diagrams(state["acting"], size_m);
+  add_diagrams(state["acting"], structure.size());
   state["waves_left_out"] = scene.fluid == scene::FluidModel::openfoam && scene.openfoam.wave.has_value();
   state["upstream"] = level_at(scene.water.upstream_level_m, time_s);
   state["downstream"] = level_at(scene.water.downstream_level_m, time_s);
@@ -103,7 +122,8 @@ json section_state(const scene::Scene& scene, const json& water, double time_s, 
   for (const json& bolt : state["bolts"]) {
     state["legend"].push_back({{"label", bolt["label"]}, {"colour", bolt_colour}});
   }
-  const View view = view_of(scene, state, size_m);
+  const View view = view_of(structure, state);
+  cut_arrows(state["acting"], view);
   state["pools"] = pools_in(scene, water, state, view);
   state["view"] = {{"left", view.left}, {"right", view.right}, {"bottom", view.bottom}, {"top", view.top}};
   return state;

@@ -77,10 +77,21 @@ double highest_point(const json& frame) {
   return y;
 }
 
+/// Is a block that moves in view? Where all have left it, nothing there tells how high water can stand but its level.
+bool shows_movable(const json& frame, const View& view) {
+  for (const json& block : frame["blocks"]) {
+    if (block["fixed"].get<bool>()) continue;
+    View box;
+    for (const json& p : block["outline"]) box.include(p[0], p[1]);
+    if (box.right > view.left && box.left < view.right && box.top > view.bottom && box.bottom < view.top) return true;
+  }
+  return false;
+}
+
 /// All that may be a pool, as boxes up to the levels.
 cl::Paths under_levels(const json& frame, const WetPoints& wet, const View& view, const Grid& grid) {
   cl::Paths boxes;
-  const double highest = std::min(view.top, highest_point(frame));
+  const double highest = shows_movable(frame, view) ? std::min(view.top, highest_point(frame)) : view.top;
   const auto add = [&](double from, double to, double bottom, double level) {
     from = std::max(from, view.left);
     to = std::min(to, view.right);

@@ -73,8 +73,8 @@ json histories_data(const std::filesystem::path& run) {
     return names;
   };
   json groups = json::array();
-  constexpr double rest_m = 1e-4;
-  constexpr double rest_deg = 1e-3;
+  constexpr double rest_m = 1e-9;  // round-off is no motion
+  constexpr double rest_deg = 1e-7;
   constexpr double rest_kn = 1e-3;
   pages.add(groups, "level upstream (m)", rest_m, {""}, "upstream_level_m");
   pages.add(groups, "level downstream (m)", rest_m, {""}, "downstream_level_m");

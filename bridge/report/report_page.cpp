@@ -14,6 +14,12 @@ namespace blockweir::picture {
 
 using nlohmann::json;
 
+/// A text that names files of the run, without the path to them: the page is read elsewhere.
+static std::string within(const std::filesystem::path& run, std::string text) {
+  boost::replace_all(text, std::filesystem::absolute(run).lexically_normal().string() + "/", "");
+  return text;
+}
+
 json report_data(const ReportParts& parts) {
   const json& summary = parts.summary;
   json data = section_data(parts.scene);
@@ -22,6 +28,8 @@ json report_data(const ReportParts& parts) {
   data["title"] = parts.scene.title.empty() ? parts.scene.file.stem().string() : parts.scene.title;
   data["note"] = parts.scene.note;
   data["summary"] = summary;
+  if (summary.contains("stopped")) data["summary"]["stopped"] = within(parts.run, summary["stopped"]);
+  data["duration_s"] = parts.scene.analysis.duration_s;
   data["level"] = parts.level;
   data["safety"] = parts.safety;
   data["flow"] = flow_data(parts.run);

@@ -119,9 +119,13 @@ class Search {
     }
     return fmt::format(
         "set xlabel 'run'\nset ylabel {}\nset key outside bottom horizontal\nset grid\n$with << EOD\n{}EOD\n$without "
-        "<< EOD\n{}EOD\nplot $with pt 7 lc rgb '#c00000' title {}, $without pt 6 lc rgb '#204a87' title 'not so'\n",
+        "<< EOD\n{}EOD\nplot $with pt 7 lc rgb '#c00000' title {}, $without pt 6 lc rgb '#204a87' title {}\n",
         picture::gnuplot_text(critical_.key), with, without,
-        picture::gnuplot_text(critical_.target ? wanted(critical_) : critical_.outcome));
+        picture::gnuplot_text(critical_.target ? wanted(critical_) : critical_.outcome),
+        picture::gnuplot_text(critical_.target                ? "not " + wanted(critical_)
+                              : critical_.outcome == "fails"  ? "stands"
+                              : critical_.outcome == "stands" ? "fails"
+                                                              : "another outcome"));
   }
 
   CriticalValue critical_;

@@ -98,7 +98,7 @@ std::string map_figure(const std::array<scene::Sweep, 2>& axes, const json& cell
       return number ? fmt::format("{:.0e}", cell["error"].get<double>()) : "";
     });
   }
-  plot("wrong", "pt 2 ps 2 lw 3 lc rgb '#ef2929' title 'not so'",
+  plot("wrong", "pt 2 ps 2 lw 3 lc rgb '#ef2929' title 'not as expected'",
        [](const json& cell) { return cell["verdict"] == "wrong" ? "0" : ""; });
   return figure + "plot " + curves + "\n";
 }

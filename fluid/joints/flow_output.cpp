@@ -13,6 +13,14 @@ namespace blockweir::joints {
 FlowOutput::FlowOutput(const scene::Scene& scene, const std::filesystem::path& folder)
     : scene_(scene), tables_(scene, folder), frames_(folder, "flow.pvd") {}
 
+FlowOutput::~FlowOutput() {
+  try {
+    if (const FlowInJoints* flow = tables_.without_frame()) add_frame(tables_.last_time_s(), *flow);
+  } catch (const std::exception&) {
+    // A disk that is full has been told of by then.
+  }
+}
+
 void FlowOutput::record(double time_s, const FlowInJoints& flow) {
   tables_.record(time_s, flow);
   if (results::is_due(time_s, scene_.output.frame_every_s, next_frame_s_)) add_frame(time_s, flow);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What flows through joints, for people and ParaView: its tables, and each [output] frame_every_s flow.pvd, the joints
-// as lines.
+// What flows through joints, for people and ParaView: its tables, and each [output] frame_every_s and at the end
+// flow.pvd, the joints as lines.
 #pragma once
 
 #include "bridge/vtk/collection.hpp"
@@ -12,6 +12,10 @@ class FlowOutput {
  public:
   /// Files go to `folder`. Throws std::runtime_error when they cannot be written, here and later.
   FlowOutput(const scene::Scene& scene, const std::filesystem::path& folder);
+  /// Adds the frame of the run's end: the flow that was recorded last must still be there.
+  ~FlowOutput();
+  FlowOutput(const FlowOutput&) = delete;
+  FlowOutput& operator=(const FlowOutput&) = delete;
 
   void record(double time_s, const FlowInJoints& flow);
   [[nodiscard]] std::string state() const;

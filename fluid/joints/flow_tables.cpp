@@ -25,22 +25,34 @@ FlowTables::FlowTables(const scene::Scene& scene, std::filesystem::path folder)
     : scene_(scene), folder_(std::move(folder)) {}
 
 void FlowTables::record(double time_s, const FlowInJoints& flow) {
+  last_ = &flow;
+  last_time_s_ = time_s;
   last_row_ = row(time_s, flow);
-  if (results::is_due(time_s, scene_.output.history_every_s, next_row_s_)) {
+  has_row_ = results::is_due(time_s, scene_.output.history_every_s, next_row_s_);
+  if (has_row_) {
     if (!rows_) {
       rows_.emplace(folder_ / rows_file);
       rows_->line(header());
     }
-    rows_->line(std::exchange(last_row_, ""));
+    rows_->line(last_row_);
   }
-  if (!results::is_due(time_s, scene_.output.frame_every_s, next_frame_s_)) return;
-  add_pressures(time_s, flow);
-  add_uplifts(time_s, flow);
+  has_frame_ = results::is_due(time_s, scene_.output.frame_every_s, next_frame_s_);
+  if (!has_frame_) return;
+  add_frame(pressures(time_s, flow), uplifts(time_s, flow));
+}
+
+const FlowInJoints* FlowTables::without_frame() const {
+  return last_ != nullptr && !has_frame_ && row(last_time_s_, *last_) == last_row_ ? last_ : nullptr;
 }
 
 FlowTables::~FlowTables() {
   try {
-    if (rows_ && !last_row_.empty()) rows_->line(last_row_);
+    if (rows_ && !last_row_.empty() && !has_row_) rows_->line(last_row_);
+    if (const FlowInJoints* flow = without_frame()) {
+      add_frame(pressures(last_time_s_, *flow), uplifts(last_time_s_, *flow));
+    } else if (last_ == nullptr && !kept_pressures_.empty()) {
+      add_frame(kept_pressures_, kept_uplifts_);
+    }
   } catch (const std::exception&) {
     // A disk that is full has been told of by then.
   }
@@ -64,11 +76,23 @@ std::string FlowTables::row(double time_s, const FlowInJoints& flow) const {
   return row + fmt::format(",{},{},{}", now.stored, now.largest, results::csv_cell(joint));
 }
 
-void FlowTables::add_pressures(double time_s, const FlowInJoints& flow) {
+void FlowTables::add_frame(const std::string& pressures, const std::string& uplifts) {
   if (!along_) {
     along_.emplace(folder_ / along_file);
     along_->line("time_s,joint,x_m,y_m,aperture_m,pressure_pa,flow_m2_per_s");
   }
+  if (!uplifts_) {
+    uplifts_.emplace(folder_ / uplifts_file);
+    uplifts_->line(
+        "time_s,joint,length_m,flow_m2_per_s,reynolds_number,uplift_n_per_m,triangular_n_per_m,drained_n_per_m,"
+        "full_n_per_m");
+  }
+  if (!pressures.empty()) along_->line(pressures);
+  if (!uplifts.empty()) uplifts_->line(uplifts);
+}
+
+std::string FlowTables::pressures(double time_s, const FlowInJoints& flow) const {
+  std::string rows;
   const JointNetwork& joints = flow.joints();
   const auto& channels = joints.network().channels;
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -81,38 +105,41 @@ void FlowTables::add_pressures(double time_s, const FlowInJoints& flow) {
     for (int k = 0; k <= pieces; ++k) {
       const double share = static_cast<double>(k) / pieces;
       const Point p = stretch.place(part.from + share * (part.to - part.from));
-      along_->line(fmt::format("{:.15g},{},{:.8g},{:.8g},{:.6g},{:.8g},{:.6g}", time_s,
-                               results::csv_cell(joints.name(stretch)), p.x(), p.y(), w[0] + share * (w[1] - w[0]),
-                               flow.pressure(c, share), flow.filling().flow[c]));
+      if (!rows.empty()) rows += "\n";
+      rows +=
+          fmt::format("{:.15g},{},{:.8g},{:.8g},{:.6g},{:.8g},{:.6g}", time_s, results::csv_cell(joints.name(stretch)),
+                      p.x(), p.y(), w[0] + share * (w[1] - w[0]), flow.pressure(c, share), flow.filling().flow[c]);
     }
   }
+  return rows;
 }
 
-void FlowTables::add_uplifts(double time_s, const FlowInJoints& flow) {
-  if (!uplifts_) {
-    uplifts_.emplace(folder_ / uplifts_file);
-    uplifts_->line(
-        "time_s,joint,length_m,flow_m2_per_s,reynolds_number,uplift_n_per_m,triangular_n_per_m,drained_n_per_m,"
-        "full_n_per_m");
-  }
+std::string FlowTables::uplifts(double time_s, const FlowInJoints& flow) const {
+  std::string rows;
   for (const JointUplift& j : joint_uplifts(scene_, flow)) {
-    uplifts_->line(fmt::format("{:.15g},{},{:.8g},{:.6g},{:.6g},{:.8g},{:.8g},{},{:.8g}", time_s,
-                               results::csv_cell(j.name), j.length_m, j.flow_m2_per_s, j.reynolds, j.uplift_n_per_m,
-                               j.triangular_n_per_m, j.drained_n_per_m ? fmt::format("{:.8g}", *j.drained_n_per_m) : "",
-                               j.full_n_per_m));
+    if (!rows.empty()) rows += "\n";
+    rows += fmt::format("{:.15g},{},{:.8g},{:.6g},{:.6g},{:.8g},{:.8g},{},{:.8g}", time_s, results::csv_cell(j.name),
+                        j.length_m, j.flow_m2_per_s, j.reynolds, j.uplift_n_per_m, j.triangular_n_per_m,
+                        j.drained_n_per_m ? fmt::format("{:.8g}", *j.drained_n_per_m) : "", j.full_n_per_m);
   }
+  return rows;
 }
 
 std::string FlowTables::state() const {
   const auto size = [](const auto& file) { return file ? file->size() : std::uintmax_t{0}; };
-  return checkpoint::pack(next_row_s_, next_frame_s_, last_row_, size(rows_), size(along_), size(uplifts_));
+  const FlowInJoints* flow = without_frame();
+  const std::string kept_pressures = flow != nullptr ? pressures(last_time_s_, *flow) : "";
+  const std::string kept_uplifts = flow != nullptr ? uplifts(last_time_s_, *flow) : "";
+  return checkpoint::pack(next_row_s_, next_frame_s_, last_time_s_, last_row_, has_row_, has_frame_, kept_pressures,
+                          kept_uplifts, size(rows_), size(along_), size(uplifts_));
 }
 
 void FlowTables::restore(const std::string& state) {
   std::uintmax_t rows = 0;
   std::uintmax_t along = 0;
   std::uintmax_t uplifts = 0;
-  checkpoint::unpack(state, next_row_s_, next_frame_s_, last_row_, rows, along, uplifts);
+  checkpoint::unpack(state, next_row_s_, next_frame_s_, last_time_s_, last_row_, has_row_, has_frame_, kept_pressures_,
+                     kept_uplifts_, rows, along, uplifts);
   const auto go_on = [&](std::optional<results::ResultFile>& file, const char* name, std::uintmax_t size) {
     if (size == 0) return;
     file.emplace(folder_ / name, results::Begin::where_it_stopped);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What flows through joints, as tables: flow.csv, a row each [output] history_every_s and one of the end; each
-// frame_every_s joint_water.csv, pressures along all joints, and joint_uplift.csv, a row a joint beside guideline laws.
+// What flows through joints, as tables: flow.csv, a row each [output] history_every_s; each frame_every_s
+// joint_water.csv, pressures along all joints, and joint_uplift.csv, a row a joint beside guideline laws. All have the
+// end: water that has come to rest is recorded no more, however much it changed since the last frame.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +17,7 @@ class FlowTables {
  public:
   /// Files go to `folder`. Throws std::runtime_error when they cannot be written, here and later.
   FlowTables(const scene::Scene& scene, std::filesystem::path folder);
-  /// Writes the row of the run's end.
+  /// Writes the run's end: the flow that was recorded last must still be there.
   ~FlowTables();
   FlowTables(const FlowTables&) = delete;
   FlowTables& operator=(const FlowTables&) = delete;
@@ -25,16 +26,28 @@ class FlowTables {
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);
 
+  /// What was recorded last, if it has no frame yet and has not gone on since; null otherwise.
+  [[nodiscard]] const FlowInJoints* without_frame() const;
+  [[nodiscard]] double last_time_s() const { return last_time_s_; }
+
  private:
   [[nodiscard]] std::string header() const;
   [[nodiscard]] std::string row(double time_s, const FlowInJoints& flow) const;
-  void add_pressures(double time_s, const FlowInJoints& flow);
-  void add_uplifts(double time_s, const FlowInJoints& flow);
+  /// Rows of a frame for joint_water.csv and joint_uplift.csv.
+  [[nodiscard]] std::string pressures(double time_s, const FlowInJoints& flow) const;
+  [[nodiscard]] std::string uplifts(double time_s, const FlowInJoints& flow) const;
+  void add_frame(const std::string& pressures, const std::string& uplifts);
 
   const scene::Scene& scene_;
   std::filesystem::path folder_;
   std::optional<results::ResultFile> rows_;
-  std::string last_row_;  ///< not yet written
+  const FlowInJoints* last_ = nullptr;  ///< recorded since the start or the restart
+  std::string last_row_;                ///< of the last record, whether or not it has been written
+  double last_time_s_ = 0;
+  bool has_row_ = false;
+  bool has_frame_ = false;
+  std::string kept_pressures_;  ///< of a last record that had no frame at the restart
+  std::string kept_uplifts_;
   std::optional<results::ResultFile> along_;
   std::optional<results::ResultFile> uplifts_;
   double next_row_s_ = 0;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/unnamed_joint.hpp"
@@ -60,6 +61,17 @@ Parting parting_of(const LimitAnalysis& structure, const Twists& mechanism) {
   return parting;
 }
 
+/// Do the faces part all along, by more than a slide rises? By the associated rule it rises by tan(phi) over the
+/// strength's reduction, which is 1/2 at least in what is of interest.
+bool opens(const LimitAnalysis& structure, const Twists& mechanism, const Face& face) {
+  constexpr double least_reduction = 0.5;
+  const auto ends = face.ends();
+  return std::all_of(ends.begin(), ends.end(), [&](const Point& end) {
+    const Point jump = structure.jump(face, mechanism, end);
+    return face.normal.dot(jump) > face.friction / least_reduction * std::abs(face.along().dot(jump)) + seen;
+  });
+}
+
 struct Motion {
   const char* mode;
   const char* of_one;
@@ -90,11 +102,13 @@ MechanismWords words_of(const LimitAnalysis& structure, const Twists& mechanism)
     names.push_back(scene.blocks[b].name);
   }
   Parting parting = parting_of(structure, mechanism);
+  std::set<std::string> closed;  // joints on which something slides or turns
   std::sort(parting.faces.begin(), parting.faces.end(),
             [](const Face* f, const Face* g) { return upstream_end(*f).x() < upstream_end(*g).x(); });
   for (const Face* face : parting.faces) {
     const std::string name = joint_name(scene, *face);
     if (std::find(words.joints.begin(), words.joints.end(), name) == words.joints.end()) words.joints.push_back(name);
+    if (!opens(structure, mechanism, *face)) closed.insert(name);
   }
   if (!parting.faces.empty()) words.mouth_m = upstream_end(*parting.faces.front());
   const Motion motion = motion_of(parting);
@@ -102,7 +116,15 @@ MechanismWords words_of(const LimitAnalysis& structure, const Twists& mechanism)
   const bool one = names.size() == 1;
   words.text = fmt::format("{} {} {}", one ? "block" : "blocks", listed(names), one ? motion.of_one : motion.of_more);
   if (words.joints.empty()) return words;
-  words.text += fmt::format(" on {} {}", words.joints.size() == 1 ? "joint" : "joints", listed(words.joints));
+  const auto joints = [](const std::vector<std::string>& all) {
+    return fmt::format("{} {}", all.size() == 1 ? "joint" : "joints", listed(all));
+  };
+  std::vector<std::string> on;
+  std::vector<std::string> open;
+  for (const std::string& name : words.joints) (closed.contains(name) ? on : open).push_back(name);
+  if (on.empty()) std::swap(on, open);
+  words.text += " on " + joints(on);
+  if (!open.empty()) words.text += fmt::format("; {} {}", joints(open), open.size() == 1 ? "opens" : "open");
   return words;
 }
 

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "fluid/joints/flow_output.hpp"
 #include "fluid/joints/flow_tables.hpp"
 #include "tests/joint_water.hpp"
 
@@ -99,6 +100,36 @@ TEST(JointUplift, TheLastRowOfTheFlowIsThatOfTheRunsEnd) {
   std::vector<std::string> times;
   for (std::string line; std::getline(file, line);) times.push_back(line.substr(0, line.find(',')));
   EXPECT_THAT(times, testing::ElementsAre("time_s", "0", "1", "1.3"));
+  std::filesystem::remove_all(folder);
+}
+
+/// Frames are due at 0 and 10 s; the water comes to rest at 1.3 s, and nothing is recorded after.
+TEST(JointUplift, AllTablesEndWithTheStateThatFlowCsvEndsWith) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "blockweir_joint_uplift_end_test";
+  std::filesystem::create_directories(folder);
+  scene::Scene scene = dam();
+  scene.output.history_every_s = 1;
+  scene.output.frame_every_s = 10;
+  hydrostatic::HydrostaticModel model(scene);
+  wire::Load load;
+  model.advance(at_rest(scene), 0, load);
+  {
+    FlowOutput output(scene, folder);
+    for (const double time_s : {0.0, 1.0, 1.3}) output.record(time_s, model.flow_in_joints());
+  }
+  const auto last_time = [&](const char* name) {
+    std::ifstream file(folder / name);
+    std::string last;
+    for (std::string line; std::getline(file, line);) last = line;
+    return last.substr(0, last.find(','));
+  };
+  EXPECT_EQ(last_time("flow.csv"), "1.3");
+  EXPECT_EQ(last_time("joint_water.csv"), "1.3");
+  EXPECT_EQ(last_time("joint_uplift.csv"), "1.3");
+  std::ostringstream frames;
+  frames << std::ifstream(folder / "flow.pvd").rdbuf();
+  EXPECT_THAT(frames.str(), testing::HasSubstr("timestep=\"1.3\""));
+  EXPECT_THAT(frames.str(), testing::Not(testing::HasSubstr("timestep=\"1\"")));
   std::filesystem::remove_all(folder);
 }
 

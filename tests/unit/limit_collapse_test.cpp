@@ -36,6 +36,40 @@ vertices_m = [[0, 0], [{2}, 0], [{2}, {3}], [0, {3}]]
       .scene;
 }
 
+/// It leaves the rock behind it as it slides: only the base is slid on.
+TEST(LimitCollapse, TheWordsOfAMechanismTellAJointThatOpensFromOneThatIsSlidOn) {
+  const scene::Scene scene = scene::read_text(R"(analysis = { duration_s = 1 }
+joint = { friction_angle_deg = 30 }
+material.stone = { youngs_modulus_pa = 1e10, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }
+[[block]]
+name = "ground"
+material = "stone"
+fixed = true
+vertices_m = [[-20, -1], [20, -1], [20, 0], [-20, 0]]
+[[block]]
+name = "rock behind"
+material = "stone"
+fixed = true
+vertices_m = [[-5, 0], [0, 0], [0, 1], [-5, 1]]
+[[block]]
+name = "wall"
+material = "stone"
+vertices_m = [[0, 0], [1, 0], [1, 4], [0, 4]]
+[[joints]]
+name = "base"
+between = ["ground", "wall"]
+[[joints]]
+name = "back"
+between = ["rock behind", "wall"]
+)",
+                                              "wall")
+                                 .scene;
+  const LimitAnalysis structure(scene);
+  Twists slides(scene.blocks.size(), Twists::value_type::Zero());
+  slides[2] = {0.86, 0.5, 0};
+  EXPECT_EQ(words_of(structure, slides).text, "block \"wall\" slides on joint \"base\"; joint \"back\" opens");
+}
+
 /// The power of the loads is more than all that joints of any strength take up: none, where nothing slips.
 TEST(LimitCollapse, ATowerThatOverturnsWhateverItsFrictionTurnsAboutItsToeAndNothingElseMoves) {
   const scene::Scene scene = leaning(0.5, 4, 45, 20);

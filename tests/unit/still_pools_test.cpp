@@ -51,6 +51,18 @@ TEST(StillPools, AChamberIsDrawnWhereItsFacesAreWet) {
   EXPECT_NEAR(area(pools[0]) + area(pools[1]), 36, 0.3);
 }
 
+/// A wall that has slid off its rock and falls beside it: the solver still presses on the rock.
+TEST(StillPools, AreDrawnToTheirLevelWhenAllThatMovesHasLeftTheView) {
+  json frame = gate();
+  for (std::size_t b = 1; b < frame["blocks"].size(); ++b) {
+    for (json& p : frame["blocks"][b]["outline"]) p[0] = p[0].get<double>() + 30, p[1] = p[1].get<double>() - 20;
+  }
+  frame["panels"] = json::parse("[[10, 0, -10, 0, 30000, 30000, 0]]");
+  const auto pools = still_pools(frame, view);
+  ASSERT_EQ(pools.size(), 1U);
+  EXPECT_NEAR(area(pools[0]), 20 * 3, 0.3);
+}
+
 /// As over bricks of a dam that has fallen.
 TEST(StillPools, DoNotStandHigherThanTheHighestBlock) {
   json frame = gate();

@@ -1,6 +1,8 @@
 // Time histories that share one time axis and one moment: a drag zooms, a double click shows all, a click goes there.
 
 const curveColours = ['#1f6fb4', '#b3261e', '#1a7f37', '#7a1fa2', '#c77700', '#00838f', '#5d4037', '#455a64'];
+/// Every other curve is dashed: not by colour alone are eight told apart.
+const dashOf = k => (k % 2 === 1 ? {'stroke-dasharray': '9 3'} : {});
 
 class Chart {
   constructor(group, time, clock) {
@@ -8,11 +10,26 @@ class Chart {
     this.time = time;
     this.clock = clock;
     this.width = 940;
-    this.height = 198;
-    this.box = {left: 70, right: 925, top: 24, bottom: 160};
+    this.entries = this.placeLegend();
+    const rows = Math.max(0, ...this.entries.map(entry => entry.row + 1));
+    this.box = {left: 70, right: 925, top: 24 + 18 * rows, bottom: 160 + 18 * rows};
+    this.height = 198 + 18 * rows;
     this.svg = element('svg', {viewBox: `0 0 ${this.width} ${this.height}`, style: 'cursor: crosshair; touch-action: none'});
     this.figure = element('figure', {class: 'chart'}, this.svg);
     this.listen();
+  }
+
+  /// Where the names of the curves stand: in rows between the title and the chart, none over another on paper either.
+  placeLegend() {
+    const [paper, left, right] = [13, 70, 925];
+    let [x, row] = [left, 0];
+    return this.group.curves.map((curve, k) => ({name: curve.name, k})).filter(entry => entry.name).map(entry => {
+      const width = textWidth(entry.name, paper) + 38;
+      if (x > left && x + width > right) [x, row] = [left, row + 1];
+      const placed = {...entry, x, row};
+      x += width;
+      return placed;
+    });
   }
 
   x(t) { return this.box.left + (t - this.clock.from) / (this.clock.to - this.clock.from) * (this.box.right - this.box.left); }
@@ -81,12 +98,10 @@ class Chart {
         element('text', {x: this.x(t), y: bottom + 16, 'text-anchor': 'middle'}, number(t)));
     }
     parts.push(element('text', {x: right, y: this.height - 2, 'text-anchor': 'end'}, 'time (s)'), element('text', {x: left, y: 14, style: 'font-weight: 600'}, this.group.title));
-    let at = right;
-    [...this.group.curves].reverse().forEach((curve, k) => {
-      const colour = curveColours[(this.group.curves.length - 1 - k) % curveColours.length];
-      at -= 7 * curve.name.length + 26;
-      if (curve.name) parts.push(element('line', {x1: at, x2: at + 16, y1: 10, y2: 10, stroke: colour, 'stroke-width': 3}), element('text', {x: at + 20, y: 14}, curve.name));
-    });
+    for (const {name, k, x, row} of this.entries) {
+      parts.push(element('line', {x1: x, x2: x + 18, y1: 28 + 18 * row, y2: 28 + 18 * row, stroke: curveColours[k % curveColours.length], 'stroke-width': 3, ...dashOf(k)}),
+        element('text', {x: x + 22, y: 32 + 18 * row}, name));
+    }
     this.group.curves.forEach((curve, k) => {
       const points = [];
       for (let i = first; i <= last; ++i) {
@@ -94,7 +109,7 @@ class Chart {
         const x = Math.min(right, Math.max(left, this.x(this.time[i])));
         points.push(`${x.toFixed(1)},${Math.min(bottom, Math.max(top, y(curve.values[i]))).toFixed(1)}`);
       }
-      parts.push(element('polyline', {points: points.join(' '), fill: 'none', stroke: curveColours[k % curveColours.length], 'stroke-width': 1.6}));
+      parts.push(element('polyline', {points: points.join(' '), fill: 'none', stroke: curveColours[k % curveColours.length], 'stroke-width': 1.6, ...dashOf(k)}));
     });
     if (this.clock.failure !== null && this.clock.failure >= this.clock.from && this.clock.failure <= this.clock.to) {
       parts.push(element('line', {x1: this.x(this.clock.failure), x2: this.x(this.clock.failure), y1: top, y2: bottom, stroke: 'var(--bad)', 'stroke-dasharray': '5 4'}));

@@ -33,13 +33,43 @@ function loadCasesInWords() {
 /// Of a load case or the level: what its answer warns of, and what the reading of its scene does.
 const warningsOf = answer => [...(answer.scene_warnings || []), ...(answer.warnings || [])];
 
+const placeInText = /\((-?[\d.]+(?:e[-+]?\d+)?), (-?[\d.]+(?:e[-+]?\d+)?)\)/g;
+
+/// A text without its figures, those of names apart: what has the same is one warning.
+const withoutFigures = text => text.replace(/"[^"]*"|-?\d[\d.]*(?:e[-+]?\d+)?/g, found => (found[0] === '"' ? found : '#'));
+
+/// Places of texts that are farther apart than a thousandth of the structure.
+function placesIn(texts) {
+  const places = [];
+  for (const text of texts) {
+    for (const [, x, y] of text.matchAll(placeInText)) {
+      const place = [Number(x), Number(y)];
+      if (places.every(p => Math.hypot(p[0] - place[0], p[1] - place[1]) > 1e-3 * report.size_m)) places.push(place);
+    }
+  }
+  return places;
+}
+
+/// Texts that differ in figures alone, as one: the first, and at how many more points it holds.
+function merged(texts) {
+  const more = placesIn(texts).length - placesIn(texts.slice(0, 1)).length;
+  const others = new Set(texts.map(text => text.replace(placeInText, '()'))).size > 1 ? ', with other figures' : '';
+  return texts[0] + (more > 0 ? ` (and at ${more} more point${more > 1 ? 's' : ''}${others})` : others ? ` (${texts.length - 1} more${others})` : '');
+}
+
 /// Every text once, with those that it holds for: [who, texts] each.
 function onceEach(answers) {
-  const holders = new Map();
+  const alike = new Map();
   for (const [who, texts] of answers) {
-    for (const text of new Set(texts)) holders.set(text, [...(holders.get(text) || []), who]);
+    for (const text of texts) {
+      const key = withoutFigures(text);
+      const found = alike.get(key) || {who: new Set(), texts: []};
+      found.who.add(who);
+      if (!found.texts.includes(text)) found.texts.push(text);
+      alike.set(key, found);
+    }
   }
-  return [...holders].map(([text, who]) => [who, text]);
+  return [...alike.values()].map(({who, texts}) => [[...who], merged(texts)]);
 }
 
 /// Of the load cases: each text with the cases that it holds for.
@@ -51,18 +81,19 @@ function ofCases(textsOf) {
 
 /// Every warning once, with whom it holds for: the run, load cases, the level.
 function allWarnings() {
-  const run = report.summary.warnings || [];
-  const told = new Set(run);
-  const lines = run.map(text => 'Warning: ' + text);
-  const add = ([who, text]) => {
-    if (told.has(text)) return;
-    told.add(text);
-    lines.push(`Warning, ${who}: ${text}`);
+  const cases = report.safety.trouble ? [] : report.safety;
+  const answers = [['run', report.summary.warnings || []], ...cases.map(c => [`load case "${c.name}"`, warningsOf(c)]),
+    ['level of failure', report.level.trouble ? [] : warningsOf(report.level)]];
+  const named = who => {
+    const ofCases = who.filter(w => w.startsWith('load case '));
+    const together = ofCases.length === cases.length && cases.length > 1 ? ['all load cases'] : ofCases;
+    return [...who.filter(w => !w.startsWith('load case ')), ...together].join(', ');
   };
-  ofCases(warningsOf).forEach(add);
-  if (!report.level.trouble) warningsOf(report.level).forEach(text => add(['level of failure', text]));
-  return lines;
+  return onceEach(answers).map(([who, text]) => (who.length === 1 && who[0] === 'run' ? 'Warning: ' : `Warning, ${named(who)}: `) + text);
 }
+
+/// Chapter 1 has the text of each.
+const warningsAbove = count => (count > 0 ? [paragraph(`${count} warning${count > 1 ? 's' : ''} of this chapter: see chapter 1.`, 'bad')] : []);
 
 function writeVerdict() {
   const s = report.summary;
@@ -84,7 +115,7 @@ function writeVerdict() {
   if (s.moving) lines.push(s.moving.text);
   if (s.margin && s.margin.text) lines.push(s.margin.text + '.');
   if (s.limit_analysis) lines.push('Factor by limit analysis: ' + s.limit_analysis.text + '.');
-  if (s.stopped) lines.push(s.stopped);
+  if (s.stopped) lines.push(`After ${number(report.frames[report.frames.length - 1].t)} of ${number(report.duration_s)} s it was stopped: ${s.stopped.replace(/\.$/, '')}.`);
   if (s.breach) lines.push(`After ${number(s.breach.time_s)} s: ${s.breach.text}.`);
   if (s.rest) lines.push(s.rest.text + '.');
   lines.push(...loadCasesInWords(), ...reliabilityInWords(report.reliability));
@@ -104,12 +135,18 @@ function writeSection() {
     ...(report.drainage.length > 0 ? [element('h3', {}, 'Drains and grout'), table(['', ''], report.drainage)] : []));
 }
 
+/// A coordinate to what a drawing shows: a thousandth of the structure, or finer.
+function drawn(metres) {
+  const step = Math.pow(10, Math.floor(Math.log10(1e-3 * report.size_m)));
+  return number(Math.round(metres / step) * step + 0, 6);
+}
+
 /// What acts on all that stands on a joint, and the sum, which the joint bears.
 function sumsTable(joint) {
   const row = (name, s) => [name, kilo(s('x_n_per_m')), kilo(s('y_n_per_m')), kilo(s('moment_n'))];
   const sum = key => joint.sums.reduce((total, s) => total + s[key], 0);
   return [table([`on ${joint.name}`, 'x kN/m', 'y kN/m', 'moment kN'], [...joint.sums.map(s => row(s.name, key => s[key])), row('sum', sum)]),
-    paragraph(`Moments about (${number(joint.downstream_end_m[0], 4)}, ${number(joint.downstream_end_m[1], 4)}) m, counter-clockwise positive.`, 'quiet')];
+    paragraph(`Moments about (${drawn(joint.downstream_end_m[0])}, ${drawn(joint.downstream_end_m[1])}) m, counter-clockwise positive.`, 'quiet')];
 }
 
 /// What acts on a structure that nothing holds, joint by joint.
@@ -139,7 +176,7 @@ function writeCases() {
   if (report.safety.trouble) return to.append(paragraph('No factor was found: ' + report.safety.trouble));
   // Of a case that is not satisfied, the warning is pointed at only where it is why.
   const cause = c => (c.satisfied === false && c.with_cracked_joint ? c.with_cracked_joint.text : '');
-  const doubt = c => (cause(c) ? ', see below' : c.satisfied && warningsOf(c).length > 0 ? ', see warning' : '');
+  const doubt = c => (cause(c) ? ', see below' : c.satisfied && warningsOf(c).length > 0 ? ', see chapter 1' : '');
   const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied && !doubt(c) ? 'good' : 'bad'}, (c.satisfied ? 'yes' : 'NO') + doubt(c)));
   to.append(table(['load case', 'class', 'level m', 'tailwater m', 'outcome', 'factor', 'by limit analysis', 'on the water', 'required', 'satisfied', 'source'],
     report.safety.map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), c.water_factor ? number(c.water_factor.factor) : '-', number(c.required, 4), answer(c), c.source || '-'])),
@@ -147,7 +184,7 @@ function writeCases() {
   const tellEach = (textsOf, words, kind) => ofCases(textsOf).forEach(told => to.append(paragraph(words(...told), kind)));
   const upper = text => text.charAt(0).toUpperCase() + text.slice(1);
   tellEach(c => (cause(c) ? [cause(c)] : []), (who, text) => `Not enough, ${who}: ${text}.`, 'bad');
-  tellEach(warningsOf, (who, text) => `Warning, ${who}: ${text}`, 'bad');
+  to.append(...warningsAbove(ofCases(warningsOf).length));
   tellEach(c => (c.friction_history ? [c.friction_history] : []), (who, text) => `${upper(who)}: ${text}.`, 'quiet');
   tellEach(c => (c.limit_analysis_note ? [c.limit_analysis_note] : []), (who, text) => `${upper(who)}, limit analysis: ${text}.`, 'quiet');
   tellEach(c => (!is(c.factor) && c.why_no_factor ? [c.why_no_factor] : []), (who, text) => `${upper(who)}: no factor, as ${text}.`, 'quiet');
@@ -187,7 +224,7 @@ function writeLevel() {
   if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 6), fixed(found.formula.head_m, 6), '-', found.formula.joint]);
   to.append(table(['found by', 'level m', 'head m', 'mode', 'joint'], rows),
     paragraph(found.difference.agree ? 'Blocks and limit analysis agree.' : 'Blocks and limit analysis differ' + (is(found.difference.level_m) ? ` by ${number(found.difference.level_m, 3)} m` : '') + `. Reason: ${found.difference.reason}.`));
-  for (const warning of warningsOf(found)) to.append(paragraph('Warning: ' + warning, 'bad'));
+  to.append(...warningsAbove(onceEach([['', warningsOf(found)]]).length));
   if (found.limit_analysis.limit_analysis_note) to.append(paragraph(`Limit analysis: ${found.limit_analysis.limit_analysis_note}.`, 'quiet'));
   const mechanism = found.limit_analysis.mechanism;
   if (mechanism) to.append(mechanismFigure(report, mechanism, found.limit_analysis.level_m));

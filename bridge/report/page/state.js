@@ -89,6 +89,7 @@ function drawLoads(state, sheet, whole) {
   const {acting} = state;
   for (const load of acting) {
     for (const outline of load.diagrams) sheet.put(element('polygon', {points: sheet.scale.points(outline), fill: load.colour, 'fill-opacity': 0.25, stroke: load.colour, 'stroke-width': 0.8}));
+    if (!load.in_view) continue;  // the legend has it
     sheet.arrow(load.arrow, load.colour);
     const alike = acting.filter(other => other.kind === load.kind).length;
     const shown = whole || state.legend.every(row => row.label !== load.label);
@@ -134,7 +135,8 @@ function drawDimensions(d, sheet) {
       const [x, y] = [sheet.scale.x(end[0]), sheet.scale.y(end[1])];
       sheet.put(element('line', {x1: x - 4, y1: y + 4, x2: x + 4, y2: y - 4, stroke: '#444'}));
     }
-    sheet.label([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], text, 'var(--ink)');
+    const level = a[1] === b[1] ? sheet.textSize / sheet.scale.factor : 0;  // above its line
+    sheet.label([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2 + level], text, 'var(--ink)');
   };
   const beside = d.right + 0.03 * (view.right - view.left);
   const below = view.bottom + 0.03 * (view.top - view.bottom);  // under the uplift
@@ -168,7 +170,7 @@ function sectionFigure(report) {
   const over = report.state.upstream > highest + 1e-6 * report.size_m ? ' Water above the highest block would flow over it, and is not drawn.' : '';
   const waves = report.state.waves_left_out ? ' The water is still, at the levels of the scene: waves are left out.' : '';
   return stateFigure(report, report.state, fittingWidth(report.state.view), 14, true,
-    `Blocks as the scene draws them, with what acts at ${number(report.state.time_s)} s. Diagrams stand on the outer side of what they press on, each kind to a scale of its own; an arrow is a resultant. Uplift stands below its joint. Dashed red: joints with a name.${waves}${over}`);
+    `Blocks as the scene draws them, with what acts at ${number(report.state.time_s)} s. Diagrams stand on the outer side of what they press on, each kind to a scale of its own; an arrow is a resultant. Uplift stands below its joint. Dashed red: joints with a name. Rock far from the structure is cut off.${waves}${over}`);
 }
 
 /// A small section for each load case.
