@@ -37,7 +37,7 @@ TEST_F(FullOutput, IsAnErrorOfEachCommand) {
 /// Which file, why, and what to do; a run whose disk has room again goes on.
 TEST_F(FullOutput, RunResumeAndReportSayWhatADiskDidNotTakeAndWhatToDo) {
   const auto on_full_disk = [&](long half_kilobytes, const std::string& words, const std::string& file) {
-    EXPECT_EQ(shell("sh -c '" + on_a_full_disk(half_kilobytes, programs + "/blockweir " + words) + " 2>&1 | cat'"), 0);
+    EXPECT_EQ(shell(on_a_full_disk(half_kilobytes, programs + "/blockweir " + words) + " 2>&1 | cat"), 0);
     EXPECT_THAT(text("out"),
                 testing::AllOf(HasSubstr("cannot write " + file + ": is the disk full, or the folder not writable?"),
                                HasSubstr("; make room, or choose another folder")))
