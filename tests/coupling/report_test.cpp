@@ -115,10 +115,9 @@ method_samples = 50
   EXPECT_GE(seen["mechanism"].get<int>(), 3);
   EXPECT_EQ(seen["states"], 3) << "the section, and one for each load case";
   EXPECT_EQ(seen["labels_apart"], true);
-  EXPECT_THAT(
-      seen["section"].get<std::string>(),
-      testing::AllOf(HasSubstr("water upstream"), HasSubstr("uplift in base"), HasSubstr("point load 1 kN/m"),
-                     HasSubstr("(0.5, 5) in wall"), HasSubstr("force kN/m: low water")));
+  EXPECT_THAT(seen["section"].get<std::string>(),
+              testing::AllOf(HasSubstr("water upstream"), HasSubstr("uplift in base"), HasSubstr("point load 1 kN/m"),
+                             HasSubstr("(0.5, 5) in wall"), HasSubstr("force kN/m: low water")));
 }
 
 TEST_F(Report, HasTheWarningsOfEveryLoadCaseOnceAtTheVerdict) {

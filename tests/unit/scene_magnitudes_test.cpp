@@ -221,7 +221,7 @@ TEST(SceneMagnitudes, AGapBetweenBlocksThatSeemMeantToTouch) {
   expect_warning(
       raised, 23,
       {"blocks \"base\" and \"top\" have a gap of 0.02 m between them", "unusual for a structure that begins at rest"});
-  EXPECT_THAT(warnings(raised)[0].found, Not(HasSubstr("uplift")));
+  EXPECT_THAT(warnings(raised)[0], Not(HasSubstr("uplift")));
   expect_warning(with("[joint]", "[joint]\nuplift = \"triangular\"", raised), 24,
                  {"the uplift \"triangular\" acts only in a joint whose faces touch: none acts here"});
   EXPECT_THAT(warnings(with("step_s = 0.01", "step_s = 0.01\nstart = \"unstressed\"", raised)), IsEmpty());
