@@ -49,8 +49,8 @@ TEST_F(Slurm, ByDefaultTheFirstRunsShowHowManyMakeTenMinutes) {
               testing::AllOf(HasSubstr("8 tasks of 1, to see how long one takes"), HasSubstr("1 tasks of 22\n")));
 }
 
-/// Tasks of seconds, so that they are met even where a look at all processes takes that long; fewer kills than the three
-/// jobs without an answer after which the engine gives up, even where each kill meets all tasks of a job.
+/// Tasks of seconds, so that they are met even where a look at all processes takes that long; fewer kills than the
+/// three jobs without an answer after which the engine gives up, even where each kill meets all tasks of a job.
 TEST_F(Slurm, KilledTasksLoseNothingAndCountNothingTwice) {
   write_scene(3000);
   ASSERT_EQ(shell(command("here")), 0) << text("out");
