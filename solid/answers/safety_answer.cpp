@@ -58,7 +58,7 @@ json table_json(const std::vector<solid::JointRow>& rows) {
                      {"sliding_factor", figure(row.sliding_factor)},
                      {"residual_sliding_factor", figure(row.residual_sliding_factor)},
                      {"resultant_from_downstream", figure(row.resultant_from_downstream)},
-                     {"compressed_length_m", row.length_m - row.cracked_length_m},
+                     {"compressed_length_m", row.faces_length_m - row.cracked_length_m},
                      {"cracked_length_m", row.cracked_length_m},
                      {"heel_stress_pa", row.heel_stress_pa},
                      {"toe_stress_pa", row.toe_stress_pa},

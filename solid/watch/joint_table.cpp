@@ -7,27 +7,34 @@
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
+#include "solid/watch/linear_stress.hpp"
 #include "solid/watch/surface_sum.hpp"
 
 namespace blockweir::solid {
 namespace {
 
-/// Along the joint, from the normal force and where it acts.
-void add_stresses(double r, JointRow& row) {
-  const double mean = row.normal_n_per_m / row.length_m;
-  if (r >= 1.0 / 3 && r <= 2.0 / 3) {
-    row.toe_stress_pa = -mean * (1 + 6 * (0.5 - r));
-    row.heel_stress_pa = -mean * (1 - 6 * (0.5 - r));
-    return;
+/// Of a surface, along it: from end to end, but for galleries and other voids.
+std::vector<FaceStretch> faces_of(const Solid& solid, const std::set<std::pair<int, int>>& joint, const JointRow& row) {
+  constexpr double rounded = 1e-4;  // of the structure's size: faces so near touch
+  const double near_m = rounded * solid.size_m();
+  std::vector<FaceStretch> faces;
+  for (const auto& [i, j] : joint) {
+    const auto shared = shared_stretches(solid.scene().blocks[at(i)].vertices, solid.scene().blocks[at(j)].vertices,
+                                         row.upstream_end_m, row.downstream_end_m, near_m);
+    faces.insert(faces.end(), shared.begin(), shared.end());
   }
-  const double from_the_pressed_end = std::min(r, 1 - r);
-  if (from_the_pressed_end <= 0) {
-    row.cracked_length_m = row.length_m;  // the resultant is beyond the end: nothing is pressed but the end
-    return;
-  }
-  const double pressed_m = 3 * from_the_pressed_end * row.length_m;
-  row.cracked_length_m = row.length_m - pressed_m;
-  (r < 0.5 ? row.toe_stress_pa : row.heel_stress_pa) = -2 * row.normal_n_per_m / pressed_m;
+  faces = joined(std::move(faces), near_m);
+  if (faces.size() < 2) return {{0, row.length_m}};
+  faces.front().from_m = 0;
+  faces.back().to_m = row.length_m;
+  return faces;
+}
+
+void add_stresses(const std::vector<FaceStretch>& faces, double r, JointRow& row) {
+  const LinearStress stress = linear_stress(faces, row.normal_n_per_m, (1 - r) * row.length_m);
+  row.heel_stress_pa = -stress.upstream_pa;
+  row.toe_stress_pa = -stress.downstream_pa;
+  row.cracked_length_m = stress.open_m;
 }
 
 /// Blocks that a panel in a crack lies between: its own, and the one that it touches there.
@@ -97,11 +104,13 @@ std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, c
     row.upstream_end_m = sum.upstream_end();
     row.downstream_end_m = sum.downstream_end();
     row.sums = force_sums(solid, water, parts, joints[i], row.downstream_end_m);
+    const std::vector<FaceStretch> faces = faces_of(solid, joints[i], row);
+    for (const FaceStretch& face : faces) row.faces_length_m += face.to_m - face.from_m;
     if (sum.is_pressed()) {
       const double r = sum.resultant_from_downstream();
       row.resultant_from_downstream = r;
       row.moment_n = row.normal_n_per_m * (0.5 - r) * row.length_m;
-      add_stresses(r, row);
+      add_stresses(faces, r, row);
     }
     rows.push_back(std::move(row));
   }

@@ -11,12 +11,13 @@
 
 namespace blockweir::solid {
 
-/// Of a joint, or of joints in one line. Stresses are those of the gravity method without tension,
+/// Of a joint, or of joints in one line. Stresses are those of the gravity method without tension: of one face
 ///   N/L (1 +- 6 (1/2 - r)), beyond the middle third 2 N/(3 r L) on the 3 r L that is pressed,
-/// r the resultant's way from the downstream end over the length.
+/// r the resultant's way from the downstream end over the length; of faces beside a gallery as `linear_stress` has it.
 struct JointRow {
   std::string name;
-  double length_m = 0;
+  double length_m = 0;        ///< from end to end
+  double faces_length_m = 0;  ///< where faces lie on each other; less by what a gallery takes out
   double normal_n_per_m = 0;  ///< effective: what the water in the joint presses is not in it; compression positive
   double shear_n_per_m = 0;   ///< size
   double uplift_n_per_m = 0;  ///< of the water in the joint, away from it
@@ -24,9 +25,9 @@ struct JointRow {
   std::optional<double> sliding_factor;             ///< strength, as the bond is now, over shear; none without shear
   std::optional<double> residual_sliding_factor;    ///< the same once the bond is broken
   std::optional<double> resultant_from_downstream;  ///< over the length; none without pressure
-  double cracked_length_m = 0;
-  double heel_stress_pa = 0;  ///< at the upstream end; tension positive
-  double toe_stress_pa = 0;   ///< at the downstream end
+  double cracked_length_m = 0;                      ///< of the faces
+  double heel_stress_pa = 0;                        ///< at the upstream end; tension positive
+  double toe_stress_pa = 0;                         ///< at the downstream end
   Point upstream_end_m;
   Point downstream_end_m;
   std::vector<ForceSum> sums;  ///< on what stands on it, about that end

@@ -59,7 +59,7 @@ std::vector<std::string> uplift_warnings(const scene::Scene& scene, double level
   std::vector<std::string> warnings;
   const std::vector<Crack> cracks = scene::find_cracks(scene);
   for (const JointRow& row : rows) {
-    if (row.cracked_length_m <= seen * row.length_m) continue;
+    if (row.cracked_length_m <= seen * row.faces_length_m) continue;
     const auto law = law_of(scene, cracks, row);
     const char* makes = law ? makes_of_a_crack(*law) : nullptr;
     const bool is_wet = law == Uplift::none ? row.upstream_end_m.y() < level_m : row.uplift_n_per_m > 0;
@@ -67,7 +67,7 @@ std::vector<std::string> uplift_warnings(const scene::Scene& scene, double level
     warnings.push_back(
         fmt::format("joint \"{}\" is in tension over {:.3g} % of its length, by the gravity method, and uplift = "
                     "\"{}\" {}; water in a crack has the full pressure of its mouth: state uplift = \"cracked\"",
-                    row.name, 100 * row.cracked_length_m / row.length_m, scene::named(*law).name, makes));
+                    row.name, 100 * row.cracked_length_m / row.faces_length_m, scene::named(*law).name, makes));
   }
   return warnings;
 }

@@ -34,19 +34,19 @@ TEST_F(FullOutput, IsAnErrorOfEachCommand) {
   }
 }
 
-/// Which file, why, and what to do; a run whose disk has room again goes on.
+/// Which file (of a run the one that comes first), why, and what to do; a run whose disk has room again goes on.
 TEST_F(FullOutput, RunResumeAndReportSayWhatADiskDidNotTakeAndWhatToDo) {
   const auto on_full_disk = [&](long half_kilobytes, const std::string& words, const std::string& file) {
     EXPECT_EQ(shell(on_a_full_disk(half_kilobytes, programs + "/blockweir " + words) + " 2>&1 | cat"), 0);
-    EXPECT_THAT(text("out"),
-                testing::AllOf(HasSubstr("cannot write " + file + ": is the disk full, or the folder not writable?"),
-                               HasSubstr("; make room, or choose another folder")))
+    EXPECT_THAT(text("out"), testing::AllOf(HasSubstr("cannot write " + file),
+                                            HasSubstr(": is the disk full, or the folder not writable?"),
+                                            HasSubstr("; make room, or choose another folder")))
         << words;
   };
   const std::string run = "run " + cases + "monolith-slides --quiet --set output.checkpoint_every_s=0.01 --out ";
   on_full_disk(0, run + "none", "none/scene.toml");
-  on_full_disk(40, run + "r", "r/history.csv");
-  on_full_disk(10, "resume r --quiet", "r/history.csv");
+  on_full_disk(40, run + "r", "r/");
+  on_full_disk(10, "resume r --quiet", "r/");
   ASSERT_EQ(shell(programs + "/blockweir resume r --quiet"), 0) << text("out");
   on_full_disk(100, "report r --out page.html", "page.html");
   EXPECT_FALSE(fs::exists(folder / "page.html"));
