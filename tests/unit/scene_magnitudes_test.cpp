@@ -222,7 +222,7 @@ TEST(SceneMagnitudes, AGapBetweenBlocksThatSeemMeantToTouch) {
       raised, 23,
       {"blocks \"base\" and \"top\" have a gap of 0.02 m between them", "unusual for a structure that begins at rest"});
   EXPECT_THAT(warnings(raised)[0], Not(HasSubstr("uplift")));
-  expect_warning(with("[joint]", "[joint]\nuplift = \"triangular\"", raised), 24,
+  expect_warning(with("[joint]", "[water]\nupstream_level_m = 1\n[joint]\nuplift = \"triangular\"", raised), 26,
                  {"the uplift \"triangular\" acts only in a joint whose faces touch: none acts here"});
   EXPECT_THAT(warnings(with("step_s = 0.01", "step_s = 0.01\nstart = \"unstressed\"", raised)), IsEmpty());
   EXPECT_THAT(warnings(with(top, "[[0, 2.5], [3, 2.5], [3, 4], [0, 4]]", scaled(1))), IsEmpty());  // to fall
