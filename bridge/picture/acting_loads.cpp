@@ -2,6 +2,7 @@
 #include "bridge/picture/acting_loads.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -174,23 +175,41 @@ class JointNames {
   std::vector<scene::JointTrace> traces_{};
 };
 
+/// A straight part of a block's boundary, pressed.
+struct Panel {
+  explicit Panel(const json& p)
+      : block(p[6]),
+        from(p[0], p[1]),
+        to(p[2], p[3]),
+        inwards(Point(from.y() - to.y(), to.x() - from.x()).normalized()),
+        pressure_pa{p[4], p[5]} {}
+  void add_to(Pressing& pressing) const { pressing.add(from, to, pressure_pa[0] * inwards, pressure_pa[1] * inwards); }
+
+  int block;
+  Point from;
+  Point to;
+  Point inwards;
+  std::array<double, 2> pressure_pa;
+};
+
+/// Those on blocks that can move, or on ones that are not known.
+std::vector<Panel> panels_of(const scene::Scene& scene, const json& panels) {
+  std::vector<Panel> all(panels.begin(), panels.end());
+  std::erase_if(all, [&](const Panel& p) { return p.block != unknown_block && scene.blocks[at(p.block)].fixed; });
+  return all;
+}
+
 /// Of the pressures of open water, those from upstream, from downstream and on the crest.
 std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels) {
   std::map<int, Pressing> parts;
   const double crest = crest_m(scene);
-  const auto side = [&](const Point& from, const Point& to, const Point& inwards) {
+  const auto side = [&](const Panel& p) {
     constexpr double level = 1e-3;  // of a crest's width
-    const bool crowns = inwards.y() < -0.5 && crest - std::min(from.y(), to.y()) <= level * (to - from).norm();
-    return crowns ? on_the_crest : inwards.x() < -1e-9 ? from_downstream : from_upstream;
+    const bool crowns =
+        p.inwards.y() < -0.5 && crest - std::min(p.from.y(), p.to.y()) <= level * (p.to - p.from).norm();
+    return crowns ? on_the_crest : p.inwards.x() < -1e-9 ? from_downstream : from_upstream;
   };
-  for (const json& p : panels) {
-    const int block = p[6];
-    if (block != unknown_block && scene.blocks[at(block)].fixed) continue;
-    const Point from(p[0], p[1]);
-    const Point to(p[2], p[3]);
-    const Point inwards = Point(from.y() - to.y(), to.x() - from.x()).normalized();
-    parts[side(from, to, inwards)].add(from, to, p[4].get<double>() * inwards, p[5].get<double>() * inwards);
-  }
+  for (const Panel& p : panels_of(scene, panels)) p.add_to(parts[side(p)]);
   return parts;
 }
 
@@ -200,15 +219,8 @@ void put_uplift(const scene::Scene& scene, const json& panels, json& list) {
   constexpr std::size_t told_apart = 12;  // of a mesh of joints no picture can name each
   const JointNames names(scene);
   std::map<std::string, Pressing> parts;
-  for (const json& p : panels) {
-    const int block = p[6];
-    if (block != unknown_block && scene.blocks[at(block)].fixed) continue;
-    const Point from(p[0], p[1]);
-    const Point to(p[2], p[3]);
-    const Point inwards = Point(from.y() - to.y(), to.x() - from.x()).normalized();
-    if (inwards.y() <= 0) continue;
-    parts[names.uplift_at(block, (from + to) / 2)].add(from, to, p[4].get<double>() * inwards,
-                                                       p[5].get<double>() * inwards);
+  for (const Panel& p : panels_of(scene, panels)) {
+    if (p.inwards.y() > 0) p.add_to(parts[names.uplift_at(p.block, (p.from + p.to) / 2)]);
   }
   for (const auto& [name, pressing] : parts) {
     pressing.put(parts.size() <= told_apart ? name : std::string("uplift"), "uplift", list);

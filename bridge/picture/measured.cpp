@@ -5,28 +5,16 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
-#include <charconv>
-#include <cmath>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
 
 #include "bridge/results/counted.hpp"
 #include "bridge/results/csv.hpp"
+#include "bridge/results/number_of.hpp"
 
 namespace blockweir::picture {
 namespace {
-
-/// Of a cell, a finite number; a plus sign and blanks around it are allowed.
-std::optional<double> number_of(std::string cell) {
-  boost::trim(cell);
-  const char* begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
-  const char* const end = cell.data() + cell.size();
-  double value = 0;
-  const auto [at, error] = std::from_chars(begin, end, value);
-  if (error != std::errc() || at != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 /// Takes lines one after the other, and throws at the first fault.
 class Table {
@@ -51,7 +39,7 @@ class Table {
              fmt::format("{} as in the heading, with commas between and decimal points", names_.size()));
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::optional<double> value = number_of(cells[i]);
+      const std::optional<double> value = results::number_of<double>(boost::trim_copy(cells[i]));
       if (!value) {
         refuse(line, fmt::format("\"{}\" in the column \"{}\"", cells[i], names_[i]),
                "a finite number; leave out rows that were not measured");

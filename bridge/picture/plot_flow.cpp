@@ -101,9 +101,8 @@ Panel along_joints(const Rows& rows, const std::vector<double>& times, const His
   }
   const std::string first = times.size() > 1 ? "; dashed: " + title(history, times.front()) : "";
   panel.commands = fmt::format(
-      "set key bmargin center horizontal maxcols 2 samplen 2\nset bmargin 8\nset yrange [0:*]\nset title {}\nset "
-      "xlabel 'distance from the upstream end "
-      "of the joint (m)'\n"
+      "set key bmargin center horizontal maxcols 2 samplen 2\nset bmargin 8\nset yrange [0:*]\nset title {}\n"
+      "set xlabel 'distance from the upstream end of the joint (m)'\n"
       "set ylabel 'pressure in joints (kPa)'\nplot {}\nunset title\n",
       gnuplot_text(title(history, times.back()) + first), curves);
   return panel;
@@ -136,9 +135,8 @@ Panel over_time(const Rows& rows) {
                          gnuplot_text(words_of_flow(rows.front()[column])));
   }
   panel.commands = fmt::format(
-      "set key bmargin center horizontal\nset bmargin 6\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'flow (m³ "
-      "a day and "
-      "metre)'\nplot {}\n",
+      "set key bmargin center horizontal\nset bmargin 6\nset yrange [0:*]\nset xlabel 'time (s)'\n"
+      "set ylabel 'flow (m³ a day and metre)'\nplot {}\n",
       lines);
   return panel;
 }
@@ -170,8 +168,8 @@ Panel against_laws(const Rows& rows) {
   add(column::drained, "drained", "lw 1.5 dt 4 lc rgb '#2c7a3f'");
   add(column::full, "full", "lw 1.5 dt 3 lc rgb '#d9622b'");
   panel.commands = fmt::format(
-      "set key bmargin center horizontal\nset bmargin 6\nset yrange [0:*]\nset xlabel 'time (s)'\nset ylabel 'uplift "
-      "(kN/m)'\n"
+      "set key bmargin center horizontal\nset bmargin 6\nset yrange [0:*]\nset xlabel 'time (s)'\n"
+      "set ylabel 'uplift (kN/m)'\n"
       "set title {}\nplot {}\nunset title\n",
       gnuplot_text("joint " + (*highest)[column::joint]), lines);
   return panel;

@@ -214,9 +214,8 @@ json subset_sampling(const OT::Distribution& joint, const Evaluate& evaluate, do
   if (levels[0] >= highest) {
     throw std::runtime_error(
         "more than nine tenths of the points stand at the highest level that is looked at, and none of these is known "
-        "to be nearer to failing than another; ask \"importance\", or let may_overtop = true in [water] look for "
-        "higher "
-        "levels");
+        "to be nearer to failing than another; ask \"importance\", or look for higher levels with may_overtop = true "
+        "in [water]");
   }
   json answer = simulated(sampling.getResult());
   answer["levels"] = numbers(levels);

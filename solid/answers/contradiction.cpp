@@ -11,9 +11,8 @@ using limit::Bearing;
 std::string of_no_rest(const StaticStrength& blocks) {
   const std::string moving = blocks.moving.empty() ? "" : fmt::format("; block \"{}\" moves most", blocks.moving);
   return fmt::format(
-      "the blocks find no rest even with 1e6 times the strength{}; limit analysis, an upper bound, takes joints to "
-      "open "
-      "as they slip, so that neighbours hold what friction alone does not: whether more strength would hold the "
+      "the blocks find no rest even with 1e6 times the strength{}; limit analysis, an upper bound, has joints open as "
+      "they slip, so that neighbours hold what friction alone does not: whether more strength would hold the "
       "structure is not known; look at that block, and at the uplift below it",
       moving);
 }

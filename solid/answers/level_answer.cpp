@@ -157,8 +157,7 @@ struct Levels {
   [[nodiscard]] std::string of_an_upper_bound() const {
     if (limit.value->outcome == Filled::does_not_stand_empty) {
       return "blocks that move before they rest: limit analysis takes the structure as it is drawn, where faces that "
-             "do "
-             "not touch hold nothing; no uplift acts between them, and the blocks' level is without it; let faces "
+             "do not touch hold nothing; no uplift acts between them, and the blocks' level is without it; let faces "
              "touch";
     }
     const bool lower = (blocks.value->outcome == Filled::does_not_stand_empty ||

@@ -92,8 +92,7 @@ void add_loads(Situation& now, const FluidMaker& make_fluid, json& answer) {
   }
   answer["loads_on_joints"] = rows;
   answer["why_no_joints"] =
-      "with no strength of the joints the blocks find a rest, so that no forces in joints and anchors balance what "
-      "acts "
+      "whatever the strength of the joints, the blocks find no rest: no forces in joints and anchors balance what acts "
       "on the structure; below is what acts on all that stands on each joint";
 }
 

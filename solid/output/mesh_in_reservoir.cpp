@@ -20,10 +20,9 @@ std::string mesh_in_reservoir_warning(const expect::Outcome& o) {
   if (wet == panels.end()) return {};
   return fmt::format(
       "block \"{}\" has a mesh, and the reservoir feels its mean motion, not its bending: measured on walls and dams "
-      "of "
-      "one block, the first natural frequency is 0.3 to 1.1 % low (\"blockweir modes\" has the bending), and higher "
-      "modes "
-      "that nothing damps grow, by the trapezoidal rule and in very short steps; expected integrator = \"shi\" with a "
+      "of one block, the first natural frequency is 0.3 to 1.1 % low (\"blockweir modes\" has the bending), and "
+      "higher modes that nothing damps grow, by the trapezoidal rule and in very short steps; expected integrator = "
+      "\"shi\" with a "
       "step_s of some milliseconds (now {:.3g} s); compare with a run of twice the step_s and window_s",
       scene.blocks[at(wet->block)].name, scene.analysis.step_s);
 }

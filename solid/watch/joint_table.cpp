@@ -7,6 +7,7 @@
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/joint_trace.hpp"
 #include "solid/watch/linear_stress.hpp"
 #include "solid/watch/surface_sum.hpp"
 
@@ -18,10 +19,14 @@ std::vector<FaceStretch> faces_of(const Solid& solid, const std::set<std::pair<i
   constexpr double rounded = 1e-4;  // of the structure's size: faces so near touch
   const double near_m = rounded * solid.size_m();
   std::vector<FaceStretch> faces;
+  const Point along = (row.downstream_end_m - row.upstream_end_m).normalized();
   for (const auto& [i, j] : joint) {
-    const auto shared = shared_stretches(solid.scene().blocks[at(i)].vertices, solid.scene().blocks[at(j)].vertices,
-                                         row.upstream_end_m, row.downstream_end_m, near_m);
-    faces.insert(faces.end(), shared.begin(), shared.end());
+    const auto trace = scene::trace_joint(solid.scene().blocks[at(i)], solid.scene().blocks[at(j)], near_m);
+    for (const scene::TracePiece& piece : trace.pieces) {
+      const auto [from_m, to_m] =
+          std::minmax({along.dot(piece.from_m - row.upstream_end_m), along.dot(piece.to_m - row.upstream_end_m)});
+      faces.push_back({from_m, to_m});
+    }
   }
   faces = joined(std::move(faces), near_m);
   if (faces.size() < 2) return {{0, row.length_m}};

@@ -2,12 +2,10 @@
 #include "solid/watch/linear_stress.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace blockweir::solid {
 namespace {
-
-using geometry::Point;
 
 /// Integrals of 1, x and x^2 over stretches.
 struct Moments {
@@ -58,30 +56,6 @@ std::vector<FaceStretch> mirrored(const std::vector<FaceStretch>& faces) {
 }
 
 }  // namespace
-
-std::vector<FaceStretch> shared_stretches(const std::vector<Point>& a, const std::vector<Point>& b,
-                                          const Point& upstream, const Point& downstream, double near_m) {
-  const Point along = (downstream - upstream).normalized();
-  std::vector<FaceStretch> shared;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Point& from = a[i];
-    const Point span = a[(i + 1) % a.size()] - from;
-    const double length_m = span.norm();
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const Point start = b[j] - from;
-      const Point end = b[(j + 1) % b.size()] - from;
-      if (std::max(std::abs(geometry::cross(span, start)), std::abs(geometry::cross(span, end))) > near_m * length_m)
-        continue;
-      const double s0 = std::max(0.0, std::min(span.dot(start), span.dot(end)) / length_m);
-      const double s1 = std::min(length_m, std::max(span.dot(start), span.dot(end)) / length_m);
-      if (s1 - s0 <= near_m) continue;
-      const double x0 = along.dot(from + s0 / length_m * span - upstream);
-      const double x1 = along.dot(from + s1 / length_m * span - upstream);
-      shared.push_back({std::min(x0, x1), std::max(x0, x1)});
-    }
-  }
-  return shared;
-}
 
 std::vector<FaceStretch> joined(std::vector<FaceStretch> stretches, double near_m) {
   std::sort(stretches.begin(), stretches.end(),

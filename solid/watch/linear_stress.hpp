@@ -5,8 +5,6 @@
 
 #include <vector>
 
-#include "bridge/geometry/point.hpp"
-
 namespace blockweir::solid {
 
 /// Where faces lie on each other [m], along the joint from its upstream end.
@@ -15,10 +13,6 @@ struct FaceStretch {
   double to_m = 0;
 };
 
-/// Faces that two outlines have in common, as stretches on the line from `upstream` to `downstream`.
-std::vector<FaceStretch> shared_stretches(const std::vector<geometry::Point>& a, const std::vector<geometry::Point>& b,
-                                          const geometry::Point& upstream, const geometry::Point& downstream,
-                                          double near_m);
 /// In order, those that touch or overlap made one.
 std::vector<FaceStretch> joined(std::vector<FaceStretch> stretches, double near_m);
 

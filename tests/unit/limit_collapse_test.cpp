@@ -13,40 +13,39 @@
 namespace blockweir::solid::limit {
 namespace {
 
-scene::Scene leaning(double breadth, double height, double friction_deg, double tilt_deg) {
-  return scene::read_text(fmt::format(R"(analysis = {{ duration_s = 1, gravity_tilt_deg = {0} }}
-joint = {{ friction_angle_deg = {1} }}
+/// Level ground, and blocks on it.
+scene::Scene on_ground(double tilt_deg, double friction_deg, const std::string& blocks) {
+  return scene::read_text(fmt::format(R"(analysis = {{ duration_s = 1, gravity_tilt_deg = {} }}
+joint = {{ friction_angle_deg = {} }}
 material.stone = {{ youngs_modulus_pa = 1e10, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }}
 [[block]]
 name = "ground"
 material = "stone"
 fixed = true
 vertices_m = [[-20, -1], [20, -1], [20, 0], [-20, 0]]
-[[block]]
+{})",
+                                      tilt_deg, friction_deg, blocks),
+                          "ground")
+      .scene;
+}
+
+scene::Scene leaning(double breadth, double height, double friction_deg, double tilt_deg) {
+  return on_ground(tilt_deg, friction_deg,
+                   fmt::format(R"([[block]]
 name = "idle"
 material = "stone"
 vertices_m = [[-15, 0], [-9, 0], [-9, 1], [-15, 1]]
 [[block]]
 name = "tower"
 material = "stone"
-vertices_m = [[0, 0], [{2}, 0], [{2}, {3}], [0, {3}]]
+vertices_m = [[0, 0], [{0}, 0], [{0}, {1}], [0, {1}]]
 )",
-                                      tilt_deg, friction_deg, breadth, height),
-                          "leaning")
-      .scene;
+                               breadth, height));
 }
 
 /// It leaves the rock behind it as it slides: only the base is slid on.
 TEST(LimitCollapse, TheWordsOfAMechanismTellAJointThatOpensFromOneThatIsSlidOn) {
-  const scene::Scene scene = scene::read_text(R"(analysis = { duration_s = 1 }
-joint = { friction_angle_deg = 30 }
-material.stone = { youngs_modulus_pa = 1e10, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }
-[[block]]
-name = "ground"
-material = "stone"
-fixed = true
-vertices_m = [[-20, -1], [20, -1], [20, 0], [-20, 0]]
-[[block]]
+  const scene::Scene scene = on_ground(0, 30, R"([[block]]
 name = "rock behind"
 material = "stone"
 fixed = true
@@ -61,9 +60,7 @@ between = ["ground", "wall"]
 [[joints]]
 name = "back"
 between = ["rock behind", "wall"]
-)",
-                                              "wall")
-                                 .scene;
+)");
   const LimitAnalysis structure(scene);
   Twists slides(scene.blocks.size(), Twists::value_type::Zero());
   slides[2] = {0.86, 0.5, 0};

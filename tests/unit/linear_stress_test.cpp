@@ -93,15 +93,12 @@ TEST(LinearStress, BesideGalleriesBalancesTheForceAndItsPlace) {
   }
 }
 
-TEST(LinearStress, FacesAreTheStretchesThatOutlinesShare) {
-  const std::vector<geometry::Point> rock{{-20, -5}, {50, -5}, {50, 0}, {-20, 0}};
-  const std::vector<geometry::Point> dam{{0, 0}, {3, 0}, {3, 2}, {5, 2}, {5, 0}, {30, 0}, {6, 36}, {0, 36}};
-  const std::vector<FaceStretch> faces = joined(shared_stretches(rock, dam, {0, 0}, {30, 0}, 1e-4), 1e-4);
+TEST(LinearStress, StretchesThatTouchAreOne) {
+  const std::vector<FaceStretch> faces = joined({{5, 9}, {0, 1.5}, {1.5, 3}, {8, 30}}, 1e-4);
   ASSERT_EQ(faces.size(), 2U);
-  EXPECT_NEAR(faces[0].from_m, 0, 1e-12);
-  EXPECT_NEAR(faces[0].to_m, 3, 1e-12);
-  EXPECT_NEAR(faces[1].from_m, 5, 1e-12);
-  EXPECT_NEAR(faces[1].to_m, 30, 1e-12);
+  EXPECT_EQ(faces[0].to_m, 3);
+  EXPECT_EQ(faces[1].from_m, 5);
+  EXPECT_EQ(faces[1].to_m, 30);
 }
 
 }  // namespace

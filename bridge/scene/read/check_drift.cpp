@@ -71,9 +71,8 @@ void check_drift(const Reading& reading) {
                   "along x moves the ground by {:.3g} mm in every second, and it does not come back",
                   load, 1e9 / resistance_along_x(scene)),
       "loads that have their last value from time 0 on, or that come and go",
-      "begin with the load's last value, which the ground is held for at time 0; or leave [[viscous_boundary]] out "
-      "while "
-      "a load grows, with ground that is fixed below");
+      "begin with the load's last value, which the ground is held for at time 0; or leave [[viscous_boundary]] out, "
+      "with ground that is fixed below, while a load grows");
 }
 
 }  // namespace blockweir::scene

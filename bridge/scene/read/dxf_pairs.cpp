@@ -3,22 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/trim.hpp>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <fstream>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <vector>
 
+#include "bridge/results/number_of.hpp"
+
 namespace blockweir::scene {
 namespace {
-
-std::string stripped(const std::string& line) {
-  const std::size_t first = line.find_first_not_of(" \t\r");
-  return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
-}
 
 /// Within quotes, on one line.
 std::string shown(std::string text) {
@@ -28,17 +24,6 @@ std::string shown(std::string text) {
     if (std::isprint(static_cast<unsigned char>(c)) == 0) c = '?';
   }
   return '"' + text + '"';
-}
-
-/// Of the whole text, an integer or a finite number; a plus sign before it is allowed.
-template <class Number>
-std::optional<Number> number(const std::string& text) {
-  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const char* const end = text.data() + text.size();
-  Number value{};
-  const auto [at, error] = std::from_chars(begin, end, value);
-  if (error != std::errc() || at != end || !std::isfinite(static_cast<double>(value))) return std::nullopt;
-  return value;
 }
 
 bool is_real(int code) {
@@ -52,7 +37,7 @@ class Pairs {
  public:
   /// Returns whether the pair is sound; else `fault` says what is wrong.
   bool take(int line, const std::string& code_text, const std::string& value) {
-    const auto code = number<int>(code_text);
+    const auto code = results::number_of<int>(code_text);
     if (!code) return wrong(line, shown(code_text) + " as a group code", "a whole number");
     if (*code == 0) {
       if (!entity_ends()) return false;
@@ -63,11 +48,12 @@ class Pairs {
       begin(line, value);
       return true;
     }
-    if ((is_real(*code) && !number<double>(value)) || (is_integer(*code) && !number<long>(value))) {
+    if ((is_real(*code) && !results::number_of<double>(value)) ||
+        (is_integer(*code) && !results::number_of<long>(value))) {
       return wrong(line + 1, fmt::format("{} after the group code {}", shown(value), *code),
                    is_real(*code) ? "a finite number" : "a whole number");
     }
-    if (*code == 90) points_said_ = number<long>(value);
+    if (*code == 90) points_said_ = results::number_of<long>(value);
     ++times_[*code];
     return true;
   }
@@ -131,7 +117,7 @@ DxfFault first_fault_of_dxf(const std::filesystem::path& file) {
     if (line == 0 && code.starts_with("AutoCAD Binary DXF")) return {1, "a binary drawing", "one of text (ASCII DXF)"};
     const bool whole = static_cast<bool>(std::getline(stream, value));
     if (!whole) return pairs.end(line + 1);
-    if (!pairs.take(line + 1, stripped(code), stripped(value))) return pairs.fault;
+    if (!pairs.take(line + 1, boost::trim_copy(code), boost::trim_copy(value))) return pairs.fault;
     line += 2;
   }
   return pairs.end(line);

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string.hpp>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 
+#include "bridge/results/number_of.hpp"
 #include "bridge/scene/read/table_reader.hpp"
 
 namespace blockweir::scene {
@@ -44,17 +44,9 @@ std::vector<std::string> fields_of(std::string line) {
   return fields;
 }
 
-std::optional<double> number_of(const std::string& field) {
-  const char* begin = field.data() + (field.starts_with('+') ? 1 : 0);
-  const char* end = field.data() + field.size();
-  double value = 0;
-  const auto [stopped, failed] = std::from_chars(begin, end, value);
-  if (failed != std::errc() || stopped != end || begin == end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 bool is_heading(const std::vector<std::string>& fields) {
-  return std::none_of(fields.begin(), fields.end(), [](const std::string& field) { return number_of(field); });
+  return std::none_of(fields.begin(), fields.end(),
+                      [](const std::string& field) { return results::number_of<double>(field); });
 }
 
 /// Rows (time, value) of the record; throws a Fault.
@@ -80,7 +72,7 @@ std::vector<std::array<double, 2>> rows_of(std::istream& stream, const Layout& l
           "one number a row where step_s is given, or `column`; without step_s the first column is the time"};
     }
     const auto number = [&](std::size_t column) {
-      const auto value = column < fields.size() ? number_of(fields[column]) : std::nullopt;
+      const auto value = column < fields.size() ? results::number_of<double>(fields[column]) : std::nullopt;
       if (value) return *value;
       throw Fault{column < fields.size()
                       ? fmt::format("\"{}\" at line {} is not a number", fields[column].substr(0, 40), line_number)
