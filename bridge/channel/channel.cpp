@@ -10,15 +10,15 @@
 #include <tuple>
 #include <zmq.hpp>
 
+#include "bridge/channel/authenticator.hpp"
+#include "bridge/channel/connection_monitor.hpp"
 #include "bridge/channel/endpoint.hpp"
-#include "bridge/channel/gate.hpp"
 #include "bridge/channel/handshake.hpp"
 #include "bridge/channel/incoming.hpp"
 #include "bridge/channel/outgoing.hpp"
+#include "bridge/channel/retry_on_interrupt.hpp"
 #include "bridge/channel/socket.hpp"
 #include "bridge/channel/trace.hpp"
-#include "bridge/channel/undisturbed.hpp"
-#include "bridge/channel/visitors.hpp"
 #include "bridge/results/seconds.hpp"
 #include "bridge/wire/codec.hpp"
 
@@ -41,10 +41,10 @@ struct Channel::Line {
       : options(o),
         listens(o.side == Side::listens),
         socket(context, zmq::socket_type::pair),
-        visitors(context, socket, o.endpoint, listens && is_tcp(o.endpoint)) {
+        monitor(context, socket, o.endpoint, listens && is_tcp(o.endpoint)) {
     const std::string partner_public = set_up(socket, options);
     if (listens && is_tcp(options.endpoint)) {
-      gate.emplace(context, partner_public);
+      authenticator.emplace(context, partner_public);
       socket.set(zmq::sockopt::zap_domain, "blockweir");  // asked without keys, too: turns ZMTP 1, any bytes, away
     }
     open_at_endpoint(socket, options);
@@ -78,40 +78,40 @@ struct Channel::Line {
   }
 
   void send_part(zmq::message_t& frame, zmq::send_flags flags) {
-    undisturbed([&] { return socket.send(frame, flags | zmq::send_flags::dontwait); });
+    retry_on_interrupt([&] { return socket.send(frame, flags | zmq::send_flags::dontwait); });
   }
 
   /// Until something happens at the line, or `longest_s` has passed.
   void poll(double longest_s) {
-    zmq::pollitem_t items[] = {{visitors.handle(), 0, ZMQ_POLLIN, 0},
+    zmq::pollitem_t items[] = {{monitor.handle(), 0, ZMQ_POLLIN, 0},
                                {socket.handle(), 0, ZMQ_POLLIN, 0},
-                               {gate ? gate->handle() : nullptr, 0, ZMQ_POLLIN, 0}};
+                               {gate ? authenticator->handle() : nullptr, 0, ZMQ_POLLIN, 0}};
     zmq_poll(items, gate ? 3 : 2, std::max(1L, static_cast<long>(1000 * longest_s)));
-    visitors.look();  // before the answer: whoever is turned away by it can still be asked for an address
-    if (gate) gate->answer();
+    monitor.update();  // before the answer: whoever is turned away by it can still be asked for an address
+    if (gate) authenticator->answer();
   }
 
   bool partner_left() {
-    visitors.look();
-    return visitors.left();
+    monitor.update();
+    return monitor.left();
   }
 
   /// A pair socket has nowhere to put a message before its partner is there.
   void await_partner() {
     const auto start = Clock::now();
-    for (visitors.look(); !visitors.joined(); visitors.look()) {
+    for (monitor.update(); !monitor.joined(); monitor.update()) {
       poll(poll_slice_s);
       if (stop_requested()) throw Interrupted("asked to stop");
-      if (visitors.joined()) return;
-      if (!listens && visitors.final_refusal()) {
+      if (monitor.joined()) return;
+      if (!listens && monitor.final_refusal()) {
         throw PeerError(
             fmt::format("no handshake with {} at {}: {}; are both sides given --keys of one \"blockweir keys\"?",
-                        options.partner, options.endpoint, visitors.refusal()));
+                        options.partner, options.endpoint, monitor.refusal()));
       }
       if (seconds_since(start) > options.open_timeout_s) {
-        const std::string met = visitors.strangers() > 0 ? fmt::format("{} other clients have", visitors.strangers())
-                                : !visitors.refusal().empty() ? "a client that left during the handshake has"
-                                                              : "";
+        const std::string met = monitor.strangers() > 0      ? fmt::format("{} other clients have", monitor.strangers())
+                                : !monitor.refusal().empty() ? "a client that left during the handshake has"
+                                                             : "";
         throw PeerError(fmt::format("{} has not come to {} within {:.3g} s{}; is it running, with the same {}?",
                                     options.partner, options.endpoint, options.open_timeout_s,
                                     met.empty() ? "" : ", but " + met,
@@ -143,7 +143,7 @@ struct Channel::Line {
       }
       poll(std::min(poll_slice_s, patience_s - waited + 1e-3));
     }
-    visitors.partner_is(incoming.source());
+    monitor.identify_partner(incoming.source());
     last_wait_s = seconds_since(start);
     waited_s += last_wait_s;
   }
@@ -209,8 +209,8 @@ struct Channel::Line {
   Outgoing outgoing;
   zmq::context_t context{1};
   zmq::socket_t socket;
-  Visitors visitors;
-  std::optional<Gate> gate;
+  ConnectionMonitor monitor;
+  std::optional<Authenticator> authenticator;
   Incoming incoming{socket};
   std::vector<wire::Part> parts;
   std::unique_ptr<Trace> trace;  ///< null: nobody asks for one

@@ -9,7 +9,7 @@
 #include <vector>
 #include <zmq.hpp>
 
-#include "bridge/channel/undisturbed.hpp"
+#include "bridge/channel/retry_on_interrupt.hpp"
 #include "bridge/wire/codec.hpp"
 
 namespace blockweir::channel {
@@ -21,7 +21,7 @@ class Incoming {
   /// Takes the next frame if one is there.
   bool receive() {
     if (frame_.use_count() > 1) frame_ = std::make_shared<zmq::message_t>();  // somebody views what came last
-    return undisturbed([&] { return socket_.recv(*frame_, zmq::recv_flags::dontwait); }).has_value();
+    return retry_on_interrupt([&] { return socket_.recv(*frame_, zmq::recv_flags::dontwait); }).has_value();
   }
 
   /// File descriptor of the connection that brought it.

@@ -7,7 +7,7 @@
 
 #include "bridge/channel/endpoint.hpp"
 #include "bridge/channel/keys.hpp"
-#include "bridge/channel/undisturbed.hpp"
+#include "bridge/channel/retry_on_interrupt.hpp"
 
 namespace blockweir::channel {
 namespace {
@@ -60,7 +60,7 @@ std::string set_up(zmq::socket_t& socket, const Options& options) {
 void open_at_endpoint(zmq::socket_t& socket, const Options& options) {
   const bool listens = options.side == Side::listens;
   try {
-    undisturbed([&] {
+    retry_on_interrupt([&] {
       if (listens) {
         socket.bind(options.endpoint);
       } else {

@@ -9,7 +9,7 @@
 #include "bridge/results/counted.hpp"
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/check.hpp"
-#include "bridge/scene/read/gathered.hpp"
+#include "bridge/scene/read/collected_errors.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/scene/touching_pairs.hpp"
@@ -46,7 +46,7 @@ int check(const CheckOptions& options) {
   const scene::ReadScene read = scene::read(path, overrides);
   std::vector<scene::Diagnostic> warnings = read.warnings;
   std::size_t studies = 0;
-  scene::Gathered wrong;  // of variants, load cases and studies: each is a scene of its own
+  scene::CollectedErrors wrong;  // of variants, load cases and studies: each is a scene of its own
   for (const scene::Variant& variant : read.scene.variants) {
     wrong.from([&] {
       add_warnings(read, fmt::format("variant \"{}\"", variant.name), variant.line,

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
-#include "bridge/launch/told_run.hpp"
+#include "bridge/launch/run_and_report.hpp"
 
 namespace blockweir::launch {
 
@@ -12,7 +12,7 @@ Work resume_command(CLI::App& app) {
   app.add_option("run", options->folder, "folder of the run")->required();
   app.add_flag("--inproc", options->inproc, "compute still water in the solid's process");
   app.add_flag("--quiet", options->quiet, "show no progress");
-  return [options] { return told([&] { return process::resume(*options); }); };
+  return [options] { return run_and_report([&] { return process::resume(*options); }); };
 }
 
 }  // namespace blockweir::launch

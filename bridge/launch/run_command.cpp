@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
-#include "bridge/launch/told_run.hpp"
+#include "bridge/launch/run_and_report.hpp"
 
 namespace blockweir::launch {
 
@@ -19,7 +19,7 @@ Work run_command(CLI::App& app) {
   app.add_flag("--strict", options->strict, "treat warnings as errors; a scene that has any is not run");
   app.add_flag("--trace", options->trace, "record when each side computes and waits, for \"blockweir trace\"");
   app.add_flag("--quiet", options->quiet, "show no progress");
-  return [options] { return told([&] { return process::run(*options); }); };
+  return [options] { return run_and_report([&] { return process::run(*options); }); };
 }
 
 }  // namespace blockweir::launch

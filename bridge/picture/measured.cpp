@@ -11,7 +11,7 @@
 
 #include "bridge/results/counted.hpp"
 #include "bridge/results/csv.hpp"
-#include "bridge/results/number_of.hpp"
+#include "bridge/results/parse_number.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -39,7 +39,7 @@ class Table {
              fmt::format("{} as in the heading, with commas between and decimal points", names_.size()));
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::optional<double> value = results::number_of<double>(boost::trim_copy(cells[i]));
+      const std::optional<double> value = results::parse_number<double>(boost::trim_copy(cells[i]));
       if (!value) {
         refuse(line, fmt::format("\"{}\" in the column \"{}\"", cells[i], names_[i]),
                "a finite number; leave out rows that were not measured");

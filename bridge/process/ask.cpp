@@ -5,8 +5,8 @@
 
 #include <fstream>
 
+#include "bridge/process/failure_cause.hpp"
 #include "bridge/process/programs.hpp"
-#include "bridge/process/trouble.hpp"
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
@@ -70,7 +70,7 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
     return true;
   });
   if (supervised.asked_to_stop) throw Stopped();
-  const std::string trouble = first_trouble(supervised, folder);
+  const std::string trouble = failure_cause(supervised, folder);
   if (!trouble.empty() && supervised.ends.front().exit_code == 2) throw std::invalid_argument(trouble);
   if (!trouble.empty()) throw std::runtime_error(trouble);
   std::ifstream stream(file);

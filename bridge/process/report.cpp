@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bridge/process/former_run.hpp"
+#include "bridge/process/previous_run.hpp"
 #include "bridge/process/run.hpp"
 #include "bridge/results/counted.hpp"
 #include "bridge/results/figure.hpp"

@@ -14,15 +14,15 @@
 
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/process/external_fluid.hpp"
+#include "bridge/process/failure_cause.hpp"
 #include "bridge/process/fluid_name.hpp"
-#include "bridge/process/former_run.hpp"
 #include "bridge/process/limit_margin.hpp"
 #include "bridge/process/merged_report.hpp"
+#include "bridge/process/previous_run.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/process/progress.hpp"
 #include "bridge/process/supervisor.hpp"
 #include "bridge/process/temporary_folder.hpp"
-#include "bridge/process/trouble.hpp"
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
@@ -196,7 +196,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   ::close(pipe_ends[1]);
 
   result.asked_to_stop = supervised.asked_to_stop;
-  result.trouble = first_trouble(supervised, folder);
+  result.trouble = failure_cause(supervised, folder);
   result.refused = !result.trouble.empty() && is_refusal(supervised);
   const std::uint64_t last = resumable_window(folder, scene);
   const bool refused_to_resume = result.refused && first > 0 && last == first;  // as where a checkpoint is damaged
@@ -226,7 +226,7 @@ RunResult run(const RunOptions& options) {
   require_path_of_openfoam(read.scene, folder);
   results::make_folder(folder);
   const results::FolderLock lock(folder);
-  forget_former_run(folder, read.scene);
+  forget_previous_run(folder, read.scene);
   results::replace_file(scene_of(folder), read.scene.text);
   RunResult result = go(read.scene, folder, 0, options);
   if (options.out.empty() && folder != usual_folder(options)) result.in_place_of = usual_folder(options);

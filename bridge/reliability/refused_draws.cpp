@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "bridge/reliability/distribution_quantile.hpp"
+#include "bridge/scene/read/collected_errors.hpp"
 #include "bridge/scene/read/entry.hpp"
-#include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/overrides.hpp"
 #include "bridge/study/probability.hpp"
 
@@ -88,7 +88,7 @@ std::optional<Diagnostic> refused_side(OneVariable& variable, bool below) {
 std::vector<Diagnostic> refused_draws(const std::filesystem::path& scene, const scene::ReadScene& read,
                                       const Settings& overrides) {
   std::vector<Diagnostic> warnings;
-  scene::Gathered wrong;
+  scene::CollectedErrors wrong;
   for (std::size_t v = 0; v < read.randomness.variables.size(); ++v) {
     OneVariable variable(scene, read.randomness, v, overrides);
     wrong.from([&] {
@@ -122,7 +122,7 @@ std::string why_no_answer(const Randomness& randomness, const Outcome& row) {
 }
 
 void refuse_overridden_draws(const scene::ReadScene& read, const Settings& overrides) {
-  scene::Gathered wrong;
+  scene::CollectedErrors wrong;
   const auto& variables = read.randomness.variables;
   for (std::size_t v = 0; v < variables.size(); ++v) {
     Settings keys = variables[v].set;

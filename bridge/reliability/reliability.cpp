@@ -8,7 +8,7 @@
 #include "bridge/process/programs.hpp"
 #include "bridge/reliability/refused_draws.hpp"
 #include "bridge/reliability/reliability_answer.hpp"
-#include "bridge/reliability/reliability_told.hpp"
+#include "bridge/reliability/reliability_output.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"

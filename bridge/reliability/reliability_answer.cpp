@@ -9,10 +9,10 @@
 
 #include "bridge/reliability/capacities.hpp"
 #include "bridge/reliability/refused_draws.hpp"
-#include "bridge/reliability/reliability_told.hpp"
+#include "bridge/reliability/reliability_output.hpp"
 #include "bridge/results/seconds.hpp"
+#include "bridge/scene/read/collected_errors.hpp"
 #include "bridge/scene/read/entry.hpp"
-#include "bridge/scene/read/gathered.hpp"
 #include "bridge/study/engines.hpp"
 #include "bridge/study/outcome_runs.hpp"
 #include "bridge/study/probability.hpp"
@@ -63,7 +63,7 @@ double level_of(const scene::ReadScene& read) {
 /// Reads the scene at the least and the largest value of each variable: what is refused there would be in a sample.
 void require_sound(const ReliabilityOptions& options, const scene::Randomness& randomness,
                    const std::vector<RandomPoint>& points) {
-  scene::Gathered wrong;
+  scene::CollectedErrors wrong;
   for (std::size_t v = 0; v < randomness.variables.size(); ++v) {
     const scene::RandomVariable& variable = randomness.variables[v];
     const auto [least, most] = std::minmax_element(

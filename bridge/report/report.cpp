@@ -9,7 +9,7 @@
 
 #include "bridge/process/ask.hpp"
 #include "bridge/process/external_fluid.hpp"
-#include "bridge/process/former_run.hpp"
+#include "bridge/process/previous_run.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/process/run.hpp"
 #include "bridge/process/temporary_folder.hpp"

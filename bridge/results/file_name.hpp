@@ -7,7 +7,7 @@
 namespace blockweir::results {
 
 /// Letters and digits stay, in any script (UTF-8); all else becomes a hyphen. Two names may become one: the reader of
-/// scenes refuses that (OwnFiles).
+/// scenes refuses that (UniqueFileNames).
 inline std::string file_name(std::string name) {
   const auto stays = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c & 0x80) != 0;

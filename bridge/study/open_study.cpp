@@ -12,8 +12,8 @@
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
+#include "bridge/scene/read/collected_errors.hpp"
 #include "bridge/scene/read/entry.hpp"
-#include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/overrides.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/study_files.hpp"
@@ -125,7 +125,7 @@ std::string outcome_table(const Settings& keys, const std::vector<Outcome>& runs
 
 /// Throws scene::SceneError where the scene is not sound with some extreme; of draws, where it is with none.
 static void require_sound(const OpenStudyTask& task, const fs::path& scene, const Settings& overrides) {
-  scene::Gathered wrong;
+  scene::CollectedErrors wrong;
   bool some_sound = false;
   for (const Settings& extreme : task.extremes) {
     const scene::SettingEntry entry{fmt::format("[[study]] \"{}\"", task.name), task.line, joined(task.set, extreme)};
@@ -139,7 +139,7 @@ static void require_sound(const OpenStudyTask& task, const fs::path& scene, cons
 
 std::vector<OpenStudyTask> open_study_tasks(const fs::path& scene, const Settings& overrides, int jobs) {
   std::vector<OpenStudyTask> tasks;
-  scene::Gathered wrong;
+  scene::CollectedErrors wrong;
   for (const scene::OpenStudy& study : scene::read(scene, overrides).open_studies) {
     wrong.from([&] { tasks.push_back(task_of(study, scene, jobs)); });
   }
@@ -153,7 +153,7 @@ std::vector<OpenStudyTask> open_study_tasks(const fs::path& scene, const Setting
 void refuse_idle_overrides(const std::vector<OpenStudyTask>& tasks, const fs::path& scene, const Settings& overrides) {
   if (tasks.empty() || overrides.empty()) return;
   const scene::Scene read = scene::read(scene, overrides).scene;
-  scene::Gathered wrong;
+  scene::CollectedErrors wrong;
   for (const OpenStudyTask& task : tasks) {
     for (const std::string& idle : scene::overrides_of(read, overrides, task.keys)) {
       wrong.add({scene::Diagnostic::Severity::error, scene::override_place(idle), 0,

@@ -14,7 +14,7 @@
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
-#include "bridge/scene/read/gathered.hpp"
+#include "bridge/scene/read/collected_errors.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/read/stated_loads.hpp"
 #include "bridge/study/load_case_scene.hpp"
@@ -123,7 +123,7 @@ double deciding_factor(const json& answer) {
 
 json safety_answers(const process::AskOptions& options, Pictures* pictures) {
   const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
-  scene::Gathered wrong;
+  scene::CollectedErrors wrong;
   for (const scene::LoadCase& load_case : read.load_cases) {
     wrong.from([&] { load_case_scene(load_case, options.scene, options.overrides); });
   }

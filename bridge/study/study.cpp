@@ -13,8 +13,8 @@
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
+#include "bridge/scene/read/collected_errors.hpp"
 #include "bridge/scene/read/entry.hpp"
-#include "bridge/scene/read/gathered.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/ramp_ends.hpp"
 #include "bridge/scene/read/read.hpp"
@@ -72,7 +72,7 @@ struct Tasks {
 Tasks tasks_of(const StudyOptions& options) {
   const int jobs = jobs_of(options.engine);
   Tasks tasks;
-  scene::Gathered wrong;
+  scene::CollectedErrors wrong;
   wrong.from([&] { tasks.answered = study_tasks(options.scene, options.overrides); });
   wrong.from([&] { tasks.open = open_study_tasks(options.scene, options.overrides, jobs); });
   wrong.report();
@@ -152,7 +152,7 @@ std::vector<StudyTask> study_tasks(const fs::path& scene, const Settings& overri
   for (const auto& limit : studies.limits) tasks.push_back(limit_task(limit));
   for (const auto& order : studies.orders) tasks.push_back(order_task(order));
   for (const auto& map : studies.maps) tasks.push_back(map_task(map));
-  scene::Gathered wrong;
+  scene::CollectedErrors wrong;
   for (const StudyTask& task : tasks) {
     for (const Settings& extreme : task.extremes) {
       wrong.from([&] { require_sound(task, scene, overrides, extreme); });

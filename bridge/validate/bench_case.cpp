@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "bridge/scene/read/gathered.hpp"
+#include "bridge/scene/read/collected_errors.hpp"
 #include "bridge/scene/read/read.hpp"
 
 namespace blockweir::study {
@@ -37,7 +37,7 @@ void add_orders_of_first_figure(BenchCase& bench, const scene::Scene& scene, boo
   }
 }
 
-void require_figure(const scene::Scene& scene, scene::Gathered& wrong) {
+void require_figure(const scene::Scene& scene, scene::CollectedErrors& wrong) {
   if (scene.studies.bench_motion || !scene.expectations.empty() || !scene.water_expectations.empty()) return;
   const scene::Bench& first = scene.studies.benches.front();
   wrong.add({scene::Diagnostic::Severity::error, scene.file.string(), first.line,
@@ -56,7 +56,7 @@ BenchCase bench_case(const std::filesystem::path& path, const Settings& override
   if (!motion) add_orders_of_first_figure(bench, scene, brief);
   if (scene.fluid == scene::FluidModel::hydrostatic)
     bench.settings.push_back({"compute still water in the solid's process", one_process, {}, {}, true});
-  scene::Gathered wrong;
+  scene::CollectedErrors wrong;
   require_figure(scene, wrong);
   const Settings end = motion ? Settings{setting("analysis.duration_s", motion->until_s)} : Settings{};
   for (BenchSetting& one : bench.settings) {

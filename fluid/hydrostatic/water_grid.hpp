@@ -9,7 +9,7 @@
 #include <limits>
 #include <polyclipping/clipper.hpp>
 
-#include "fluid/hydrostatic/sideways.hpp"
+#include "fluid/hydrostatic/polygon_offset.hpp"
 
 namespace blockweir::hydrostatic {
 

@@ -11,7 +11,7 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
 #include "bridge/scene/viscous_ground.hpp"
-#include "fluid/joints/groups.hpp"
+#include "fluid/joints/disjoint_sets.hpp"
 
 namespace blockweir::joints {
 namespace {
@@ -74,7 +74,7 @@ void JointNetwork::join_ends() {
   std::vector<std::size_t> by_x(ends.size());
   std::iota(by_x.begin(), by_x.end(), 0);
   std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) { return ends[a].at.x() < ends[b].at.x(); });
-  Groups groups(ends.size());
+  DisjointSets groups(ends.size());
   for (std::size_t i = 0; i < by_x.size(); ++i) {
     const StretchEnd& a = ends[by_x[i]];
     for (std::size_t k = i + 1; k < by_x.size(); ++k) {

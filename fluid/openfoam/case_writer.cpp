@@ -159,7 +159,7 @@ std::vector<std::filesystem::path> folders_of_ranks(const std::filesystem::path&
 }
 
 /// interFoam would go on from the times of a former run.
-void forget_former_run(const std::filesystem::path& folder) {
+void forget_previous_run(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / "constant/blockweir")) return;
   forget_times_after(folder, 0);
   for (const auto& rank : folders_of_ranks(folder)) std::filesystem::remove_all(rank);
@@ -200,7 +200,7 @@ double first_step_s(const scene::Scene& scene) {
 
 void write_case(const scene::Scene& scene, const Grid& grid, const CaseOptions& options) {
   check_inflow(scene, grid);
-  forget_former_run(options.folder);
+  forget_previous_run(options.folder);
   for (const char* part : {"0", "constant", "system"}) results::make_folder(options.folder / part);
   const auto write = [&](const char* file, const std::string& text) {
     results::replace_file(options.folder / file, text);

@@ -5,8 +5,8 @@
 #include <deque>
 #include <limits>
 
-#include "fluid/openfoam/looks.hpp"
 #include "fluid/openfoam/polygon_clip.hpp"
+#include "fluid/openfoam/sample_points.hpp"
 
 namespace blockweir::openfoam {
 namespace {

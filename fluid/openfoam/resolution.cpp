@@ -10,8 +10,8 @@
 
 #include "bridge/scene/hydrostatics.hpp"
 #include "fluid/openfoam/exact_pools.hpp"
-#include "fluid/openfoam/looks.hpp"
 #include "fluid/openfoam/pool_cells.hpp"
+#include "fluid/openfoam/sample_points.hpp"
 
 namespace blockweir::openfoam {
 namespace {
@@ -142,7 +142,7 @@ std::vector<Misfit> misfits(const scene::Scene& scene, const Grid& grid) {
   std::vector<Forces> forces(outlines.size());
   for (std::size_t i = 0; i < targets.elements.size(); ++i) {
     const EdgeElement& e = targets.elements[i];
-    const bool looked = e.openness > 0 && targets.looks[targets.looks_of[i]].count > 0;
+    const bool looked = e.openness > 0 && targets.samples[targets.samples_of[i]].count > 0;
     const double length = (e.to - e.from).norm();
     double pressure = 0;
     for (const ExactPool& pool : pools) {

@@ -9,7 +9,7 @@
 namespace blockweir::solid {
 
 nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit::Twists& mechanism) {
-  const limit::MechanismWords words = limit::words_of(structure, mechanism);
+  const limit::MechanismDescription words = limit::words_of(structure, mechanism);
   nlohmann::json moving = nlohmann::json::array();
   for (const std::size_t b : words.moving) {
     moving.push_back({{"name", structure.scene().blocks[b].name},

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "solid/limit/mechanism_words.hpp"
+#include "solid/limit/mechanism_description.hpp"
 
 namespace blockweir::solid {
 

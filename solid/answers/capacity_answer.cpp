@@ -34,7 +34,7 @@ json by_limit_analysis(const scene::Scene& scene, StillWater& water) {
   json answer = capacity_json(found.outcome, found.level_m, water.range());
   answer["is_exact"] = structure.is_exact();
   if (found.outcome != Filled::fails) return answer;
-  const limit::MechanismWords words = limit::words_of(structure, found.at_it.mechanism);
+  const limit::MechanismDescription words = limit::words_of(structure, found.at_it.mechanism);
   answer["mode"] = words.mode;
   if (!words.joints.empty()) answer["joint"] = words.joints.front();
   if (words.mouth_m) answer["head_m"] = found.level_m - words.mouth_m->y();

@@ -58,7 +58,7 @@ json limit_json(const limit::LimitAnalysis& structure, const Attempt<limit::Limi
     answer["load_factor"] = found.at_it.factor;
     return answer;
   }
-  const limit::MechanismWords words = limit::words_of(structure, found.at_it.mechanism);
+  const limit::MechanismDescription words = limit::words_of(structure, found.at_it.mechanism);
   if (words.mouth_m) answer["head_m"] = found.level_m - words.mouth_m->y();
   answer["mechanism"] = solid::mechanism_json(structure, found.at_it.mechanism);
   return answer;

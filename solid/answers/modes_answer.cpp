@@ -118,7 +118,7 @@ json modes_answer(const scene::Scene& given, const FluidMaker& make_fluid, const
   scene::Scene scene = given;
   if (scene.analysis.rigid == scene::Rigid::automatic) scene.analysis.rigid = scene::Rigid::named;
   solid::Situation now(scene, make_fluid);
-  solid::Effort effort("rest");
+  solid::SearchBudget effort("rest");
   if (std::all_of(scene.blocks.begin(), scene.blocks.end(), [](const scene::Block& block) { return block.fixed; })) {
     throw std::invalid_argument("all blocks are fixed; expected one that moves");
   }

@@ -79,7 +79,7 @@ json bolts_json(const solid::Solid& blocks) {
 
 /// What acts on a structure that no strength holds: forces within it that balance this there are none.
 void add_loads(Situation& now, const FluidMaker& make_fluid, json& answer) {
-  solid::Effort effort("loads on joints");
+  solid::SearchBudget effort("loads on joints");
   solid::StaticBlocks blocks(now.scene, now.water_if_any(), effort);
   const auto parts =
       now.water ? solid::reservoir_parts(now.scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
@@ -103,7 +103,7 @@ void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStreng
   const bool stands = found.bearing == Bearing::bears_any || found.factor >= 1;
   const double reduction = stands ? 1 : found.factor * just_stands;
   const scene::Scene scene = solid::with_reduced_strength(now.scene, reduction);
-  solid::Effort effort("forces on joints");
+  solid::SearchBudget effort("forces on joints");
   solid::StaticBlocks blocks(scene, now.water_if_any(), effort);
   if (!blocks.begin(now.level_m)) return;
   const auto parts =

@@ -14,7 +14,7 @@ namespace {
 
 class FreshSearch {
  public:
-  FreshSearch(const scene::Scene& scene, StillWater& water, Effort& effort, double empty_m)
+  FreshSearch(const scene::Scene& scene, StillWater& water, SearchBudget& effort, double empty_m)
       : scene_(scene), water_(water), effort_(effort), empty_m_(empty_m) {}
 
   std::optional<FreshLevel> found(std::vector<double> levels_m) {
@@ -99,7 +99,7 @@ class FreshSearch {
 
   const scene::Scene& scene_;
   StillWater& water_;
-  Effort& effort_;
+  SearchBudget& effort_;
   double empty_m_;
   double step_m_ = 0;
   FreshLevel found_;
@@ -107,8 +107,8 @@ class FreshSearch {
 
 }  // namespace
 
-std::optional<FreshLevel> fresh_level(const scene::Scene& scene, StillWater& water, Effort& effort, double empty_m,
-                                      std::vector<double> levels_m) {
+std::optional<FreshLevel> fresh_level(const scene::Scene& scene, StillWater& water, SearchBudget& effort,
+                                      double empty_m, std::vector<double> levels_m) {
   return FreshSearch(scene, water, effort, empty_m).found(std::move(levels_m));
 }
 

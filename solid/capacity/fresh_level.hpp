@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "solid/capacity/effort.hpp"
+#include "solid/capacity/search_budget.hpp"
 #include "solid/capacity/still_water.hpp"
 #include "solid/watch/failure_watch.hpp"
 
@@ -24,7 +24,7 @@ struct FreshLevel {
 
 /// None where all of these levels stand, which costs an analysis each; else what is looked for is below the lowest that
 /// fails. They rest under `empty_m`.
-std::optional<FreshLevel> fresh_level(const scene::Scene& scene, StillWater& water, Effort& effort, double empty_m,
-                                      std::vector<double> levels_m);
+std::optional<FreshLevel> fresh_level(const scene::Scene& scene, StillWater& water, SearchBudget& effort,
+                                      double empty_m, std::vector<double> levels_m);
 
 }  // namespace blockweir::solid

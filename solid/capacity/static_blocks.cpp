@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "bridge/checkpoint/archive.hpp"
-#include "solid/watch/capture.hpp"
+#include "solid/watch/make_frame.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -20,7 +20,7 @@ scene::Scene at_rest(scene::Scene scene) {
 
 }  // namespace
 
-StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water, Effort& effort)
+StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water, SearchBudget& effort)
     : scene_(at_rest(scene)), far_m_(scene_.analysis.failure_displacement_m), solid_(scene_), water_(water) {
   solid_.call_meanwhile([&effort] { effort.solved_one(); });
 }

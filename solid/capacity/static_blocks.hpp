@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "solid/capacity/effort.hpp"
+#include "solid/capacity/search_budget.hpp"
 #include "solid/capacity/still_water.hpp"
 #include "solid/step/solid.hpp"
 #include "solid/watch/failure_watch.hpp"
@@ -16,7 +16,7 @@ class StaticBlocks {
  public:
   /// `water`: null where there is none. All must outlive it. What follows throws TookTooLong when the search's time is
   /// over; then the blocks are of no more use.
-  StaticBlocks(const scene::Scene& scene, StillWater* water, Effort& effort);
+  StaticBlocks(const scene::Scene& scene, StillWater* water, SearchBudget& effort);
 
   /// From the scene's outline: lets weight and loads settle. Throws SolveError where they find no equilibrium at all.
   bool begin(double level_m);

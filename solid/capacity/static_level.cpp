@@ -157,7 +157,7 @@ class LevelSearch {
   double rests_m_;
   double fails_m_ = unknown;
   std::string resting_;  ///< the blocks at rests_m_
-  Effort effort_{"level by the blocks"};
+  SearchBudget effort_{"level by the blocks"};
   StaticBlocks blocks_;
   std::optional<double> settles_m_;
   double followed_ = 10;  ///< way on which the blocks may come to rest, over that of a failure, per rise over the range

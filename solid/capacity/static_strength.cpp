@@ -118,7 +118,7 @@ class Search {
   bool creeps_ = false;     ///< some analysis was given up
   std::string moving_;      ///< the block that went farthest in the last analysis that found no rest
   std::string not_solved_;  ///< why, of the last that was not
-  Effort effort_{"factor by the blocks"};
+  SearchBudget effort_{"factor by the blocks"};
   double stands_at_;
   double fails_at_;
 };
@@ -126,7 +126,7 @@ class Search {
 }  // namespace
 
 bool stands(const scene::Scene& scene, StillWater* water, double level_m) {
-  Effort effort("the blocks");
+  SearchBudget effort("the blocks");
   return StaticBlocks(scene, water, effort).begin(level_m);
 }
 

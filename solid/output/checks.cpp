@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "solid/expect/formulas.hpp"
-#include "solid/expect/words.hpp"
+#include "solid/expect/outcome_labels.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -39,7 +39,7 @@ json number_check(const expect::Outcome& outcome, const scene::Expectation& e) {
 
 /// Right or wrong: a word has no error between.
 json word_check(const expect::Outcome& outcome, const scene::Expectation& e) {
-  const std::string got = expect::word(outcome, e);
+  const std::string got = expect::label(outcome, e);
   if (e.value)
     throw std::runtime_error(
         fmt::format("{} is a word; found value = {}; state word = \"...\" in its place", e.quantity, *e.value));
@@ -64,7 +64,7 @@ json checks(const expect::Outcome& outcome) {
   for (const scene::Expectation& e : outcome.solid.scene().expectations) {
     json check;
     try {
-      check = expect::is_word(e.quantity) ? word_check(outcome, e) : number_check(outcome, e);
+      check = expect::is_label(e.quantity) ? word_check(outcome, e) : number_check(outcome, e);
     } catch (const std::runtime_error& error) {
       check = no_check(error.what());
     }

@@ -8,7 +8,7 @@
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/repeat.hpp"
-#include "solid/watch/capture.hpp"
+#include "solid/watch/make_frame.hpp"
 
 namespace blockweir::solid {
 
@@ -173,7 +173,7 @@ void CoupledSolid::record() {
   const bool frame_due = last || time_s >= next_frame_s_ - soon;
   if (!frame_due) ++frames_.not_asked_for;
   if (!history_due && !frame_due) return;
-  capture(solid_, last_load_, water_.last(), time_s, frame_);
+  make_frame(solid_, last_load_, water_.last(), time_s, frame_);
   recorded_s_ = time_s;
   if (history_due) {
     history_.write(frame_);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "solid/solve/pause.hpp"
+#include "solid/solve/backoff.hpp"
 #include "solid/solve/unknowns.hpp"
 
 namespace blockweir::solid {
@@ -21,7 +21,7 @@ struct SolutionTimes {
 struct KeptFactors {
   struct Matrix {
     std::vector<double> values;  ///< of the sparse matrix; none: there are no factors
-    Pause pause;                 ///< in trying other matrices with them
+    Backoff pause;               ///< in trying other matrices with them
 
     [[nodiscard]] bool made() const { return !values.empty(); }
     template <class Archive>

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "solid/solve/islands.hpp"
-#include "solid/step/refusals.hpp"
+#include "solid/step/step_errors.hpp"
 
 namespace blockweir::solid {
 
@@ -184,7 +184,7 @@ bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode)
   double dt = pseudo_step.dt;
   double longest = 100 * pseudo_step.dt;
   double failed = longest;  // a step that found no states
-  Pause as_long;            // as it again
+  Backoff as_long;          // as it again
   double acceleration = std::numeric_limits<double>::infinity();
   int steady_steps = 0;
   for (int step = 0; step < most_steps && dt > shortest; ++step) {

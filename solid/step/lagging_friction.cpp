@@ -10,9 +10,9 @@
 #include "solid/contact/bonds.hpp"
 #include "solid/contact/interior_point.hpp"
 #include "solid/step/newton.hpp"
-#include "solid/step/refusals.hpp"
+#include "solid/step/restore_unless.hpp"
+#include "solid/step/step_errors.hpp"
 #include "solid/step/temporarily.hpp"
-#include "solid/step/undo.hpp"
 
 namespace blockweir::solid {
 
@@ -22,7 +22,7 @@ bool LaggingFriction::find(IslandEquations& s, const StepMode& mode) {
   formulation_->lagged_friction()->begin(held);
   // A step after one whose friction lagged begins with its states, or nearly so.
   const bool goes_on = state_.whole_law.after_failure();
-  if (!goes_on || !or_undone(step_, s, mode, [&] { return minimize(s, few_solutions); })) {
+  if (!goes_on || !restore_unless(step_, s, mode, [&] { return minimize(s, few_solutions); })) {
     const double left = mode.settles && goes_on ? s.unbalanced() : std::numeric_limits<double>::infinity();
     const Approach reached = approach(s, left);
     if (mode.settles && reached == Approach::near && finish(s, mode)) return true;
@@ -109,7 +109,7 @@ bool LaggingFriction::finish(IslandEquations& s, const StepMode& mode) {
     const Temporarily follows(settings.friction_lags, false);
     return Newton(step_).find(s, mode.by_whole_law());
   };
-  return or_undone(step_, s, mode, by_whole_law);
+  return restore_unless(step_, s, mode, by_whole_law);
 }
 
 /// Of the energy whose negative gradient is the residual.

@@ -7,7 +7,7 @@
 #include "bridge/results/stopwatch.hpp"
 #include "solid/contact/bonds.hpp"
 #include "solid/step/equilibrium.hpp"
-#include "solid/step/refusals.hpp"
+#include "solid/step/step_errors.hpp"
 #include "solid/step/temporarily.hpp"
 
 namespace blockweir::solid {

@@ -8,7 +8,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "solid/step/initial_equilibrium.hpp"
-#include "solid/step/refusals.hpp"
+#include "solid/step/step_errors.hpp"
 
 namespace blockweir::solid {
 namespace {

@@ -10,7 +10,7 @@
 #include "solid/contact/contact_point.hpp"
 #include "solid/contact/search.hpp"
 #include "solid/contact/support.hpp"
-#include "solid/solve/pause.hpp"
+#include "solid/solve/backoff.hpp"
 #include "solid/step/added_mass_guard.hpp"
 #include "solid/step/counts.hpp"
 #include "solid/step/energy_balance.hpp"
@@ -50,10 +50,10 @@ struct State : Standing {
   EnergyBalance energy;
   int smooth_steps = 0;  ///< since the last in which contacts changed, where the integrator is of second order
   ContactSearch search;
-  Pause whole_law;    ///< of Coulomb, by Newton's method: fails where friction has to lag or contacts to be swept
-  Pause finish;       ///< by Newton's method, of what sweeps have found
-  Pause multipliers;  ///< of Lagrange, in motion: fail where the substitute makes the step
-  Pause lagging;      ///< friction, where sweeps end far from their laws
+  Backoff whole_law;    ///< of Coulomb, by Newton's method: fails where friction has to lag or contacts to be swept
+  Backoff finish;       ///< by Newton's method, of what sweeps have found
+  Backoff multipliers;  ///< of Lagrange, in motion: fail where the substitute makes the step
+  Backoff lagging;      ///< friction, where sweeps end far from their laws
 
   void stand_as(const Standing& before);
   /// Nothing has a velocity, nor an acceleration.

@@ -29,7 +29,7 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) 
   const double slipped_m = state_.largest_slip_m();
   const double far_m = model_.scene.analysis.failure_displacement_m;
   double failed = std::numeric_limits<double>::infinity();  // the last step length that found no states
-  Pause as_long;  // as it again: what creeps makes hundreds of steps, and one in vain costs as many
+  Backoff as_long;  // as it again: what creeps makes hundreds of steps, and one in vain costs as many
   state_.rest = {};
   for (double dt = longest; state_.rest.steps < most_steps && dt > shortest * longest;) {
     state_.stop();

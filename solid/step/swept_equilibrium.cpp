@@ -10,9 +10,9 @@
 #include "bridge/scene/at.hpp"
 #include "solid/contact/bonds.hpp"
 #include "solid/step/equilibrium.hpp"
+#include "solid/step/restore_unless.hpp"
 #include "solid/step/sweep_rows.hpp"
 #include "solid/step/temporarily.hpp"
-#include "solid/step/undo.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -63,7 +63,7 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   // In a fall it is worth that to few blocks.
   const bool near = left_m <= enough_m && formulation_->holds_exactly() && (few || !trial_.falls());
   if (near && (few || !state_.finish.skips())) {
-    const bool exact = or_undone(step_, s, mode, [&] { return finish(s, mode); });
+    const bool exact = restore_unless(step_, s, mode, [&] { return finish(s, mode); });
     if (!few) exact ? state_.finish.succeeded() : state_.finish.failed();
     if (exact) return Found::finished;
   }

@@ -8,8 +8,8 @@
 #include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/step/island_sleep.hpp"
-#include "solid/step/refusals.hpp"
 #include "solid/step/step_end.hpp"
+#include "solid/step/step_errors.hpp"
 
 namespace blockweir::solid {
 namespace {

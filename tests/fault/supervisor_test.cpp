@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-#include "bridge/process/trouble.hpp"
+#include "bridge/process/failure_cause.hpp"
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -22,7 +22,7 @@ class Supervisor : public Processes {
   [[nodiscard]] std::string trouble_with(const std::string& line) const {
     const auto first =
         in_shell("solid", "while [ ! -e begun ]; do sleep 0.01; done; echo \"the last word\" >&2; exit 1");
-    return process::first_trouble(
+    return process::failure_cause(
         process::supervise({first, in_shell("fluid", line)}, folder, 0.2, [] { return true; }), folder);
   }
   [[nodiscard]] process::Command in_shell(const std::string& name, const std::string& line) const {

@@ -6,7 +6,7 @@
 
 #include "bridge/scene/answers.hpp"
 #include "solid/expect/formulas.hpp"
-#include "solid/expect/words.hpp"
+#include "solid/expect/outcome_labels.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
@@ -18,11 +18,11 @@ std::vector<std::string> both(std::vector<std::string> names, const std::vector<
 
 TEST(Answers, QuantitiesOfASceneAreTheSolids) {
   EXPECT_THAT(scene::quantity_names(),
-              testing::UnorderedElementsAreArray(both(quantity_names(), word_quantity_names())));
+              testing::UnorderedElementsAreArray(both(quantity_names(), label_quantity_names())));
 }
 
 TEST(Answers, FormulasOfASceneAreTheSolids) {
-  EXPECT_THAT(scene::formula_names(), testing::UnorderedElementsAreArray(both(formula_names(), word_formula_names())));
+  EXPECT_THAT(scene::formula_names(), testing::UnorderedElementsAreArray(both(formula_names(), label_formula_names())));
 }
 
 }  // namespace

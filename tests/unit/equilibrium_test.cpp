@@ -8,8 +8,8 @@
 #include "solid/step/lagging_friction.hpp"
 #include "solid/step/newton.hpp"
 #include "solid/step/pivoting.hpp"
+#include "solid/step/restore_unless.hpp"
 #include "solid/step/swept_equilibrium.hpp"
-#include "solid/step/undo.hpp"
 #include "step_sample.hpp"
 
 namespace blockweir::solid {
@@ -69,7 +69,7 @@ TEST(Undo, ASearchInVainLeavesTheTrialAsItWas) {
     return false;
   };
   const double penalty = sample.state.contacts[0].penalty;
-  EXPECT_FALSE(or_undone(sample.step, sample.island(), sample.mode, in_vain));
+  EXPECT_FALSE(restore_unless(sample.step, sample.island(), sample.mode, in_vain));
   EXPECT_TRUE(sample.step.trial.increment[1].isZero(0));
   EXPECT_EQ(sample.state.contacts[0].penalty, penalty);
 }

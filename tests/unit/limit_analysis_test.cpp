@@ -13,7 +13,7 @@
 #include "bridge/statics/loads.hpp"
 #include "solid/limit/limit_level.hpp"
 #include "solid/limit/limit_strength.hpp"
-#include "solid/limit/mechanism_words.hpp"
+#include "solid/limit/mechanism_description.hpp"
 
 namespace {
 
@@ -69,7 +69,7 @@ TEST(LimitAnalysis, ABlockSlidesOrTurnsWhicheverComesFirst) {
     const double mu = std::tan(radians(friction_deg));
     EXPECT_NEAR(found.factor, std::min(mu, breadth / height), 1e-12);
     EXPECT_LT(found.gap, 1e-10);
-    const MechanismWords words = words_of(LimitAnalysis(scene), found.mechanism);
+    const MechanismDescription words = words_of(LimitAnalysis(scene), found.mechanism);
     EXPECT_EQ(words.mode, mu < breadth / height ? "sliding" : "overturning") << words.text;
   }
 }

@@ -8,7 +8,7 @@
 #include "bridge/statics/loads.hpp"
 #include "solid/limit/limit_level.hpp"
 #include "solid/limit/limit_strength.hpp"
-#include "solid/limit/mechanism_words.hpp"
+#include "solid/limit/mechanism_description.hpp"
 
 namespace blockweir::solid::limit {
 namespace {
@@ -74,7 +74,7 @@ TEST(LimitCollapse, ATowerThatOverturnsWhateverItsFrictionTurnsAboutItsToeAndNot
   const Wrenches weights = statics::weights_of(scene);
   const LimitStrength found = limit_strength(structure, weights);
   ASSERT_EQ(found.bearing, Bearing::bears_none);
-  const MechanismWords words = words_of(structure, found.mechanism);
+  const MechanismDescription words = words_of(structure, found.mechanism);
   EXPECT_EQ(words.mode, "overturning") << words.text;
   EXPECT_EQ(words.moving, std::vector<std::size_t>{2}) << words.text;
   EXPECT_GT(power(weights, found.mechanism), 0);
@@ -86,7 +86,7 @@ TEST(LimitCollapse, WithoutAnyFrictionWhatSlidesHasItsMechanism) {
   const LimitAnalysis structure(scene);
   const LimitStrength found = limit_strength(structure, statics::weights_of(scene));
   ASSERT_EQ(found.bearing, Bearing::bears_none);
-  const MechanismWords words = words_of(structure, found.mechanism);
+  const MechanismDescription words = words_of(structure, found.mechanism);
   EXPECT_EQ(words.mode, "sliding") << words.text;
   EXPECT_GT(power(statics::weights_of(scene), found.mechanism), 0);
 }

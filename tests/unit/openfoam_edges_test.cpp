@@ -87,9 +87,10 @@ TEST(OpenFoamEdges, JointsThatAreClosedAtTheStartStayTheCracksTheyAre) {
 TEST(OpenFoamEdges, NoWaterIsLookedForBehindAThinPlate) {
   const std::vector<Polygon> outlines{box(0, 0, 4, 8), box(-1, 0, -0.9, 8)};
   const Faces faces(outlines);
-  const Looks looks = aim({{{0, 4}, {{-1, 0}}, 0, 3}}, faces, 0.5,
-                          [](const std::vector<Point>& points) { return std::vector<double>(points.size(), 0); })[0];
-  for (int k = 0; k < looks.count; ++k) EXPECT_GT(looks.at[static_cast<std::size_t>(k)].x(), -0.9);
+  const SamplePoints samples =
+      find_sample_points({{{0, 4}, {{-1, 0}}, 0, 3}}, faces, 0.5,
+                         [](const std::vector<Point>& points) { return std::vector<double>(points.size(), 0); })[0];
+  for (int k = 0; k < samples.count; ++k) EXPECT_GT(samples.at[static_cast<std::size_t>(k)].x(), -0.9);
 }
 
 TEST(OpenFoamEdges, LooseRockAtTheModelsEndsGoesOnAsHighAsItsBed) {

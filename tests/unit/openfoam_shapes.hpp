@@ -11,9 +11,9 @@
 
 #include "bridge/scene/read/read.hpp"
 #include "fluid/openfoam/initial_water.hpp"
-#include "fluid/openfoam/looks.hpp"
 #include "fluid/openfoam/pool_cells.hpp"
 #include "fluid/openfoam/resolution.hpp"
+#include "fluid/openfoam/sample_points.hpp"
 
 namespace blockweir::openfoam::shapes {
 
@@ -123,8 +123,8 @@ inline std::vector<Force> meshed_forces(const scene::Scene& scene, const Grid& g
     for (const Point& p : points) fills.push_back(pools.fill(p));
     return fills;
   });
-  const auto level_seen = [&](std::size_t looks) {
-    const Looks& l = targets.looks[looks];
+  const auto level_seen = [&](std::size_t samples) {
+    const SamplePoints& l = targets.samples[samples];
     for (int k = 0; k < l.count; ++k) {
       const Point& at = l.at[static_cast<std::size_t>(k)];
       if (l.cut || pools.fill(at) <= untouched) return pools.level_m(at);
@@ -135,9 +135,9 @@ inline std::vector<Force> meshed_forces(const scene::Scene& scene, const Grid& g
   for (std::size_t i = 0; i < targets.elements.size(); ++i) {
     const EdgeElement& e = targets.elements[i];
     Force& force = forces[static_cast<std::size_t>(e.block)];
-    if (e.openness > 0) force.press(e.from, e.to, e.normal, level_seen(targets.looks_of[i]), e.openness);
+    if (e.openness > 0) force.press(e.from, e.to, e.normal, level_seen(targets.samples_of[i]), e.openness);
     for (const Mouth& mouth : targets.mouths[i]) {
-      const double level = level_seen(mouth.looks);
+      const double level = level_seen(mouth.samples);
       if (level <= mouth.place.lip.y()) continue;
       force.press(e.from, e.to, e.normal, level, 1 - e.openness);
       break;

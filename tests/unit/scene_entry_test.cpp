@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_scene_read
 // What is wrong with settings that a scene states itself: told at the file and line of the entry that states them.
+#include "bridge/scene/read/collected_errors.hpp"
 #include "bridge/scene/read/entry.hpp"
-#include "bridge/scene/read/gathered.hpp"
 #include "tests/unit/scene_sample.hpp"
 
 namespace {
@@ -17,7 +17,7 @@ class SceneEntries : public sample::SceneFolder {
   }
   static std::string error_of_variant(const std::filesystem::path& file,
                                       const std::vector<std::string>& overrides = {}) {
-    Gathered wrong;
+    CollectedErrors wrong;
     wrong.from([&] { read_variant(file, "v", overrides); });
     try {
       wrong.report();
@@ -53,7 +53,7 @@ TEST_F(SceneEntries, TheRemedyOfWhatAVariantSetsDoesNotSpeakOfTheCommandLine) {
 TEST_F(SceneEntries, AKeyThatIsWrongWithSeveralValuesIsToldOnce) {
   const auto file = write("s.toml", sample::text);
   const auto errors_with = [&](const std::string& key) {
-    Gathered wrong;
+    CollectedErrors wrong;
     for (const char* value : {"=-1", "=-2", "=-3"}) {
       wrong.from([&] { read_entry(file, {"[[study]] \"s\"", 56, {key + value}}, {key + value}); });
     }
@@ -87,7 +87,7 @@ TEST_F(SceneEntries, AWarningOfWhatAVariantSetsIsToldAtItsLine) {
 
 TEST_F(SceneEntries, ErrorsOfSeveralReadingsAreGatheredEachOnce) {
   const auto file = with_variant("'nokey'");
-  Gathered wrong;
+  CollectedErrors wrong;
   for (int i = 0; i < 2; ++i) wrong.from([&] { read_variant(file, "v"); });
   wrong.from([&] { read(file, {"other"}); });
   try {

@@ -39,7 +39,7 @@ TEST(Creep, StepsThatFindNoStatesAreNotTriedAgainAfterEachThatDoes) {
   long most_steps = 0;
   for (double above = 1e-7; above < 1e-5; above *= 1.5) {
     const scene::Scene reduced = solid::with_reduced_strength(scene, factor * (1 + above));
-    solid::Effort effort("creep");
+    solid::SearchBudget effort("creep");
     solid::StaticBlocks blocks(reduced, &water, effort);
     EXPECT_FALSE(blocks.begin(level_m)) << above;
     const solid::Solid& solid = blocks.solid();

@@ -63,7 +63,7 @@ TEST(Flakes, StandAsWhatTheyLieOnDoes) {
     SCOPED_TRACE(fmt::format("seed {}\n{}", seed, text));
     const double slides = std::tan(30 * degree) / std::tan(std::abs(dip_deg) * degree);
     for (const double nearly : {0.998, 1.002}) {
-      solid::Effort effort("flakes");
+      solid::SearchBudget effort("flakes");
       const scene::Scene reduced = solid::with_reduced_strength(scene, nearly * slides);
       EXPECT_EQ(solid::StaticBlocks(reduced, nullptr, effort).begin(0), nearly < 1);
     }

@@ -59,7 +59,7 @@ double level_or_crest(const json& found) {
 
 bool stands_without_history(const scene::Scene& scene, double level_m) {
   solid::StillWater water(scene, hydrostatic::make);
-  solid::Effort effort("keyed base");
+  solid::SearchBudget effort("keyed base");
   try {
     return solid::StaticBlocks(scene, &water, effort).begin(level_m);
   } catch (const solid::SolveError&) {

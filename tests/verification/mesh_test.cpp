@@ -8,7 +8,7 @@
 
 #include "solid/block/corners.hpp"
 #include "solid/step/solid.hpp"
-#include "solid/watch/capture.hpp"
+#include "solid/watch/make_frame.hpp"
 #include "solid/watch/stress_field.hpp"
 
 namespace blockweir::solid {

@@ -65,7 +65,7 @@ TEST(SharpCorners, AFeatherEdgeSlidesOutOverTheGroundsCorner) {
       const std::string text = pushed_wedge(size_m, rise, beyond, friction, share, rigid);
       SCOPED_TRACE(fmt::format("seed {}\n{}", seed, text));
       const scene::Scene scene = scene::read_text(text, "feather").scene;
-      solid::Effort effort("feather");
+      solid::SearchBudget effort("feather");
       EXPECT_EQ(solid::StaticBlocks(scene, nullptr, effort).begin(0), share < 1);
     }
   }

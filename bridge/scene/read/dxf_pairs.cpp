@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "bridge/results/number_of.hpp"
+#include "bridge/results/parse_number.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -37,7 +37,7 @@ class Pairs {
  public:
   /// Returns whether the pair is sound; else `fault` says what is wrong.
   bool take(int line, const std::string& code_text, const std::string& value) {
-    const auto code = results::number_of<int>(code_text);
+    const auto code = results::parse_number<int>(code_text);
     if (!code) return wrong(line, shown(code_text) + " as a group code", "a whole number");
     if (*code == 0) {
       if (!entity_ends()) return false;
@@ -48,12 +48,12 @@ class Pairs {
       begin(line, value);
       return true;
     }
-    if ((is_real(*code) && !results::number_of<double>(value)) ||
-        (is_integer(*code) && !results::number_of<long>(value))) {
+    if ((is_real(*code) && !results::parse_number<double>(value)) ||
+        (is_integer(*code) && !results::parse_number<long>(value))) {
       return wrong(line + 1, fmt::format("{} after the group code {}", shown(value), *code),
                    is_real(*code) ? "a finite number" : "a whole number");
     }
-    if (*code == 90) points_said_ = results::number_of<long>(value);
+    if (*code == 90) points_said_ = results::parse_number<long>(value);
     ++times_[*code];
     return true;
   }

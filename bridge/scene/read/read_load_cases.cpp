@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "bridge/scene/read/own_files.hpp"
+#include "bridge/scene/read/unique_file_names.hpp"
 
 namespace blockweir::scene {
 
 std::vector<LoadCase> read_load_cases(Reading& reading) {
   std::vector<LoadCase> all;
-  OwnFiles files("load case");
+  UniqueFileNames files("load case");
   files.reserve("as it stands");
   reading.each("load_case", [&](TableReader& table) {
     LoadCase load_case{.line = table.place().line};

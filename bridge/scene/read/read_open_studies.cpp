@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <map>
 
-#include "bridge/scene/read/own_files.hpp"
 #include "bridge/scene/read/read_distribution.hpp"
+#include "bridge/scene/read/unique_file_names.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -130,7 +130,7 @@ OpenStudy read_open_study(TableReader& table, Reading& reading) {
 }  // namespace
 
 std::vector<OpenStudy> read_open_studies(Reading& reading) {
-  OwnFiles files("study");
+  UniqueFileNames files("study");
   files.reserve("orders");
   const Studies& others = reading.scene.studies;
   for (const auto& study : others.limits) files.take(study.name, study.line);

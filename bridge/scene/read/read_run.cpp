@@ -8,7 +8,7 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/answers.hpp"
 #include "bridge/scene/fluid_models.hpp"
-#include "bridge/scene/read/own_files.hpp"
+#include "bridge/scene/read/unique_file_names.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -186,7 +186,7 @@ void read_expectations(Reading& reading) {
 }
 
 void read_variants(Reading& reading) {
-  OwnFiles files("variant");
+  UniqueFileNames files("variant");
   reading.each("variant", [&](TableReader& table) {
     Variant variant{.line = table.place().line};
     table.text("name", variant.name, true);

@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "bridge/scene/answers.hpp"
-#include "bridge/scene/read/own_files.hpp"
+#include "bridge/scene/read/unique_file_names.hpp"
 
 namespace blockweir::scene {
 namespace {
 
 /// Studies of all kinds by their names, and what `of` may name.
 struct Known {
-  OwnFiles studies{"study"};
+  UniqueFileNames studies{"study"};
   Names parts{"block, joint or arch"};
 };
 

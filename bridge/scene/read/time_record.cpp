@@ -11,7 +11,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "bridge/results/number_of.hpp"
+#include "bridge/results/parse_number.hpp"
 #include "bridge/scene/read/table_reader.hpp"
 
 namespace blockweir::scene {
@@ -46,7 +46,7 @@ std::vector<std::string> fields_of(std::string line) {
 
 bool is_heading(const std::vector<std::string>& fields) {
   return std::none_of(fields.begin(), fields.end(),
-                      [](const std::string& field) { return results::number_of<double>(field); });
+                      [](const std::string& field) { return results::parse_number<double>(field); });
 }
 
 /// Rows (time, value) of the record; throws a Fault.
@@ -72,7 +72,7 @@ std::vector<std::array<double, 2>> rows_of(std::istream& stream, const Layout& l
           "one number a row where step_s is given, or `column`; without step_s the first column is the time"};
     }
     const auto number = [&](std::size_t column) {
-      const auto value = column < fields.size() ? results::number_of<double>(fields[column]) : std::nullopt;
+      const auto value = column < fields.size() ? results::parse_number<double>(fields[column]) : std::nullopt;
       if (value) return *value;
       throw Fault{column < fields.size()
                       ? fmt::format("\"{}\" at line {} is not a number", fields[column].substr(0, 40), line_number)

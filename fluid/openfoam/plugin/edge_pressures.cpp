@@ -16,7 +16,7 @@ namespace {
 
 constexpr int retries = 2;  // half cells further, where the first open cell is dry
 constexpr int columns = 7;  // of a PressureLine as numbers
-constexpr std::size_t row_length = Looks::most * columns;
+constexpr std::size_t row_length = SamplePoints::most * columns;
 
 void store(const PressureLine& line, double* row) {
   if (!line.found) return;
@@ -85,7 +85,7 @@ EdgePressures::EdgePressures(const ImmersedBlocks& blocks, const WaterState& wat
 
 void EdgePressures::find_targets() {
   openings_.clear();
-  std::vector<Seeker> seekers;
+  std::vector<SampleRay> rays;
   for (const Crack& crack : blocks_.interface().cracks) {
     for (const CrackOpening* o : {&crack.mouth, &crack.end}) {
       const auto b = static_cast<std::size_t>(o->block);
@@ -93,10 +93,10 @@ void EdgePressures::find_targets() {
       const Point at = wire::place(centroid, blocks_.poses()[b], o->point);
       const Point beyond = wire::place(centroid, blocks_.poses()[b], o->point + o->direction);
       openings_.push_back(at);
-      seekers.push_back(seeker_at(at, (beyond - at).normalized()));
+      rays.push_back(ray_at(at, (beyond - at).normalized()));
     }
   }
-  targets_ = openfoam::find_targets(Faces(blocks_.outlines()), rules_, seekers,
+  targets_ = openfoam::find_targets(Faces(blocks_.outlines()), rules_, rays,
                                     [&](const std::vector<Point>& points) { return fills_at(points); });
 }
 
@@ -110,13 +110,13 @@ std::vector<double> EdgePressures::fills_at(const std::vector<Point>& points) co
   return fills;
 }
 
-/// Pressure lines at all looks.
+/// Pressure lines at all sample points.
 std::vector<double> EdgePressures::look() const {
-  std::vector<double> lines(targets_.looks.size() * row_length, 0.0);
+  std::vector<double> lines(targets_.samples.size() * row_length, 0.0);
   double* row = lines.data();
-  for (const Looks& looks : targets_.looks) {
-    for (int k = 0; k < looks.count; ++k) {
-      store(water_.line_at(looks.at[static_cast<std::size_t>(k)], looks.cut), row + k * columns);
+  for (const SamplePoints& samples : targets_.samples) {
+    for (int k = 0; k < samples.count; ++k) {
+      store(water_.line_at(samples.at[static_cast<std::size_t>(k)], samples.cut), row + k * columns);
     }
     row += row_length;
   }
@@ -124,20 +124,20 @@ std::vector<double> EdgePressures::look() const {
   return lines;
 }
 
-PressureLine EdgePressures::first_line(std::size_t looks, const std::vector<double>& lines) const {
-  const double* row = &lines[looks * row_length];
+PressureLine EdgePressures::first_line(std::size_t samples, const std::vector<double>& lines) const {
+  const double* row = &lines[samples * row_length];
   int first = 0;
-  while (first < targets_.looks[looks].count && row[first * columns] == 0) ++first;
-  return first < targets_.looks[looks].count ? load_line(row + first * columns) : PressureLine{};
+  while (first < targets_.samples[samples].count && row[first * columns] == 0) ++first;
+  return first < targets_.samples[samples].count ? load_line(row + first * columns) : PressureLine{};
 }
 
 /// Pressure at the edge from the first open cell outwards. Where water fills that and the next one, the part that is
 /// not weight goes on linearly to the edge: water that a wall pushes has its largest pressure there.
-void EdgePressures::add_open(const EdgeElement& element, std::size_t looks, const std::vector<double>& lines,
+void EdgePressures::add_open(const EdgeElement& element, std::size_t samples, const std::vector<double>& lines,
                              wire::Load& load) {
   const double h = blocks_.cell_m();
-  const double* rows = &lines[looks * row_length];
-  const int count = targets_.looks[looks].count;
+  const double* rows = &lines[samples * row_length];
+  const int count = targets_.samples[samples].count;
   int first = 0;
   while (first < count && rows[first * columns] == 0) ++first;
   PressureLine near;
@@ -148,7 +148,7 @@ void EdgePressures::add_open(const EdgeElement& element, std::size_t looks, cons
   if (!near.wet || near.slope <= 0) return;
   const double length = (element.to - element.from).norm();
   wetted_.push_back({element.block, element.middle(), element.openness * length * element.normal,
-                     targets_.looks[looks].at[static_cast<std::size_t>(first)]});
+                     targets_.samples[samples].at[static_cast<std::size_t>(first)]});
   double at_zero = near.at_zero;
   if (near.whole && first + 2 < count) {
     const PressureLine next = load_line(rows + (first + 2) * columns);
@@ -174,7 +174,7 @@ void EdgePressures::add_slot(const EdgeElement& element, const std::vector<Mouth
   const auto pressure = [](const PressureLine& line, const Point& at) { return line.at_zero - line.slope * at.y(); };
   std::vector<PressureLine> entering;
   for (const Mouth& m : mouths) {
-    PressureLine& line = entering.emplace_back(first_line(m.looks, lines));
+    PressureLine& line = entering.emplace_back(first_line(m.samples, lines));
     line.wet = line.wet && pressure(line, m.place.lip) > 0;
   }
   double at_zero = 0;
@@ -236,7 +236,7 @@ void EdgePressures::sample(JointFlow* flow, wire::Load& load) {
   for (std::size_t i = 0; i < targets_.elements.size(); ++i) {
     const EdgeElement& e = targets_.elements[i];
     const std::size_t first = load.block.size();
-    if (e.openness > 0) add_open(e, targets_.looks_of[i], lines, load);
+    if (e.openness > 0) add_open(e, targets_.samples_of[i], lines, load);
     if (flow != nullptr && e.openness >= 1) flow->take_in(load, first);
     if (e.slot) add_slot(e, targets_.mouths[i], lines, load);
   }

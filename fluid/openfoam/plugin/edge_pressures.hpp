@@ -6,9 +6,9 @@
 #include <array>
 
 #include "fluid/joints/uplift.hpp"
-#include "fluid/openfoam/looks.hpp"
 #include "fluid/openfoam/plugin/joint_flow.hpp"
 #include "fluid/openfoam/plugin/water_state.hpp"
+#include "fluid/openfoam/sample_points.hpp"
 
 namespace blockweir::openfoam {
 

@@ -13,7 +13,7 @@
 #include "fluid/openfoam/plugin/edge_pressures.hpp"
 #include "fluid/openfoam/plugin/open_end.hpp"
 #include "fluid/openfoam/plugin/partner.hpp"
-#include "fluid/openfoam/plugin/rest.hpp"
+#include "fluid/openfoam/plugin/water_at_rest.hpp"
 #include "fluid/openfoam/plugin/water_levels.hpp"
 #include "fluid/openfoam/plugin/water_record.hpp"
 
@@ -84,7 +84,7 @@ class Session : public Foam::regIOobject {
   std::unique_ptr<JointFlow> flow_;  ///< null: no water flows through joints
   AddedMass added_mass_;
   Breach breach_;
-  Rest rest_;
+  WaterAtRest rest_;
   WaterRecord record_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_x_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_y_;

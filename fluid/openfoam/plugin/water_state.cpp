@@ -3,7 +3,7 @@
 
 #include <IOdictionary.H>
 
-#include "fluid/openfoam/looks.hpp"
+#include "fluid/openfoam/sample_points.hpp"
 
 namespace blockweir::openfoam {
 namespace {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who may come in at a tcp port: with keys the partner alone, without them whoever speaks today's ZeroMQ. ZeroMQ asks
+// at the end of each handshake (ZAP, rfc.zeromq.org/spec/27).
+#pragma once
+
+#include <string>
+#include <zmq.hpp>
+
+namespace blockweir::channel {
+
+class Authenticator {
+ public:
+  /// Before the socket that it guards is opened. `partner_public`: Z85; empty: no keys.
+  Authenticator(zmq::context_t& context, const std::string& partner_public);
+
+  /// Answers all who wait at the door.
+  void answer();
+  [[nodiscard]] void* handle() { return questions_.handle(); }
+
+ private:
+  zmq::socket_t questions_;
+  std::string partner_;  ///< 32 bytes
+};
+
+}  // namespace blockweir::channel

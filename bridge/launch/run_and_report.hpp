@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A run whose end is run_and_report to people.
+#pragma once
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "bridge/process/run.hpp"
+#include "bridge/process/supervisor.hpp"
+#include "bridge/results/wrapped.hpp"
+
+namespace blockweir::launch {
+
+/// Do both streams lead to one terminal, file or pipe?
+inline bool errors_go_to_the_output() {
+  struct stat out = {};
+  struct stat err = {};
+  return ::fstat(STDOUT_FILENO, &out) == 0 && ::fstat(STDERR_FILENO, &err) == 0 && out.st_dev == err.st_dev &&
+         out.st_ino == err.st_ino;
+}
+
+/// Makes a run, says how it ended and returns the exit status. What has ended by itself was not stopped: a signal that
+/// comes until the program's end is too late.
+template <class Run>
+int run_and_report(Run run) {
+  static const process::StopsLater until_it_is_reported;
+  const process::RunResult result = run();
+  // The report has it, too.
+  if (!result.trouble.empty() && !errors_go_to_the_output()) {
+    fmt::print(stderr, "blockweir: {}\n", process::trouble_text(result));
+  }
+  fmt::print("{}", results::for_stdout(process::report(result)));
+  return result.exit_code;
+}
+
+}  // namespace blockweir::launch

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/process/failure_cause.hpp"
+
+#include <fmt/format.h>
+
+#include "bridge/process/fluid_name.hpp"
+#include "bridge/process/previous_run.hpp"
+
+namespace blockweir::process {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Then the logs, too, have no place for a last word, and whichever process is heard of first tells of another.
+bool is_full(const fs::path& folder) {
+  std::error_code unknown;
+  const fs::space_info space = fs::space(folder, unknown);
+  return !unknown && space.available < 4096;
+}
+
+bool is_echo(const ChildEnd& end) {
+  return end.last_line.find("see its own message for the cause") != std::string::npos;
+}
+
+/// Than what is taken for the cause so far.
+bool says_more(const ChildEnd& end, const ChildEnd& cause) {
+  return is_echo(cause) || (cause.external && !is_echo(end));
+}
+
+/// The first that failed by itself, or the first after it that is no echo; null where none did. What the solid says of
+/// an external fluid goes before what that says: it is of a known form, and has the fluid's own text.
+const ChildEnd* cause_of(const Supervised& supervised) {
+  const ChildEnd* cause = nullptr;
+  for (const ChildEnd& end : supervised.ends) {
+    if ((end.exit_code == 0 && !end.early) || end.by_us) continue;
+    if (cause == nullptr || (!end.last_line.empty() && says_more(end, *cause))) cause = &end;
+  }
+  return cause;
+}
+
+/// A program of the user's by its command, ours by what it computes.
+std::string name_of(const ChildEnd& end) {
+  return end.external ? external_fluid_name(end.words) : end.name + " process";
+}
+
+/// What a program of the user's says last may be of any form: whose it is has to stand before it.
+std::string end_of_external(const ChildEnd& end) {
+  const std::string said = end.last_line.empty() ? "" : fmt::format(", its last line: \"{}\"", end.last_line);
+  return fmt::format("the {} ended with exit status {}{}{}; {}all that it wrote is in {}.log",
+                     external_fluid_name(end.words), end.exit_code, end.early ? " before the run was under way" : "",
+                     said, end.early ? "it has to connect to BLOCKWEIR_ENDPOINT and to stay; " : "", end.name);
+}
+
+}  // namespace
+
+std::string failure_cause(const Supervised& supervised, const fs::path& folder) {
+  if (supervised.interrupted) {
+    return has_frames(folder) ? "stopped on request; the results so far stand"
+                              : "stopped on request before its first frame";
+  }
+  if (supervised.overdue) return "still running when its time was over";
+  for (const ChildEnd& end : supervised.ends) {
+    // A process that was killed says nothing itself.
+    if (end.exit_code > 128 && !end.by_us) {
+      return fmt::format("the {} was ended by signal {}", name_of(end), end.exit_code - 128);
+    }
+  }
+  for (const ChildEnd& end : supervised.ends) {
+    if (end.stopped) {
+      return fmt::format("the {} was stopped (SIGSTOP) and answered no more for [coupling] timeout_s", name_of(end));
+    }
+  }
+  const ChildEnd* cause = cause_of(supervised);
+  if (cause == nullptr) return "";
+  if (is_full(folder)) {
+    return fmt::format("no room is left on the disk that holds {}; free some, or choose another folder with --out",
+                       folder.string());
+  }
+  if (cause->external) return end_of_external(*cause);
+  if (!cause->last_line.empty()) return cause->last_line;
+  return fmt::format("the {0} process ended with {1}, and {0}.log does not say why: is the disk full?", cause->name,
+                     cause->exit_code);
+}
+
+}  // namespace blockweir::process
