@@ -85,10 +85,10 @@ struct Channel::Line {
   void poll(double longest_s) {
     zmq::pollitem_t items[] = {{monitor.handle(), 0, ZMQ_POLLIN, 0},
                                {socket.handle(), 0, ZMQ_POLLIN, 0},
-                               {gate ? authenticator->handle() : nullptr, 0, ZMQ_POLLIN, 0}};
-    zmq_poll(items, gate ? 3 : 2, std::max(1L, static_cast<long>(1000 * longest_s)));
+                               {authenticator ? authenticator->handle() : nullptr, 0, ZMQ_POLLIN, 0}};
+    zmq_poll(items, authenticator ? 3 : 2, std::max(1L, static_cast<long>(1000 * longest_s)));
     monitor.update();  // before the answer: whoever is turned away by it can still be asked for an address
-    if (gate) authenticator->answer();
+    if (authenticator) authenticator->answer();
   }
 
   bool partner_left() {
