@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a segment is crossed by another.
+// The point where one segment crosses another.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace blockweir::geometry {
 
-/// Share 0..1 of a-b at which c-d crosses it, ends included; none where they are parallel or apart.
+/// Position of the crossing with c-d along a-b, as a fraction 0..1, ends included; none if they are parallel or apart.
 inline std::optional<double> crossing(const Segment& a_b, const Segment& c_d) {
   const auto side = [](const Segment& s, const Point& p) { return cross(s.to - s.from, p - s.from); };
   const double from = side(c_d, a_b.from);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much work a cut will be, before it is begun: lines may cross as often as the square of their number.
+// Estimates the work of a cut before it starts: the number of crossings may grow with the square of the lines.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace blockweir::geometry {
 
-/// Straight parts of the section's outline, its holes and the lines.
+/// Number of straight segments of the section's outline, its holes and the lines.
 std::size_t count_segments(const Section& section, const std::vector<Line>& lines);
 
-/// Pairs of those parts that cross, inside or outside the section; counting ends beyond `most`. To round-off.
+/// Number of crossing pairs of these segments, inside or outside the section, to round-off. Stops counting at `most`.
 std::size_t count_crossings(const Section& section, const std::vector<Line>& lines, std::size_t most);
 
 }  // namespace blockweir::geometry

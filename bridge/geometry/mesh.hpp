@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles that fill a block: constrained Delaunay refinement, with a record of which sides lie on the outline.
+// Triangles that fill a block: constrained Delaunay refinement. It records which triangle sides lie on the outline.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace blockweir::geometry {
 
-/// A side of a triangle on the outline, from corner `side` to the next.
+/// A triangle side on the outline, from corner `side` to the next.
 struct BoundarySide {
   int triangle = 0;
   int side = 0;
@@ -24,7 +24,7 @@ struct Mesh {
   std::vector<BoundarySide> boundary;         ///< all along the outline, from its first vertex
 };
 
-/// Triangles with sides of at most about `size_m` in a simple counter-clockwise outline. The same on every run.
+/// Triangulates a simple counter-clockwise outline with sides of about `size_m` at most. Every run gives the same mesh.
 Mesh triangulate(const std::vector<Point>& outline, double size_m);
 
 }  // namespace blockweir::geometry

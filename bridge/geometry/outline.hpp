@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outlines of blocks: what makes one unfit, and what lies on it.
+// Outlines of blocks: faults of an outline, and points on or inside it.
 #pragma once
 
 #include <cstddef>
@@ -22,17 +22,17 @@ Bounds bounds_of(std::span<const Point> points);
 
 double distance_to_segment(const Point& p, const Point& from, const Point& to);
 
-/// Why an outline of at least three points encloses no area once.
+/// Why an outline of three or more points does not enclose an area exactly once.
 struct OutlineFault {
-  std::size_t vertex = 0;  ///< where to look
-  std::string found;       ///< follows the block's name: "has the vertex (0, 0) twice"
+  std::size_t vertex = 0;  ///< where the fault is
+  std::string found;       ///< printed after the block's name: "has the vertex (0, 0) twice"
   std::string expected;
   std::string remedy;
 };
-/// The first fault; lengths below 1e-9 of the outline's size count as zero.
+/// The first fault. Lengths below 1e-9 of the outline's size count as zero.
 std::optional<OutlineFault> outline_fault(std::span<const Point> outline);
 
-/// Whether p lies within `tolerance_m` of the area that a sound outline encloses.
+/// Whether p lies inside a valid outline, or within `tolerance_m` of it.
 bool holds_point(std::span<const Point> outline, const Point& p, double tolerance_m);
 
 /// Whether one edge passes within `tolerance_m` of both points.

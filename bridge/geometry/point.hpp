@@ -12,7 +12,7 @@ struct Segment {
   Point to;
 };
 
-/// Positive where b lies counter-clockwise of a.
+/// Positive if b is counter-clockwise of a.
 inline double cross(const Point& a, const Point& b) {
   return a.x() * b.y() - a.y() * b.x();
 }

@@ -11,7 +11,7 @@ namespace blockweir::geometry {
 /// Signed area [m2], positive for counter-clockwise outlines.
 double signed_area(std::span<const Point> outline);
 
-/// Centroid [m]; summed about the first vertex so that far-away polygons lose no digits.
+/// Centroid [m]. Sums are taken about the first vertex, so polygons far from the origin lose no digits.
 Point centroid(std::span<const Point> outline);
 
 }  // namespace blockweir::geometry

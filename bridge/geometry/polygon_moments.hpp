@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact area, centroid and second moments of a simple polygon: the area integrals of (5)-(6).
+// Exact area, centroid and second moments of a simple polygon, for the area integrals of (5)-(6).
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ struct PolygonMoments {
   double xy = 0;    ///< integral of X Y [m4]
 };
 
-/// Sums over the triangles fan(centroid, i, i+1), so that a polygon far from the origin loses no digits.
+/// Sums over the triangles (centroid, i, i+1), so that a polygon far from the origin loses no digits.
 PolygonMoments polygon_moments(std::span<const Point> outline);
 
 }  // namespace blockweir::geometry

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random numbers that are the same everywhere.
+// Random numbers that are the same on every machine.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace blockweir::geometry {
 
-/// 0 to 1. Distributions of the standard library differ between libraries, its engines do not.
+/// Uniform on 0 to 1. The standard library's distributions differ between implementations; its engines do not.
 class Uniform {
  public:
   explicit Uniform(std::uint64_t seed) : engine_(seed) {}

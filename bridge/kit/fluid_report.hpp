@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a fluid on the C interface did, for the run's profile. C++17.
+// Statistics of a fluid that uses the C interface, for the run's profile. C++17.
 #pragma once
 
 #include "bridge/channel/channel.hpp"
@@ -15,7 +15,7 @@ class FluidReport {
     step_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count();
     ++answers_;
   }
-  /// To the file that BLOCKWEIR_REPORT names, if it does. Throws std::runtime_error where it cannot be written.
+  /// Writes the file named by BLOCKWEIR_REPORT, if that is set. Throws std::runtime_error if it cannot be written.
   void write(const channel::Channel& line) const;
 
  private:

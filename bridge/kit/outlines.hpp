@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The blocks as the handshake describes them. C++17.
+// The outlines of the blocks that the handshake delivers. C++17.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace blockweir::kit {
 class Outlines {
  public:
   Outlines() = default;
-  /// Throws std::invalid_argument where the outlines do not fit the number of blocks.
+  /// Throws std::invalid_argument if the outlines do not match the number of blocks.
   explicit Outlines(const wire::Hello& hello);
 
   [[nodiscard]] std::size_t size() const { return first_.size(); }
@@ -21,7 +21,7 @@ class Outlines {
   /// x0, y0, x1, y1, ... [m]
   [[nodiscard]] const double* outline(std::size_t block) const { return numbers_.data() + first_[block]; }
 
-  /// Where they are with this displacement, into `xy` [m].
+  /// Writes the outline displaced by `displacement` into `xy` [m].
   void place(std::size_t block, const std::array<double, 6>& displacement, double* xy) const;
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures that a scene may expect, and the formulas that yield them: their names, what each speaks of and what it
-// needs of the scene. How they are computed is the solid's (solid/expect): a scene is refused for a wrong one before
-// anything runs.
+// The quantities that a scene may expect, and the formulas that give them: names, what they refer to, what they need.
+// Their values are computed in solid/expect. The table is here so that a scene with a wrong name is refused before the
+// run.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace blockweir::scene {
 
-/// What `of` names. A joint stands for its upper block where a block is asked for, but not in formulas.
+/// What `of` names. Where a block is needed, a joint means its upper block, except in formulas.
 enum class Subject { none, block, block_if_any, block_only, joint, bolt, arch };
 
-/// What the scene must hold beside that.
+/// What else the scene must contain.
 enum class Need { nothing, water, upstream_level, face_pressure, column };
 
 struct Answer {
@@ -21,16 +21,16 @@ struct Answer {
   Subject of = Subject::none;
   Need needs = Need::nothing;
   bool at_point = false;  ///< `at_m`
-  bool word = false;      ///< a word, no number
-  /// Limit equilibrium of the block above a joint alone: it carries no other, and no water is downstream of it.
+  bool word = false;      ///< the value is a word, not a number
+  /// Needs limit equilibrium of one block above a joint: the block carries no other, and no water is downstream of it.
   bool one_block = false;
 };
 
-/// `quantity` of [[expect]] and of studies.
+/// Values of `quantity` in [[expect]] and in studies.
 std::span<const Answer> quantities();
-/// `formula` of these.
+/// Values of `formula` in the same tables.
 std::span<const Answer> formulas();
-/// Null where there is none of that name.
+/// Null if there is none of that name.
 const Answer* find_answer(std::span<const Answer> answers, const std::string& name);
 
 std::vector<std::string> quantity_names();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shear strength of rough joints in rock (Barton and Choubey 1977, Rock Mechanics 10, eq. 7):
 //   tau = sigma tan(phi + JRC log10(JCS/sigma)),
-// phi the friction angle of the joint without its roughness. It is concave: friction is lower where more presses.
+// phi is the friction angle of the smooth joint. The curve is concave: friction falls as the compression grows.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ struct BartonBandis {
   bool operator==(const BartonBandis&) const = default;
 
   [[nodiscard]] bool bends() const { return roughness > 0 && wall_strength_pa > 0; }
-  /// The tangent at a compression [Pa], `friction` being tan(phi). Below the stress at which the whole angle is 70
-  /// degrees, and for tension, it is that angle; beyond JCS the tangent at JCS goes on.
+  /// The tangent at a compression [Pa]; `friction` is tan(phi). Where the total angle would exceed 70 degrees, and in
+  /// tension, that angle is used. Beyond JCS the tangent at JCS is used.
   [[nodiscard]] StrengthLine tangent(double friction, double normal_pa) const {
     constexpr double degree = std::numbers::pi / 180;
     const double steepest = std::max(70 * degree, std::atan(friction));

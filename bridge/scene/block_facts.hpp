@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene says of its blocks and joints: by name, and what follows from outlines and materials.
+// Looks up blocks and joints of a scene by name, and computes what follows from outlines and materials.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace blockweir::scene {
 
-/// Throw std::runtime_error where there is none of that name.
+/// Throw std::runtime_error if there is none of that name.
 const Block& block_named(const Scene& scene, const std::string& name);
 const Joint& joint_named(const Scene& scene, const std::string& name);
 
@@ -19,7 +19,7 @@ double weight(const Scene& scene, const Block& block);
 /// m, between the highest and the lowest vertex.
 double height(const Block& block);
 
-/// Box around all blocks, of which there must be one [m].
+/// Bounding box of all blocks [m]; there must be one block at least.
 geometry::Bounds bounds_of(const Scene& scene);
 
 }  // namespace blockweir::scene

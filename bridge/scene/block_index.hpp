@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds blocks by the box around them, so that checks of pairs stay fast for many blocks.
+// Finds blocks by their bounding boxes, so that checks of pairs stay fast for many blocks.
 #pragma once
 
 #include <boost/geometry.hpp>
@@ -20,7 +20,7 @@ class BlockIndex {
   /// Blocks without vertices are left out.
   explicit BlockIndex(const std::vector<Block>& blocks) : tree_(entries(blocks)) {}
 
-  /// Blocks whose boxes meet `bounds`, edges included.
+  /// Blocks whose bounding boxes touch or overlap `bounds`.
   [[nodiscard]] std::vector<std::size_t> meeting(const geometry::Bounds& bounds) const {
     std::vector<Entry> found;
     tree_.query(boost::geometry::index::intersects(box(bounds)), std::back_inserter(found));
@@ -30,7 +30,7 @@ class BlockIndex {
     return blocks;
   }
 
-  /// A block that is not looked for any more.
+  /// Removes a block from the index.
   void forget(std::size_t i, const Block& block) { tree_.remove(Entry{box(geometry::bounds_of(block.vertices)), i}); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joints in which a scene has water: which of them are one crack, and what such a crack parts.
+// Finds the joints that contain water, groups them into cracks, and finds which blocks a crack separates.
 #pragma once
 
 #include <set>
@@ -10,14 +10,14 @@
 
 namespace blockweir::scene {
 
-/// The stretch of a crack between two blocks.
+/// The part of a crack between two blocks.
 struct CrackPart {
   int block_a = 0;
   int block_b = 0;
   JointTrace trace;
 };
 
-/// Parts in order from the mouth.
+/// Parts in order, starting at the mouth.
 struct Crack {
   Uplift law = Uplift::none;
   KnownHeads known;
@@ -28,20 +28,20 @@ struct Crack {
   [[nodiscard]] const Point& end() const { return parts.back().trace.end(); }
 };
 
-/// Joints whose uplift is a profile between their ends. One that begins where another of the same law ends, and goes on
-/// within 45 degrees of its direction, is the same crack; of several such the straightest.
+/// Cracks of joints whose uplift is a profile between their ends. A joint that starts where another with the same law
+/// ends, and deviates from its direction by less than 45 degrees, extends that crack; of several, the straightest.
 std::vector<Crack> find_cracks(const Scene& scene);
 
-/// Joints whose uplift is this law, one by one.
+/// Joints with this uplift law, one crack each.
 std::vector<Crack> find_joints(const Scene& scene, Uplift law);
-/// Joints through which water flows.
+/// Joints with seepage flow (uplift = "flow").
 std::vector<Crack> find_flow_joints(const Scene& scene);
 
-/// In a message: the joint that the crack begins with, or its blocks.
+/// For messages: the name of the crack's first joint, or of its blocks.
 std::string name_of(const Scene& scene, const Crack& crack);
 
-/// Blocks that hang on no fixed or supported block once these joints (pairs of blocks, the lower index first), or those
-/// of the crack, are cut; empty where they part nothing.
+/// Blocks that lose every connection to a fixed or supported block when these joints (pairs of blocks, lower index
+/// first), or those of the crack, are cut. Empty if none does.
 std::vector<int> parted_by(const Scene& scene, const std::set<std::pair<int, int>>& joints);
 std::vector<int> parted_by(const Scene& scene, const Crack& crack);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One thing wrong (or doubtful, or mended) in a scene: where, what was found, what is expected, what to do.
+// One problem of a scene: its place, what was found, what is expected, and the remedy. Errors, warnings and notes.
 #pragma once
 
 #include <stdexcept>
@@ -9,22 +9,22 @@
 namespace blockweir::scene {
 
 struct Diagnostic {
-  /// A warning says what may be meant and is likely not; a note what was mended, e.g. a clockwise polygon.
+  /// A warning marks what is allowed but probably a mistake; a note tells what was corrected, e.g. a clockwise polygon.
   enum class Severity { error, warning, note };
   Severity severity = Severity::error;
   std::string file;
-  int line = 0;  ///< 1-based; 0 where no line can be named
+  int line = 0;  ///< 1-based; 0: no line known
   std::string found;
   std::string expected;
   std::string remedy;
 
   /// "file:line: error: found; expected ...; remedy"
   [[nodiscard]] std::string text() const;
-  /// "found; expected ...; remedy", for a report of a run: its file is another, or a copy.
+  /// "found; expected ...; remedy", without the place: a run's report refers to another file, or a copy.
   [[nodiscard]] std::string message() const;
 };
 
-/// All that is wrong with a scene; what() holds one line a diagnostic.
+/// All errors of a scene; what() has one line for each diagnostic.
 class SceneError : public std::runtime_error {
  public:
   explicit SceneError(std::vector<Diagnostic> diagnostics);

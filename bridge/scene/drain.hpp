@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A line of drains, as a scene states it. C++17: the OpenFOAM plugin includes this. fluid/joints/drain.hpp has its law.
+// A line of drains, as a scene states it. C++17: the OpenFOAM plugin includes this. Equations: fluid/joints/drain.hpp.
 #pragma once
 
 #include <cmath>
@@ -10,9 +10,9 @@ namespace blockweir::scene {
 /// A line of drains that crosses a joint.
 struct Drain {
   double station_m = 0;  ///< from the joint's upstream end
-  /// By which the drain takes away the head of the undrained joint above the head that it drains to, 0..1.
+  /// Share 0..1 by which the drain lowers the head of the undrained joint towards head_m.
   double efficiency = 1;
-  /// That it drains to, as a height on the y axis; NaN: the lower of both ends' heads.
+  /// Head in the drain, as an elevation y; NaN: the lower of the heads at the joint's two ends.
   double head_m = std::numeric_limits<double>::quiet_NaN();
 };
 

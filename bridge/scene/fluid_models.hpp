@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fluids that a scene can have: one row each.
+// The fluid models that a scene can choose: one row each.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@ struct FluidEntry {
   FluidModel model;
   const char* key;                ///< [fluid] model = "key"
   const char* name;               ///< in messages
-  const char* program = nullptr;  ///< that computes it; null: none is needed
+  const char* program = nullptr;  ///< that computes it; null: no program
   const char* about = "";         ///< what the program computes, for its --help
-  const char* role = "";          ///< as which it greets the solid, and by which its log and checkpoints are named
-  const char* folder = "";        ///< of its own within the run's
-  bool still_pools = false;       ///< levels are those of their tables, and what is wet follows from geometry
-  bool remembers = false;         ///< its pressures depend on what has been: it goes on from a checkpoint of its own
-  bool yours = false;             ///< a program of the user's computes it: [fluid.external] command
-  bool reads_files = false;       ///< that the scene names, beside the scene's text
-  double timeout_s = 20;          ///< for which the solid waits for a sign of life, by default
+  const char* role = "";          ///< its name in the handshake, and of its log and checkpoints
+  const char* folder = "";        ///< its own folder within the run's folder
+  bool still_pools = false;       ///< levels follow their tables, and wet faces follow from geometry
+  bool remembers = false;         ///< its pressures depend on the past: it needs its own checkpoint to resume
+  bool yours = false;             ///< a program of the user: [fluid.external] command
+  bool reads_files = false;       ///< reads files that the scene names
+  double timeout_s = 20;          ///< default: the longest that the solid waits for a message
 };
 
 inline constexpr std::array fluid_models = {
@@ -50,7 +50,7 @@ inline constexpr std::array fluid_models = {
                .folder = "openfoam",
                .remembers = true,
                .reads_files = true,
-               .timeout_s = 120},  // interFoam makes its mesh before it comes, and may have many steps in a window
+               .timeout_s = 120},  // interFoam makes its mesh before it connects, and may need many steps in a window
     FluidEntry{.model = FluidModel::column,
                .key = "column",
                .name = "column",
@@ -76,7 +76,7 @@ constexpr bool still_pools(FluidModel model) {
   return fluid_entry(model).still_pools;
 }
 
-/// As messages call it.
+/// Name for messages.
 constexpr const char* name(FluidModel model) {
   return fluid_entry(model).name;
 }

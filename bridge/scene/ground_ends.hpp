@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the model ends in ground that goes on: its faces there are cuts, and no water stands beside them.
+// Ends of the model where the ground continues: the model's faces there are cuts, and no water touches them.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace blockweir::scene {
 
-/// The bed begins at this corner, and beyond the model's end it goes on level.
+/// The bed starts at this corner; beyond the model's end it continues level.
 struct BedCorner {
   int block = 0;
   int vertex = 0;
@@ -19,13 +19,13 @@ struct GroundEnds {
   std::optional<BedCorner> right;
 };
 
-/// The upright faces on an end of the model, one on the other from the lowest up, are the ground's where they stand on
-/// a block that is fixed or supported, their top lies below the highest level and below the structure's crest, and the
-/// bed on it leads inward, rising by no more than 1 in 4, for half of their height or more. `[water] wets_ends` decides
-/// otherwise: true, nothing is ground; false, all that ends below level and crest is.
+/// Finds the ground ends. A stack of upright faces on an end of the model counts as ground if all of these hold: it
+/// stands on a fixed or supported block; its top is below the highest level and below the structure's crest; the bed on
+/// top rises inward by no more than 1 in 4 over half of the stack's height or more. `[water] wets_ends` overrides this:
+/// true: no face is ground; false: every end below level and crest is.
 GroundEnds find_ground_ends(const Scene& scene);
 
-/// Whether the model's lowest block is lighter than water and neither fixed nor supported: then water is below it, too.
+/// Whether the model's lowest block is lighter than water and neither fixed nor supported, so that water is under it.
 bool lowest_floats(const Scene& scene);
 
 }  // namespace blockweir::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A key of [joint] that states one member of a law; the reader and its checks go by it.
+// A key of [joint] that states one member of a law; the reader and its checks use it.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace blockweir::scene {
 
-/// `Law`: a joint's law, or a part of it that it has as a base.
+/// `Law`: the law of a joint, or a base class of it.
 template <class Law>
 struct LawKey {
   using Of = Law;
@@ -19,12 +19,12 @@ struct LawKey {
   const char* name;
   std::variant<double Law::*, std::optional<double> Law::*, bool Law::*> member;
   Range range = Range::any;
-  /// Has the law a value of it that does nothing? Empty: it always does something.
+  /// Whether the law's value of this key has no effect. Empty: every value has an effect.
   std::function<bool(const Law&)> is_idle;
-  const char* without = "";              ///< what the joint then lacks
-  std::vector<const char*> supplied_by;  ///< keys of what it lacks
+  const char* without = "";              ///< what the joint lacks when the key has no effect
+  std::vector<const char*> supplied_by;  ///< keys that would supply it
 
-  /// The same key of a law of which this one's is a part.
+  /// The same key for a law that has this one as a base class.
   template <class Whole>
   [[nodiscard]] LawKey<Whole> of() const {
     const auto whole = [](auto of_part) -> decltype(LawKey<Whole>::member) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys that state the law of a joint.
+// The keys of a joint law.
 #pragma once
 
 #include <vector>
@@ -44,7 +44,7 @@ inline std::vector<JointLawKey> keys_of_strength() {
            {"dilation_angle_deg"}}};
 }
 
-/// Of water that flows through the joint.
+/// Keys of seepage flow through the joint.
 inline std::vector<JointLawKey> keys_of_flow() {
   using KeyRange = JointLawKey::Range;
   constexpr const char* flow = "flow of water";
@@ -82,7 +82,7 @@ inline std::vector<JointLawKey> keys_of_flow() {
            {"uplift"}}};
 }
 
-/// In the order of the reference of keys.
+/// In the order of KEYS.md.
 inline const std::vector<JointLawKey>& joint_law_keys() {
   static const std::vector<JointLawKey> keys = [] {
     std::vector<JointLawKey> all = keys_of_strength();

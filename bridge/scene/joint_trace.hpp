@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The common boundary of two blocks in the scene's outline: where a joint lies.
+// The common boundary of two blocks as drawn: the line of a joint.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace blockweir::scene {
 
-/// A straight part of it. Fractions 0..1 along edge_a of block a and edge_b of block b, both at `from_m` and `to_m`.
+/// A straight part of it, with the fractions 0..1 of edge_a of block a and edge_b of block b at `from_m` and `to_m`.
 struct TracePiece {
   int edge_a = 0;
   int edge_b = 0;
@@ -20,7 +20,7 @@ struct TracePiece {
   Point to_m;
 };
 
-/// Pieces in order from the upstream end (smallest x, of those the highest) to the other.
+/// Pieces in order, starting at the upstream end (smallest x; of equal x the highest).
 struct JointTrace {
   std::vector<TracePiece> pieces;
   double length_m = 0;
@@ -29,7 +29,7 @@ struct JointTrace {
   [[nodiscard]] const Point& end() const { return pieces.back().to_m; }
 };
 
-/// Empty when the blocks do not touch; edges nearer than `tolerance_m` count as touching.
+/// Empty if the blocks do not touch; edges closer than `tolerance_m` count as touching.
 JointTrace trace_joint(const Block& a, const Block& b, double tolerance_m);
 
 }  // namespace blockweir::scene

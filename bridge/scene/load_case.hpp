@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loads that a structure is to withstand: the scene with some keys set otherwise. A question about a scene, which no
-// run of it needs.
+// A load case: the scene with some keys changed. `blockweir safety` evaluates it; a run does not need
+// it.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@ namespace blockweir::scene {
 
 struct LoadCase {
   std::string name;
-  std::string kind{};                       ///< `class`: usual, unusual, extreme, or the user's own words
-  std::vector<std::string> set{};           ///< "dotted.key=value", as --set takes them
+  std::string kind{};                       ///< `class`: usual, unusual, extreme, or a word of the user's
+  std::vector<std::string> set{};           ///< changed keys, "dotted.key=value", as for --set
   std::optional<double> required_factor{};  ///< on the strength of joints
-  std::string source{};                     ///< of that
+  std::string source{};                     ///< where the required factor comes from, e.g. a guideline
   int line = 0;                             ///< where the scene file states it
 };
 

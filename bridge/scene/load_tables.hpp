@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All loads of a scene that may change with time.
+// Visits all loads of a scene that may change with time.
 #pragma once
 
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::scene {
 
-/// Calls visit(table) for the table of each component of each load, and of the base's acceleration.
+/// Calls visit(table) for each component's table of each load, and of the base acceleration.
 template <class AScene, class Visit>
 void each_load_table(AScene& scene, Visit visit) {
   const auto both = [&](auto& tables) {

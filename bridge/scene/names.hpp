@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The materials, blocks or joints of a scene by name, in the order of the file.
+// Index of the scene's materials, blocks or joints by name, in the order of the file.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@ namespace blockweir::scene {
 
 class Names {
  public:
-  /// `kind` is how messages call one of them: "block".
+  /// `kind`: the word for one of them in messages, e.g. "block".
   explicit Names(std::string kind) : kind_(std::move(kind)) {}
 
-  /// False when the name was there before; it still takes the next index, which then cannot be found by name.
+  /// False if the name exists already; the entry still takes the next index, but cannot be found by name.
   bool add(const std::string& name) {
     list_.push_back(name);
     return index_.emplace(name, static_cast<int>(list_.size()) - 1).second;
   }
-  /// -1 where there is none.
+  /// -1 if there is none.
   [[nodiscard]] int find(const std::string& name) const {
     const auto found = index_.find(name);
     return found == index_.end() ? -1 : found->second;

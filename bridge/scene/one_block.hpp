@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What formulas leave out that know one block on a joint and one pool.
+// Checks that a scene fits formulas for a single block on a joint with one pool.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace blockweir::scene {
 
-/// What the scene has beyond the upper block of this joint and the upstream pool, in words; empty: nothing.
+/// What the scene has besides the joint's upper block and the upstream pool, for a message; empty: nothing.
 [[nodiscard]] std::string beyond_one_block(const Scene& scene, const Joint& joint);
 
 }  // namespace blockweir::scene

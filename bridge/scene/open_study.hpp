@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [[study]]: many runs of a scene that ask a question whose answer nobody states. No run of the scene needs them.
+// [[study]]: many runs of a scene whose result is not known beforehand. A single run does not need it.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@ struct CriticalValue {
   std::string key;
   double from = 0;
   double to = 0;
-  double width = 1e-3;            ///< of the bracket at the end, over the larger of its ends
-  std::string outcome = "fails";  ///< that one end has and the other has not; a mode of failure; or "factor"
-  std::optional<double> target;   ///< of "factor": the factor of safety that one end reaches and the other does not
+  double width = 1e-3;            ///< final width of the bracket, relative to its larger end
+  std::string outcome = "fails";  ///< an outcome or mode that one end has and the other has not; or "factor"
+  std::optional<double> target;   ///< for "factor": the factor of safety at which the bracket is divided
   bool operator==(const CriticalValue&) const = default;
 };
 
@@ -30,17 +30,17 @@ struct OutcomeMap {
   bool operator==(const OutcomeMap&) const = default;
 };
 
-/// A key of the scene that differs from run to run of a sample.
+/// A key of the scene that varies from run to run of a sample.
 struct Variable {
   std::string key;
-  std::optional<Distribution> distribution;  ///< none: its values stand in a column of the sample's file
+  std::optional<Distribution> distribution;  ///< none: its values are in a column of the sample's file
   std::string column;
   bool operator==(const Variable&) const = default;
 };
 
-/// kind = "sample": keys drawn at random, or read from a file, one run a row.
+/// kind = "sample": keys drawn at random or read from a file, one run for each row.
 struct Sample {
-  int runs = 0;      ///< 0: as many as the file has rows
+  int runs = 0;      ///< 0: the number of rows in the file
   int seed = 1;      ///< the same seed draws the same values
   std::string file;  ///< CSV with a heading, relative to the scene
   std::vector<Variable> variables;
@@ -49,7 +49,7 @@ struct Sample {
 
 struct OpenStudy {
   std::string name;
-  std::vector<std::string> set;  ///< holds in all runs, as --set takes it
+  std::vector<std::string> set;  ///< keys set in all runs, as for --set
   int line = 0;                  ///< where the scene file states it
   std::variant<CriticalValue, OutcomeMap, Sample> question;
   bool operator==(const OpenStudy&) const = default;

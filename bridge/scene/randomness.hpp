@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [[random]], [[correlation]] and [reliability]: what is uncertain in a scene, and how the probability of its failure
-// is to be found. No run of the scene needs them.
+// [[random]], [[correlation]] and [reliability]: the uncertain numbers of a scene, and the methods that find its
+// probability of failure. A single run does not need them.
 #pragma once
 
 #include <array>
@@ -12,17 +12,17 @@
 
 namespace blockweir::scene {
 
-/// A number of the scene that is not known, but for its distribution.
+/// An uncertain number of the scene and its distribution.
 struct RandomVariable {
   std::string name;
-  std::string key;               ///< of the scene; empty: `set` says where the number goes
-  std::vector<std::string> set;  ///< "key=value" each, with {NAME} in place of the number
+  std::string key;               ///< of the scene; empty: `set` states where the number is used
+  std::vector<std::string> set;  ///< "key=value" each, where {NAME} stands for the number
   Distribution distribution;
   int line = 0;  ///< where the scene file states it
   bool operator==(const RandomVariable&) const = default;
 };
 
-/// Of the normal variables that stand behind two of them (Nataf's transformation, a normal copula).
+/// Correlation of two variables after their transformation to normal ones (Nataf, normal copula).
 struct Correlation {
   std::array<std::string, 2> between;
   double coefficient = 0;
@@ -30,17 +30,17 @@ struct Correlation {
   bool operator==(const Correlation&) const = default;
 };
 
-/// How the level at which a sample fails is found: limit analysis, static analysis of its blocks, a whole run.
+/// How the failure level of a sample is found: by limit analysis, by static analysis of the blocks, or by a whole run.
 enum class CapacityBy { limit, statics, runs };
 
 struct Reliability {
   CapacityBy by = CapacityBy::limit;
-  std::optional<double> level_m;         ///< of the reservoir, whose probability is asked for; the run's end by default
+  std::optional<double> level_m;         ///< reservoir level of the probability; default: that of the run's end
   std::string sampling = "monte-carlo";  ///< or latin-hypercube, quasi-random
   int samples = 1000;
   int seed = 1;                                       ///< the same seed draws the same values
-  std::vector<std::string> methods{"form", "sobol"};  ///< beside the samples; also sorm, importance, subset
-  int method_samples = 1000;                          ///< of each other method that draws
+  std::vector<std::string> methods{"form", "sobol"};  ///< besides sampling; also sorm, importance, subset
+  int method_samples = 1000;                          ///< of each further sampling method
   bool operator==(const Reliability&) const = default;
 };
 

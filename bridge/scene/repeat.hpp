@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene that leads once more to where a run broke off, without its fluid.
+// Makes a scene that reproduces, without a fluid, the point at which a run broke off.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace blockweir::scene {
 
-/// The scene as run, cut to `duration_s` (a step at least), the water's last load as given pressures on faces. What it
-/// expected, its variants and its studies are left out.
+/// The scene as run, shortened to `duration_s` (at least one step). The water's last load becomes stated pressures on
+/// faces; expectations, variants and studies are left out.
 std::string repeat_text(const Scene& scene, double duration_s, const std::vector<FacePressure>& in_place_of_water);
 
 }  // namespace blockweir::scene

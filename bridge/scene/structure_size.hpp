@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The length by which a scene's own lengths are measured, so that a model in the laboratory and a mountain behave
+// The reference length of a scene. Default lengths are shares of it, so that a laboratory model and a mountain behave
 // alike.
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace blockweir::scene {
 
-/// The larger side of the box around all that can move, or around all blocks where nothing can [m]; 1 without blocks.
+/// Larger side of the box around all moving blocks, or around all blocks if none moves [m]; 1 without blocks.
 double structure_size_m(const std::vector<Block>& blocks);
 
-/// Median, over the blocks that can move, of the lesser side of the box around each [m]; infinite where none can.
+/// Median over the moving blocks of the smaller side of each one's box [m]; infinite if none moves.
 double typical_width_m(const std::vector<Block>& blocks);
 
 }  // namespace blockweir::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene says of its answers, and of runs of it with keys set otherwise, whose answers it states.
+// Expected values of a scene, and studies: runs with changed keys whose result the scene states.
 #pragma once
 
 #include <array>
@@ -13,47 +13,47 @@ namespace blockweir::scene {
 
 using geometry::Point;
 
-/// One figure that the case states, to be compared after the run; exactly one of value, word and formula.
+/// One expected figure, compared after the run; it has exactly one of value, word and formula.
 struct Expectation {
   std::string quantity;  ///< see solid/expect/quantities
   std::optional<double> value;
-  std::string word;           ///< of a quantity that is no number, as the mode of failure
+  std::string word;           ///< for a quantity that is not a number, such as the mode of failure
   std::string formula;        ///< see solid/expect/formulas
-  std::string of;             ///< the block or joint that quantity and formula speak of; may be empty
-  std::optional<Point> at_m;  ///< the point of that block, as in the scene's outline
+  std::string of;             ///< the block or joint that it refers to; may be empty
+  std::optional<Point> at_m;  ///< a point of that block, as drawn
   double tolerance = 1e-3;    ///< relative
   std::string source;
   bool operator==(const Expectation&) const = default;
 };
 
-/// The scene with some keys set otherwise: another case with the same geometry.
+/// The scene with some keys changed: another case with the same geometry.
 struct Variant {
   std::string name;
-  std::vector<std::string> set;  ///< "dotted.key=value", as --set takes them
+  std::vector<std::string> set;  ///< "dotted.key=value", as for --set
   int line = 0;                  ///< where the scene file states it
   bool operator==(const Variant&) const = default;
 };
 
-/// Many runs of the scene with one or two keys set otherwise: what all kinds of studies state.
+/// Many runs of the scene with one or two keys changed: the members common to all kinds of studies.
 struct Study {
   std::string name;
-  std::vector<std::string> set;  ///< holds in all runs of the study, as --set takes it
-  Expectation expected;          ///< the answer; what it speaks of and what its tolerance means depends on the kind
+  std::vector<std::string> set;  ///< keys set in all runs of the study, as for --set
+  Expectation expected;          ///< the stated result; what it refers to and its tolerance depend on the kind of study
   int line = 0;                  ///< where the scene file states it
   bool operator==(const Study&) const = default;
 };
 
-/// Between which values of a key does the outcome change? Found by bisection over whole runs.
+/// The values of a key between which the outcome changes, found by bisection over whole runs.
 struct LimitStudy : Study {
   std::string key;
   double from = 0;
   double to = 0;
-  double width = 1e-3;            ///< of the bracket at the end, over its middle
+  double width = 1e-3;            ///< final width of the bracket over its middle
   std::string outcome = "fails";  ///< that one end has and the other has not; or a mode of failure
   bool operator==(const LimitStudy&) const = default;
 };
 
-/// With which power of a key does the error of a quantity vanish?
+/// The order of convergence: the power of a key with which the error of a quantity vanishes.
 struct OrderStudy : Study {
   std::string key;
   std::vector<double> values;
@@ -62,34 +62,34 @@ struct OrderStudy : Study {
   bool operator==(const OrderStudy&) const = default;
 };
 
-/// A key and what it is set to, one run after the other: numbers or words, as --set takes them.
+/// The values of a key, one run each: numbers or words, as for --set.
 struct Sweep {
   std::string key;
   std::vector<std::string> values;
   bool operator==(const Sweep&) const = default;
 };
 
-/// A quantity over two keys, a word or a number, each cell against that of a formula.
+/// A quantity over two keys, a word or a number; each cell is compared with a formula.
 struct MapStudy : Study {
   std::array<Sweep, 2> axes;
-  int may_refuse = 0;      ///< cells that may be refused with a reason
-  double longest_s = 120;  ///< of wall time: a cell that takes longer hangs
+  int may_refuse = 0;      ///< number of cells that may be refused with a reason
+  double longest_s = 120;  ///< of wall time; a cell that takes longer counts as hanging
   bool operator==(const MapStudy&) const = default;
 };
 
-/// A curve of wall time against the error of the scene's first figure, or of its motion.
+/// Wall time against the error of the scene's first figure, or of its motion.
 struct Bench {
   std::string name;
-  std::vector<std::string> set;  ///< holds in all its runs, as --set takes it
+  std::vector<std::string> set;  ///< keys set in all its runs, as for --set
   Sweep sweep;
   int line = 0;  ///< where the scene file states it
   bool operator==(const Bench&) const = default;
 };
 
-/// A bench whose error is that of the motion: runs end at `until_s`, and are held against one with finer steps.
+/// A bench whose error is that of the motion: runs end at `until_s` and are compared with one of finer steps.
 struct BenchMotion {
   double until_s = 0;
-  int finer = 16;  ///< its steps are so many times smaller than the scene's
+  int finer = 16;  ///< the reference's steps are smaller by this factor
   bool operator==(const BenchMotion&) const = default;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joints that a scene has where blocks touch, whether or not it states them.
+// The joints of a scene: all pairs of touching blocks, stated or not.
 #pragma once
 
 #include <set>
@@ -9,8 +9,8 @@
 
 namespace blockweir::scene {
 
-/// Pairs of blocks, the lower index first, that share a part of their outlines, of which one at least is not fixed.
-/// What is nearer than `touching_m` touches.
+/// Pairs of blocks (lower index first) that share a part of their outlines and are not both fixed. Blocks closer than
+/// `touching_m` touch.
 std::set<std::pair<int, int>> touching_pairs(const Scene& scene, double touching_m);
 
 }  // namespace blockweir::scene

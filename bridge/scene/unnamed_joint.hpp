@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a joint is called to which the scene gives no name.
+// The name of a joint that the scene does not name.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace blockweir::scene {
 
-/// "a on b": b is the one that is fixed, else the one whose centroid is lower, else the one further right. In whichever
-/// order blocks are given or stand in the scene.
+/// "a on b", where b is the fixed block; otherwise the one with the lower centroid; otherwise the one further right.
+/// The order of the arguments and of the blocks in the scene does not matter.
 std::string unnamed_joint(const Scene& scene, int one, int other);
 
 }  // namespace blockweir::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Laws of the water pressure in a joint, and what a scene states beside their name. C++17: the OpenFOAM plugin includes
-// this. fluid/joints/uplift.hpp has the pressures.
+// Uplift laws: the water pressure in a joint, and their parameters in a scene. C++17: the OpenFOAM plugin includes
+// this. The pressures are computed in fluid/joints/uplift.hpp.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace blockweir::scene {
 
 enum class Uplift { none, triangular, full, drained, cracked, heads, flow };
 
-/// A law by its name in a scene. `share`: its mean pressure over that at the mouth, where the far end is dry and this
-/// is the same at all levels.
+/// An uplift law and its name in a scene. `share`: mean pressure over the pressure at the mouth, for laws where it is
+/// the same at all levels if the far end is dry.
 struct UpliftName {
   const char* name;
   Uplift law;
@@ -33,28 +33,28 @@ inline const UpliftName& named(Uplift law) {
   return uplift_names[static_cast<std::size_t>(law)];
 }
 
-/// Whether the pressure is a curve between the pressures of the joint's ends, whatever other joints do.
+/// Whether the pressure is a curve between the pressures at the joint's ends, independent of other joints.
 constexpr bool is_profile(Uplift law) {
   return law != Uplift::none && law != Uplift::flow;
 }
 
 struct Piezometer {
   double station_m = 0;  ///< from the joint's upstream end
-  double head_m = 0;     ///< as a height on the y axis
+  double head_m = 0;     ///< an elevation y
 };
 
-/// What is known of the head in a joint beside that of its ends.
+/// Known heads in a joint, besides those at its ends.
 struct KnownHeads {
   std::optional<Drain> drain;
   std::vector<Piezometer> piezometers;  ///< by station
-  double level_m = 0;                   ///< of the reservoir when the piezometers were read
+  double level_m = 0;                   ///< of the reservoir at the reading of the piezometers
   int line = 0;                         ///< where the scene file states the law
 };
 
 inline bool operator==(const Piezometer& a, const Piezometer& b) {
   return a.station_m == b.station_m && a.head_m == b.head_m;
 }
-/// Wherever they are stated.
+/// Equal values; the line of the file does not matter.
 inline bool operator==(const KnownHeads& a, const KnownHeads& b) {
   return a.drain == b.drain && a.piezometers == b.piezometers && a.level_m == b.level_m;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of the blocks that can move is seen from upstream, looking level.
+// Faces of moving blocks that are visible from upstream along horizontal lines.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace blockweir::scene {
 
-/// A part of one edge that no other block stands before.
+/// A part of an edge with no other block in front of it.
 struct UpstreamFace {
   int block = 0;
   Point top_m;
@@ -17,7 +17,7 @@ struct UpstreamFace {
 
 std::vector<UpstreamFace> upstream_faces(const Scene& scene, double below_m);
 
-/// A part of a level edge that looks up, from left to right, and that no block stands on or before.
+/// A part of a horizontal edge that faces up, from left to right, with no block on it or in front of it.
 struct UpstreamFloor {
   int block = 0;
   Point left_m;

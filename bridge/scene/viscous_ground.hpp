@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which blocks are part of ground that goes on beyond the model.
+// Blocks that belong to ground that continues beyond the model.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,13 @@
 
 namespace blockweir::scene {
 
-/// Has the block a viscous face?
+/// Whether the block has a viscous face.
 inline bool is_viscous_ground(const Scene& scene, int block) {
   return std::any_of(scene.viscous_faces.begin(), scene.viscous_faces.end(),
                      [&](const ViscousFace& face) { return face.block == block; });
 }
 
-/// Has it one that bears it?
+/// Whether a viscous face carries the block from below.
 inline bool rests_on_viscous_ground(const Scene& scene, int block) {
   return std::any_of(scene.viscous_faces.begin(), scene.viscous_faces.end(),
                      [&](const ViscousFace& face) { return face.block == block && !face.is_side(); });

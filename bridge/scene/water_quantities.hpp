@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of OpenFOAM's water that [[expect_water]] can name, and what each needs beside its name.
+// The quantities of OpenFOAM's water for [[expect_water]], and the keys that each needs.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ struct WaterQuantity {
   const char* name;
   bool of_block = false;      ///< `of`
   bool at_point = false;      ///< `at_m`
-  bool regular_wave = false;  ///< regular waves that come in
+  bool regular_wave = false;  ///< needs incoming regular waves
 };
 
 inline constexpr std::array water_quantities = {

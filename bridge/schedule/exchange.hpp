@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fluid as the solid's schedule talks to it.
+// The exchange with the fluid, as the solid's schedule uses it.
 #pragma once
 
 #include "bridge/schedule/fluid_line.hpp"
@@ -7,34 +7,34 @@
 
 namespace blockweir::schedule {
 
-/// Before motion k is told, both sides can be put on disk and go on from there: the solid with load k-1, the fluid as
-/// it was when it said that.
+/// Before motion k is sent both sides can save a consistent checkpoint: the solid with load k-1, and the fluid in the
+/// state that produced this load.
 class Exchange {
  public:
-  /// `fluid` is null where the scene has no water.
-  /// `skips`: nothing is said where the last answer holds, no block having moved since and the water standing.
+  /// `fluid` is null if the scene has no water. `skips`: no message is sent while the last load still holds, because no
+  /// block has moved since and the water is at rest.
   Exchange(FluidLine* fluid, checkpoint::Checkpoints& checkpoints, Windows& windows, SolidSide& solid, bool skips);
 
-  /// Goes on before motion `number`, as the checkpoint has it.
+  /// Continues from a checkpoint, with motion `number` as the next.
   void resume(std::uint64_t number);
 
-  /// Says the next motion, of `time_s`, and has the solid record what led to it; a checkpoint, too, when one is due or
-  /// the run is to be stopped. Then it throws channel::Interrupted. A fluid that fails meanwhile leaves a checkpoint:
-  /// one that remembers nothing can go on there.
+  /// Sends the next motion, for `time_s`, and lets the solid record the step before. Saves a checkpoint if one is due
+  /// or if a stop was requested; in the latter case throws channel::Interrupted afterwards. If the fluid fails here, a
+  /// checkpoint is left, from which a fluid without memory can continue.
   void tell(wire::Motion& motion, double time_s);
-  /// Waits for the pressures for what was told. In between the solid may step: if the fluid fails then, the solid is
-  /// past what a checkpoint could hold.
+  /// Receives the pressures for the motion sent last. The solid may step in between; if the fluid fails then, no
+  /// checkpoint is possible.
   void hear();
-  /// Both, with nothing in between. A fluid that fails in either leaves a checkpoint.
+  /// tell() and hear() without a step in between. If the fluid fails, a checkpoint is left.
   void ask(wire::Motion& motion, double time_s);
 
   /// Number of the next motion.
   [[nodiscard]] std::uint64_t number() const { return number_; }
-  /// What was heard last, and the motion that it answers.
+  /// The load received last, and the motion that it belongs to.
   [[nodiscard]] const wire::Load& load() const { return load_; }
   [[nodiscard]] const wire::Motion& answered() const { return answered_; }
 
-  /// Windows in which nothing was said.
+  /// Number of windows without messages.
   [[nodiscard]] long skipped() const { return skipped_; }
 
  private:
@@ -49,10 +49,10 @@ class Exchange {
   bool skips_;
   std::uint64_t number_ = 0;
   wire::Load load_;
-  wire::Load incoming_;  ///< so that load_ is whole whatever comes
+  wire::Load incoming_;  ///< separate, so that load_ stays complete if receiving fails
   wire::Motion answered_;
   wire::Motion told_;
-  bool silent_ = false;  ///< nothing was said of told_
+  bool silent_ = false;  ///< told_ was not sent
   long skipped_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the solid reaches the fluid: over a channel, or as a call within its own process.
+// The solid's connection to the fluid: over a channel, or by a call within the process.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace blockweir::schedule {
 class FluidLine {
  public:
   virtual ~FluidLine() = default;
-  /// How messages call it.
+  /// Name for messages.
   [[nodiscard]] virtual std::string name() const = 0;
   virtual void tell(const wire::Motion& motion) = 0;
-  /// The pressures for what was told. Throws channel::PeerError when there are none.
+  /// Receives the pressures for the motion sent last. Throws channel::PeerError if there are none.
   virtual void hear(wire::Load& load) = 0;
   virtual void end(const std::string& /*reason*/) {}
   virtual void fail(const std::string& /*text*/) {}
@@ -36,10 +36,10 @@ class RemoteFluid final : public FluidLine {
   std::string name_;
 };
 
-/// Answers as soon as it is told.
+/// A fluid in the same process; it answers at once.
 class LocalFluid final : public FluidLine {
  public:
-  /// What its answers take is added to `seconds`.
+  /// Adds the fluid's computing time to `seconds`.
   LocalFluid(FluidTurn& fluid, double& seconds) : fluid_(fluid), seconds_(seconds) {}
   [[nodiscard]] std::string name() const override { return "the fluid"; }
   void tell(const wire::Motion& motion) override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a fluid does when a motion comes, whoever brings it: a checkpoint where one is asked for, a step, its results.
+// What a fluid does for each motion it receives: a checkpoint if requested, a step, its results.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@ namespace blockweir::schedule {
 
 class FluidTurn {
  public:
-  /// From the start, or from checkpoint `first`; where there is none, a fluid that remembers nothing begins there anew.
+  /// Starts at time 0, or from checkpoint `first`. Without that checkpoint, a fluid without memory simply starts there.
   FluidTurn(FluidSide& fluid, checkpoint::Checkpoints& checkpoints, std::uint64_t first);
 
-  /// The pressures for `motion`, good until the next call; null where it only asks for a checkpoint. Throws
-  /// channel::PeerError when it is not its turn, or goes back in time.
+  /// The pressures for `motion`, valid until the next call; null if the message only requests a checkpoint. Throws
+  /// channel::PeerError if the motion is out of order or goes back in time.
   const wire::Load* answer(const wire::Motion& motion);
-  /// The answer is on its way: the moment to write results.
+  /// Call after the answer was sent: writes results.
   void record();
 
-  /// Of the time so far; whoever brings the motions adds what that cost.
+  /// Report on the time so far; the caller adds the cost of communication.
   [[nodiscard]] FluidReport report() const;
 
  private:

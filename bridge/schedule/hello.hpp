@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What either process says of the scene at the handshake.
+// The handshake message of a scene.
 #pragma once
 
 #include "bridge/scene/scene.hpp"
@@ -7,7 +7,7 @@
 
 namespace blockweir::schedule {
 
-/// `first_window`: the motion that a run is resumed with.
+/// `first_window`: number of the first motion, above 0 in a resumed run.
 wire::Hello hello(const scene::Scene& scene, const std::string& role, std::uint64_t first_window = 0);
 
 }  // namespace blockweir::schedule

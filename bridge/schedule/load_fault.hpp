@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a fluid has sent does not go with the scene.
+// A load from the fluid that does not fit the scene.
 #pragma once
 
 #include <stdexcept>
 
 namespace blockweir::schedule {
 
-/// what() says what the fluid does wrong, as "loads block 7, which ...": who it is stands before that, and the schedule
-/// knows its name.
+/// what() says what is wrong, e.g. "loads block 7, which ..."; the schedule puts the fluid's name in
+/// front.
 struct LoadFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs one side to the end of the run. On an exception of its own the partner is told before it goes on.
+// Runs one side to the end of the run. If it throws, the other side is told before the exception continues.
 #pragma once
 
 #include "bridge/schedule/exchange.hpp"
@@ -8,15 +8,15 @@ namespace blockweir::schedule {
 
 struct Exchanges {
   long said = 0;
-  long skipped = 0;  ///< the answer of the one before still held
+  long skipped = 0;  ///< windows in which the last load still held
 };
 
-/// By the scene's schedule. `fluid` is null where the scene has no water; `first` is the motion that the run starts
-/// or is resumed with.
+/// Runs the solid by the scene's schedule. `fluid` is null if the scene has no water; `first` is the number of the
+/// first motion, above 0 in a resumed run.
 Exchanges run_solid(FluidLine* fluid, const scene::Scene& scene, checkpoint::Checkpoints& checkpoints,
                     std::uint64_t first, SolidSide& solid);
 
-/// As a process of its own, until the solid ends the run. `first` as in FluidTurn.
+/// Runs a fluid in its own process until the solid ends the run. `first` as in FluidTurn.
 FluidReport run_fluid(channel::Channel& channel, checkpoint::Checkpoints& checkpoints, std::uint64_t first,
                       FluidSide& fluid);
 

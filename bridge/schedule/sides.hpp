@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solid and fluid as the schedules see them. Whatever the schedule, the fluid's part is the same: it is told where the
-// blocks are, or will be, at a time, steps to that time, and says the pressures there.
+// Solid and fluid as the schedules use them. In every schedule the fluid receives the blocks' present or predicted
+// positions at a time, steps to that time, and returns the pressures there.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace blockweir::schedule {
 
-/// What a checkpoint holds of a side, in its own form.
+/// The state that a side saves in a checkpoint, in a format of its own.
 class Resumable {
  public:
   virtual ~Resumable() = default;
@@ -18,34 +18,34 @@ class Resumable {
   virtual void restore(const std::string& /*state*/) {}
 };
 
-/// The solid may take as many steps in a window as it needs.
+/// The solid side. It may make several steps in a window.
 class SolidSide : public Resumable {
  public:
-  /// Where the blocks are now.
+  /// Fills in the present positions of the blocks.
   virtual void place(wire::Motion& motion) = 0;
-  /// Where they would be `ahead_s` later with the velocities and accelerations of now.
+  /// Fills in predicted positions after `ahead_s`, from the present velocities and accelerations.
   virtual void predict(double ahead_s, wire::Motion& motion) = 0;
-  /// First pressures are there: settle, and record time 0.
+  /// Settles under the first pressures and records time 0.
   virtual void start(const wire::Load& load) = 0;
-  /// Steps from from_s to to_s under `load`, which answers the motion `told`.
+  /// Steps from from_s to to_s under `load`, the answer to the motion `told`.
   virtual void advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) = 0;
-  /// After each advance(), before the next: write the results, when the next motion is on its way and the fluid steps.
+  /// Writes results. Called after each advance(), when the next motion has been sent and the fluid is stepping.
   virtual void record() {}
-  /// Nothing has moved in the window just made.
+  /// Whether nothing moved in the last window.
   [[nodiscard]] virtual bool calm() const { return false; }
-  /// Nothing is left to learn from the rest of the run.
+  /// Whether the rest of the run can bring nothing new.
   [[nodiscard]] virtual bool finished() const = 0;
 };
 
 class FluidSide : public Resumable {
  public:
-  /// Pressures at to_s for blocks that are where `motion` says. `load` is the one before, to be changed into it.
+  /// Replaces the previous `load` by the pressures at to_s for the positions in `motion`.
   virtual void advance(const wire::Motion& motion, double to_s, wire::Load& load) = 0;
-  /// Its pressures depend on what has been before; a run of one that does not can be resumed without its checkpoint.
+  /// Whether the pressures depend on the past. A fluid without memory can be resumed without its checkpoint.
   [[nodiscard]] virtual bool remembers() const { return true; }
-  /// The load of time_s is on its way and the solid steps: the moment to write results.
+  /// Writes results. Called when the load of time_s has been sent and the solid is stepping.
   virtual void record(double /*time_s*/) {}
-  /// Beside what the schedule times: "mapping", the part of advance() that follows the blocks, and counts.
+  /// Counts, and times that the schedule does not measure: "mapping", the part of advance() that follows the blocks.
   [[nodiscard]] virtual FluidReport report() const { return {}; }
 };
 

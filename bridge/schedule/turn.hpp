@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Do both sides count alike?
+// Checks that both sides are at the same window.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When solid and fluid exchange.
+// The times of exchange between solid and fluid.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace blockweir::schedule {
 
-/// Coupling windows: each ends at a whole multiple of [coupling] window_s, the last one at the run's duration. They are
-/// one multiple long, or grow, doubling while nothing moves, up to longest_window_s. Still water whose level peaks
-/// within a window cuts it at the rows of the level, so that the peak is exchanged. In a static analysis, which has no
-/// time, all windows are at the run's end, whose loads and levels it has.
+/// Coupling windows. Each ends at a multiple of [coupling] window_s, the last one at the end of the run. A window has
+/// length window_s; while nothing moves it doubles up to longest_window_s. A window of still water whose level peaks in
+/// between is divided at the rows of the level table, so that the peak is exchanged. A static analysis has no time: all
+/// its windows use the loads and levels of the run's end.
 class Windows {
  public:
   explicit Windows(const scene::Scene& scene);
 
   [[nodiscard]] double from_s() const { return at_rest_ ? duration_s_ : part_ > 0 ? cuts_[part_ - 1] : at(tick_); }
   [[nodiscard]] double to_s() const { return at_rest_ ? duration_s_ : cut() ? cuts_[part_] : at(tick_ + length_); }
-  /// The run ends with this window.
+  /// Whether the run ends with this window.
   [[nodiscard]] bool last() const { return at_rest_ ? tick_ + 1 >= most_sweeps : !cut() && tick_ + length_ >= ticks_; }
-  /// Goes on to the next one.
+  /// Moves on to the next window.
   void next(const SolidSide& solid);
 
   template <class Archive>
@@ -35,7 +35,7 @@ class Windows {
   [[nodiscard]] double at(std::uint64_t tick) const {
     return tick >= ticks_ ? duration_s_ : static_cast<double>(tick) * window_s_;
   }
-  /// A cut ends this window.
+  /// Whether this window ends at a division.
   [[nodiscard]] bool cut() const { return part_ < cuts_.size(); }
   [[nodiscard]] std::vector<double> cuts_within(double from_s, double to_s) const;
 
@@ -43,12 +43,12 @@ class Windows {
   double window_s_;
   double duration_s_;
   bool at_rest_;
-  std::uint64_t ticks_;    ///< in the run
-  std::uint64_t longest_;  ///< in a window
+  std::uint64_t ticks_;    ///< windows of length window_s in the run
+  std::uint64_t longest_;  ///< longest window, in the same unit
   std::uint64_t tick_ = 0;
   std::uint64_t length_ = 1;
-  std::vector<double> cuts_;  ///< times between tick_ and tick_ + length_ at which windows end, too
-  std::size_t part_ = 0;      ///< of those that the cuts make
+  std::vector<double> cuts_;  ///< further window ends between tick_ and tick_ + length_
+  std::size_t part_ = 0;      ///< index of the present part of a divided window
 };
 
 }  // namespace blockweir::schedule

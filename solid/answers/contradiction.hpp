@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The blocks' own search and limit analysis, an upper bound, where they cannot both be right of the scene as drawn.
+// Detects where block analysis and limit analysis (an upper bound) cannot both be right for the scene as drawn.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,11 +9,11 @@
 
 namespace blockweir::solid {
 
-/// Whatever the strength, one of the two has the structure stand and the other has it fail.
+/// Whether, at any strength, one of the two methods finds the structure stable and the other finds it failing.
 bool contradict(const StaticStrength& blocks, const limit::LimitStrength& bound);
 
-/// Takes the factor out of such an answer and says why. The outcome is "not found", unless both fail as the scene
-/// stands. Adds "contradiction".
+/// Removes the factor from such an answer and adds "contradiction" with the reason. The outcome is "not found", unless
+/// both methods find that the structure fails with its stated strength.
 void add_contradiction(const StaticStrength& blocks, const limit::LimitStrength& bound, nlohmann::json& answer);
 
 }  // namespace blockweir::solid

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a reservoir does beside its pressure at rest, taken apart for sums that are followed by hand: ice, and the added
-// pressure of an earthquake.
+// Loads of a reservoir besides still water, listed separately for a check by hand: ice, and the added pressure of an
+// earthquake.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace blockweir::solid {
 
-/// Each is the difference that it makes to the forces of open water at this level. Throws as StillWater does.
+/// Each load is the difference it makes to the forces of open water at this level. Throws as StillWater does.
 std::vector<WaterPart> reservoir_parts(const scene::Scene& scene, const process::FluidMaker& make_fluid,
                                        double level_m);
 
-/// As tables call the water's added pressure in the scene's earthquake: by whom it is found.
+/// The name in tables of the added water pressure in the scene's earthquake, after its source.
 std::string added_water_name(const scene::Scene& scene);
 
 }  // namespace blockweir::solid

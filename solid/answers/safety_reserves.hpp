@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a factor on strength does not show: how near a structure is to turning over, what anchors take up only as it
-// moves, and bonds that hold where the joint is in tension.
+// What a factor on strength does not show: closeness to overturning, anchors that are activated only by motion, and
+// bonds that hold although the joint is in tension.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,17 +12,17 @@
 
 namespace blockweir::solid {
 
-/// By which all that the water presses may grow, its uplift included, by limit analysis: "water_factor". Warns where
-/// that is by less than a tenth though strength has more to spare.
+/// Adds "water_factor": the factor by which the water pressure, uplift included, may grow, by limit analysis. Warns if
+/// it is below 1.1 while the strength has more reserve.
 void add_water_factor(const limit::LimitAnalysis& structure, Situation& now, const limit::Wrenches& stated,
                       const limit::LimitStrength& strength, nlohmann::json& answer);
 
-/// Anchors stretch as blocks move, and motion up to [analysis] failure_displacement_m is none of failure. Warns where
-/// the factor is another one with a tenth of that way.
+/// Anchors stretch as blocks move, and motion up to [analysis] failure_displacement_m is not failure. Warns if the
+/// factor differs when a tenth of that motion is allowed.
 void add_stretch_of_anchors(Situation& now, const StaticStrength& found, nlohmann::json& answer);
 
-/// Warns of bonds that their tension holds. Where their cohesion counts, "with_cracked_joint" is the factor by limit
-/// analysis with cohesion on the compressed part of such joints alone.
+/// Warns of joints in tension that their bond holds. If their cohesion counts, adds "with_cracked_joint": the factor by
+/// limit analysis with cohesion on the compressed part of such joints only.
 void add_cracked_joints(const Solid& blocks, Situation& now, nlohmann::json& answer);
 
 }  // namespace blockweir::solid

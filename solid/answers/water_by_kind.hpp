@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pressures of still water on blocks where they are drawn, apart by what they come from, for pictures.
+// Pressures of still water on the blocks as drawn, separated by their source, for pictures.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,9 +8,9 @@
 
 namespace blockweir::solid {
 
-/// [{"name": "open water", "panels": [[x1, y1, x2, y2, p1, p2, block], ...]}, ...] in m and Pa; panels run
-/// along the outline, with the block on their left. Names are those of the sums on a joint, and kinds that do not act
-/// are left out. Throws as StillWater does.
+/// [{"name": "open water", "panels": [[x1, y1, x2, y2, p1, p2, block], ...]}, ...] in m and Pa. Panels run along the
+/// outline, with the block on their left. Names are those of the sums on a joint; kinds that do not act are left out.
+/// Throws as StillWater does.
 nlohmann::json water_by_kind(const scene::Scene& scene, const process::FluidMaker& make_fluid, double level_m);
 
 }  // namespace blockweir::solid

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lowest level at which the blocks find no rest where all loads come at once: static analyses that each begin anew
-// from the scene's outline, as those of a run and of the factor of safety do. With friction that dilates less than it
-// rubs, equilibrium is not unique: it depends on how the joints' forces came about.
+// The lowest level at which the blocks find no equilibrium when all loads are applied at once. Each static analysis
+// starts from the scene as drawn, like a run or the factor of safety. If dilation is smaller than friction, equilibrium
+// is not unique: it depends on the history of the joint forces.
 #pragma once
 
 #include <optional>
@@ -17,13 +17,13 @@ namespace blockweir::solid {
 struct FreshLevel {
   double stands_m = 0;
   double fails_m = 0;
-  std::optional<Failure> failure;  ///< how; none where that was not seen
-  std::string warning;             ///< of the blocks at stands_m; empty: none
-  std::string stopped;             ///< why the bracket is no narrower; empty where it is as narrow as it is to be
+  std::optional<Failure> failure;  ///< none if the mode was not found
+  std::string warning;             ///< about the blocks at stands_m; empty: none
+  std::string stopped;             ///< why the bracket is not narrower; empty if it is narrow enough
 };
 
-/// None where all of these levels stand, which costs an analysis each; else what is looked for is below the lowest that
-/// fails. They rest under `empty_m`.
+/// None if all of these levels are stable, which costs one analysis each. Otherwise the level is below the lowest one
+/// that fails. The structure is at rest at `empty_m`.
 std::optional<FreshLevel> fresh_level(const scene::Scene& scene, StillWater& water, SearchBudget& effort,
                                       double empty_m, std::vector<double> levels_m);
 

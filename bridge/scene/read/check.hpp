@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What blocks that are sound each for itself may still have wrong together.
+// Checks of blocks against each other: overlaps, and blocks without any support.
 #pragma once
 
 #include "bridge/scene/read/problems.hpp"
@@ -7,16 +7,16 @@
 
 namespace blockweir::scene {
 
-/// Of a block's size: coordinates in files are rounded, and what is nearer touches.
+/// Share of a block's size: coordinates in files are rounded, and blocks closer than this touch.
 constexpr double rounding_ratio = 1e-6;
 
-/// Reports blocks that overlap deeper than 1e-6 of the smaller one's size. Blocks without vertices are passed over.
+/// Reports blocks that overlap by more than 1e-6 of the smaller one's size. Blocks without vertices are skipped.
 void check_overlaps(const Scene& scene, Problems& problems);
 
-/// Reports, in one error, the blocks that would fall for ever. A block is held if it is fixed, if a support holds a
-/// point of it in y, if a bolt ties it to the ground or to a block that is held, if its material is lighter than the
-/// scene's water, or if it shares a boundary with a block that is held or lies vertically above a part of one. Without
-/// gravity nothing falls.
+/// Reports, in one error, the blocks that would fall for ever. A block is held if one of these is true: it is fixed; a
+/// support holds a point of it in y; a bolt connects it to the ground or to a held block; its material is lighter than
+/// the scene's water; it shares a boundary with a held block, or lies vertically above a part of one. Without gravity
+/// no block falls.
 void check_held(const Scene& scene, Problems& problems);
 
 }  // namespace blockweir::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run that looks at a course in time now and then does not see of it.
+// Warns where a run evaluates a time table too rarely to see its peaks.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace blockweir::scene {
 
-/// How a run looks at a course in time.
+/// How often a run evaluates a time table.
 struct Sampling {
   const char* key;  ///< that sets `every_s`
   double every_s;
   double duration_s;
-  bool rows_are_seen = false;  ///< between two looks it takes the rows' mean, or looks at rows, too
+  bool rows_are_seen = false;  ///< the run also uses the mean of the rows between two times, or the rows themselves
 };
 
-/// Warns of a sine with fewer than ten looks a period. A row that is higher or lower than what is seen before and after
-/// it is an error.
+/// Warns of a sine with fewer than ten evaluations a period. Reports as an error a row that is higher or lower than the
+/// values before and after it that the run sees.
 void check_sampling(const std::string& name, const Place& place, const TimeTable& course, const Sampling& sampling,
                     Problems& problems);
 

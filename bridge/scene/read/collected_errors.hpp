@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors of several readings of a scene, told at once.
+// Collects errors of several readings of a scene and reports them together.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace blockweir::scene {
 
 class CollectedErrors {
  public:
-  /// Calls read() and keeps what is wrong, each text once.
+  /// Calls read() and keeps its errors, each text once.
   template <class Read>
   void from(Read read) {
     try {
       read();
     } catch (const SceneError& error) {
       for (const Diagnostic& d : error.diagnostics()) {
-        if (d.severity == Diagnostic::Severity::error) add(d);  // the scene's own warnings are told once
+        if (d.severity == Diagnostic::Severity::error) add(d);  // the scene's own warnings are reported once, elsewhere
       }
     }
   }
@@ -30,13 +30,13 @@ class CollectedErrors {
     if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back(std::move(error));
   }
 
-  /// Throws SceneError where something is wrong.
+  /// Throws SceneError if there is any error.
   void report() const {
     if (!errors_.empty()) throw SceneError(errors_);
   }
 
  private:
-  /// The text of an error of "... sets KEY=VALUE: ...", without the value: a key that is wrong is so with each.
+  /// The text of an error "... sets KEY=VALUE: ...", without the value, so that a wrong key is reported once.
   static std::string without_value(Diagnostic error) {
     std::string& found = error.found;
     const std::size_t setting = found.find(" sets ");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What cuts a section: lines, and the law and name of the joints along each; regions of other materials.
+// The cuts of a section: lines, with the law and name of the joints along each, and regions of other materials.
 #pragma once
 
 #include <string>
@@ -12,18 +12,18 @@
 namespace blockweir::scene {
 
 struct Cuts {
-  /// Where the file states it, to say so.
+  /// Where the file states it, for messages.
   struct Source {
     std::string name;  ///< "[[cut]] \"crack\""
     Place place;
     Place bonded_length;
     bool states_bond_length = false;
-    bool by_chance = false;  ///< a set of joints with bridges may part nothing
+    bool by_chance = false;  ///< a joint set with rock bridges, which may separate nothing
   };
 
   std::vector<geometry::Line> lines;
-  std::vector<Joint> joints;    ///< by a line's id; without blocks yet
-  std::vector<Source> sources;  ///< likewise; those of regions have no name
+  std::vector<Joint> joints;    ///< by id of the line; not yet assigned to blocks
+  std::vector<Source> sources;  ///< by id of the line; those of regions have no name
 
   int add(const std::string& name, const JointLaw& law, Source source) {
     joints.push_back({.name = name, .between = {-1, -1}, .law = law});
@@ -32,7 +32,7 @@ struct Cuts {
   }
 };
 
-/// Blocks in it are of its material, have its mesh, and may not move.
+/// Blocks in the region have its material and mesh size, and may be fixed.
 struct Region {
   std::string name{};
   int material = 0;
@@ -45,7 +45,7 @@ struct Region {
 
 constexpr std::size_t most_cut_lines = 5000;  // of a section
 
-/// Where a table states a cut or a set of joints.
+/// The source of a cut or joint set that this table states.
 inline Cuts::Source source_of(const TableReader& table, bool by_chance = false) {
   return {.name = table.name(),
           .place = table.place(),
@@ -54,10 +54,10 @@ inline Cuts::Source source_of(const TableReader& table, bool by_chance = false) 
           .by_chance = by_chance};
 }
 
-/// The lines of all [[joint_set]] through a section of these bounds, each within its region.
+/// The lines of all [[joint_set]] in a section of these bounds, each within its region.
 void read_joint_sets(Reading& reading, const geometry::Bounds& bounds, const std::vector<Region>& regions, Cuts& cuts);
 
-/// Reports cuts that part nothing, laws that no joint has, and bonds longer than their joints. The pieces are the
+/// Reports cuts that separate nothing, laws without a joint, and bonds longer than their joints. The pieces are the
 /// scene's blocks from `first_block` on.
 void check_cuts(Reading& reading, const Cuts& cuts, const geometry::Cut& cut, std::size_t first_block);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A short name for a text, to tell whether two processes hold the same scene. Not for security.
+// A short hash of a text, to check that two processes have the same scene. Not for security.
 #pragma once
 
 #include <string>

@@ -12,8 +12,8 @@ namespace blockweir::scene {
 
 struct DxfDrawing {
   struct Line {
-    std::string layer;          ///< in small letters
-    std::vector<Point> points;  ///< in drawing units; the first again at the end of a closed one
+    std::string layer;          ///< in lower case
+    std::vector<Point> points;  ///< in drawing units; a closed line repeats its first point at the end
   };
   struct Mark {
     std::string layer;
@@ -21,10 +21,10 @@ struct DxfDrawing {
   };
   std::vector<Line> lines;
   std::vector<Mark> marks;
-  int curves = 0;  ///< arcs, circles, ellipses and bulges on any layer, which were not taken
+  int curves = 0;  ///< number of arcs, circles, ellipses and bulges, which are not read
 };
 
-/// Throws std::runtime_error when the file cannot be read.
+/// Throws std::runtime_error if the file cannot be read.
 DxfDrawing read_dxf(const std::filesystem::path& file);
 
 }  // namespace blockweir::scene

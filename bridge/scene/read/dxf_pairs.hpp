@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A DXF file is pairs of lines, a group code and a value. dxflib reads what is no number as 0 and a drawing that is cut
-// off as one that ends, so that both are looked for before it reads.
+// Checks a DXF file before dxflib reads it. The file is a list of pairs, a group code and a value. dxflib would read a
+// wrong number as 0, and would accept a truncated drawing.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@ namespace blockweir::scene {
 
 struct DxfFault {
   int line;              ///< in the drawing, from 1
-  std::string found;     ///< empty where the pairs are sound
-  std::string expected;  ///< instead
+  std::string found;     ///< empty: no fault
+  std::string expected;  ///< what should be there
 };
 
-/// The first of: a group code or a number that is none, a point without all its coordinates, a polyline whose points
-/// are not as many as it says, an end without ENDSEC and EOF. Throws std::runtime_error when the file cannot be read.
+/// The first fault: a wrong number, a point that lacks a coordinate, a polyline whose number of points differs from the
+/// stated one, a missing ENDSEC or EOF. Throws std::runtime_error if the file cannot be read.
 DxfFault first_fault_of_dxf(const std::filesystem::path& file);
 
 }  // namespace blockweir::scene

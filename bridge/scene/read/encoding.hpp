@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is a file text in UTF-8, and does it hold text alone?
+// Checks that a file is UTF-8 text without control characters.
 #pragma once
 
 #include <toml++/toml.h>
@@ -10,17 +10,17 @@
 
 namespace blockweir::scene {
 
-/// Where it is not, and what it is instead.
+/// Place of the first foreign byte, and the probable encoding.
 struct ForeignText {
   int line = 1;
   std::string found;
 };
 
-/// None where the text is UTF-8, with or without a byte order mark.
+/// None if the text is UTF-8, with or without a byte order mark.
 std::optional<ForeignText> foreign_text(const std::string& text);
 
-/// Reports each key and text with a control character: texts reach terminals, tables and pages. Those that may have
-/// several lines, as a note, keep their line ends and tabs.
+/// Reports each key and text with a control character, since texts are printed on terminals, tables and pages. Texts
+/// that may have several lines, such as a note, keep line ends and tabs.
 void refuse_control_characters(const toml::table& file, Problems& problems);
 
 }  // namespace blockweir::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings that a scene states itself, in a [[variant]] or a study: what is wrong with them is told at its place.
+// Settings that a scene itself makes, in a [[variant]] or a study. Their errors name the entry and its line.
 #pragma once
 
 #include <filesystem>
@@ -10,19 +10,19 @@
 
 namespace blockweir::scene {
 
-/// An entry of a scene that sets keys of the scene otherwise.
+/// An entry of a scene that changes keys of the scene.
 struct SettingEntry {
-  std::string name;                   ///< for messages: [[variant]] "dry base"
+  std::string name;                   ///< for messages, e.g. [[variant]] "dry base"
   int line = 0;                       ///< of the scene's file
-  std::vector<std::string> settings;  ///< "dotted.key=value" each, as --set takes them
+  std::vector<std::string> settings;  ///< "dotted.key=value" each, as for --set
 };
 
-/// The scene with the overrides `all`: those of the entry, and of the command line. Throws SceneError whose diagnostics
-/// name the entry, and its file and line for what it sets. So do warnings.
+/// Reads the scene with the overrides `all`: those of the entry, then those of the command line. Throws SceneError
+/// whose diagnostics name the entry, with its file and line where the entry is the cause. Warnings do the same.
 ReadScene read_entry(const std::filesystem::path& path, const SettingEntry& entry, const std::vector<std::string>& all);
 
-/// Those of `overrides` that set one of `keys`, or a part of its value, whether they call an entry by its name or its
-/// index. A key may have "=value" behind it. `scene`: with the overrides.
+/// Those of `overrides` that set one of `keys` or a part of its value. Entries may be given by name or by index, and a
+/// key may be followed by "=value". `scene` is read with the overrides.
 std::vector<std::string> overrides_of(const Scene& scene, const std::vector<std::string>& overrides,
                                       const std::vector<std::string>& keys);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What to say of a key that does not exist: the nearest one, and its unit where only the unit is wrong.
+// Advice on an unknown key: the nearest known key, and its unit if only the unit is wrong.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct KeyAdvice {
   std::string remedy;
 };
 
-/// `word` is what was found, `keys` what may stand there.
+/// `word`: the unknown key; `keys`: the known ones.
 KeyAdvice key_advice(std::string_view word, const std::vector<std::string>& keys);
 
 }  // namespace blockweir::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How deep the dotted keys of a TOML text go, before it is parsed: the parser's tables free each other recursively,
-// so that a key of 100,000 parts would exhaust the stack.
+// Depth of the dotted keys of a TOML text, checked before parsing: the parser frees its tables recursively, so that a
+// key of 100,000 parts would exhaust the stack.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@ struct DeepKey {
   int line = 1;
 };
 
-/// The key with the most parts ("a.b.c" has three). Dots in texts, comments and numbers do not count.
+/// The key with the most parts ("a.b.c" has three). Dots in strings, comments and numbers do not count.
 DeepKey deepest_key(std::string_view toml);
 
 }  // namespace blockweir::scene

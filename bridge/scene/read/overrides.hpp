@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values that the command line sets over those of the file: --set analysis.step_s=0.001.
+// Values from the command line that replace those of the file: --set analysis.step_s=0.001.
 #pragma once
 
 #include <toml++/toml.h>
@@ -10,15 +10,15 @@
 
 namespace blockweir::scene {
 
-/// The place of what an override states, as messages call it.
+/// The place of an override for messages.
 std::string override_place(const std::string& argument);
 
-/// "cut.lift.cohesion_pa" as "cut.0.cohesion_pa" where that is the entry's index: two keys that set one value are
-/// equal.
+/// Replaces names in a key by indices: "cut.lift.cohesion_pa" becomes "cut.0.cohesion_pa". Keys that set the same value
+/// become equal.
 std::string plain_key(const toml::table& file, const std::string& key);
 
-/// Each override is "dotted.key=value", the value in TOML's syntax or a bare word; entries of a list of tables
-/// are named by their index or their name (block.top.fixed=true).
+/// Each override is "dotted.key=value"; the value is in TOML syntax or a bare word. Entries of a list of tables are
+/// selected by index or by name (block.top.fixed=true).
 void apply_overrides(toml::table& file, const std::vector<std::string>& overrides, Problems& problems);
 
 }  // namespace blockweir::scene

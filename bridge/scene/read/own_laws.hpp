@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which joints state a key themselves, so that [joint] does not decide it for them.
+// Joints that state a key themselves, so that the value of [joint] does not apply to them.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace blockweir::scene {
 
-/// "joints.base", "cut.lift 18", ...: the entries of [[joints]], [[cut]] and [[joint_set]] that state `key`, as
-/// settings name them. `text` is a sound scene's.
+/// The entries of [[joints]], [[cut]] and [[joint_set]] that state `key`, written as in settings: "joints.base",
+/// "cut.lift 18", ... `text` is that of a valid scene.
 std::vector<std::string> laws_that_state(const std::string& text, const std::string& key);
 
 }  // namespace blockweir::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Collects what is wrong with a scene, so that all of it is reported at once.
+// Collects all errors of a scene, so that they are reported together.
 #pragma once
 
 #include <toml++/toml.h>
@@ -11,7 +11,7 @@
 
 namespace blockweir::scene {
 
-/// Where a value stands: in the file, or in a `--set` of the command line (line 0 then).
+/// Place of a value: a line of the file, or a `--set` of the command line (line 0 then).
 struct Place {
   std::string file;
   int line = 0;
@@ -24,15 +24,15 @@ class Problems {
   [[nodiscard]] Place at(int line) const { return {file_, line}; }
   [[nodiscard]] Place at(const toml::source_region& source) const;
 
-  /// What comes after `largest_count` errors is not kept: it would not be read either.
+  /// Errors after the first `largest_count` are dropped: nobody would read them.
   void error(const Place& place, const std::string& found, const std::string& expected, const std::string& remedy);
-  /// What may be meant, and is likely a slip or has no effect.
+  /// Something that is allowed, but is probably a mistake or has no effect.
   void warning(const Place& place, const std::string& found, const std::string& expected, const std::string& remedy);
   void note(const Place& place, const std::string& found, const std::string& remedy);
 
   [[nodiscard]] std::size_t count() const { return errors_.size(); }
   [[nodiscard]] bool full() const { return errors_.size() >= largest_count; }
-  /// By line; what has none comes first. So are the warnings.
+  /// Sorted by line, those without a line first. Warnings likewise.
   [[nodiscard]] std::vector<Diagnostic> errors() const;
   [[nodiscard]] std::vector<Diagnostic> warnings() const;
   [[nodiscard]] const std::vector<Diagnostic>& notes() const { return notes_; }

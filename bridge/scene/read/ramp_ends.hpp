@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run that is to last longer than its scene says: ramps without `to` end where the scene's own duration ends them.
+// For a run longer than its scene states: ramps without `to` still end at the scene's own duration.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace blockweir::scene {
 
-/// Settings "key.to=value", one for each ramp of the scene that states no `to`.
+/// Settings "key.to=value", one for each ramp of the scene without `to`.
 std::vector<std::string> ramp_ends(const Scene& scene);
 
 }  // namespace blockweir::scene

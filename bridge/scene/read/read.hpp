@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a TOML file to a Scene. Every problem of the file is collected before it is reported.
+// Reads a TOML file into a Scene. All problems of the file are collected and reported together.
 #pragma once
 
 #include <filesystem>
@@ -19,27 +19,27 @@ struct ReadScene {
   std::vector<LoadCase> load_cases;
   std::vector<OpenStudy> open_studies;
   Randomness randomness;
-  std::vector<Diagnostic> notes;     ///< what was mended on the way
-  std::vector<Diagnostic> warnings;  ///< what has no effect, or an unusual magnitude; their messages are the scene's
+  std::vector<Diagnostic> notes;     ///< what was corrected
+  std::vector<Diagnostic> warnings;  ///< keys without effect and unusual magnitudes; Scene::warnings has their messages
 };
 
-/// Throws SceneError with the warnings as errors, if there are any: --strict.
+/// Throws SceneError with the warnings as errors, if there are any (--strict).
 void refuse_warnings(const std::vector<Diagnostic>& warnings);
 
-/// The file that `path` means: a file, or a case's folder (which then holds scene.toml).
+/// The scene file of `path`: the file itself, or scene.toml of a case's folder.
 std::filesystem::path scene_file(const std::filesystem::path& path);
 
-/// Reads and checks a scene. `path` is a file or a case's folder (which then holds scene.toml).
-/// `overrides` are "dotted.key=value" in TOML syntax, as `--set` gives them.
-/// Throws SceneError with everything that is wrong at once.
+/// Reads and checks a scene. `path` is a file or a case's folder, which then contains scene.toml.
+/// `overrides` are "dotted.key=value" in TOML syntax, as for `--set`. Throws SceneError with all errors
+/// together.
 ReadScene read(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
-/// The scene with what its [[variant]] `name` sets, and `overrides` over that. An empty name is the scene itself.
-/// Throws SceneError as read() does, and when there is no such variant.
+/// Reads the scene with the settings of its [[variant]] `name`, then those of `overrides`. An empty name means the
+/// scene itself. Throws SceneError as read() does, and if there is no such variant.
 ReadScene read_variant(const std::filesystem::path& path, const std::string& name,
                        const std::vector<std::string>& overrides = {});
 
-/// The same for text that is already in memory; `name` stands for the file in messages.
+/// The same for text in memory; `name` replaces the file name in messages.
 ReadScene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {});
 
 }  // namespace blockweir::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// distribution = "normal", and the keys that say how wide it is: of a [[random]], and of a variable of a [[study]].
+// Reads distribution = "normal" and its parameters, in a [[random]] or in a variable of a [[study]].
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace blockweir::scene {
 
-/// None where the table has none, or an unknown one, which is told where it stands.
+/// None if the table has none, or an unknown one, which is reported.
 std::optional<Distribution> read_distribution(TableReader& table, Reading& reading, bool required);
 
-/// All keys that some distribution has, but for "distribution" itself.
+/// The keys of all distributions, except "distribution" itself.
 const std::vector<std::string>& keys_of_distributions();
 
 }  // namespace blockweir::scene

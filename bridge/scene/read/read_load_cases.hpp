@@ -8,7 +8,7 @@
 
 namespace blockweir::scene {
 
-/// [[load_case]]. What they set is checked where they are answered, and by `blockweir check`.
+/// [[load_case]]. Their settings are checked by `blockweir safety` and `blockweir check`.
 std::vector<LoadCase> read_load_cases(Reading& reading);
 
 }  // namespace blockweir::scene

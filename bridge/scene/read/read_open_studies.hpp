@@ -9,7 +9,7 @@
 
 namespace blockweir::scene {
 
-/// After read_studies(), whose names they may not have.
+/// Call after read_studies(): a [[study]] may not reuse the names of other studies.
 std::vector<OpenStudy> read_open_studies(Reading& reading);
 
 }  // namespace blockweir::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sections of a scene file, a function each, to be read in this order.
+// The sections of a scene file, one function each, called in this order.
 #pragma once
 
 #include <toml++/toml.h>
@@ -15,7 +15,7 @@
 
 namespace blockweir::scene {
 
-/// A file as tables on its way to a scene, with the names that later sections refer to.
+/// A scene while it is read: the file's tables, and the names that later sections refer to.
 struct Reading {
   const toml::table& file;
   Problems& problems;
@@ -24,9 +24,9 @@ struct Reading {
   Names blocks{"block"};
   Names bolts{"bolt"};
   bool residual_given = false;          ///< [joint] states the residual angle
-  std::vector<std::string> sections{};  ///< that were asked for
+  std::vector<std::string> sections{};  ///< sections asked for so far
 
-  /// The table [name]; null where the file has none.
+  /// The table [name]; null if the file has none.
   const toml::table* section(const char* name);
 
   /// Calls read(table) for each [[name]].
@@ -38,7 +38,7 @@ struct Reading {
     }
   }
 
-  /// The outline of a block that was read soundly, else null.
+  /// The block, if its outline is valid; otherwise null.
   [[nodiscard]] const Block* sound_block(int index) const;
 
  private:
@@ -46,64 +46,64 @@ struct Reading {
   static std::string entry_name(const char* name, const toml::table& table);
 };
 
-/// Reports a second entry of a name, with the line of the first, which is sought in these sections.
+/// Reports a repeated name, with the line of the first entry, which is searched in these sections.
 void refuse_second(Reading& reading, const Place& place, const char* kind, const std::string& name,
                    std::initializer_list<const char*> sections);
 
-/// Reports a key that `set` states twice, or that the table itself varies and states.
+/// Reports a key that `set` states twice, or that it sets although the table itself varies it.
 void check_settings(TableReader& table, Reading& reading, const std::vector<std::string>& set,
                     const std::vector<std::string>& own_keys = {});
 
-/// Reports regions, cuts and joint sets of one name. After the section, which is cut all the same.
+/// Reports regions, cuts and joint sets with the same name. Called after read_section().
 void refuse_repeated_names(Reading& reading);
 
-/// The law of a joint. `residual_given`: whether [joint] or this table states the residual angle; else it is the peak
-/// angle.
+/// Reads the law of a joint. `residual_given`: whether [joint] or this table states the residual angle; if not, it
+/// equals the peak angle.
 void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residual_given);
 
-/// The part of it on water.
+/// Reads the part of the law that concerns water.
 void read_uplift(TableReader& table, JointLaw& law, Reading& reading);
 
-/// Reports keys of a law that have no effect; `of_all`: the law of [joint], which others may complete.
+/// Reports keys of a law that have no effect. `of_all`: the law of [joint], which other tables may complete.
 void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool of_all);
-/// Reports drains and piezometers that lie beyond their joint, and joints that cannot crack by themselves.
+/// Reports drains and piezometers beyond the end of their joint, and joints that cannot form a crack of their own.
 void check_cracks(Reading& reading);
-/// Reports drains that cross no joint with flow, and grout that holds none.
+/// Reports drains that cross no joint with flow, and grout regions without one.
 void check_joint_flow(Reading& reading);
-/// Reports uplift without water.
+/// Reports uplift in a scene without water.
 void check_uplift(TableReader& table, Reading& reading);
-/// Reports a joint of [[joints]] whose law acts nowhere; blocks nearer than `touching_m` touch.
+/// Reports an entry of [[joints]] whose blocks do not touch; blocks closer than `touching_m` touch.
 void check_joint(TableReader& table, Reading& reading, const Joint& joint, double touching_m);
 
 void read_heading(Reading& reading);
 void read_analysis(Reading& reading);
 void read_materials(Reading& reading);
 void read_default_joint(Reading& reading);
-/// Leaves a sound counter-clockwise outline, or none; messages begin with `whose`, at the place of a vertex.
+/// Makes the outline valid and counter-clockwise, or empties it. Messages start with `whose` and name a vertex.
 void mend_outline(std::vector<Point>& outline, const std::string& whose, Problems& problems,
                   const std::function<Place(std::size_t vertex)>& place_of);
-/// Takes up a block that is sound but for its name, which has to be its own.
+/// Adds a valid block; reports a repeated name.
 void add_block(Reading& reading, const Place& place, Block block);
-/// The same for one that [[arch]], [[wall]] or [[heap]] makes, which may be too thin.
+/// Adds a block made by [[arch]], [[wall]] or [[heap]]; reports one that is too thin.
 void add_made_block(Reading& reading, TableReader& table, Block block);
-/// Reports what would make more than `most` blocks, or more than 100,000 with those that are there.
+/// Reports more than `most` new blocks, or more than 100,000 in total.
 bool few_enough(Reading& reading, TableReader& table, double blocks, double most = 100'000);
-/// Reports what has not exactly one of value, word and formula.
+/// Reports an entry that does not have exactly one of value, word and formula.
 void require_one_answer(TableReader& table, Reading& reading);
 
-/// Reports a quantity or formula that the scene does not have what it speaks of, or that does not fit its answer.
+/// Reports a quantity or formula that needs what the scene does not have, or that does not fit the kind of answer.
 void check_answer(TableReader& table, const Reading& reading, const Expectation& e);
 
-/// [section] with its regions, cuts and joint sets: adds the blocks and the joints that they make.
+/// [section] with its regions, cuts and joint sets: adds their blocks and joints.
 void read_section(Reading& reading);
-/// [[arch]], [[wall]] and [[heap]] make ordinary blocks.
+/// [[arch]], [[wall]] and [[heap]]: each adds ordinary blocks.
 void read_arches(Reading& reading);
 void read_walls(Reading& reading);
 void read_heaps(Reading& reading);
 void read_blocks(Reading& reading);
 void read_joints(Reading& reading);
 void read_supports(Reading& reading);
-/// [[viscous_boundary]]: faces beyond which the ground goes on.
+/// [[viscous_boundary]]: faces beyond which the ground continues.
 void read_viscous_boundaries(Reading& reading);
 void read_point_loads(Reading& reading);
 void read_face_pressures(Reading& reading);
@@ -112,17 +112,17 @@ void read_body_loads(Reading& reading);
 void read_bolts(Reading& reading);
 void read_base_motion(Reading& reading);
 void read_water(Reading& reading);
-/// [silt], [ice] and [earthquake], after the fluid; a load that follows the reservoir's level becomes part of [water].
+/// [silt], [ice] and [earthquake], after the fluid. Loads that follow the reservoir's level become part of [water].
 void read_silt(Reading& reading);
 void read_ice(Reading& reading);
 void read_earthquake(Reading& reading);
 void read_fluid(Reading& reading);
-/// [joint_flow], [[drain]] and [[grout]]: the water that flows through joints.
+/// [joint_flow], [[drain]] and [[grout]]: seepage flow through joints.
 void read_joint_flow(Reading& reading);
 void read_reservoir_model(TableReader& fluid, Reading& reading);
 void read_column(TableReader& fluid, Reading& reading);
 void read_external(TableReader& fluid, Reading& reading);
-/// The keys of [fluid] that only OpenFOAM knows; beside another model they are refused.
+/// The keys of [fluid] for OpenFOAM only; other models refuse them.
 void read_openfoam(TableReader& table, Reading& reading);
 void read_water_expectations(Reading& reading);
 void read_contact(Reading& reading);
@@ -132,17 +132,17 @@ void read_expectations(Reading& reading);
 void read_variants(Reading& reading);
 /// [[limit]], [[order]], [[map]] and [[bench]].
 void read_studies(Reading& reading);
-/// What [analysis], [contact] and [water] do not state of lengths and speeds, from the structure's size.
+/// Sets lengths and speeds that [analysis], [contact] and [water] leave out, from the structure's size.
 void resolve_lengths(Reading& reading);
-/// Reports viscous boundaries that do not fit the analysis, or through which no base motion can come.
+/// Reports viscous boundaries that do not fit the analysis, or that a base motion cannot enter.
 void check_viscous_boundaries(const Reading& reading);
-/// Warns of loads that move a viscous boundary for good.
+/// Warns of loads that displace a viscous boundary permanently.
 void check_drift(const Reading& reading);
-/// Warns of what a sound scene states to no effect.
+/// Warns of keys without effect in a valid scene.
 void check_effects(const Reading& reading);
-/// Warns of loads of the reservoir that do not act as a sound scene states them.
+/// Warns of reservoir loads that do not act as stated, in a valid scene.
 void check_reservoir(const Reading& reading);
-/// After all others.
+/// Call last.
 void reject_unknown_sections(Reading& reading);
 
 }  // namespace blockweir::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which loads a scene states beside weight and water, as its file calls them.
+// Loads that a scene states besides weight and water, by the names of their tables.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace blockweir::scene {
 
-/// The tables of loads in a scene's text: "[silt]", "[[point_load]]", ... The text is one that has been read.
+/// The load tables in a scene's text: "[silt]", "[[point_load]]", ... The text must be that of a valid scene.
 std::vector<std::string> stated_loads(const std::string& text);
 
-/// Up to which [silt] lies in such a text [m]; none without it.
+/// Elevation of the top of [silt] in such a text [m]; none without silt.
 std::optional<double> silt_level_m(const std::string& text);
 
 }  // namespace blockweir::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads one TOML table key by key: types, ranges, defaults, and which keys nobody asked for. One short function for
-// each kind of value, which is why there are many.
+// Reads one TOML table key by key: types, ranges, defaults, and keys that nobody reads. Each kind of value has one
+// short function, hence their number.
 #pragma once
 
 #include <toml++/toml.h>
@@ -16,7 +16,7 @@
 
 namespace blockweir::scene {
 
-/// What a number has to be, as a test and in words.
+/// Allowed range of a number, as a test and in words.
 struct Range {
   std::function<bool(double)> holds;
   const char* words;
@@ -24,15 +24,15 @@ struct Range {
 Range any_number();
 Range positive();
 Range not_negative();
-/// Of a length that a drawing can have: above 0, below 1e6 m.
+/// Range of a length in a drawing: above 0, below 1e6 m.
 Range drawn_length();
 
-/// A table of the file, which of its keys have been asked for, and what messages say of them.
+/// A table of the file, with the keys that were read so far and its name for messages.
 class TableKeys {
  public:
-  /// `table` may be null (absent): all keys then take their defaults. `name` is how messages call it: "[analysis]".
+  /// `table` may be null (absent): then all keys take their defaults. `name` is used in messages, e.g. "[analysis]".
   TableKeys(Problems& problems, const toml::table* table, std::string name);
-  /// Reports the keys that were never asked for.
+  /// Reports the keys that nobody read.
   ~TableKeys();
   TableKeys(const TableKeys&) = delete;
   TableKeys& operator=(const TableKeys&) = delete;
@@ -42,9 +42,9 @@ class TableKeys {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Place place() const;
   [[nodiscard]] Place place(const char* key) const;
-  /// Of one entry of a list.
+  /// Place of one entry of a list.
   [[nodiscard]] Place place(const char* key, std::size_t entry) const;
-  /// Says that the key is known, whatever it holds.
+  /// Marks the key as known, whatever its value.
   void know(const char* key) { ask(key, false, ""); }
 
  protected:
@@ -60,45 +60,45 @@ class TableKeys {
   std::vector<std::string> asked_;
 };
 
-/// A value that is wrong is reported and leaves `into` as it was; so does a key that is absent, unless required.
+/// A wrong value is reported and leaves `into` unchanged. So does an absent key, unless it is required.
 class TableReader : public TableKeys {
  public:
   using TableKeys::TableKeys;
 
   bool number(const char* key, double& into, const Range& range = any_number(), bool required = false);
   bool number(const char* key, std::optional<double>& into, const Range& range = any_number());
-  /// At least `least` numbers, required.
+  /// A required list of at least `least` numbers.
   bool numbers(const char* key, std::vector<double>& into, const Range& range = any_number(), std::size_t least = 1);
-  /// At least one number, flag or text, required; as --set takes them.
+  /// A required list of at least one number, flag or text, as --set takes them.
   bool settings(const char* key, std::vector<std::string>& into);
   bool integer(const char* key, int& into, int least);
   bool flag(const char* key, bool& into);
   bool text(const char* key, std::string& into, bool required = false);
-  /// One of the known words; may be absent, unless it is required.
+  /// One of the known words; optional unless `required`.
   bool word(const char* key, std::string& into, const std::vector<std::string>& known, bool required = false);
-  /// A list of `count` texts; without it, of any number but none.
+  /// A list of `count` texts; without `count`, of any number above 0.
   bool texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count = {});
-  /// The same where the key may be absent; false when it is.
+  /// The same for an optional key; false if it is absent.
   bool texts_if_any(const char* key, std::vector<std::string>& into);
   /// Components xx, yy and xy.
   bool stress(const char* key, std::optional<Eigen::Vector3d>& into);
-  /// Components along x and y, of any size.
+  /// Components along x and y, of any magnitude.
   bool vector(const char* key, Eigen::Vector2d& into);
   bool point(const char* key, Point& into, bool required = false);
-  /// `least` (an outline: 3) to 10,000 points; empty when one is wrong.
+  /// `least` (3 for an outline) to 10,000 points; empty if one is wrong.
   bool points(const char* key, std::vector<Point>& into, std::size_t least = 3);
-  /// A list of outlines; may be absent.
+  /// An optional list of outlines.
   bool outlines(const char* key, std::vector<std::vector<Point>>& into);
-  /// A table of its own; null when it is wrong or absent.
+  /// A sub-table; null if it is wrong or absent.
   const toml::table* table(const char* key);
-  /// A list of tables, at least one where it is required.
+  /// A list of tables, at least one if required.
   std::vector<const toml::table*> tables(const char* key, bool required);
   /// `duration_s` is where a ramp without `to` ends.
   bool time_table(const char* key, std::optional<TimeTable>& into, double duration_s);
-  /// An index into `names`; -1 when it is wrong or absent.
+  /// An index into `names`; -1 if it is wrong or absent.
   int reference(const char* key, const Names& names, bool required = true);
 
-  /// One of the given words.
+  /// One of the given words, as an enum value.
   template <class Enum>
   void choice(const char* key, Enum& into, const std::vector<std::pair<const char*, Enum>>& words) {
     std::string word;
@@ -120,7 +120,7 @@ class TableReader : public TableKeys {
   bool wave(TimeTable& into);
 };
 
-/// The value where the node is a finite number.
+/// The value if the node is a finite number.
 std::optional<double> finite_number(const toml::node& node);
 
 }  // namespace blockweir::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Courses in time that a scene keeps in files of their own, accelerograms above all.
+// Time tables that a scene keeps in separate files, above all accelerograms.
 #pragma once
 
 #include <toml++/toml.h>
@@ -9,8 +9,8 @@
 
 namespace blockweir::scene {
 
-/// Replaces each { file = "record.csv", ... } of the scene by the { table = ... } that the file holds, so that the
-/// scene's text and digest cover it. Paths are relative to `folder`. True when there was one.
+/// Replaces each { file = "record.csv", ... } of the scene by a { table = ... } with the file's content, so that the
+/// scene's text and digest include it. Paths are relative to `folder`. Returns true if there was one.
 bool take_records(toml::table& file, const std::filesystem::path& folder, Problems& problems);
 
 }  // namespace blockweir::scene

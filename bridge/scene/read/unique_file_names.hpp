@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names that become files beside each other: those of load cases, variants or studies.
+// Checks that names used as file names differ: those of load cases, variants or studies.
 #pragma once
 
 #include <map>
@@ -11,14 +11,14 @@ namespace blockweir::scene {
 
 class UniqueFileNames {
  public:
-  /// `kind` is how messages call one of them: "load case".
+  /// `kind`: the word for one of them in messages, e.g. "load case".
   explicit UniqueFileNames(const char* kind) : kind_(kind) {}
 
-  /// The program's own name among them.
+  /// Reserves a name for the program itself.
   void reserve(const std::string& name);
-  /// Reports a name that is taken, or whose file is that of another. An empty one is left out.
+  /// Reports a name that is taken, or that gives the same file name as another. An empty name is ignored.
   void add(Reading& reading, const TableReader& table, const std::string& name);
-  /// The same of a name that is sound, stated in this line.
+  /// The same for a valid name, stated in this line.
   void take(const std::string& name, int line);
 
  private:
@@ -27,7 +27,7 @@ class UniqueFileNames {
     int line = 0;
   };
   const char* kind_;
-  std::map<std::string, Owner> owners_;  ///< by the name of the file
+  std::map<std::string, Owner> owners_;  ///< by file name
 };
 
 }  // namespace blockweir::scene
