@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who may come in at a tcp port: with keys the partner alone, without them whoever speaks today's ZeroMQ. ZeroMQ asks
-// at the end of each handshake (ZAP, rfc.zeromq.org/spec/27).
+// Decides who may connect to a tcp port: with keys, the partner only; without keys, any client with the present ZeroMQ
+// protocol. ZeroMQ asks at the end of each handshake (ZAP, rfc.zeromq.org/spec/27).
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ namespace blockweir::channel {
 
 class Authenticator {
  public:
-  /// Before the socket that it guards is opened. `partner_public`: Z85; empty: no keys.
+  /// Create it before the socket is opened. `partner_public`: Z85; empty: no keys.
   Authenticator(zmq::context_t& context, const std::string& partner_public);
 
-  /// Answers all who wait at the door.
+  /// Answers all waiting requests.
   void answer();
   [[nodiscard]] void* handle() { return questions_.handle(); }
 

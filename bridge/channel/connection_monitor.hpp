@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who has come to a socket and gone again, from ZeroMQ's monitor: the partner, and strangers, who are logged.
+// Follows through ZeroMQ's monitor who connects to a socket and disconnects: the partner, and strangers (logged).
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,24 @@ namespace blockweir::channel {
 
 class ConnectionMonitor {
  public:
-  /// Before `socket` is opened. `endpoint`: how messages call it; strangers are logged where it is a tcp port that
-  /// listens.
+  /// Create it before `socket` is opened. `endpoint`: name for messages; strangers are logged if it is a listening tcp
+  /// port.
   ConnectionMonitor(zmq::context_t& context, zmq::socket_t& socket, std::string endpoint, bool logs);
   ~ConnectionMonitor();
   ConnectionMonitor(const ConnectionMonitor&) = delete;
   ConnectionMonitor& operator=(const ConnectionMonitor&) = delete;
 
-  /// Takes note of all that has happened.
+  /// Processes all events so far.
   void update();
   [[nodiscard]] void* handle() { return events_.handle(); }
 
-  /// Whoever a message comes from is the partner.
+  /// Call on the arrival of a message: its sender is the partner.
   void identify_partner(int descriptor);
-  /// Somebody has shaken hands.
+  /// Whether a handshake has been completed.
   [[nodiscard]] bool joined() const { return joined_; }
-  /// The partner has gone; what it still sent can be read all the same.
+  /// Whether the partner has disconnected; messages that it sent before can still be read.
   [[nodiscard]] bool left() const { return left_; }
-  /// Why the last handshake failed; empty: none did. A side that connects does not try again after `final_refusal`.
+  /// Why the last handshake failed; empty: none did. A connecting side does not try again after `final_refusal`.
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
   [[nodiscard]] bool final_refusal() const { return final_refusal_; }
   [[nodiscard]] int strangers() const { return strangers_; }
@@ -42,7 +42,7 @@ class ConnectionMonitor {
   zmq::socket_t events_;
   std::string endpoint_;
   bool logs_;
-  std::map<int, std::string> connections_;  ///< connections by descriptor: their addresses
+  std::map<int, std::string> connections_;  ///< address of each open connection, by descriptor
   int partner_ = -1;
   bool joined_ = false;
   bool left_ = false;

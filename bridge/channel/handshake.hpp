@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Do both sides mean the same run?
+// Checks that both sides belong to the same run.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace blockweir::channel {
 
-/// All that differs, with both sides' values; empty when nothing that matters does (role and build may differ).
+/// All differences that matter, with both sides' values; empty if there are none. Role and build may differ.
 std::string compare(const wire::Hello& ours, const wire::Hello& theirs);
 
-/// What a stranger calls itself, on one short line.
+/// A name sent by a stranger, made short and printable on one line.
 std::string printable(std::string name);
 
 }  // namespace blockweir::channel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory of messages on their way in. What is large is left where ZeroMQ has put it, for the columns of a message to
-// view.
+// Memory of received messages. Large columns are not copied: a message views them where ZeroMQ has stored
+// them.
 #pragma once
 
 #include <cstring>
@@ -18,18 +18,18 @@ class Incoming {
  public:
   explicit Incoming(zmq::socket_t& socket) : socket_(socket) {}
 
-  /// Takes the next frame if one is there.
+  /// Receives the next frame, if there is one.
   bool receive() {
-    if (frame_.use_count() > 1) frame_ = std::make_shared<zmq::message_t>();  // somebody views what came last
+    if (frame_.use_count() > 1) frame_ = std::make_shared<zmq::message_t>();  // the last frame is still viewed
     return retry_on_interrupt([&] { return socket_.recv(*frame_, zmq::recv_flags::dontwait); }).has_value();
   }
 
-  /// File descriptor of the connection that brought it.
+  /// File descriptor of the connection that delivered it.
   [[nodiscard]] int source() { return zmq_msg_get(frame_->handle(), ZMQ_SRCFD); }
 
-  /// The frame, aligned: ZeroMQ hands small messages out from wherever they stand in its own buffer.
+  /// The frame, aligned: ZeroMQ delivers small messages at any address in its own buffer.
   wire::Part frame() {
-    constexpr std::size_t viewed_from = 1U << 16U;  // bytes; smaller frames are copied sooner than kept
+    constexpr std::size_t viewed_from = 1U << 16U;  // bytes; smaller frames are copied
     if (aligned()) return {frame_->data(), frame_->size(), frame_->size() >= viewed_from ? frame_ : nullptr};
     realigned_.resize(frame_->size() / sizeof realigned_.front() + 1);
     std::memcpy(realigned_.data(), frame_->data(), frame_->size());
@@ -42,7 +42,7 @@ class Incoming {
     if constexpr (std::is_same_v<Message, wire::Hello>) {
       wire::decode(frame, into);
     } else {
-      const std::shared_ptr<zmq::message_t> first = frame_;  // stays while its parts come
+      const std::shared_ptr<zmq::message_t> first = frame_;  // kept while its parts arrive
       wire::decode(frame, into, [&] { return next_part(); });
     }
     if (frame_->more()) throw wire::BadMessage("more parts than it says");
@@ -51,7 +51,7 @@ class Incoming {
  private:
   [[nodiscard]] bool aligned() const { return reinterpret_cast<std::uintptr_t>(frame_->data()) % wire::alignment == 0; }
 
-  /// A message arrives whole: its parts wait for nobody.
+  /// A message arrives complete: no part has to be waited for.
   wire::Part next_part() {
     if (!frame_->more() || !receive()) return {};
     return {frame_->data(), frame_->size(), frame_};

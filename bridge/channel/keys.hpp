@@ -7,18 +7,18 @@
 
 namespace blockweir::channel {
 
-/// What one side holds, as ZeroMQ writes keys (Z85).
+/// The keys of one side, in ZeroMQ's format (Z85).
 struct Keys {
   std::string own_secret;
   std::string own_public;
   std::string partner_public;
 };
 
-/// Makes `folder`/solid and `folder`/fluid, each all that its side needs: own-secret, which only the owner may read,
-/// and partner-public. Throws std::invalid_argument, and replaces none, where there are keys already.
+/// Makes `folder`/solid and `folder`/fluid, each with the files that its side needs: own-secret, readable by the owner
+/// only, and partner-public. Throws std::invalid_argument if there are keys already; they are not replaced.
 void make_keys(const std::filesystem::path& folder);
 
-/// Of one side's folder. Throws std::invalid_argument when a file is missing, is no key, or lets others read a secret.
+/// Reads one side's folder. Throws std::invalid_argument if a file is missing, is no key, or lets others read a secret.
 Keys read_keys(const std::filesystem::path& folder);
 
 }  // namespace blockweir::channel

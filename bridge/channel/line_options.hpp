@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every program takes to open its line.
+// Command-line options of the connection, shared by all programs.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory of frames on their way out. ZeroMQ sends from where a frame was packed, in a thread of its own; when it has
-// done so the memory serves the next one. What a fresh page costs at first touch is thus paid once a run.
+// Memory of frames to be sent. ZeroMQ sends each frame from here, in its own thread; afterwards the memory is reused,
+// so that the operating system provides its pages only once a run.
 #pragma once
 
 #include <flatbuffers/flatbuffers.h>
@@ -14,7 +14,7 @@
 
 namespace blockweir::channel {
 
-/// ZeroMQ lets go of the memory when it has sent it.
+/// ZeroMQ releases the memory once the frame is sent.
 inline zmq::message_t sent_from(wire::Part& part) {
   const auto let_go = [](void*, void* keeper) { delete static_cast<wire::Keeper*>(keeper); };
   return {const_cast<void*>(part.data), part.size, let_go, new wire::Keeper(std::move(part.keeper))};
@@ -23,7 +23,7 @@ inline zmq::message_t sent_from(wire::Part& part) {
 /// Must outlive the context that sends its frames.
 class Outgoing {
  public:
-  /// The frame that `pack(builder)` makes.
+  /// The frame built by `pack(builder)`.
   template <class Pack>
   zmq::message_t frame(Pack pack) {
     Buffer& buffer = idle();
@@ -46,7 +46,7 @@ class Outgoing {
     return buffers_.emplace_back();
   }
 
-  std::list<Buffer> buffers_;  ///< two, where messages go to and fro
+  std::list<Buffer> buffers_;  ///< two if messages alternate
 };
 
 }  // namespace blockweir::channel

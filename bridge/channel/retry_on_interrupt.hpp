@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A signal may end any call of ZeroMQ before it has begun; what was asked for is then asked again.
+// Repeats a call of ZeroMQ that a signal has interrupted.
 #pragma once
 
 #include <cerrno>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A line's ZeroMQ socket: how it beats, what it takes, who may read it.
+// The ZeroMQ socket of a connection: heartbeat, limits, keys.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace blockweir::channel {
 
-/// Before it is opened. The partner's public key, Z85; empty where the line has no keys. Throws what Channel does.
+/// Call before the socket is opened. Returns the partner's public key, Z85; empty without keys. Throws as Channel does.
 std::string set_up(zmq::socket_t& socket, const Options& options);
 
-/// Throws PeerError when the endpoint is taken or out of reach.
+/// Throws PeerError if the endpoint is taken or cannot be reached.
 void open_at_endpoint(zmq::socket_t& socket, const Options& options);
 
 }  // namespace blockweir::channel

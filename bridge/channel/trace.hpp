@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When a side waited for the other and when it sent, for "blockweir trace". C++17: the OpenFOAM plugin includes this.
+// Records when a side waited and when it sent, for "blockweir trace". C++17: the OpenFOAM plugin includes this.
 #pragma once
 
 #include <chrono>
@@ -10,18 +10,18 @@
 
 namespace blockweir::channel {
 
-/// Lines "what,window,from_ns,to_ns" of a file ROLE.csv in the folder that the environment names in BLOCKWEIR_TRACE.
-/// The clock is that of the machine since its start (CLOCK_MONOTONIC), which its processes share.
+/// Lines "what,window,from_ns,to_ns" in a file ROLE.csv, in the folder of the environment variable BLOCKWEIR_TRACE. The
+/// clock is CLOCK_MONOTONIC, which all processes of a machine share.
 class Trace {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Null where the environment has no such folder, or the file cannot be written: a run does without.
+  /// Null without such a folder, or if the file cannot be written: the run continues without it.
   static std::unique_ptr<Trace> of(const std::string& role);
 
   explicit Trace(std::ofstream stream) : stream_(std::move(stream)) {}
 
-  /// What was done for the message of `window`: "wait", "send".
+  /// Records "wait" or "send" for the message of `window`.
   void add(const char* what, std::uint64_t window, Clock::time_point from, Clock::time_point to);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// State as bytes and back, by cereal: whatever has `serialize(archive)`, or is made of what has. C++17: the OpenFOAM
-// plugin includes this.
+// Serializes state to bytes and back with cereal: types with `serialize(archive)`, and compositions of them. C++17: the
+// OpenFOAM plugin includes this.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@
 
 namespace cereal {
 
-/// Matrices of fixed size, and vectors of any.
+/// Matrices of fixed size, and vectors of any size.
 template <class Archive, class Scalar, int Rows, int Columns, int Options>
 void serialize(Archive& archive, Eigen::Matrix<Scalar, Rows, Columns, Options>& matrix) {
   static_assert(Columns > 0);
@@ -38,7 +38,7 @@ std::string pack(const Parts&... parts) {
   return std::move(bytes).str();
 }
 
-/// Throws cereal::Exception where the bytes end too early.
+/// Throws cereal::Exception if the bytes end too early.
 template <class... Parts>
 void unpack(const std::string& bytes, Parts&... parts) {
   std::istringstream stream(bytes);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a queue's tasks read and leave: items in one file, answers in files that are whole or not there. An answer is
-// known by the digest of its item, so that it counts once, whoever did it and how often.
+// Files of a queue's tasks: all items in one file; answers in files that are complete or absent. An answer is
+// identified by its item's digest, so that it counts once even if several tasks have worked on the item.
 #pragma once
 
 #include <filesystem>
@@ -15,13 +15,13 @@
 
 namespace blockweir::engine {
 
-/// Of what decides the answer of each item of the work.
+/// A digest of everything that decides the answer, for each item of the work.
 std::vector<std::string> digests_of(const Work& work);
 
 struct Answers {
   std::map<std::string, nlohmann::json> by_digest;
-  Effort effort;      ///< of tasks that have come to their end
-  Measured measured;  ///< the same
+  Effort effort;      ///< of finished tasks
+  Measured measured;  ///< of finished tasks
 };
 
 class BatchFiles {
@@ -29,7 +29,7 @@ class BatchFiles {
   explicit BatchFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-  /// Items in tasks of `batch`. Throws std::runtime_error where they cannot be written.
+  /// Divides the items into tasks of `batch`. Throws std::runtime_error if they cannot be written.
   void write(const nlohmann::json& common, std::size_t batch, const std::vector<std::string>& digests,
              const std::vector<nlohmann::json>& items) const;
   struct Task {
@@ -37,12 +37,12 @@ class BatchFiles {
     std::vector<std::string> digests;
     std::vector<nlohmann::json> items;
   };
-  /// Throws std::runtime_error where there is no such task.
+  /// Throws std::runtime_error if there is no such task.
   [[nodiscard]] Task read(int task) const;
 
-  /// Puts answers into a file of their own, in one go. `name`: of no other file.
+  /// Writes answers into a new file `name` in one operation.
   void leave(const std::string& name, const Answers& answers) const;
-  /// Of the files that are not in `seen` yet, which grows by them. `prefix`: of their names.
+  /// Reads the files whose names start with `prefix` and that are not in `seen`, and adds them there.
   [[nodiscard]] Answers take(std::set<std::string>& seen, const std::string& prefix = "") const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many pieces of work that do not depend on each other, done by processes of this machine or of a cluster. Whoever asks
-// gets the same answers from any engine, in whatever order they are done.
+// Many independent pieces of work, done by processes of this machine or of a cluster. The answers do not depend on the
+// engine or on the order of the work.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,23 @@ namespace blockweir::engine {
 
 struct Work {
   std::string name;       ///< for messages and the queue
-  nlohmann::json common;  ///< what holds for all items
+  nlohmann::json common;  ///< data shared by all items
   std::vector<nlohmann::json> items;
-  bool brief = false;  ///< one of many short steps that wait for each other: not worth a queue
+  bool brief = false;  ///< many short items that wait for each other: not worth a queue
 };
 
-/// Does one item. Made once in each process that works, from what holds for all.
+/// Works on one item. Each working process makes one, from the shared data.
 using Worker = std::function<nlohmann::json(const nlohmann::json& item)>;
 using MakeWorker = std::function<Worker(const nlohmann::json& common)>;
 
-/// Item and answer; null where the process that worked on it was killed.
+/// Called with item and answer; the answer is null if the working process was killed.
 using Heard = std::function<void(std::size_t item, const nlohmann::json& answer)>;
 
-/// What processes had of time, and what of it they worked on items.
+/// The processes' time, and the part of it spent on items.
 struct Effort {
   double had_s = 0;
   double worked_s = 0;
-  /// Lost to start, messages and waiting.
+  /// Share lost to start, messages and waiting.
   [[nodiscard]] double lost() const { return had_s > 0 ? 1 - worked_s / had_s : 0; }
 };
 
@@ -41,8 +41,8 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// `heard` is called here, once for each item, as they end. False when SIGINT or SIGTERM has stopped it: some items
-  /// are not heard of then. Throws std::runtime_error where work cannot go on.
+  /// Calls `heard` once for each item, as they finish. False if SIGINT or SIGTERM stopped it; then some items are
+  /// missing. Throws std::runtime_error if the work cannot continue.
   [[nodiscard]] virtual bool perform(const Work& work, const Heard& heard) = 0;
 
   /// Of all work so far.
@@ -58,10 +58,10 @@ class Engine {
   Effort effort_;
 };
 
-/// As many as the machine runs at once.
+/// Number of processes that the machine runs at once.
 [[nodiscard]] int processors();
 
-/// So many processes of this machine at once, each with its next item as soon as it is done with one.
+/// Runs up to `jobs` processes on this machine; each takes the next item when it has finished one.
 std::unique_ptr<Engine> local_engine(int jobs, MakeWorker make);
 
 }  // namespace blockweir::engine

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SIGINT and SIGTERM wait, and can be looked for among file descriptors.
+// Blocks SIGINT and SIGTERM and delivers them through a file descriptor.
 #pragma once
 
 #include <sys/signalfd.h>
@@ -25,12 +25,12 @@ class StopSignals {
   StopSignals& operator=(const StopSignals&) = delete;
 
   [[nodiscard]] int descriptor() const { return descriptor_; }
-  /// The next one; 0: none.
+  /// The next signal; 0: none.
   [[nodiscard]] int next() const {
     signalfd_siginfo info{};
     return ::read(descriptor_, &info, sizeof info) == sizeof info ? static_cast<int>(info.ssi_signo) : 0;
   }
-  /// As it was before.
+  /// Restores the previous signal mask.
   void restore() const { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
  private:

@@ -10,7 +10,7 @@
 
 namespace blockweir::launch {
 
-/// What a command does once its options are read; returns the exit status.
+/// Executes a command after its options are read; returns the exit status.
 using Work = std::function<int()>;
 
 // Each adds its options to `app`.
@@ -44,7 +44,7 @@ struct Command {
   Work (*make)(CLI::App& app);
 };
 
-/// In the order in which --help lists them.
+/// In the order of --help.
 inline constexpr std::array commands = {
     Command{"run", "run a scene and report whether it stands or fails", run_command},
     Command{"resume", "continue a run that was stopped, from its last checkpoint", resume_command},
@@ -74,13 +74,13 @@ inline constexpr std::array commands = {
     Command{"man", "print the manual page (blockweir man | man -l -)", man_command},
 };
 
-/// Makes each command a subcommand of `app`; returns them with what they do.
+/// Adds each command as a subcommand of `app`; returns each with its Work.
 std::vector<std::pair<const CLI::App*, Work>> add_commands(CLI::App& app);
 
-/// What add_commands() has made.
+/// The commands that add_commands() has added.
 std::vector<const CLI::App*> commands_of(const CLI::App& app);
 
-/// Options that begin with --; and those that are known by their place.
+/// Options that start with --, and options identified by their position.
 std::vector<const CLI::Option*> named_options(const CLI::App& app);
 std::vector<const CLI::Option*> positional_options(const CLI::App& app);
 

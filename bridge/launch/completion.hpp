@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a shell needs to complete commands and options, made from the commands themselves.
+// Shell completion of commands and options, made from the commands themselves.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,10 +7,10 @@
 
 namespace blockweir::launch {
 
-/// A script for bash. What is no command and no option is completed as a file's name.
+/// A script for bash. Words that are neither a command nor an option are completed as file names.
 std::string bash_completion(const CLI::App& app);
 
-/// The same for zsh, with the help texts; to be sourced, or as the file _blockweir in a folder of fpath.
+/// The same for zsh, with help texts; to be sourced, or as file _blockweir in a folder of fpath.
 std::string zsh_completion(const CLI::App& app);
 
 }  // namespace blockweir::launch

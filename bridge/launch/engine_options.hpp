@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options that say where the runs of a study are made: the same for all commands.
+// Command-line options for the engine of a study: the same for all commands.
 #pragma once
 
 #include <CLI/CLI.hpp>

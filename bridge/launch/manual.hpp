@@ -7,7 +7,7 @@
 
 namespace blockweir::launch {
 
-/// Of section 1, in roff: man -l shows it.
+/// Section 1, in roff; man -l displays it.
 std::string manual(const CLI::App& app);
 
 }  // namespace blockweir::launch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run whose end is run_and_report to people.
+// Makes a run and prints its report.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 
 namespace blockweir::launch {
 
-/// Do both streams lead to one terminal, file or pipe?
+/// Whether both streams go to the same terminal, file or pipe.
 inline bool errors_go_to_the_output() {
   struct stat out = {};
   struct stat err = {};
@@ -20,13 +20,13 @@ inline bool errors_go_to_the_output() {
          out.st_ino == err.st_ino;
 }
 
-/// Makes a run, says how it ended and returns the exit status. What has ended by itself was not stopped: a signal that
-/// comes until the program's end is too late.
+/// Makes a run, prints its report and returns the exit status. A run that ended by itself was not stopped, even if a
+/// signal arrives before the program ends.
 template <class Run>
 int run_and_report(Run run) {
   static const process::StopsLater until_it_is_reported;
   const process::RunResult result = run();
-  // The report has it, too.
+  // The report contains it, too.
   if (!result.trouble.empty() && !errors_go_to_the_output()) {
     fmt::print(stderr, "blockweir: {}\n", process::trouble_text(result));
   }

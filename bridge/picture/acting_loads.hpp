@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What acts on a section, kind by kind with its resultant, as pictures show it.
+// The loads on a section, by kind with their resultants, for pictures.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,14 +8,14 @@
 
 namespace blockweir::picture {
 
-constexpr int unknown_block = -1;  ///< of a panel whose run has not kept its block; what it presses on can move
+constexpr int unknown_block = -1;  ///< of a panel whose block the run did not store; the loaded block can move
 
-/// One entry for each load that acts at `time_s`, weight first:
-/// name; kind: "weight", "earthquake", "load", "silt", "water", "ice", "added water" or "uplift"; force [x, y] (N/m),
-/// the resultant on what can move; at [x, y] (m), the middle of what presses; strips: runs of [x, y, force x, force y]
-/// (N/m2) along an edge; from_downstream: of water that is not in joints, is its pool that one? Without strips the
-/// force acts at the point `at`. `water` is the answer to the question "water"; uplift is that on the underside of a
-/// block.
+/// One entry for each load that acts at `time_s`, weight first: name; kind: "weight", "earthquake", "load",
+/// "silt", "water", "ice", "added water" or "uplift"; force [x, y] (N/m), the resultant on moving blocks; at
+/// [x, y] (m), its position; strips: lists of [x, y, force x, force y] (N/m2) along an edge;
+/// from_downstream: for water outside joints, whether it is the downstream pool's. Without strips the force
+/// acts at the point `at`. `water` is the answer to the question "water"; uplift is the pressure on the
+/// underside of a block.
 [[nodiscard]] nlohmann::json acting_loads(const scene::Scene& scene, const nlohmann::json& water, double time_s);
 
 /// Bolts: name, from and to (m), the blocks there (null: the ground), stiffness, prestress, and yield_n_per_m or null.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// blockweir cut: a scene's blocks, drawn before anything runs.
+// blockweir cut: draws the blocks of a scene without running it.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@ struct CutOptions {
   std::vector<std::string> overrides;
 };
 
-/// Draws the blocks and says how many there are, of what sizes. Throws scene::SceneError, std::invalid_argument for a
-/// file that cannot be written, and std::runtime_error when gnuplot is missing.
+/// Draws the blocks and prints their number and sizes. Throws scene::SceneError, std::invalid_argument for a file that
+/// cannot be written, and std::runtime_error if gnuplot is missing.
 void cut(const CutOptions& options);
 
 }  // namespace blockweir::picture

@@ -9,22 +9,22 @@
 namespace blockweir::picture {
 
 struct Picture {
-  std::filesystem::path file;  ///< its ending says what it is: .png, .svg, or .gif for an animation
+  std::filesystem::path file;  ///< the suffix chooses the format: .png, .svg, or .gif for an animation
   double width;                ///< pixels
   double height;               ///< pixels
-  std::string commands;        ///< gnuplot's, without terminal and output
-  int letter_points = 12;      ///< size of the letters
+  std::string commands;        ///< for gnuplot, without terminal and output
+  int letter_points = 12;      ///< font size
 };
 
-/// In a script: what is drawn so far counts as one more of all.
+/// For scripts: reports that one more part is drawn.
 inline constexpr const char* one_more_drawn = "print 'drawn'\n";
 
-/// gnuplot's commands for the picture, drawn into `output`, which is written by us and never by a user.
+/// gnuplot's commands that draw the picture into `output`, a name chosen by the program and never by a user.
 std::string gnuplot_script(const Picture& picture, const std::string& output);
 
-/// Puts each picture in its place once all are whole: a file that was there stays where something fails. Throws
-/// std::runtime_error when gnuplot is missing or refuses a script, and when a file cannot be written. With `told`,
-/// standard error shows how much is drawn: a bar on a terminal, a line each tenth in a pipe.
+/// Draws all pictures, then puts them in place together: existing files stay if one fails. Throws std::runtime_error if
+/// gnuplot is missing or refuses a script, or if a file cannot be written. With `told`, standard error shows the
+/// progress: a bar on a terminal, a line for each tenth in a pipe.
 void draw(const std::vector<Picture>& pictures, bool told = false);
 
 }  // namespace blockweir::picture

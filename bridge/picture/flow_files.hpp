@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables that a fluid writes of the water in joints (fluid/joints/flow_tables.hpp).
+// Reads the tables of water in joints that a fluid writes (fluid/joints/flow_tables.hpp).
 #pragma once
 
 #include <filesystem>
@@ -8,23 +8,23 @@
 
 namespace blockweir::picture {
 
-/// Of a CSV file, cell by cell.
+/// Rows and cells of a CSV file.
 using Rows = std::vector<std::vector<std::string>>;
 
-/// Whole rows of a table of a run's fluid, the names first; none where there is no such file. Still water writes into
-/// the run's folder, OpenFOAM's plugin into its case.
+/// The complete rows of a table, column names first; empty if there is no such file. Still water writes it into the
+/// run's folder, OpenFOAM's plugin into its case.
 Rows flow_rows(const std::filesystem::path& run, const std::string& name);
 
-/// Those of the last time; without the names.
+/// The rows of the last time, without the column names.
 Rows last_rows(const Rows& rows);
 
-/// A number of a cell; NaN where it is empty.
+/// The number in a cell; NaN if it is empty.
 double figure(const std::string& cell);
 
-/// Of "drain_gallery_m2_per_s" or "to_air_m2_per_s": "drain gallery", "to air".
+/// "drain gallery" for the column "drain_gallery_m2_per_s", "to air" for "to_air_m2_per_s".
 std::string words_of_flow(const std::string& column);
 
-/// Rows of joint_uplift.csv.
+/// Columns of joint_uplift.csv.
 namespace uplift_column {
 constexpr std::size_t joint = 1, length_m = 2, flow = 3, reynolds = 4, uplift = 5, triangular = 6, drained = 7,
                       full = 8;

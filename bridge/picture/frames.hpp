@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stored moments of a run, and what of the section a picture of them shows.
+// The stored frames of a run, and the part of the section that their pictures show.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace blockweir::picture {
 
-/// frames.jsonl, a moment each. Throws std::invalid_argument where there is none.
+/// The frames of frames.jsonl. Throws std::invalid_argument if there are none.
 [[nodiscard]] std::vector<nlohmann::json> read_frames(const std::filesystem::path& run);
 
-/// Around what moves, in all frames, with some ground below and some water beside it; and around fixed walls that stand
-/// higher than `water_m`.
+/// A view of everything that moves in any frame, with some ground below and water beside it, and of fixed walls that
+/// are higher than `water_m`.
 [[nodiscard]] View view_of(const std::vector<nlohmann::json>& frames, double water_m);
 
 }  // namespace blockweir::picture

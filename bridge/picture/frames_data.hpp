@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The moments of a run that a report plays.
+// The frames of a run for the report's animation.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace blockweir::picture {
 
-/// frames, view, pictured (the frame of the section's pressures) and failure_s (null: none). Long runs and large ones
+/// frames, view, pictured (the frame whose pressures the section shows) and failure_s (null: none). Long or large runs
 /// are thinned, evenly in time.
 [[nodiscard]] nlohmann::json frames_data(const std::filesystem::path& run, const nlohmann::json& summary);
 

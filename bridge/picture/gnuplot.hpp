@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words of gnuplot's language. Text of a scene reaches a script through gnuplot_text alone: in single quotes gnuplot
-// runs no command and expands no macro, and all terminals are opened without markup.
+// Elements of gnuplot's language. Text of a scene enters a script only through gnuplot_text: inside single quotes
+// gnuplot runs no command and expands no macro, and all terminals are opened without markup.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,13 +12,13 @@ namespace blockweir::picture {
 /// A text in single quotes; control characters become spaces.
 std::string gnuplot_text(const std::string& text);
 
-/// A text as the label of a tic, which gnuplot reads as the format of a number.
+/// A text as the label of a tic mark, which gnuplot reads as a number format.
 std::string gnuplot_tic(std::string text);
 
-/// At most `letters` of the text; what is longer ends in an ellipsis.
+/// The first `letters` of the text; a longer text ends in an ellipsis.
 std::string shortened(const std::string& text, std::size_t letters);
 
-/// A title in at most three lines of a picture that is `width` pixels wide; what is longer ends in an ellipsis.
+/// A title of at most three lines in a picture `width` pixels wide; a longer one ends in an ellipsis.
 std::string gnuplot_title(const std::string& text, double width);
 
 /// A filled outline as object `number` of the next plot.

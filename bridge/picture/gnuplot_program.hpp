@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The gnuplot program, which reads a script and draws into files in memory.
+// Runs the gnuplot program, which reads a script and draws into files in memory.
 #pragma once
 
 #include <sys/types.h>
@@ -10,10 +10,10 @@
 
 namespace blockweir::picture {
 
-/// A file without a place, which vanishes with us.
+/// A file in memory, without a name; it vanishes with this process.
 class MemoryFile {
  public:
-  /// Throws std::runtime_error where memory is short.
+  /// Throws std::runtime_error if memory is short.
   MemoryFile();
   ~MemoryFile();
   MemoryFile(MemoryFile&& other) noexcept;
@@ -22,10 +22,10 @@ class MemoryFile {
   MemoryFile& operator=(const MemoryFile&) = delete;
 
   [[nodiscard]] int number() const { return file_; }
-  /// What a child that inherits it opens.
+  /// The path under which a child process that inherits it can open it.
   [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
   [[nodiscard]] std::string text() const;
-  /// Throws std::runtime_error where memory is short.
+  /// Throws std::runtime_error if memory is short.
   void write(std::string_view text);
 
  private:
@@ -34,15 +34,15 @@ class MemoryFile {
 
 class GnuplotProgram {
  public:
-  /// Begins to draw into `outputs`. Throws std::runtime_error where no program can be started.
+  /// Starts drawing into `outputs`. Throws std::runtime_error if the program cannot be started.
   GnuplotProgram(const std::string& script, const std::vector<MemoryFile>& outputs);
   ~GnuplotProgram();
   GnuplotProgram(const GnuplotProgram&) = delete;
   GnuplotProgram& operator=(const GnuplotProgram&) = delete;
 
-  /// Waits until it prints a line; false where it prints no more.
+  /// Waits for the next printed line; false if there are no more.
   bool printed();
-  /// Throws std::runtime_error with gnuplot's last words where it is missing, or has refused a command.
+  /// Throws std::runtime_error with gnuplot's last message if it is missing or has refused a command.
   void end();
 
  private:

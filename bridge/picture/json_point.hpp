@@ -7,7 +7,7 @@
 
 namespace blockweir::picture {
 
-/// Of a list of numbers, those from `first` on.
+/// The point at index `first` of a list of numbers.
 inline Eigen::Vector2d point_of(const nlohmann::json& list, std::size_t first = 0) {
   return {list[first].get<double>(), list[first + 1].get<double>()};
 }

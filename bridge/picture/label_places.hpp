@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where labels of a picture stand: within its frame, none over another, and off its lines where there is room nearby.
+// Places labels in a picture: inside the frame, without overlap, and off its lines if there is room nearby.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace blockweir::picture {
 
-/// All in the picture's units, y upwards.
+/// All in the units of the picture, y upwards.
 class LabelPlaces {
  public:
   using Point = Eigen::Vector2d;
@@ -19,10 +19,10 @@ class LabelPlaces {
 
   explicit LabelPlaces(const Box& frame) : frame_(frame) {}
 
-  /// What no label is to cover if it can stand beside.
+  /// A region that labels avoid if possible.
   void keep_free(const Box& box) { lines_.push_back(box); }
-  /// Middle of the free place nearest to `wanted` for a label of this size, which is taken then; nothing where all is
-  /// full.
+  /// Centre of the free place nearest to `wanted` for a label of this size, which is then occupied; none if there is no
+  /// room.
   std::optional<Point> place(const Point& wanted, const Point& size);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CSV of measured points: time_s, then columns of history.csv. A table that was typed or exported has slips that a
-// history has not.
+// CSV of measured points: time_s, then columns of history.csv. Unlike a history, a table typed or exported by hand may
+// contain mistakes.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace blockweir::picture {
 
-/// Throws std::invalid_argument with file and line where a heading comes twice, a row has more or fewer cells than the
-/// heading, a cell is no finite number, or there is no point.
+/// Throws std::invalid_argument with file and line if a heading is repeated, a row has more or fewer cells than the
+/// heading, a cell is not a finite number, or there is no point.
 History read_measured(const std::filesystem::path& file);
 
 }  // namespace blockweir::picture

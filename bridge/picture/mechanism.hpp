@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mechanism of limit analysis: blocks where they are drawn, and displaced as they would begin to move.
+// Draws a mechanism of limit analysis: the blocks as drawn, and displaced along their first motion.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace blockweir::picture {
 
-/// `mechanism` as `blockweir-limit` answers it; `level_m` of the reservoir, where there is one. Throws
-/// std::runtime_error when gnuplot is missing.
+/// `mechanism`: from the answer of `blockweir-limit`; `level_m`: of the reservoir, if there is one. Throws
+/// std::runtime_error if gnuplot is missing.
 void draw_mechanism(const scene::Scene& scene, const nlohmann::json& mechanism, const std::optional<double>& level_m,
                     const std::filesystem::path& out);
 

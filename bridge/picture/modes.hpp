@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes of natural modes, beside each other.
+// Draws the shapes of natural modes side by side.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace blockweir::picture {
 
-/// The six lowest of those with water, where there is any, else without. `answer` is modes_answer's. Throws
-/// std::runtime_error when gnuplot is missing.
+/// The six lowest modes, with water if there is any. `answer` is that of modes_answer. Throws std::runtime_error if
+/// gnuplot is missing.
 void draw_modes(const scene::Scene& scene, const nlohmann::json& answer, const std::filesystem::path& out);
 
 }  // namespace blockweir::picture

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The water of an OpenFOAM run, read from interFoam's own results for pictures.
+// The water of an OpenFOAM run, read from interFoam's results for pictures.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace blockweir::picture {
 
-/// Water in one cell: a box [m], how much of it is water, and its speed [m/s].
+/// Water in one cell: a box [m], its volume fraction of water, and its speed [m/s].
 struct WaterBox {
   double left = 0;
   double right = 0;
@@ -21,12 +21,12 @@ struct WaterBox {
 /// Results of the case in `run`/openfoam, by time.
 class OpenFoamWater {
  public:
-  /// Empty where the run has none.
+  /// Empty if the run has none.
   explicit OpenFoamWater(const std::filesystem::path& run);
 
   [[nodiscard]] bool empty() const { return times_.empty(); }
 
-  /// At the stored time nearest to time_s; what cannot be read is left out.
+  /// At the stored time nearest to time_s; unreadable files are left out.
   [[nodiscard]] std::vector<WaterBox> boxes(double time_s) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The section at the moment of a run that pictures show: its failure, or its end.
+// The section at the moment that pictures show: failure, or the end of the run.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace blockweir::picture {
 
-/// section_state at the frame that `frames_data` has chosen. Where the run's water is no still water its pressures are
-/// the frame's, of one kind. Throws process::Stopped.
+/// section_state at the frame chosen by `frames_data`. For water other than still water, the pressures are those of the
+/// frame, of one kind. Throws process::Stopped.
 [[nodiscard]] nlohmann::json pictured_state(const scene::Scene& scene, const std::filesystem::path& run,
                                             const nlohmann::json& frames_data);
 

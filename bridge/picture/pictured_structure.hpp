@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a scene that its pictures are about: the dam, not the wide rock on which it stands.
+// The part of a scene that pictures show: the dam, without the wide rock below it.
 #pragma once
 
 #include "bridge/geometry/outline.hpp"
@@ -7,8 +7,8 @@
 
 namespace blockweir::picture {
 
-/// The box around the movable blocks that rise above the ground at both ends of the model [m]. Where none does: around
-/// all movable blocks, and where nothing moves, around all blocks.
+/// Bounding box of the moving blocks that are higher than the ground at both ends of the model [m]. If there are none:
+/// of all moving blocks, and if nothing moves, of all blocks.
 [[nodiscard]] geometry::Bounds pictured_structure(const scene::Scene& scene);
 
 }  // namespace blockweir::picture

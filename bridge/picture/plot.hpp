@@ -12,15 +12,15 @@ namespace blockweir::picture {
 struct PlotOptions {
   std::filesystem::path run;
   bool svg = false;
-  bool animated = false;            ///< all frames as animation.gif too
-  bool section = false;             ///< the section with joints' names and loads, too
-  std::vector<std::string> blocks;  ///< that legends name; empty: the eight that move most
+  bool animated = false;            ///< also all frames as animation.gif
+  bool section = false;             ///< also the section with names of joints and loads
+  std::vector<std::string> blocks;  ///< blocks named in legends; empty: the eight that move most
   std::filesystem::path data;       ///< CSV of measured points: time_s, then columns of history.csv; empty: none
 };
 
 /// Writes displacements, velocities, rotations, level, snapshots and picture (.png or .svg) into the run's folder and
-/// names them on standard output. Throws std::invalid_argument when the folder holds no run, and for blocks or data
-/// that the run does not know; std::runtime_error when gnuplot is missing.
+/// prints their names. Throws std::invalid_argument if the folder contains no run, and for blocks or data that the run
+/// does not have; std::runtime_error if gnuplot is missing.
 void plot(const PlotOptions& options);
 
 }  // namespace blockweir::picture

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure of the water that flows through joints: pressures along a few of them at five times, or a map of many at the
-// last time; and flows over time.
+// Figure of the flow through joints: pressures along a few joints at five times, or a map of many joints at the last
+// time; and flow rates over time.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace blockweir::picture {
 
-/// `flow`; none where nothing flows through the joints of the run. `ending` chooses PNG or SVG.
+/// The picture `flow`; none if no water flows through joints. `ending` chooses PNG or SVG.
 std::vector<Picture> flow_picture(const std::filesystem::path& run, const std::string& ending);
 
 }  // namespace blockweir::picture

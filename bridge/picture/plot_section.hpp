@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The section as the scene draws it, with joints' names, and the loads, levels and bolts' forces of the failure or the
-// run's end.
+// The section as drawn in the scene, with names of joints, and the loads, levels and bolt forces at failure or at the
+// end of the run.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace blockweir::picture {
 
-/// `section`, from the run's own scene; `ending` chooses PNG or SVG.
+/// The picture `section`, from the run's own scene; `ending` chooses PNG or SVG.
 Picture section_picture(const std::filesystem::path& run, const nlohmann::json& summary, const std::string& ending);
 
 }  // namespace blockweir::picture

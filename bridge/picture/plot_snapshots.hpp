@@ -11,8 +11,8 @@
 
 namespace blockweir::picture {
 
-/// `snapshots` (six moments) and `picture` (one), and all moments as animation.gif where it is asked for; `ending`
-/// chooses PNG or SVG.
+/// `snapshots` (six frames) and `picture` (one), and animation.gif with all frames if requested; `ending` chooses PNG
+/// or SVG.
 std::vector<Picture> snapshot_pictures(const std::filesystem::path& run, const nlohmann::json& summary,
                                        const std::string& ending, bool animated);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure of the ground's acceleration and its response spectrum.
+// Figure of the ground acceleration and its response spectrum.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace blockweir::picture {
 
-/// `spectrum`; none where the run's ground does not move. `ending` chooses PNG or SVG.
+/// The picture `spectrum`; none if the ground does not move. `ending` chooses PNG or SVG.
 std::vector<Picture> spectrum_picture(const std::filesystem::path& run, const std::string& ending);
 
 }  // namespace blockweir::picture

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an oscillator on shaken ground feels, by its period.
+// Response spectrum: the largest response of an oscillator on shaking ground, by its period.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The section of a report: blocks, joints, dimensions and bolts as the scene states them.
+// The section of a report: blocks, joints, dimensions and bolts as stated in the scene.
 #pragma once
 
 #include <nlohmann/json.hpp>

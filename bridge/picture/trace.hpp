@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What both sides of a run did when, as a trace file that Perfetto (ui.perfetto.dev) and Chrome (chrome://tracing)
-// open.
+// Makes a trace file of both sides' activities, for Perfetto (ui.perfetto.dev) and Chrome
+// (chrome://tracing).
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace blockweir::picture {
 
-/// The trace of a folder's files SIDE.csv, whose lines are "what,window,from_ns,to_ns": each side a process with a span
-/// a coupling window, and within it spans "compute", "send" and "wait"; an arrow a message. Times in microseconds since
-/// the first of all. Throws std::invalid_argument where there are none, or one cannot be read.
+/// The trace of all files SIDE.csv in a folder, with lines "what,window,from_ns,to_ns". Each side is a process with one
+/// span for each coupling window, divided into "compute", "send" and "wait"; each message is an arrow. Times in
+/// microseconds since the first event. Throws std::invalid_argument if there are no files, or one cannot be read.
 [[nodiscard]] nlohmann::json trace_of_sides(const std::filesystem::path& folder);
 
 /// Writes RUN/trace.json from RUN/trace, and returns its name.

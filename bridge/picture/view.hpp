@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a picture shows of the section [m].
+// The part of the section that a picture shows [m].
 #pragma once
 
 #include <algorithm>

@@ -9,15 +9,15 @@
 
 namespace blockweir::probability {
 
-/// Of `request`: "variables", each as in [[random]], and "correlations", each {"i", "j", "coefficient"}: of the normal
-/// variables behind them (normal copula). Throws std::exception for parameters that are no distribution.
+/// Members of `request`: "variables", each as in [[random]], and "correlations", each {"i", "j", "coefficient"}, of the
+/// corresponding normal variables (normal copula). Throws std::exception for invalid parameters.
 OT::Distribution joint_distribution(const nlohmann::json& request);
 
 /// `count` points by "monte-carlo", "latin-hypercube" or "quasi-random".
 OT::Sample draw(const OT::Distribution& joint, const std::string& sampling, unsigned count);
 
-/// The distribution that fits the values best (Bayesian information criterion), of normal, lognormal, uniform and
-/// triangular.
+/// The best fit to the values (Bayesian information criterion) among normal, lognormal, uniform and triangular
+/// distributions.
 OT::Distribution fitted(const OT::Sample& values);
 
 }  // namespace blockweir::probability

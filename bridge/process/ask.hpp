@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A question about a scene, which blockweir-limit answers without a run.
+// Asks blockweir-limit a question about a scene, which needs no run.
 #pragma once
 
 #include <filesystem>
@@ -18,8 +18,8 @@ struct AskOptions {
   std::filesystem::path out{};  ///< folder for the answer; empty: runs/CASE-QUESTION, or runs/CASE-VARIANT-QUESTION
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
-  bool quiet = false;                ///< nothing of what the reader mends or warns of
-  std::optional<double> moment_s{};  ///< whose loads and levels count in place of those of the run's end
+  bool quiet = false;                ///< prints no notes and warnings of the reader
+  std::optional<double> moment_s{};  ///< time whose loads and levels count; default: the run's end
 };
 
 struct Asked {
@@ -28,12 +28,12 @@ struct Asked {
   nlohmann::json answer;
 };
 
-/// `out`, or where it is empty the folder that it stands for.
+/// `out`, or its default folder.
 std::filesystem::path answer_folder(const std::string& question, const AskOptions& options);
 
-/// `question` is "level", "safety", "modes" or "water"; the answer is in the folder, too, as QUESTION.json. Throws
-/// scene::SceneError, std::invalid_argument for a folder that holds something else, Stopped, and std::runtime_error
-/// where there is no answer.
+/// `question` is "level", "safety", "modes" or "water"; the answer is also written to the folder as QUESTION.json.
+/// Throws scene::SceneError, std::invalid_argument for a folder with other contents, Stopped, and std::runtime_error if
+/// there is no answer.
 Asked ask(const std::string& question, const AskOptions& options);
 
 }  // namespace blockweir::process

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a program ends when its work throws.
+// The exit status of a program whose work may throw.
 #pragma once
 
 #include <poll.h>
@@ -19,24 +19,24 @@
 
 namespace blockweir::process {
 
-/// Has all that was said reached standard output? A full disk shows when the last of it is written.
+/// Whether all output has reached standard output. A full disk is noticed only when the last of it is written.
 inline bool output_is_written() {
   std::cout.flush();
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
 }
 
-/// Has whoever read standard output gone, as `head` does when it has enough?
+/// Whether the reader of standard output has closed it, as `head` does.
 inline bool reader_is_gone() {
   pollfd output{STDOUT_FILENO, 0, 0};
   return poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0;
 }
 
-/// The status that shells give a tool which a closed pipe ends: 128 + SIGPIPE. Nothing is said: nothing is wrong.
+/// The status that shells give a tool that a closed pipe ends: 128 + SIGPIPE. No message, since nothing is wrong.
 inline constexpr int closed_pipe = 141;
 
-/// What `work` returns, 1 where that was 0 and standard output did not take what it said; where it throws, a message on
-/// standard error and 130 when it was stopped, 2 when the scene or the command is wrong (SceneError,
-/// std::invalid_argument), else 1. Plain fputs: where even the message cannot be written, the status says enough.
+/// The return value of `work`; 1 if that is 0 but standard output could not be written. If `work` throws, prints a
+/// message on standard error and returns 130 if it was stopped, 2 if the scene or the command is wrong (SceneError,
+/// std::invalid_argument), otherwise 1. Uses plain fputs: if even the message cannot be written, the status is enough.
 template <class Work>
 int exit_status(const char* program, Work work) noexcept {
   const auto say = [program](const std::exception& error) {

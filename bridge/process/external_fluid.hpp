@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A fluid that is a program of the user's, from the launcher's side: [fluid] model = "external". bridge/wire/README.md
-// says what it is told.
+// The launcher's part of a fluid that is the user's own program: [fluid] model = "external". Protocol:
+// bridge/wire/README.md.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,20 @@
 
 namespace blockweir::process {
 
-/// Does the scene have an external fluid, and no command for it?
+/// Whether the scene has an external fluid without a command.
 [[nodiscard]] bool is_started_by_hand(const scene::Scene& scene);
 
-/// Where an external fluid's command runs: in the scene's folder, or that of the run that is resumed in `folder`. Empty
-/// for other fluids. Throws std::runtime_error where the run's folder takes no file.
+/// The folder in which an external fluid's command runs: the scene's, or that of the resumed run in `folder`. Empty for
+/// other fluids. Throws std::runtime_error if the run's folder cannot be written.
 [[nodiscard]] std::filesystem::path home_of_external(const scene::Scene& scene, const std::filesystem::path& folder);
 
-/// It gets BLOCKWEIR_ENDPOINT, BLOCKWEIR_SCENE, BLOCKWEIR_FOLDER, BLOCKWEIR_REPORT and BLOCKWEIR_TIMEOUT_S.
+/// Its environment has BLOCKWEIR_ENDPOINT, BLOCKWEIR_SCENE, BLOCKWEIR_FOLDER, BLOCKWEIR_REPORT, BLOCKWEIR_TIMEOUT_S.
 [[nodiscard]] Command external_command(const scene::Scene& scene, const Processes& processes);
 
-/// What whoever starts it by hand has to know, several lines.
+/// Instructions for a user who starts it by hand, several lines.
 [[nodiscard]] std::string call_for_external(const scene::Scene& scene, const Processes& processes);
 
-/// Is there an external fluid that remembers, and has not written what it remembers?
+/// Whether the external fluid has memory but has written no checkpoint.
 [[nodiscard]] bool lacks_checkpoint(const scene::Scene& scene, const std::filesystem::path& folder);
 
 inline constexpr const char* no_checkpoint_of_external =

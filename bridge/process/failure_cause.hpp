@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of all that processes say when a run breaks off: what the user is to read.
+// Finds the cause of a failed run among the messages of its processes.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace blockweir::process {
 
-/// One line; empty where all went well. The first failure in time is the cause; what the others say of it is its echo,
-/// and what we have ended ourselves is its consequence. `folder`: of the results.
+/// One line; empty if nothing failed. The first failure in time is the cause; messages of the others about it, and
+/// processes that we ended, are its consequences. `folder`: of the results.
 [[nodiscard]] std::string failure_cause(const Supervised& supervised, const std::filesystem::path& folder);
 
 }  // namespace blockweir::process

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How messages call the fluid of a scene.
+// The name of a scene's fluid in messages.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 
 namespace blockweir::process {
 
-/// A user's fluid that has not said its name yet, by its command; one that is started by hand has none.
+/// Before a user's fluid has sent its name, its command serves as name; one that is started by hand has none.
 inline std::string external_fluid_name(const std::vector<std::string>& command) {
   return command.empty() ? "external fluid" : fmt::format("external fluid \"{}\"", fmt::join(command, " "));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What limit analysis says of a run: how far it is from failing, or by how much it fails. That depends on the scene
-// alone, so it is found while the run goes on.
+// The margin of a run by limit analysis: how far it is from failure, or by how much it fails. It depends on the scene
+// only, so it is computed while the run is going on.
 #pragma once
 
 #include <filesystem>
@@ -13,18 +13,18 @@ namespace blockweir::process {
 
 class LimitMargin {
  public:
-  /// `scratch`: a folder for its files.
+  /// `scratch`: a folder for temporary files.
   explicit LimitMargin(const std::filesystem::path& scratch);
 
-  /// False where the answer would be another question's: in water that moves, on ground that shakes, of blocks that are
-  /// drawn on the move.
+  /// False if limit analysis would answer another question: with moving water, shaking ground, or blocks that start in
+  /// motion.
   [[nodiscard]] static bool suits(const scene::Scene& scene);
 
-  /// Beside the processes of the run in `folder`.
+  /// The command that runs beside the processes of the run in `folder`.
   [[nodiscard]] Command command(const std::filesystem::path& folder) const;
 
-  /// Adds "limit_analysis" to the summary, once the command has ended, with a "text" to tell; nothing where the run
-  /// neither stands nor fails.
+  /// Adds "limit_analysis" to the summary, with a "text" for the report, once the command has ended; nothing unless the
+  /// run's outcome is "stands" or "fails".
   void add_to(nlohmann::json& summary) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program of ours that is asked line by line, and answers each on its standard output.
+// A program of ours that reads requests line by line and answers each on its standard output.
 #pragma once
 
 #include <sys/types.h>
@@ -13,16 +13,16 @@ namespace blockweir::process {
 
 class LineProgram {
  public:
-  /// `words`: the program's name, which stands beside this one, and its arguments. Throws std::runtime_error where it
+  /// `words`: the program's name, in the folder of this program, and its arguments. Throws std::runtime_error if it
   /// cannot be started.
   explicit LineProgram(std::vector<std::string> words);
-  /// It ends as it reads no more.
+  /// Closes its input, which ends it.
   ~LineProgram();
   LineProgram(const LineProgram&) = delete;
   LineProgram& operator=(const LineProgram&) = delete;
 
   void say(const nlohmann::json& line);
-  /// Its next line. Throws std::runtime_error with its last words where it has ended.
+  /// Reads its next line. Throws std::runtime_error with its last message if it has ended.
   nlohmann::json hear();
   nlohmann::json ask(const nlohmann::json& line) {
     say(line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a fluid says of its own work, in the summary of the run.
+// Merges a fluid's report into the summary of the run.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace blockweir::process {
 
-/// Adds what `file` of the fluid (`name`, for messages) says to `summary` and removes the file; nothing where there is
-/// none. The program may be a user's: what is of another form than it should be becomes a warning.
+/// Adds the content of `file` by the fluid `name` to `summary` and removes the file; nothing if there is none. The
+/// program may be a user's: entries of the wrong form become warnings.
 void merge_report(const std::filesystem::path& file, const std::string& name, nlohmann::json& summary);
 
 }  // namespace blockweir::process

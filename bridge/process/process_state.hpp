@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the kernel says of a process and of those that it has started.
+// The kernel's information on a process and its descendants.
 #pragma once
 
 #include <sys/types.h>
@@ -8,10 +8,10 @@
 
 namespace blockweir::process {
 
-/// `pid`, and all that it and its children have started and that still runs.
+/// `pid` and all its descendants that still run.
 [[nodiscard]] std::vector<pid_t> family_of(pid_t pid);
 
-/// Has one of them been stopped, as by SIGSTOP, so that it can neither go on nor end?
+/// Whether one of them is stopped (SIGSTOP) and so can neither continue nor end.
 [[nodiscard]] bool is_stopped(const std::vector<pid_t>& family);
 
 }  // namespace blockweir::process

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the processes that we have started leave behind.
+// Ends processes that our children leave behind.
 #pragma once
 
 #include <sys/prctl.h>
@@ -16,7 +16,7 @@
 
 namespace blockweir::process {
 
-/// Takes over what our children leave behind when they end: mpirun may be gone before its last rank is.
+/// Adopts the processes that our children leave behind when they end: mpirun may end before its last rank.
 class Reaper {
  public:
   Reaper() {
@@ -26,7 +26,7 @@ class Reaper {
   ~Reaper() { ::prctl(PR_SET_CHILD_SUBREAPER, before_); }
   Reaper(const Reaper&) = delete;
   Reaper& operator=(const Reaper&) = delete;
-  /// Returns when nothing is left; what has not ended by itself after `patience_s` is killed.
+  /// Returns when none is left; those that do not end by themselves within `patience_s` are killed.
   static void reap(double patience_s) {
     for (const auto begin = std::chrono::steady_clock::now(); ::waitpid(-1, nullptr, WNOHANG) >= 0;) {
       if (seconds_since(begin) > patience_s) kill_children();
@@ -36,7 +36,7 @@ class Reaper {
 
  private:
   static void kill_children() {
-    std::ifstream children("/proc/self/task/" + std::to_string(::getpid()) + "/children");  // the leader gets them
+    std::ifstream children("/proc/self/task/" + std::to_string(::getpid()) + "/children");  // orphans, too
     for (pid_t pid = 0; children >> pid;) ::kill(pid, SIGKILL);
   }
   int before_ = 0;

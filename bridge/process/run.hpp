@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// blockweir run and blockweir resume: a scene from check to report.
+// blockweir run and blockweir resume: from checking the scene to the report.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,15 @@ namespace blockweir::process {
 
 struct RunOptions {
   std::filesystem::path scene;
-  std::filesystem::path out{};  ///< empty: runs/CASE, or runs/CASE-VARIANT; or the first free with -N behind it
+  std::filesystem::path out{};  ///< empty: runs/CASE or runs/CASE-VARIANT, or the first free one with -N appended
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
   bool inproc = false;  ///< the reference fluid within the solid's process
-  bool strict = false;  ///< what the reader warns of is refused
+  bool strict = false;  ///< warnings of the reader are errors
   bool quiet = false;
-  bool trace = false;    ///< all sides say when they wait and when they send: files in the run's folder "trace"
-  bool margin = false;   ///< the summary gets what limit analysis says, found while the run goes on
-  double longest_s = 0;  ///< of wall time, after which it counts as hanging and is ended; 0: as long as it takes
+  bool trace = false;    ///< all sides record when they wait and send, in the run's folder "trace"
+  bool margin = false;   ///< adds the result of limit analysis to the summary, computed during the run
+  double longest_s = 0;  ///< limit of wall time, after which the run is ended as hanging; 0: none
 };
 
 struct ResumeOptions {
@@ -32,25 +32,25 @@ struct ResumeOptions {
 struct RunResult {
   int exit_code = 0;  ///< 0 done, 1 the run failed, 130 stopped by Ctrl-C
   std::filesystem::path folder;
-  std::filesystem::path in_place_of{};  ///< the folder that would have been its own, had no earlier run been there
+  std::filesystem::path in_place_of{};  ///< the default folder, if an earlier run occupied it
   nlohmann::json summary{};
-  std::string trouble{};       ///< one line, when it failed
-  std::string advice{};        ///< how it may go on, where it can; its folder has to last
-  bool asked_to_stop = false;  ///< by Ctrl-C, be it after the run had ended
-  bool refused = false;        ///< when it failed: all processes ended by themselves, and said why
+  std::string trouble{};       ///< one line, if it failed
+  std::string advice{};        ///< how it may be continued, if it can; needs the folder to last
+  bool asked_to_stop = false;  ///< by Ctrl-C, even after the run had ended
+  bool refused = false;        ///< failed because all processes ended by themselves with an error message
 };
 
-/// Runs a scene's processes. Throws scene::SceneError, with `strict` for warnings too, and std::invalid_argument for a
-/// folder that is in use; nothing has been written then.
+/// Runs a scene's processes. Throws scene::SceneError, with `strict` also for warnings, and std::invalid_argument for a
+/// folder in use; nothing has been written in these cases.
 RunResult run(const RunOptions& options);
 
-/// Goes on with a run from its last checkpoint. Throws std::invalid_argument where there is none.
+/// Continues a run from its last checkpoint. Throws std::invalid_argument if there is none.
 RunResult resume(const ResumeOptions& options);
 
-/// Its trouble with the advice; empty where it went well.
+/// The error with the advice; empty if nothing failed.
 std::string trouble_text(const RunResult& result);
 
-/// What a person wants to know of a finished run.
+/// The report of a finished run for the user.
 std::string report(const RunResult& result);
 
 }  // namespace blockweir::process

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every program that holds the solid takes.
+// Command-line options of all programs that contain the solid.
 #pragma once
 
 #include "bridge/channel/line_options.hpp"

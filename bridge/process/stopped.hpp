@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Somebody has pressed Ctrl-C.
+// The error of a program stopped by Ctrl-C.
 #pragma once
 
 #include <stdexcept>
 
 namespace blockweir::process {
 
-/// Ctrl-C was pressed before there was an answer; programs end with `stopped_status` then.
+/// Ctrl-C was pressed before there was an answer; the program then ends with `stopped_status`.
 struct Stopped : std::runtime_error {
   Stopped() : std::runtime_error("stopped on request") {}
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A private folder, gone with its object, or when the next one is made after its process was killed.
+// A private temporary folder, removed with its object; if the process was killed, the next object removes it.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace blockweir::process {
 
 class TemporaryFolder {
  public:
-  /// Throws std::runtime_error when none can be made.
+  /// Throws std::runtime_error if none can be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -20,7 +20,7 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
-  std::optional<results::FolderLock> lock_;  ///< tells the folders of the living from those of the dead
+  std::optional<results::FolderLock> lock_;  ///< marks the folders of live processes
 };
 
 }  // namespace blockweir::process

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The levels at which samples of a scene fail, and how likely it is that one fails at a level or below.
+// The levels at which samples of a scene fail, and the probability of failure at a level or below.
 #pragma once
 
 #include <limits>
@@ -10,11 +10,11 @@
 
 namespace blockweir::study {
 
-/// Of one sample: the level at which it fails; -infinite where it does not stand at all, +infinite where it stands at
-/// the highest level, NaN where there is no answer.
+/// Failure level of a sample; -infinite if it is never stable, +infinite if it is stable at the highest level, NaN if
+/// there is no answer.
 double capacity_of(const Outcome& row);
 
-/// A share of samples with the interval that holds the true share in 95 of 100 ensembles.
+/// A share of samples with its 95 % confidence interval.
 struct Share {
   double value = 0;
   double from = 0;
@@ -23,22 +23,22 @@ struct Share {
 
 class Capacities {
  public:
-  /// `groups`: as many designs of one size, each drawn by itself; 1: all samples are independent.
+  /// `groups`: number of independent designs of equal size; 1: all samples are independent.
   Capacities(std::vector<double> levels_m, std::size_t groups) : levels_m_(std::move(levels_m)), groups_(groups) {}
 
-  /// That fail at a level or below. Independent samples: by Clopper and Pearson; groups: by Student's t over their
-  /// shares, or as if independent where no group differs. Samples without an answer widen the interval: all fail, or
-  /// none.
+  /// Share that fails at a level or below. Confidence interval of independent samples: Clopper and Pearson; of groups:
+  /// Student's t over their shares, or as if independent if no group differs. Samples without an answer widen the
+  /// interval: all of them fail, or none.
   [[nodiscard]] Share failing(double level_m) const;
 
-  /// Failures at some level, in rising order.
+  /// Levels of the samples that fail at some level, ascending.
   [[nodiscard]] std::vector<double> finite() const;
   [[nodiscard]] std::size_t size() const { return levels_m_.size(); }
   [[nodiscard]] std::size_t without_answer() const;
   [[nodiscard]] std::size_t that_stand() const;
   [[nodiscard]] std::size_t that_never_stand() const;
 
-  /// The fragility curve: levels over all failures, with shares.
+  /// The fragility curve: levels over the range of failures, with shares.
   [[nodiscard]] nlohmann::json curve() const;
 
  private:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The value that a share of a distribution's values lies below.
+// Quantiles of a distribution.
 #pragma once
 
 #include "bridge/scene/distribution.hpp"
 
 namespace blockweir::study {
 
-/// `probability`: between 0 and 1, neither of them. Of measured values, which a distribution is fitted to: their own.
+/// `probability`: between 0 and 1, both excluded. For a fitted distribution: the quantile of the measured values.
 double quantile_of(const scene::Distribution& distribution, double probability);
 
 }  // namespace blockweir::study

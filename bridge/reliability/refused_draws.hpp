@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values that a [[random]] may draw and that no scene can have, as a cohesion below 0.
+// Values of a [[random]] that no scene can have, such as a negative cohesion.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,16 @@
 
 namespace blockweir::study {
 
-/// A warning for each [[random]] of whose values more than one in 10,000 makes a scene that is refused. `read`: the
-/// scene with `overrides`. Throws scene::SceneError where the middle of a distribution does.
+/// A warning for each [[random]] if more than one in 10,000 of its values makes an invalid scene. `read`: the scene
+/// with `overrides`. Throws scene::SceneError if even the median of a distribution does.
 std::vector<scene::Diagnostic> refused_draws(const std::filesystem::path& scene, const scene::ReadScene& read,
                                              const Settings& overrides);
 
-/// Why a point of the random variables has no answer. Where a value that was drawn is refused: which one, and what to
-/// do.
+/// Why a point of the random variables has no answer. If a drawn value was refused: which one, and the
+/// remedy.
 std::string why_no_answer(const scene::Randomness& randomness, const Outcome& row);
 
-/// Throws scene::SceneError where an override sets what a [[random]] draws: it would have no effect.
+/// Throws scene::SceneError if an override sets a key that a [[random]] draws: it would have no effect.
 void refuse_overridden_draws(const scene::ReadScene& read, const Settings& overrides);
 
 }  // namespace blockweir::study

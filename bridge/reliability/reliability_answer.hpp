@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known of the reliability of a scene: samples, methods, and what the ways to find a level differ by.
+// The reliability of a scene: samples, methods, and the differences between the ways to find a level.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,13 @@
 namespace blockweir::study {
 
 struct FoundReliability {
-  nlohmann::json answer;  ///< as reliability.json has it
-  std::string samples;    ///< CSV, a row a sample
+  nlohmann::json answer;  ///< content of reliability.json
+  std::string samples;    ///< CSV, one row for each sample
 };
 
-/// `read`: the scene of the options, with a [[random]] at least. `folder` is there; samples are kept in it, and none is
-/// made twice. Throws Interrupted, scene::SceneError, and std::invalid_argument for a scene or options that will not
-/// do.
+/// `read`: the scene of the options, with at least one [[random]]. `folder` exists; samples are stored in it, and none
+/// is computed twice. Throws Interrupted, scene::SceneError, and std::invalid_argument for an unsuitable scene or
+/// options.
 FoundReliability find_reliability(const ReliabilityOptions& options, const scene::ReadScene& read,
                                   const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What blockweir reliability has found: as text, table and pictures.
+// Results of blockweir reliability as text, table and pictures.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 
 namespace blockweir::study {
 
-/// CSV: a row a sample, with the values of the variables and how it has ended. Nothing of how long it took: the same
-/// bits on every machine.
+/// CSV: one row for each sample, with the values of the variables and the outcome. No computing times, so that all
+/// machines give the same bits.
 std::string sample_table(const scene::Randomness& randomness, const std::vector<RandomPoint>& points,
                          const std::vector<Outcome>& rows);
 
@@ -22,7 +22,7 @@ std::string distribution_text(const scene::Distribution& distribution);
 
 std::string reliability_text(const nlohmann::json& answer);
 
-/// fragility.png, and sobol.png where there are indices, into the folder; says where.
+/// Draws fragility.png, and sobol.png if there are indices, into the folder and prints their paths.
 void draw_reliability(const nlohmann::json& answer, const std::filesystem::path& folder);
 
 }  // namespace blockweir::study

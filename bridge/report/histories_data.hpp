@@ -7,8 +7,8 @@
 
 namespace blockweir::picture {
 
-/// time, and groups of curves with a title and unit: levels, motions of the blocks that move most, forces of the joints
-/// that slip most. left_out says which are not shown.
+/// time, and groups of curves with title and unit: levels, motions of the blocks that move most, forces of the joints
+/// that slip most. left_out names those not shown.
 [[nodiscard]] nlohmann::json histories_data(const std::filesystem::path& run);
 
 }  // namespace blockweir::picture

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of page/, as the build puts them into the program.
+// The files of page/, embedded in the program by the build.
 #pragma once
 
 namespace blockweir::picture {
 
-extern const char* const page_html;    ///< with @STYLE@, @DATA@ and @SCRIPT@ to be filled in
+extern const char* const page_html;    ///< with placeholders @STYLE@, @DATA@ and @SCRIPT@
 extern const char* const page_style;   ///< CSS
-extern const char* const page_script;  ///< JavaScript: all files, in the order in which they need each other
+extern const char* const page_script;  ///< JavaScript: all files, in the order of their dependence
 
 }  // namespace blockweir::picture

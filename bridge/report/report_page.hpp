@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report: one HTML file that needs no network. What it says is data; how it looks stands in page/.
+// The report: one HTML file that needs no network. Its data comes from here, its appearance from page/.
 #pragma once
 
 #include <filesystem>
@@ -15,15 +15,15 @@ struct ReportParts {
   scene::Scene scene;
   std::filesystem::path run;          ///< its folder
   nlohmann::json summary;             ///< of the run
-  nlohmann::json level;               ///< answer of blockweir level, or {"trouble": why none}
+  nlohmann::json level;               ///< answer of blockweir level, or {"trouble": reason}
   nlohmann::json safety;              ///< load cases of blockweir safety, or the same
-  nlohmann::json reliability;         ///< as reliability.json has it, or the same; null: nothing is uncertain
+  nlohmann::json reliability;         ///< content of reliability.json, or the same; null: no uncertain numbers
   std::string program;                ///< version, commit, compiler: a line each
-  std::vector<std::string> commands;  ///< that give the figures again
-  std::string home{};                 ///< folder in which an external fluid's command starts; empty without one
+  std::vector<std::string> commands;  ///< that reproduce the figures
+  std::string home{};                 ///< folder in which an external fluid's command starts; empty: no such fluid
 };
 
-/// What the page shows: lengths in m, forces in N, pressures in Pa, times in s. Throws std::invalid_argument where the
+/// The data of the page: lengths in m, forces in N, pressures in Pa, times in s. Throws std::invalid_argument if the
 /// run has no frames.
 [[nodiscard]] nlohmann::json report_data(const ReportParts& parts);
 

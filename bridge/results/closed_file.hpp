@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A text file whose middle grows between a head and a tail, whole whenever somebody looks.
+// A text file whose middle grows between a fixed head and tail; it is complete at any time.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +14,9 @@ class ClosedFile {
   ClosedFile(const ClosedFile&) = delete;
   ClosedFile& operator=(const ClosedFile&) = delete;
 
-  /// The first time puts a file with this middle in place of what was there. Later `middle` has only grown, and what is
-  /// new goes out in one write with the tail behind it: a file system may take milliseconds to put a file in another's
-  /// place. Throws std::runtime_error when the disk takes no more; the file is then as it was before.
+  /// The first call replaces the file. In later calls `middle` must have grown only; the new part is written in one
+  /// operation together with the tail, since replacing a file may take milliseconds. Throws std::runtime_error if the
+  /// disk is full; the file is then as before.
   void put(const std::string& middle);
 
  private:

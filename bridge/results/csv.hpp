@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of columns as CSV has them: within quotes where they hold a comma, a quote or a line's end. C++17: the OpenFOAM
-// plugin includes this.
+// Column names in CSV: quoted if they contain a comma, a quote or a line end. C++17: the OpenFOAM plugin includes
+// this.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ inline std::string csv_cell(const std::string& name) {
   return text + "\"";
 }
 
-/// The cells of a line, without their quotes.
+/// The cells of a line, without quotes.
 inline std::vector<std::string> csv_cells(const std::string& line) {
   std::vector<std::string> cells(1);
   bool quoted = false;

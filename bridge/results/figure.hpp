@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure of a summary as people read it.
+// A value of a summary as readable text.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 namespace blockweir::results {
 
-/// A number to nine digits, a word as it is, "none" for what a run has not.
+/// A number with nine digits, a word as it is, "none" for a missing value.
 inline std::string figure(const nlohmann::json& value) {
   if (value.is_number()) return fmt::format("{:.9g}", value.get<double>());
   return value.is_string() ? value.get<std::string>() : "none";

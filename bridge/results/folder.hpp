@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where results go: places that are made, or refused before anything is written.
+// Folders and files of results: made, or refused before anything is written.
 #pragma once
 
 #include <filesystem>
 
 namespace blockweir::results {
 
-/// Makes `folder` and what is missing above it. Throws std::invalid_argument with one line for the user when it
-/// cannot be made or written, and leaves nothing behind then.
+/// Makes `folder` and its missing parents. Throws std::invalid_argument with one line for the user if it cannot be made
+/// or written, and leaves nothing behind then.
 void make_folder(const std::filesystem::path& folder);
 
-/// Throws std::invalid_argument with one line for the user when `file`, given as `option`, could not be written.
+/// Throws std::invalid_argument with one line for the user if `file`, given as `option`, cannot be written.
 void require_writable_file(const char* option, const std::filesystem::path& file);
 
 }  // namespace blockweir::results

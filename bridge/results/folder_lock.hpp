@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run at a time writes to a folder.
+// A lock: only one run at a time writes to a folder.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +8,15 @@ namespace blockweir::results {
 
 class FolderLock {
  public:
-  /// Of a folder that exists, for as long as this lives or a child of this process that it has started meanwhile. A
-  /// process that is killed lets go of it. Throws std::invalid_argument, with one line that names folder and process,
-  /// where another process has it; that a launcher has it for us is well.
+  /// Locks an existing folder for the lifetime of this object, and of child processes started meanwhile. The lock of a
+  /// killed process ends. Throws std::invalid_argument, with one line that names folder and process, if another process
+  /// holds it; a lock that our launcher holds for us is accepted.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
-  /// The file in the folder that holds it, and the number of the process that took it; it stays there.
+  /// The lock file in the folder, with the number of the process that holds the lock; the file stays.
   static constexpr const char* file = ".lock";
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers in cells and fields that people have typed or programs exported.
+// Parses numbers in cells and fields of typed or exported files.
 #pragma once
 
 #include <charconv>
@@ -9,7 +9,7 @@
 
 namespace blockweir::results {
 
-/// The number that the whole text is, a plus sign before it allowed; none where it is no such number or not finite.
+/// The number, if the whole text is one (a plus sign is allowed); none if it is not a number or not finite.
 template <class Number>
 std::optional<Number> parse_number(const std::string& text) {
   const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The most memory that this process, or the largest of those that it has waited for, has held so far.
+// The largest memory use so far of this process, or of the largest child process that has ended.
 #pragma once
 
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A text file that grows by whole lines and says so when it cannot.
+// A text file that grows by whole lines and reports write errors.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace blockweir::results {
 
-/// Whether a run writes its files anew or goes on with those that are there.
+/// Whether a run starts its files anew or continues existing ones.
 enum class Begin { anew, where_it_stopped };
 
 class ResultFile {
  public:
-  /// Throws std::runtime_error when the file cannot be written.
+  /// Throws std::runtime_error if the file cannot be written.
   explicit ResultFile(std::filesystem::path path, Begin begin = Begin::anew);
 
-  /// Adds a line and hands it to the system, so that a killed run leaves whole lines. Throws std::runtime_error when
-  /// the disk takes no more.
+  /// Appends a line and hands it to the system, so that a killed run leaves whole lines. Throws std::runtime_error if
+  /// the disk is full.
   void line(const std::string& text);
 
   [[nodiscard]] std::uintmax_t size() const { return size_; }  ///< bytes
-  /// Takes back what was written beyond `size`. Throws std::runtime_error when the file is shorter.
+  /// Truncates the file to `size`. Throws std::runtime_error if the file is shorter.
   void cut_to(std::uintmax_t size);
 
   template <class Archive>
@@ -42,14 +42,14 @@ class ResultFile {
   std::uintmax_t size_ = 0;
 };
 
-/// Puts `text` in place of the file in one go: a reader sees the old one or the new one. Throws std::runtime_error
-/// and leaves the old one when that fails. A device is written to.
+/// Replaces the file by `text` in one operation: a reader sees the old or the new file. Throws std::runtime_error and
+/// keeps the old file if that fails. A device is written to.
 void replace_file(const std::filesystem::path& path, const std::string& text);
 
-/// Writes a file that nobody reads yet: whole, or not at all when it throws std::runtime_error.
+/// Writes a new file that nobody reads yet: complete, or not at all if it throws std::runtime_error.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-/// Throws the error that says so.
+/// Throws the error of a file that cannot be written.
 [[noreturn]] void cannot_write(const std::filesystem::path& path);
 
 }  // namespace blockweir::results

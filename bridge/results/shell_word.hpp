@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A name as a shell takes it, for commands that messages suggest.
+// Quotes a word for the shell, in commands that messages suggest.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace blockweir::results {
 
-/// The word itself where no shell reads anything into it, else in single quotes. Letters beyond ASCII are letters.
+/// The word itself if the shell reads it literally, otherwise in single quotes. Letters beyond ASCII count as letters.
 inline std::string shell_word(const std::string& word) {
   const auto plain = [](unsigned char c) {
     constexpr unsigned char last_ascii = 0x7f;

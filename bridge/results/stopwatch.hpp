@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Adds the life of a scope to a sum of seconds.
+// Adds the duration of a scope to a sum of seconds.
 #pragma once
 
 #include <chrono>
@@ -18,8 +18,8 @@ class Stopwatch {
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 
-  /// A scope of which only some are timed, where a look at the clock takes as long as what it times: watches that start
-  /// within count for `weight` such scopes, or, with a weight of 0, do not look.
+  /// Times only some repetitions of a short scope, because reading the clock takes as long as the scope. Stopwatches
+  /// started within count for `weight` repetitions, or, with weight 0, do not read the clock.
   class Sample {
    public:
     explicit Sample(double of_scopes) : before_(std::exchange(weight, of_scopes)) {}
@@ -31,7 +31,7 @@ class Stopwatch {
     double before_;
   };
 
-  /// No watch of this process looks at the clock: each look is counted instead, so that what they cost can be told.
+  /// No stopwatch of this process reads the clock; readings are counted instead, to estimate their cost.
   static inline bool all_stopped = false;
   static inline long looks_not_taken = 0;
 

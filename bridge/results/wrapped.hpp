@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines as a terminal shows them.
+// Wraps lines for a terminal.
 #pragma once
 
 #include <unistd.h>
@@ -10,8 +10,8 @@
 
 namespace blockweir::results {
 
-/// Each line of `text` broken between words where it is longer than `width`; what goes on is indented by eight. A word
-/// that is longer stays whole.
+/// Breaks each line of `text` that is longer than `width` between words; continuation lines are indented by eight.
+/// Longer words stay whole.
 inline std::string wrapped(const std::string& text, std::size_t width = 80) {
   constexpr std::size_t indent = 8;
   std::string all;
@@ -29,7 +29,7 @@ inline std::string wrapped(const std::string& text, std::size_t width = 80) {
   return all;
 }
 
-/// As standard output shows it: wrapped on a terminal, else as it is, for programs that read lines.
+/// For standard output: wrapped on a terminal, otherwise unchanged, for programs that read lines.
 inline std::string for_stdout(const std::string& text) {
   return ::isatty(STDOUT_FILENO) != 0 ? wrapped(text) : text;
 }

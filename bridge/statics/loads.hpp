@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The forces that a scene states, on blocks where they are drawn.
+// The forces that a scene states, on the blocks as drawn.
 #pragma once
 
 #include "bridge/scene/scene.hpp"
@@ -8,28 +8,28 @@
 
 namespace blockweir::statics {
 
-/// Of all blocks [m].
+/// Centroids of all blocks [m].
 std::vector<Point> centroids_of(const scene::Scene& scene);
 
-/// Weight.
+/// Weight of each block.
 Wrenches weights_of(const scene::Scene& scene);
-/// Forces of one kind.
+/// Forces of one kind, with a name.
 struct NamedWrenches {
   const char* name;
   Wrenches wrenches;
 };
-/// What the scene states beside weight and water, at `time_s`, kind by kind: loads, and the base's acceleration as an
-/// inertia force.
+/// The loads at `time_s` besides weight and water, by kind: stated loads, and the base acceleration as an inertia
+/// force.
 std::vector<NamedWrenches> stated_loads_by_name(const scene::Scene& scene, double time_s);
-/// The sum of these.
+/// Sum of these loads.
 Wrenches stated_loads_of(const scene::Scene& scene, double time_s);
-/// Time until which these stay as they are at `time_s`; that itself where they change.
+/// Time until which these loads stay as they are at `time_s`; `time_s` itself if they change.
 double stated_loads_hold_until(const scene::Scene& scene, double time_s);
-/// Of bolts, by their prestress.
+/// Forces of the bolts' prestress.
 Wrenches prestress_of(const scene::Scene& scene);
-/// Of the pressures that a fluid has said.
+/// Forces of the pressures in a fluid's load.
 Wrenches water_forces(const scene::Scene& scene, const wire::Load& load);
-/// Of the panels from `first` to before `last`.
+/// The same for the panels from `first` to before `last`.
 Wrenches water_forces(const scene::Scene& scene, const wire::Load& load, std::size_t first, std::size_t last);
 
 }  // namespace blockweir::statics

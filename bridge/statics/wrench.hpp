@@ -13,7 +13,7 @@ using geometry::Point;
 
 /// Force x, force y [N/m] and moment about the block's centroid [N].
 using Wrench = Eigen::Vector3d;
-/// One a block of the scene; what acts on fixed ones does not matter.
+/// One for each block of the scene; those on fixed blocks are not used.
 using Wrenches = std::vector<Wrench>;
 
 inline Wrench wrench_of(const Point& force, const Point& at, const Point& centroid) {

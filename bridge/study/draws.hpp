@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sample sets its keys to, run by run.
+// The values of the keys in each run of a sample.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 
 namespace blockweir::study {
 
-/// One list of settings a run, drawn by blockweir-probability or read from a file. The same seed draws the same values,
-/// and more runs only add to them. Throws scene::SceneError at the study's place in `scene` for a file that cannot be
-/// read or lacks a column.
+/// One list of settings for each run, drawn by blockweir-probability or read from a file. The same seed draws the same
+/// values, and more runs only append to them. Throws scene::SceneError at the study's line in `scene` for a file that
+/// cannot be read or lacks a column.
 [[nodiscard]] std::vector<Settings> drawn_settings(const scene::OpenStudy& study, const std::filesystem::path& scene);
 
 }  // namespace blockweir::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The engine that a command asks for.
+// Makes the engine that a command asks for.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 
 namespace blockweir::study {
 
-/// How many items are worked on at once at least: what a study asks for in one go.
+/// Least number of items worked on at once; a study requests as many at a time.
 [[nodiscard]] int jobs_of(const EngineOptions& options);
 
-/// For outcomes. `folder`: absolute or not, on a disk that all machines of a cluster see; what a queue works on is
-/// there. Throws std::invalid_argument where options do not go together, and std::runtime_error where the machine has
-/// no such queue.
+/// An engine for outcomes. `folder`: for files of a queue, on a disk that all machines of a cluster see; absolute or
+/// not. Throws std::invalid_argument if options contradict each other, and std::runtime_error if the machine has no
+/// such queue.
 std::unique_ptr<engine::Engine> make_engine(const EngineOptions& options, const std::filesystem::path& folder);
 
 }  // namespace blockweir::study

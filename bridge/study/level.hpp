@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// blockweir level: at which level of its reservoir a scene fails.
+// blockweir level: the reservoir level at which a scene fails.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 namespace blockweir::study {
 
 struct LevelOptions : process::AskOptions {
-  std::filesystem::path json;  ///< file for the answer; empty: none beside that in the folder
+  std::filesystem::path json;  ///< further file for the answer; empty: none
 };
 
-/// Tells the level by the blocks' own equilibrium and by limit analysis, and draws the mechanism. Returns 0: a dam that
+/// Prints the level by equilibrium of the blocks and by limit analysis, and draws the mechanism. Returns 0: a dam that
 /// fails is a result.
 int tell_level(const LevelOptions& options);
 

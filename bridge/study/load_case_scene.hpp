@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A load case as the scene that it makes.
+// The scene of a load case.
 #pragma once
 
 #include <filesystem>
@@ -12,16 +12,16 @@
 
 namespace blockweir::study {
 
-/// The scene as a load case sets it, checked. Throws scene::SceneError that names the load case.
+/// Reads and checks the scene with the load case's settings. Throws scene::SceneError that names the load case.
 scene::ReadScene load_case_scene(const scene::LoadCase& load_case, const std::filesystem::path& scene,
                                  const std::vector<std::string>& overrides);
 
-/// Warns of a load case whose scene is the one without it; none where it is another.
+/// Warns of a load case that does not change the scene; none if it does.
 std::optional<scene::Diagnostic> idle_load_case(const scene::LoadCase& load_case, scene::Scene without,
                                                 scene::Scene with);
 
-/// Warns of each "joint.KEY=..." of a load case that leaves joints as they are which state the key themselves. `with`
-/// is the scene that it makes.
+/// Warns of each "joint.KEY=..." of a load case that does not reach some joints because they state the key themselves.
+/// `with`: the scene of the load case.
 std::vector<scene::Diagnostic> missed_joints(const scene::LoadCase& load_case, const scene::Scene& with);
 
 }  // namespace blockweir::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A map as a picture and as letters.
+// A map of outcomes as a picture and as letters.
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace blockweir::study {
 
-/// Of a cell's word in text.
+/// Letter for a cell's word, in text.
 char letter(const std::string& word);
 
-/// gnuplot's, of a cell's word.
+/// gnuplot's colour for a cell's word.
 std::string colour(const std::string& word);
 
-/// Letters and words that the cells have, a line.
+/// One line with the letters and words that occur in the cells.
 std::string legend(const nlohmann::json& cells);
 
-/// gnuplot's commands: a square a cell in the colour of its word, with its error where there is one, a red cross on
-/// wrong ones. Values stand side by side in their order, whatever their distance.
+/// gnuplot's commands: one square for each cell in the colour of its word, with its error if there is one and a red
+/// cross if it is wrong. Values are drawn at equal distances in their order.
 std::string map_figure(const std::array<scene::Sweep, 2>& axes, const nlohmann::json& cells);
 
 }  // namespace blockweir::study

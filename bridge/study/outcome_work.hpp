@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One item of a study: the outcome of a scene with some settings, found in a process of an engine.
+// One item of a study: the outcome of a scene with some settings, computed by a process of an engine.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace blockweir::study {
 
-/// What a run was set to and how it ended: settings, outcome, mode, joint, level_m, head_m, time_s, sliding_factor,
-/// factor (of safety, where that is asked for), simulated_s, wall_time_s; trouble where it gave no answer. A figure
-/// that it has not is null.
+/// Settings and result of a run: settings, outcome, mode, joint, level_m, head_m, time_s, sliding_factor, factor
+/// (of safety, if requested), simulated_s, wall_time_s; and trouble, if it gave no answer. Missing figures are
+/// null.
 using Outcome = nlohmann::json;
 
-/// One without an answer: "refused" or "stopped", and why.
+/// An outcome without an answer: "refused" or "stopped", and the reason.
 Outcome troubled(const char* outcome, const std::string& trouble);
 
-/// False of a run that was killed or broke off: of it nothing is known. That a scene is refused is an answer.
+/// False for a run that was killed or broke off. A refused scene counts as an answer.
 bool has_answer(const Outcome& outcome);
 
-/// What all studies have their engines do. Of "by" = "check": see check_worker(). Else of "scene", "settings" that hold
-/// for all, "by" ("run", "factor", "limit" or "statics") and "until_decided": a run that ends on the move is made
-/// longer. Each item has its own "settings".
+/// The work of an engine for all studies. With "by" = "check": see check_worker(). Otherwise `common` has "scene",
+/// "settings" of all runs, "by" ("run", "factor", "limit" or "statics") and "until_decided": a run that ends in motion
+/// is continued longer. Each item has its own "settings".
 engine::Worker study_worker(const nlohmann::json& common);
 
 }  // namespace blockweir::study

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program blockweir-probability, which draws points and evaluates probabilities by OpenTURNS, and the settings that
-// a point of the random variables stands for.
+// Calls the program blockweir-probability, which draws points and evaluates probabilities by OpenTURNS, and converts
+// points of the random variables into settings.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace blockweir::study {
 
-/// A value of each variable.
+/// One value for each variable.
 using RandomPoint = std::vector<double>;
 
 class Probability {
@@ -23,11 +23,11 @@ class Probability {
   using Evaluate = std::function<std::vector<double>(const std::vector<RandomPoint>& points)>;
 
   explicit Probability(const scene::Randomness& randomness);
-  /// Of variables that do not depend on each other.
+  /// For independent variables.
   Probability(const std::vector<scene::Distribution>& distributions, int seed);
 
-  /// What the program answers to `request` ("do", and what that needs). Throws std::runtime_error with its reason where
-  /// it has none.
+  /// The program's answer to `request` ("do", and what that needs). Throws std::runtime_error with the program's reason
+  /// if there is none.
   nlohmann::json ask(nlohmann::json request, const Evaluate& evaluate = {});
 
  private:
@@ -35,10 +35,10 @@ class Probability {
   std::unique_ptr<process::LineProgram> program_;
 };
 
-/// What the scene is set to by variable `v` alone. Throws std::out_of_range where there is none.
+/// Settings of the scene for variable `v` alone. Throws std::out_of_range if there is none.
 Settings settings_of_one(const scene::Randomness& randomness, std::size_t v, const RandomPoint& point);
 
-/// What the scene is set to where the variables have these values.
+/// Settings of the scene for these values of all variables.
 Settings settings_of(const scene::Randomness& randomness, const RandomPoint& point);
 
 }  // namespace blockweir::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answers of `blockweir safety` as a terminal shows them.
+// The answers of `blockweir safety` as text.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,7 +7,7 @@
 
 namespace blockweir::study {
 
-/// The table of load cases, what is to be said of each, and their joints. `cases`: a list as safety.json has it.
+/// The table of load cases, remarks on each, and their joints. `cases`: a list as in safety.json.
 [[nodiscard]] std::string safety_text(const nlohmann::json& cases);
 
 }  // namespace blockweir::study

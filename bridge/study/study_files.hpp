@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures that studies leave.
+// Figures of studies.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace blockweir::study {
 
-/// Draws gnuplot's commands, without terminal and output, and says where.
+/// Draws gnuplot's commands, without terminal and output, and prints the file's path.
 void draw_study(const std::filesystem::path& file, const std::string& title, const std::string& figure);
 
 }  // namespace blockweir::study

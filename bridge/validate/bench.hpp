@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// blockweir bench: wall time against error, over the settings that a case's [[bench]] names. Errors are found by an
-// engine, times on this machine, one run after the other.
+// blockweir bench: wall time against error for the settings in a case's [[bench]]. An engine computes the errors; the
+// times are measured on this machine, one run after the other.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,20 @@
 namespace blockweir::study {
 
 struct BenchOptions {
-  std::vector<std::filesystem::path> cases;  ///< empty: all that have a [[bench]]
-  std::filesystem::path out = "runs/bench";  ///< folder for the table and a picture a case
+  std::vector<std::filesystem::path> cases;  ///< empty: all cases with a [[bench]]
+  std::filesystem::path out = "runs/bench";  ///< folder for the table and one picture for each case
   std::vector<std::string> overrides;
-  bool brief = false;    ///< two values a curve, each timed once
-  bool untimed = false;  ///< errors alone
+  bool brief = false;    ///< two values for each curve, each timed once
+  bool untimed = false;  ///< errors only
   EngineOptions engine{};
 };
 
-/// How many settings a bench of the scene has beside the scene as it stands. Throws scene::SceneError when the scene is
-/// not sound with one.
+/// Number of settings in a bench, besides the scene itself. Throws scene::SceneError if the scene is invalid with one
+/// of them.
 std::size_t bench_settings(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 
-/// Prints a row a setting, draws each case, writes bench.json, and says which scenes as they stand are bettered by
-/// another setting. Returns 1 when a run failed, else 0.
+/// Prints one row for each setting, draws each case, writes bench.json, and lists the scenes for which another setting
+/// is better than their own. Returns 1 if a run failed, otherwise 0.
 int bench(const BenchOptions& options);
 
 }  // namespace blockweir::study

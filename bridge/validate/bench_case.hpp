@@ -9,26 +9,26 @@
 
 namespace blockweir::study {
 
-/// A point of a bench before it has been measured.
+/// A point of a bench before measurement.
 struct BenchSetting {
   std::string curve;
   std::string key_and_value;
-  scene::SettingEntry entry{};  ///< that states it, with what holds for the curve
-  Settings all{};               ///< with those of the command line
+  scene::SettingEntry entry{};  ///< that states it, with the settings common to the curve
+  Settings all{};               ///< including those of the command line
   bool inproc = false;
 };
 
-/// The same scene, launched otherwise: no setting that a scene could take over.
+/// The same scene in one process: not a setting that a scene could adopt.
 constexpr const char* one_process = "--inproc";
 
 struct BenchCase {
   std::filesystem::path scene;
-  std::vector<BenchSetting> settings{};       ///< the first is the scene as it stands
-  std::optional<BenchSetting> finer_steps{};  ///< whose motion the others' is held against
+  std::vector<BenchSetting> settings{};       ///< the first is the scene itself
+  std::optional<BenchSetting> finer_steps{};  ///< reference for errors of the motion
 };
 
-/// Curves of the scene: its [[bench]], and each [[order]] of its first figure; only the scene as it stands where it has
-/// no [[bench]]. `brief`: the ends of each curve. Every setting is checked: throws scene::SceneError.
+/// Curves of a scene: its [[bench]], and each [[order]] of its first figure; without a [[bench]] the scene itself only.
+/// `brief`: only the ends of each curve. Every setting is checked: throws scene::SceneError.
 BenchCase bench_case(const std::filesystem::path& scene, const Settings& overrides, bool brief);
 
 }  // namespace blockweir::study

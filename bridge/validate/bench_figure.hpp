@@ -9,8 +9,8 @@
 
 namespace blockweir::study {
 
-/// Error over wall time, both logarithmic: a line a curve, the Pareto front, the scene as it stands as a star. `error`
-/// says what it is of.
+/// Error over wall time, both logarithmic: a line for each curve, the Pareto front, a star for the scene itself.
+/// `error` names the quantity.
 void draw_bench(const std::filesystem::path& file, const std::string& title, const std::string& error,
                 const std::vector<Point>& points);
 

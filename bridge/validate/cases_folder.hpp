@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the cases are.
+// Finds the folder of cases.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace blockweir::study {
 
-/// The cases of the source tree, or of an install: both stand at a fixed place from the program. Throws
-/// std::invalid_argument when there are none.
+/// The cases of the source tree or of an installation, at a fixed place relative to the program. Throws
+/// std::invalid_argument if there are none.
 inline std::filesystem::path cases_folder() {
   const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   for (const char* place : {"../../../cases", "../share/blockweir/cases"}) {
@@ -20,12 +20,12 @@ inline std::filesystem::path cases_folder() {
   throw std::invalid_argument("there is no folder of cases beside the program; name the cases");
 }
 
-/// What tables call a case, or a scene file.
+/// The name of a case or scene file in tables.
 inline std::string case_name(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path) ? std::filesystem::canonical(path).filename() : path.stem();
 }
 
-/// Their folders, by name.
+/// All case folders, sorted by name.
 inline std::vector<std::filesystem::path> all_cases() {
   std::vector<std::filesystem::path> cases;
   for (const auto& entry : std::filesystem::directory_iterator(cases_folder())) {

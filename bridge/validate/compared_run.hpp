@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tables of blockweir compare have in common: a run, its figures, the command that repeats it.
+// Common parts of the tables of blockweir compare: a run, its figures, the command that repeats it.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,14 +9,14 @@
 
 namespace blockweir::study {
 
-/// Throws Interrupted where somebody has stopped it.
+/// Throws Interrupted if it is stopped.
 process::RunResult uninterrupted(const process::RunOptions& options);
 
-/// What makes the run again, on a command line.
+/// The command line that repeats the run.
 std::string command_of(const process::RunOptions& options);
 
-/// What a run is compared by, each with name, expected, got and relative_error: the figures that the scene states, or
-/// where it states none how the run ends.
+/// Figures to compare, each with name, expected, got and relative_error: those that the scene states, or, if it states
+/// none, the outcome of the run.
 nlohmann::json figures(const nlohmann::json& summary);
 
 void print_figure(const std::string& name, const std::string& got, const std::string& error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wall time against error: which of many runs nobody betters.
+// Wall time against error: finds the runs that no other run beats.
 #pragma once
 
 #include <string>
@@ -9,21 +9,21 @@ namespace blockweir::study {
 
 /// A run of a bench.
 struct Point {
-  std::string curve;       ///< the setting that it belongs to
-  std::string setting;     ///< "key=value"; empty: the scene as it stands
-  double time_s = 0;       ///< least wall time of its repeats
+  std::string curve;       ///< the setting that is varied
+  std::string setting;     ///< "key=value"; empty: the scene itself
+  double time_s = 0;       ///< shortest wall time of its repetitions
   double error = 0;        ///< relative, of the scene's first figure or of its motion
-  double beside = 0;       ///< its wall time over the scene's as it stands, run by turns with it alone; 0: was not
-  double energy_gain = 0;  ///< largest of its repeats: energy made, of what the run had
+  double beside = 0;       ///< its wall time over that of the scene itself, run alternately; 0: not measured
+  double energy_gain = 0;  ///< largest of its repetitions: energy produced, relative to the energy of the run
 };
 
-/// Errors below it are round-off, and equal.
+/// Errors below this are round-off and count as equal.
 constexpr double round_off = 1e-12;
 
-/// Is `a` faster than `b` at no larger error, or more accurate at no longer time, by more than a tenth?
+/// Whether `a` is faster than `b` with no larger error, or more accurate in no longer time, by more than a tenth.
 bool betters(const Point& a, const Point& b);
 
-/// Indices of those that no other is both faster and more accurate than, by time: the Pareto front.
+/// The Pareto front: indices, sorted by time, of the points for which no other is faster and more accurate.
 std::vector<std::size_t> front(const std::vector<Point>& points);
 
 }  // namespace blockweir::study

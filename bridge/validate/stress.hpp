@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// blockweir stress: maps of stability, each cell right, refused with a reason, or wrong.
+// blockweir stress: maps of stability; each cell is right, refused with a reason, or wrong.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,8 @@ struct StressOptions {
   EngineOptions engine{};
 };
 
-/// Prints each map and then a row for each, draws them in a folder a scene and writes stress.json. Returns 1 when a
-/// cell is wrong, else 0.
+/// Prints each map and a summary row for each, draws them in one folder for each scene and writes stress.json. Returns
+/// 1 if a cell is wrong, otherwise 0.
 int stress(const StressOptions& options);
 
 }  // namespace blockweir::study

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines of tables that fit a terminal of 80 columns.
+// Lines of tables for a terminal of 80 columns.
 #pragma once
 
 #include <string>
 
 namespace blockweir::study {
 
-/// `left` at the line's start and `right` up to column `width`; on two lines where one does not hold both.
+/// `left` at the start of the line and `right` ending at column `width`, on two lines if necessary.
 inline std::string table_line(const std::string& left, const std::string& right, std::size_t width = 80) {
   if (right.empty()) return left + "\n";
   const std::size_t used = left.size() + right.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ParaView collection (.pvd): VTK files with the times and parts that they stand for.
+// A ParaView collection (.pvd): a list of VTK files with their times and parts.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,17 @@ namespace blockweir::vtk {
 
 class Collection {
  public:
-  /// The collection goes to `folder`/`name`, its files to `folder`/frames.
+  /// The collection is `folder`/`name`; its VTK files are in `folder`/frames.
   Collection(std::filesystem::path folder, const std::string& name);
   ~Collection();
   Collection(const Collection&) = delete;
   Collection& operator=(const Collection&) = delete;
 
-  /// Writes `grid` as frames/`file` and lists it. Throws std::runtime_error when the file cannot be written.
+  /// Writes `grid` as frames/`file` and adds it to the list. Throws std::runtime_error if the file cannot be written.
   void add(const Grid& grid, const std::string& file, double time_s, const char* part, int part_number = 0);
-  /// Lists a file that is there already once more: nothing has changed since.
+  /// Adds an existing file to the list again, for a time at which nothing has changed.
   void repeat(const std::string& file, double time_s, const char* part, int part_number = 0);
-  /// Puts the list on disk. Throws std::runtime_error when it cannot be written, and leaves the former one.
+  /// Writes the list. Throws std::runtime_error if it cannot be written; the previous one then remains.
   void save();
 
   template <class Archive>

@@ -19,7 +19,7 @@ class Grid {
   void cell(int type, const std::vector<vtkIdType>& ids) {
     grid_->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
   }
-  /// An empty array of the grid, a tuple a point or a cell.
+  /// A new array of the grid with one tuple for each point or cell.
   vtkDoubleArray* point_data(const char* name, int components);
   vtkDoubleArray* cell_data(const char* name, int components);
   [[nodiscard]] vtkUnstructuredGrid* get() const { return grid_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's grid and array, looked at cell by cell and value by value. VTK's own way is for threads, for which it gets
-// ready at each look: 2 % of the instructions of a small scene's run.
+// VTK's grid and array with sequential loops over cells and values. VTK's own loops prepare for threads each time: 2 %
+// of the instructions of a small scene's run.
 #pragma once
 
 #include <vtkDoubleArray.h>
@@ -19,9 +19,9 @@ class SequentialArray : public vtkDoubleArray {
   static SequentialArray* New();
 
  protected:
-  /// ranges: least and largest value of each component in turn.
+  /// ranges: smallest and largest value of each component in turn.
   bool ComputeScalarRange(double* ranges) override;
-  /// Least and largest length of a tuple.
+  /// Smallest and largest length of a tuple.
   bool ComputeVectorRange(double range[2]) override;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Water in a pipe that ends at the edge of a block: a fluid with an exact answer, and the smallest one there is.
+// Water in a pipe that ends at the edge of a block: the smallest fluid, with an exact solution.
 #pragma once
 
 #include "bridge/scene/scene.hpp"
@@ -24,7 +24,7 @@ class Column final : public schedule::FluidSide {
   void restore(const std::string& state) override;
 
  private:
-  /// The edge's way into the pipe and its rate.
+  /// Displacement of the edge into the pipe, and its rate.
   struct Way {
     double x = 0;
     double v = 0;
@@ -43,8 +43,8 @@ class Column final : public schedule::FluidSide {
   double head_pa_;
   std::size_t blocks_;
   Point centroid_;
-  Point middle_;  ///< of the edge, as the scene draws it
-  Point into_;    ///< the pipe, of unit length
+  Point middle_;  ///< of the edge, as drawn
+  Point into_;    ///< direction into the pipe, of length 1
   double width_m_;
 
   Way edge_;   ///< at the last exchange

@@ -11,8 +11,8 @@
 
 namespace blockweir::hydrostatic {
 
-/// Adds both faces of the crack. Each piece has n elements, the same on both faces, and one end more where the
-/// profile has a kink. What `open_water` reaches, by block, edge and place, is pressed by that alone.
+/// Adds elements on both faces of a crack: n for each piece, the same on both faces, and one more end at a kink of the
+/// profile. Parts in `open_water` (by block, edge and place) are left out: open water loads them.
 void add_crack_elements(const scene::Crack& crack, const joints::Profile& profile, int elements_per_face,
                         const std::vector<WetInterval>& open_water, wire::Load& load);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ends of cracks that have a pool's pressure though no open water reaches them: buried, or behind the structure.
+// Ends of cracks with a pool's pressure that no open water reaches: buried ends, or ends behind the structure.
 #pragma once
 
 #include <string>
@@ -11,20 +11,20 @@ namespace blockweir::hydrostatic {
 
 class CrackEnds {
  public:
-  /// What is taken of a crack's end: its pressure, and where it is now.
+  /// The end of a crack: its assumed pressure, and its present position.
   struct End {
     bool upstream = true;
     Point place;
     double pressure_pa = 0;
   };
 
-  /// `cracks` as the scene draws them: an end that lies on another crack may get its water from there.
+  /// `cracks` as drawn in the scene: an end that lies on another crack may get its water from that one.
   CrackEnds(const scene::Scene& scene, const std::vector<scene::Crack>& cracks);
 
-  /// Keeps the end of crack `k` with the highest pressure that no interval of `open_water` comes near.
+  /// Records the end of crack `k` with the highest pressure that is not close to any interval of `open_water`.
   void look(std::size_t k, const End& end, const std::vector<std::vector<Point>>& outlines,
             const std::vector<WetInterval>& open_water);
-  /// Empty where each end has its water.
+  /// Empty if each end has its water.
   [[nodiscard]] std::string warning() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which body of water wets a crack's end.
+// Finds the body of water that wets a crack's end.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@ class CrackPools {
  public:
   CrackPools(const scene::Scene& scene, const std::vector<scene::Crack>& cracks);
 
-  /// At the mouth or the end of crack `k`, which is at `place`, the level [m] of the water that wets the outlines
-  /// there; none where none does. Where several bodies do, that of `expected_m` counts, then the nearest.
+  /// The level [m] of the water that wets the outlines at the mouth or the end of crack `k`, located at `place`; none
+  /// if no water does. Of several bodies, the one with level `expected_m` counts, otherwise the nearest.
   [[nodiscard]] std::optional<double> level(std::size_t k, bool mouth, const Point& place, double expected_m,
                                             const std::vector<WaterBody>& bodies,
                                             const std::vector<std::vector<Point>>& outlines) const;
 
  private:
-  /// Where one of the crack's blocks goes on beyond the crack's end: an edge from the fraction s on. Water on the
-  /// crack's own side may belong to its other end.
+  /// The continuation of a block beyond the crack's end: an edge from the fraction s on. Water on the crack's own side
+  /// may belong to its other end.
   struct Beyond {
     int block = 0;
     int edge = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Water over the crest between two pools that stand above it at different levels. What stands there up to the lower
-// level presses all along; of what flows over that the scene's [water] crest_pressure states the pressure, as it does
-// where the reservoir alone is above the crest. So the load jumps neither as the lower pool reaches the crest nor as
-// both levels become equal.
+// Water above the crest between two pools with different levels. Up to the lower level the water presses everywhere.
+// The pressure of the water above that, which flows, follows [water] crest_pressure, as with the reservoir alone above
+// the crest. The load is therefore continuous when the lower pool reaches the crest, and when both levels become
+// equal.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace blockweir::hydrostatic {
 
-/// A straight surface of water, level before its first and beyond its last point.
+/// A piecewise straight water surface, level before its first and after its last point.
 struct Surface {
   Point from_m = Point::Zero();
   Point to_m = Point::Zero();
@@ -21,12 +21,12 @@ struct Surface {
   [[nodiscard]] double at(double x) const;
 };
 
-/// None: at the lower level. Triangular: from the reservoir's, above the crest's upstream corner, to the other, above
-/// its downstream corner. Full: at the reservoir's. At the lower level for any law where the tailwater is the higher
-/// one: the law is the reservoir's.
+/// none: the lower level. triangular: from the reservoir's level above the crest's upstream corner to the lower level
+/// above its downstream corner. full: the reservoir's level. If the tailwater is higher, the lower level in all cases:
+/// the law applies to the reservoir.
 Surface over_the_crest(const Structure& structure, double upstream_m, double downstream_m, scene::CrestPressure law);
 
-/// What of `all` is in none of `parts`. Intervals of each list are apart.
+/// The parts of `all` that are in none of `parts`. Intervals of each list must not overlap.
 std::vector<WetInterval> without(const std::vector<WetInterval>& all,
                                  const std::vector<const std::vector<WetInterval>*>& parts);
 

@@ -17,12 +17,12 @@
 
 namespace blockweir::hydrostatic {
 
-/// Elements of the drawn reservoir, to its depth and on an edge that is wet all along: those of the load, or more.
+/// Elements of the reservoir mesh over its depth and along a fully wet edge: those of the load, or more.
 inline int elements_drawn(const scene::Water& water) {
   return std::max(water.elements_per_face, 20);
 }
 
-/// The section of a body of water, with elements on the blocks.
+/// The section of a body of water, meshed with nodes on the blocks.
 struct PoolSection {
   scene::Hydrostatics water;
   std::vector<Ring> region;
@@ -33,17 +33,17 @@ class HydrostaticModel final : public schedule::FluidSide {
  public:
   explicit HydrostaticModel(const scene::Scene& scene);
 
-  /// Pressures at the levels of time `to_s` on blocks that are where `motion` says. Throws std::runtime_error when
-  /// `motion` does not fit the scene.
+  /// Pressures at the levels of time `to_s` for the positions in `motion`. Throws std::runtime_error if `motion` does
+  /// not fit the scene.
   void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
   [[nodiscard]] bool remembers() const override { return !flow_.empty(); }
   [[nodiscard]] std::string state() const override;
   void restore(const std::string& state) override;
 
-  /// The bodies of water as they were at the last advance().
+  /// The bodies of water of the last advance().
   [[nodiscard]] const std::vector<PoolSection>& sections() const { return sections_; }
   [[nodiscard]] const std::vector<WaterBody>& bodies() const { return bodies_; }
-  /// Where the blocks were told to be.
+  /// Outlines at the positions received last.
   [[nodiscard]] const std::vector<std::vector<Point>>& outlines() const { return structure_.outlines; }
   [[nodiscard]] const joints::FlowInJoints& flow_in_joints() const { return flow_; }
   [[nodiscard]] long updates() const { return updates_; }  ///< windows whose pressures were computed
@@ -55,7 +55,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   void place(const wire::Motion& motion);
   void add_body(const WaterBody& body, wire::Load& load);
   void add_cracks(const std::vector<WaterBody>& open, double to_s, wire::Load& load);
-  /// The same joint, open as far as its crack's law says under these forces of open water.
+  /// The same joint with the open length that its crack's law gives under these forces of open water.
   [[nodiscard]] joints::Joint opened(std::size_t crack, const joints::Joint& joint, double to_s,
                                      const statics::Wrenches& open_water) const;
   [[nodiscard]] Point ground_displacement() const;
@@ -63,7 +63,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   const scene::Scene& scene_;
   std::vector<Point> centroids_;
   std::vector<scene::Crack> cracks_;
-  std::map<std::size_t, joints::Parted> parted_;  ///< by cracks whose length follows the forces on them
+  std::map<std::size_t, joints::Parted> parted_;  ///< for cracks whose length depends on the forces
   CrackPools crack_pools_;
   CrackEnds crack_ends_;
   joints::FlowInJoints flow_;
@@ -75,7 +75,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   double last_upstream_m_ = 0;
   double last_downstream_m_ = 0;
   double last_s_ = 0;
-  /// Until then open joints have no uplift; minus infinity where they keep it.
+  /// Until this time open joints have no uplift; minus infinity: they always have it.
   double shaking_ends_s_ = -std::numeric_limits<double>::infinity();
   bool fresh_ = true;
   long updates_ = 0;

@@ -10,8 +10,8 @@
 
 namespace blockweir::hydrostatic {
 
-/// Adds the elements of intervals that water under a surface wets to `load`. Elements are counted from an edge's ends,
-/// n to an edge, so that they stay where they are when the level moves; the one that the surface cuts keeps its wet
+/// Adds to `load` the elements of intervals that water with this surface wets. Elements are counted from the ends of an
+/// edge, n for each edge, so that they do not move when the level does; an element cut by the surface keeps its wet
 /// part.
 void add_wet_elements(const std::vector<std::vector<Point>>& outlines, const std::vector<WetInterval>& wet,
                       const scene::Scene& scene, const Surface& surface, int elements_per_face, wire::Load& load);

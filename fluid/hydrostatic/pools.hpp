@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bodies of still water beside a structure, and what each wets. No face belongs to two of them.
+// The bodies of still water beside a structure and the faces that each wets. No face belongs to two of them.
 #pragma once
 
 #include <array>
@@ -10,31 +10,30 @@
 
 namespace blockweir::hydrostatic {
 
-/// Still water, and what it wets.
+/// A body of still water and the faces that it wets.
 struct WaterBody {
   Surface surface;
   const WetFaces* wet;
 };
 
-/// Two pools of one level are one body of water. Of two levels the pools are apart; where open water connects them it
-/// would flow, which is a breach: each then wets what lies on its side of the upright line through the crest's middle.
-/// Where both stand above the crest without a breach, what only the lower of them would reach over it is wet by a third
-/// body: over_the_crest().
-/// What is found is kept until blocks_moved().
+/// Two pools with equal levels are one body of water. Pools with different levels are separate. If open water
+/// connects them the water would flow, which is a breach: each pool then wets its side of the vertical line
+/// through the middle of the crest. If both are above the crest without a breach, the part that only the lower
+/// pool would wet across the crest belongs to a third body: over_the_crest(). Results are kept until
+/// blocks_moved().
 class Pools {
  public:
   struct State {
-    std::vector<WaterBody>
-        bodies;  ///< the reservoir first; good until blocks_moved(), and until the level of one has changed
+    std::vector<WaterBody> bodies;  ///< the reservoir first; valid until blocks_moved() or a change of a level
     bool breached = false;
   };
 
-  /// NaN stands for a side without a pool.
+  /// NaN: no pool on that side.
   State find(const Structure& structure, double upstream_m, double downstream_m, scene::CrestPressure law);
   void blocks_moved() { kept_ = {}; }
 
   [[nodiscard]] long searches() const { return searches_; }
-  [[nodiscard]] long repeats() const { return repeats_; }  ///< searches that were not made, as nothing had changed
+  [[nodiscard]] long repeats() const { return repeats_; }  ///< searches saved because nothing had changed
   [[nodiscard]] double search_s() const { return search_s_; }
 
  private:
@@ -50,7 +49,7 @@ class Pools {
 
   std::array<std::optional<Kept>, kinds> kept_;
   WetFaces over_crest_;
-  std::array<bool, 2> behind_{};  ///< is water of the pools behind the crest?
+  std::array<bool, 2> behind_{};  ///< whether water of the pools is behind the crest
   long searches_ = 0;
   long repeats_ = 0;
   double search_s_ = 0;

@@ -17,9 +17,9 @@ struct ReservoirMesh {
   std::vector<std::array<std::size_t, 3>> triangle;  ///< nodes, counter-clockwise
 };
 
-/// Constrained Delaunay triangulation of `region` (rings, holes among them), with a lattice of nodes `size_m` apart
-/// inside. Interface elements within `near_m` of the region's boundary become edges of the mesh, unsplit; the rest of
-/// the boundary is cut into pieces of about size_m. More than 50,000 nodes are not made: size_m grows instead.
+/// Constrained Delaunay triangulation of `region` (rings, including holes), with a lattice of nodes `size_m` apart
+/// inside. Interface elements within `near_m` of the region's boundary become unsplit edges of the mesh; the rest of
+/// the boundary is divided into pieces of about size_m. Limited to 50,000 nodes: size_m grows instead.
 ReservoirMesh mesh_reservoir(const std::vector<Ring>& region, const std::vector<InterfaceElement>& interface,
                              double size_m, double near_m);
 

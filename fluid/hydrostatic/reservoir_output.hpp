@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Still water for ParaView: reservoir.pvd, triangles with the pressure at their nodes, and what flows through joints.
+// Still water for ParaView: reservoir.pvd, triangles with nodal pressures, and the flow through joints.
 #pragma once
 
 #include "bridge/vtk/collection.hpp"
@@ -8,13 +8,13 @@
 
 namespace blockweir::hydrostatic {
 
-/// Throws std::invalid_argument where pictures are asked for and nothing says where they go.
+/// Throws std::invalid_argument if VTK files are requested and no folder is given.
 void require_folder_of_pictures(const scene::Scene& scene, const std::filesystem::path& folder);
 
-/// The model, which also writes its pools every [output] frame_every_s where that is asked for, and its flow in joints.
+/// The model, which also writes its pools every [output] frame_every_s if requested, and its flow in joints.
 class RecordedModel final : public schedule::FluidSide {
  public:
-  /// Files go to `folder`. Throws std::runtime_error when they cannot be written, here and later.
+  /// Writes to `folder`. Throws std::runtime_error if files cannot be written, here and later.
   RecordedModel(const scene::Scene& scene, const std::filesystem::path& folder);
 
   void advance(const wire::Motion& motion, double to_s, wire::Load& load) override;
@@ -37,7 +37,7 @@ class RecordedModel final : public schedule::FluidSide {
   std::string last_file_;
   long written_update_ = -1;
   long meshes_ = 0;
-  long repeats_ = 0;  ///< pictures whose mesh was the one before
+  long repeats_ = 0;  ///< VTK files that reuse the previous mesh
   double meshing_s_ = 0;
 };
 

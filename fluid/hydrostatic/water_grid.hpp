@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Metres to Clipper's whole numbers and back, and the lengths that count as none, all of them fractions of the size of
-// what is looked at: a model in the laboratory and a mountain come out alike.
+// Converts metres to Clipper's integers and back, and defines the lengths that count as zero. All are fractions of the
+// section's size, so that a laboratory model and a mountain give the same results.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -18,12 +18,12 @@ using Extent = Eigen::AlignedBox2d;
 struct Grid {
   Point origin_m;
   double per_m;
-  double unit_m;  ///< 2^-50 of the size or a little more: Clipper's products in doubles are off by one unit at most
+  double unit_m;  ///< 2^-50 of the size or a little more: Clipper's products are off by one unit at most
   double tiny_m;  ///< shorter than anything that matters, longer than round-off
 
   explicit Grid(const Extent& reach) {
     const int power = std::ilogb(reach.sizes().maxCoeff());
-    const double step_m = std::ldexp(1.0, power + 2);  // near the origin there is no offset, and round numbers stay so
+    const double step_m = std::ldexp(1.0, power + 2);  // near the origin there is no offset: round numbers stay exact
     for (const int i : {0, 1}) origin_m[i] = step_m * std::nearbyint(reach.center()[i] / step_m);
     per_m = std::ldexp(1.0, 50 - power);
     unit_m = 1 / per_m;
@@ -44,7 +44,7 @@ struct Grid {
     for (const Point& p : ring) path.push_back(units(p));
     return path;
   }
-  /// Growing, Clipper and moving back have rounded: corners at round numbers are there again.
+  /// Removes the rounding by growing, Clipper and moving back: corners at round numbers are exact again.
   [[nodiscard]] Point rounded(const Point& p) const {
     const double coarse_m = 32 * unit_m;
     return {coarse_m * std::nearbyint(p.x() / coarse_m), coarse_m * std::nearbyint(p.y() / coarse_m)};

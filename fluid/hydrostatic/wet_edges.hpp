@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Water's boundary, piece by piece, found again on the edges of the blocks.
+// Maps the boundary of the water, piece by piece, back to the edges of the blocks.
 #pragma once
 
 #include <utility>
@@ -17,19 +17,19 @@ struct WetInterval {
   double s_to = 1;
 };
 
-/// The edges of blocks that reach below a level, and which parts of them are wet.
+/// The edges of blocks that reach below a level, and their wet parts.
 class WetEdges {
  public:
-  /// `growth_m`: by how much the water's boundary has been moved, whose direction is known to a unit of the grid.
+  /// `growth_m`: distance by which the water's boundary was moved; its direction is known to one unit of the grid.
   WetEdges(const std::vector<std::vector<Point>>& outlines, double level_m, double growth_m, const Grid& grid);
 
-  /// A piece of the boundary, water on its left.
+  /// A piece of the boundary, with the water on its left.
   void add(const Piece& boundary);
-  /// What has been added, by block, edge and place: ends put where they belong, what overlaps joined.
+  /// All pieces by block, edge and place, with ends snapped to their place and overlaps merged.
   [[nodiscard]] std::vector<WetInterval> intervals() const;
 
  private:
-  /// What of an edge of a block is under the level.
+  /// The part of a block's edge below the level.
   struct Sunken {
     int block;
     int edge;
@@ -38,7 +38,7 @@ class WetEdges {
     double length_m;
     double s_from;
     double s_to;
-    double surface;  ///< fraction at which the level cuts the edge's line, or none within 0..1
+    double surface;  ///< fraction at which the level cuts the edge's line, or none in 0..1
   };
   struct Part {
     std::size_t sunken;
@@ -46,7 +46,7 @@ class WetEdges {
     double s_to;
   };
 
-  /// To edges that run along it and are no farther than `near_m`; `found`: where [m] from its end backwards.
+  /// Adds to parallel edges no farther than `near_m`; `found`: positions [m] measured backwards from the edge's end.
   void add_near(const Piece& boundary, double near_m, std::vector<std::pair<double, double>>& found);
 
   std::vector<Sunken> edges_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers that belong together, by pairs of which that is said.
+// Disjoint sets of numbers (union-find): pairs are joined, and each set has one representative.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A factor of the matrix of filling equations, kept from window to window.
+// A factorization for the filling equations, kept from window to window.
 #pragma once
 
 #include <Eigen/SparseLU>
@@ -7,18 +7,18 @@
 
 namespace blockweir::joints {
 
-/// Serves as long as the matrix is little other.
+/// Usable as long as the matrix changes little.
 class FillingFactor {
  public:
   [[nodiscard]] bool fits(const Eigen::SparseMatrix<double>& matrix) const;
-  /// False where the matrix is singular.
+  /// False if the matrix is singular.
   bool make(const Eigen::SparseMatrix<double>& matrix);
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) { return factor_.solve(right); }
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);
   void keep(bool keeps) { keeps_ = keeps; }
-  [[nodiscard]] long count() const { return count_; }  ///< factors made
-  [[nodiscard]] long kept() const { return kept_; }    ///< solutions by a factor of one before
+  [[nodiscard]] long count() const { return count_; }  ///< number of factorizations
+  [[nodiscard]] long kept() const { return kept_; }    ///< solutions with a reused factorization
   void used_again() { ++kept_; }
 
  private:

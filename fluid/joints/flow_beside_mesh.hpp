@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The flow through joints beside water that a mesh carries: OpenFOAM's plugin gives what presses on open faces and
-// takes the panels of the joints. C++17, which the plugin is, though what it holds is not: a scene reaches it as bytes.
+// Flow through joints beside water that is computed in a mesh. OpenFOAM's plugin supplies the pressure on open faces
+// and receives the panels of the joints. C++17, like the plugin; a scene (C++20) reaches it as bytes.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,16 +16,16 @@ class FlowBesideMesh {
  public:
   using Outlines = std::vector<std::vector<Eigen::Vector2d>>;
 
-  /// `scene`: what flow_scene.hpp has packed. Gaps of more than `open_m` are no joints: the mesh carries their water.
-  /// Tables go to `folder`; empty: nowhere.
+  /// `scene`: packed by flow_scene.hpp. Gaps wider than `open_m` are not joints: the mesh contains their water. Tables
+  /// are written to `folder`; empty: none.
   FlowBesideMesh(const std::string& scene, double open_m, const std::string& folder);
   ~FlowBesideMesh();
 
-  /// Solves for time `to_s` and adds the joints' panels behind those of `load`, which are open water.
+  /// Solves for time `to_s` and appends the joints' panels to those of `load`, which are open water.
   void advance(const Outlines& outlines, double to_s, wire::Load& load);
-  /// Of the time that it was advanced to last.
+  /// Records the time of the last advance().
   void record(double time_s);
-  /// What it stores changes its pressures even while nothing else does.
+  /// Whether its pressures change by storage while nothing else does.
   [[nodiscard]] bool changes_by_itself() const;
   [[nodiscard]] std::vector<std::string> warnings() const;
 

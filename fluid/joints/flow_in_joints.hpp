@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The water that flows through the joints of a scene: its network follows the blocks, its ends the open water, and its
-// pressures become panels on both faces of each joint.
+// Flow through the joints of a scene: the network follows the blocks, its boundary values are those of open water, and
+// its pressures become panels on both faces of each joint.
 #pragma once
 
 #include <functional>
@@ -14,46 +14,46 @@
 
 namespace blockweir::joints {
 
-/// Where the water of a network comes from and goes to [m2/s].
+/// Inflows and outflows of a network [m2/s].
 struct FlowBalance {
   double from_open_water = 0;
   double to_open_water = 0;
   double to_air = 0;
-  std::vector<double> to_drain;  ///< by drain of the scene
+  std::vector<double> to_drain;  ///< for each drain of the scene
   double stored = 0;             ///< volume that the joints hold [m2]
-  double largest = 0;            ///< flow through a channel
+  double largest = 0;            ///< largest flow in a channel
   std::size_t largest_channel = 0;
 };
 
 class FlowInJoints {
  public:
-  /// `open_m`: faces farther apart are no joint; none: [water] open_crack_width_m.
+  /// `open_m`: faces farther apart are not a joint; none: [water] open_crack_width_m.
   FlowInJoints(const scene::Scene& scene, const GroundCut& ground, std::optional<double> open_m = {});
 
   [[nodiscard]] bool empty() const { return joints_.empty(); }
-  /// What it stores changes its pressures even while nothing else does.
+  /// Whether its pressures change by storage while nothing else does.
   [[nodiscard]] bool changes_by_itself() const;
-  /// Solves for time `to_s` and adds the panels of the joints to `load`, whose first `open_panels` are open water.
-  /// `moved`: since the last call. Their ground moved by `ground_m`.
+  /// Solves for time `to_s` and appends the panels of the joints to `load`, whose first `open_panels` are open water.
+  /// `moved`: blocks have moved since the last call. `ground_m`: displacement of their ground.
   void advance(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, bool moved, double to_s,
                std::size_t open_panels, wire::Load& load);
-  /// Adds them again as they were solved last, to a load of that time.
+  /// Appends the last solution again, to a load of the same time.
   void repeat(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, std::size_t open_panels,
               wire::Load& load);
 
   [[nodiscard]] FlowBalance balance() const;
   [[nodiscard]] const JointNetwork& joints() const { return joints_; }
   [[nodiscard]] const Filling& filling() const { return filling_; }
-  /// Levels of the open water that it was solved beside; NaN: no such pool.
+  /// Levels of the open water in the last solution; NaN: no such pool.
   [[nodiscard]] double upstream_level_m() const { return upstream_level_m_; }
   [[nodiscard]] double downstream_level_m() const { return downstream_level_m_; }
-  /// Along a channel, as straight pieces with the curve's force and moment.
+  /// Pressure along a channel, as linear pieces with the force and moment of the exact curve.
   [[nodiscard]] Profile profile(std::size_t channel) const;
   /// Pressure at a share 0..1 of a channel.
   [[nodiscard]] double pressure(std::size_t channel, double share) const;
-  /// Of what the user should know: where the cubic law ends, a network without an outlet. Empty: of nothing.
+  /// Warnings for the user: the cubic law's limit exceeded, a network without an outlet. Empty: none.
   [[nodiscard]] std::vector<std::string> warnings() const;
-  /// It counts how often it has made factors, and kept them.
+  /// Its counts of factorizations made and reused.
   [[nodiscard]] const NetworkFlow& solver() const { return flow_; }
 
   [[nodiscard]] std::string state() const;
@@ -77,7 +77,7 @@ class FlowInJoints {
   NetworkFlow flow_;
   Filling filling_;
   std::vector<double> stored_m2_;
-  std::vector<Point> solved_at_;  ///< nodes that filling_ is of
+  std::vector<Point> solved_at_;  ///< positions of the nodes in filling_
   double time_s_ = 0;
   bool fresh_ = true;
   double upstream_level_m_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What flows through joints, for people and ParaView: its tables, and each [output] frame_every_s and at the end
-// flow.pvd, the joints as lines.
+// Output of the flow through joints: tables, and flow.pvd, the joints as lines, every [output] frame_every_s and at the
+// end.
 #pragma once
 
 #include "bridge/vtk/collection.hpp"
@@ -10,9 +10,9 @@ namespace blockweir::joints {
 
 class FlowOutput {
  public:
-  /// Files go to `folder`. Throws std::runtime_error when they cannot be written, here and later.
+  /// Writes to `folder`. Throws std::runtime_error if files cannot be written, here and later.
   FlowOutput(const scene::Scene& scene, const std::filesystem::path& folder);
-  /// Adds the frame of the run's end: the flow that was recorded last must still be there.
+  /// Adds the frame of the run's end: the flow that was recorded last must still exist.
   ~FlowOutput();
   FlowOutput(const FlowOutput&) = delete;
   FlowOutput& operator=(const FlowOutput&) = delete;

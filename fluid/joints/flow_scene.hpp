@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the flow through joints needs of a scene, as bytes, for a program that does not read scenes.
+// The parts of a scene that the flow through joints needs, as bytes, for a program that does not read scenes.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 namespace blockweir::joints {
 
 struct FlowScene {
-  scene::Scene scene;  ///< of which only that is filled
+  scene::Scene scene;  ///< with these parts only
   GroundCut ground;
 };
 
 std::string pack(const FlowScene& scene);
-/// Throws cereal::Exception where the bytes end too early.
+/// Throws cereal::Exception if the bytes end too early.
 FlowScene unpack_flow_scene(const std::string& bytes);
 
 }  // namespace blockweir::joints

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What flows through joints, as tables: flow.csv, a row each [output] history_every_s; each frame_every_s
-// joint_water.csv, pressures along all joints, and joint_uplift.csv, a row a joint beside guideline laws. All have the
-// end: water that has come to rest is recorded no more, however much it changed since the last frame.
+// Tables of the flow through joints. flow.csv: one row every [output] history_every_s. Every frame_every_s:
+// joint_water.csv, pressures along all joints, and joint_uplift.csv, one row for each joint with guideline laws. All
+// contain the end of the run, even if water at rest was not recorded after the last frame.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,9 @@ namespace blockweir::joints {
 
 class FlowTables {
  public:
-  /// Files go to `folder`. Throws std::runtime_error when they cannot be written, here and later.
+  /// Writes to `folder`. Throws std::runtime_error if files cannot be written, here and later.
   FlowTables(const scene::Scene& scene, std::filesystem::path folder);
-  /// Writes the run's end: the flow that was recorded last must still be there.
+  /// Writes the run's end: the flow that was recorded last must still exist.
   ~FlowTables();
   FlowTables(const FlowTables&) = delete;
   FlowTables& operator=(const FlowTables&) = delete;
@@ -26,14 +26,14 @@ class FlowTables {
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);
 
-  /// What was recorded last, if it has no frame yet and has not gone on since; null otherwise.
+  /// The last recorded flow, if it has no frame yet and has not advanced since; otherwise null.
   [[nodiscard]] const FlowInJoints* without_frame() const;
   [[nodiscard]] double last_time_s() const { return last_time_s_; }
 
  private:
   [[nodiscard]] std::string header() const;
   [[nodiscard]] std::string row(double time_s, const FlowInJoints& flow) const;
-  /// Rows of a frame for joint_water.csv and joint_uplift.csv.
+  /// Rows for joint_water.csv and joint_uplift.csv at one time.
   [[nodiscard]] std::string pressures(double time_s, const FlowInJoints& flow) const;
   [[nodiscard]] std::string uplifts(double time_s, const FlowInJoints& flow) const;
   void add_frame(const std::string& pressures, const std::string& uplifts);
@@ -41,12 +41,12 @@ class FlowTables {
   const scene::Scene& scene_;
   std::filesystem::path folder_;
   std::optional<results::ResultFile> rows_;
-  const FlowInJoints* last_ = nullptr;  ///< recorded since the start or the restart
-  std::string last_row_;                ///< of the last record, whether or not it has been written
+  const FlowInJoints* last_ = nullptr;  ///< last record since the start or restart
+  std::string last_row_;                ///< of the last record, written or not
   double last_time_s_ = 0;
   bool has_row_ = false;
   bool has_frame_ = false;
-  std::string kept_pressures_;  ///< of a last record that had no frame at the restart
+  std::string kept_pressures_;  ///< of a last record without a frame at the restart
   std::string kept_uplifts_;
   std::optional<results::ResultFile> along_;
   std::optional<results::ResultFile> uplifts_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steady flow through joints that are full of water and as wide as they are: linear, symmetric equations.
+// Steady flow through joints that are full of water and have fixed apertures: linear, symmetric equations.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -10,25 +10,25 @@
 
 namespace blockweir::joints {
 
-/// Nodes that a held node reaches through open channels; inside nodes beyond have no water to tell of.
+/// Nodes connected to a held node through open channels. Other inside nodes have no known water.
 std::vector<bool> fed_nodes(const Network& network);
 
 class FullFlow {
  public:
-  /// Pressures by node, below 0 where the water would hang; 0 at nodes that are not fed. A factor of one network serves
-  /// for others of the same nodes and channels whose apertures differ a little.
+  /// Nodal pressures, negative where water would hang; 0 at nodes that are not fed. A factorization can serve other
+  /// networks with the same nodes and channels and slightly different apertures.
   std::vector<double> pressures(const Network& network, const std::vector<bool>& fed, const WaterProperties& water);
 
-  /// What the factor was made of, for a checkpoint; restored, it is made again to the same bits.
+  /// The matrix of the factorization, for a checkpoint; the restored factorization has the same bits.
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);
 
   void keep_factors(bool keep) { keeps_ = keep; }
   [[nodiscard]] long factorizations() const { return factorizations_; }
-  [[nodiscard]] long kept() const { return used_again_; }  ///< solutions by a factor of one before
+  [[nodiscard]] long kept() const { return used_again_; }  ///< solutions with a reused factorization
 
  private:
-  /// From an unknown to another, or to a node whose potential is known (`other` -1).
+  /// Connects an unknown to another, or to a node with known potential (`other` -1).
   struct Link {
     int node;
     int other;
@@ -43,10 +43,10 @@ class FullFlow {
 
   bool keeps_ = true;
   Eigen::SparseMatrix<double> matrix_;
-  Eigen::SparseMatrix<double> factored_;  ///< that factor_ is of
+  Eigen::SparseMatrix<double> factored_;  ///< matrix of factor_
   std::vector<Link> links_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
-  std::vector<int> pattern_;  ///< unknown of each node, -1: none; what the analysis was made for
+  std::vector<int> pattern_;  ///< unknown of each node, -1: none; the symbolic analysis is for this pattern
   long factorizations_ = 0;
   long used_again_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The network of joints of a scene where its blocks are now: stretches cut into channels, ends that meet joined in
-// nodes, and at each node what holds its water.
+// The network of joints of a scene at the present positions: stretches of joints divided into channels, coinciding ends
+// merged into nodes, and the boundary condition of each node.
 #pragma once
 
 #include <optional>
@@ -12,44 +12,44 @@
 
 namespace blockweir::joints {
 
-/// Where the model ends in ground that goes on, as the scene draws it: no water comes in or goes out there.
+/// Ends of the model where the ground continues, as drawn: no water enters or leaves there.
 struct GroundCut {
-  std::optional<Point> left;  ///< the bed's corner
+  std::optional<Point> left;  ///< corner of the bed
   std::optional<Point> right;
   double bottom_m = 0;
 };
 
-/// That of a scene; empty where no water flows in joints.
+/// The cut of a scene; empty if no water flows in joints.
 GroundCut ground_cut(const scene::Scene& scene);
 
-/// Part of a stretch that a channel is; shares 0..1 of the stretch.
+/// The part of a stretch that a channel covers; shares 0..1 of the stretch.
 struct Part {
   std::size_t stretch = 0;
   double from = 0;
   double to = 1;
-  bool open = false;  ///< open water fills it
+  bool open = false;  ///< filled by open water
 };
 
-/// What a node is, beside what the network needs of it.
+/// Properties of a node that the network itself does not need.
 struct Place {
   Point at;
   std::vector<int> blocks{};
-  double gap_m = 0;      ///< widest that ends there
+  double gap_m = 0;      ///< widest gap that ends there
   bool exposed = false;  ///< open space is beside it
-  bool on_cut = false;   ///< the model ends there in ground that goes on
-  bool in_open = false;  ///< it lies in open water within a joint
-  int drain = -1;        ///< of the scene that it is
+  bool on_cut = false;   ///< at an end of the model where the ground continues
+  bool in_open = false;  ///< in open water within a joint
+  int drain = -1;        ///< drain of the scene; -1: none
 };
 
 class JointNetwork {
  public:
-  /// Faces farther apart than `open_m` are no joint.
+  /// Faces farther apart than `open_m` are not a joint.
   JointNetwork(const scene::Scene& scene, const GroundCut& ground, double open_m);
 
   [[nodiscard]] bool empty() const { return search_.empty(); }
-  /// Takes in blocks that have moved; their ground by `ground_m`.
+  /// Updates the network for moved blocks; `ground_m`: displacement of their ground.
   void follow(const std::vector<std::vector<Point>>& outlines, const Point& ground_m);
-  /// Takes in open water: channels, and what holds their nodes. Drains hold theirs at their own head.
+  /// Updates it for open water: channels, and the pressure of held nodes. Drains hold their own head.
   void fill(const OpenWater& open);
 
   [[nodiscard]] Network& network() { return network_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where faces of two blocks lie along each other now, with the gap between them: what water flows through.
+// Finds where faces of two blocks lie along each other at present, and the gap between them: the channels of seepage.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace blockweir::joints {
 
 using scene::Point;
 
-/// Part of an edge of a block; fractions 0..1 along the edge at both ends of the stretch.
+/// A part of a block's edge; fractions 0..1 along the edge at both ends of the stretch.
 struct Side {
   int block = 0;
   int edge = 0;
@@ -22,12 +22,12 @@ struct Side {
   double s_to = 0;
 };
 
-/// Two faces over each other. Between its ends all of it is linear.
+/// Two faces opposite each other; all quantities are linear between its ends.
 struct Stretch {
   std::array<Side, 2> sides;
-  Point from;  ///< in the middle between the faces
+  Point from;  ///< midway between the faces
   Point to;
-  std::array<double, 2> gap_m{};  ///< between the faces at both ends; below 0 where they lie in each other
+  std::array<double, 2> gap_m{};  ///< between the faces at both ends; negative if they overlap
   const scene::JointLaw* law = nullptr;
 
   [[nodiscard]] double length_m() const { return (to - from).norm(); }
@@ -36,16 +36,16 @@ struct Stretch {
 
 class JointStretches {
  public:
-  /// Of joints with uplift = "flow". Faces farther apart than `open_m` are no joint: open water is between them.
+  /// For joints with uplift = "flow". Faces farther apart than `open_m` are not a joint: open water is between them.
   JointStretches(const scene::Scene& scene, double open_m);
 
-  /// Any are there now, or can be when blocks come to lie on each other.
+  /// Whether there are none, now or after blocks come into contact.
   [[nodiscard]] bool empty() const { return !flows_; }
-  /// By pair of blocks and edges.
+  /// Sorted by pair of blocks and edges.
   std::vector<Stretch> find(const std::vector<std::vector<Point>>& outlines);
-  /// Blocks that lie near one another, as they were found by find().
+  /// Blocks near each other, from the last find().
   [[nodiscard]] const std::vector<std::vector<int>>& neighbours() const { return neighbours_; }
-  /// Of the joint, or of its two blocks.
+  /// The name of the joint, or of its two blocks.
   [[nodiscard]] std::string name(const Stretch& stretch) const;
 
  private:

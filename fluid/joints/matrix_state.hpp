@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sparse matrix as bytes and back, so that a factor can be made again of what it was made of.
+// Converts a sparse matrix to bytes and back, so that a factorization can be restored.
 #pragma once
 
 #include <Eigen/Sparse>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joints as a network of channels that meet in nodes, and what holds the water at its ends.
+// Joints as a network of channels and nodes, with boundary conditions at its ends.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 namespace blockweir::joints {
 
 enum class NodeKind {
-  inside,  ///< what flows in flows out
-  held,    ///< by open water or a drain: has the pressure stated
-  seeps    ///< into air: pressure 0, and no more goes on from it than comes
+  inside,  ///< inflow equals outflow
+  held,    ///< by open water or a drain: the pressure is given
+  seeps    ///< into air: pressure 0, and outflow only
 };
 
 struct Node {
@@ -31,7 +31,7 @@ struct WaterProperties {
   double bulk_modulus_pa = std::numeric_limits<double>::infinity();
 };
 
-/// Of the water in a network, by node: a pressure above 0 where all is full, else which share is.
+/// State of the water by node: a pressure above 0 if it is full, otherwise the filled share.
 struct Filling {
   std::vector<double> pressure_pa;
   std::vector<double> saturation;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flow through a network of joints: at each node inside, what comes in goes out or is stored,
+// Flow through a network of joints. At each inside node inflow equals outflow plus storage,
 //   d(V S (1 + p/K_w))/dt + sum of q = 0,   p >= 0,  p > 0 only where S = 1,
-// with V the volume of the channels' halves at the node and q by the cubic law, times the saturation S of the node that
-// it comes from. Steady flow has no first term. Where all is full and nothing widens the equations are linear.
+// V is the volume of the channel halves at the node; q follows the cubic law times the saturation S of its upstream
+// node. Steady flow has no first term. If all nodes are full and nothing widens, the equations are linear.
 #pragma once
 
 #include <string>
@@ -18,23 +18,23 @@ class NetworkFlow {
  public:
   explicit NetworkFlow(const WaterProperties& water) : water_(water) {}
 
-  /// `filling`, empty or of the same nodes, is where the search begins. Parts that no held node feeds are dry.
-  /// Throws std::runtime_error where no flow is found.
+  /// `filling`, empty or for the same nodes, is the initial guess. Parts that no held node feeds are dry. Throws
+  /// std::runtime_error if no flow is found.
   void steady(const Network& network, Filling& filling);
-  /// A step by backward Euler, of all nodes: what was fed before still has its water. `filling` is that at its begin;
-  /// `stored_m2` by node is what was stored then (volume at pressure 0), and is at its end what is stored.
-  /// `yield_m2_per_pa`, by node or empty: how much more a node takes in as a rising pressure moves its walls, which
-  /// whoever tells their positions does not know yet.
+  /// One backward Euler step for all nodes: nodes that were fed before keep their water. `filling` is the state at the
+  /// start; `stored_m2` is the storage of each node at the start (volume at pressure 0) and is updated.
+  /// `yield_m2_per_pa`, by node or empty: additional storage as a rising pressure moves a node's walls, a motion that
+  /// the given positions do not contain yet.
   void step(const Network& network, double step_s, const std::vector<double>& yield_m2_per_pa, Filling& filling,
             std::vector<double>& stored_m2);
   /// Volume of water by node [m2], at pressure 0.
   [[nodiscard]] std::vector<double> stored(const Network& network, const Filling& filling) const;
 
-  /// Whether a factor serves again while the network changes little; else each solution makes its own.
+  /// Whether factorizations are reused while the network changes little; otherwise each solution makes its own.
   void keep_factors(bool keeps);
   [[nodiscard]] long factorizations() const { return full_.factorizations() + factor_.count(); }
-  [[nodiscard]] long kept() const { return full_.kept() + factor_.kept(); }  ///< solutions by a factor of one before
-  /// Factors that it keeps, for a checkpoint: restored, it goes on with the same bits.
+  [[nodiscard]] long kept() const { return full_.kept() + factor_.kept(); }  ///< solutions with a reused factorization
+  /// The kept factorizations, for a checkpoint: after a restart the results have the same bits.
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);
 
@@ -47,7 +47,7 @@ class NetworkFlow {
   FillingFactor factor_;
 };
 
-/// What flows out of a network at its nodes of a kind, less what flows in [m2/s].
+/// Outflow minus inflow of a network at its nodes of a kind [m2/s].
 double outflow(const Network& network, const Filling& filling, NodeKind kind);
 
 }  // namespace blockweir::joints

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The water outside of joints, as the panels of a load tell it: which faces it presses, and its pressure beside them.
+// The water outside joints, from the panels of a load: the faces that it presses on, and its pressure near them.
 #pragma once
 
 #include <map>
@@ -23,12 +23,12 @@ class OpenWater {
     double pressure_to_pa;
   };
 
-  /// The first `panels` of the load. `atmosphere_pa` is taken off: it acts in joints, too.
+  /// The first `panels` of the load. `atmosphere_pa` is subtracted: it acts in joints, too.
   OpenWater(const std::vector<std::vector<Point>>& outlines, const wire::Load& load, std::size_t panels,
             double water_n_per_m3, double atmosphere_pa);
 
-  /// Pressure of the water on one of these blocks that is nearest to p, carried over to p's height; none where there is
-  /// none within `near_m`, or where p lies above it.
+  /// Pressure of the nearest water on one of these blocks, converted to the elevation of p; none if there is none
+  /// within `near_m`, or if p is above that water.
   [[nodiscard]] std::optional<double> pressure(const Point& p, const std::vector<int>& blocks, double near_m) const;
   /// Panels on an edge.
   [[nodiscard]] const std::vector<Face>& on(int block, int edge) const;

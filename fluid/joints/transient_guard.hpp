@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the explicit exchange of pressures and apertures stable in transient flow: in a window of dt, pressure p on the
-// length L of a joint moves a mass m by p L dt^2/m, which the solid cannot have told yet. Without it a film of water
-// that hardly gives throws such a block to and fro. As pressures settle it is of no account.
+// Stabilizes the explicit exchange of pressures and apertures in transient flow. In a window dt, pressure p on the
+// length L of a joint moves a mass m by p L dt^2/m, a motion that the solid cannot have sent yet. Without the guard, a
+// nearly incompressible film of water throws such a block to and fro. In steady pressures the guard has no effect.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace blockweir::joints {
 
-/// What a step has changed.
+/// Changes in a step.
 struct FlowStep {
   const Filling& before;
   const Filling& after;
@@ -21,15 +21,15 @@ struct FlowStep {
 
 class TransientGuard {
  public:
-  /// By node, the volume more that it takes in as its pressure rises [m2/Pa]: where faces have moved, so that the water
-  /// stored would be `as_moved_m2` in place of `stored_m2`, or stand apart. Faces that bear on each other as before do
-  /// not yield.
+  /// Additional storage of each node as its pressure rises [m2/Pa]. It applies where faces have moved, so that the
+  /// storage would be `as_moved_m2` in place of `stored_m2`, or where they are apart. Faces in contact as before do not
+  /// yield.
   [[nodiscard]] static std::vector<double> yields(const scene::Scene& scene, const JointNetwork& joints,
                                                   const std::vector<double>& as_moved_m2,
                                                   const std::vector<double>& stored_m2, double step_s);
-  /// Weighs what that took in against what the joints really took in, lost or let through (`passed_m2`).
+  /// Compares this additional storage with what the joints really stored, lost or conducted (`passed_m2`).
   void add(const FlowStep& step, const std::vector<double>& yields, double passed_m2, double step_s);
-  /// Where it was of account: the window that would make it small. Empty: nowhere.
+  /// Where it was significant: the window that would make it small. Empty: nowhere.
   [[nodiscard]] std::string warning() const;
 
   template <class Archive>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What flows through each joint, and its uplift beside that of the guideline laws.
+// The flow through each joint, and its uplift compared with guideline laws.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace blockweir::joints {
 
-/// Of a joint: all that lies between its two blocks now. Forces are across it, by the pools' levels for the laws:
-/// linear between its ends, with the drain that crosses it, and that of the higher end all along.
+/// All parts of a joint between two blocks. Forces are normal to the joint. The laws use the pools' levels: linear
+/// between the ends; with the drain that crosses it; and the higher end's pressure everywhere.
 struct JointUplift {
   std::string name;
   double length_m = 0;
-  double flow_m2_per_s = 0;  ///< the largest through a part of it
+  double flow_m2_per_s = 0;  ///< largest in any part
   double reynolds = 0;
   double uplift_n_per_m = 0;
   double triangular_n_per_m = 0;
@@ -23,7 +23,7 @@ struct JointUplift {
   double full_n_per_m = 0;
 };
 
-/// By the order in which the joints are first met.
+/// In the order in which the joints are first found.
 std::vector<JointUplift> joint_uplifts(const scene::Scene& scene, const FlowInJoints& flow);
 
 }  // namespace blockweir::joints

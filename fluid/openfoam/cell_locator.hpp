@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which cell of a plane mesh holds a point. C++17: the OpenFOAM plugin includes this.
+// Finds the cell of a plane mesh that contains a point. C++17: the OpenFOAM plugin includes this.
 #pragma once
 
 #include "fluid/openfoam/polygon_clip.hpp"
 
 namespace blockweir::openfoam {
 
-/// Bins as wide as the smallest cell; a search looks at the few cells that reach into one of them.
+/// Bins as wide as the smallest cell; a search tests the few cells that overlap a bin.
 class CellLocator {
  public:
   CellLocator() = default;
-  /// Convex cells, counter-clockwise; they stay the caller's and must outlive this.
+  /// Convex cells, counter-clockwise. They are not copied and must outlive the object.
   explicit CellLocator(const std::vector<Polygon>& cells);
 
-  /// -1 outside of all cells.
+  /// -1 outside all cells.
   [[nodiscard]] int find(const Point& p) const;
 
-  /// Calls visit(cell) for each cell whose box meets the box from `low` to `high`, once a cell.
+  /// Calls visit(cell) once for each cell whose box overlaps the box from `low` to `high`.
   template <class Visit>
   void each_near(const Point& low, const Point& high, Visit visit) {
     if (bins_.empty()) return;

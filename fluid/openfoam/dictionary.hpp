@@ -26,7 +26,7 @@ inline std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-/// All digits: partners compare outlines bit for bit.
+/// All digits: the two sides compare outlines bit for bit.
 inline std::string exact(double value) {
   return fmt::format("{:.17g}", value);
 }

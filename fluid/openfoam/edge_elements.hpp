@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The blocks' edges in pieces that one cell's water presses on, and what of them that water reaches. C++17: the
-// OpenFOAM plugin includes this.
+// Divides the blocks' edges into elements loaded by the water of one cell, and finds the parts that water reaches.
+// C++17: the OpenFOAM plugin includes this.
 #pragma once
 
 #include <limits>
@@ -9,9 +9,9 @@
 
 namespace blockweir::openfoam {
 
-constexpr double open_cells = 3;  ///< a gap that is wider carries all of its water in the mesh
+constexpr double open_cells = 3;  ///< a wider gap has all of its water in the mesh
 
-/// Of an edge, as fractions of it.
+/// Part of an edge, as fractions of it.
 struct EdgeInterval {
   int block = 0;
   int edge = 0;
@@ -27,31 +27,31 @@ struct EdgeElement {
   Point from;
   Point to;
   Point normal;         ///< outwards
-  double openness = 1;  ///< 0: the mesh carries no water here; 1: open
-  bool slot = false;    ///< what the mesh does not carry stands in a gap that was there from the start: no crack
-  double gap_m = std::numeric_limits<double>::infinity();  ///< to the face across
+  double openness = 1;  ///< 0: no water of the mesh reaches it; 1: open
+  bool slot = false;    ///< part of a gap too narrow for the mesh that existed at the start: not a crack
+  double gap_m = std::numeric_limits<double>::infinity();  ///< to the opposite face
   [[nodiscard]] Point middle() const { return (from + to) / 2; }
 };
 
-/// Where a slot meets wider water, the way out of it, and how far that is.
+/// The mouth of a slot (a narrow gap) at wider water, and the distance to it.
 struct SlotMouth {
-  Point lip;    ///< its last point
-  Point point;  ///< beyond, at most half a cell away
+  Point lip;    ///< the slot's last point
+  Point point;  ///< outside, at most half a cell away
   Point direction;
   double distance_m = 0;
 };
 
-/// All edges as lines that are seen from their outer side.
+/// All edges as lines that are visible from their outer side.
 class Faces {
  public:
   struct Hit {
     double distance_m = std::numeric_limits<double>::infinity();
-    Point along = Point::Zero();  ///< of the face that is met, of length 1
+    Point along = Point::Zero();  ///< of the face that is hit, of length 1
   };
   explicit Faces(const std::vector<Polygon>& outlines);
 
-  /// The nearest face that looks towards `from` along `direction` (of length 1), its own edge left out. Those of other
-  /// blocks count as met up to `overlap_m` behind.
+  /// The nearest face visible from `from` in the unit `direction`, except the own edge. Faces of other blocks also
+  /// count up to `overlap_m` behind `from`.
   [[nodiscard]] Hit nearest(const Point& from, const Point& direction, double reach_m, int block = -1, int edge = -1,
                             double overlap_m = 0) const;
   [[nodiscard]] const std::vector<Polygon>& outlines() const { return outlines_; }
@@ -61,22 +61,22 @@ class Faces {
   std::vector<std::pair<Point, Point>> boxes_;
 };
 
-/// Rules by which edges are cut into elements.
+/// Rules for dividing edges into elements.
 struct ElementRules {
   double cell_m = 0;
-  double open_crack_width_m = 0;     ///< gaps of no more between parallel faces carry no water
+  double open_crack_width_m = 0;     ///< narrower gaps between parallel faces contain no water
   std::vector<bool> loaded;          ///< by block
-  std::vector<EdgeInterval> closed;  ///< in contact at the start: joints, whose cracks have laws of their own
-  std::vector<EdgeInterval> cuts;    ///< elements end where these do
+  std::vector<EdgeInterval> closed;  ///< in contact at the start: joints, whose uplift follows their own laws
+  std::vector<EdgeInterval> cuts;    ///< element ends that must be kept
 };
 
-/// Parts of edges whose gap was closed when the blocks stood as in `outlines`.
+/// Parts of edges whose gap is closed with these `outlines`.
 std::vector<EdgeInterval> closed_intervals(const std::vector<Polygon>& outlines, ElementRules rules);
 
-/// Elements end where a cell's length does, where a corner lies beside the edge, and where one of `cuts` does.
+/// Elements end after the length of a cell, opposite corners, and at each of `cuts`.
 std::vector<EdgeElement> edge_elements(const Faces& faces, const ElementRules& rules);
 
-/// Both ways out of the slot beside an element, followed in the middle between its faces; none at a dead end.
+/// Both mouths of the slot beside an element, found along the middle between its faces; none at a dead end.
 std::vector<SlotMouth> slot_mouths(const EdgeElement& element, const Faces& faces, double cell_m);
 
 }  // namespace blockweir::openfoam

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pools at time 0 as the blocks' exact shapes bound them, whatever the mesh.
+// The pools at time 0, bounded by the exact shapes of the blocks instead of the mesh.
 #pragma once
 
 #include "fluid/hydrostatic/wet_faces.hpp"
@@ -17,16 +17,16 @@ struct ExactPool {
   hydrostatic::Pool pool;
   double level_m;
   hydrostatic::WetFaces faces;
-  /// Depth under the level [m]; 0 above it.
+  /// Depth below the level [m]; 0 above it.
   [[nodiscard]] double depth(const scene::Point& p) const;
   [[nodiscard]] bool holds(const scene::Point& p) const;
 };
 
-/// Of the blocks' `outlines` in the grid.
+/// Pools between the blocks' `outlines` within the grid.
 std::vector<ExactPool> exact_pools(const scene::Scene& scene, const Grid& grid,
                                    std::vector<std::vector<scene::Point>> outlines);
 
-/// Whether an odd number of the rings holds the point.
+/// Whether an odd number of the rings contain the point.
 bool within(const std::vector<std::vector<scene::Point>>& rings, const scene::Point& p);
 
 }  // namespace blockweir::openfoam

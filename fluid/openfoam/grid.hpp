@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// interFoam's mesh: Cartesian, uniform around the structure, its columns widening towards both ends.
+// interFoam's mesh: Cartesian, uniform around the structure, with columns that widen towards both ends.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace blockweir::openfoam {
 
-/// Columns of the mesh that widen, or narrow, by one ratio.
+/// Columns of the mesh with a constant ratio of neighbouring widths.
 struct Stretch {
   double length_m = 0;
   int cells = 0;
@@ -29,10 +29,10 @@ struct Grid {
   [[nodiscard]] std::size_t cells() const { return columns() * rows(); }
 };
 
-/// Throws std::invalid_argument where the scene leaves no water to mesh, or the mesh would have over ten million cells.
+/// Throws std::invalid_argument if the scene has no water to mesh, or the mesh would have over ten million cells.
 Grid make_grid(const scene::Scene& scene);
 
-/// Outlines of all blocks, those of the ground drawn out beyond the mesh.
+/// Outlines of all blocks; those of the ground are extended beyond the mesh.
 std::vector<std::vector<scene::Point>> outlines_in(const Grid& grid, const scene::Scene& scene);
 
 }  // namespace blockweir::openfoam

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can come in at the mesh's ends, and what cannot.
+// Checks the inflow at the ends of the mesh.
 #pragma once
 
 #include "bridge/scene/scene.hpp"
@@ -8,10 +8,10 @@
 
 namespace blockweir::openfoam {
 
-/// The scene's regular waves, in the depth of the pool over its ground.
+/// The scene's regular waves, for the depth of the pool above its ground.
 StokesWave stokes_wave(const scene::Scene& scene, const Grid& grid);
 
-/// Throws std::invalid_argument where a pool that is to rise has no water yet, and where waves are beyond Stokes's
+/// Throws std::invalid_argument if a pool that shall rise has no water yet, or if waves exceed the range of Stokes's
 /// second order.
 void check_inflow(const scene::Scene& scene, const Grid& grid);
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Water at rest in both pools, exact in every cell: OpenFOAM then starts without a jolt.
+// Hydrostatic initial water in both pools, exact in every cell, so that OpenFOAM starts without a jolt.
 #pragma once
 
 #include "fluid/openfoam/grid.hpp"
 
 namespace blockweir::openfoam {
 
-/// One value a cell, rows from below, each from left to right.
+/// One value for each cell, rows from the bottom up, each from left to right.
 struct InitialWater {
   double reference_level_m = 0;          ///< interFoam's hRef
   std::vector<double> fraction;          ///< of water
   std::vector<double> p_rgh_pa;          ///< pressure less rho g (hRef - y)
-  std::vector<scene::Point> velocity{};  ///< m/s; empty where all is at rest
+  std::vector<scene::Point> velocity{};  ///< m/s; empty if all is at rest
 };
 
-/// Levels of time 0. A pool is what lies under its level and is connected to the mesh's left or right end; cells within
-/// blocks take the fraction of the nearest cell that is not.
+/// Levels of time 0. A pool is the region below its level connected to the mesh's left or right end; cells within
+/// blocks take the fraction of the nearest cell outside.
 InitialWater initial_water(const Grid& grid, const scene::Scene& scene);
 
 }  // namespace blockweir::openfoam

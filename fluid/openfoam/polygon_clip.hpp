@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much of a mesh cell a block fills. C++17: the OpenFOAM plugin includes this.
+// The area of a mesh cell that a block fills. C++17: the OpenFOAM plugin includes this.
 #pragma once
 
 #include <vector>
@@ -23,11 +23,11 @@ inline double area(const Polygon& polygon) {
   return twice / 2;
 }
 
-/// Sutherland and Hodgman's clipping, with storage that is reused. What is left of a subject that is not convex may
-/// hang together by edges that run to and fro: they enclose no area.
+/// Sutherland and Hodgman's clipping, with reused storage. Parts of a concave polygon may stay connected by edges that
+/// run to and fro; these enclose no area.
 class PolygonClip {
  public:
-  /// Area [m2] of what lies in both: `subject` any simple outline, `window` convex, both counter-clockwise.
+  /// Area [m2] common to both: `subject` any simple outline, `window` convex, both counter-clockwise.
   double common_area(const Polygon& subject, const Polygon& window) {
     from_ = subject;
     for (std::size_t i = 0; i < window.size() && !from_.empty(); ++i) {

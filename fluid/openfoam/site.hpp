@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the structure stands: what any mesh around it has to know of the scene.
+// The surroundings of the structure that any mesh needs.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,13 @@ namespace blockweir::openfoam {
 
 struct Site {
   geometry::Bounds model;   ///< of all blocks
-  double highest_m = 0;     ///< that water reaches by its levels, or is drawn to
-  std::vector<int> ground;  ///< fixed blocks that go on level beyond the model's ends
-  double bed_left_m = 0;    ///< top of the ground there, loose blocks on a fixed one among it; minus infinity: none
+  double highest_m = 0;     ///< highest point that water can reach, by level or as drawn
+  std::vector<int> ground;  ///< fixed blocks that continue level beyond the model's ends
+  double bed_left_m = 0;    ///< top of the ground there, with loose blocks on it; minus infinity: none
   double bed_right_m = 0;
-  double loose_left_m = 0;  ///< extent of all blocks but the ground
+  double loose_left_m = 0;  ///< extent of all blocks except the ground
   double loose_right_m = 0;
-  double structure_left_m = 0;  ///< extent of those that stand on the bed
+  double structure_left_m = 0;  ///< extent of the blocks on the bed
   double structure_right_m = 0;
 
   [[nodiscard]] bool is_ground(std::size_t block) const;
@@ -25,7 +25,7 @@ struct Site {
 
 Site find_site(const scene::Scene& scene);
 
-/// Outlines of all blocks, those of the ground drawn out to both ends, as high there as the bed.
+/// Outlines of all blocks; those of the ground are extended to both ends at the bed's elevation.
 std::vector<std::vector<scene::Point>> outlines_up_to(double left_m, double right_m, const Site& site,
                                                       const scene::Scene& scene);
 

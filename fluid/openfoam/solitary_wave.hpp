@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A solitary wave that travels downstream, Boussinesq's: eta = H sech^2(k (x - x0)), k^2 = 3 H/(4 h^3), at the speed
-// c = sqrt(g (h + H)); u = c eta/(h + eta) over the whole depth, and the vertical velocity that continuity leaves.
+// Boussinesq's solitary wave travelling downstream: eta = H sech^2(k (x - x0)), k^2 = 3 H/(4 h^3), with the speed c =
+// sqrt(g (h + H)); u = c eta/(h + eta) over the whole depth, and the vertical velocity from continuity.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ struct SolitaryWave {
   double gravity_m_per_s2 = 9.81;
 
   [[nodiscard]] double wave_number() const { return std::sqrt(0.75 * height_m / depth_m) / depth_m; }
-  /// Beyond this distance from the crest the wave is lower than a hundredth of its height [m].
+  /// Farther from the crest the wave is lower than a hundredth of its height [m].
   [[nodiscard]] double reach_m() const { return 3 / wave_number(); }
 
   [[nodiscard]] double elevation(double x) const {

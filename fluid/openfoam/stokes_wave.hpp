@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A regular wave of Stokes's second order over a level bed: omega^2 = g k tanh(k d); elevation and horizontal velocity
+// A regular wave of Stokes's second order above a level bed: omega^2 = g k tanh(k d); elevation and horizontal velocity
 // as functions of the phase, the height above the bed and the height H from trough to crest.
 #pragma once
 
@@ -15,7 +15,7 @@ struct StokesWave {
 
   [[nodiscard]] double frequency() const { return 2 * M_PI / period_s; }
 
-  /// By Newton's method on x tanh(x) = omega^2 d/g, x = k d; from above, where it converges from every start.
+  /// By Newton's method on x tanh(x) = omega^2 d/g, x = k d, started above the root, where it always converges.
   [[nodiscard]] double wave_number() const {
     const double deep = frequency() * frequency() * depth_m / gravity_m_per_s2;
     double x = deep > 1 ? deep * 1.2 : std::sqrt(deep) * 1.2;
@@ -26,11 +26,11 @@ struct StokesWave {
     return x / depth_m;
   }
   [[nodiscard]] double length_m() const { return 2 * M_PI / wave_number(); }
-  /// H L^2/d^3: second order is meant for up to 26, above which the crest's secondary wave would show.
+  /// H L^2/d^3: second order is valid up to 26; beyond, the trough would show a secondary crest.
   [[nodiscard]] double ursell_number() const {
     return height_m * length_m() * length_m() / (depth_m * depth_m * depth_m);
   }
-  /// Miche's: no higher wave keeps its form.
+  /// Miche's limit: higher waves break.
   [[nodiscard]] double highest_m() const { return 0.142 * length_m() * std::tanh(wave_number() * depth_m); }
 
   [[nodiscard]] double elevation(double phase) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Water that blocks must push, as inertia of their rigid motions.
+// Added mass: the inertia of water that blocks displace, for their rigid motions.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 
 namespace blockweir::solid {
 
-/// The water's force on block `a` by an acceleration of block `b`, the other way [kg/m, kg, kg m].
+/// The water's force on block `a` for an acceleration of block `b`, with reversed sign [kg/m, kg, kg m].
 struct CoupledMass {
   int a = 0;
   int b = 0;
@@ -23,19 +23,19 @@ struct CoupledMass {
   }
 };
 
-/// M_a of (u0, v0, r0) of the scene's blocks about their centroids where they are now: 3x3 matrices on the diagonal,
-/// and those of pairs beside it.
+/// Added mass M_a for (u0, v0, r0) of the scene's blocks about their present centroids: 3x3 matrices on the diagonal,
+/// and those of pairs off it.
 struct AddedMasses {
   AddedMasses() = default;
   AddedMasses(std::initializer_list<Eigen::Matrix3d> own_ones) : own(own_ones) {}
 
-  std::vector<Eigen::Matrix3d> own;  ///< symmetric [kg/m, kg, kg m]; one a block of the scene, or none
-  std::vector<CoupledMass> pairs;    ///< each of blocks a < b once
+  std::vector<Eigen::Matrix3d> own;  ///< symmetric [kg/m, kg, kg m]; one for each block of the scene, or none
+  std::vector<CoupledMass> pairs;    ///< pairs of blocks a < b, each once
 
   [[nodiscard]] bool empty() const { return own.empty(); }
-  /// M_a v, of as many blocks as there are.
+  /// M_a v, for all blocks.
   [[nodiscard]] std::vector<Eigen::Vector3d> times(const std::vector<Eigen::Vector3d>& v) const;
-  /// Pairs that join all blocks which push the same water, none more than it takes.
+  /// The smallest set of pairs that connects all blocks with common water.
   [[nodiscard]] std::vector<std::pair<int, int>> links() const;
 
   template <class Archive>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ground's motion from its acceleration, integrated twice: exact for rows, linear or stepwise, and for a sine.
+// Ground motion from its acceleration, integrated twice: exact for linear or stepwise rows and for a sine.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace blockweir::solid {
 
-/// One axis, at rest where the scene draws it at time 0.
+/// One axis; at time 0 at rest and as drawn.
 class BaseAxis {
  public:
   BaseAxis() = default;
@@ -20,7 +20,7 @@ class BaseAxis {
   [[nodiscard]] double displacement(double time_s) const;
 
  private:
-  /// A stretch of time over which the rows' acceleration is linear, with the state at its start.
+  /// An interval in which the rows' acceleration is linear, with the state at its start.
   struct Stretch {
     double from_s = 0;
     double acceleration = 0;
@@ -36,20 +36,20 @@ class BaseAxis {
   std::vector<Stretch> stretches_;
 };
 
-/// Nothing moves where the scene has no base motion.
+/// Zero without a base motion in the scene.
 class BaseMotion {
  public:
   explicit BaseMotion(const scene::Scene& scene);
 
   [[nodiscard]] Point acceleration(const scene::TimeSpan& step) const;
-  /// Of the inertia force's frame, zero where supports move instead [m/s2].
+  /// Acceleration for the inertia force, zero if supports move instead [m/s2].
   [[nodiscard]] Point inertia(const scene::TimeSpan& step) const;
-  /// Of fixed blocks and held points, zero where an inertia force stands for their motion.
+  /// Displacement of fixed blocks and supports, zero if an inertia force replaces it.
   [[nodiscard]] Point displacement(double time_s) const;
   [[nodiscard]] Point velocity(double time_s) const;
   [[nodiscard]] bool moves_supports() const { return moves_supports_; }
   [[nodiscard]] bool shakes() const { return shakes_; }
-  /// Of the ground itself, in whichever form it acts: at the step's end, or its mean over the step [m/s].
+  /// Velocity of the ground itself, in either form: at the step's end, or its mean over the step [m/s].
   [[nodiscard]] Point ground_velocity(const scene::TimeSpan& step, bool mean) const;
 
  private:

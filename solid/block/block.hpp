@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a block stays constant: outline about its centroid, mass matrix, elastic stiffness.
+// The constant data of a block: outline about its centroid, mass matrix, elastic stiffness.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,8 +16,8 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Matrix26 = Eigen::Matrix<double, 2, 6>;
 
-/// Integral of density T^T T over a block, T the first-order shape matrix (1)-(3) about its centroid: displacements of
-/// the centroid go apart of turn and strains.
+/// Integral of density T^T T over a block, T the first-order shape matrix (1)-(3) about its centroid: translation is
+/// uncoupled from rotation and strains.
 class Inertia {
  public:
   Inertia() = default;
@@ -43,7 +43,7 @@ class Inertia {
   Eigen::Matrix4d rest_ = Eigen::Matrix4d::Zero();
 };
 
-/// Kelvin-Voigt: what resists a strain rate, over the stiffness [s].
+/// Kelvin-Voigt: resistance to strain rate over stiffness [s].
 struct Retardation {
   double at_rest_s = 0;
   double sliding_s = 0;
@@ -59,14 +59,14 @@ struct Block {
   double area = 0;              ///< m2
   double radius = 0;            ///< m, farthest vertex from the centroid
   bool fixed = false;
-  bool rigid = false;                    ///< its strains stay as they are
+  bool rigid = false;                    ///< strains are constant
   std::array<int, 3> nodes{-1, -1, -1};  ///< of a part: a triangle of a block with a mesh
-  bool meshed = false;                   ///< its parts move; it follows them as their mean
+  bool meshed = false;                   ///< its parts move; it has their mean motion
   Eigen::Matrix3d elasticity;            ///< Hooke's law from (ex, ey, gxy) to (sxx, syy, sxy) [Pa]
   Inertia inertia;
   Eigen::Matrix3d stiffness;  ///< of the strains: area * elasticity [N per metre]
   Retardation retardation;
-  Eigen::Vector3d initial_stress = Eigen::Vector3d::Zero();  ///< (xx, yy, xy) where there is no strain [Pa]
+  Eigen::Vector3d initial_stress = Eigen::Vector3d::Zero();  ///< (xx, yy, xy) at zero strain [Pa]
   std::string name;
 
   [[nodiscard]] int unknowns() const { return rigid ? 3 : 6; }
@@ -76,8 +76,8 @@ struct Block {
 
 Block make_block(const scene::Block& block, const scene::Material& material, scene::Plane plane);
 
-/// 2 zeta / omega, omega the lowest natural frequency at which the free block strains; zeta is the material's. Where
-/// the material states none, a block that slides has one of 0.5: friction is not conservative, and strains that it
+/// 2 zeta / omega, omega the lowest strain frequency of the free block, zeta the material's damping ratio. If the
+/// material states none, zeta is 0.5 for a block that slides: friction is not conservative, and the strains that it
 /// couples would flutter (solid/NUMERICS.md).
 Retardation retardation_of(const Block& block, const scene::Material& material);
 

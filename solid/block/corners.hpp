@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A triangle's motion by that of its three corners: the nodes that the triangles of a mesh share.
+// A triangle's motion described by its three corners: the nodes that the triangles of a mesh share.
 #pragma once
 
 #include "solid/block/motion.hpp"
@@ -15,8 +15,8 @@ inline Matrix6 corner_shape(const Block& triangle, const Placement& placement) {
   return V;
 }
 
-/// Its inverse: rates of the six unknowns by those of the corners. In the triangle's own frame the corners' rates are
-/// w(X) = w0 + G X with G = r P (I + E) + dE/dt, P the quarter turn: its antisymmetric part gives r, what is left
+/// Its inverse: rates of the six unknowns from those of the corners. In the triangle's own frame the corners' rates are
+/// w(X) = w0 + G X with G = r P (I + E) + dE/dt, P the rotation by 90 degrees: its antisymmetric part gives r, the rest
 /// dE/dt.
 inline Matrix6 corner_map(const Block& triangle, const Placement& placement) {
   const auto& X = triangle.vertices;
@@ -37,7 +37,7 @@ inline Matrix6 corner_map(const Block& triangle, const Placement& placement) {
   return map;
 }
 
-/// Inertia of the corners: consistent, in global axes, and so constant whatever the turn.
+/// Consistent mass matrix of the corners, in global axes and therefore constant during rotation.
 inline Matrix6 corner_mass(const Block& triangle) {
   Eigen::Matrix3d shares = Eigen::Matrix3d::Ones();
   shares.diagonal().setConstant(2);
@@ -48,8 +48,8 @@ inline Matrix6 corner_mass(const Block& triangle) {
   return mass;
 }
 
-/// The increment of the six unknowns that moves the corners (x, y of each) from `start` by `moved`, exactly: of the
-/// deformation gradient F = R (I + E) the turn is the angle of its rotation, the strain what is left. Free of
+/// The increment of the six unknowns that moves the corners (x, y of each) from `start` by `moved`, exactly: of
+/// the deformation gradient F = R (I + E) the rotation angle is that of R, the strain the rest. Free of
 /// cancellation.
 inline Vector6 increment_of(const Block& triangle, const Placement& start, const Vector6& moved) {
   const auto& X = triangle.vertices;
@@ -59,7 +59,7 @@ inline Vector6 increment_of(const Block& triangle, const Placement& start, const
     G += start.unturn(moved.segment<2>(static_cast<Eigen::Index>(2 * i))) * gradient.transpose();
   }
   const Eigen::Vector3d& e = start.strain();
-  Eigen::Matrix2d U;  // I + E, as it turns on from the start
+  Eigen::Matrix2d U;  // I + E, as rotated from the start
   U << 1 + e[0] + G(0, 0), e[2] / 2 + G(0, 1), e[2] / 2 + G(1, 0), 1 + e[1] + G(1, 1);
   const double turn = std::atan2(G(1, 0) - G(0, 1), U(0, 0) + U(1, 1));
   const double s = std::sin(turn);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Given loads of a scene as generalized forces: weight, initial stress, inertia of a moving base, point, line and body
-// loads, pressures on faces.
+// A scene's loads as generalized forces: weight, initial stress, inertia of a moving base, point, line and body loads,
+// pressures on faces.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ class Loads {
   /// Weight and initial stress of a part.
   [[nodiscard]] const Vector6& constant(std::size_t part) const { return constant_[part]; }
   /// External generalized forces [N per metre, N] on every part in a step, with the water's panels on the scene's
-  /// blocks; directions follow the placements given. `base_moves`: else weight and first loads act on a base at rest.
+  /// blocks; directions follow the given placements. `base_moves`: false: weight and first loads act on a base at rest.
   void evaluate(const scene::TimeSpan& step, const std::vector<Panel>& water, const std::vector<Placement>& placements,
                 std::vector<Vector6>& forces, bool base_moves = false) const;
 

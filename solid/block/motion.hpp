@@ -18,7 +18,7 @@ inline Point strained(const Eigen::Ref<const Eigen::Vector3d>& strain, const Poi
   return {strain[0] * X.x() + strain[2] / 2 * X.y(), strain[1] * X.y() + strain[2] / 2 * X.x()};
 }
 
-/// A block's placement with its sine and cosine at hand.
+/// The position and rotation of a block, with the sine and cosine of the angle.
 class Placement {
  public:
   Placement() = default;
@@ -32,7 +32,7 @@ class Placement {
   [[nodiscard]] const Point& centre() const { return centre_; }
   [[nodiscard]] Point turn(const Point& p) const { return {cos_ * p.x() - sin_ * p.y(), sin_ * p.x() + cos_ * p.y()}; }
 
-  /// R^T p: from global axes to the block's own.
+  /// R^T p: rotates from global axes to the block's own.
   [[nodiscard]] Point unturn(const Point& p) const {
     return {cos_ * p.x() + sin_ * p.y(), -sin_ * p.x() + cos_ * p.y()};
   }
@@ -42,8 +42,8 @@ class Placement {
   [[nodiscard]] Point vector(const Point& X) const { return turn(X + strained(strain_, X)); }
   [[nodiscard]] Point position(const Point& X) const { return centre_ + vector(X); }
 
-  /// Displacement of a material point since the scene's outline, free of cancellation: what round-off does to it does
-  /// not grow with the distance from the origin.
+  /// Displacement of a material point from the scene as drawn, free of cancellation: its round-off error does not grow
+  /// with the distance from the origin.
   [[nodiscard]] Point displacement(const Point& X) const {
     const double c1 = cos_ > 0 ? -sin_ * sin_ / (1 + cos_) : cos_ - 1;
     const Point strained_by = strained(strain_, X);
@@ -63,7 +63,7 @@ class Placement {
     return T;
   }
 
-  /// T^T f: a force at a material point as one on the six unknowns.
+  /// T^T f: the generalized force of a force at a material point.
   [[nodiscard]] Vector6 generalized(const Point& f, const Point& X) const {
     const Point y = X + strained(strain_, X);
     const Point own = unturn(f);
@@ -73,7 +73,7 @@ class Placement {
     return force;
   }
 
-  /// Displacement of a material point when this placement is changed by `increment` of the six unknowns, free of
+  /// Displacement of a material point when the six unknowns of this placement change by `increment`, free of
   /// cancellation: R ((R(dr) - I)(I + E) X + R(dr) dE X) + du.
   [[nodiscard]] Point increment(const Vector6& increment, const Point& X) const {
     const double half = std::sin(increment[2] / 2);
@@ -94,13 +94,13 @@ class Placement {
   double sin_ = 0;
 };
 
-/// What a step changes of a block. Of a triangle of a mesh, rates and force are those of its corners (x, y of each), in
-/// global axes: so inertia is linear, and triangles that share a corner agree on them.
+/// The state of a block that a step changes. For a triangle of a mesh, rates and force are those of its corners (x, y
+/// of each) in global axes: inertia is then linear, and triangles agree on shared corners.
 struct BlockState {
   Vector6 displacement = Vector6::Zero();
   Vector6 velocity = Vector6::Zero();
   Vector6 acceleration = Vector6::Zero();
-  Vector6 force = Vector6::Zero();  ///< all but inertia at the last accepted step; generalized-alpha looks back at it
+  Vector6 force = Vector6::Zero();  ///< all except inertia, at the last accepted step; used by generalized-alpha
 
   template <class Archive>
   void serialize(Archive& archive) {

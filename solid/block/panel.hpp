@@ -7,7 +7,7 @@
 
 namespace blockweir::solid {
 
-/// Part s_from..s_to (fractions) of edge `edge` of block `block`; pressure linear between its two nodes.
+/// Part s_from..s_to (fractions) of edge `edge` of block `block`; linear pressure between its two nodes.
 struct Panel {
   int block = 0;
   int edge = 0;
@@ -22,7 +22,7 @@ struct Panel {
   }
 };
 
-/// The two nodes of a panel as material points, and the forces that act there (global axes, N per metre).
+/// The two nodes of a panel as material points, and the forces there (global axes, N per metre).
 struct PanelForce {
   std::array<Point, 2> node;
   std::array<Point, 2> force;
@@ -34,14 +34,14 @@ inline PanelForce panel_force(const Block& block, const Placement& placement, co
   const Point& b = block.vertices[(static_cast<std::size_t>(panel.edge) + 1) % block.vertices.size()];
   PanelForce result{.node = {a + panel.s_from * (b - a), a + panel.s_to * (b - a)}, .force = {}};
   const Point span = placement.vector(result.node[1] - result.node[0]);
-  const Point inward(-span.y(), span.x());  // traction is -p n; as long as the panel, which may have no length
+  const Point inward(-span.y(), span.x());  // traction is -p n; length that of the panel, which may be zero
   const auto forces = nodal_forces(rule, 1, panel.pressure_from_pa, panel.pressure_to_pa);
   for (std::size_t i = 0; i < 2; ++i) result.force[i] = forces[i] * inward;
   return result;
 }
 
-/// Generalized force of a panel: nodal forces onto the block (11). As the displacement is linear in position the
-/// lever rule between vertices and the virtual work T^T f are the same.
+/// Generalized force of a panel: from nodal forces to the block (11). Since the displacement is linear in position, the
+/// lever rule between vertices equals the virtual work T^T f.
 inline Vector6 generalized_force(const Placement& placement, const PanelForce& panel) {
   return placement.generalized(panel.force[0], panel.node[0]) + placement.generalized(panel.force[1], panel.node[1]);
 }

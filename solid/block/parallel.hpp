@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loops over many blocks or contacts on several cores. Each index writes what is its own and reductions do not depend
-// on order, so that any number of threads gives the same bits.
+// Parallel loops over many blocks or contacts. Each index writes its own data and reductions do not depend on the
+// order, so that any number of threads gives the same bits.
 #pragma once
 
 #include <atomic>
@@ -9,20 +9,20 @@
 
 namespace blockweir::solid {
 
-/// Fewer indices are not worth waking other threads for, and leave the other cores to the fluid.
+/// Shorter loops are not worth waking other threads, and leave the other cores to the fluid.
 constexpr std::size_t many = 4000;
 
-/// Threads that loops run on at most, the caller's among them: as OMP_NUM_THREADS says, which libraries for linear
-/// algebra obey, too; else one for each core.
+/// Largest number of threads in a loop, including the caller's: OMP_NUM_THREADS, which linear algebra libraries use,
+/// too; otherwise one for each core.
 [[nodiscard]] std::size_t threads();
 void set_threads(std::size_t count);
 
-/// Calls work(context, first, end) for pieces of [0, count). TBB's threads steal pieces: what another has not begun the
-/// caller does, so that a busy core costs no time.
+/// Calls work(context, first, end) for pieces of [0, count). TBB's threads steal pieces: the caller does what no other
+/// thread has started, so that a busy core costs no time.
 void share(std::size_t count, void (*work)(const void* context, std::size_t first, std::size_t end),
            const void* context);
 
-/// Calls range(first, end) for pieces of [0, count), or for all of it where that is not much.
+/// Calls range(first, end) for pieces of [0, count), or once for all if the range is short.
 template <class Range>
 void in_pieces(std::size_t count, const Range& range) {
   if (count < many) return range(std::size_t{0}, count);
@@ -32,7 +32,7 @@ void in_pieces(std::size_t count, const Range& range) {
   share(count, call, &range);
 }
 
-/// Calls work(i) for each i of [0, count); it must not throw.
+/// Calls work(i) for each i of [0, count); work must not throw.
 template <class Work>
 void for_each(std::size_t count, const Work& work) {
   in_pieces(count, [&work](std::size_t first, std::size_t end) {
@@ -40,7 +40,7 @@ void for_each(std::size_t count, const Work& work) {
   });
 }
 
-/// Largest value(i), at least 0; not finite where one of them is not. Each is asked for once.
+/// Largest value(i), at least 0; not finite if one of them is not. Each is evaluated once.
 template <class Value>
 double largest(std::size_t count, const Value& value) {
   const auto exceeds = [](double a, double b) { return a > b || std::isnan(a); };

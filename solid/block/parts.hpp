@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The blocks that move: each block of the scene, and in place of one with a mesh its triangles.
+// The moving parts: each block of the scene, or, for a block with a mesh, its triangles.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace blockweir::solid {
 
-/// A straight side of a block's outline, and the part that has it.
+/// A straight side of a block's outline, and the part that it belongs to.
 struct OutlineSide {
   int part = 0;
-  int edge = 0;            ///< of the part, from its vertex of that number to the next
-  int described_edge = 0;  ///< of the scene's block, with the fractions that the side covers
+  int edge = 0;            ///< of the part, from its vertex of this number to the next
+  int described_edge = 0;  ///< of the scene's block; the fractions are those of this edge
   double s_from = 0;
   double s_to = 1;
 };
 
-/// Strain energy e_i . stiffness e_j that two triangles with a common side share.
+/// Coupling of two triangles with a common side: strain energy e_i . stiffness e_j.
 struct StrainCoupling {
   int i = 0;
   int j = 0;
@@ -31,18 +31,18 @@ struct Anchor {
 };
 
 struct Parts {
-  std::vector<Block> blocks;                       ///< the scene's, in its order; then all triangles
+  std::vector<Block> blocks;                       ///< the scene's blocks in its order; then all triangles
   std::vector<std::vector<OutlineSide>> outlines;  ///< of the scene's blocks
   std::vector<std::vector<int>> triangles;         ///< of the scene's blocks; empty without a mesh
   std::vector<StrainCoupling> couplings;
   int nodes = 0;  ///< of all meshes
 
-  /// Where a side begins and ends, as material points of its part.
+  /// The ends of a side, as material points of its part.
   [[nodiscard]] const Point& vertex(const OutlineSide& side) const { return corner(side, 0); }
   [[nodiscard]] const Point& end(const OutlineSide& side) const { return corner(side, 1); }
-  /// The part of scene block `block` that has the point, or is nearest to it.
+  /// The part of scene block `block` that contains the point, or is nearest to it.
   [[nodiscard]] Anchor anchor(int block, const Point& point) const;
-  /// Adds a panel of a scene block to `panels` as panels of its parts.
+  /// Divides a panel of a scene block into panels of its parts and appends them to `panels`.
   void split(const Panel& panel, std::vector<Panel>& panels) const;
 
  private:
@@ -53,8 +53,8 @@ struct Parts {
 };
 
 /// Triangles have linear displacements. Their strains are smoothed over the domains of sides, each a third of the
-/// triangles beside it (edge-based smoothed finite elements, Liu, Nguyen-Thoi and Lam 2009): with single triangles a
-/// block would be too stiff in bending.
+/// adjacent triangles (edge-based smoothed finite elements, Liu, Nguyen-Thoi and Lam 2009); unsmoothed triangles would
+/// be too stiff in bending.
 Parts make_parts(const scene::Scene& scene);
 
 }  // namespace blockweir::solid

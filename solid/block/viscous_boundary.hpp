@@ -20,27 +20,27 @@ class ViscousBoundary {
   ViscousBoundary(const scene::Scene& scene, const Parts& parts);
 
   [[nodiscard]] bool empty() const { return points_.empty(); }
-  /// Force of a part's dashpots by its rates: the integral of T^T Z T over its faces, as the scene draws them.
+  /// Damping matrix of a part: the integral of T^T Z T over its faces as drawn.
   [[nodiscard]] const Matrix6& drag(std::size_t part) const { return drag_[part]; }
-  /// The same of the springs that hold the ground while it comes to rest, and in static analyses.
+  /// Stiffness matrix of the springs that hold the ground in the initial equilibrium and in static analyses.
   [[nodiscard]] const Matrix6& hold(std::size_t part) const { return hold_[part]; }
-  /// Adds what the free field exerts on the parts, with velocities as their mean over the step or as at its end.
+  /// Adds the forces of the free field on the parts, with velocities as the step's mean or at its end.
   void add_free_field(const BaseMotion& base, const scene::TimeSpan& step, bool mean,
                       std::vector<Vector6>& forces) const;
 
  private:
-  /// A point of integration.
+  /// An integration point.
   struct BoundaryPoint {
     int part = 0;
     Point material;       ///< m, relative to the part's centroid
-    double length_m = 0;  ///< that it stands for
+    double length_m = 0;  ///< length that it represents
     Point normal;         ///< out of the model
     bool side = false;    ///< beside the model, not below it
     double up_m = 0;      ///< above the lowest point of all faces
-    double down_m = 0;    ///< way of what the surface reflects: to it from the lowest point, and back here
+    double down_m = 0;    ///< path of the reflected wave: from the lowest point to the surface, and back here
     Point speed;          ///< c_s and c_p [m/s]
     Point impedance;      ///< density times these [Pa s/m]
-    double lateral = 0;   ///< stress along x over that along y in a wave of pressure that comes up
+    double lateral = 0;   ///< horizontal over vertical stress in a rising pressure wave
     [[nodiscard]] Eigen::Matrix2d resistance() const;
   };
   void add(const scene::Scene& scene, const Parts& parts, const scene::ViscousFace& face, double lowest_m,
@@ -51,7 +51,7 @@ class ViscousBoundary {
                                       bool mean);
 
   std::vector<BoundaryPoint> points_;
-  std::vector<Matrix6> drag_;  ///< of the parts; none without a viscous face
+  std::vector<Matrix6> drag_;  ///< for each part; empty without a viscous face
   std::vector<Matrix6> hold_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pressures between exchanges: held, or on the line or parabola through what came last.
+// Pressures between exchanges: constant, or linearly or quadratically extrapolated from the last exchanges.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@ namespace blockweir::solid {
 
 class WaterCourse {
  public:
-  /// Factors of the last exchange, of the one before it, and of the one before that.
+  /// Factors of the last exchange and of the two before it.
   using Weights = std::array<double, 3>;
 
-  /// `degree` 0 holds, 1 goes on linearly, 2 quadratically, as far as there have been exchanges with the same edges:
-  /// those that fall dry or are wetted anew have no past. A fluid may divide its edges anew in every exchange.
+  /// `degree` 0: constant, 1: linear, 2: quadratic, limited by the number of exchanges with the same edges; edges that
+  /// become dry or wet start without a past. The fluid may divide its edges differently in every exchange.
   explicit WaterCourse(int degree) : degree_(degree) {}
 
   void add(double time_s, std::vector<Panel> panels);
   [[nodiscard]] Weights weights(double time_s) const;
-  /// As they came last.
+  /// The panels of the last exchange.
   [[nodiscard]] const std::vector<Panel>& last() const { return panels_[0]; }
   /// Valid until the next call.
   const std::vector<Panel>& at(double time_s);
@@ -33,8 +33,8 @@ class WaterCourse {
  private:
   int degree_;
   std::array<double, 3> time_s_{};
-  std::array<std::vector<Panel>, 3> panels_;  ///< the last first
-  int known_ = 0;                             ///< that have the same edges
+  std::array<std::vector<Panel>, 3> panels_;  ///< the last exchange first
+  int known_ = 0;                             ///< number of exchanges with the same edges
   std::vector<Panel> blend_;
 };
 

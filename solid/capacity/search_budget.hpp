@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds the time of a search by many static analyses, and tells how it gets on.
+// Limits the time of a search by many static analyses, and prints its progress.
 #pragma once
 
 #include <chrono>
@@ -11,27 +11,27 @@
 
 namespace blockweir::solid {
 
-/// The time of a search is over: what it knows by then is its answer.
+/// The time of the search is over: its answer is what is known by then.
 struct TookTooLong : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One analysis of a search took more than it is to.
+/// One analysis of the search exceeded its limit of linear systems.
 struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 class SearchBudget {
  public:
-  /// `whose`: how lines of progress call the search.
+  /// `whose`: name of the search in lines of progress.
   explicit SearchBudget(std::string whose) : whose_(std::move(whose)) {}
 
-  /// What is known so far, for lines of progress.
+  /// Sets what is known so far, for lines of progress.
   void knows(std::string text) { known_ = std::move(text); }
-  /// For the analysis that begins: how many linear systems it may solve.
+  /// Starts the count of an analysis, which may solve this many linear systems.
   void allow(long systems) { last_allowed_ = solved_ > LONG_MAX - systems ? LONG_MAX : solved_ + systems; }
-  /// To be called after each solution of a linear system: a line on standard error every other second. Throws
-  /// TookTooLong, and Undecided where an analysis solves more systems than it may.
+  /// Call after each solution of a linear system. Prints a line on standard error every other second. Throws
+  /// TookTooLong, or Undecided if the analysis has solved more systems than it may.
   void solved_one();
 
  private:
@@ -41,7 +41,7 @@ class SearchBudget {
   std::string known_ = "nothing known yet";
   long solved_ = 0;
   long last_allowed_ = LONG_MAX;
-  std::clock_t began_ = std::clock();  ///< processor time: a busy machine changes no answer
+  std::clock_t began_ = std::clock();  ///< processor time, so that a busy machine does not change answers
   Clock::time_point told_ = Clock::now();
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Still water on a scene with the reservoir at any level, whatever filling the scene states.
+// Still water of a scene with the reservoir at any given level, whatever levels the scene states.
 #pragma once
 
 #include <memory>
@@ -15,21 +15,21 @@ namespace blockweir::solid {
 
 class StillWater {
  public:
-  /// The tailwater is that of the run's end. Throws std::invalid_argument where the scene's fluid is no still water and
-  /// has no levels either, or gravity is tilted.
+  /// The tailwater is that of the run's end. Throws std::invalid_argument if the scene's fluid has no levels and is not
+  /// still water, or if gravity is tilted.
   StillWater(const scene::Scene& scene, const process::FluidMaker& make);
 
   [[nodiscard]] const limit::LevelRange& range() const { return range_; }
-  /// On blocks where `motion` says, valid until the next call.
+  /// Pressures on the blocks at the positions of `motion`, valid until the next call.
   const wire::Load& at(double level_m, const wire::Motion& motion);
-  /// On blocks where they are drawn.
+  /// Pressures on the blocks as drawn.
   const wire::Load& at(double level_m);
-  /// Of what has been asked so far.
+  /// Warnings of all calls so far.
   [[nodiscard]] std::vector<std::string> warnings() const { return fluid_->report().warnings; }
 
  private:
   limit::LevelRange range_;
-  scene::Scene scene_;  ///< whose time is the level above the empty reservoir's
+  scene::Scene scene_;  ///< its time stands for the level above the empty reservoir
   std::unique_ptr<schedule::FluidSide> fluid_;
   wire::Load load_;
 };

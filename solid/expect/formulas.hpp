@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closed answers that a case can be held against, computed from the scene itself so that they follow its values.
+// Closed-form solutions for comparison with a case, computed from the scene itself so that they follow its values.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace blockweir::solid::expect {
 
-/// Names that [[expect]] formula may take.
+/// Allowed names of `formula` in [[expect]].
 std::vector<std::string> formula_names();
 
-/// The value of `expectation.formula` for this scene; `of` names the joint or block it speaks of. Throws
-/// std::runtime_error when the scene has no such thing. Per metre of thickness, SI.
+/// The value of `expectation.formula` for this scene; `of` names the joint or block. Throws std::runtime_error if the
+/// scene has no such thing. Per metre of thickness, SI.
 double formula(const scene::Scene& scene, const scene::Expectation& expectation);
 
 }  // namespace blockweir::solid::expect

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures at a point of a block that [[expect]] can name with at_m: displacement, stress, and what beam theory says.
+// Quantities at a point of a block, for [[expect]] with at_m: displacement, stress, and beam theory.
 #pragma once
 
 #include <map>
@@ -9,11 +9,11 @@
 
 namespace blockweir::solid::expect {
 
-/// Of block `block` at a point of the scene's outline; displacements since that outline.
+/// Of block `block` at a point of the scene as drawn; displacements are measured from there.
 using PointQuantity = double (*)(const Solid&, std::size_t block, const Point& point);
 const std::map<std::string, PointQuantity>& point_quantities();
 
-/// Of scene block `block`, under its first loads.
+/// For scene block `block` under its first loads.
 using PointFormula = double (*)(const scene::Scene&, const scene::Block& block, const Point& point);
 const std::map<std::string, PointFormula>& point_formulas();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures of a finished run that [[expect]] can name.
+// Quantities of a finished run for [[expect]].
 #pragma once
 
 #include <stdexcept>
@@ -17,7 +17,7 @@
 
 namespace blockweir::solid::expect {
 
-/// What of a run its figures are taken from.
+/// The results of a run from which quantities are computed.
 struct Outcome {
   const Solid& solid;
   const Frame& first;  ///< at time 0
@@ -32,17 +32,17 @@ struct Outcome {
   const InterfaceEnergy& interface_energy;
   const Frames& frames;
   double largest_penetration_m = 0;    ///< over the whole run
-  std::optional<double> breached_s{};  ///< since when open water has passed the structure
+  std::optional<double> breached_s{};  ///< time from which open water has passed the structure
 };
 
 std::vector<std::string> quantity_names();
 
-/// The run does not hold what a figure asks for; what() says why, as "no impact: the run ends before it".
+/// The run does not contain the requested quantity; what() says why, e.g. "no impact: the run ends before it".
 struct NoFigure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// NaN (a failure level of a dam that stands) or NoFigure when the run has no such figure.
+/// NaN (failure level of a dam that stands) or NoFigure if the run has no such quantity.
 double quantity(const Outcome& outcome, const scene::Expectation& expectation);
 
 }  // namespace blockweir::solid::expect

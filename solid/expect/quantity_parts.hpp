@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the figures of [[expect]] have in common: tables of them.
+// Common parts of the quantities of [[expect]]: their tables.
 #pragma once
 
 #include <limits>
@@ -10,17 +10,17 @@
 
 namespace blockweir::solid::expect {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();  ///< a figure that the run does not have
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();  ///< a quantity that the run does not have
 
-/// By name; each gets the finished run and what the expectation is `of`.
+/// By name. A quantity gets the finished run and the name in `of`.
 using Quantities = std::map<std::string, double (*)(const Outcome&, const std::string&)>;
-const Quantities& state_quantities();   ///< from the first and last frames, and from watches over the run
-const Quantities& pile_quantities();    ///< from where blocks lie in the end
-const Quantities& series_quantities();  ///< from the course of a block's motion
+const Quantities& state_quantities();   ///< from the first and last frames, and from what was watched during the run
+const Quantities& pile_quantities();    ///< from the final positions of blocks
+const Quantities& series_quantities();  ///< from the time history of a block
 
 double slip_over_balance(const Outcome& o, const std::string& of);
 
-/// The block of that name; a joint stands for the upper of its two blocks. Throws std::runtime_error.
+/// The block of that name; a joint means the upper of its two blocks. Throws std::runtime_error.
 std::size_t block_index(const Solid& solid, const std::string& name);
 
 }  // namespace blockweir::solid::expect

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The course of the motion of those blocks that an expectation needs it of; of no others.
+// Time histories of the blocks whose motion an expectation needs.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@ struct Sample {
   double time_s = 0;
   Vector6 displacement;
   Vector6 velocity;
-  Point water_force;  ///< N per metre, over the window that ended then
+  Point water_force;  ///< N per metre, over the window that ended at this time
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -26,7 +26,7 @@ class TimeSeries {
  public:
   explicit TimeSeries(const Solid& solid);
   void look(const Solid& solid, const std::vector<Panel>& water, double time_s);
-  /// Empty for a block that is not watched.
+  /// Empty for a block that is not recorded.
   [[nodiscard]] const Course& of(std::size_t block) const;
 
   template <class Archive>

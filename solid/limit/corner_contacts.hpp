@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points in which a corner of one block meets another one, beside the faces that the two have in common.
+// Points where a corner of one block touches another, besides their common faces.
 #pragma once
 
 #include <vector>
@@ -12,20 +12,20 @@ namespace blockweir::solid::limit {
 struct CornerContact {
   Point at_m;
   Point normal;  ///< out of the block
-  bool in_kink;  ///< in a reflex corner of the other
+  bool in_kink;  ///< in a reflex corner of the other block
 };
 
-/// What a block meets. `trace`: their common boundary, `block` its second.
+/// A neighbour of the block. `trace`: their common boundary, where `block` is the second of the two.
 struct Neighbour {
   int index = 0;
   const scene::Block* block = nullptr;
   scene::JointTrace trace;
 };
 
-/// A corner on an edge, or in a reflex corner of a body, which holds it by both of its edges. Not where a face along
-/// that edge reaches the corner: the face holds it there. Two convex corners that meet hold nothing: they may pass on
-/// either side. `body`: a block, or all blocks of the ground, which move as one, so that two of them form a reflex
-/// corner as one alone does. Of those contacts the ones with `of`, which is in it.
+/// Contacts of corners with edges, or with a reflex corner of a body, which holds a corner by both its edges. No
+/// contact where a face along the edge reaches the corner, since the face holds it. Two convex corners give no contact:
+/// they may pass on either side. `body`: a block, or all ground blocks together, since two of them can form a reflex
+/// corner. Returns the contacts that involve `of`, a block of the body.
 std::vector<CornerContact> corner_contacts(const scene::Block& block, const std::vector<Neighbour>& body,
                                            const Neighbour& of, double touching_m);
 

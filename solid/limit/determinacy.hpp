@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the forces on joints follow from equilibrium alone, limit analysis has the factor itself; elsewhere what it has
-// is an upper bound where friction is Coulomb's.
+// Tells whether joint forces follow from equilibrium alone. Then limit analysis is exact; otherwise, with Coulomb's
+// friction, it gives an upper bound.
 #pragma once
 
 #include "solid/limit/connections.hpp"
 
 namespace blockweir::solid::limit {
 
-/// Do blocks without bonds and ties stand on each other by plane joints, as many as there are blocks that can move,
-/// each of them joined to the ground? Then each joint parts the structure.
+/// Whether there are as many plane joints as moving blocks, without bonds and ties, and each block is connected to the
+/// ground. Then each joint divides the structure in two.
 bool follow_from_equilibrium(const scene::Scene& scene, const std::vector<Face>& faces, const std::vector<Tie>& ties);
 
 }  // namespace blockweir::solid::limit

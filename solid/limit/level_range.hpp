@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A reservoir that is filled, and what may become of a structure meanwhile.
+// The levels of a filling reservoir, and the possible outcomes for the structure.
 #pragma once
 
 #include "bridge/scene/scene.hpp"
@@ -8,7 +8,7 @@ namespace blockweir::solid::limit {
 
 struct LevelRange {
   double empty_m = 0;  ///< the model's lowest vertex
-  double full_m = 0;   ///< the crest, or as high above it as it is high where the scene lets water overtop it
+  double full_m = 0;   ///< the crest; with overtopping, as high above the crest as the crest is above the base
 };
 LevelRange level_range(const scene::Scene& scene);
 

@@ -2,9 +2,9 @@
 // Limit analysis of rigid blocks by linear programming. Static theorem: the largest factor on the live loads for which
 // forces at the two ends of each face balance every block,
 //   sum of forces and moments = 0,  N_i >= -T L/2,  |S| <= (c L + (N_1 + N_2) tan(phi))/reduction.
-// Kinematic theorem, its dual: the mechanism whose resistance, less the power of dead loads, over the power of live
-// loads is the same factor. Flow is associated: what slips opens by tan(phi)/reduction of it. So the factor is an upper
-// bound where friction is Coulomb's.
+// Kinematic theorem, its dual: the mechanism for which (resistance - power of dead loads)/(power of live loads) equals
+// this factor. Flow is associated: a slip opens the joint by tan(phi)/reduction times the slip. With Coulomb's friction
+// the factor is therefore an upper bound.
 #pragma once
 
 #include <optional>
@@ -21,65 +21,65 @@ enum class Bearing { fails_at_a_factor, bears_any, bears_none };
 struct LargestFactor {
   Bearing bearing = Bearing::bears_none;
   double factor = 0;
-  Twists mechanism;  ///< of the structure at its limit; its fastest vertex has the velocity 1
-  double gap = 0;    ///< of the mechanism's own factor to that of the forces, relative
+  Twists mechanism;  ///< of the structure at its limit, scaled so that its fastest vertex has velocity 1
+  double gap = 0;    ///< relative difference between the mechanism's own factor and that of the forces
 };
 
-/// By how much strength falls short of loads: the least force by which the shear strength of every face would have to
-/// be larger, over the structure's weight.
+/// Lack of strength: the least shear strength that must be added to every face, as a force over the structure's
+/// weight.
 struct Shortage {
   double ratio = 0;
-  double per_reduction = 0;  ///< its derivative
-  Twists mechanism;          ///< as above; zero where nothing is short
+  double per_reduction = 0;  ///< derivative with respect to the reduction
+  Twists mechanism;          ///< as above; zero if nothing is lacking
 };
 
-/// A corner in a kink of another block holds in a point, whatever the force. A real one is crushed.
+/// Corners in a kink of another block: they carry any force at a point (hold), or are crushed and carry none.
 enum class Kinks { hold, give_way };
 
 class LimitAnalysis {
  public:
-  /// Throws std::invalid_argument where no block can move. The scene must outlive it.
+  /// Throws std::invalid_argument if no block can move. The scene must outlive the object.
   explicit LimitAnalysis(const scene::Scene& scene, Kinks kinks = Kinks::hold);
 
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
   [[nodiscard]] const std::vector<Point>& centroids() const { return centroids_; }
 
-  /// Else factors and levels are upper bounds where friction is Coulomb's.
+  /// Otherwise factors and levels are upper bounds, with Coulomb's friction.
   [[nodiscard]] bool is_exact() const { return is_exact_; }
-  /// Bolts without a yield strength: they hold whatever would stretch them.
+  /// Whether there are bolts without a yield strength, which carry any force.
   [[nodiscard]] bool holds_any_force() const;
-  /// Has some face friction or cohesion?
+  /// Whether some face has friction or cohesion.
   [[nodiscard]] bool has_shear_strength() const;
 
-  /// Of `live` beside `dead`, from 0 up.
+  /// The largest factor >= 0 on `live`, with `dead` unchanged.
   [[nodiscard]] LargestFactor largest_factor(const Wrenches& dead, const Wrenches& live) const;
   [[nodiscard]] bool bears(const Wrenches& loads) const;
-  /// Nothing where no shear strength would do, as of what overturns.
+  /// None if no shear strength is enough, as for overturning.
   [[nodiscard]] std::optional<Shortage> shortage(const Wrenches& loads, double reduction) const;
 
-  /// How a structure begins to move that cannot bear its loads, with the shear strength it has or, `however_strong`,
-  /// with any: of all mechanisms the one with the most power over the sum of its velocities.
+  /// The first motion of a structure that cannot carry its loads, with its shear strength or, if `however_strong`, with
+  /// any shear strength: the mechanism with the most power over the sum of its velocities.
   [[nodiscard]] Twists collapse(const Wrenches& loads, bool however_strong) const;
 
-  /// Power that faces and bolts take up in a mechanism that opens as it slips by the associated rule, at least.
+  /// Smallest power that faces and bolts dissipate in a mechanism with associated flow.
   [[nodiscard]] double resistance(const Twists& mechanism, double reduction = 1) const;
-  /// Velocity of face.b against face.a at a point.
+  /// Velocity of face.b relative to face.a at a point.
   [[nodiscard]] Point jump(const Face& face, const Twists& mechanism, const Point& place) const;
 
  private:
   class Program;
   [[nodiscard]] Point velocity(int block, const Twists& mechanism, const Point& place) const;
-  /// The fastest vertex gets the velocity 1.
+  /// Scales the mechanism so that its fastest vertex has velocity 1.
   void normalize(Twists& mechanism) const;
 
   const scene::Scene& scene_;
   std::vector<Point> centroids_;
-  mutable std::vector<Face> faces_;  ///< friction that bends gets the tangents that loads so far have asked for
+  mutable std::vector<Face> faces_;  ///< curved friction laws collect tangents as loads require them
   std::vector<Tie> ties_;
   bool is_exact_ = false;
-  double size_m_ = 0;          ///< by which lengths are scaled
-  double weight_n_per_m_ = 0;  ///< by which forces are
+  double size_m_ = 0;          ///< scale of lengths
+  double weight_n_per_m_ = 0;  ///< scale of forces
 };
 
 }  // namespace blockweir::solid::limit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The water level at which limit analysis fails. Forces of water are no multiple of each other at two levels, so the
-// level comes from mechanisms: at a level that fails, the program's mechanism; the level at which that mechanism's
-// power vanishes is lower and fails, too, or is the one. Levels come down monotonically and end after a few programs.
+// The failure level by limit analysis. Water forces at two levels are not multiples of each other, so the level is
+// found by mechanisms: take the mechanism at a level that fails. The level at which its power vanishes is lower and
+// also fails, or is the result. The levels decrease monotonically and end after a few programs.
 #pragma once
 
 #include <functional>
@@ -11,14 +11,14 @@
 
 namespace blockweir::solid::limit {
 
-/// Forces of all water with the reservoir at that level [m].
+/// Forces of all water with the reservoir at this level [m].
 using WaterAtLevel = std::function<Wrenches(double level_m)>;
 
 struct LimitLevel {
   Filled outcome = Filled::does_not_stand_empty;
-  double level_m = 0;   ///< where it fails; else that of the full reservoir
-  LargestFactor at_it;  ///< of the reservoir's forces at that level; its mechanism alone where it does not stand empty
-  int programs = 0;     ///< solved
+  double level_m = 0;   ///< at failure; without failure, the full reservoir
+  LargestFactor at_it;  ///< for the reservoir's forces at level_m; mechanism only, if it fails when empty
+  int programs = 0;     ///< number of programs solved
 };
 
 LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, const WaterAtLevel& water,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A linear program that is written down row by row and column by column, and solved by the simplex method (GLPK).
+// A linear program that is built row by row and column by column, and solved by the simplex method (GLPK).
 #pragma once
 
 #include <limits>
@@ -15,25 +15,25 @@ inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 enum class ProgramStatus { optimal, infeasible };
 
-/// Variables and rows should be of the order of one: tolerances are absolute there, 1e-10.
+/// Scale variables and rows to the order of one: the tolerances, 1e-10, are absolute.
 class LinearProgram {
  public:
   using Entries = std::vector<std::pair<int, double>>;  ///< row and coefficient
 
   LinearProgram();
 
-  /// Each returns the new row's number.
+  /// Both return the new row's number.
   int add_equation(double right_side);
   int add_upper_bound(double right_side);
-  /// Bounds may be infinite; entries of the same row are summed, and what round-off leaves of them is none. Returns the
-  /// new variable's number.
+  /// Bounds may be infinite. Entries of the same row are added up; a sum that is only round-off counts as zero. Returns
+  /// the new variable's number.
   int add_variable(double low, double high, Entries entries, double objective = 0);
 
-  /// Throws std::runtime_error where the simplex method comes to no end, as where nothing bounds the objective.
+  /// Throws std::runtime_error if the simplex method does not end, for example if the objective is unbounded.
   ProgramStatus maximize();
 
   [[nodiscard]] double value(int variable) const;
-  /// Change of the objective with the row's right side.
+  /// Derivative of the objective with respect to the row's right side.
   [[nodiscard]] double dual(int row) const;
 
  private:
@@ -43,7 +43,7 @@ class LinearProgram {
 
   std::unique_ptr<glp_prob, void (*)(glp_prob*)> program_;
   std::vector<std::pair<int, double>> upper_;  ///< rows with an upper bound
-  std::vector<std::pair<int, double>> lower_;  ///< variables with a lower bound alone
+  std::vector<std::pair<int, double>> lower_;  ///< variables with a lower bound only
 };
 
 }  // namespace blockweir::solid::limit

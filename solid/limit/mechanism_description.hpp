@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mechanism of limit analysis in words: which blocks move, on which joints, and how.
+// Describes a mechanism of limit analysis: which blocks move, on which joints, and how.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ namespace blockweir::solid::limit {
 struct MechanismDescription {
   std::string mode;                 ///< "sliding", "overturning", "sliding and overturning"
   std::vector<std::size_t> moving;  ///< blocks, indices into Scene::blocks
-  std::vector<std::string> joints;  ///< that they leave, the one that begins farthest upstream first
-  std::optional<Point> mouth_m;     ///< where that begins
-  std::string text;                 ///< a sentence
+  std::vector<std::string> joints;  ///< joints that open or slip; first the one that starts farthest upstream
+  std::optional<Point> mouth_m;     ///< where that one starts
+  std::string text;                 ///< the description as a sentence
 };
 
 MechanismDescription words_of(const LimitAnalysis& structure, const Twists& mechanism);

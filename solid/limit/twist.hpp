@@ -12,9 +12,9 @@ using statics::Wrench;
 using statics::wrench_of;
 using statics::Wrenches;
 
-/// Velocity x, velocity y of the block's centroid, and its spin [1/m of the same].
+/// Velocities in x and y of the block's centroid, and its angular velocity.
 using Twist = Eigen::Vector3d;
-/// One a block of the scene, zero for fixed ones.
+/// One for each block of the scene, zero for fixed ones.
 using Twists = std::vector<Twist>;
 
 inline Point velocity_at(const Twist& twist, const Point& at, const Point& centroid) {
@@ -22,7 +22,7 @@ inline Point velocity_at(const Twist& twist, const Point& at, const Point& centr
   return {twist.x() - twist.z() * arm.y(), twist.y() + twist.z() * arm.x()};
 }
 
-/// Power of the wrenches on the motion.
+/// Power of the wrenches on this motion.
 inline double power(const Wrenches& wrenches, const Twists& twists) {
   double sum = 0;
   for (std::size_t b = 0; b < twists.size(); ++b) sum += wrenches[b].dot(twists[b]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Natural frequencies and shapes of M q'' + K q = 0.
+// Natural frequencies and mode shapes of M q'' + K q = 0.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -8,13 +8,13 @@
 namespace blockweir::solid {
 
 struct NaturalMode {
-  double omega_rad_per_s = 0;  ///< 0: nothing holds this motion
-  Eigen::VectorXd shape;       ///< with shape . M shape = 1
+  double omega_rad_per_s = 0;  ///< 0: rigid-body motion
+  Eigen::VectorXd shape;       ///< normalized: shape . M shape = 1
 };
 
-/// The `count` lowest, or fewer, without those of the springs that stand for contacts: K shape = omega^2 M shape, M
-/// positive definite, K symmetric and not negative (Lanczos with shift and inversion, Spectra). `typical_omega`: of the
-/// structure, to tell free motions and those of contacts by. Throws std::runtime_error where they are not found.
+/// The `count` lowest modes, or fewer, without those of the contact springs: K shape = omega^2 M shape, M positive
+/// definite, K symmetric and not negative (Lanczos with shift and inversion, Spectra). `typical_omega` of the structure
+/// separates rigid-body motions and contact modes from the others. Throws std::runtime_error if they are not found.
 std::vector<NaturalMode> natural_modes(const Eigen::SparseMatrix<double>& K, const Eigen::SparseMatrix<double>& M,
                                        int count, double typical_omega);
 

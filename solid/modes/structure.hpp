@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A structure at rest, linearized: what moves, its mass and its stiffness with the joints as they are.
+// A structure at rest, linearized: its moving parts, mass and stiffness, with the present states of its joints.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -10,21 +10,21 @@
 
 namespace blockweir::solid {
 
-/// M q'' + K q = 0 for small motions q of a solid at rest. Contacts that stick hold both ways, those that slip hold
-/// their normal one, open ones nothing: springs far stiffer than the blocks. Bolts have their slopes. Weight adds no
-/// stiffness.
+/// M q'' + K q = 0 for small motions q of a solid at rest. Sticking contacts hold in both directions, slipping ones in
+/// the normal direction, open ones not at all; the springs are far stiffer than the blocks. Bolts have their present
+/// stiffness. Weight adds no stiffness.
 class Structure {
  public:
-  /// The solid must outlive it.
+  /// The solid must outlive the object.
   explicit Structure(const Solid& solid);
 
   [[nodiscard]] const Eigen::SparseMatrix<double>& mass() const { return mass_; }  ///< kg per metre and the like
   [[nodiscard]] const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }  ///< N per m2 and the like
   [[nodiscard]] int unknowns() const { return unknowns_.total; }
-  /// All moves along x (0) or y (1) by 1.
+  /// Unit translation of all parts along x (0) or y (1).
   [[nodiscard]] Eigen::VectorXd translation(int axis) const;
   [[nodiscard]] process::PointMotion motion_of(const process::FacePoint& point) const;
-  /// Displacement of a part's material point.
+  /// Displacement of a material point of a part.
   [[nodiscard]] Point displacement(int part, const Point& material, const Eigen::VectorXd& q) const;
 
  private:
@@ -39,8 +39,8 @@ class Structure {
   [[nodiscard]] int local(int part) const { return local_[static_cast<std::size_t>(part)]; }
 
   const Solid& solid_;
-  std::vector<int> parts_;  ///< that move
-  std::vector<int> local_;  ///< of each of the solid's blocks, its place among those; -1
+  std::vector<int> parts_;  ///< indices of the moving parts
+  std::vector<int> local_;  ///< for each block of the solid its index in parts_; -1: it does not move
   Unknowns unknowns_;
   Eigen::SparseMatrix<double> mass_;
   Eigen::SparseMatrix<double> stiffness_;

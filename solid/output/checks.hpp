@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures that a case states, each beside what the run gave.
+// Compares the figures that a case states with those of the run.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,8 +8,8 @@
 
 namespace blockweir::solid::output {
 
-/// A list of name, expected, got, relative_error, tolerance, passed, formula and source; of a figure that the run
-/// cannot give also `trouble`, or `why_none`.
+/// A list of name, expected, got, relative_error, tolerance, passed, formula and source; for a figure that the run does
+/// not have also `trouble` or `why_none`.
 nlohmann::json checks(const expect::Outcome& outcome);
 
 }  // namespace blockweir::solid::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// history.csv: one row a stored time, one named column a quantity with its unit.
+// history.csv: one row for each stored time, one named column with unit for each quantity.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace blockweir::solid::output {
 
-/// Joints have columns by their names; those without one are called as reports do ("wall on rock"), where few.
+/// Columns of joints have their names; unnamed joints, if few, are named as in reports ("wall on rock").
 class HistoryWriter {
  public:
   HistoryWriter(const std::filesystem::path& folder, const scene::Scene& scene, results::Begin begin);
@@ -24,7 +24,7 @@ class HistoryWriter {
  private:
   results::ResultFile file_;
   std::size_t named_joints_ = 0;
-  std::map<std::pair<int, int>, std::size_t> unnamed_joints_;  ///< by their blocks; the place among all joints' columns
+  std::map<std::pair<int, int>, std::size_t> unnamed_joints_;  ///< by pair of blocks: index of the columns
   bool shaken_ = false;
 };
 

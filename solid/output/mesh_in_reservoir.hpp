@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshed blocks against a reservoir that answers their mean motion alone.
+// Checks meshed blocks in a reservoir that responds to their mean motion only.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace blockweir::solid::output {
 
-/// What a wet block with a mesh lacks of its water. Empty where the water answers nothing, or no such block moves.
+/// Says what the water of a wet meshed block lacks. Empty if the water does not respond, or no such block moves.
 std::string mesh_in_reservoir_warning(const expect::Outcome& outcome);
 
 }  // namespace blockweir::solid::output

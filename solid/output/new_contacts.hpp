@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks that have met on their way: what law holds between them.
+// Warns about the joint law between blocks that came into contact during the run.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace blockweir::solid::output {
 
-/// Of pairs that touch at the run's end, but not at its start, and have the law of [joint] though one of them has a
-/// joint with another friction. Empty where there are none.
+/// For pairs that touch at the run's end but not at its start, and have the law of [joint] although one of the blocks
+/// has a joint with another friction. Empty if there are none.
 std::string new_contacts_warning(const expect::Outcome& outcome);
 
 }  // namespace blockweir::solid::output

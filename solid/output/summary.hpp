@@ -8,7 +8,7 @@
 
 namespace blockweir::solid::output {
 
-/// All of the summary but what the caller times itself (keys wall_time_s, profile_s).
+/// The summary except the parts that the caller times (keys wall_time_s, profile_s).
 nlohmann::json summary(const expect::Outcome& outcome);
 
 }  // namespace blockweir::solid::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdict of a run: stands, fails, moving or stopped, with the failure or the margins, in numbers and in words.
+// The verdict of a run: stands, fails, moving or stopped, with the failure or the margins, as numbers and as text.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK files for ParaView: blocks.pvd with blocks, joints and water of every frame as its parts.
+// VTK files for ParaView: blocks.pvd with blocks, joints and water of every frame.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@ namespace blockweir::solid::output {
 
 class VtkWriter {
  public:
-  /// Files go to `folder`/frames, the collection to `folder`/blocks.pvd.
+  /// Frames are written to `folder`/frames, the collection to `folder`/blocks.pvd.
   explicit VtkWriter(const std::filesystem::path& folder);
 
-  /// Adds a frame. Throws std::runtime_error when a file cannot be written.
+  /// Adds a frame. Throws std::runtime_error if a file cannot be written.
   void write(const Frame& frame);
 
   template <class Archive>

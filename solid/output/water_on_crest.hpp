@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Still water above a crest: what stands on the crest is left out where one pool alone is above it.
+// Warns that still water above the crest does not press on it if one pool only is above it.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace blockweir::solid::output {
 
-/// Empty where no level that decided, that of the failure or else the highest, was above the crest.
+/// Empty unless the decisive level, at failure or else the highest, was above the crest.
 std::string water_on_crest_warning(const expect::Outcome& outcome);
-/// Likewise of the scene's still water that rises to this level, the tailwater as at the end.
+/// The same for still water of the scene at this level, with the tailwater of the run's end.
 std::string water_on_crest_warning(const scene::Scene& scene, double level_m);
 
 }  // namespace blockweir::solid::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solid as the schedule sees it, with all that is watched and written on the way.
+// The solid side of a coupled run: it steps, watches for failure and writes results.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@ namespace blockweir::solid {
 
 class CoupledSolid final : public schedule::SolidSide {
  public:
-  /// Called on the way. `settling` and `solving` are called as steps begin and after each solution of a linear system,
-  /// with the number so far of those of the start and of the window at hand; what they throw ends the run.
+  /// Callbacks for progress. `settling` and `solving` are called at the start of steps and after each linear solution,
+  /// with the number of solutions of the initial state or of the window so far. If they throw, the run ends.
   struct Progress {
     std::function<void(double time_s, double level_m, double displacement_m)> run;
     std::function<void(long solutions)> settling;
@@ -41,16 +41,16 @@ class CoupledSolid final : public schedule::SolidSide {
             recorded_s_, largest_penetration_m_, breached_s_, frames_, step_s_, map_s_, watch_s_, output_s_);
   }
 
-  /// Writes summary.json; `extra` is merged into it. When `stopped` is not empty the run ended early, for that reason.
+  /// Writes summary.json; `extra` is merged into it. `stopped`: reason if the run ended early, otherwise empty.
   void finish(const nlohmann::json& extra, const std::string& stopped, const std::vector<std::string>& more_skips = {});
 
  private:
-  /// Calls step(); one that meets what is not a number leaves repeat.toml behind.
+  /// Calls step(); if a value is not a number, writes repeat.toml for reproduction.
   void solve(double until_s, const std::function<void()>& step);
-  /// Throws std::runtime_error where the exchange makes energy, unless that is to be a result.
+  /// Throws std::runtime_error if the exchange produces energy, unless the scene asks for that as a result.
   void watch_interface(const wire::Load& load, const wire::Motion& told, const AddedMasses& masses, double from_s,
                        double to_s);
-  /// What the water presses on, on the blocks where they are.
+  /// Converts the load to panels on the blocks at their present positions.
   void map(const wire::Load& load);
   void observe(const wire::Load& load, double time_s);
   [[nodiscard]] nlohmann::json seconds() const;
@@ -58,7 +58,7 @@ class CoupledSolid final : public schedule::SolidSide {
   Solid solid_;
   WaterCourse water_;
   FailureWatch failure_;
-  Margins margins_;           ///< while nothing has failed
+  Margins margins_;           ///< until something fails
   EdgeTension edge_tension_;  ///< likewise
   AccelerationFit acceleration_;
   expect::TimeSeries series_;
@@ -72,8 +72,8 @@ class CoupledSolid final : public schedule::SolidSide {
   Progress progress_;
   Frame first_;
   Frame frame_;
-  wire::Load last_load_;              ///< under which the blocks have come to where they are
-  std::optional<double> unrecorded_;  ///< time that is to be recorded; none where a checkpoint is written
+  wire::Load last_load_;              ///< under which the blocks reached their positions
+  std::optional<double> unrecorded_;  ///< time still to be recorded; none when a checkpoint is written
   double next_history_s_ = 0;
   double next_frame_s_ = 0;
   double recorded_s_ = -1;  ///< time of frame_
@@ -81,9 +81,9 @@ class CoupledSolid final : public schedule::SolidSide {
   std::optional<double> breached_s_;
   Frames frames_;
   double step_s_ = 0;    ///< wall time in the solid's steps
-  double map_s_ = 0;     ///< wall time between messages and blocks
-  double watch_s_ = 0;   ///< wall time in looking for failure, margins, energies
-  double output_s_ = 0;  ///< wall time in writing
+  double map_s_ = 0;     ///< wall time in converting messages
+  double watch_s_ = 0;   ///< wall time in checking failure, margins, energies
+  double output_s_ = 0;  ///< wall time in writing results
 };
 
 }  // namespace blockweir::solid

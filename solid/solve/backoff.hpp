@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tries that cost time and fail in rows: after one that fails the next ones are left out, each time twice as many.
+// Exponential backoff: after each failure of an expensive attempt, twice as many of the next attempts are skipped.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,14 @@ namespace blockweir::solid {
 
 class Backoff {
  public:
-  /// Is the try at hand left out?
+  /// Whether to skip this attempt.
   bool skips() { return left_ > 0 && left_-- > 0; }
   void failed() {
     constexpr int longest = 64;
     left_ = next_;
     next_ = std::min(longest, 2 * next_);
   }
-  /// Since the last success.
+  /// Whether there was a failure since the last success.
   [[nodiscard]] bool after_failure() const { return next_ > 1; }
   void succeeded() { *this = {}; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which interactions act on which block: so that each block can take up its own, in their order, whoever does it.
+// Lists the interactions of each block, so that each block can sum its own in a fixed order on any thread.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ class Incidence {
   };
 
   Incidence() = default;
-  /// `ends[k]`: the two blocks of interaction k; -1 for what does not move.
+  /// `ends[k]`: the two blocks of interaction k; -1: fixed.
   Incidence(std::size_t blocks, const std::vector<std::pair<int, int>>& ends) : first_(blocks + 1) {
     const auto each = [&](const auto& visit) {
       for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -33,13 +33,13 @@ class Incidence {
     each([&](std::size_t block, End end) { ends_[next[block]++] = end; });
   }
 
-  /// Of a block, by increasing interactions.
+  /// The ends of a block, by increasing interactions.
   [[nodiscard]] std::span<const End> of(std::size_t block) const {
     return {ends_.data() + first_[block], first_[block + 1] - first_[block]};
   }
 
  private:
-  std::vector<std::size_t> first_;  ///< of each block's ends
+  std::vector<std::size_t> first_;  ///< index of each block's first end
   std::vector<End> ends_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// K d = f of one island in blocks (5)-(6): contact terms between blocks off the diagonal, all else on it.
+// K d = f for one island, in blocks (5)-(6): contact terms between blocks off the diagonal, all others on it.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,14 @@ namespace blockweir::solid {
 /// Seconds so far.
 struct SolutionTimes {
   double factorization = 0;
-  double refinement = 0;  ///< solutions with factors of a matrix nearby, and tries that failed
+  double refinement = 0;  ///< solutions with factors of a similar matrix, and failed attempts
 };
 
-/// What factors were made of: who factorizes it again has them to the bit.
+/// The matrix of a factorization: factorizing it again gives the same factors to the bit.
 struct KeptFactors {
   struct Matrix {
-    std::vector<double> values;  ///< of the sparse matrix; none: there are no factors
-    Backoff pause;               ///< in trying other matrices with them
+    std::vector<double> values;  ///< of the sparse matrix; empty: there are no factors
+    Backoff pause;               ///< for attempts to use the factors for other matrices
 
     [[nodiscard]] bool made() const { return !values.empty(); }
     template <class Archive>
@@ -43,27 +43,27 @@ class LinearSystem {
   virtual ~LinearSystem() = default;
 
   virtual void set_zero() = 0;
-  /// Adds to the block at local (row, column), of a rigid block the rigid part; off the diagonal only where a couple
+  /// Adds to the block at local (row, column); for a rigid block, the rigid part; off the diagonal only where a couple
   /// was announced.
   virtual void add(int row, int column, const Matrix6& k) = 0;
-  /// Factorizes what was added and solves; `symmetric` promises K = K^T, which lets a sparse system use Cholesky.
-  /// False when the matrix is singular to working accuracy.
+  /// Factorizes the sum and solves; `symmetric` promises K = K^T, which allows Cholesky for a sparse system. False if
+  /// the matrix is singular to working accuracy.
   virtual bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) = 0;
-  /// Did the last solution take the factors of an earlier one?
+  /// Whether the last solution reused earlier factors.
   [[nodiscard]] virtual bool reused() const { return false; }
-  /// The next solution factorizes anew.
+  /// Makes the next solution factorize again.
   virtual void forget_factors() {}
-  /// Solutions depend on the factors of those before: a run that is resumed is to have the same.
+  /// Solutions depend on earlier factors, so a resumed run needs the same ones.
   [[nodiscard]] virtual KeptFactors kept_factors() const { return {}; }
   virtual void restore(const KeptFactors& /*kept*/) {}
   [[nodiscard]] virtual SolutionTimes times() const = 0;
-  /// For another right-hand side, with the factors of the last solve.
+  /// Solves for another right-hand side with the factors of the last solve.
   [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const = 0;
-  /// What was added, all of it.
+  /// The whole matrix.
   [[nodiscard]] virtual Eigen::MatrixXd dense() const = 0;
 };
 
-/// Dense for small islands, sparse above. Where blocks share unknowns, these must outlive the system.
+/// Dense for small islands, sparse for large ones. If blocks share unknowns, `unknowns` must outlive the system.
 std::unique_ptr<LinearSystem> make_linear_system(const Unknowns& unknowns,
                                                  const std::vector<std::pair<int, int>>& couples);
 

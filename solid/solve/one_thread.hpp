@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OpenMP's threads, kept out of loops too short for them.
+// Keeps OpenMP from using threads in loops that are too short for them.
 #pragma once
 
 namespace blockweir::solid {
 
-/// While it lives, OpenMP's parallel regions that this thread enters have one thread. CHOLMOD asks for four whatever
-/// the machine has, for loops of microseconds: half of a factorization's time went into waking them.
+/// During its lifetime, OpenMP's parallel regions on this thread use one thread. CHOLMOD requests four on any machine,
+/// for loops of microseconds; half of a factorization's time was spent waking them.
 class OneThread {
  public:
   OneThread();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sparse matrix with a pattern that stays, so that the symbolic factorization is done once: Cholesky (CHOLMOD) while
-// it is symmetric, LU (UMFPACK) while contacts slip. The factors are kept, too, and serve matrices nearby.
+// A sparse matrix with a fixed pattern, so that the symbolic factorization is done once: Cholesky (CHOLMOD) while it is
+// symmetric, LU (UMFPACK) while contacts slip. Factors are kept, too, and used for similar matrices.
 #pragma once
 
 #include <Eigen/CholmodSupport>
@@ -22,14 +22,14 @@ class SparseMatrix {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  /// LU without refinement of its own: solve() refines where it has to. A matrix that is not positive definite is an
-  /// answer, and no line of CHOLMOD's on the terminal.
+  /// LU without its own refinement: solve() refines where needed. A matrix that is not positive definite is an expected
+  /// result, so CHOLMOD prints nothing.
   SparseMatrix() {
     lu_.solver.umfpackControl()[UMFPACK_IRSTEP] = 0;
     cholesky_.solver.cholmod().print = 0;
   }
 
-  /// Zeros where the entries say.
+  /// Zero entries at these positions.
   void set_pattern(int size, const std::vector<Eigen::Triplet<double>>& entries) {
     k.resize(size, size);
     k.setFromTriplets(entries.begin(), entries.end());
@@ -37,20 +37,20 @@ class SparseMatrix {
   }
   void set_zero() { std::fill_n(k.valuePtr(), k.nonZeros(), 0.0); }
 
-  /// The next solve makes new ones.
+  /// Makes the next solve factorize again.
   void forget_factors() {
     cholesky_.of = {};
     lu_.of = {};
   }
 
-  /// Made of a matrix with this pattern, factors are those that gave `kept`, to the bit.
+  /// From a matrix with this pattern: the factors become those that gave `kept`, to the bit.
   [[nodiscard]] KeptFactors kept() const { return {cholesky_.of, lu_.of}; }
   void restore(const KeptFactors& kept) {
     restore(cholesky_, kept.cholesky);
     restore(lu_, kept.lu);
   }
 
-  /// False when it is singular to working accuracy.
+  /// False if the matrix is singular to working accuracy.
   bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
     by_cholesky_ = symmetric;
     return symmetric ? solve_with(cholesky_, f, d) : solve_with(lu_, f, d);
@@ -61,7 +61,7 @@ class SparseMatrix {
     by_cholesky_ ? refine(cholesky_.solver, f, d) : refine(lu_.solver, f, d);
     return d;
   }
-  /// Did the last solve factorize nothing?
+  /// Whether the last solve reused factors.
   [[nodiscard]] bool reused() const { return reused_; }
   [[nodiscard]] SolutionTimes times() const { return times_; }
 
@@ -102,7 +102,7 @@ class SparseMatrix {
     factorize(factors.solver, factors.analysed);
   }
 
-  /// By refinement, unless that has failed just now.
+  /// By refinement, unless that has just failed.
   template <class Solver>
   bool serves(Factors<Solver>& factors, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
     if (factors.of.pause.skips()) return false;
@@ -121,12 +121,12 @@ class SparseMatrix {
     solver.factorize(k);
   }
 
-  /// Solves with factors of a matrix near this one, again for what is left until nothing is: false where they serve it
-  /// badly.
+  /// Iterative refinement with factors of a similar matrix, until the residual vanishes: false if it converges too
+  /// slowly.
   template <class Solver>
   bool refine(const Solver& solver, const Eigen::VectorXd& f, Eigen::VectorXd& d) const {
     constexpr double accurate = 1e-8;
-    constexpr double fast = 0.1;  // a slower one costs more than new factors
+    constexpr double fast = 0.1;  // slower convergence costs more than new factors
     const double enough = accurate * f.norm();
     d = solver.solve(f);
     for (double last = std::numeric_limits<double>::infinity();;) {
@@ -141,7 +141,7 @@ class SparseMatrix {
 
   Factors<Eigen::CholmodDecomposition<Matrix>> cholesky_;
   Factors<Eigen::UmfPackLU<Matrix>> lu_;
-  bool by_cholesky_ = false;  ///< the last solve
+  bool by_cholesky_ = false;  ///< in the last solve
   bool reused_ = false;
   SolutionTimes times_;
 };

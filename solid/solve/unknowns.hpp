@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which unknowns of an island's equations a block has: six of its own, three where it is rigid, or, a triangle of a
-// mesh, the displacements of its three corners, which it shares with its neighbours.
+// The unknowns of a block in an island's equations: six of its own; three if it is rigid; for a triangle of a mesh, the
+// displacements of its three corners, which neighbouring triangles share.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace blockweir::solid {
 
 class Unknowns {
  public:
-  /// 6 or 3 of each block. `nodes`: of triangles, numbered at will; -1 for other blocks; empty where there are none.
+  /// 6 or 3 for each block. `nodes`: of triangles, numbered at will; -1 for other blocks; empty without triangles.
   explicit Unknowns(const std::vector<int>& count_of, const std::vector<std::array<int, 3>>& nodes_of = {})
       : count(count_of) {
     std::unordered_map<int, int> first_of;  // node: its x displacement
@@ -36,36 +36,36 @@ class Unknowns {
   }
 
   std::vector<int> count;
-  std::vector<int> first;                  ///< of a block's own unknowns; they follow each other
-  std::vector<std::pair<int, int>> nodes;  ///< with their first unknown, x displacement; y follows
+  std::vector<int> first;                  ///< first of a block's own unknowns, which are consecutive
+  std::vector<std::pair<int, int>> nodes;  ///< with their first unknown, the x displacement; y follows
   int total = 0;
 
   [[nodiscard]] int blocks() const { return static_cast<int>(count.size()); }
   [[nodiscard]] bool shared() const { return !nodes.empty(); }
   [[nodiscard]] const std::vector<int>& of(int block) const { return number_[at(block)]; }
 
-  /// d = map * (displacements of the corners) of a triangle, from now on.
+  /// Sets d = map * (displacements of the corners) of a triangle.
   void set_map(int block, const Matrix6& map) { map_[at(block)] = map; }
-  /// Matrix between two blocks as one between their unknowns; of rigid ones the first rows or columns count.
+  /// Converts a matrix between two blocks into one between their unknowns; of rigid ones the first rows or columns.
   [[nodiscard]] Matrix6 mapped(int row, int column, const Matrix6& k) const {
     return shared() ? Matrix6(map_[at(row)].transpose() * k * map_[at(column)]) : k;
   }
-  /// Generalized force of a block as forces of its unknowns.
+  /// Converts the generalized force of a block into forces on its unknowns.
   [[nodiscard]] Vector6 mapped(int block, const Vector6& force) const {
     return shared() ? Vector6(map_[at(block)].transpose() * force) : force;
   }
-  /// Adds a block's generalized force to all.
+  /// Adds a block's generalized force to the vector of all unknowns.
   void add(int block, const Vector6& force, Eigen::VectorXd& all) const {
     const Vector6 own = mapped(block, force);
     Eigen::Index i = 0;
     for (const int number : of(block)) all[number] += own[i++];
   }
-  /// A block's displacement, of a rigid one without strains, of all.
+  /// A block's displacement from the vector of all unknowns; for a rigid block without strains.
   [[nodiscard]] Vector6 take(int block, const Eigen::VectorXd& all) const {
     Vector6 d = take_own(block, all);
     return shared() ? Vector6(map_[at(block)] * d) : d;
   }
-  /// A block's unknowns as they are: of a triangle, displacements of its corners.
+  /// A block's own unknowns: for a triangle, the displacements of its corners.
   [[nodiscard]] Vector6 take_own(int block, const Eigen::VectorXd& all) const {
     Vector6 d = Vector6::Zero();
     Eigen::Index i = 0;
@@ -75,7 +75,7 @@ class Unknowns {
 
  private:
   std::vector<std::vector<int>> number_;
-  std::vector<Matrix6> map_;  ///< where blocks share unknowns
+  std::vector<Matrix6> map_;  ///< for triangles
 };
 
 }  // namespace blockweir::solid

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forces of a step by Shi's scheme act on blocks where the step ends. About a common point they pull two blocks with
-// different arms, as the blocks have moved meanwhile: what two give each other then turns them by
-// dt (d_j - d_i)/2 x F, d their ways in the step. Blocks that nothing anchors get that angular momentum back.
+// Corrects angular momentum after a step of Shi's scheme. Its forces act on the blocks' final positions, so that a pair
+// of contact forces has different arms about a common point and turns the two blocks by dt (d_j - d_i)/2 x F, d their
+// displacements in the step. Free groups of blocks get this angular momentum back.
 #pragma once
 
 #include "solid/step/island_equations.hpp"
@@ -12,8 +12,8 @@ class AngularMomentum : StepPart {
  public:
   explicit AngularMomentum(StepWorkspace& step) : StepPart(step) {}
 
-  /// Of each group of an island's touching blocks that nothing anchors: by a rigid turn of all, which no contact
-  /// resists. After velocities have been found.
+  /// For each free group of touching blocks of an island: by a rigid rotation of the group, which no contact resists.
+  /// Call after velocities are known.
   void restore(IslandEquations& island);
 
  private:

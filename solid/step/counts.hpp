@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a step reports, and why a run cannot go on.
+// Counts and times of the steps, and the errors that end a run.
 #pragma once
 
 #include <stdexcept>
@@ -7,22 +7,22 @@
 
 namespace blockweir::solid {
 
-/// The solid cannot go on: no step could be solved however small, a value is not a number, or the exchange with the
-/// water is unstable. From a checkpoint the run would end here again.
+/// The solid cannot continue: no step could be solved however small, a value is not a number, or the exchange with the
+/// water is unstable. Resuming from a checkpoint would end here again.
 struct SolveError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A load, a force or a displacement was not a finite number: no smaller step mends that.
+/// A load, a force or a displacement is not a finite number; a smaller step does not help.
 struct NotFinite : SolveError {
   using SolveError::SolveError;
 };
 
-/// What a static analysis has found.
+/// Result of a static analysis.
 struct Rest {
   bool found = false;
   int steps = 0;
-  double unbalanced = 0;  ///< largest unbalanced force over the weight of all that can move
+  double unbalanced = 0;  ///< largest unbalanced force over the weight of all moving blocks
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -34,27 +34,27 @@ struct Rest {
 struct Counts {
   long steps = 0;
   long undone_steps = 0;
-  long substituted_steps = 0;  ///< by the augmented Lagrangian in place of Lagrange multipliers
-  long softened_steps = 0;     ///< tries of a state of rest with a smaller penalty
-  long lagged_steps = 0;       ///< tries with friction that lags
-  long impact_steps = 0;       ///< made by Shi's scheme in place of a rule of second order, as contacts changed
-  long pivoted_islands = 0;    ///< at rest, whose states were looked for by pivoting
-  long swept_islands = 0;      ///< whose contacts were swept, summed over steps
+  long substituted_steps = 0;  ///< by the augmented Lagrangian instead of Lagrange multipliers
+  long softened_steps = 0;     ///< attempts to find equilibrium with a smaller penalty
+  long lagged_steps = 0;       ///< attempts with lagged friction bounds
+  long impact_steps = 0;       ///< by Shi's scheme instead of a second-order one, since contacts changed
+  long pivoted_islands = 0;    ///< at rest, with contact states found by pivoting
+  long swept_islands = 0;      ///< with contacts solved by sweeps, summed over steps
   long iterations = 0;         ///< solved linear systems
-  long factorizations = 0;     ///< of matrices; the other solutions reuse one
+  long factorizations = 0;     ///< of matrices; other solutions reuse one
   long reused_factorizations = 0;
   long sweeps = 0;         ///< multiplier updates
   long state_changes = 0;  ///< open, stick, slip
   long broad_searches = 0;
   long searches = 0;          ///< of contacts
-  long skipped_searches = 0;  ///< steps that found contacts as the step before had left them
+  long skipped_searches = 0;  ///< steps that kept the contacts of the step before
   long settling_steps = 0;
-  long solved_islands = 0;      ///< summed over steps, but for those that settle
-  long most_islands = 0;        ///< at a time
-  long slept_islands = 0;       ///< islands that a step left as they were, summed over steps
-  double condition_number = 0;  ///< largest of all systems solved, where the scene asks for it
-  double residual_m = 0;        ///< by which gaps and slips of a swept step were off their laws, the largest
-  double overlap_m = 0;         ///< of blocks as a step ended, the largest
+  long solved_islands = 0;      ///< summed over steps, without settling
+  long most_islands = 0;        ///< at one time
+  long slept_islands = 0;       ///< islands skipped in a step, summed over steps
+  double condition_number = 0;  ///< largest of all systems solved, if requested by the scene
+  double residual_m = 0;        ///< largest error of a gap or slip in a swept step
+  double overlap_m = 0;         ///< largest overlap of blocks at the end of a step
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -67,16 +67,16 @@ struct Counts {
 
 /// Seconds spent so far.
 struct Profile {
-  double search = 0;         ///< of contacts
-  double islands = 0;        ///< groups of blocks, and the patterns of their matrices
-  double assembly = 0;       ///< of residuals and matrices, contact being a part of it
+  double search = 0;         ///< for contacts
+  double islands = 0;        ///< finding groups of blocks, and the patterns of their matrices
+  double assembly = 0;       ///< of residuals and matrices, includes contact
   double contact = 0;        ///< forces and states of contacts, supports and bolts
-  double solve = 0;          ///< factorization being a part of it
+  double solve = 0;          ///< includes factorization
   double factorization = 0;  ///< of the matrices that are counted
-  double refinement = 0;     ///< another part of it, see SolutionTimes
+  double refinement = 0;     ///< also part of solve, see SolutionTimes
   double sweeps = 0;         ///< multipliers, bonds
   double accept = 0;         ///< states at the end of a step
-  double equilibria = 0;     ///< of the islands that are counted as solved; parts of it are above
+  double equilibria = 0;     ///< of the islands counted as solved; includes parts above
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where stiffness cannot matter: blocks whose contact forces follow from equilibrium alone.
+// Finds blocks whose contact forces follow from equilibrium alone, so that their stiffness does not matter.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace blockweir::solid {
 
-/// Which movable blocks are rigid; none with a mesh is. Automatic: where every face that is closed at the start carries
-/// one block (as many faces and supports as blocks in the group, three unknown forces a face, three equations a block),
-/// and the block's own strain under the weight of the whole group moves its points by less than a hundredth of the
-/// displacement that counts as failure.
+/// Which moving blocks are rigid; none with a mesh is. Automatic: if the group is statically determinate (as many
+/// closed faces and supports as blocks: three unknown forces for each face, three equations for each block), and the
+/// block's own strain under the weight of the whole group displaces its points by less than a hundredth of the failure
+/// displacement.
 std::vector<bool> rigid_blocks(const scene::Scene& scene, const std::vector<Block>& blocks,
                                const std::vector<ContactPoint>& contacts);
 

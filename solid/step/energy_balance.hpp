@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What loads and a moving base have given, and what springs hold: the part of a run's energy that no state tells.
+// Work of loads and of a moving base, and energy in springs: the part of the energy that is not in the state.
 #pragma once
 
 #include <utility>
@@ -9,33 +9,33 @@
 
 namespace blockweir::solid {
 
-/// A step gains F d with Shi's scheme, whose force is that of the step's end, and (F0 + F1)/2 d with others.
+/// The energy from a force in a step is F d with Shi's scheme (force at the step's end), and (F0 + F1)/2 d with others.
 class EnergyBalance {
  public:
-  /// Work of all given loads but weight and initial stress, and of supports and a base that move [J per metre].
+  /// Work of all loads except weight and initial stress, and of moving supports and base [J per metre].
   [[nodiscard]] double given_j_per_m() const { return given_; }
-  /// In bolts and in contacts that are springs, since the run began [J per metre].
+  /// Energy in bolts and in contact springs since the start of the run [J per metre].
   [[nodiscard]] double stored_j_per_m() const { return stored_; }
 
-  /// What acts on a block through a step that ends under `now`.
+  /// The force on a block for the step that ends under `now`.
   [[nodiscard]] Vector6 through_step(std::size_t b, const Vector6& now, bool by_shi) const {
     return by_shi || before_.empty() ? now : Vector6((before_[b] + now) / 2);
   }
   void give(double work_j_per_m) { given_ += work_j_per_m; }
   void store(double rise_j_per_m) { stored_ += rise_j_per_m; }
-  /// What of a block's group has been made of nothing and could not be taken back yet [J per metre].
+  /// Spurious energy of a block's group that could not be removed yet [J per metre].
   [[nodiscard]] double owed(std::size_t b) const { return owed_.empty() ? 0 : owed_[b]; }
   void owe(std::size_t b, double energy_j_per_m, std::size_t blocks) {
     if (owed_.empty() && energy_j_per_m == 0) return;
     owed_.resize(blocks);
     owed_[b] = energy_j_per_m;
   }
-  /// How a base that moves has pushed a block through a step, which it ends with this force.
+  /// The force of a moving base on a block for the step that ends with this force.
   [[nodiscard]] Point push_through_step(std::size_t b, const Point& now) const {
     return pushes_.empty() ? now : Point((pushes_[b] + now) / 2);
   }
   void end_step_pushed_by(std::vector<Point> pushes) { pushes_ = std::move(pushes); }
-  /// The step has ended under these loads.
+  /// Call at the end of a step under these loads.
   void end_step(const std::vector<Vector6>& loads) { before_ = loads; }
 
   template <class Archive>
@@ -46,9 +46,9 @@ class EnergyBalance {
  private:
   double given_ = 0;
   double stored_ = 0;
-  std::vector<double> owed_;     ///< none where nothing is
-  std::vector<Vector6> before_;  ///< loads at the last step's end; none where steps do not look back
-  std::vector<Point> pushes_;    ///< of a base that moves, then
+  std::vector<double> owed_;     ///< empty if there is none
+  std::vector<Vector6> before_;  ///< loads at the end of the last step; empty for Shi's scheme
+  std::vector<Point> pushes_;    ///< of a moving base at the end of the last step
 };
 
 }  // namespace blockweir::solid

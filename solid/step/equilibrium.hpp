@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which method finds the equilibrium of an island.
+// Chooses the method that finds the equilibrium of an island.
 #pragma once
 
 #include "solid/step/island_equations.hpp"
@@ -7,13 +7,13 @@
 
 namespace blockweir::solid {
 
-/// Static analyses ask for round-off, which sweeps do not reach; steps that are to be smooth for states that stay.
+/// Not in static analyses, which need round-off accuracy, and not in steps whose contact states must not change.
 [[nodiscard]] bool may_sweep(const StepWorkspace& step, const StepMode& mode);
 
-/// Newton's method, then what the mode lets follow. `newton`: is it worth a try?
+/// Newton's method, then the methods that the mode allows. `newton`: whether to try Newton's method.
 Found find_equilibrium(StepWorkspace& step, IslandEquations& island, const StepMode& mode, bool newton);
 
-/// By the whole of Coulomb's law, or with friction that lags.
+/// With the full Coulomb law, or with lagged friction bounds.
 bool find_by_newton(StepWorkspace& step, IslandEquations& island, const StepMode& mode);
 
 }  // namespace blockweir::solid

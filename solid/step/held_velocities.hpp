@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All integrators here turn a velocity that is held into its opposite, undamped: such velocities are settled after the
-// step by what holds them.
+// All integrators here reverse a velocity in a constrained direction, undamped: such velocities are corrected after the
+// step.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,11 @@ class HeldVelocities : StepPart {
  public:
   explicit HeldVelocities(StepWorkspace& step) : StepPart(step) {}
 
-  /// Velocities along held directions (closed contacts, sticking ones along the edge too, supports) become those of
-  /// what holds them; the velocities get the smallest change, in the metric of the step's matrix, that does so. Where
-  /// that takes friction that contacts do not have, as at an impact, all impulses of the step fulfil Coulomb's law.
-  /// Where the scene's integrator is Shi's, of first order, they become the step's mean instead, which needs no rate of
-  /// what leads.
+  /// Velocities in constrained directions (closed contacts, for sticking ones also tangentially, supports) become
+  /// those of the constraint; the change of the velocities is the smallest in the metric of the step's matrix. If that
+  /// would need friction that contacts do not have, as at an impact, all impulses of the step satisfy Coulomb's law.
+  /// With Shi's scheme, of first order, they become the step's mean instead, which does not need the rate of the
+  /// constraint.
   void settle(IslandEquations& island, double dt);
 
  private:
@@ -32,9 +32,9 @@ class HeldVelocities : StepPart {
   [[nodiscard]] bool to_mean() const {
     return model_.scene.analysis.integrator == scene::Integrator::shi || !trial_.scheme.damps;
   }
-  /// By how much the joint of an action that dilates opens as it slips.
+  /// Opening of a dilating joint per unit of slip.
   [[nodiscard]] double opening_slope(const IslandEquations& island, std::size_t action) const;
-  /// Of a support by its table and the base; contacts are not led.
+  /// Prescribed velocity of a support, from its table and the base; zero for contacts.
   [[nodiscard]] Eigen::Vector2d led_rate(const IslandEquations& island, std::size_t action, double dt) const;
   [[nodiscard]] Eigen::Vector2d rate_of_fixed(const Interaction& action, double dt) const;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An impact is not a smooth motion. A rule of second order weighs the forces of the step's beginning, which an impact
-// does not continue, and makes energy of it: steps in which contacts change are made by Shi's scheme, which takes.
+// Impacts are not smooth. A second-order scheme uses the forces at the start of the step, which an impact changes, and
+// so produces energy. Steps in which contacts change are therefore made by Shi's scheme, which dissipates.
 #pragma once
 
 #include <vector>
@@ -14,12 +14,12 @@ class StepsWithImpacts : StepPart {
   StepsWithImpacts(StepWorkspace& step, TimeStep& time_step, const WaterInertia& water)
       : StepPart(step), time_step_(time_step), methods_(step, time_step), water_(water) {}
 
-  /// Second-order schemes need the acceleration that the run starts with: a step of Shi's scheme, undone, gives it.
+  /// Second-order schemes need an initial acceleration: a step of Shi's scheme, undone afterwards, gives it.
   void start_acceleration(const std::vector<Panel>& water, double from_s);
-  /// A step by the scene's integrator; by Shi's scheme where contacts close, open, begin or cease to slip in it, and
-  /// for one more, whose acceleration is that of the forces that act.
+  /// A step by the scene's integrator, or by Shi's scheme if contacts close, open, or start or stop slipping in it, and
+  /// for one more step, whose acceleration is that of the acting forces.
   Outcome make(const Stretch& stretch);
-  /// The last step.
+  /// Whether Shi's scheme made the last step.
   [[nodiscard]] bool made_by_shi() const { return made_by_shi_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The state at time 0: weight and first loads carried, all joints that touch held, everything at rest.
+// The state at time 0: weight and first loads are carried, all touching joints held, everything is at rest.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ class InitialEquilibrium : StepPart {
   InitialEquilibrium(StepWorkspace& step, TimeStep& time_step)
       : StepPart(step), time_step_(time_step), methods_(step, time_step) {}
 
-  /// Lets weight and first loads settle with all joints held, then releases them. False where the structure is on the
-  /// move. Throws SolveError when no equilibrium is found.
+  /// Lets weight and first loads settle with all joints held, then releases them. False if the structure is moving
+  /// afterwards. Throws SolveError if there is no equilibrium.
   bool settle(const std::vector<Panel>& water);
 
  private:
@@ -27,7 +27,7 @@ class InitialEquilibrium : StepPart {
   StepMethods methods_;
 };
 
-/// Blocks that hang on nothing: no chain of touching contacts and bolts leads to the ground or to a support.
+/// Blocks without a chain of touching contacts and bolts to the ground or to a support.
 std::vector<bool> unanchored(const Model& model, const State& state);
 
 }  // namespace blockweir::solid

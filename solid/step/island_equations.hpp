@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The equations of one island at the trial (5)-(6): residual, matrix, and what solves them linearized.
+// The equations of one island at the trial positions (5)-(6): residual, matrix, and the linear solution.
 #pragma once
 
 #include <functional>
@@ -17,13 +17,13 @@
 
 namespace blockweir::solid {
 
-constexpr int few_unknowns = 60;         ///< of an island in which Newton's method may go on as long as it likes
-constexpr int large_island = 200;        ///< unknowns above which states that run in circles are not waited for
+constexpr int few_unknowns = 60;         ///< islands up to this size: no limit on Newton's method
+constexpr int large_island = 200;        ///< unknowns above which cycling contact states are given up
 constexpr double sum_round_off = 1e-13;  ///< relative, of a sum of some tens of terms
 
 class IslandEquations : StepPart {
  public:
-  /// `numbers`: of each of the model's blocks, its index within its island.
+  /// `numbers`: for each of the model's blocks, its index within its island.
   IslandEquations(StepWorkspace& step, const WaterInertia& water, const std::vector<int>& numbers, Island of,
                   std::unique_ptr<Unknowns> its);
 
@@ -32,47 +32,47 @@ class IslandEquations : StepPart {
   std::vector<int> couplings;  ///< indices into Parts::couplings
   std::unique_ptr<Unknowns> unknowns;
   Incidence incidence;           ///< of the actions
-  Found found = Found::nothing;  ///< in the step at hand
-  double left_m = 0;             ///< by which sweeps have left gaps and slips off their laws
+  Found found = Found::nothing;  ///< in this step
+  double left_m = 0;             ///< error of gaps and slips left by sweeps
 
-  std::vector<Interaction> actions;  ///< of contacts, supports and bolts, in this order, at the trial
+  std::vector<Interaction> actions;  ///< of contacts, supports and bolts, in this order, at the trial positions
   Eigen::VectorXd residual;
-  Eigen::VectorXd uncertain;  ///< round-off of the residual at nodes
+  Eigen::VectorXd uncertain;  ///< round-off of the residual at mesh nodes
   Eigen::VectorXd correction;
-  ForceSweeps sweeps;               ///< where Newton's method does not find the states
+  ForceSweeps sweeps;               ///< used if Newton's method does not find the contact states
   std::vector<Matrix6> compliance;  ///< of each block alone, for sweeps
-  /// On each block by the water that others push; none where all push their own.
+  /// Force on each block by water that other blocks displace; empty if they displace separate water.
   std::vector<Eigen::Vector3d> pulls;
 
-  /// Made when it is first asked for: what is swept needs none.
+  /// Created on first use: sweeps need none.
   [[nodiscard]] LinearSystem& system() const;
 
-  /// Residual at the trial; returns the largest unbalanced force, less what round-off explains. What contacts, supports
-  /// and bolts do is kept for the matrix, which only a residual that is too large asks for.
+  /// Residual at the trial positions; returns the largest unbalanced force, less its round-off. Contact, support and
+  /// bolt forces are kept for the matrix, which is needed only if the residual is too large.
   double unbalanced();
-  /// What acts on an island's blocks without contacts, supports and bolts.
+  /// Forces on the blocks except those of contacts, supports and bolts.
   void balance_alone();
-  /// Residual of the balance, with what `also_acts` adds to that of each block, by its place in the island.
+  /// Residual of the balance; `also_acts` adds further forces to each block, by index in the island.
   double find_residual(const std::function<void(std::size_t)>& also_acts);
-  /// Adds to the balance of an island's block k what acts on it.
+  /// Adds the interaction forces on the island's block k to its balance.
   void take_up(std::size_t k);
 
-  /// The correction by one solution of the linearized equations; false where there is none.
+  /// Solves the linearized equations once for the correction; false if there is no solution.
   bool solve_linearized();
-  /// Adds so much of the correction to the trial.
+  /// Adds this fraction of the correction to the trial positions.
   void move(double fraction);
-  /// The matrix of blocks alone, to which others add.
+  /// Sets the matrix of the blocks alone, to which others add.
   void set_block_matrices();
   void add_stiffness(const Interaction& action);
   bool solve(bool symmetric);
-  /// For another force, with the matrix of the last solution.
+  /// Solves for another force with the matrix of the last solution.
   [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& force) const;
 
-  /// Do blocks share unknowns, or water that they push? Then a force on one moves others at once.
+  /// Whether a force on one block moves others at once, through shared unknowns or water.
   [[nodiscard]] bool moves_as_one() const { return unknowns->shared() || !pulls.empty(); }
   [[nodiscard]] Held held() { return {island.contacts, state_.contacts, island.supports, state_.supports}; }
   [[nodiscard]] int local(int block) const { return numbers_[static_cast<std::size_t>(block)]; }
-  /// Is a block one of the island's?
+  /// Whether the island contains the block.
   [[nodiscard]] bool has(int block) const {
     const auto k = static_cast<std::size_t>(local(block));
     return k < island.blocks.size() && island.blocks[k] == block;
@@ -91,8 +91,8 @@ class IslandEquations : StepPart {
   const std::vector<int>& numbers_;
   mutable std::unique_ptr<LinearSystem> system_;
   WaterFactors water_factors_;  ///< of the system's last solution
-  bool symmetric_ = true;       ///< are the actions' stiffnesses?
-  UnknownForces forces_;        ///< instead of the system while there are any
+  bool symmetric_ = true;       ///< whether the actions' stiffnesses are symmetric
+  UnknownForces forces_;        ///< replaces the system if forces are unknowns
 };
 
 }  // namespace blockweir::solid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Islands whose blocks all rest under loads that stand: a step leaves them out.
+// Islands at rest under constant loads: a step skips them.
 #pragma once
 
 #include "solid/step/island_equations.hpp"

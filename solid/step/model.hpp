@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stays as it is while a scene is run.
+// What stays constant during a run of a scene.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@
 
 namespace blockweir::solid {
 
-/// The scene must outlive it.
+/// The scene must outlive the object.
 struct Model {
   explicit Model(const scene::Scene& scene);
   Model(const Model&) = delete;
@@ -24,29 +24,29 @@ struct Model {
 
   const scene::Scene& scene;
   Parts parts;
-  const std::vector<Block>& blocks;  ///< of the parts: the scene's, then the triangles of meshes
+  const std::vector<Block>& blocks;  ///< of the parts: the scene's blocks, then the triangles of meshes
   JointLaws laws;
   Loads loads;
   BaseMotion base;
   ViscousBoundary boundary;
-  double size_m = 0;          ///< half the height of what can move, at least half its width
-  double weight_n_per_m = 0;  ///< of all that can move
+  double size_m = 0;          ///< half the height of the moving blocks, at least half their width
+  double weight_n_per_m = 0;  ///< of all moving blocks
   Newmark scheme;             ///< the scene's integrator
 
   [[nodiscard]] std::size_t described() const { return scene.blocks.size(); }  ///< number of the scene's blocks
   [[nodiscard]] bool is(scene::AnalysisKind kind) const { return scene.analysis.kind == kind; }
   [[nodiscard]] FormulationSettings contact_settings() const;
-  /// Median over the movable blocks of the lesser side of the box around each [m].
+  /// Median over the moving blocks of the smaller side of each one's bounding box [m].
   [[nodiscard]] double typical_width_m() const;
-  /// At most about as much as corners move against each other where blocks strain, or contacts are springs, under their
-  /// weight and as much again of water and wedging [m]; at most a hundredth of a block's width.
+  /// Estimate of how far corners move relative to each other by block strain or contact springs, under their weight and
+  /// as much again from water and wedging [m]; at most a hundredth of a block's width.
   [[nodiscard]] double give_under_weight_m() const;
-  /// Of a step long against every elastic period, so that inertia only regularizes: 2 M/dt^2 is 1e-4 of the elastic
+  /// A step much longer than every elastic period, so that inertia only regularizes: 2 M/dt^2 is 1e-4 of the elastic
   /// modulus [s].
   [[nodiscard]] double pseudo_step_s() const;
-  /// The time whose loads settle: a static analysis has those of its end.
+  /// The time whose loads apply while settling: for a static analysis, that of its end.
   [[nodiscard]] double settling_time_s() const;
-  /// Blocks whose stiffness does not matter, as the scene lets them choose by the contacts that it begins with.
+  /// Makes blocks rigid as the scene requests, judged by the initial contacts.
   void make_rigid(const std::vector<ContactPoint>& contacts);
 };
 

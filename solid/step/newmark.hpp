@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Newmark family over one step, the increment d being the unknown.
+// The Newmark family over one step, with the increment d as unknown.
 #pragma once
 
 #include "bridge/scene/scene.hpp"
@@ -14,7 +14,7 @@ struct Newmark {
   double gamma = 1;
   double alpha_m = 0;
   double alpha_f = 0;
-  bool damps = true;  ///< false where velocities mean nothing: quasi-static steps and the search for a state of rest
+  bool damps = true;  ///< false if velocities are meaningless: quasi-static steps and the search for equilibrium
 
   bool operator==(const Newmark&) const = default;
 
@@ -26,11 +26,11 @@ struct Newmark {
     return {(1 - am + af) * (1 - am + af) / 4, 0.5 - am + af, am, af};
   }
 
-  /// Factor of the mass in the step's matrix, the balance divided by (1 - alpha_f).
+  /// Factor of the mass in the step's matrix; the balance is divided by (1 - alpha_f).
   [[nodiscard]] double mass_factor(double dt) const { return (1 - alpha_m) / (1 - alpha_f) / (beta * dt * dt); }
 
-  /// velocity_factor d + past_velocity is what viscous forces go by: v1, and with Shi's scheme the step's mean, as v1
-  /// may be opposite to d, so that a damper would give energy.
+  /// Viscous forces use the velocity velocity_factor d + past_velocity. It is v1, or, with Shi's scheme, the step's
+  /// mean, since v1 may be opposite to d and a damper would then produce energy.
   [[nodiscard]] double velocity_factor(double dt) const {
     if (!damps) return 0;
     return second_order() ? gamma / (beta * dt) : 1 / dt;
@@ -40,15 +40,15 @@ struct Newmark {
     return (1 - gamma / beta) * s.velocity + dt * (1 - 0.5 * gamma / beta) * s.acceleration;
   }
 
-  /// What the past contributes to the right-hand side, divided by (1 - alpha_f).
-  template <class Inertia>  // of a block, or a 6x6 matrix
+  /// Contribution of the past to the right-hand side, divided by (1 - alpha_f).
+  template <class Inertia>  // inertia of a block, or a 6x6 matrix
   [[nodiscard]] Vector6 history(const Inertia& mass, const BlockState& s, double dt) const {
     const Vector6 a = (1 - alpha_m) * (s.velocity / (beta * dt) + (0.5 / beta - 1) * s.acceleration);
     return (alpha_f * s.force + mass * (a - alpha_m * s.acceleration)) / (1 - alpha_f);
   }
 
-  /// Does the step weigh what acted as it began? Shi's scheme does not: what the end's forces F1 do to the momentum is
-  /// all, so that the kinetic energy grows by F1 d, and an inelastic contact, whose F1 d is not above zero, makes none.
+  /// Whether the scheme uses the forces at the start of the step. Shi's scheme does not: only the forces F1 at the end
+  /// change the momentum, and the kinetic energy grows by F1 d, so an inelastic contact (F1 d <= 0) produces none.
   [[nodiscard]] bool second_order() const { return gamma != 1 || beta != 0.5; }
 
   /// Velocity and acceleration at the end of a step with increment d.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Equilibrium of one island at the end of a step: Newton's method on (5)-(6) with the open-close states inside,
-// multipliers swept (8) each time it has converged.
+// Equilibrium of one island at the end of a step: Newton's method on (5)-(6) with open-close iterations inside, and an
+// update of the multipliers (8) each time it has converged.
 #pragma once
 
 #include "solid/step/island_equations.hpp"
@@ -12,7 +12,7 @@ class Newton : StepPart {
  public:
   explicit Newton(StepWorkspace& step) : StepPart(step) {}
 
-  /// By the whole of Coulomb's law: false where states are not found.
+  /// With the full Coulomb law: false if the contact states are not found.
   bool find(IslandEquations& island, const StepMode& mode);
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Equilibrium of a small island whose states run in circles: gaps and slips at the end of the step are linear in the
-// forces of its contacts, and Coulomb's law makes of that a complementarity problem (Stewart and Trinkle 1996, Int. J.
-// Numer. Meth. Engng 39), which pivoting solves. Blocks turn: so again from where that has taken them.
+// Equilibrium of a small island whose contact states cycle. Gaps and slips at the end of the step are linear in the
+// contact forces, so that Coulomb's law gives a complementarity problem (Stewart and Trinkle 1996, Int. J. Numer. Meth.
+// Engng 39), which pivoting solves. Since blocks rotate, this is repeated at the new positions.
 #pragma once
 
 #include <vector>
@@ -16,15 +16,15 @@ class Pivoting : StepPart {
  public:
   explicit Pivoting(StepWorkspace& step) : StepPart(step) {}
 
-  /// False where pivoting finds no forces either.
+  /// False if pivoting finds no forces either.
   bool find(IslandEquations& island, const StepMode& mode);
 
  private:
-  /// An island without the forces of its contacts.
+  /// An island without its contact forces.
   struct Released {
-    std::vector<int> ids;  ///< of contacts that may close
+    std::vector<int> ids;  ///< contacts that may close
     CoulombContacts contacts;
-    Eigen::MatrixXd moves_by;  ///< what unit forces of theirs do to the unknowns
+    Eigen::MatrixXd moves_by;  ///< displacements by unit contact forces
   };
   [[nodiscard]] bool fits(const IslandEquations& island, const StepMode& mode) const;
   bool release_contacts(IslandEquations& island, Released& released);

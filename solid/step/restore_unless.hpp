@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A search in an island that may be in vain.
+// A search in an island that restores the previous trial if it fails.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace blockweir::solid {
 
-/// What the search finds, or the island's trial as it was.
+/// Returns the result of `search`; if that is false, restores the island's trial.
 bool restore_unless(StepWorkspace& step, IslandEquations& island, const StepMode& mode,
                     const std::function<bool()>& search);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which blocks rest so still, under loads so steady, that a step would leave them as they are.
+// Finds blocks so close to rest, under constant loads, that a step may skip them.
 #pragma once
 
 #include <vector>
@@ -8,23 +8,23 @@
 
 namespace blockweir::solid {
 
-/// A block rests while a step moves no vertex by more than 1e-12 of the model, and by no more than 1e-7 of what it
-/// would fall; after three such steps it may sleep, until its load differs from that under which it fell asleep. The
-/// second bound keeps a block awake that has just been released: at very short steps it hardly moves either. Velocities
-/// do not tell: with long steps those of Shi's scheme change sign for hundreds of steps while nothing moves.
+/// A block rests if a step moves no vertex by more than 1e-12 of the model's size and 1e-7 of a free fall in the step.
+/// After three such steps it may sleep, until its load differs from that at which it fell asleep. The second limit
+/// keeps a just released block awake, which at very short steps hardly moves either. Velocities are no criterion: with
+/// long steps those of Shi's scheme change sign for hundreds of steps while nothing moves.
 class Sleep {
  public:
   Sleep(std::size_t blocks, double size_m) : rests_(blocks, 0), load_(blocks, Vector6::Zero()), size_(size_m) {}
 
-  /// After an accepted step of length dt that moved the blocks by `increments` (of the centroid [m], rotation, strains)
-  /// under `external`.
+  /// Call after an accepted step of length dt; `increments` are those of the blocks (centroid [m], rotation, strains),
+  /// `external` their loads.
   void look(const std::vector<Block>& blocks, const std::vector<Vector6>& increments,
             const std::vector<Vector6>& external, double dt);
 
-  /// Block b does not rest, whatever it seems to have done so far.
+  /// Marks block b as not at rest.
   void wake(std::size_t b) { rests_[b] = 0; }
 
-  /// Has block b rested long enough, and is its load the same to within `tolerance_n`?
+  /// Whether block b has rested long enough and its load is the same to within `tolerance_n`.
   [[nodiscard]] bool rests(std::size_t b, const std::vector<Block>& blocks, const std::vector<Vector6>& external,
                            double tolerance_n) const;
 
@@ -35,8 +35,8 @@ class Sleep {
 
  private:
   static constexpr int long_enough = 3;
-  std::vector<int> rests_;     ///< steps at rest on end
-  std::vector<Vector6> load_;  ///< under which the block fell asleep
+  std::vector<int> rests_;     ///< consecutive steps at rest
+  std::vector<Vector6> load_;  ///< at which the block fell asleep
   double size_;
 };
 

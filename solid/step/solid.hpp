@@ -16,36 +16,36 @@ namespace blockweir::solid {
 
 class Solid {
  public:
-  /// The scene must outlive it.
+  /// The scene must outlive the object.
   explicit Solid(const scene::Scene& scene)
       : model_(scene), state_(model_), step_(model_, state_), water_(step_), time_step_(step_, water_) {}
 
-  /// Lets weight and first loads settle with all joints held, then releases them: the state at time 0.
-  /// Throws SolveError when no equilibrium is found.
+  /// Lets weight and first loads settle with all joints held, then releases the joints: the state at time 0. Throws
+  /// SolveError if there is no equilibrium.
   void settle(const std::vector<Panel>& water);
 
-  /// `meanwhile` is called as each step begins and after each solution of a linear system, of the start and of steps;
-  /// what it throws ends the run, and the solid is of no more use.
+  /// `meanwhile` is called at the start of each step and after each solution of a linear system, also while settling.
+  /// If it throws, the run ends, and the object must not be used any more.
   void call_meanwhile(std::function<void()> meanwhile) { step_.meanwhile = std::move(meanwhile); }
 
   using Answered = solid::Answered;
-  /// Moves the blocks from `from_s` to `to_s` under the given water, in as many steps as accuracy asks for.
+  /// Moves the blocks from `from_s` to `to_s` under the given water, in as many steps as accuracy requires.
   void advance(double from_s, double to_s, WaterCourse& water, const Answered& answered);
-  /// The same under water that is held, and answers the velocities that the blocks have now.
+  /// The same under constant water pressure; the velocities are the present ones of the blocks.
   void advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses = {});
 
-  /// Of both what is asked for all over has a name of its own.
+  /// Frequently used parts of the model and the state have functions of their own.
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const scene::Scene& scene() const { return model_.scene; }
   [[nodiscard]] const Parts& parts() const { return model_.parts; }
-  /// The scene's blocks in its order, then the triangles of meshes; so are states and placements. A block with a mesh
-  /// has the mean motion of its triangles.
+  /// The scene's blocks in its order, then the triangles of meshes; states and placements have the same order. A block
+  /// with a mesh has the mean motion of its triangles.
   [[nodiscard]] const std::vector<Block>& blocks() const { return model_.blocks; }
   [[nodiscard]] std::size_t described() const { return model_.described(); }  ///< number of the scene's blocks
   [[nodiscard]] const JointLaws& laws() const { return model_.laws; }
   [[nodiscard]] const BaseMotion& base() const { return model_.base; }
-  /// Half the height of what can move, at least half its width.
+  /// Half the height of the moving blocks, but at least half their width.
   [[nodiscard]] double size_m() const { return model_.size_m; }
 
   [[nodiscard]] const std::vector<BlockState>& states() const { return state_.blocks; }
@@ -53,18 +53,18 @@ class Solid {
   [[nodiscard]] const std::vector<ContactPoint>& contacts() const { return state_.contacts; }
   [[nodiscard]] const std::vector<Bolt>& bolts() const { return state_.bolts; }
   [[nodiscard]] double time_s() const { return state_.time_s; }
-  /// Largest displacement of any vertex since the scene's outline, against the base [m].
+  /// Largest displacement of a vertex from the scene as drawn, relative to the base [m].
   [[nodiscard]] double largest_displacement_m() const { return state_.largest_displacement_m(model_); }
-  /// Rate of the six unknowns, of a triangle as of any block.
+  /// Rates of the six unknowns of a block or triangle.
   [[nodiscard]] Vector6 velocity(std::size_t b) const {
     return step_.trial.rate(b, state_.placements[b], state_.blocks[b].velocity);
   }
-  /// Has settling found a state of rest? Known as the run begins.
+  /// Whether settling found equilibrium; known when the run starts.
   [[nodiscard]] bool starts_at_rest() const { return starts_at_rest_; }
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] const Profile& profile() const { return step_.profile; }
 
-  /// What a step changes.
+  /// The part of the state that a step changes.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(state_, step_.counts, step_.profile, step_.formulation->progress());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All that a step changes.
+// The state: everything that a step changes.
 #pragma once
 
 #include <stdexcept>
@@ -20,56 +20,56 @@
 
 namespace blockweir::solid {
 
-/// How blocks move and where they are, and what holds them: a copy is the undo of steps that were only looked at.
+/// Positions and velocities of blocks, and their contacts; a copy of it undoes trial steps.
 struct Standing {
-  std::vector<BlockState> blocks;     ///< the scene's, then the triangles of meshes
+  std::vector<BlockState> blocks;     ///< the scene's blocks, then the triangles of meshes
   std::vector<Placement> placements;  ///< of them
   std::vector<ContactPoint> contacts;
   std::vector<Support> supports;
   std::vector<Bolt> bolts;
 };
 
-/// Its serialization is the checkpoint.
+/// The whole state; its serialization is the checkpoint.
 struct State : Standing {
-  /// Of Shi's scheme, after a step in which contacts have changed: its acceleration is that of the forces that act,
-  /// which a rule of second order goes on from.
+  /// Steps of Shi's scheme after one in which contacts changed, until its acceleration is that of the acting forces,
+  /// from which a second-order scheme can continue.
   static constexpr int smooth_steps_before_restart = 1;
 
-  /// The scene as it is drawn, blocks that touch joined by bonds.
+  /// The scene as drawn, with bonds between touching blocks.
   explicit State(Model& model);
 
-  bool contacts_stand = false;  ///< nothing has moved since they were searched
-  double next_dt = 0;           ///< step that the last window ended with [s]
+  bool contacts_stand = false;  ///< nothing has moved since the last contact search
+  double next_dt = 0;           ///< length of the last step of the last window [s]
   bool started = false;
-  double time_s = 0;                    ///< of blocks
+  double time_s = 0;                    ///< of the blocks
   Rest rest;                            ///< of a static analysis
-  std::vector<Vector6> held_by_ground;  ///< what has held each part at rest on a viscous boundary; none without one
+  std::vector<Vector6> held_by_ground;  ///< holding force of each part on a viscous boundary; empty without one
   Sleep sleep;
   AddedMassGuard guard;
   WaterWork water_work;
   EnergyBalance energy;
-  int smooth_steps = 0;  ///< since the last in which contacts changed, where the integrator is of second order
+  int smooth_steps = 0;  ///< second-order schemes: steps since the last change of contacts
   ContactSearch search;
-  Backoff whole_law;    ///< of Coulomb, by Newton's method: fails where friction has to lag or contacts to be swept
-  Backoff finish;       ///< by Newton's method, of what sweeps have found
-  Backoff multipliers;  ///< of Lagrange, in motion: fail where the substitute makes the step
-  Backoff lagging;      ///< friction, where sweeps end far from their laws
+  Backoff whole_law;    ///< Newton's method with the full Coulomb law; fails if friction must lag or sweeps are needed
+  Backoff finish;       ///< Newton's method started from the result of sweeps
+  Backoff multipliers;  ///< Lagrange multipliers in motion; fail if the substitute makes the step
+  Backoff lagging;      ///< lagged friction, used if sweeps end far from the contact laws
 
   void stand_as(const Standing& before);
-  /// Nothing has a velocity, nor an acceleration.
+  /// Sets all velocities and accelerations to zero.
   void stop();
   [[nodiscard]] long touching_contacts() const;
-  /// Where the vertex of a contact is now [m].
+  /// Present position of a contact's vertex [m].
   [[nodiscard]] Point place(const ContactPoint& c) const {
     return placements[static_cast<std::size_t>(c.vertex_part)].position(c.vertex_at);
   }
-  /// Largest displacement of any vertex since the scene's outline, against the base [m].
+  /// Largest displacement of any vertex from the scene as drawn, relative to the base [m].
   [[nodiscard]] double largest_displacement_m(const Model& model) const;
-  /// Longest way that a contact has slipped [m].
+  /// Largest slip of a contact [m].
   [[nodiscard]] double largest_slip_m() const;
-  /// Of any block's centre [m/s].
+  /// Largest speed of a centroid [m/s].
   [[nodiscard]] double fastest_m_per_s() const;
-  /// After blocks have been read from a checkpoint.
+  /// Call after blocks have been read from a checkpoint.
   void place_blocks(const Model& model);
 
   template <class Archive>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Static analysis, and the end of each window of a quasi-static one: steps until what is unbalanced is small, or the
-// structure is on the move.
+// Static analysis, and the end of each window of a quasi-static one: steps until the unbalanced force is small, or the
+// structure is moving.
 #pragma once
 
 #include <vector>
@@ -14,10 +14,10 @@ class StaticAnalysis : StepPart {
   StaticAnalysis(StepWorkspace& step, TimeStep& time_step)
       : StepPart(step), time_step_(time_step), methods_(step, time_step) {}
 
-  /// Steps under loads of that time; what has been found is in the state.
+  /// Steps under the loads of that time; the result is in the state.
   void come_to_rest(const std::vector<Panel>& water, double at_s);
-  /// Of the last step, over the weight. With velocities reset at every step, inertia is what the forces leave
-  /// unbalanced.
+  /// Unbalanced force of the last step over the weight. Velocities are reset at every step, so that inertia equals the
+  /// unbalanced force.
   [[nodiscard]] double unbalanced_ratio() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The end of a step that has been found: what its blocks, contacts and energies become.
+// The end of a successful step: updates blocks, contacts and energies.
 #pragma once
 
 #include "solid/step/step_islands.hpp"
@@ -12,10 +12,10 @@ class StepEnd : StepPart {
   StepEnd(StepWorkspace& step, StepIslands& islands, WaterInertia& water)
       : StepPart(step), islands_(islands), water_(water) {}
 
-  /// Does any contact slip, or any block lie otherwise than the step had it?
+  /// Whether a contact slips, or a block ends up differently from the trial.
   bool accept(const Stretch& stretch, const StepMode& mode);
-  /// Soon after an impact a smooth step may make energy that no motion is there to give back. Only looked at: all is
-  /// put back as it was.
+  /// Shortly after an impact a smooth step may produce more energy than the motion can give back. This only checks; the
+  /// state is restored.
   [[nodiscard]] bool affords_motion(double dt);
 
  private:

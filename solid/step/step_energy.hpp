@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The energy of a step: what loads give goes into strain, springs and motion. Contacts and damping only take.
+// The energy balance of a step: loads supply strain, spring and kinetic energy; contacts and damping only dissipate.
 #pragma once
 
 #include <vector>
@@ -13,24 +13,24 @@ class StepEnergy : StepPart {
  public:
   explicit StepEnergy(StepWorkspace& step) : StepPart(step) {}
 
-  /// The base has moved so far in the step, and pushes what is awake.
+  /// Displacement of the base in the step, and its forces on the awake blocks.
   void lead(const StepIslands& islands, const Point& moved);
-  [[nodiscard]] const std::vector<Point>& pushes() const { return pushes_; }  ///< on each block, as the step ends
-  /// An impulse of what moves with the base, which ends the step at its velocity, has changed a block's from this one.
+  [[nodiscard]] const std::vector<Point>& pushes() const { return pushes_; }  ///< on each block, at the step's end
+  /// Work of the base when an impulse of bodies that move with it has changed a block's velocity from this one.
   void give_by_base(std::size_t b, const Vector6& velocity_before) const;
-  /// What loads give an island's blocks in the step, less what strain, bolts and springs take up.
+  /// Work of loads on an island's blocks in the step, less the energy taken by strain, bolts and springs.
   void balance(IslandEquations& island, double dt);
-  /// What a step has made of nothing is taken back from the velocities. Contact forces act along the directions of the
-  /// step's end, and points turn on their way there: a block that topples would gain by an error of the step's first
-  /// order. Where nothing anchors a group its momenta stay. Most steps make nothing: then nothing is grouped.
-  /// On a base that moves the motion is that against the base: what it holds rests.
+  /// Removes spurious energy of the step from the velocities. Contact forces act along the directions at the step's
+  /// end, while points turn during the step: a toppling block would gain energy by this first-order error. Free groups
+  /// keep their momenta. Most steps produce none, and then no groups are formed. On a moving base, velocities are
+  /// relative to the base, so that what it carries stays at rest.
   void take_back(IslandEquations& island);
-  /// Or is more to be taken than all motion that is left?
+  /// Whether the kinetic energy is sufficient for the removal.
   [[nodiscard]] bool affords(const IslandEquations& island) const;
 
  private:
   struct Group;
-  /// What a block's motion has gained beyond what there was for it [J per metre].
+  /// Kinetic energy of a block that no work accounts for [J per metre].
   struct Made {
     double energy = 0;
     double round_off = 0;
@@ -44,8 +44,8 @@ class StepEnergy : StepPart {
                                                      std::size_t block) const;
   void look_at_links(const IslandEquations& island, const std::vector<int>& group_of, std::vector<Group>& groups) const;
 
-  std::vector<Point> pushes_;    ///< of a base that moves, on each block as the step ends; none where it rests
-  Point moved_ = Point::Zero();  ///< by the base in the step [m]
+  std::vector<Point> pushes_;    ///< force of a moving base on each block at the end of the step; empty without one
+  Point moved_ = Point::Zero();  ///< displacement of the base in the step [m]
 };
 
 }  // namespace blockweir::solid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps that cannot be made, and numbers that are none: what is said of them.
+// Errors of steps that cannot be made, and of values that are not finite numbers.
 #pragma once
 
 #include "solid/step/island_equations.hpp"
@@ -8,14 +8,14 @@
 namespace blockweir::solid {
 
 [[noreturn]] void refuse_step(double time_s, double dt, Outcome last);
-/// No start was found in so many steps, of which the last ended so.
+/// No initial equilibrium was found in so many steps; `last` is the outcome of the last one.
 [[noreturn]] void refuse_start(const StepWorkspace& step, int steps, int most_steps, Outcome last);
 [[noreturn]] void refuse_number(const StepWorkspace& step, std::size_t b, const char* what, double time_s);
-/// A block that is strained as no solid is: its modulus or its size is in other units.
+/// Throws for a block with strains that no solid has: its modulus or size is probably in other units.
 void require_small_strains(const StepWorkspace& step);
 void require_finite(const StepWorkspace& step, double time_s);
 void require_finite_loads(const StepWorkspace& step, double time_s);
-/// Forces that overflow may do so for too long a step; those that are no numbers end the run.
+/// Forces may overflow in a step that is too long; those that are not numbers end the run.
 void require_numbers(const StepWorkspace& step, const IslandEquations& island);
 
 }  // namespace blockweir::solid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The equations of all islands, kept over steps.
+// The equations of all islands, kept from step to step.
 #pragma once
 
 #include <utility>
@@ -14,7 +14,7 @@ class StepIslands : StepPart {
   StepIslands(StepWorkspace& step, const WaterInertia& water)
       : StepPart(step), water_(water), numbers_(step.model.blocks.size()) {}
 
-  /// Islands, and with them the symbolic factorizations, are kept while the contact graph stands.
+  /// Keeps islands and their symbolic factorizations while the contact graph does not change.
   void prepare();
   void clear() { all_.clear(); }
   [[nodiscard]] bool empty() const { return all_.empty(); }
@@ -24,7 +24,7 @@ class StepIslands : StepPart {
   [[nodiscard]] auto begin() const { return all_.begin(); }
   [[nodiscard]] auto end() const { return all_.end(); }
 
-  /// With what factors of the islands' matrices were made of.
+  /// Includes the matrices of the islands' factorizations.
   template <class Archive>
   void serialize(Archive& archive) {
     std::vector<KeptFactors> kept = kept_factors();
@@ -45,8 +45,8 @@ class StepIslands : StepPart {
   const WaterInertia& water_;
   std::vector<IslandEquations> all_;
   std::vector<std::pair<int, int>> links_;
-  std::vector<int> numbers_;       ///< index of a block within its island
-  std::vector<KeptFactors> kept_;  ///< from a checkpoint: of the islands that its contacts make
+  std::vector<int> numbers_;       ///< index of each block within its island
+  std::vector<KeptFactors> kept_;  ///< from a checkpoint, for the islands of its contacts
 };
 
 }  // namespace blockweir::solid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The methods by which a step is tried.
+// The sequence of methods that are tried for a step.
 #pragma once
 
 #include "solid/step/time_step.hpp"
@@ -10,19 +10,19 @@ class StepMethods : StepPart {
  public:
   StepMethods(StepWorkspace& step, TimeStep& time_step) : StepPart(step), time_step_(time_step) {}
 
-  /// By all methods that a mode has, in turn. In motion contacts are swept where Newton's method does not find their
-  /// states. A state of rest is to be exact: where the whole of Coulomb's law runs in circles there, friction lags, and
-  /// is left to for a while. Where contacts are redundant, states of Lagrange multipliers run in circles: the augmented
-  /// Lagrangian makes such a step. Where a bond is about to break on the way to rest and no states are found with it or
-  /// without, contacts are swept as well.
+  /// Tries all methods that a mode allows, in turn. In motion contacts are solved by sweeps if Newton's method does not
+  /// find their states. Equilibrium must be exact: if states cycle there with the full Coulomb law, friction bounds
+  /// lag, and this is kept for a while. If contacts are redundant, states with Lagrange multipliers cycle; then the
+  /// augmented Lagrangian makes the step. If a bond is about to break while settling, and no states are found with or
+  /// without it, sweeps are used, too.
   Outcome try_all(const Stretch& stretch, const StepMode& mode);
 
-  /// A large penalty leaves a sticking contact a narrow range of slips, in which Newton's method may jump to and fro
-  /// between states; a smaller one takes more sweeps of multipliers. Of small structures, which friction that lags
-  /// serves badly.
+  /// Tries a smaller penalty. A large one leaves a sticking contact a narrow range of slips, between whose ends
+  /// Newton's method may jump; a smaller one needs more sweeps of multipliers. For small structures, where lagged
+  /// friction converges badly.
   Outcome try_softly(const Stretch& stretch, const StepMode& mode);
   Outcome try_with_lagging_friction(const Stretch& stretch, const StepMode& mode);
-  /// Of steps that Lagrange multipliers cannot settle. Penalties are the substitute's from here on.
+  /// For steps that fail with Lagrange multipliers. From here on penalties are those of the substitute.
   Outcome try_by_substitute(const Stretch& stretch, const StepMode& mode);
 
  private:

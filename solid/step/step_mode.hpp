@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a step is tried, and what comes of it.
+// How a step is tried, and its outcome.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace blockweir::solid {
 
-/// The step to be made, and the water that presses as it ends.
+/// The interval of a step, and the water pressure at its end.
 struct Stretch {
   double dt = 0;     ///< s
   double end_s = 0;  ///< s
@@ -18,14 +18,14 @@ struct Stretch {
 
 struct StepMode {
   Newmark scheme{};
-  bool settles = false;        ///< the state of time 0 is looked for: no work counts, nothing sleeps
-  bool smooth_only = false;    ///< the step is not to be where contacts change
-  bool friction_lags = false;  ///< bounds of shear follow the normal forces from behind
-  bool pivots = false;         ///< where states of small islands at rest run in circles
-  bool sweeps = false;         ///< where all else has failed on the way to rest
-  bool roughly = false;        ///< sweeps count wherever they end
+  bool settles = false;        ///< initial equilibrium: not counted as work, nothing sleeps
+  bool smooth_only = false;    ///< rejects the step if contacts change
+  bool friction_lags = false;  ///< bounds of shear follow the normal forces with a delay
+  bool pivots = false;         ///< for small islands at rest whose states cycle
+  bool sweeps = false;         ///< while settling, if all else has failed
+  bool roughly = false;        ///< accepts sweeps whatever their error
 
-  /// Of states that only pass, not looked for as states of rest.
+  /// Transient states, not a search for equilibrium.
   [[nodiscard]] bool in_motion() const { return scheme.damps; }
   [[nodiscard]] StepMode with_lagging_friction() const { return with(&StepMode::friction_lags, true); }
   [[nodiscard]] StepMode by_whole_law() const { return with(&StepMode::friction_lags, false); }
@@ -41,22 +41,22 @@ struct StepMode {
   }
 };
 
-/// Of an island in a step.
+/// Result for an island in a step.
 enum class Found {
   nothing,
-  asleep,     ///< what it had
-  corners,    ///< that were let pass have gone into a block: contacts are lacking
-  by_newton,  ///< states in equilibrium, to round-off
-  finished,   ///< the same, from where sweeps had come near
-  by_sweeps   ///< to within the time integrator's error
+  asleep,     ///< skipped: keeps its state
+  corners,    ///< corners that were ignored have entered a block: contacts are missing
+  by_newton,  ///< equilibrium to round-off
+  finished,   ///< the same, started from the result of sweeps
+  by_sweeps   ///< to within the integrator's error
 };
 
-/// Of a try to make a step. All but a step that is made leave the state as it was.
+/// Result of an attempted step. Unless the step is made, the state is unchanged.
 enum class Outcome {
   made,
-  not_found,       ///< no states of contacts in equilibrium
-  too_far,         ///< states were found, but blocks move or turn by more than a step may
-  contacts_change  ///< so they do, in a step that was to be smooth
+  not_found,       ///< no contact states in equilibrium
+  too_far,         ///< equilibrium found, but blocks move or rotate more than a step may
+  contacts_change  ///< contacts change in a step that must be smooth
 };
 
 }  // namespace blockweir::solid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The workspace of a step: what all its parts work on.
+// The data that all parts of a step share.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace blockweir::solid {
 
-/// Model and state must outlive it.
+/// Model and state must outlive the object.
 struct StepWorkspace {
   StepWorkspace(const Model& of_model, State& of_state);
   StepWorkspace(const StepWorkspace&) = delete;
@@ -23,13 +23,13 @@ struct StepWorkspace {
   State& state;
   StepTrial trial;
   std::unique_ptr<Formulation> formulation;  ///< of contact
-  std::unique_ptr<Formulation> substitute;   ///< for steps that Lagrange multipliers cannot settle
+  std::unique_ptr<Formulation> substitute;   ///< for steps that fail with Lagrange multipliers
   Counts counts;
   Profile profile;
-  std::function<void()> meanwhile;  ///< called as each step begins and after each solution of a linear system
+  std::function<void()> meanwhile;  ///< called at the start of each step and after each solution of a linear system
 };
 
-/// Whatever takes part in a step, which must outlive it.
+/// Base of all parts of a step; the workspace must outlive it.
 class StepPart {
  protected:
   explicit StepPart(StepWorkspace& step)
@@ -45,7 +45,7 @@ class StepPart {
   const Model& model_;
   State& state_;
   StepTrial& trial_;
-  std::unique_ptr<Formulation>& formulation_;  ///< the one at work
+  std::unique_ptr<Formulation>& formulation_;  ///< the one in use
   Counts& counts_;
   Profile& profile_;
 };

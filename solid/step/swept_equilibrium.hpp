@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Equilibrium of an island whose contact states Newton's method does not find: sweeps over its contacts. Their number
-// is bounded; wherever they stop, forces are admissible and momentum balances.
+// Equilibrium by sweeps over the contacts, for islands whose contact states Newton's method does not find. Their number
+// is bounded; whenever they stop, forces are admissible and momentum balances.
 #pragma once
 
 #include "solid/step/island_equations.hpp"
@@ -12,7 +12,7 @@ class SweptEquilibrium : StepPart {
  public:
   explicit SweptEquilibrium(StepWorkspace& step) : StepPart(step) {}
 
-  /// By sweeps, or from there by Newton's method.
+  /// By sweeps, or by Newton's method started from their result.
   Found find(IslandEquations& island, const StepMode& mode);
 
  private:

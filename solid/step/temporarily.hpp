@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is otherwise until a scope ends, however it ends.
+// Values changed for the lifetime of a scope.
 #pragma once
 
 #include <utility>
 
 namespace blockweir::solid {
 
-/// A value that is another one for a while.
+/// A temporary value; the old one returns at the end of the scope.
 template <class T>
 class Temporarily {
  public:
@@ -20,7 +20,7 @@ class Temporarily {
   T before_;
 };
 
-/// Two values that stand in for each other for a while; both may change meanwhile.
+/// Exchanges two values for the lifetime of a scope; both may change meanwhile.
 template <class T>
 class TradePlaces {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time step as an algorithm: search, assemble, solve, open-close, accept or cut, update.
+// The time step as an algorithm: search, assemble, solve, open-close, accept or reduce, update.
 #pragma once
 
 #include "solid/step/equilibrium.hpp"
@@ -11,14 +11,14 @@ class TimeStep : StepPart {
  public:
   TimeStep(StepWorkspace& step, WaterInertia& water) : StepPart(step), water_(water), islands_(step, water) {}
 
-  /// One step by one method, or nothing at all: all but a step that is made leaves the state as it was.
+  /// Tries one step by one method. Unless the step is made, the state is unchanged.
   Outcome attempt(const Stretch& stretch, const StepMode& mode);
 
-  /// In the last step: has any contact closed, opened, begun or ceased to slip?
+  /// Whether a contact closed, opened, or started or stopped slipping in the last step.
   [[nodiscard]] bool contacts_change();
   [[nodiscard]] bool any_swept() const;
   [[nodiscard]] StepIslands& islands() { return islands_; }
-  /// Nothing that was made for steps before serves the next.
+  /// Drops everything kept from earlier steps.
   void begin_anew();
 
  private:
@@ -36,7 +36,7 @@ class TimeStep : StepPart {
 
   WaterInertia& water_;
   StepIslands islands_;
-  std::vector<ContactPoint> tried_;  ///< contacts as swept in a try that lacked others
+  std::vector<ContactPoint> tried_;  ///< contacts as solved by sweeps in an attempt that lacked others
 };
 
 }  // namespace blockweir::solid

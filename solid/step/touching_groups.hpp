@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which blocks of an island touch each other in a step, and how they move as one.
+// Groups of touching blocks of an island, and their rigid motions.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace blockweir::solid {
 
-/// Is a contact closed as the step begins or as it ends?
+/// Whether a contact is closed at the start or the end of the step.
 [[nodiscard]] bool touches(const StepWorkspace& step, int contact);
 
-/// Of each of an island's blocks the first, as indices within the island, of those that it touches, or that bolts or a
-/// mesh join with it.
+/// For each of an island's blocks the first block (indices within the island) of its group: blocks connected by
+/// touching, bolts or a mesh.
 [[nodiscard]] std::vector<int> touching_groups(const StepWorkspace& step, const IslandEquations& island);
 
-/// Columns: rates of a block, as its state has them, that moves with (x, y) and turns about a point.
+/// Columns: rates of a block, in the form of the state, for unit translations in x and y and a rotation about a point.
 [[nodiscard]] Eigen::Matrix<double, 6, 3> rigid_motions(const Block& block, const Placement& placement,
                                                         const Point& about);
 

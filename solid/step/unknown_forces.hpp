@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forces of an island's contacts and supports as unknowns beside the displacements of its blocks (Lagrange
+// Contact and support forces of an island as unknowns besides the displacements of its blocks (Lagrange
 // multipliers).
 #pragma once
 
@@ -16,18 +16,18 @@ class WaterInertia;
 
 class UnknownForces : StepPart {
  public:
-  /// The unknowns of the blocks must outlive it.
+  /// `unknowns` must outlive the object.
   UnknownForces(StepWorkspace& step, const Unknowns& unknowns) : StepPart(step), saddle_(unknowns) {}
 
-  /// By the island's actions at the trial; none where the formulation solves for no forces.
+  /// From the island's actions at the trial positions; none if the formulation has no unknown forces.
   void set(const IslandEquations& island, const WaterInertia& water);
   [[nodiscard]] bool any() const { return !unknown_.empty(); }
-  /// Corrects the forces, and finds the correction of the displacements; false where there is none.
+  /// Corrects the forces and solves for the correction of the displacements; false if there is no solution.
   bool solve(IslandEquations& island);
   [[nodiscard]] Eigen::MatrixXd dense() const { return saddle_.dense(); }
 
  private:
-  /// Of a contact or a support: what a unit of it exerts (normal, shear).
+  /// For a contact or support: the effect of a unit force (normal, shear).
   struct UnknownForce {
     bool support;
     int index;

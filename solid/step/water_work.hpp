@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work of the water on the scene's blocks, as the solid's steps count it.
+// Work of the water on the scene's blocks, as summed by the solid's steps.
 #pragma once
 
 #include <vector>
@@ -9,19 +9,19 @@
 
 namespace blockweir::solid {
 
-/// On the six unknowns' rigid part (u0, v0, r0), of each of the scene's blocks, summed up over panels.
+/// Force on the rigid unknowns (u0, v0, r0) of each block of the scene, summed over panels.
 std::vector<Eigen::Vector3d> water_forces(const std::vector<Panel>& panels, const std::vector<Block>& blocks,
                                           const std::vector<Placement>& placements, std::size_t described,
                                           scene::NodalRule rule);
 
-/// A step gains F d with Shi's scheme, whose force is that of the step's end, and (F0 + F1)/2 d with others; F is the
-/// pressures' and, with the guard, M_a (a' - a), so that what the guard takes from the one it gives to the other.
+/// Energy from a force in a step is F d with Shi's scheme (force at the step's end), and (F0 + F1)/2 d with others. F
+/// is that of the pressures, plus M_a (a' - a) with the guard, so that the guard only moves energy between blocks.
 class WaterWork {
  public:
-  /// A step begins under these forces of pressures.
+  /// Call at the start of a step with these pressure forces.
   void begin_step(std::vector<Eigen::Vector3d> forces, const AddedMassGuard& guard,
                   const std::vector<BlockState>& states);
-  /// The step has been made, by Shi's scheme or another.
+  /// Call after a step; whether by Shi's scheme or another.
   void end_step(const AddedMassGuard& guard, const std::vector<BlockState>& states, double dt, bool by_shi);
 
   [[nodiscard]] double sum_j_per_m() const { return sum_; }
@@ -33,8 +33,8 @@ class WaterWork {
 
  private:
   double sum_ = 0;
-  std::vector<Eigen::Vector3d> before_;  ///< forces of the last step's end
-  std::vector<Eigen::Vector3d> forces_;  ///< of the step at hand
+  std::vector<Eigen::Vector3d> before_;  ///< forces at the end of the last step
+  std::vector<Eigen::Vector3d> forces_;  ///< of the present step
   std::vector<Eigen::Vector3d> displacement_;
   std::vector<Eigen::Vector3d> velocity_;
 };

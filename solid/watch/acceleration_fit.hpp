@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Acceleration of the centroids over a run, by least squares: what rings about the motion cancels out of it.
+// Acceleration of the centroids over a run by least squares, in which oscillations about the motion cancel out.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace blockweir::solid {
 
-/// Fits u(t) = a + b t + c t^2 to each block's displacement against the base.
+/// Fits u(t) = a + b t + c t^2 to each block's displacement relative to the base.
 class AccelerationFit {
  public:
   void add(double time_s, const std::vector<BlockState>& states, const Point& base_displacement = Point::Zero());
-  /// 2 |c| [m/s2]; not a number for fewer than three times.
+  /// 2 |c| [m/s2]; not a number with fewer than three times.
   [[nodiscard]] double of(std::size_t block) const;
 
   template <class Archive>
@@ -23,7 +23,7 @@ class AccelerationFit {
 
  private:
   std::array<double, 5> time_powers_{};               ///< sums of t^0 to t^4
-  std::vector<Eigen::Matrix<double, 3, 2>> moments_;  ///< sums of t^k u, k = 0 to 2, a block
+  std::vector<Eigen::Matrix<double, 3, 2>> moments_;  ///< sums of t^k u, k = 0 to 2, for each block
 };
 
 }  // namespace blockweir::solid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How heavy is the water that blocks push, against the blocks themselves? An explicit schedule hangs on that ratio.
+// Watches the ratio of added mass to block mass, on which the stability of an explicit schedule depends.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@ namespace blockweir::solid {
 
 class AddedMassWatch {
  public:
-  /// The added masses of a load, none where the analysis has no inertia. Throws std::runtime_error where they are not
-  /// one a block or no inertia, or larger than the scene's added_mass_limit. By default that is what the schedule is
-  /// stable with without the guard, a block's own mass at most; with it a hundred times that, at time 0 only.
+  /// The added masses in a load; none if the analysis has no inertia. Throws std::runtime_error if they are malformed,
+  /// no inertia matrix, or larger than the scene's added_mass_limit. The default limit is the schedule's stability
+  /// limit without the guard, at most a block's own mass; with the guard a hundred times that, checked at time 0 only.
   AddedMasses look(const wire::Load& load, const Solid& solid);
 
-  /// Largest ratio of all loads: eigenvalue of M^-1 M_a over a block's rigid modes; 0 where no fluid has said any.
+  /// Largest ratio in all loads: eigenvalue of M^-1 M_a over a block's rigid modes; 0 if the fluid sends none.
   [[nodiscard]] double ratio() const { return ratio_; }
   [[nodiscard]] const std::string& block() const { return block_; }
-  /// Empty where the guard has been tried with as much.
+  /// Empty unless the ratio is beyond the range in which the guard has been tested.
   [[nodiscard]] std::string warning(const scene::Coupling& coupling) const;
 
   template <class Archive>
@@ -29,7 +29,7 @@ class AddedMassWatch {
   }
 
  private:
-  std::optional<double> limit_;  ///< of the scene, once it has been asked for
+  std::optional<double> limit_;  ///< of the scene, once needed
   double ratio_ = 0;
   std::string block_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a state that is multiplied by a matrix again and again grows and turns.
+// The dominant eigenvalue of a matrix: growth and rotation of a state that is multiplied by it repeatedly.
 #pragma once
 
 #include <Eigen/Core>

@@ -15,7 +15,7 @@
 
 namespace blockweir::solid {
 
-/// A joint part of which would crack, so that its cohesion holds on less.
+/// A joint that would crack in part, so that its cohesion acts on less.
 struct CrackedJoint {
   std::pair<int, int> blocks;
   std::string name;
@@ -24,18 +24,18 @@ struct CrackedJoint {
 
 class EdgeTension {
  public:
-  /// Looks at the state at `time_s`, reached under this level of the higher pool. `time_s`: NaN where no time passes.
+  /// Evaluates the state at `time_s` under this level of the higher pool. `time_s`: NaN in a static analysis.
   void look(const Solid& solid, double time_s, double level_m);
 
-  /// Where the bond bore most so far [Pa, tension positive]; 0 where no bond is in tension.
+  /// Largest bond stress so far [Pa, tension positive]; 0 if no bond is in tension.
   [[nodiscard]] double stress_pa() const { return worst_.stress_pa; }
-  /// Of that joint, what a crack from the tense end would take, over its length.
+  /// Share of that joint that a crack from the edge in tension would take.
   [[nodiscard]] double cracked() const { return worst_.cracked; }
-  /// Shear strength over shear force of that joint with cohesion on what is not cracked alone.
+  /// Shear strength over shear force of that joint, with cohesion on the uncracked part only.
   [[nodiscard]] double cracked_factor() const { return worst_.cracked_factor; }
-  /// Those that bear more than their strength at an edge, and lose cohesion by more than 1 % of their sliding factor.
+  /// Joints whose edge stress exceeds their strength and whose sliding factor falls by more than 1 % with the crack.
   [[nodiscard]] static std::vector<CrackedJoint> cracked_joints(const Solid& solid);
-  /// Empty where no bond bears more than its strength at its edge.
+  /// Empty if no bond exceeds its strength at the edge.
   [[nodiscard]] std::string warning() const;
 
   template <class Archive>
@@ -48,13 +48,13 @@ class EdgeTension {
   struct Bond {
     double stress_pa = 0;       ///< at the edge
     double strength_pa = 0;     ///< in tension
-    double excess = -1;         ///< of the stress beyond the strength, over what tension and cohesion are together
+    double excess = -1;         ///< stress beyond the strength, over tension strength plus cohesion
     double cracked = 0;         ///< share of the joint
-    double factor = 0;          ///< shear strength over shear force with cohesion on all of the joint; 0: none
-    double cracked_factor = 0;  ///< with cohesion on what is not cracked
+    double factor = 0;          ///< shear strength over shear force with cohesion on the whole joint; 0: none
+    double cracked_factor = 0;  ///< with cohesion on the uncracked part
     std::pair<int, int> blocks;
     std::string joint;
-    std::string block;  ///< that can have a mesh
+    std::string block;  ///< block that can be meshed
   };
   [[nodiscard]] static std::vector<Bond> bonds_of(const Solid& solid);
   [[nodiscard]] static Bond judged(const Solid& solid, const std::vector<const ContactPoint*>& joint);

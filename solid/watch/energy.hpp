@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mechanical energy of all that can move. Nothing but given loads and what leads may make it grow.
+// Mechanical energy of all moving blocks. Only loads and prescribed motion may increase it.
 #pragma once
 
 #include <string>
@@ -12,25 +12,25 @@ namespace blockweir::solid {
 struct Energy {
   double kinetic = 0;
   double strain = 0;
-  double potential = 0;  ///< of weight, from where the scene draws the blocks
+  double potential = 0;  ///< of weight, from the scene as drawn
 
   [[nodiscard]] double total() const { return kinetic + strain + potential; }
 };
 
 Energy energy_of(const Solid& solid);
 
-/// Energy made of nothing: the largest rise, above what it had been before, of the blocks' energy and what bolts and
-/// springs hold, less the work of loads, of water and of what leads.
+/// Spurious energy: the largest rise above any earlier value of the blocks' energy plus that of bolts and springs, less
+/// the work of loads, water and prescribed motion.
 class EnergyWatch {
  public:
   void look(const Solid& solid);
   [[nodiscard]] const Energy& now() const { return now_; }
-  /// Over what the run has had, at least what the weight gives as the structure fails: the largest sum of the three
-  /// energies' sizes and the work. 0 where nothing has weight or moves.
+  /// Relative to the energy of the run, which is at least the work of weight during the failure displacement: the
+  /// largest sum of the absolute energies and the work. 0 if nothing has weight or moves.
   [[nodiscard]] double gain() const { return scale_ > 0 ? made_ / scale_ : 0; }
   /// J per metre.
   [[nodiscard]] double made_j_per_m() const { return made_; }
-  /// Empty where that is little.
+  /// Empty if the gain is small.
   [[nodiscard]] std::string warning(const Solid& solid) const;
 
   template <class Archive>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks whose velocities pay for energy that a step has made of nothing (step/energy_made.cpp). They may be at rest in
-// each step and yet go on: that they are slow does not tell that they stand.
+// Finds blocks that still owe spurious energy, which their velocities pay off (step/energy_made.cpp). They may look at
+// rest in each step and yet move: low speed does not prove that they stand.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace blockweir::solid {
 
-/// Of the scene's blocks, those in a group in contact that owes more than it would have at the speed of rest: with that
-/// it would be seen to move.
+/// Blocks of the scene in a touching group that owes more energy than it would have at the rest speed, so that without
+/// the debt it would visibly move.
 std::vector<bool> in_debt(const Solid& solid);
 
 }  // namespace blockweir::solid

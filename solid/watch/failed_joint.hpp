@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// On which joint a body fails: where its head is measured from, and what its failure is named by.
+// The joint on which a body fails: it names the failure, and the head is measured from it.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace blockweir::solid {
 
-/// The joint on which a body leaves the others.
+/// The joint on which a body separates from the others.
 struct FailedJoint {
   std::string name;
-  std::optional<geometry::Segment> line;  ///< m, from upstream in the scene's outline; none where they did not touch
+  std::optional<geometry::Segment> line;  ///< m, from upstream, as drawn; none if the blocks did not touch
 };
 
-/// Of the joints that the body leaves, the one that begins nearest to the higher pool; where it slides, of the surface
-/// that bears most. Where it turns, what has opened belongs to the joint. Blocks that had no joint count when they
-/// press on each other now.
+/// Of the joints on which the body separates, the one that starts nearest to the higher pool; for sliding, on the
+/// surface that carries most. For rotation, open joints count, too. Blocks without a joint count if they press on each
+/// other now.
 FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs, bool turns,
                          bool from_downstream);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a body that fails leaves what stays: it slides, turns over an edge, or both; or it lifts off, or drops, straight.
+// How a failing body separates from the rest: it slides, overturns, or both; or it lifts off or drops straight.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace blockweir::solid {
 struct Mode {
   bool turns = false;
   bool slides = false;
-  bool leaves = false;  ///< its joints open all along, by more than they slip
+  bool leaves = false;  ///< its joints open everywhere, by more than they slip
   bool up = false;      ///< against gravity
 
   [[nodiscard]] std::string word() const {

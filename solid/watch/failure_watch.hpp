@@ -12,12 +12,12 @@
 
 namespace blockweir::solid {
 
-/// Of the pools, where there are any [m]; NaN where not.
+/// Levels of the pools [m]; NaN without a pool.
 struct Levels {
   double upstream_m = std::numeric_limits<double>::quiet_NaN();
   double downstream_m = std::numeric_limits<double>::quiet_NaN();
 
-  /// The downstream pool stands higher: the structure is pushed upstream.
+  /// The downstream pool is higher: the structure is pushed upstream.
   [[nodiscard]] bool reversed() const { return !std::isnan(downstream_m) && !(upstream_m >= downstream_m); }
   [[nodiscard]] double of(bool downstream) const { return downstream ? downstream_m : upstream_m; }
   [[nodiscard]] double higher_m() const { return of(reversed()); }
@@ -28,22 +28,22 @@ struct Levels {
   }
 };
 
-/// Of blocks that move as one body.
+/// Failure of blocks that move as one body.
 struct Failure {
   std::vector<int> blocks;  ///< in the scene's order
-  double time_s = 0;        ///< when it last stood
-  double level_m = 0;       ///< of a pool then: changing_pool(); NaN without a pool, or below all that can move
-  bool downstream = false;  ///< that is the downstream one
-  bool falls = false;       ///< its level was going down
-  double head_m = 0;        ///< of it above the end of the joint that failed on its side; NaN without a pool
-  bool bound = false;  ///< it has not stood at any level before: that of failure is at most this, at least if it falls
-  /// The level's rise in a window and while the body was too slow to be seen, and what it rose by while it stuck from
-  /// time to time, or what inertia stands for: a fast filling, a structure that rings. NaN likewise, and for a bound.
+  double time_s = 0;        ///< when it was last at rest
+  double level_m = 0;       ///< of a pool at that time: changing_pool(); NaN without a pool, or below all moving blocks
+  bool downstream = false;  ///< it is the downstream pool's level
+  bool falls = false;       ///< the level was falling
+  double head_m = 0;        ///< level above the end of the failed joint on its side; NaN without a pool
+  bool bound = false;       ///< it was never at rest: the failure level is at most this, or at least if the level falls
+  /// Uncertainty of level_m: rise of the level in a window, while the body was too slow to be detected, and while it
+  /// stuck intermittently or inertia carried it (fast filling, oscillation). NaN as above, and for a bound.
   double level_uncertainty_m = 0;
   double window_rise_m = 0;  ///< the first part of it
   double travel_m = 0;       ///< when the failure was certain
   std::string mode;          ///< "sliding", "overturning", "sliding and overturning", "lifting" or "falling"
-  std::string joint;         ///< what the body moves against; empty when it falls free
+  std::string joint;         ///< on which the body moves; empty if it falls freely
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -56,29 +56,29 @@ struct Failure {
 struct Moving {
   int block = 0;
   double speed_m_per_s = 0;
-  double travel_m = 0;  ///< since it last stood
+  double travel_m = 0;  ///< since it was last at rest
 };
 
 class FailureWatch {
  public:
   explicit FailureWatch(const Solid& solid);
 
-  /// Looks at the state at `time_s`, reached under these levels.
+  /// Evaluates the state at `time_s`, reached under these levels.
   void look(double time_s, const Levels& levels);
 
-  /// At the last look every block was at rest, or strained slowly.
+  /// Whether every block was at rest, or strained slowly, at the last evaluation.
   [[nodiscard]] bool calm() const { return calm_; }
 
   /// Failures so far, the earliest first.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
 
-  /// All that failed was at rest at the last look.
+  /// Whether all failed blocks were at rest at the last evaluation.
   [[nodiscard]] bool rests_again() const;
 
-  /// Farthest that a vertex of what failed is from where it was drawn, against the base [m].
+  /// Largest displacement of a failed block's vertex from the scene as drawn, relative to the base [m].
   [[nodiscard]] double farthest_failed_m() const;
 
-  /// The fastest block that neither stands nor has failed; none where there is none.
+  /// The fastest block that neither is at rest nor has failed; none if there is none.
   [[nodiscard]] std::optional<Moving> moving() const;
 
   template <class Archive>
@@ -88,16 +88,16 @@ class FailureWatch {
 
  private:
   struct Watched {
-    double time_s = 0;  ///< when the block last stood
+    double time_s = 0;  ///< when the block was last at rest
     Levels levels;
-    Levels next;         ///< at the look after that
-    double next_s = -1;  ///< its time; negative before
-    Levels last;         ///< when contacts last left it no motion since then
-    int stood = 0;       ///< looks in a row
+    Levels next;         ///< at the following evaluation
+    double next_s = -1;  ///< time of next; negative before
+    Levels last;         ///< when its contacts last allowed no rigid motion
+    int stood = 0;       ///< consecutive evaluations at rest
     Vector6 displacement = Vector6::Zero();
-    Point acceleration = Point::Zero();  ///< of its centroid, then
-    Vector6 seen = Vector6::Zero();      ///< displacement at the last look
-    Point velocity = Point::Zero();      ///< mean of the centroid's between the last two looks
+    Point acceleration = Point::Zero();  ///< of its centroid at that time
+    Vector6 seen = Vector6::Zero();      ///< displacement at the last evaluation
+    Point velocity = Point::Zero();      ///< mean of the centroid's velocity between the last two evaluations
     bool failed = false;
 
     template <class Archive>
@@ -110,21 +110,21 @@ class FailureWatch {
   [[nodiscard]] double travel(std::size_t block) const;
   [[nodiscard]] bool sets_out(std::size_t block) const;
   [[nodiscard]] bool all_is_dry(double level_m) const;
-  /// Is the downstream pool the one by which a body failed that stood then: the only one whose level went on to change;
-  /// else the higher.
+  /// Whether the downstream pool's level counts for a body that was last at rest at `last`: if only that level changed
+  /// afterwards; otherwise the higher pool's.
   [[nodiscard]] bool changing_pool(const Watched& last) const;
   [[nodiscard]] Failure describe(std::size_t block) const;
   void add_uncertainty(const Watched& last, Failure& failure) const;
 
   const Solid& solid_;
   std::vector<Watched> watched_;
-  std::vector<bool> slow_;    ///< at the last look
-  std::vector<bool> stands_;  ///< slow, or without a rigid motion of its own
+  std::vector<bool> slow_;    ///< at the last evaluation
+  std::vector<bool> stands_;  ///< slow, or without a possible rigid motion
   bool calm_ = true;
   bool begun_ = false;
-  bool rings_ = false;        ///< velocities along held directions may flip from step to step
-  double seen_s_ = 0;         ///< time of the last look
-  std::vector<bool> guided_;  ///< by supports at two of its points, or ground: how it moves is no failure
+  bool rings_ = false;        ///< velocities along constrained directions may flip from step to step
+  double seen_s_ = 0;         ///< time of the last evaluation
+  std::vector<bool> guided_;  ///< by supports at two points, or ground: its motion is not a failure
   std::vector<Failure> failures_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One moment of a run as the result files show it: plain data, filled from the state, read by the writers.
+// One moment of a run for the result files: plain data, filled from the state, read by the writers.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ using scene::Point;
 
 struct BlockRow {
   std::vector<Point> vertices_m;        ///< current outline
-  std::vector<Point> displacement_m;    ///< one a vertex
-  std::vector<Point> velocity_m_per_s;  ///< one a vertex
+  std::vector<Point> displacement_m;    ///< one for each vertex
+  std::vector<Point> velocity_m_per_s;  ///< one for each vertex
   Point centroid_m;                     ///< current
   Point centroid_displacement_m;
   Point centroid_velocity_m_per_s;
@@ -42,12 +42,12 @@ struct ContactRow {
   int edge_block = 0;
   int joint = -1;                   ///< index into Scene::joints; -1 for the default joint
   int state = 0;                    ///< 0 open, 1 stick, 2 slip
-  double bonded_length_m = 0;       ///< that still has cohesion or tension strength, by what is left of them
+  double bonded_length_m = 0;       ///< that still has cohesion or tension strength, weighted by what remains
   double gap_m = 0;                 ///< negative: penetration
   double slip_m = 0;                ///< since the start, signed along the edge
   double normal_force_n_per_m = 0;  ///< compression positive
   double shear_force_n_per_m = 0;
-  double length_m = 0;  ///< of joint that the contact stands for
+  double length_m = 0;  ///< length of joint that the contact represents
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -71,7 +71,7 @@ struct PanelRow {
 };
 
 struct BoltRow {
-  Point from_m;  ///< ends as they are
+  Point from_m;  ///< present ends
   Point to_m;
   double force_n_per_m = 0;  ///< tension positive
   double elongation_m = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Energy that the exchange itself makes: what blocks get from the water that the water has not given.
+// Energy that the exchange itself produces: energy that the blocks receive and the water does not give.
 #pragma once
 
 #include <optional>
@@ -26,12 +26,12 @@ class InterfaceEnergy {
     double from_s;
     double to_s;
   };
-  /// The blocks have settled: what they moved until then is not counted.
+  /// Call when the blocks have settled: their motion until then is not counted.
   void begin();
-  /// A window has been made under the panels that answer `told`; kinetic energy with that of the added masses.
+  /// Call after a window under the panels that answer `told`; kinetic energy includes that of the added masses.
   void look(const std::vector<Panel>& panels, const wire::Motion& told, const Window& window, double kinetic_j_per_m);
 
-  /// Where an instability began.
+  /// The start of an instability.
   struct Growth {
     std::uint64_t window;
     double time_s;
@@ -43,7 +43,7 @@ class InterfaceEnergy {
   [[nodiscard]] const std::optional<Growth>& growth() const { return growth_; }
   [[nodiscard]] bool looked() const { return windows_ > 0; }
   [[nodiscard]] double made_j_per_m() const { return now_.made; }
-  /// Which window, why, and what to do; `ratio`: of the water that a block has to push over the block.
+  /// Message: the window, the reason, the remedy; `ratio`: added mass over block mass.
   [[nodiscard]] std::string trouble(double ratio) const;
 
   template <class Archive>
@@ -56,7 +56,7 @@ class InterfaceEnergy {
     std::uint64_t window = 0;
     double time_s = 0;
     double made = 0;
-    double given = 0;  ///< by the water as the fluid counts it
+    double given = 0;  ///< by the water, summed as the fluid does
     template <class Archive>
     void serialize(Archive& archive) {
       archive(window, time_s, made, given);
@@ -71,10 +71,10 @@ class InterfaceEnergy {
   double solid_work_ = 0;                ///< at the end of the last window
   std::uint64_t windows_ = 0;
   State now_;
-  State mark_;                  ///< what is made is counted from there
-  double largest_kinetic_ = 0;  ///< since the mark
-  double scale_ = 0;            ///< that up to the mark
-  int times_ = 0;               ///< in a row
+  State mark_;                  ///< start of the present sum
+  double largest_kinetic_ = 0;  ///< since mark_
+  double scale_ = 0;            ///< largest before mark_
+  int times_ = 0;               ///< consecutive detections
   State suspect_;               ///< the first of them
   std::optional<Growth> growth_;
 };

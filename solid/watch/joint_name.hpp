@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a joint is called in reports.
+// Names of joints in reports.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ inline std::string joint_name(const Solid& solid, int a, int b) {
   return joint >= 0 ? scene.joints[static_cast<std::size_t>(joint)].name : scene::unnamed_joint(scene, a, b);
 }
 
-/// What its pieces have in common: the joint set or cut that it comes from, else its own name; empty where it has none.
+/// The common name of a joint's pieces: that of their joint set or cut, else the joint's own name; may be empty.
 inline std::string joint_set(const Solid& solid, int a, int b) {
   const int joint = solid.laws()[solid.laws().between(a, b)].joint;
   if (joint < 0) return {};

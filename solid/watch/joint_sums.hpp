@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What acts on all that stands on a surface, kind by kind, to be followed by hand: their sum is what the surface bears.
+// Forces on everything above a surface, by kind, for a check by hand: their sum is the force on the surface.
 #pragma once
 
 #include <set>
@@ -19,15 +19,15 @@ struct ForceSum {
   double moment_n = 0;  ///< about the surface's downstream end, counter-clockwise positive
 };
 
-/// A part of what open water does, on all blocks.
+/// A part of the forces of open water, on all blocks.
 struct WaterPart {
   std::string name;
   statics::Wrenches wrenches;
 };
 
-/// Of the blocks that these joints (pairs of blocks, the lower index first) part from the ground, in the scene's
-/// outline, at the run's end; kinds that do not act are left out. Bolts have the forces that they have now. The parts
-/// of open water have sums of their own, and no part in its own.
+/// Forces on the blocks that these joints (pairs of blocks, lower index first) separate from the ground, as drawn, at
+/// the run's end; kinds that do not act are left out. Bolts have their present forces. The given parts of open water
+/// are listed separately and not included in its sum.
 std::vector<ForceSum> force_sums(const Solid& solid, const wire::Load& water, const std::vector<WaterPart>& parts,
                                  const std::set<std::pair<int, int>>& joints, const Point& about);
 

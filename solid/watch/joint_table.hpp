@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forces and stresses on the surfaces that run through, as an engineer checks them by hand.
+// Forces and stresses on surfaces that run through the structure, as an engineer checks them by hand.
 #pragma once
 
 #include <optional>
@@ -16,27 +16,27 @@ namespace blockweir::solid {
 /// r the resultant's way from the downstream end over the length; of faces beside a gallery as `linear_stress` has it.
 struct JointRow {
   std::string name;
-  double length_m = 0;        ///< from end to end
-  double faces_length_m = 0;  ///< where faces lie on each other; less by what a gallery takes out
-  double normal_n_per_m = 0;  ///< effective: what the water in the joint presses is not in it; compression positive
-  double shear_n_per_m = 0;   ///< size
-  double uplift_n_per_m = 0;  ///< of the water in the joint, away from it
-  double moment_n = 0;        ///< of the normal force about the middle, positive where it presses downstream of it
-  std::optional<double> sliding_factor;             ///< strength, as the bond is now, over shear; none without shear
-  std::optional<double> residual_sliding_factor;    ///< the same once the bond is broken
-  std::optional<double> resultant_from_downstream;  ///< over the length; none without pressure
+  double length_m = 0;                   ///< from end to end
+  double faces_length_m = 0;             ///< where faces touch; shorter by the width of galleries
+  double normal_n_per_m = 0;             ///< effective, without the water pressure in the joint; compression positive
+  double shear_n_per_m = 0;              ///< absolute value
+  double uplift_n_per_m = 0;             ///< water pressure in the joint, pushing the faces apart
+  double moment_n = 0;                   ///< of the normal force about the middle, positive if it acts downstream of it
+  std::optional<double> sliding_factor;  ///< present strength over shear; none without shear
+  std::optional<double> residual_sliding_factor;    ///< the same after the bond is broken
+  std::optional<double> resultant_from_downstream;  ///< over the length; none without compression
   double cracked_length_m = 0;                      ///< of the faces
   double heel_stress_pa = 0;                        ///< at the upstream end; tension positive
   double toe_stress_pa = 0;                         ///< at the downstream end
   Point upstream_end_m;
   Point downstream_end_m;
-  std::vector<ForceSum> sums;  ///< on what stands on it, about that end
+  std::vector<ForceSum> sums;  ///< forces above the surface, moments about its downstream end
 };
 
-/// `water`: what presses on the blocks now.
+/// `water`: the present water load.
 std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, const std::vector<WaterPart>& parts);
 
-/// Name, length, downstream end and sums alone, of all surfaces: what acts on a structure that no forces hold.
+/// Name, length, downstream end and sums only, of all surfaces: loads of a structure that is not in equilibrium.
 std::vector<JointRow> loads_on_joints(const Solid& solid, const wire::Load& water, const std::vector<WaterPart>& parts);
 
 }  // namespace blockweir::solid

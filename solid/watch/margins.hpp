@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a structure that stands is from sliding and from overturning, by the forces on the surfaces that run through.
+// Margins of a standing structure against sliding and overturning, from the forces on surfaces that run through it.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace blockweir::solid {
 
-/// The worst that a surface came to.
+/// The worst value of a surface.
 struct Margin {
   double value = 0;
   double time_s = 0;
@@ -18,7 +18,7 @@ struct Margin {
   std::string joint;    ///< or joints in one line
   std::string end;      ///< of a resultant: the nearer end, "upstream", "downstream" ("left", "right" without water),
                         ///< "lower", "upper"
-  std::string held_by;  ///< of a resultant at an end or beyond it: "tension strength", "an anchor", both, or unknown
+  std::string held_by;  ///< for a resultant at or beyond an end: "tension strength", "an anchor", both, or unknown
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -28,20 +28,20 @@ struct Margin {
 
 class Margins {
  public:
-  /// Looks at the state at `time_s`, reached under this level of the higher pool.
+  /// Evaluates the state at `time_s`, reached under this level of the higher pool.
   void look(const Solid& solid, double time_s, double level_m);
 
-  /// Lowest ratio of shear strength to shear force. None where no surface carries shear, or all that do are buttressed.
+  /// Lowest ratio of shear strength to shear force. None if no surface carries shear, or all that do are buttressed.
   [[nodiscard]] const std::optional<Margin>& sliding() const { return sliding_; }
-  /// That of the last look, of any surface. None likewise.
+  /// The same for the last evaluation, of any surface.
   [[nodiscard]] const std::optional<Margin>& sliding_now() const { return sliding_now_; }
-  /// Shortest way of the normal forces' resultant to an end of its surface, over the surface's length: 1/2 in the
-  /// middle, 0 where the block overturns. None without surfaces.
+  /// Shortest distance of the normal forces' resultant from an end of its surface, over the surface's length: 1/2 in
+  /// the middle, 0 if the block overturns. None without surfaces.
   [[nodiscard]] const std::optional<Margin>& overturning() const { return overturning_; }
-  /// Some surface that carried shear had a face before it that resisted the slide, as ground before a toe: its own
-  /// strength over that shear is no factor of safety.
+  /// Whether a surface with shear had a face in front that resisted the slide, such as ground at a toe: its own
+  /// strength over that shear is not a factor of safety.
   [[nodiscard]] bool buttressed() const { return buttressed_; }
-  /// Some surface runs through.
+  /// Whether some surface runs through the structure.
   [[nodiscard]] bool any_surface() const { return surfaces_ && !surfaces_->names().empty(); }
 
   template <class Archive>
@@ -50,7 +50,7 @@ class Margins {
   }
 
  private:
-  std::optional<Surfaces> surfaces_;  ///< of the first look
+  std::optional<Surfaces> surfaces_;  ///< of the first evaluation
   std::optional<Margin> sliding_;
   std::optional<Margin> sliding_now_;
   std::optional<Margin> overturning_;

@@ -12,10 +12,10 @@
 
 namespace blockweir::solid {
 
-/// Of the blocks that are marked in `moves`, those to which the contacts with the others and among themselves leave no
-/// rigid motion; the others count as standing. A contact that slipped within the window counts as slipping, whatever
-/// its state at the window's end. Mechanisms of many bodies that no smaller group decides (most_bodies) count as such
-/// without a closer look.
+/// Of the blocks marked in `moves`, those without a possible rigid motion, given their contacts; the others
+/// count as standing. A contact that slipped within the window counts as slipping, whatever its state at the
+/// window's end. Mechanisms of many bodies that no smaller group decides (most_bodies) count as possible without
+/// a check.
 std::vector<bool> only_strain(const Solid& solid, const std::vector<bool>& moves);
 
 }  // namespace blockweir::solid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the solid did not do because the scene does not need it, and what that has saved.
+// Work that the solid skipped because the scene does not need it, and the time saved.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,11 +8,11 @@
 
 namespace blockweir::solid {
 
-/// Files of frames: one a frame_every_s, whatever the windows.
+/// Frame files: one every frame_every_s, independent of the windows.
 struct Frames {
   long written = 0;
   long not_asked_for = 0;
-  double seconds = 0;  ///< in writing them
+  double seconds = 0;  ///< for writing them
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -20,7 +20,7 @@ struct Frames {
   }
 };
 
-/// In words, a line each. Savings are the mean time of what the run did do, times what it did not.
+/// As text, one line each. Savings are the mean time of the work done, times the number skipped.
 nlohmann::json skips(const Solid& solid, const Frames& frames);
 
 }  // namespace blockweir::solid

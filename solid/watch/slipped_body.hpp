@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What has failed where blocks come to rest again each time, and their slips add up to a failure.
+// The failure of blocks that come to rest after each slip, while their slips add up.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace blockweir::solid {
 
-/// The body of the block that has slipped most since the scene's outline, on its joint, at the reservoir's level; none
-/// where no contact has slipped.
+/// The body of the block that has slipped most since the scene as drawn, with its joint and the reservoir's level; none
+/// if no contact has slipped.
 std::optional<Failure> slipped_body(const Solid& solid, double level_m);
 
 }  // namespace blockweir::solid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forces of contacts, summed over a surface that runs through.
+// Sums of contact forces over a surface that runs through the structure.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 
 namespace blockweir::solid {
 
-/// What the contacts of one surface bear together, along the line from end to end: where some press on other faces
-/// there, as a heel on level ground beside its dipping base, forces count by their parts along that line.
+/// Forces of one surface's contacts, along the line from end to end. If some act on other faces, such as a heel on
+/// level ground beside a dipping base, only their components along that line count.
 class SurfaceSum {
  public:
-  /// First of all contacts: how far they reach.
+  /// Call first, for all contacts: finds the ends of the surface.
   void reach(const Point& place) {
     const auto before = [](const Point& p, const Point& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
     if (before(place, low_)) low_ = place;
@@ -27,8 +27,8 @@ class SurfaceSum {
   [[nodiscard]] double length_m() const { return (high_ - low_).norm(); }
   [[nodiscard]] Point across() const { return perpendicular(Point(high_ - low_)) / length_m(); }
 
-  /// `residual`: what the law leaves once the bond is broken. `force`: on the block above the line; `pushed`: the part
-  /// of it that is normal to the contact's own edge.
+  /// `residual`: the law after the bond is broken. `force`: on the block above the line; `pushed`: its part normal to
+  /// the contact's own edge.
   void add(const Strength& law, const Strength& residual, const Point& force, const Point& pushed, const Point& place) {
     const double pressed = across().dot(force);
     residual_ += residual.cohesion + residual.shear_of_friction(pressed);
@@ -46,14 +46,14 @@ class SurfaceSum {
   [[nodiscard]] bool is_sheared() const {
     return std::abs(shear_) > negligible * (std::abs(strength()) + std::abs(normal_));
   }
-  /// Does a face askew to the line, as level ground before the toe of a base that dips downstream, resist the slide?
+  /// Whether a face oblique to the line resists the slide, such as level ground at the toe of a dipping base.
   [[nodiscard]] bool is_buttressed() const {
     return buttress_ * shear_ > 0 && std::abs(buttress_) > seen * std::abs(shear_);
   }
   [[nodiscard]] bool is_pressed() const { return normal_ > negligible * pressed_or_pulled_; }
-  /// Does a bond pull by its tension strength anywhere?
+  /// Whether a bond is in tension anywhere.
   [[nodiscard]] bool is_pulled() const { return pulled_ > negligible * pressed_or_pulled_; }
-  /// Does it hold what it would part? Else something beside it does, as a corner that leans on a neighbour.
+  /// Whether it carries the weight above it. Otherwise something else does, such as a corner that leans on a neighbour.
   [[nodiscard]] bool bears(double weight_n_per_m) const {
     constexpr double noticed = 1e-3;
     return std::hypot(normal_, shear_) > noticed * weight_n_per_m;
@@ -62,14 +62,14 @@ class SurfaceSum {
   [[nodiscard]] double shear_n_per_m() const { return shear_; }
   [[nodiscard]] double sliding_factor() const { return strength() / std::abs(shear_); }
   [[nodiscard]] double residual_sliding_factor() const { return std::max(0.0, residual_) / std::abs(shear_); }
-  /// Of the resultant from the nearer end, over the surface's length; negative outside.
+  /// Distance of the resultant from the nearer end, over the surface's length; negative outside.
   [[nodiscard]] double end_distance() const {
     const double s = resultant_from_downstream();
     return std::min(s, 1 - s);
   }
-  /// Is that next to nothing, or less? What only presses has its resultant inside.
+  /// Whether that is almost zero or less. A surface in pure compression has its resultant inside.
   [[nodiscard]] bool ends_at_nothing() const { return end_distance() <= negligible; }
-  /// Which end that is, in an engineer's words; `wet`: water stands upstream, on the left.
+  /// Name of that end; `wet`: water is upstream, on the left.
   [[nodiscard]] const char* nearer_end(bool wet) const {
     constexpr double upright = 1e-3;
     const Point along = high_ - low_;
@@ -78,7 +78,7 @@ class SurfaceSum {
     if (at_low) return wet ? "upstream" : "left";
     return wet ? "downstream" : "right";
   }
-  /// From the downstream end, over the surface's length.
+  /// Distance from the downstream end, over the surface's length.
   [[nodiscard]] double resultant_from_downstream() const {
     const Point along = high_ - low_;
     return along.dot(high_ - moment_ / normal_) / along.squaredNorm();
@@ -86,21 +86,21 @@ class SurfaceSum {
 
  private:
   static constexpr double negligible = 1e-6;
-  static constexpr double seen = 1e-2;  // what strains turn faces by resists less
+  static constexpr double seen = 1e-2;  // faces rotated by strain resist less
   Point low_ = Point::Constant(std::numeric_limits<double>::infinity());
   Point high_ = -low_;
   double cohesion_ = 0;
   double friction_ = 0;
-  double residual_ = 0;  ///< strength once broken
+  double residual_ = 0;  ///< strength after the bond is broken
   double shear_ = 0;
-  double buttress_ = 0;  ///< of the shear, what faces askew to the line push
+  double buttress_ = 0;  ///< part of the shear that oblique faces resist
   double normal_ = 0;
-  double pressed_or_pulled_ = 0;  ///< sum of the forces' sizes
-  double pulled_ = 0;             ///< sum of what pulls, normal to the line
-  Point moment_ = Point::Zero();  ///< sum of normal force times place
+  double pressed_or_pulled_ = 0;  ///< sum of the absolute forces
+  double pulled_ = 0;             ///< sum of tensile forces, normal to the line
+  Point moment_ = Point::Zero();  ///< sum of normal force times position
 };
 
-/// Of each surface, by its index.
+/// For each surface, by its index.
 std::vector<SurfaceSum> surface_sums(const Solid& solid, const Surfaces& surfaces);
 
 }  // namespace blockweir::solid

@@ -17,16 +17,16 @@ namespace blockweir::solid {
 
 class Surfaces {
  public:
-  /// Of the joints that touch in the scene's outline. Fixed blocks, and blocks that a support holds, are the ground.
+  /// From the joints that touch in the scene as drawn. Fixed blocks and blocks with a support are the ground.
   explicit Surfaces(const Solid& solid);
   Surfaces() = default;
 
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
-  /// Of all that a surface parts from the ground [N/m], by its index.
+  /// Weight of everything that each surface separates from the ground [N/m], by index.
   [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
   /// Pairs of blocks of each surface, by its index.
   [[nodiscard]] std::vector<std::set<std::pair<int, int>>> joints() const;
-  /// Indices of the surfaces that the joint of two blocks (the lower index first) is a part of; may be empty.
+  /// Indices of the surfaces that contain the joint of two blocks (lower index first); may be empty.
   [[nodiscard]] const std::vector<int>& of(const std::pair<int, int>& pair) const;
 
   template <class Archive>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much water a block has to take along: measured on interFoam's own mesh, by its own operator.
+// Added mass of the blocks, computed on interFoam's mesh with its Laplace operator.
 #pragma once
 
 #include "fluid/openfoam/plugin/edge_pressures.hpp"
@@ -18,8 +18,8 @@ class AddedMass {
   AddedMass(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks, const EdgePressures& edges)
       : mesh_(mesh), blocks_(blocks), edges_(edges) {}
 
-  /// Rows as wire::Load has them: of blocks that can move, zeros for others. Solved for anew where a block has moved by
-  /// half a cell since, and every hundredth time as the water moves.
+  /// Rows as in wire::Load: for moving blocks, zeros for others. Computed again when a block has moved by half a cell,
+  /// and every hundredth time, since the water moves.
   void measure(std::vector<std::array<double, 6>>& rows);
 
   template <class Archive>

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Has open water found a way past the structure that was not there at the start?
+// Detects a breach: open water has found a way past the structure that did not exist at the start.
 #pragma once
 
 #include "fluid/openfoam/plugin/immersed_blocks.hpp"
 
 namespace blockweir::openfoam {
 
-/// A way is a chain of neighbouring cells, each more than half open and the open part more than half full of water,
-/// from one side of the structure to the other, below the structure's highest point: what flows over the crest is none.
+/// A way is a chain of neighbouring cells from one side of the structure to the other, below its highest point, so that
+/// overtopping does not count. Each cell is more than half open, and its open part more than half full of water.
 class Breach {
  public:
-  /// Entries upstreamTo and downstreamFrom of constant/blockweir: the structure's extent.
+  /// Uses entries upstreamTo and downstreamFrom of constant/blockweir: the structure's extent.
   Breach(const Foam::fvMesh& mesh, const Foam::dictionary& dict, const ImmersedBlocks& blocks);
 
-  /// The same on all ranks, which all call it. True for good once there is a way; never where there was one at the
-  /// first call. Costs nothing until a block has moved by a cell.
+  /// Collective call: all ranks get the same result. Stays true once there is a way; always false if there was one at
+  /// the first call. Costs nothing until a block has moved by a cell.
   bool look();
 
   template <class Archive>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pressure on the blocks' edges: sampled in the water outside where an edge is open, by the scene's law in cracks, and
-// as still water that enters by its mouths in slots too narrow for the mesh.
+// Pressures on the blocks' edges: sampled in the water where an edge is open; by the scene's uplift law in cracks; and
+// hydrostatic from the mouths in slots too narrow for the mesh.
 #pragma once
 
 #include <array>
@@ -16,16 +16,16 @@ class EdgePressures {
  public:
   EdgePressures(const ImmersedBlocks& blocks, const WaterState& water);
 
-  /// Panels of all loaded blocks where they are now; the same on all ranks. `flow`, or null: of joints through which
-  /// water flows.
+  /// Panels of all loaded blocks at their present positions; the same on all ranks. `flow`: flow through joints, or
+  /// null.
   void sample(JointFlow* flow, wire::Load& load);
 
-  /// A piece of an edge that water pressed on when last sampled.
+  /// A piece of an edge that was wet in the last sampling.
   struct Wetted {
     int block = 0;
     Point middle;
     Point push;       ///< outward normal times length and openness [m]
-    Point looked_at;  ///< where its water was looked up
+    Point looked_at;  ///< where its water was sampled
   };
   [[nodiscard]] const std::vector<Wetted>& wetted() const { return wetted_; }
 
@@ -43,7 +43,7 @@ class EdgePressures {
   const WaterState& water_;
   ElementRules rules_;
   Targets targets_;
-  std::vector<Point> openings_;  ///< of cracks, mouth and end by turns
+  std::vector<Point> openings_;  ///< of cracks, alternately mouth and end
   std::vector<Wetted> wetted_;
   std::vector<Pose> last_poses_;
 };

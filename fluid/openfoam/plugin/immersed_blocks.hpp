@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The blocks in the mesh: where they are, how fast they move, and how much of each cell they fill.
+// The blocks in the mesh: their positions, velocities, and the share of each cell that they fill.
 #pragma once
 
 #include <volFields.H>
@@ -12,12 +12,12 @@ namespace blockweir::openfoam {
 using Pose = std::array<double, 6>;  ///< as in wire::Motion
 
 /// Outlines of a mesh's cells in the plane, counter-clockwise. Ends the run unless the mesh is one cell thick between
-/// two empty sides.
+/// two empty patches.
 std::vector<Polygon> cell_outlines(const Foam::fvMesh& mesh);
 
 class ImmersedBlocks {
  public:
-  /// What a block fills of a cell of this rank.
+  /// The part of a cell of this rank that a block fills.
   struct Part {
     Foam::label cell = 0;
     double fraction = 0;
@@ -25,30 +25,30 @@ class ImmersedBlocks {
 
   ImmersedBlocks(const Foam::fvMesh& mesh, const Interface& interface);
 
-  /// Over a step of dt_s the blocks go from `start` to `end`. Those that do not move cost nothing, and one is cut out
-  /// of the cells anew only once a corner has gone farther than move_tolerance of the depth, where pressures differ by
-  /// as much of the largest.
+  /// Moves the blocks from `start` to `end` over a step of dt_s. Blocks at rest cost nothing. The filled shares of a
+  /// block are recomputed only once a corner has moved farther than move_tolerance of the depth, which changes
+  /// pressures by the same share of the largest.
   void move(const std::vector<Pose>& start, const std::vector<Pose>& end, double dt_s);
-  /// Where they were cut out of the cells last, in a run that goes on.
+  /// Restores the positions for which the filled shares were computed last, in a resumed run.
   void cut_again(const std::vector<Pose>& poses);
 
   [[nodiscard]] const Interface& interface() const { return interface_; }
-  /// Side of a cell beside blocks [m]: the interface's, or else the largest of all cells at their faces at the start.
+  /// Side of a cell beside blocks [m]: that of the interface, or the largest of all cells at their faces at the start.
   [[nodiscard]] double cell_m() const { return cell_m_; }
   [[nodiscard]] CellLocator& locator() { return locator_; }
   [[nodiscard]] const CellLocator& locator() const { return locator_; }
-  [[nodiscard]] const std::vector<Polygon>& outlines() const { return outlines_; }  ///< at the step's end
+  [[nodiscard]] const std::vector<Polygon>& outlines() const { return outlines_; }  ///< at the end of the step
   [[nodiscard]] const std::vector<Pose>& poses() const { return placed_; }          ///< of outlines()
-  [[nodiscard]] const Foam::volScalarField& filled() const { return filled_; }      ///< by all blocks together, 0..1
+  [[nodiscard]] const Foam::volScalarField& filled() const { return filled_; }      ///< share by all blocks, 0..1
   [[nodiscard]] const std::vector<Part>& parts(std::size_t block) const { return parts_[block]; }
-  /// Mean velocity over the step [m/s] of the point of a block that is at x at its end.
+  /// Mean velocity over the step [m/s] of the block's point that is at x at its end.
   [[nodiscard]] Point velocity(std::size_t block, const Point& x) const;
   [[nodiscard]] bool moves(std::size_t block) const { return start_[block] != end_[block]; }
-  /// Of the first block that has left the mesh: its name, where, and what to do. Empty: all are inside, but for the
-  /// ground and for what sinks below the floor by less than a cell.
+  /// The first block that has left the mesh: its name, where, and the remedy. Empty: all are inside; the ground, and
+  /// blocks less than a cell below the floor, do not count.
   [[nodiscard]] std::string strayed() const;
 
-  /// How often a block that had moved was cut out of the cells, how often that was not needed, and its seconds.
+  /// How often filled shares of a moved block were recomputed, how often that was not needed, and its seconds.
   [[nodiscard]] long cuts() const { return cuts_; }
   [[nodiscard]] long skipped_cuts() const { return skipped_cuts_; }
   [[nodiscard]] double cut_s() const { return cut_s_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// constant/blockweir, read: what the case's writer told the plugin of the scene.
+// Reads constant/blockweir: the scene data from the case's writer.
 #pragma once
 
 #include <IOdictionary.H>
@@ -13,17 +13,17 @@
 
 namespace blockweir::openfoam {
 
-using Foam::word;  // OpenFOAM's macro TypeName speaks of it
+using Foam::word;  // required by OpenFOAM's macro TypeName
 
 struct InterfaceBlock {
   Polygon vertices;  ///< the scene's
-  Polygon outline;   ///< what stands in the mesh: the same, but for the ground, which is drawn out beyond it
-  Point centroid;    ///< of the scene's outline
+  Polygon outline;   ///< in the mesh: the same, except that the ground extends beyond the mesh
+  Point centroid;    ///< of the outline as drawn
   bool loaded = true;
   bool movable = true;
 };
 
-/// A face of a crack: fractions along the block's edge, and along the crack.
+/// A face of a crack: fractions along the block's edge and along the crack.
 struct CrackPanel {
   int block = 0;
   int edge = 0;
@@ -33,7 +33,7 @@ struct CrackPanel {
   double t_to = 1;
 };
 
-/// Where a crack meets open water, as a point of a block in the scene's outline, and which way that water lies.
+/// The mouth of a crack at open water: a point of a block as drawn, and the direction of the water.
 struct CrackOpening {
   int block = 0;
   Point point;
@@ -58,7 +58,7 @@ struct Interface {
   wire::Hello hello;
   int steps_per_window = 1;
   double max_courant = 1;
-  std::optional<double> cell_m;  ///< side of a cell beside blocks; none: it is measured
+  std::optional<double> cell_m;  ///< side of a cell beside blocks; none: to be measured
   bool own_case = false;         ///< a user's, not written from the scene
   double water_density = 0;
   double gravity = 0;  ///< m/s2, downwards
@@ -68,10 +68,10 @@ struct Interface {
   double rest_tolerance = 0;  ///< of the pressure at that depth; 0: the water never counts as at rest
   std::vector<InterfaceBlock> blocks;
   std::vector<Crack> cracks;
-  bool flow_in_joints = false;  ///< constant/blockweirJoints tells of it
+  bool flow_in_joints = false;  ///< its data is in constant/blockweirJoints
 };
 
-/// Ends the run through OpenFOAM's FatalIOError where an entry is missing or malformed.
+/// Ends the run through OpenFOAM's FatalIOError if an entry is missing or malformed.
 Interface read_interface(const Foam::dictionary& dict);
 
 }  // namespace blockweir::openfoam

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pressures of the water that flows through joints, on what of their faces the mesh does not carry water to.
+// Pressures of the flow through joints, on faces that the water of the mesh does not reach.
 #pragma once
 
 #include "fluid/joints/flow_beside_mesh.hpp"
@@ -8,19 +8,19 @@
 
 namespace blockweir::openfoam {
 
-/// The network ends where gaps are wider than three cells. Between two and three cells its pressure fades out as that
-/// of the sampled water fades in; there it loses next to no head, so that neither the place of its end nor the blend
+/// The network ends where gaps are wider than three cells. Between two and three cells its pressure is blended with the
+/// sampled one. At these widths the flow loses almost no head, so that neither the position of the end nor the blending
 /// makes a force jump.
 class JointFlow {
  public:
-  /// Reads constant/blockweirJoints. Trouble ends the run.
+  /// Reads constant/blockweirJoints. Errors end the run.
   JointFlow(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks);
 
-  /// A sampling begins, of blocks at `poses` and at the load's time.
+  /// Starts a sampling for blocks at `poses` and the load's time.
   void begin(const std::vector<Pose>& poses, const wire::Load& load);
-  /// Takes in the panels of `load` from `first` on: they are open water.
+  /// Takes the panels of `load` from `first` on as open water.
   void take_in(const wire::Load& load, std::size_t first);
-  /// Solves, and adds the joints' panels, by as much as these elements are closed.
+  /// Solves, and adds the joints' panels, weighted by how far these elements are closed.
   void add(const std::vector<EdgeElement>& elements, wire::Load& load);
 
   void record(double time_s);
@@ -35,7 +35,7 @@ class JointFlow {
   const ImmersedBlocks& blocks_;
   std::unique_ptr<joints::FlowBesideMesh> flow_;
   joints::FlowBesideMesh::Outlines outlines_;
-  wire::Load water_;  ///< open water, and behind it the joints
+  wire::Load water_;  ///< open water, then the joints
 };
 
 }  // namespace blockweir::openfoam

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solid process as all ranks of interFoam see it: the master talks to it, the others hear what was said.
+// The solid process as seen by all ranks of interFoam: the master communicates with it and broadcasts its messages.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace blockweir::openfoam {
 
-/// What goes wrong ends all ranks with one line, through OpenFOAM's FatalError.
+/// Errors end all ranks with one line, through OpenFOAM's FatalError.
 class Partner {
  public:
   explicit Partner(const Interface& interface);
@@ -18,21 +18,21 @@ class Partner {
   Partner(const Partner&) = delete;
   Partner& operator=(const Partner&) = delete;
 
-  /// Motion of window `window`, on all ranks; nothing when the solid has ended the run.
+  /// Motion of window `window`, on all ranks; none if the solid has ended the run.
   std::optional<wire::Motion> receive(std::uint64_t window);
 
-  /// The master's load is sent.
+  /// Sends the master's load.
   void send(const wire::Load& load);
 
-  /// The master says how far the window's steps have come, where the solid would else wait for long.
+  /// The master reports the progress of a long window, so that the solid does not time out.
   void come_further(const std::string& text) {
     if (channel_) channel_->send(wire::Progress{text});
   }
 
-  /// Ends the run on all ranks; the solid is told why.
+  /// Ends the run on all ranks and tells the solid the reason.
   [[noreturn]] void fail(const std::string& text);
 
-  /// Seconds of the master so far: waiting, packing and unpacking, handing frames over.
+  /// The master's seconds so far: waiting, packing and unpacking, passing frames to ZeroMQ.
   [[nodiscard]] double waited_s() const { return channel_ ? channel_->waited_s() : 0; }
   [[nodiscard]] double packed_s() const { return channel_ ? channel_->packed_s() : 0; }
   [[nodiscard]] double wire_s() const { return channel_ ? channel_->wire_s() : 0; }
@@ -41,7 +41,7 @@ class Partner {
   template <class Action>
   void on_master(Action action);
 
-  std::unique_ptr<channel::Channel> channel_;  ///< the master's; none elsewhere
+  std::unique_ptr<channel::Channel> channel_;  ///< on the master; null elsewhere
 };
 
 }  // namespace blockweir::openfoam

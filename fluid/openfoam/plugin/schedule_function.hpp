@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Function object "blockweirSchedule": tells the session when a time step is over.
+// Function object "blockweirSchedule": notifies the session at the end of a time step.
 #pragma once
 
 #include <fvMeshFunctionObject.H>
@@ -12,7 +12,7 @@ class ScheduleFunction : public Foam::functionObjects::fvMeshFunctionObject {
  public:
   TypeName("blockweirSchedule")
 
-      /// Ends the run where there is no fvOption "blockweirBlocks", which owns the session.
+      /// Ends the run if there is no fvOption "blockweirBlocks", which owns the session.
       ScheduleFunction(const Foam::word& name, const Foam::Time& time, const Foam::dictionary& dict);
 
   bool execute() override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run's coupling: windows, their steps, and what is said at the end of each.
+// The coupling of one run: windows, their time steps, and the exchange at the end of each.
 #pragma once
 
 #include <regIOobject.H>
@@ -19,7 +19,7 @@
 
 namespace blockweir::openfoam {
 
-/// Places and velocities of all blocks at both ends of a window.
+/// Positions and velocities of all blocks at both ends of a window.
 struct Course {
   std::vector<Pose> start;
   std::vector<Pose> start_velocity;
@@ -28,30 +28,30 @@ struct Course {
   double duration_s = 0;
 };
 
-/// The fluid's side of whatever schedule: a motion comes with its time, interFoam steps there, and the pressures there
-/// are said.
+/// The fluid's side in every schedule: it receives a motion and its time, interFoam steps there, and it sends the
+/// pressures.
 class Session : public Foam::regIOobject {
  public:
   TypeName("blockweirSession")
 
-      /// Connects, says the first pressures, or takes up where a checkpoint stands, and hears where the blocks will be
-      /// at the end of the next window. Any trouble ends the run.
+      /// Connects, sends the first pressures or resumes from a checkpoint, and receives the positions of the blocks at
+      /// the end of the next window. Errors end the run.
       explicit Session(const Foam::fvMesh& mesh);
   ~Session() override;
 
-  /// The mesh's session; null where there is none.
+  /// The mesh's session; null if there is none.
   static Session* of(const Foam::fvMesh& mesh);
 
-  /// Called whenever the momentum equation is assembled; the first call in a step takes the blocks to its end.
+  /// Called whenever the momentum equation is assembled; the first call in a step moves the blocks to its end.
   void begin_step();
-  /// A time step has been made: the window's next, or the exchange at its end.
+  /// A time step is complete: continues the window, or exchanges data at its end.
   void end_step();
-  /// The function object that calls end_step() is there.
+  /// The function object that calls end_step() exists.
   void attach() { attached_ = true; }
 
   [[nodiscard]] const ImmersedBlocks& blocks() const { return blocks_; }
   [[nodiscard]] double water_density() const { return water_.water_density(); }
-  /// Of the ground and with it of the mesh [m/s2], at the end of the step.
+  /// Acceleration of the ground, and with it of the mesh [m/s2], at the end of the step.
   [[nodiscard]] Foam::vector ground_acceleration() const;
 
   bool writeData(Foam::Ostream&) const override { return true; }
@@ -89,23 +89,23 @@ class Session : public Foam::regIOobject {
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_x_;
   Foam::autoPtr<Foam::Function1<Foam::scalar>> ground_y_;
 
-  std::uint64_t window_ = 0;  ///< number of the motion that was heard last
+  std::uint64_t window_ = 0;  ///< number of the motion received last
   double time_s_ = 0;         ///< its time
-  int step_ = 0;              ///< made on the way there
-  int steps_ = 1;             ///< to be made
+  int step_ = 0;              ///< steps made towards it
+  int steps_ = 1;             ///< steps to be made
   Course course_;
   std::vector<Pose> step_start_;
   std::vector<Pose> step_end_;
-  Foam::label placed_at_ = -1;  ///< time index of the step that the blocks were taken to
+  Foam::label placed_at_ = -1;  ///< time index of the step to which the blocks were moved
   bool attached_ = false;
   wire::Load load_;
-  double mapping_s_ = 0;  ///< blocks into cells, pressures onto edges
+  double mapping_s_ = 0;  ///< blocks to cells, pressures to edges
   double output_s_ = 0;
-  double steps_s_ = 0;                           ///< interFoam's own, in the windows' steps
+  double steps_s_ = 0;                           ///< interFoam's own time in the windows' steps
   std::chrono::steady_clock::time_point begun_;  ///< of the window
   double mapped_before_s_ = 0;
-  long windows_ = 0;  ///< that interFoam has made steps in
-  long passed_ = 0;   ///< those in which nothing happened
+  long windows_ = 0;  ///< in which interFoam has made steps
+  long passed_ = 0;   ///< those without steps, since nothing happened
 };
 
 }  // namespace blockweir::openfoam

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fvOption "blockweirBlocks": holds the velocity in cells to that of the blocks that fill them.
+// fvOption "blockweirBlocks": forces the velocity in cells to that of the blocks that fill them.
 #pragma once
 
 #include <fvOption.H>
@@ -8,14 +8,14 @@
 
 namespace blockweir::openfoam {
 
-/// Penalty on the momentum, C = (rho_water / dt) phi / (1 - phi + eps) with phi what all blocks fill of a cell
-/// together, shared out as each of them fills it. The water's density everywhere: with the mixture's, a dry cell would
-/// let through a thousand times as much.
+/// Penalty in the momentum equation, C = (rho_water / dt) phi / (1 - phi + eps), where phi is the filled share of a
+/// cell; it is divided among the blocks by their shares. The density is that of water everywhere: with the mixture's, a
+/// dry cell would let through a thousand times as much.
 class VelocityPenalty : public Foam::fv::option {
  public:
   TypeName("blockweirBlocks")
 
-      /// Opens the line to the solid process: what goes wrong here ends interFoam, unlike in a function object.
+      /// Connects to the solid process here, because an error ends interFoam here but not in a function object.
       VelocityPenalty(const Foam::word& name, const Foam::word& type, const Foam::dictionary& dict,
                       const Foam::fvMesh& mesh);
 

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether anything happens in the water: while nothing does, its last pressures hold and no step need be made.
+// Detects water at rest: while it lasts, the last pressures hold and no step is made.
 #pragma once
 
 #include "fluid/openfoam/plugin/water_levels.hpp"
 
 namespace blockweir::openfoam {
 
-/// All by one share e of the largest pressure P = rho g d, d the water's depth. Water is at rest where p_rgh is uniform
-/// to e P in each pool, and nowhere faster than u = e c, c = sqrt(g d): a long wave of that speed has the pressure
-/// rho c u = e P. A wave that is at its turn fails by the first, one that passes through level by the second. Blocks
-/// rest while they are not faster than u, whose waves would be as high, nor farther than e d from where pressures were
-/// sampled; nor may a level be.
+/// All limits use one share e of the largest pressure P = rho g d, d the water's depth. Water is at rest if p_rgh is
+/// uniform to e P in each pool and no velocity exceeds u = e c, c = sqrt(g d): a long wave of that speed has the
+/// pressure rho c u = e P. A wave at its turning point violates the first condition, a passing one the second. Blocks
+/// are at rest if they are not faster than u, since they would make waves of that height, and not farther than e d from
+/// their positions at the last sampling. A level must not have moved farther either.
 class WaterAtRest {
  public:
   WaterAtRest(const Foam::fvMesh& mesh, const Foam::dictionary& dict, const ImmersedBlocks& blocks,
               const WaterLevels& levels);
 
-  /// Is the water at rest now, at time_s, with blocks that were told to be at `pose`? The same on all ranks.
+  /// Checks whether the water is at rest at time_s, for blocks sent as `pose`. The same on all ranks.
   void look(double time_s, const std::vector<Pose>& pose);
-  /// Would nothing have happened by the motion's time, had it been at rest?
+  /// Whether water at rest stays so until the motion's time.
   [[nodiscard]] bool lasts(const wire::Motion& motion, double from_s, const std::vector<Pose>& before) const;
 
  private:

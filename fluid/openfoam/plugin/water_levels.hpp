@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Levels that the scene prescribes: water fractions in the cells of a pool are set anew.
+// Prescribed levels: sets the water fraction in the cells of a pool.
 #pragma once
 
 #include <Function1.H>
@@ -11,20 +11,20 @@ namespace blockweir::openfoam {
 
 class WaterLevels {
  public:
-  /// Entries upstreamLevel, upstreamTo, downstreamLevel, downstreamFrom and setLevels of constant/blockweir.
+  /// Uses entries upstreamLevel, upstreamTo, downstreamLevel, downstreamFrom and setLevels of constant/blockweir.
   WaterLevels(const Foam::fvMesh& mesh, const Foam::dictionary& dict, const ImmersedBlocks& blocks);
 
-  /// NaN where there is no pool [m]; where nobody sets it, the one beside the structure.
+  /// NaN if there is no pool [m]; if the level is not prescribed, the one beside the structure.
   [[nodiscard]] double upstream_m(double time_s) const;
   [[nodiscard]] double downstream_m(double time_s) const;
 
-  /// How far the levels that the tables have at both times differ [m].
+  /// Difference of the tables' levels at both times [m].
   [[nodiscard]] double change_m(double from_s, double to_s) const;
 
-  /// What contradicts water at rest at time 0, a user's case being taken as it is; empty: nothing.
+  /// Why the initial state of a user's case is not hydrostatic; empty: it is.
   [[nodiscard]] std::string unfit_at_start() const;
 
-  /// Sets fraction and density; velocity and pressure stay, so that the pressure equation finds its level by itself.
+  /// Sets fraction and density. Velocity and pressure stay, and the pressure equation adapts.
   void set(double time_s);
 
  private:
@@ -35,9 +35,9 @@ class WaterLevels {
   };
   struct Pool {
     Foam::autoPtr<Foam::Function1<Foam::scalar>> level;
-    double read_at = 0;        ///< x where its level is read [m]
+    double read_at = 0;        ///< x where its level is measured [m]
     std::vector<Cell> cells;   ///< whose fraction is set
-    std::vector<Cell> column;  ///< of this rank, where its level is read
+    std::vector<Cell> column;  ///< of this rank, where its level is measured
   };
   [[nodiscard]] double level(const Pool& pool, double time_s) const;
   [[nodiscard]] double found_level(const Pool& pool) const;

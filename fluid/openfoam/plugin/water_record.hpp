@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// water.csv: what the water does as a whole, and what it does to each block, a row a window.
+// water.csv: quantities of the water as a whole and its forces on each block, one row for each window.
 #pragma once
 
 #include <map>
@@ -10,13 +10,13 @@
 
 namespace blockweir::openfoam {
 
-/// Columns: time_s, upstream_level_m and downstream_level_m (as said to the solid), water_area_m2 (volume over
+/// Columns: time_s, upstream_level_m and downstream_level_m (as sent to the solid), water_area_m2 (volume over
 /// thickness), front_m (the farthest place where the water is deeper than a tenth of its first depth), fastest_m_per_s
-/// (in cells of which water fills more than half), ground_acceleration_x_m_per_s2, and of each loaded block
-/// force_x_n_per_m, force_y_n_per_m, moment_n (about its centroid) and velocity_x_m_per_s (of its centroid).
+/// (in cells more than half full of water), ground_acceleration_x_m_per_s2, and for each loaded block force_x_n_per_m,
+/// force_y_n_per_m, moment_n (about its centroid) and velocity_x_m_per_s (of its centroid).
 class WaterRecord {
  public:
-  /// `goes_on`: with the file of the run that is resumed.
+  /// `goes_on`: appends to the file of the resumed run.
   WaterRecord(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks, bool goes_on);
 
   /// Velocities as in wire::Motion.

@@ -11,22 +11,22 @@ namespace blockweir::openfoam {
 
 /// p(y) = at_zero - slope * y [Pa], in the water of a cell or of the one below it.
 struct PressureLine {
-  bool found = false;  ///< this rank has a cell there that may be looked at
+  bool found = false;  ///< this rank has a usable cell there
   bool wet = false;
-  bool whole = false;  ///< the cell itself is all water, and no block reaches it
+  bool whole = false;  ///< the cell is full of water, and no block reaches it
   double at_zero = 0;
   double slope = 0;
   Point centre = Point::Zero();
 };
 
-/// Gauge pressure here is what exceeds the still air, scaled so that water at rest has rho_water g depth to the last
-/// digit: (p_rgh + (rho - rho_air) gh) rho_water / (rho_water - rho_air).
+/// Gauge pressure is the excess over still air, scaled so that water at rest has exactly rho_water g depth: (p_rgh +
+/// (rho - rho_air) gh) rho_water / (rho_water - rho_air).
 class WaterState {
  public:
   WaterState(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks);
 
-  /// In the cell that holds x, which blocks may reach only if that is asked for. One that is not all water takes the
-  /// line of the water in the two cells below it; where a block is just below, that of the film that covers the block.
+  /// Pressure line in the cell at x; `cut`: blocks may reach the cell. A cell that is not full takes the line of the
+  /// water in the two cells below it, or, with a block just below, that of the film on the block.
   [[nodiscard]] PressureLine line_at(const Point& x, bool cut = false) const;
 
   [[nodiscard]] double water_density() const { return water_density_; }
