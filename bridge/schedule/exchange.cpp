@@ -40,14 +40,14 @@ bool Exchange::answer_holds(const wire::Motion& motion, double time_s) const {
          motion.velocity == answered_.velocity;
 }
 
-void Exchange::tell(wire::Motion& motion, double time_s) {
+void Exchange::send(wire::Motion& motion, double time_s) {
   const bool stop = channel::stop_requested();
   silent_ = !stop && !checkpoints_.due() && answer_holds(motion, time_s);
   if (silent_) {
     ++skipped_;
     motion.window = number_ - 1;
     motion.time_s = time_s;
-    told_ = motion;
+    sent_ = motion;
     solid_.record();
     return;
   }
@@ -55,7 +55,7 @@ void Exchange::tell(wire::Motion& motion, double time_s) {
   motion.time_s = time_s;
   motion.order = stop ? wire::Order::save : checkpoints_.due() ? wire::Order::save_and_compute : wire::Order::compute;
   try {
-    if (fluid_ != nullptr) fluid_->tell(motion);
+    if (fluid_ != nullptr) fluid_->send(motion);
   } catch (const channel::PeerError&) {
     save_without_fluid();
     throw;
@@ -64,29 +64,29 @@ void Exchange::tell(wire::Motion& motion, double time_s) {
   if (motion.order != wire::Order::compute) save();
   if (stop) throw channel::Interrupted("asked to stop");
   ++number_;
-  told_ = motion;
+  sent_ = motion;
 }
 
-void Exchange::hear() {
+void Exchange::receive() {
   if (fluid_ == nullptr) {
-    answered_.window = told_.window;
+    answered_.window = sent_.window;
     return;
   }
   if (silent_) {
-    load_.time_s = told_.time_s;
-    std::swap(answered_, told_);
+    load_.time_s = sent_.time_s;
+    std::swap(answered_, sent_);
     return;
   }
-  fluid_->hear(incoming_);
+  fluid_->receive(incoming_);
   require_turn(incoming_.window, number_ - 1, fluid_->name());
   std::swap(load_, incoming_);
-  std::swap(answered_, told_);
+  std::swap(answered_, sent_);
 }
 
-void Exchange::ask(wire::Motion& motion, double time_s) {
-  tell(motion, time_s);
+void Exchange::send_and_receive(wire::Motion& motion, double time_s) {
+  send(motion, time_s);
   try {
-    hear();
+    receive();
   } catch (const channel::PeerError&) {
     --number_;
     save_without_fluid();

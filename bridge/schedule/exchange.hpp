@@ -21,12 +21,12 @@ class Exchange {
   /// Sends the next motion, for `time_s`, and lets the solid record the step before. Saves a checkpoint if one is due
   /// or if a stop was requested; in the latter case throws channel::Interrupted afterwards. If the fluid fails here, a
   /// checkpoint is left, from which a fluid without memory can continue.
-  void tell(wire::Motion& motion, double time_s);
+  void send(wire::Motion& motion, double time_s);
   /// Receives the pressures for the motion sent last. The solid may step in between; if the fluid fails then, no
   /// checkpoint is possible.
-  void hear();
-  /// tell() and hear() without a step in between. If the fluid fails, a checkpoint is left.
-  void ask(wire::Motion& motion, double time_s);
+  void receive();
+  /// send() and receive() without a step in between. If the fluid fails, a checkpoint is left.
+  void send_and_receive(wire::Motion& motion, double time_s);
 
   /// Number of the next motion.
   [[nodiscard]] std::uint64_t number() const { return number_; }
@@ -51,8 +51,8 @@ class Exchange {
   wire::Load load_;
   wire::Load incoming_;  ///< separate, so that load_ stays complete if receiving fails
   wire::Motion answered_;
-  wire::Motion told_;
-  bool silent_ = false;  ///< told_ was not sent
+  wire::Motion sent_;
+  bool silent_ = false;  ///< the last motion was not sent
   long skipped_ = 0;
 };
 

@@ -15,9 +15,9 @@ class FluidLine {
   virtual ~FluidLine() = default;
   /// Name for messages.
   [[nodiscard]] virtual std::string name() const = 0;
-  virtual void tell(const wire::Motion& motion) = 0;
+  virtual void send(const wire::Motion& motion) = 0;
   /// Receives the pressures for the motion sent last. Throws channel::PeerError if there are none.
-  virtual void hear(wire::Load& load) = 0;
+  virtual void receive(wire::Load& load) = 0;
   virtual void end(const std::string& /*reason*/) {}
   virtual void fail(const std::string& /*text*/) {}
 };
@@ -26,8 +26,8 @@ class RemoteFluid final : public FluidLine {
  public:
   RemoteFluid(channel::Channel& channel, std::string name) : channel_(channel), name_(std::move(name)) {}
   [[nodiscard]] std::string name() const override { return name_; }
-  void tell(const wire::Motion& motion) override { channel_.send(motion); }
-  void hear(wire::Load& load) override { channel_.receive(load); }
+  void send(const wire::Motion& motion) override { channel_.send(motion); }
+  void receive(wire::Load& load) override { channel_.receive(load); }
   void end(const std::string& reason) override { channel_.send(wire::Farewell{reason}); }
   void fail(const std::string& text) override { channel_.send(wire::Failure{text}); }
 
@@ -42,8 +42,8 @@ class LocalFluid final : public FluidLine {
   /// Adds the fluid's computing time to `seconds`.
   LocalFluid(FluidTurn& fluid, double& seconds) : fluid_(fluid), seconds_(seconds) {}
   [[nodiscard]] std::string name() const override { return "the fluid"; }
-  void tell(const wire::Motion& motion) override;
-  void hear(wire::Load& load) override;
+  void send(const wire::Motion& motion) override;
+  void receive(wire::Load& load) override;
 
  private:
   FluidTurn& fluid_;

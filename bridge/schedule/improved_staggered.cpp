@@ -7,7 +7,7 @@ void begin(Exchange& water, Windows& windows, SolidSide& solid) {
   if (water.number() > 0) return;
   wire::Motion motion;
   solid.place(motion);
-  water.ask(motion, windows.from_s());
+  water.send_and_receive(motion, windows.from_s());
   solid.start(water.load());
 }
 
@@ -17,7 +17,7 @@ void improved_staggered(Exchange& water, Windows& windows, SolidSide& solid) {
   while (!solid.finished()) {
     const double half = (windows.to_s() - windows.from_s()) / 2;
     solid.predict(half, motion);
-    water.ask(motion, windows.from_s() + half);
+    water.send_and_receive(motion, windows.from_s() + half);
     solid.advance(water.load(), water.answered(), windows.from_s(), windows.to_s());
     if (windows.last()) return;
     windows.next(solid);

@@ -7,7 +7,7 @@
 namespace blockweir::schedule {
 
 /// A fluid that fails is a partner that fails, wherever it is.
-void LocalFluid::tell(const wire::Motion& motion) {
+void LocalFluid::send(const wire::Motion& motion) {
   const Stopwatch watch(seconds_);
   try {
     answer_ = fluid_.answer(motion);
@@ -17,7 +17,7 @@ void LocalFluid::tell(const wire::Motion& motion) {
   }
 }
 
-void LocalFluid::hear(wire::Load& load) {
+void LocalFluid::receive(wire::Load& load) {
   load = *answer_;
 }
 

@@ -10,13 +10,13 @@ void parallel_staggered(Exchange& water, Windows& windows, SolidSide& solid) {
     const bool last = windows.last();  // nobody would hear its pressures
     if (!last) {
       solid.predict(windows.to_s() - windows.from_s(), motion);
-      water.tell(motion, windows.to_s());
+      water.send(motion, windows.to_s());
     } else {
       solid.record();
     }
     solid.advance(water.load(), water.answered(), windows.from_s(), windows.to_s());
     if (last) return;
-    water.hear();
+    water.receive();
     windows.next(solid);
   }
 }

@@ -8,7 +8,7 @@ void serial_staggered(Exchange& water, Windows& windows, SolidSide& solid) {
   for (;;) {
     const bool first = water.number() == 0;
     solid.place(motion);
-    water.ask(motion, windows.from_s());
+    water.send_and_receive(motion, windows.from_s());
     if (first) solid.start(water.load());
     if (solid.finished()) return;
     solid.advance(water.load(), water.answered(), windows.from_s(), windows.to_s());

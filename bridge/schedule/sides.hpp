@@ -27,12 +27,12 @@ class SolidSide : public Resumable {
   virtual void predict(double ahead_s, wire::Motion& motion) = 0;
   /// Settles under the first pressures and records time 0.
   virtual void start(const wire::Load& load) = 0;
-  /// Steps from from_s to to_s under `load`, the answer to the motion `told`.
-  virtual void advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) = 0;
+  /// Steps from from_s to to_s under `load`, the answer to the motion `sent`.
+  virtual void advance(const wire::Load& load, const wire::Motion& sent, double from_s, double to_s) = 0;
   /// Writes results. Called after each advance(), when the next motion has been sent and the fluid is stepping.
   virtual void record() {}
   /// Whether nothing moved in the last window.
-  [[nodiscard]] virtual bool calm() const { return false; }
+  [[nodiscard]] virtual bool at_rest() const { return false; }
   /// Whether the rest of the run can bring nothing new.
   [[nodiscard]] virtual bool finished() const = 0;
 };

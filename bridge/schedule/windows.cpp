@@ -46,7 +46,7 @@ void Windows::next(const SolidSide& solid) {
     return;
   }
   tick_ += at_rest_ ? 1 : length_;
-  length_ = longest_ > 1 && solid.calm() ? std::min(2 * length_, longest_) : 1;
+  length_ = longest_ > 1 && solid.at_rest() ? std::min(2 * length_, longest_) : 1;
   cuts_.clear();
   part_ = 0;
   cuts_ = cuts_within(from_s(), to_s());

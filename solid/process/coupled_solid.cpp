@@ -88,20 +88,20 @@ void CoupledSolid::start(const wire::Load& load) {
   first_ = frame_;
 }
 
-void CoupledSolid::advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) {
+void CoupledSolid::advance(const wire::Load& load, const wire::Motion& sent, double from_s, double to_s) {
   if (load.window > 0) map(load);
   std::vector<Eigen::Vector3d> velocities;
-  for (const auto& v : told.velocity) velocities.emplace_back(v[0], v[1], v[2]);
+  for (const auto& v : sent.velocity) velocities.emplace_back(v[0], v[1], v[2]);
   AddedMasses masses;
-  solid_.call_meanwhile([this, window = told.window, before = solid_.counts().iterations] {
+  solid_.call_meanwhile([this, window = sent.window, before = solid_.counts().iterations] {
     progress_.solving(window, solid_.time_s(), solid_.counts().iterations - before);
   });
   solve(to_s, [&] {
     masses = added_mass_.look(load, solid_);
-    solid_.advance(from_s, to_s, water_, {masses, velocities, told.time_s});
+    solid_.advance(from_s, to_s, water_, {masses, velocities, sent.time_s});
   });
   observe(load, to_s);
-  watch_interface(load, told, masses, from_s, to_s);
+  watch_interface(load, sent, masses, from_s, to_s);
   for (const ContactPoint& c : solid_.contacts()) {
     const bool over_edge = c.anchor >= 0 && c.anchor <= 1;  // beside it there is nothing to enter
     if (c.state != ContactState::open && over_edge) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
@@ -111,8 +111,8 @@ void CoupledSolid::advance(const wire::Load& load, const wire::Motion& told, dou
   unrecorded_ = to_s;
 }
 
-bool CoupledSolid::calm() const {
-  return failure_.calm();
+bool CoupledSolid::at_rest() const {
+  return failure_.at_rest();
 }
 
 void CoupledSolid::solve(double until_s, const std::function<void()>& step) {
@@ -127,7 +127,7 @@ void CoupledSolid::solve(double until_s, const std::function<void()>& step) {
   }
 }
 
-void CoupledSolid::watch_interface(const wire::Load& load, const wire::Motion& told, const AddedMasses& masses,
+void CoupledSolid::watch_interface(const wire::Load& load, const wire::Motion& sent, const AddedMasses& masses,
                                    double from_s, double to_s) {
   const scene::Scene& scene = solid_.scene();
   if (load.block.empty() || scene.analysis.kind != scene::AnalysisKind::dynamic) return;
@@ -140,7 +140,7 @@ void CoupledSolid::watch_interface(const wire::Load& load, const wire::Motion& t
   }
   const std::vector<Eigen::Vector3d> momenta = masses.times(velocities);
   for (std::size_t b = 0; b < momenta.size(); ++b) kinetic += velocities[b].dot(momenta[b]) / 2;
-  interface_energy_.look(water_.last(), told, {from_s, to_s}, kinetic);
+  interface_energy_.look(water_.last(), sent, {from_s, to_s}, kinetic);
   if (!interface_energy_.growth() || scene.coupling.on_energy_gain == scene::EnergyGain::report) return;
   throw SolveError(interface_energy_.trouble(added_mass_.ratio()));
 }

@@ -27,9 +27,9 @@ class CoupledSolid final : public schedule::SolidSide {
   void place(wire::Motion& motion) override;
   void predict(double ahead_s, wire::Motion& motion) override;
   void start(const wire::Load& load) override;
-  void advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) override;
+  void advance(const wire::Load& load, const wire::Motion& sent, double from_s, double to_s) override;
   void record() override;
-  [[nodiscard]] bool calm() const override;
+  [[nodiscard]] bool at_rest() const override;
   [[nodiscard]] bool finished() const override;
   [[nodiscard]] std::string state() const override;
   void restore(const std::string& state) override;
@@ -48,7 +48,7 @@ class CoupledSolid final : public schedule::SolidSide {
   /// Calls step(); if a value is not a number, writes repeat.toml for reproduction.
   void solve(double until_s, const std::function<void()>& step);
   /// Throws std::runtime_error if the exchange produces energy, unless the scene asks for that as a result.
-  void watch_interface(const wire::Load& load, const wire::Motion& told, const AddedMasses& masses, double from_s,
+  void watch_interface(const wire::Load& load, const wire::Motion& sent, const AddedMasses& masses, double from_s,
                        double to_s);
   /// Converts the load to panels on the blocks at their present positions.
   void map(const wire::Load& load);

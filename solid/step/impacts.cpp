@@ -8,7 +8,7 @@ void StepsWithImpacts::start_acceleration(const std::vector<Panel>& water, doubl
   const double dt = 1e-2 * model_.scene.analysis.step_s;
   const bool solved = time_step_.attempt({dt, from_s + dt, water}, {}) == Outcome::made;
   const std::vector<BlockState> first = state_.blocks;
-  state_.stand_as(before);
+  state_.restore(before);
   state_.smooth_steps = solved ? State::smooth_steps_before_restart : 0;
   if (!solved) return;
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {

@@ -225,7 +225,7 @@ bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode)
     if (longer <= dt || longer < failed || !as_long.skips()) dt = longer;
   }
   if (acceleration < moving && state_.largest_slip_m() <= slips_m) return true;
-  state_.stand_as(held);
+  state_.restore(held);
   start_moving(pseudo_step, acceleration, held, mode);
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) state_.sleep.wake(b);
   return false;
@@ -248,7 +248,7 @@ void InitialEquilibrium::start_moving(const Stretch& pseudo_step, double acceler
   for (int step = 0; step < steps; ++step) {
     state_.stop();
     if (time_step_.attempt({dt, pseudo_step.end_s, pseudo_step.water}, mode) != Outcome::made)
-      return state_.stand_as(held);
+      return state_.restore(held);
     ++counts_.settling_steps;
   }
 }

@@ -54,8 +54,8 @@ LinearSystem& IslandEquations::system() const {
 double IslandEquations::unbalanced() {
   const Stopwatch watch(profile_.assembly);
   balance_alone();
-  let_act();
-  return find_residual([&](std::size_t k) { take_up(k); });
+  evaluate_interactions();
+  return find_residual([&](std::size_t k) { add_forces(k); });
 }
 
 void IslandEquations::balance_alone() {
@@ -108,7 +108,7 @@ void IslandEquations::balance_couplings() {
 }
 
 /// What contacts, supports and bolts of an island do at the trial.
-void IslandEquations::let_act() {
+void IslandEquations::evaluate_interactions() {
   const Stopwatch watch(profile_.contact);
   std::atomic<bool> symmetric = true;
   const auto keep = [&](std::size_t k, const Interaction& action) {
@@ -132,7 +132,7 @@ void IslandEquations::let_act() {
   forces_.set(*this, water_);
 }
 
-void IslandEquations::take_up(std::size_t k) {
+void IslandEquations::add_forces(std::size_t k) {
   const auto b = at(island.blocks[k]);
   for (const Incidence::End& end : incidence.of(k)) {
     const Interaction& action = actions[at(end.interaction)];

@@ -55,7 +55,7 @@ class IslandEquations : StepPart {
   /// Residual of the balance; `also_acts` adds further forces to each block, by index in the island.
   double find_residual(const std::function<void(std::size_t)>& also_acts);
   /// Adds the interaction forces on the island's block k to its balance.
-  void take_up(std::size_t k);
+  void add_forces(std::size_t k);
 
   /// Solves the linearized equations once for the correction; false if there is no solution.
   bool solve_linearized();
@@ -81,7 +81,7 @@ class IslandEquations : StepPart {
  private:
   void balance_own(std::size_t b);
   void balance_couplings();
-  void let_act();
+  void evaluate_interactions();
   double add_residual(std::size_t k);
   void add_residual_at_corners(int k);
   void set_corner_maps();

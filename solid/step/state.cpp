@@ -72,7 +72,7 @@ State::State(Model& model)
   search.passes_steps_of(model.give_under_weight_m());
 }
 
-void State::stand_as(const Standing& before) {
+void State::restore(const Standing& before) {
   static_cast<Standing&>(*this) = before;
   contacts_stand = false;
 }

@@ -55,7 +55,7 @@ struct State : Standing {
   Backoff multipliers;  ///< Lagrange multipliers in motion; fail if the substitute makes the step
   Backoff lagging;      ///< lagged friction, used if sweeps end far from the contact laws
 
-  void stand_as(const Standing& before);
+  void restore(const Standing& before);
   /// Sets all velocities and accelerations to zero.
   void stop();
   [[nodiscard]] long touching_contacts() const;

@@ -72,7 +72,7 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   s.left_m = left_m;
   if (near || broken) take_forces(s);  // else they act
   s.balance_alone();
-  s.find_residual([&](std::size_t k) { s.take_up(k); });
+  s.find_residual([&](std::size_t k) { s.add_forces(k); });
   return Found::by_sweeps;
 }
 

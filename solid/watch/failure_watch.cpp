@@ -87,30 +87,30 @@ bool FailureWatch::sets_out(std::size_t b) const {
 
 /// Which blocks stand.
 void FailureWatch::judge() {
-  constexpr double straining = 100;  // times the speed of rest: what still counts as calm
+  constexpr double straining = 100;  // times the speed of rest: still counts as at rest
   const double rest = solid_.scene().analysis.rest_speed_m_per_s;
   const std::vector<bool> owes = in_debt(solid_);
   std::vector<bool> moves(watched_.size());
   bool any_moves = false;
-  bool calm = true;
+  bool at_rest = true;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const double fastest = solid_.blocks()[b].fixed ? 0 : speed(b);
     moves[b] = fastest > rest || (owes[b] && sets_out(b));
     any_moves = any_moves || (moves[b] && !watched_[b].failed && !guided_[b]);
-    calm = calm && fastest <= straining * rest;
+    at_rest = at_rest && fastest <= straining * rest;
   }
   slow_ = moves;
   slow_.flip();
   stands_ = slow_;
-  calm_ = calm;
+  at_rest_ = at_rest;
   if (!any_moves) {
-    calm_ = calm && std::find(moves.begin(), moves.end(), true) == moves.end();
+    at_rest_ = at_rest && std::find(moves.begin(), moves.end(), true) == moves.end();
     return;
   }
   const std::vector<bool> held = only_strain(solid_, moves);
   for (std::size_t b = 0; b < moves.size(); ++b) {
     stands_[b] = stands_[b] || held[b];
-    calm_ = calm_ && stands_[b];
+    at_rest_ = at_rest_ && stands_[b];
   }
 }
 

@@ -67,7 +67,7 @@ class FailureWatch {
   void look(double time_s, const Levels& levels);
 
   /// Whether every block was at rest, or strained slowly, at the last evaluation.
-  [[nodiscard]] bool calm() const { return calm_; }
+  [[nodiscard]] bool at_rest() const { return at_rest_; }
 
   /// Failures so far, the earliest first.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
@@ -83,7 +83,7 @@ class FailureWatch {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(watched_, slow_, stands_, calm_, begun_, seen_s_, failures_);
+    archive(watched_, slow_, stands_, at_rest_, begun_, seen_s_, failures_);
   }
 
  private:
@@ -120,7 +120,7 @@ class FailureWatch {
   std::vector<Watched> watched_;
   std::vector<bool> slow_;    ///< at the last evaluation
   std::vector<bool> stands_;  ///< slow, or without a possible rigid motion
-  bool calm_ = true;
+  bool at_rest_ = true;
   bool begun_ = false;
   bool rings_ = false;        ///< velocities along constrained directions may flip from step to step
   double seen_s_ = 0;         ///< time of the last evaluation

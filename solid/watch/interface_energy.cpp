@@ -27,19 +27,19 @@ double resting_energy(const Solid& solid) {
 InterfaceEnergy::InterfaceEnergy(const Solid& solid) : solid_(solid), least_(resting_energy(solid)), scale_(least_) {}
 
 void InterfaceEnergy::begin() {
-  told_.clear();
+  sent_.clear();
   for (std::size_t b = 0; b < solid_.described(); ++b) {
-    told_.emplace_back(solid_.states()[b].displacement.head<3>());
+    sent_.emplace_back(solid_.states()[b].displacement.head<3>());
   }
 }
 
-void InterfaceEnergy::look(const std::vector<Panel>& panels, const wire::Motion& told, const Window& window,
+void InterfaceEnergy::look(const std::vector<Panel>& panels, const wire::Motion& sent, const Window& window,
                            double kinetic_j_per_m) {
   const std::size_t n = solid_.described();
   std::vector<Placement> placements;
   std::vector<Eigen::Vector3d> ways;
   for (std::size_t b = 0; b < n; ++b) {
-    const Vector6 d = Vector6::Map(told.displacement[b].data());
+    const Vector6 d = Vector6::Map(sent.displacement[b].data());
     placements.emplace_back(solid_.blocks()[b].centroid, d);
     ways.emplace_back(d.head<3>());
   }
@@ -47,13 +47,13 @@ void InterfaceEnergy::look(const std::vector<Panel>& panels, const wire::Motion&
   const double before = solid_work_;
   solid_work_ = solid_.state().water_work.sum_j_per_m();
   if (windows_++ == 0) {
-    ways = told_;  // the first motion was told before the blocks settled
+    ways = sent_;  // the first motion was sent before the blocks settled
   } else {
-    for (std::size_t b = 0; b < n; ++b) now_.given += (forces[b] + forces_[b]).dot(ways[b] - told_[b]) / 2;
+    for (std::size_t b = 0; b < n; ++b) now_.given += (forces[b] + forces_[b]).dot(ways[b] - sent_[b]) / 2;
   }
   forces_.swap(forces);
-  told_.swap(ways);
-  const double part = std::clamp((told.time_s - window.from_s) / (window.to_s - window.from_s), 0.0, 1.0);
+  sent_.swap(ways);
+  const double part = std::clamp((sent.time_s - window.from_s) / (window.to_s - window.from_s), 0.0, 1.0);
   now_.window = windows_ - 1;
   now_.time_s = window.from_s;
   now_.made = before + part * (solid_work_ - before) - now_.given;

@@ -12,7 +12,7 @@ namespace blockweir::solid {
 
 /// Made up to T_k: work of the water on the blocks as the solid's steps count it (WaterWork), less the sum of
 /// (F_k + F_k-1)/2 (d_k - d_k-1), as the fluid counts it, F_k the pressures' forces on the blocks where the fluid was
-/// told that they are. A stable schedule of order q errs by a part of the work that vanishes with window^q; an
+/// sent that they are. A stable schedule of order q errs by a part of the work that vanishes with window^q; an
 /// unstable one makes all that blocks and water gain.
 ///
 /// That is the mark: five times in a row, each within 40 windows, the exchange has made three times as much as there
@@ -28,8 +28,8 @@ class InterfaceEnergy {
   };
   /// Call when the blocks have settled: their motion until then is not counted.
   void begin();
-  /// Call after a window under the panels that answer `told`; kinetic energy includes that of the added masses.
-  void look(const std::vector<Panel>& panels, const wire::Motion& told, const Window& window, double kinetic_j_per_m);
+  /// Call after a window under the panels that answer `sent`; kinetic energy includes that of the added masses.
+  void look(const std::vector<Panel>& panels, const wire::Motion& sent, const Window& window, double kinetic_j_per_m);
 
   /// The start of an instability.
   struct Growth {
@@ -48,7 +48,7 @@ class InterfaceEnergy {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(forces_, told_, solid_work_, windows_, now_, mark_, largest_kinetic_, scale_, times_, suspect_, growth_);
+    archive(forces_, sent_, solid_work_, windows_, now_, mark_, largest_kinetic_, scale_, times_, suspect_, growth_);
   }
 
  private:
@@ -67,7 +67,7 @@ class InterfaceEnergy {
   const Solid& solid_;
   double least_;                         ///< kinetic energy of blocks at rest [J per metre]
   std::vector<Eigen::Vector3d> forces_;  ///< F of the last exchange
-  std::vector<Eigen::Vector3d> told_;    ///< d of the last exchange
+  std::vector<Eigen::Vector3d> sent_;    ///< d of the last exchange
   double solid_work_ = 0;                ///< at the end of the last window
   std::uint64_t windows_ = 0;
   State now_;

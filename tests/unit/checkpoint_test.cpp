@@ -85,9 +85,9 @@ class Calm : public schedule::SolidSide {
   void predict(double /*ahead_s*/, wire::Motion& /*motion*/) override {}
   void start(const wire::Load& /*load*/) override {}
   void advance(const wire::Load& /*load*/, const wire::Motion& /*told*/, double /*from_s*/, double /*to_s*/) override {}
-  [[nodiscard]] bool calm() const override { return is_calm; }
+  [[nodiscard]] bool at_rest() const override { return is_at_rest; }
   [[nodiscard]] bool finished() const override { return false; }
-  bool is_calm = true;
+  bool is_at_rest = true;
 };
 
 TEST(Windows, AreEqualUnlessTheyMayGrow) {
@@ -114,7 +114,7 @@ TEST(Windows, DoubleWhileNothingMovesAndAreShortAtOnceWhenSomethingDoes) {
   std::vector<double> lengths;
   for (const bool calm : {true, true, true, false, true, true}) {
     lengths.push_back(windows.to_s() - windows.from_s());
-    solid.is_calm = calm;
+    solid.is_at_rest = calm;
     windows.next(solid);
   }
   EXPECT_EQ(lengths, (std::vector<double>{0.5, 1, 2, 2, 0.5, 1}));

@@ -19,12 +19,12 @@ enum class Fails { never, told, heard };
 class Fluid final : public FluidLine {
  public:
   Fluid(std::string& done, Fails fails) : done_(done), fails_(fails) {}
-  void tell(const wire::Motion& motion) override {
+  void send(const wire::Motion& motion) override {
     load_.window = motion.window;
     fail_in(Fails::told);
     done_ += 't';
   }
-  void hear(wire::Load& load) override {
+  void receive(wire::Load& load) override {
     fail_in(Fails::heard);
     done_ += 'h';
     load = load_;

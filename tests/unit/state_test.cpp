@@ -42,7 +42,7 @@ TEST(State, ACopyIsTheUndo) {
   state.blocks[1].displacement[0] = 0.3;
   state.contacts.clear();
   state.contacts_stand = true;
-  state.stand_as(before);
+  state.restore(before);
   EXPECT_EQ(state.blocks[1].displacement[0], 0);
   EXPECT_EQ(state.touching_contacts(), 2);
   EXPECT_FALSE(state.contacts_stand);  // they are to be searched again

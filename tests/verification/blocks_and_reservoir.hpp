@@ -63,12 +63,12 @@ class Blocks final : public schedule::SolidSide {
 class Water final : public schedule::FluidLine {
  public:
   explicit Water(const scene::Scene& scene) : model_(scene) {}
-  void tell(const wire::Motion& motion) override {
+  void send(const wire::Motion& motion) override {
     load_.window = motion.window;
     load_.time_s = motion.time_s;
     model_.advance(motion, motion.time_s, load_);
   }
-  void hear(wire::Load& load) override { load = load_; }
+  void receive(wire::Load& load) override { load = load_; }
   [[nodiscard]] std::string name() const override { return "reservoir"; }
 
  private:
