@@ -9,12 +9,12 @@ namespace blockweir::column {
 
 using scene::Point;
 
-/// Per square metre of edge, x its way into the pipe and xi the water's, both from time 0 on:
+/// Per square metre of edge; x is the edge's displacement into the pipe and xi the water's, both from time 0:
 ///
 ///     p = p0 + K (x - xi),   rho L xi'' = p - p0 - rho g r xi,   p0 = rho g head,
 ///
-/// with a cushion of stiffness K between edge and water, and r the rise of the far end for a way of 1. Without a
-/// cushion xi = x, and p = p0 + rho L x'' + rho g r x. Edges are followed along their first normal.
+/// with a cushion of stiffness K between edge and water, and r the rise of the far end for unit displacement. Without a
+/// cushion xi = x, and p = p0 + rho L x'' + rho g r x. Displacements are measured along the edge's first normal.
 class Column final : public schedule::FluidSide {
  public:
   explicit Column(const scene::Scene& scene);

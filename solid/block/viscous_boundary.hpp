@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ground that goes on beyond the model's faces. On a face with normal n it pulls with
-//   t = -Z (v - v_f) + s_f n,   Z = rho (c_p n n^T + c_s (I - n n^T))                        (Lysmer and Kuhlemeyer
-//   1969)
-// v the face's velocity, v_f and s_f velocity and stress of the free field: the ground without the structure, in which
-// a wave of half the base motion comes up and the ground's surface reflects it. Below the model that is -Z (v - 2
-// v_up).
+// Viscous boundary: ground that continues beyond the model's faces. Its traction on a face with normal n is
+//   t = -Z (v - v_f) + s_f n,   Z = rho (c_p n n^T + c_s (I - n n^T))   (Lysmer and Kuhlemeyer 1969)
+// where v is the face's velocity, v_f and s_f are velocity and stress of the free field. The free field is the ground
+// without the structure: a rising wave with half the base motion, and its reflection
+// at the ground's surface.
+// Below the model this is -Z (v - 2 v_up).
 #pragma once
 
 #include <vector>

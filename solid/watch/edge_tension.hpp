@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the bond of blocks without a mesh bears more than an elastic joint would, whose edge cracks.
+// Warns where the bond of blocks without a mesh carries more than an elastic joint, whose edge would crack.
 //
-// Their bond acts at the joint's two ends, half of it at each. A stress that is linear along the joint reaches the
-// tension strength at the edge before, in bending alone at a third of the load: a brittle bond would crack there, and
-// its cohesion would hold on the part that is left alone. With no tension strength that is three times the way of the
-// resultant from the nearer end.
+// The bond of such blocks acts at the joint's two ends, half of it at each. With a linear stress along the joint, the
+// edge would reach the tension strength earlier: in pure bending at a third of the load. A brittle bond would crack
+// there, and its cohesion would act on the remaining part only. Without tension strength this part is three times as
+// long as the distance of the resultant from the nearer end.
 #pragma once
 
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When has a structure failed, at which level, and how? Found from the motion, not from a threshold on the load.
+// Finds whether, at which level and how a structure fails: from its motion, not from a threshold on the load.
 //
-// A block stands while no vertex is faster than rest_speed_m_per_s, or while the contacts leave it no rigid motion of
-// its own (mobility.hpp) for some looks in a row: then it strains under a load that comes fast, or rings, at any speed.
-// A motion that carries a vertex farther than failure_displacement_m without standing in between is a failure: a slip
-// that finds a new equilibrium stands before. The failure began, and the level is read, when the block last stood.
+// A block is at rest while no vertex is faster than rest_speed_m_per_s. It also counts as at rest if its contacts allow
+// no rigid motion (mobility.hpp) in several evaluations: then it only strains or oscillates. A motion that carries a
+// vertex farther than failure_displacement_m without rest in between is a failure; a slip that ends in a new
+// equilibrium is not. Failure begins, and the level is taken, when the block was last at rest.
 #pragma once
 
 #include "bridge/scene/joint_trace.hpp"

@@ -10,14 +10,14 @@
 
 namespace blockweir::solid {
 
-/// Made up to T_k: work of the water on the blocks as the solid's steps count it (WaterWork), less the sum of
-/// (F_k + F_k-1)/2 (d_k - d_k-1), as the fluid counts it, F_k the pressures' forces on the blocks where the fluid was
-/// sent that they are. A stable schedule of order q errs by a part of the work that vanishes with window^q; an
-/// unstable one makes all that blocks and water gain.
+/// Energy produced up to T_k: the water's work on the blocks summed over the solid's steps (WaterWork), less the sum
+/// of (F_k + F_k-1)/2 (d_k - d_k-1), the work as the fluid sees it; F_k are the pressure forces at the positions that
+/// were sent to the fluid. With a stable schedule of order q the difference vanishes relative to the work as window^q;
+/// with an unstable one it is the whole energy that blocks and water gain.
 ///
-/// That is the mark: five times in a row, each within 40 windows, the exchange has made three times as much as there
-/// was before, of kinetic energy of the blocks and of the water that they push, and more than half of what the water
-/// has given or taken in the same time. What grows by less than 1.7 % a window in its displacements is not seen.
+/// An instability is reported when this happens five times in a row, each within 40 windows: the exchange produces
+/// three times the earlier kinetic energy of the blocks and their added mass, and more than half of the work that the
+/// water does or takes in that time. A growth of displacements below 1.7 % in a window is not detected.
 class InterfaceEnergy {
  public:
   explicit InterfaceEnergy(const Solid& solid);

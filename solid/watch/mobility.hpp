@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which blocks can move as rigid bodies, and which only strain, by the states of their contacts.
+// Finds the blocks that can move as rigid bodies, and those that only strain, from the states of their contacts.
 //
-// A load that comes fast strains a structure and sets it ringing, at any speed. It has begun to fail only where the
-// contacts leave blocks a rigid motion of their own: a mechanism. A contact that sticks stops both relative motions of
-// its two points, one that slips the normal one and a slip to the other side, an open one none.
+// A load applied quickly strains a structure and makes it oscillate, at any speed. Failure begins only if the contacts
+// allow some blocks a rigid motion: a mechanism. A sticking contact blocks both relative motions of its two points, a
+// slipping one the normal motion and slip in the other direction, an open one none.
 #pragma once
 
 #include <vector>

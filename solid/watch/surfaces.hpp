@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces along which a part of the structure could leave the rest: joints, or joints in one line, that run through.
+// Surfaces that divide the structure, along which a part could slide or lift off: single joints, or joints in one line.
 //
-// A joint of a mesh of joints, or of a bond of bricks, cannot slide by itself: what its forces have in reserve says
-// nothing. One that runs through parts the structure: without its contacts some block has no connection to the ground.
+// A joint within a network of joints or a brick bond cannot slide by itself, so the reserve of its forces says
+// nothing. A surface runs through the structure if some block has no connection to the ground without its contacts.
 #pragma once
 
 #include <map>

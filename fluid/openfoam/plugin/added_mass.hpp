@@ -6,13 +6,13 @@
 
 namespace blockweir::openfoam {
 
-/// Still water that a block's unit acceleration a_k (x, y, rotation about its centroid) pushes where pressures are
-/// sampled:
+/// Pressure of still water for a block's unit acceleration a_k (x, y, rotation about its centroid), on the edges where
+/// pressures are sampled:
 ///
 ///     -div(grad p_k / rho) = s_k,  p_k = 0 at the atmosphere,  M_jk = sum p_k s_j V,
 ///
-/// with s_k V = sum a_k . n ds over the wetted pieces of its edge that look into a cell, and no flow into cells that
-/// are more than half block. Joints, and pockets too narrow to be sampled, take no part, as they take none in the load.
+/// with s_k V = sum a_k . n ds over the wet pieces of its edges that sample a cell, and no flow into cells more than
+/// half filled by a block. Joints, and pockets too narrow for sampling, do not contribute, as in the load.
 class AddedMass {
  public:
   AddedMass(const Foam::fvMesh& mesh, const ImmersedBlocks& blocks, const EdgePressures& edges)
