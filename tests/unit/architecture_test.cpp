@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -82,6 +83,43 @@ TEST(Architecture, OnlyTheLauncherKnowsStudiesAndPictures) {
       if (rank(to) == order.end()) continue;
       EXPECT_TRUE(rank(source.folder) != order.end() && rank(to) <= rank(source.folder))
           << source.path << " includes " << to;
+    }
+  }
+}
+
+/// What each library and program of the build files links, by its name.
+std::map<std::string, std::set<std::string>> links() {
+  static const std::regex call(R"((blockweir_library|blockweir_program|target_link_libraries)\(([^)]*)\))");
+  std::map<std::string, std::set<std::string>> all;
+  for (const char* folder : {"bridge", "bridge/kit", "solid", "fluid"}) {
+    std::ostringstream text;
+    text << std::ifstream(root / folder / "CMakeLists.txt").rdbuf();
+    const std::string calls = text.str();
+    for (std::sregex_iterator it(calls.begin(), calls.end(), call), end; it != end; ++it) {
+      std::istringstream words((*it)[2].str());
+      std::string name;
+      words >> name;
+      for (std::string word; words >> word;) all[name].insert(word);
+    }
+  }
+  return all;
+}
+
+TEST(Architecture, NoProgramButTheLauncherLinksStudiesAndPictures) {
+  const std::map<std::string, std::set<std::string>> direct = links();
+  const auto reaches = [&](const auto& self, const std::string& from, std::set<std::string>& seen) -> void {
+    const auto found = direct.find(from);
+    if (found == direct.end()) return;
+    for (const std::string& to : found->second) {
+      if (seen.insert(to).second) self(self, to, seen);
+    }
+  };
+  for (const auto& [name, unused] : direct) {
+    if (name.rfind("blockweir", 0) != 0) continue;  // no program
+    std::set<std::string> linked;
+    reaches(reaches, name, linked);
+    for (const char* top : {"picture", "study", "validate", "reliability", "report", "launch"}) {
+      EXPECT_EQ(linked.count(std::string("bridge_") + top) > 0, name == "blockweir") << name << " and " << top;
     }
   }
 }

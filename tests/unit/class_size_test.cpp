@@ -3,23 +3,19 @@
 // A class is one concept: none has more than 25 functions. A class that is a folder is taken apart.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
 #include <map>
 #include <regex>
-#include <sstream>
 #include <vector>
+
+#include "tests/unit/source_text.hpp"
 
 namespace {
 
-namespace fs = std::filesystem;
-constexpr int most_functions = 25;
+using blockweir::tests::code_of_file;
+using blockweir::tests::cpp_files;
 
-std::string without_comments(std::istream&& stream) {
-  std::string text;
-  for (std::string line; std::getline(stream, line);) text += line.substr(0, line.find("//")) + ' ';
-  return text;
-}
+constexpr int most_functions = 25;
 
 /// What is left of a declaration without the arguments of its templates and what labels stand before it.
 std::string bare(std::string declaration) {
@@ -38,7 +34,7 @@ bool is_function(const std::string& declaration) {
   return bracket != std::string::npos && bracket < declaration.find('=') && !std::regex_match(declaration, no_member);
 }
 
-/// Functions that each class of a header declares, by its name.
+/// Functions that each class of a file declares, by its name.
 std::map<std::string, int> functions_of_classes(const std::string& text) {
   static const std::regex of_class(R"(.*\b(class|struct) (\w+)[^();=]*)");
   std::map<std::string, int> counts;
@@ -68,12 +64,11 @@ TEST(ClassSize, FunctionsAreCounted) {
 }
 
 TEST(ClassSize, NoClassIsAFolder) {
-  for (const char* top : {"bridge", "solid", "fluid"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(BLOCKWEIR_SOURCE) / top)) {
-      if (entry.path().extension() != ".hpp") continue;
-      for (const auto& [name, count] : functions_of_classes(without_comments(std::ifstream(entry.path())))) {
-        EXPECT_LE(count, most_functions) << name << " in " << entry.path();
-      }
+  for (const auto& file : cpp_files({"bridge", "solid", "fluid", "tests"})) {
+    std::string code = code_of_file(file);
+    std::replace(code.begin(), code.end(), '\n', ' ');
+    for (const auto& [name, count] : functions_of_classes(code)) {
+      EXPECT_LE(count, most_functions) << name << " in " << file;
     }
   }
 }
