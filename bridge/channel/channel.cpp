@@ -132,7 +132,7 @@ struct Channel::Line {
       }
       if (partner_left()) {
         if (incoming.receive()) break;
-        socket.set(zmq::sockopt::linger, 0);  // nobody is there to hear what is still to be sent
+        socket.set(zmq::sockopt::linger, 0);  // the partner is gone: drop unsent messages
         throw PeerError(
             fmt::format("{} closed the line {}; see its own message for the cause", options.partner, moment));
       }
@@ -148,7 +148,7 @@ struct Channel::Line {
     waited_s += last_wait_s;
   }
 
-  /// Waits for what is due. A partner that comes further with it is waited for as long as it does.
+  /// Waits for the next message. A partner that reports progress is waited for as long as it does.
   template <class Message>
   void receive(wire::Kind kind, Message& into, double patience_s, const std::string& moment) {
     progress.text.clear();
@@ -161,7 +161,7 @@ struct Channel::Line {
     }
   }
 
-  /// What it said is wrong: it is told, too.
+  /// Rejects a wrong message; the partner is told.
   [[noreturn]] void refuse(const std::string& why) {
     send(wire::Failure{why});
     throw PeerError(why);
@@ -174,7 +174,7 @@ struct Channel::Line {
     trace = Trace::of(ours.role);
   }
 
-  /// Takes what has come; false where it was the partner's progress.
+  /// Decodes a received frame; false if it was the partner's progress.
   template <class Message>
   bool take(wire::Kind kind, Message& into, const std::string& moment) {
     const auto start = Clock::now();
@@ -219,7 +219,7 @@ struct Channel::Line {
   double packed_s = 0;
   double wire_s = 0;
   Clock::time_point last_sent;
-  wire::Progress progress;  ///< what the partner last said of it; empty: nothing
+  wire::Progress progress;  ///< last progress of the partner; empty: none
   std::uint64_t window = 0;
   std::size_t blocks = 0;  ///< that the handshake was on
 

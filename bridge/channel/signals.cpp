@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SIGINT and SIGTERM as a count that whoever waits looks at; a pipe that nobody reads ends nothing.
+// Counts SIGINT and SIGTERM for waiting loops to check; ignores SIGPIPE.
 #include <sys/prctl.h>
 #include <unistd.h>
 

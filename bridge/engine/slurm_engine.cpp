@@ -74,7 +74,7 @@ class QueuedWork {
  private:
   [[nodiscard]] fs::path job_file() const { return folder_ / "job"; }
 
-  /// That of a command that was stopped without its job; empty where there is none.
+  /// The job of a previous command that was stopped without its job; empty if there is none.
   [[nodiscard]] std::string former_job() const {
     std::ifstream stream(job_file());
     std::string job;
@@ -154,7 +154,7 @@ class QueuedWork {
                trouble, job);
   }
 
-  /// Hands on what has come since.
+  /// Passes on the answers that have arrived.
   void take_up() {
     std::error_code gone;
     for (const auto& entry : fs::directory_iterator(folder_, gone)) {

@@ -75,7 +75,7 @@ void around(Face face, Visit visit) {
   for (auto inner = face->inner_ccbs_begin(); inner != face->inner_ccbs_end(); ++inner) walk(*inner);
 }
 
-/// An edge in the inside of the section, to whose both sides the same face lies, parts nothing.
+/// An inner edge with the same face on both sides separates nothing.
 void remove_dangling(Arrangement& arrangement, double& length_m) {
   std::vector<Arrangement::Halfedge_handle> dangling;
   for (auto e = arrangement.edges_begin(); e != arrangement.edges_end(); ++e) {
@@ -143,7 +143,7 @@ Piece piece_of(const Ring& ring, double tolerance) {
   return {std::move(points)};
 }
 
-/// What the face encloses: holes in it, and what hangs on its boundary by one point.
+/// What the face encloses: holes, and parts attached to its boundary at one point.
 std::vector<Point> enclosed_by(Face face, Ring ring) {
   std::vector<Point> corners;
   for (auto inner = face->inner_ccbs_begin(); inner != face->inner_ccbs_end(); ++inner) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outlines of blocks: what makes one unfit, and what lies on it.
+// Outlines of blocks: faults of an outline, and points on or inside it.
 #include "bridge/geometry/outline.hpp"
 
 #include <fmt/format.h>

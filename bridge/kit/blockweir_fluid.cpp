@@ -84,7 +84,7 @@ struct blockweir_fluid {
   bool ended = false;  ///< the run is complete
   std::uint64_t window = 0;
 
-  /// Does `work` unless something has gone wrong before; what goes wrong becomes the error.
+  /// Does `work` unless there was an error before; an exception becomes the error.
   template <class Work>
   int attempt(Work work) noexcept {
     if (!error.empty()) return BLOCKWEIR_ERROR;

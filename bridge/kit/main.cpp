@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// blockweir-dummy: stands in for the solid, so that a fluid can be tested alone. Blocks move as the command line says.
+// blockweir-dummy: replaces the solid, to test a fluid alone. Blocks move as the command line says.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 

@@ -29,7 +29,7 @@ struct CheckOptions {
   bool strict = false;
 };
 
-/// Adds what a variant or load case is warned of beyond the scene itself; it stands in the file at `line`.
+/// Adds the warnings of a variant or load case that the scene itself does not have; the entry is at `line`.
 void add_warnings(const scene::ReadScene& read, const std::string& whose, int line,
                   std::vector<scene::Diagnostic> warnings, std::vector<scene::Diagnostic>& all) {
   for (scene::Diagnostic& warning : warnings) {

@@ -25,7 +25,7 @@ std::string escaped(const std::string& text, const std::string& marks) {
   return all;
 }
 
-/// The words that an option takes, with blanks between, where these are few; else empty.
+/// The allowed words of an option, separated by blanks, if they are few; otherwise empty.
 std::string values_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();  // as "TEXT:{local,slurm}"
   const std::size_t first = type.find('{');

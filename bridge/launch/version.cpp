@@ -18,7 +18,7 @@ constexpr const char* compiler = "clang " __clang_version__;
 constexpr const char* compiler = "GCC " __VERSION__;
 #endif
 
-/// Its own program knows which OpenFOAM it runs, or why none; it stands beside this one.
+/// The program blockweir-openfoam, in the same folder, knows its version of OpenFOAM.
 std::string openfoam() {
   const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "blockweir-openfoam";
   if (!std::filesystem::exists(program)) return "none: blockweir-openfoam is not installed";

@@ -155,7 +155,7 @@ class JointNames {
                                            near * scene::structure_size_m(scene.blocks)));
     }
   }
-  /// Of the named joint of `block` through `place`, or else of what the block is.
+  /// Name of the uplift on a named joint of `block` at `place`; without a joint's name, that of the block.
   [[nodiscard]] std::string uplift_at(int block, const Point& place) const {
     const double near_m = near * scene::structure_size_m(scene_.blocks);
     for (std::size_t j = 0; j < traces_.size(); ++j) {

@@ -60,7 +60,7 @@ View reach_of_most(const std::vector<json>& frames) {
   return {reach(&View::left, -1), reach(&View::right, 1), reach(&View::bottom, -1), reach(&View::top, 1)};
 }
 
-/// Does the water press on fixed blocks alone? Then these are what the picture is about.
+/// Whether the water presses on fixed blocks only; then they are the subject of the picture.
 bool stands_above_water(const json& frame) {
   double lowest = 1e300;
   for (const json& block : frame["blocks"]) {

@@ -51,7 +51,7 @@ std::vector<json> thinned(std::vector<json> frames) {
   return kept;
 }
 
-/// Does the panel lie on ground that stands fast? What presses there loads no block.
+/// Whether the panel is on fixed ground, where it loads no block.
 bool on_ground(const json& frame, const json& panel, double near_m) {
   const Eigen::Vector2d middle(panel[0].get<double>() / 2 + panel[2].get<double>() / 2,
                                panel[1].get<double>() / 2 + panel[3].get<double>() / 2);

@@ -25,7 +25,7 @@ constexpr int no_program = 127;
   throw std::runtime_error(fmt::format("cannot start gnuplot: {}; end other programs", std::strerror(errno)));
 }
 
-/// It reads a file: what comes through a pipe it reads letter by letter.
+/// The script is a file, since gnuplot reads a pipe character by character.
 [[noreturn]] void become_gnuplot(const MemoryFile& script, int lines, int words, const std::vector<MemoryFile>& outputs,
                                  pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);

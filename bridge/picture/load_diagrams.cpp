@@ -37,7 +37,7 @@ json diagram(const json& strip, double by) {
   return outline;
 }
 
-/// What an earthquake takes from the pressure on a face: its diagram stands on the outer side, too.
+/// An earthquake may reduce the pressure on a face: this diagram is also drawn on the outer side.
 bool pulls(const json& load) {
   const double x = load["force"][0];
   return load["kind"] == "added water" && load.value("from_downstream", x < 0) == (x > 0);

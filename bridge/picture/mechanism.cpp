@@ -42,7 +42,7 @@ std::vector<Point> displaced(const std::vector<Point>& outline, const Eigen::Vec
   return moved;
 }
 
-/// The box around what can move, and as much of the ground as a third of its size beside it.
+/// Box around the moving blocks, with a third of its size of ground around it.
 Bounds view_around(const scene::Scene& scene) {
   std::vector<Point> movable;
   for (const scene::Block& block : scene.blocks) {

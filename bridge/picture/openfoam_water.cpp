@@ -83,7 +83,7 @@ std::vector<WaterBox> OpenFoamWater::boxes(double time_s) const {
       const double share = std::min(1.0, water[cell]);
       if (share < least_water) continue;
       WaterBox box{x_[i], x_[i + 1], y_[j], y_[j + 1], share, std::hypot(velocity[3 * cell], velocity[3 * cell + 1])};
-      // The surface of water that stands on water lies where it is; spray is pale all over.
+      // A cell of water above a wet cell is drawn to its level; spray is drawn pale over the whole cell.
       const bool stands = j == 0 || share_at(i, j - 1) > 0.5;
       if (stands && share_at(i, j + 1) < least_water) {
         box.top = box.bottom + share * (box.top - box.bottom);

@@ -44,7 +44,7 @@ struct Sheet {
   [[nodiscard]] double height() const { return top + bottom() + (view.top - view.bottom) / per_pixel(); }
 };
 
-/// gnuplot's commands for what stands on the sheet, one thing over the other.
+/// gnuplot's commands for the elements of the picture, from back to front.
 class Drawing {
  public:
   explicit Drawing(const Sheet& sheet)
@@ -143,7 +143,7 @@ void draw_bolts(const json& bolts, double size_m, Drawing& drawing) {
   }
 }
 
-/// How far the reservoir stands above the highest point of what can move; 0 where it does not.
+/// Height of the reservoir above the highest moving point; 0 if it is lower.
 double over_the_crest_m(const json& data, const json& level_m) {
   const json& box = data["dimensions"];
   return level_m.is_number() && box.is_object() ? std::max(0.0, level_m.get<double>() - box["top"].get<double>()) : 0;

@@ -52,7 +52,7 @@ json law(const std::string& name, const scene::JointLaw& law) {
           {"uplift", water_in(law)}};
 }
 
-/// Joints of one set, cut or region share a name and a law: the first of them stands for all.
+/// Joints of one set, cut or region share name and law: listed once.
 json laws(const scene::Scene& scene) {
   json rows = json::array();
   std::set<std::string> told;

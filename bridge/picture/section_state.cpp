@@ -20,7 +20,7 @@ json level_at(const std::optional<scene::TimeTable>& level_m, double time_s) {
 }
 
 View neither_flat_nor_steep(const View& view) {
-  constexpr double steepest = 0.85;  // texts beside a tower take their room
+  constexpr double steepest = 0.85;  // a narrow picture leaves room for texts beside a tower
   constexpr double flattest = 0.35;
   const double wider = std::max(0.0, (view.top - view.bottom) / steepest - (view.right - view.left)) / 2;
   const double higher = std::max(0.0, (view.right - view.left) * flattest - (view.top - view.bottom)) / 2;

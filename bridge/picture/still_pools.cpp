@@ -77,7 +77,7 @@ double highest_point(const json& frame) {
   return y;
 }
 
-/// Is a block that moves in view? Where all have left it, nothing there tells how high water can stand but its level.
+/// Whether a moving block is in view. Otherwise only the level limits the height of the water.
 bool shows_movable(const json& frame, const View& view) {
   for (const json& block : frame["blocks"]) {
     if (block["fixed"].get<bool>()) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// blockweir-probability: what OpenTURNS does for blockweir reliability, in a program of its own, since OpenTURNS takes
-// a tenth of a second to load. It answers requests of JSON, a line each, on standard output. While it works on one it
-// may ask, with {"evaluate": points}, for {"values": ...}.
+// blockweir-probability: OpenTURNS for blockweir reliability, in a separate program, since OpenTURNS takes a tenth of a
+// second to load. It reads requests in JSON, one each line, and answers on standard output. During a request it may
+// send {"evaluate": points} and expects {"values": ...}.
 #include <openturns/Log.hxx>
 #include <openturns/RandomGenerator.hxx>
 #include <openturns/ResourceMap.hxx>

@@ -30,7 +30,7 @@ void require_own(const fs::path& folder) {
                   folder.string()));
 }
 
-/// Tells what blockweir-limit's log says of how it gets on.
+/// Prints the progress lines in blockweir-limit's log.
 class Echo {
  public:
   Echo(fs::path log, bool quiet) : log_(std::move(log)), quiet_(quiet) {}

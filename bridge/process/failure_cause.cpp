@@ -22,13 +22,14 @@ bool is_echo(const ChildEnd& end) {
   return end.last_line.find("see its own message for the cause") != std::string::npos;
 }
 
-/// Than what is taken for the cause so far.
+/// Whether `end` says more about the failure than the present cause.
 bool says_more(const ChildEnd& end, const ChildEnd& cause) {
   return is_echo(cause) || (cause.external && !is_echo(end));
 }
 
-/// The first that failed by itself, or the first after it that is no echo; null where none did. What the solid says of
-/// an external fluid goes before what that says: it is of a known form, and has the fluid's own text.
+/// The first process that failed by itself, or the first after it that is not a consequence; null if none did. The
+/// solid's message about an external fluid is preferred to the fluid's own: its form is known, and it contains that
+/// text.
 const ChildEnd* cause_of(const Supervised& supervised) {
   const ChildEnd* cause = nullptr;
   for (const ChildEnd& end : supervised.ends) {
@@ -43,7 +44,7 @@ std::string name_of(const ChildEnd& end) {
   return end.external ? external_fluid_name(end.words) : end.name + " process";
 }
 
-/// What a program of the user's says last may be of any form: whose it is has to stand before it.
+/// The last message of a user's program may have any form, so its name is put in front.
 std::string end_of_external(const ChildEnd& end) {
   const std::string said = end.last_line.empty() ? "" : fmt::format(", its last line: \"{}\"", end.last_line);
   return fmt::format("the {} ended with exit status {}{}{}; {}all that it wrote is in {}.log",

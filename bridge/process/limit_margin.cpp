@@ -42,7 +42,7 @@ std::string text_of(const json& found, bool fails) {
   return fmt::format("none: {}; {}", why, found["limit_analysis_note"].get<std::string>());
 }
 
-/// An upper bound below 1, of the scene as drawn, beside blocks that stand; empty where it is not.
+/// A doubt if the upper bound of the scene as drawn is below 1 although the blocks stand; otherwise empty.
 std::string doubt_of(const json& found) {
   if (found.value("holds_nothing", false)) {
     return "it stands although by limit analysis nothing holds the structure as it is drawn: it has moved to where it "
@@ -83,8 +83,8 @@ void LimitMargin::add_to(json& summary) const {
   json found = json::parse(std::ifstream(answer_), nullptr, /*allow_exceptions=*/false);
   if (!found.is_object()) {  // the run stands for itself
     std::string why = last_line(log_);
-    // What precedes it names the program and the copy of the scene in the run's folder, of which the user knows
-    // nothing.
+    // The text before it names the program and the run's copy of the scene, which the user does not
+    // know.
     const std::string_view source = ": limit analysis: ";
     if (const auto at = why.find(source); at != std::string::npos) why.erase(0, at + source.size());
     found = {

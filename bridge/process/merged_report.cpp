@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Adds { name: number } of `from` to the part `into`; what is no number is left out, and told of.
+/// Adds { name: number } of `from` to the part `into`; other entries are left out, with a warning.
 void add_numbers(const json& from, const char* part, json& summary, const char* into, json& warnings) {
   if (!from.contains(part)) return;
   const json& numbers = from[part];

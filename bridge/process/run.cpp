@@ -79,8 +79,8 @@ json read_json(const fs::path& path) {
   return stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
 }
 
-/// The last checkpoint that all processes of the run can go on from; 0: there is none. Still water remembers nothing,
-/// but for what flows through joints, and its own pictures.
+/// The last checkpoint that all processes of the run have; 0: none. Still water needs none, except with flow through
+/// joints and for its own VTK files.
 std::uint64_t resumable_window(const fs::path& folder, const scene::Scene& scene) {
   std::vector<std::uint64_t> all = checkpoint::windows(folder, "solid");
   const auto keep = [&](const std::vector<std::uint64_t>& theirs) {
@@ -120,13 +120,13 @@ bool is_refusal(const Supervised& supervised) {
          });
 }
 
-/// Has the solid refused to go on, so that a resumed run would come to the same end?
+/// Whether the solid failed in a way that a resumed run would repeat.
 bool ends_there_again(const fs::path& folder) {
   const json summary = read_json(folder / "summary.json");
   return summary.is_object() && summary.value("ends_here_again", false);
 }
 
-/// A run that has come to its end has no checkpoint, and needs none.
+/// A finished run has no checkpoint, and needs none.
 void refuse_finished(const fs::path& folder) {
   const json summary = read_json(folder / "summary.json");
   const std::string outcome = summary.is_object() ? summary.value("outcome", "stopped") : "stopped";
@@ -158,7 +158,7 @@ std::string advice_of(const scene::Scene& scene, const fs::path& folder, bool go
   return too_early ? "it has no checkpoint yet to resume from: run it anew" : "";
 }
 
-/// From the start, or from the checkpoint before motion `first`; what is written goes to `folder`, which holds the
+/// Runs from the start, or from the checkpoint before motion `first`; results go to `folder`, which contains the
 /// scene.
 RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t first, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();

@@ -43,8 +43,8 @@ sigset_t stop_set() {
   return both;
 }
 
-/// Counts SIGINT and SIGTERM for as long as it lives. They come only while somebody waits with `outside()` as mask, so
-/// that none is missed between a look at the count and the wait.
+/// Counts SIGINT and SIGTERM during its lifetime. They are delivered only during a wait with the mask `outside()`, so
+/// that none is missed between a check of the count and the wait.
 class StopSignals {
  public:
   StopSignals() {
@@ -167,7 +167,7 @@ struct Children {
       for (const pid_t pid : family) ::kill(pid, SIGCONT);
     }
   }
-  /// Until a child ends, a signal comes, or 50 ms have passed; adds those that have ended to `result`.
+  /// Until a child ends, a signal arrives, or 50 ms have passed; adds ended children to `result`.
   void wait(const StopSignals& signals, Supervised& result) {
     std::vector<pollfd> watched;
     for (const Child& child : all) {

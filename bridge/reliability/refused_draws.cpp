@@ -42,7 +42,7 @@ class OneVariable {
                       joined(overrides_, settings));
   }
 
-  /// What is wrong there; none where the scene is sound.
+  /// The error of the scene with this quantile; none if it is valid.
   std::optional<Diagnostic> wrong_at(double probability) {
     try {
       read_at(probability);

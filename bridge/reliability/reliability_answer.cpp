@@ -33,7 +33,7 @@ const char* other_than(CapacityBy by) {
   return by == CapacityBy::limit ? "statics" : "limit";
 }
 
-constexpr int designs = 10;  // of a sampling whose points depend on each other: their scatter gives the interval
+constexpr int designs = 10;  // for dependent points: independent designs, whose scatter gives the interval
 
 int groups_of(const scene::Reliability& asked) {
   return asked.sampling == "monte-carlo" ? 1 : designs;
@@ -158,7 +158,7 @@ class Reliability {
     if (finite.size() < 10 || finite.front() == finite.back()) return;
     answer_["fit"] = probability_.ask({{"do", "fit"}, {"values", finite}});
     answer_["fit"]["samples"] = finite.size();
-    for (const Outcome& row : rows_) {  // what stands there may fail at any higher level: the fit is cut off
+    for (const Outcome& row : rows_) {  // a stable sample may fail at any higher level: the fit is truncated
       if (row["outcome"] == "stands") answer_["fit"]["cut_off_m"] = row.value("full_m", json());
     }
   }
@@ -223,7 +223,7 @@ class Reliability {
                                        : "";
   }
 
-  /// The level as a function: where it stands full or not even empty, the ends of what was looked at.
+  /// The level as a function; for samples that are stable when full or fail when empty, the end of the range.
   [[nodiscard]] double value_of(const Outcome& row) const {
     const double capacity = capacity_of(row);
     if (std::isfinite(capacity)) return capacity;

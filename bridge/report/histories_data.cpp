@@ -20,7 +20,7 @@ json brief(double value) {
   return std::isfinite(value) ? json(std::stod(fmt::format("{:.6g}", value))) : json();
 }
 
-/// Those that move most first, then those that only bear.
+/// Joints with the largest slip first, then those with forces only.
 std::vector<std::string> joints_of(const History& history) {
   std::vector<std::string> joints = history.largest_first("slip_m", "opening_m");
   for (const std::string& name : history.largest_first("normal_force_n_per_m", "shear_force_n_per_m")) {
@@ -44,7 +44,7 @@ class Pages {
     return list;
   }
 
-  /// Of those that the run has; none where it has none.
+  /// Adds a group of the curves that the run has; nothing if it has none.
   void add(json& groups, const char* title, double rest, const std::vector<std::string>& names,
            const std::string& quantity, double scale = 1) const {
     json curves = json::array();

@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// What `answer()` yields, or why there is none: a report without a level is one all the same.
+/// The result of `answer()`, or the reason why there is none: a report can do without.
 template <class Answer>
 json or_trouble(Answer answer) {
   try {
@@ -69,7 +69,7 @@ json kept_reliability(const fs::path& folder) {
       folder.string(), results::shell_word(folder.string())));
 }
 
-/// Null where nothing is uncertain. What takes long is not begun for a page.
+/// Null if nothing is uncertain. Long computations are not started for a report.
 json reliability_of(const fs::path& run, const scene::ReadScene& read, const json& kept) {
   if (!kept.is_null()) {
     if (kept["digest"] == read.scene.digest) return kept;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why nothing can be made in `folder`; empty where it can.
+/// Why nothing can be created in `folder`; empty if it can.
 std::string obstacle(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) return folder.string() + " is no folder";

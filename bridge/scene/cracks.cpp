@@ -27,7 +27,7 @@ double size_of(const Scene& scene) {
 
 constexpr double touching_ratio = 1e-6;
 
-/// So that it meets what touches it.
+/// Enlarged so that it overlaps the boxes of touching blocks.
 geometry::Bounds grown(const geometry::Bounds& box, double touching_m) {
   const Point margin = Point::Constant(2 * touching_m);
   return {box.low - margin, box.high + margin};
@@ -83,7 +83,7 @@ struct Continuation {
   std::size_t before;
   std::size_t after;
   std::size_t parts;
-  /// The straightest is last, of those as straight the one whose cracks come first in the scene.
+  /// The straightest is last; of equally straight ones the one whose crack is first in the scene.
   bool operator<(const Continuation& other) const {
     return std::tie(straightness, other.before, other.after) < std::tie(other.straightness, before, after);
   }

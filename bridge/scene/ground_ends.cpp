@@ -50,9 +50,9 @@ std::vector<EndFace> faces_at(double end_m, const Scene& scene, double near_m) {
   return faces;
 }
 
-constexpr double bed_slope = 0.25;  // what rises more steeply from the bed's end stands on it
+constexpr double bed_slope = 0.25;  // a part that rises more steeply from the bed's end is a structure
 
-/// How far it is from the end to what stands on the bed.
+/// Distance from the end to the first structure on the bed.
 double bed_length(double end_m, double bed_m, const Scene& scene, double near_m) {
   double length = no_height;
   for (const Block& block : scene.blocks) {

@@ -8,8 +8,8 @@
 namespace blockweir::schedule {
 namespace {
 
-/// What goes wrong in `work` is told to the partner, that it said something wrong among it; why it left is not told
-/// back.
+/// Tells the partner about errors in `work`, including errors in its own messages; not that it has
+/// left.
 template <class Work, class Tell>
 void guarded(Work work, Tell tell) {
   try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// kind = "critical": bisection over whole runs. With several processors the halvings that may come next are run beside
-// the one that comes, so that the answer is the same for any number of them.
+// kind = "critical": bisection over whole runs. With several processors, the possible next halvings are run in parallel
+// with the present one, so that the answer does not depend on their number.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -34,13 +34,13 @@ std::vector<double> middles(const Bracket& bracket, std::size_t count) {
   return values;
 }
 
-/// What has to be at one end alone, in words.
+/// The property that only one end may have, in words.
 std::string wanted(const CriticalValue& critical) {
   if (critical.target) return fmt::format("a factor of at least {:.5g}", *critical.target);
   return fmt::format("\"{}\"{}", critical.outcome, critical.outcome == "fails" ? " (by any mode)" : "");
 }
 
-/// "fails" stands for every mode. Throws where the run decides nothing.
+/// "fails" includes every mode. Throws if the run is undecided.
 bool has(const CriticalValue& critical, const Outcome& outcome) {
   const std::string word = outcome["outcome"];
   if (outcome.contains("trouble")) throw std::runtime_error(outcome["trouble"].get<std::string>());

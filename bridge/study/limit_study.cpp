@@ -14,7 +14,7 @@ using picture::gnuplot_text;
 
 using nlohmann::json;
 
-/// Has the run the outcome whose limit is looked for? "fails" stands for every mode.
+/// Whether the run has the outcome whose limit is sought. "fails" includes every mode.
 bool has(const std::string& outcome, const std::string& word) {
   return outcome == "fails" ? word != "stands" : word == outcome;
 }
@@ -42,7 +42,7 @@ StudyResult find_limit(const scene::LimitStudy& study, StudyRuns& runs) {
   answer.quantity = "largest_penetration_m";  // any figure that every run has: its answer alone is read
   double expected = 0;
   const auto has_outcome = [&](double value) {
-    // What moves when its run ends decides nothing: a longer one does.
+    // A run that ends in motion is undecided; a longer one decides.
     constexpr double longer = 4;
     constexpr int tries = 4;
     json summary = runs.run({setting(study.key, value)}, answer);

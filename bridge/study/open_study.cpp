@@ -39,7 +39,7 @@ OpenStudyTask task_of(const scene::OpenStudy& study, const fs::path& scene, int 
   return sample_task(study, scene);
 }
 
-/// Is the reservoir to stay as it is? Then it has no level of failure, and none is in doubt.
+/// Whether the reservoir's level is constant: then there is no failure level, and no doubt about it.
 bool level_is_fixed(const OpenStudyTask& task, const fs::path& scene, const Settings& overrides) {
   for (const Settings& extreme : task.extremes) {
     try {
@@ -52,7 +52,7 @@ bool level_is_fixed(const OpenStudyTask& task, const fs::path& scene, const Sett
   return false;
 }
 
-/// What the runs warn of their levels, with the first that does; empty where none does.
+/// Warnings of the runs on their levels, with the first run that warns; empty if none does.
 std::string levels_in_doubt(const std::vector<Outcome>& runs) {
   const auto in_doubt = [](const Outcome& run) { return run.value("level_doubt", json()).is_string(); };
   const auto first = std::find_if(runs.begin(), runs.end(), in_doubt);
@@ -123,7 +123,7 @@ std::string outcome_table(const Settings& keys, const std::vector<Outcome>& runs
   return text;
 }
 
-/// Throws scene::SceneError where the scene is not sound with some extreme; of draws, where it is with none.
+/// Throws scene::SceneError if the scene is invalid with an extreme setting; for random samples, only if with all.
 static void require_sound(const OpenStudyTask& task, const fs::path& scene, const Settings& overrides) {
   scene::CollectedErrors wrong;
   bool some_sound = false;

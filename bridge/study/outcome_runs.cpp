@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// What asks for runs of a scene says nothing of how they end.
+/// Tables that ask for runs do not affect their outcome.
 const Settings without_questions{"study=[]", "random=[]", "correlation=[]", "reliability={}"};
 
 /// Those of an earlier call; a killed one may have left half a line.
@@ -34,7 +34,7 @@ std::map<std::string, Outcome> read_known(const fs::path& file) {
   return known;
 }
 
-/// The file of what is known, to which more is added. In place in one go: a stop loses nothing of it.
+/// The file of known outcomes, for appending. It is rewritten in one operation, so that a stop loses nothing.
 results::ResultFile kept_file(const fs::path& file, const std::map<std::string, Outcome>& known) {
   std::string text;
   for (const auto& [key, row] : known) text += row.dump() + "\n";

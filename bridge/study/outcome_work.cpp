@@ -75,7 +75,7 @@ Outcome run_out(const fs::path& scene, Settings all, const fs::path& folder, boo
   return row;
 }
 
-/// The factor of safety with `all`; none where no strength is needed or none would do.
+/// The factor of safety with `all`; none if no strength is needed or no strength is enough.
 Outcome factor_out(const fs::path& scene, const Settings& all, const fs::path& folder) {
   const json answer = process::ask("safety", {.scene = scene, .out = folder, .overrides = all, .quiet = true}).answer;
   if (answer["outcome"] == "not found") return troubled("stopped", answer["why_no_factor"]);

@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Does it reach what is required? Null where nothing is, or where the blocks have no answer.
+/// Whether it reaches the required factor. Null if none is required, or if the blocks have no answer.
 json satisfied(const json& answer, const std::optional<double>& required) {
   if (!required || answer["outcome"] == "not found") return nullptr;
   return deciding_factor(answer) >= *required;
@@ -41,7 +41,7 @@ bool all_enough(const json& cases) {
   });
 }
 
-/// What a factor on the stated loads leaves as it is.
+/// Loads that a factor on the stated loads does not change.
 std::vector<std::string> constant_loads(const scene::Scene& scene) {
   std::vector<std::string> all{"weight"};
   if (!scene.bolts.empty()) all.emplace_back("bolts");
@@ -76,7 +76,7 @@ std::vector<std::string> without_effect(const Settings& overrides, const scene::
 
 using Pictures = std::vector<std::function<void()>>;
 
-/// Asks for one case, adds what draws its mechanisms, and what the scene says of it.
+/// Evaluates one case and adds the drawing of its mechanisms and the scene's remarks.
 json answer_of(const scene::LoadCase& load_case, const process::AskOptions& options, Pictures& pictures) {
   const process::Asked asked = process::ask("safety", options);
   json answer = asked.answer;
@@ -162,7 +162,7 @@ int tell_safety(const SafetyOptions& options) {
   const fs::path& folder = question.out;
   Pictures pictures;
   const json cases = safety_answers(question, &pictures);
-  // What was found is told first: it took the time, and files and pictures may find the disk full.
+  // The answers are printed first: they took the time, and the disk may be full for files and pictures.
   fmt::print("{}", results::for_stdout(safety_text(cases)));
   const std::string all = json{{"load_cases", cases}}.dump(2) + "\n";
   results::replace_file(folder / "safety.json", all);

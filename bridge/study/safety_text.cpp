@@ -16,7 +16,7 @@ std::string scaled(const json& value, const char* format, double scale = 1) {
   return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>() * scale) : "-";
 }
 
-/// Which loads grow by the factor, and what stays as it is.
+/// The loads that the factor multiplies, and those that stay constant.
 std::string load_factor_text(const json& found) {
   const auto list = [&](const char* key) {
     return fmt::format("{}", fmt::join(found[key].get<std::vector<std::string>>(), " and "));
@@ -66,7 +66,7 @@ std::string factors_text(const json& cases) {
       tell("not enough: ", c["with_cracked_joint"]["text"]);
     }
     if (c.contains("limit_analysis_note")) tell("limit: ", c["limit_analysis_note"]);
-    for (const json& warning : c["scene_warnings"]) {  // those of the scene as it stands are told by its reading
+    for (const json& warning : c["scene_warnings"]) {  // warnings of the scene itself were printed when it was read
       const json& told = cases[0]["scene_warnings"];
       if (std::find(told.begin(), told.end(), warning) == told.end()) tell("WARNING ", warning);
     }
@@ -83,7 +83,7 @@ std::string factors_text(const json& cases) {
          "limit:  the same by limit analysis, an upper bound\n";
 }
 
-/// What acts on all that stands on each joint; the joint bears their sum.
+/// Loads on everything above each joint; the joint carries their sum.
 std::string sums_text(const json& joints, const char* last) {
   constexpr const char* row = "{:<32.32} {:>12} {:>12} {:>14}\n";
   std::string text;

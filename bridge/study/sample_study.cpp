@@ -14,8 +14,8 @@
 namespace blockweir::study {
 namespace {
 
-/// Interval of Clopper and Pearson, which holds the true share in 95 of 100 samples. Runs without an answer widen it:
-/// all of them end so, or none.
+/// 95 % confidence interval of Clopper and Pearson. Runs without an answer widen it: all or none of them have this
+/// outcome.
 std::array<double, 2> interval_of(std::size_t with, std::size_t without_answer, std::size_t of) {
   using Trials = boost::math::binomial_distribution<>;
   constexpr double tail = 0.025;

@@ -201,7 +201,7 @@ void tell(const std::string& name, const StudyResult& result, const fs::path& ou
 int perform_all(const StudyOptions& options) {
   const Tasks tasks = tasks_of(options);
   refuse_idle_overrides(tasks.open, options.scene, options.overrides);
-  fs::path open_out = options.out;  // what is done has to stand somewhere, to be gone on from
+  fs::path open_out = options.out;  // finished runs must be stored, so that the study can be continued
   if (open_out.empty()) open_out = fs::path("runs") / (process::case_name(options.scene) + "-studies");
   if (!options.out.empty()) results::make_folder(options.out);
   if (!tasks.open.empty()) results::make_folder(open_out);

@@ -62,7 +62,7 @@ class Runs {
     return result;
   }
 
-  /// Median over an odd number of pairs of the wall time of setting i over that of the scene as it stands, by turns.
+  /// Median, over an odd number of pairs, of the wall time of setting i over that of the scene itself, run alternately.
   [[nodiscard]] double beside_the_scene(std::size_t i, std::size_t pairs) const {
     const auto time_s = [&](std::size_t k) {
       const RunResult result = of(k);
@@ -83,9 +83,9 @@ class Runs {
   TemporaryFolder scratch_;
 };
 
-/// A case's settings: their errors as an engine has found them, and their times here, by turns, so that what else the
-/// machine does falls on all alike: three turns, and of short runs up to nine. Long runs lie between those of a turn:
-/// what seems better than the scene as it stands is run again, by turns with it alone.
+/// The settings of a case: errors from an engine, and times measured here in rounds, so that other load on the machine
+/// affects all alike: three rounds, up to nine for short runs. Long runs are done once in each round. A setting that
+/// seems better than the scene itself is run again, alternating with it.
 class Measured {
  public:
   Measured(const BenchCase& bench, const BenchErrors& errors, const BenchOptions& options)
@@ -142,7 +142,7 @@ class Measured {
   std::vector<std::string> troubles_;  ///< of each setting; empty: none
 };
 
-/// Those that better the scene as it stands beside it: the fastest and the most accurate of them.
+/// Settings better than the scene itself when run alternately: the fastest and the most accurate of them.
 std::vector<Point> better_ones(const std::vector<Point>& points) {
   const auto beside = [](double ratio, double error) { return Point{.time_s = ratio, .error = error}; };
   std::vector<Point> better;
@@ -192,7 +192,7 @@ void tell_points(const Measured& measured, json& row) {
   std::fflush(stdout);
 }
 
-/// Prints the case's rows and draws it; what is said of it at the end comes back under "verdict".
+/// Prints the case's rows and draws it; returns the final remark as "verdict".
 json told(const BenchCase& bench, const Measured& measured, const fs::path& out) {
   const std::string name = case_name(bench.scene);
   json row = {{"case", name}, {"figure", measured.figure}, {"points", json::array()}, {"failed", json::array()}};

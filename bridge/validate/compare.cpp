@@ -34,7 +34,7 @@ std::vector<fs::path> chosen(const CompareOptions& options) {
   return cases;
 }
 
-/// Twice: what a run takes, and then with the condition numbers, which take far longer than the run.
+/// Two runs: one for the time, and one with condition numbers, which take far longer than the run.
 json measured(RunOptions options) {
   try {
     const RunResult timed = uninterrupted(options);

@@ -44,7 +44,7 @@ const scene::FluidEntry& entry_of(const std::string& key) {
 
 /// A way in which a scene has a model.
 struct Choice {
-  std::string variant;  ///< empty: the scene as it stands
+  std::string variant;  ///< empty: the scene itself
   Settings set;
 };
 
@@ -94,7 +94,7 @@ json peaks(const fs::path& run) {
   return list;
 }
 
-/// What the figure is off by from that of the same name of the first model; null where there is none.
+/// Difference from the figure with the same name of the first model; null if there is none.
 json off_first(const json& figure, const json& first) {
   for (const json& other : first) {
     if (other["name"] != figure["name"] || !other["got"].is_number() || !figure["got"].is_number()) continue;

@@ -26,7 +26,7 @@ std::string command_of(const RunOptions& options) {
   return text;
 }
 
-/// What a run is compared by: the figures that the scene states, or where it states none how the run ends.
+/// Figures to compare: those that the scene states, or, if it states none, the outcome of the run.
 json figures(const json& s) {
   if (!s["checks"].empty()) return s["checks"];
   const auto figure_of = [](const char* name, const json& got) {

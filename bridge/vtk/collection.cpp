@@ -26,9 +26,9 @@ Collection::Collection(std::filesystem::path folder, const std::string& name)
   // that are longer than 4 kB: it feeds them to its XML parser, libexpat 2.5.0-1+deb12u2.
   writer_->vtk->SetDataModeToBinary();
   writer_->vtk->WriteToOutputStringOn();  // a file goes out in one piece, not in a hundred
-  // Threads for a few hundred points would spin beside solid and water. Even those that are not used ask the system
-  // for its number of processors, six times a file, unless they have been told how many to be. VTK's own header for
-  // this, vtkSMPTools.h, is not C++20.
+  // Threads for a few hundred points would only disturb solid and water. Even unused ones ask the system for its number
+  // of processors, six times for each file, unless their number is set. VTK's own header for this, vtkSMPTools.h, is
+  // not C++20.
   auto& threads = ::vtk::detail::smp::vtkSMPToolsAPI::GetInstance();
   threads.SetBackend("STDThread");
   threads.Initialize(1);

@@ -98,7 +98,7 @@ void Column::restore(const std::string& state) {
   checkpoint::unpack(state, edge_, water_, time_s_);
 }
 
-/// What blockweir-column runs; its folder is for pictures, and the column has none.
+/// For blockweir-column; the folder for VTK files is not used.
 std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::filesystem::path& /*folder*/) {
   return std::make_unique<Column>(scene);
 }

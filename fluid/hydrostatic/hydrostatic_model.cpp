@@ -256,7 +256,7 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_
     const auto end_of = [&](bool upstream, const scene::CrackPart& part, const Point& outline_point) {
       const auto b = at(part.block_a);
       const Point place = wire::place(centroids_[b], last_motion_.displacement[b], outline_point);
-      // Where no open water comes to the end, that of its side is taken to come by what is not drawn.
+      // If no open water reaches the end, the water of its side is assumed to, by a way that is not drawn.
       const double side_m = (upstream ? last_upstream_m_ : last_downstream_m_) + ground_m.y();
       const double level_m = crack_pools_.level(k, upstream, place, side_m, open, structure_.outlines).value_or(side_m);
       const double pressure_pa = scene::in_joints(scene_, level_m).pressure(place.y());

@@ -20,7 +20,7 @@ struct MovedEdge {
   Piece piece;
   Point along;
   double distance_m;
-  double before_m = 0;  ///< how much farther along it begins, where it meets its neighbour
+  double before_m = 0;  ///< shift of its start to the intersection with its neighbour
   double after_m = 0;   ///< and ends
   /// Or has no length left, but for round-off.
   [[nodiscard]] bool turned_round() const {

@@ -102,7 +102,7 @@ class BoundaryChains {
   NodeTree tree_;
 };
 
-/// Clipping leaves corners twice and on straight lines; none of them may split an interface element.
+/// Clipping leaves duplicate corners and corners on straight lines; they must not split an interface element.
 Ring without_straight_corners(Ring ring, double straight_m) {
   const auto same = [&](const Point& p, const Point& q) { return (p - q).norm() < straight_m; };
   ring.erase(std::unique(ring.begin(), ring.end(), same), ring.end());

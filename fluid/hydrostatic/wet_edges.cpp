@@ -49,7 +49,7 @@ void WetEdges::add(const Piece& boundary) {
   if (surface || length < tiny_m_) return;
   std::vector<std::pair<double, double>> found;
   add_near(boundary, 4 * tiny_m_ + 8 * unit_m_ * growth_m_ / length, found);
-  // Where blocks have slipped a little past each other, what has been filled lies before the face of one of them.
+  // If blocks have slipped slightly past each other, the closed gap is in front of one block's face.
   std::sort(found.begin(), found.end());
   found.emplace_back(length, length);
   const Point along = (boundary.from - boundary.to) / length;

@@ -64,7 +64,7 @@ class Search {
   [[nodiscard]] WetFaces pool(Pool pool, bool expected_behind) {
     const Ends ends{pool == Pool::upstream, pool == Pool::downstream};
     const double middle = add_wall(pool);
-    // What lies beyond the wall matters only where water gets there: to look at half the model takes less.
+    // The region beyond the wall matters only if water reaches it: half the model takes less time.
     if (expected_behind) {
       WetFaces found = on_both_sides(ends, middle);
       if (found.behind) return found;
@@ -96,8 +96,8 @@ class Search {
   [[nodiscard]] double right() const { return all_.max().x() + pad_; }
   [[nodiscard]] Point crest(Pool pool) const { return corner_of_crest(structure_, all_, pool); }
 
-  /// How far the frame reaches below the blocks. Less than they have grown by, so that no water gets under what stands
-  /// on its supports and has turned by round-off, or by a little.
+  /// Depth of the frame below the blocks: less than their growth, so that no water gets below a structure whose base is
+  /// slightly rotated by round-off.
   [[nodiscard]] double below() const { return structure_.floats ? pad_ : growth_ / 2; }
 
   /// On the crest's corner, and where its middle is.
@@ -199,8 +199,7 @@ class Search {
   Extent reach_;
   Grid grid_;
   double pad_;
-  std::vector<Ring>
-      beside_;  ///< what keeps water off beside the blocks: the ground beyond the ends, the wall on the crest
+  std::vector<Ring> beside_;  ///< further boundaries of the water: the ground beyond the ends, the wall on the crest
 };
 
 /// No water in the model.

@@ -93,7 +93,7 @@ Thrust Parted::thrust(const statics::Wrenches& loads) const {
     about_mouth += w[2] + geometry::cross(centroids_[at(b)] - mouth_, w.head<2>());
     centre += centroids_[at(b)] / static_cast<double>(blocks_.size());
   }
-  // Of the joint's two normals the one into what stands on it.
+  // Of the joint's two normals, the one into the structure above it.
   const double side = geometry::cross(along, centre - mouth_) < 0 ? -1 : 1;
   Thrust thrust;
   thrust.normal_n_per_m = -side * geometry::cross(along, force);

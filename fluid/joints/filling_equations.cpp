@@ -198,7 +198,7 @@ bool FillingEquations::solve(Eigen::VectorXd& u, FillingFactor& kept) {
     limit(u, change);
     const double before = outflow_.norm();
     const Eigen::VectorXd from = u;
-    // A step that makes it worse is cut; one that always does is taken as it is: it leaves a kink.
+    // A step that increases the residual is shortened; one that always does is accepted: it leaves a kink.
     constexpr int halvings = 6;
     double share = 1;
     for (int k = 0; k <= halvings; ++k, share /= 2) {

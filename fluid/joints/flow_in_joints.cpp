@@ -149,7 +149,7 @@ void FlowInJoints::solve_with_drains(const std::function<void()>& solve) {
   }
 }
 
-/// Drains take water and give none.
+/// Drains only remove water.
 bool FlowInJoints::close_drains_that_supply() {
   Network& network = joints_.network();
   std::vector<double> supply(network.nodes.size(), 0.0);
@@ -170,7 +170,7 @@ bool FlowInJoints::close_drains_that_supply() {
   return closed;
 }
 
-/// Takes what was known at the nodes of before to those of now: each has that of the nearest.
+/// Transfers the known state from the previous nodes: each new node takes that of the nearest.
 void FlowInJoints::carry_over() {
   const auto& places = joints_.places();
   const auto same = [&] {

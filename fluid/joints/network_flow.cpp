@@ -26,7 +26,7 @@ std::vector<double> supplies(const Network& network, const std::vector<double>& 
   return supply;
 }
 
-/// What runs out at each node in air: what comes, less what goes on or is stored there by a step.
+/// Outflow into air at each node: inflow, less onward flow and storage in a step.
 std::vector<double> running_out(const Network& network, const std::vector<double>& flow,
                                 const std::vector<double>& stored_per_s) {
   std::vector<double> out = supplies(network, flow);

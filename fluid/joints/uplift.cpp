@@ -45,8 +45,8 @@ void full(const KnownHeads& /*known*/, const Joint& joint, Profile& into) {
   into.add(joint.length_m, higher);
 }
 
-/// Without open parts it is the law of drains alone, without a drain that of cracks alone. A drain that a crack has
-/// reached drains no more.
+/// Without open parts this is the law of drains, without a drain that of cracks. A drain that a crack has reached has
+/// no effect.
 void drained_or_cracked(const KnownHeads& known, const Joint& joint, Profile& into) {
   const double from_m = joint.open_at_mouth_m;
   const double to_m = joint.length_m - joint.open_at_end_m;

@@ -97,7 +97,7 @@ void set_control(const scene::Scene& scene, const CaseOptions& options) {
   set_entry(options.folder, sources, "blockweir", fmt::format("{{ type blockweirBlocks; active true; {} }}", library));
 }
 
-/// As the scripts of OpenFOAM's own tutorials do it. A folder 0 that is there is taken as it stands.
+/// As in the scripts of OpenFOAM's tutorials. An existing folder 0 is used unchanged.
 void make_what_lacks(const fs::path& folder) {
   const auto run = [&](const char* program) { run_program(program, {program, "-case", folder}, folder); };
   if (!fs::exists(folder / "constant/polyMesh/points") && !fs::exists(folder / "constant/polyMesh/points.gz")) {

@@ -50,8 +50,8 @@ scene::Point crest(const Grid& g, const scene::Scene& scene, bool upstream) {
   return crest;
 }
 
-/// The pool that reaches into a cell; air where none does. A cell that is all but full may be crossed by a crack, which
-/// holds what is beside it.
+/// The pool that reaches into a cell; air if none does. An almost full cell may contain a crack, whose content is that
+/// of its neighbours.
 Holds pool_in(const Grid& g, std::size_t cell, double filled, const std::vector<ExactPool>& pools, PolygonClip& clip) {
   constexpr double crossed = 0.95;
   constexpr double least = 1e-6;

@@ -19,8 +19,8 @@ namespace {
 constexpr double told = 1e-3;  // of the force on a block: less is no matter
 constexpr double refused = 1e-2;
 constexpr double open_cell = 0.5;  // filled less, a cell is not wall
-/// What a cell of height that leaks has of resistance in the water before it, over that of a free cell: measured on
-/// walls of 0.5 to 1 m that hold back 10 m, in cells of 0.5 m, whose force lacks 92 to 66 %.
+/// Flow resistance of the water in front of a leaking cell, relative to a free cell: measured on walls of 0.5 to 1 m
+/// that retain 10 m of water, in cells of 0.5 m, whose force is 92 to 66 % too small.
 constexpr double water_resistance = 1.3;
 
 long cell_of(const Grid& g, const Point& p) {
@@ -43,14 +43,14 @@ double wet_share(const EdgeElement& e, const std::vector<hydrostatic::WetInterva
   return share / (e.s_to - e.s_from);
 }
 
-/// What stands behind an element: the wall's resistance, 1 a free cell, and the first point beyond it.
+/// What is behind an element: the wall's resistance relative to a free cell, and the first point beyond it.
 struct Wall {
   double resistance = 0;
   Point beyond;
 };
 
-/// Along the mesh's axis nearer to the normal. interFoam takes the mean of two cells for what their common face lets
-/// through, so that a wall is tight once two full cells stand side by side. None: it is as thick as that.
+/// Along the mesh axis nearest to the normal. interFoam averages the permeability of two cells at their common face, so
+/// that two full cells side by side are tight. None: the wall is at least that thick.
 std::optional<Wall> thin_wall(const EdgeElement& e, const Grid& grid, const std::vector<double>& filled,
                               const std::vector<Polygon>& outlines) {
   constexpr double tight = 1e-3;
@@ -96,7 +96,7 @@ struct Forces {
   }
 };
 
-/// Cells that it takes, by trial; none: no mesh of a reasonable size does.
+/// Number of cells needed, by trial; none: no mesh of reasonable size is enough.
 std::optional<int> cells_needed(scene::Scene scene) {
   constexpr std::size_t tried_cells = 500'000;
   for (;;) {

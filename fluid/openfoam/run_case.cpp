@@ -34,7 +34,8 @@ void refuse_anothers(const fs::path& folder) {
       "--out {}: not empty and not a case that blockweir has written; choose another folder", folder.string()));
 }
 
-/// A case as interFoam needs it, and what ParaView opens it by; a line on it. Adds what its mesh is too coarse for.
+/// Makes the case for interFoam and a file to open it in ParaView; returns a line on it. Adds warnings on a coarse
+/// mesh.
 std::string make_case(const scene::Scene& scene, const RunOptions& options, const CaseOptions& writing,
                       std::vector<std::string>& warnings) {
   const fs::path& folder = writing.folder;
@@ -70,7 +71,7 @@ void tell_plugin(const channel::Options& line) {
   if (line.insecure) ::setenv("BLOCKWEIR_INSECURE", "1", 1);
 }
 
-/// Under Slurm mpirun starts the ranks on the allocation's nodes, and rank 0 meets the solid on the first of them.
+/// Under Slurm mpirun starts the ranks on the allocation's nodes; rank 0 connects to the solid on the first node.
 void require_own_node() {
   const char* job = std::getenv("SLURM_JOB_ID");
   if (job == nullptr || std::getenv("SLURMD_NODENAME") != nullptr) return;
@@ -112,7 +113,7 @@ std::map<std::string, double> times(const fs::path& folder, double solved_s) {
   return seconds;
 }
 
-/// In words, with the mean time of what was done, times what was not.
+/// As text, with the mean time of the work done, times the number skipped.
 nlohmann::json skips(const std::map<std::string, double>& seconds, const std::map<std::string, long>& counts) {
   nlohmann::json list = nlohmann::json::array();
   if (counts.empty()) return list;

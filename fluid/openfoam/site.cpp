@@ -25,8 +25,8 @@ double highest_water(const scene::Scene& scene) {
   return level;
 }
 
-/// Fixed blocks with a face on the model's left or right end whose top is under water are ground. Others, and what only
-/// touches the end with its foot, are a wall.
+/// Fixed blocks with a face on the model's left or right end and their top under water are ground. Others, and blocks
+/// that touch the end at their foot only, are a wall.
 std::vector<int> find_ground(const scene::Scene& scene, const geometry::Bounds& model, double level_m) {
   std::vector<int> ground;
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
@@ -124,7 +124,7 @@ Site find_site(const scene::Scene& scene) {
     site.structure_left_m = std::min(site.structure_left_m, block.low.x());
     site.structure_right_m = std::max(site.structure_right_m, block.high.x());
   }
-  if (site.structure_left_m > site.structure_right_m) {  // nothing stands on the bed
+  if (site.structure_left_m > site.structure_right_m) {  // no structure on the bed
     site.structure_left_m = site.loose_left_m;
     site.structure_right_m = site.loose_right_m;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The level at which one sample of many fails: as level_answer() finds it, but by one of its two ways alone, and
-// without what only people read.
+// The failure level of one sample of many: as in level_answer(), but by one method only and without texts for
+// readers.
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
 #include "solid/answers/answer_parts.hpp"

@@ -18,7 +18,7 @@ using limit::Kinks;
 using limit::LimitAnalysis;
 using nlohmann::json;
 
-constexpr double lower = 1e-3;  ///< what is less is not told
+constexpr double lower = 1e-3;  ///< smaller differences are not reported
 
 bool has_kinks(const LimitAnalysis& structure) {
   return std::any_of(structure.faces().begin(), structure.faces().end(), [](const Face& f) { return f.in_kink; });

@@ -27,7 +27,7 @@ using solid::StillWater;
 using solid::limit::Filled;
 namespace limit = solid::limit;
 
-/// What is the same for all outcomes, and the level where it fails.
+/// Fields common to all outcomes, and the failure level.
 json outcome_json(Filled outcome, double level_m) {
   switch (outcome) {
     case Filled::does_not_stand_empty:
@@ -122,10 +122,10 @@ struct Levels {
   }
   /// Do blocks that do not strain fail at a level that the blocks are said to bear?
   [[nodiscard]] bool rigid_fails_lower() const {
-    constexpr double strain = 1e-3;  // what strain alone makes of a level, over the rise
+    constexpr double strain = 1e-3;  // effect of strain on a level, relative to the rise
     return rigid_level() && *rigid_level() < blocks.value->level_m - strain * (blocks.value->level_m - empty_m);
   }
-  /// Why the blocks' level is not that of limit analysis, nor that of blocks that do not strain.
+  /// Why the blocks' level differs from that of limit analysis and from that of rigid blocks.
   [[nodiscard]] std::string reason() const {
     if (!blocks.value || !limit.value) return "none is known: only one of the two has an answer";
     if (!blocks.value->stopped.empty()) return "none is known: the blocks' level is known to level_width_m alone";

@@ -21,7 +21,7 @@ namespace limit = solid::limit;
 /// Beyond it the programs take longer than a run's end may.
 constexpr std::size_t most_faces = 300;
 
-/// Of what no strength of joints would hold, as it turns over: by which share of the reservoir's forces it just stands.
+/// For a structure that overturns whatever its strength: the share of the reservoir's forces that it can just carry.
 json add_reservoir_factor(solid::Situation& now, const limit::LimitAnalysis& structure, const limit::Wrenches& loads,
                           json answer) {
   if (!now.water) return answer;

@@ -81,7 +81,7 @@ json joints_json(const solid::Solid& blocks) {
   return {{"open", count[0]}, {"stick", count[1]}, {"slip", count[2]}};
 }
 
-/// Where the scene draws them: what moves by springs and rounding alone opens no way for water.
+/// Water sees the blocks as drawn: displacements by springs and round-off must not open a way for it.
 wire::Motion as_drawn(const solid::Solid& blocks) {
   wire::Motion motion;
   motion.displacement.own().resize(blocks.described());

@@ -77,7 +77,7 @@ json bolts_json(const solid::Solid& blocks) {
   return list;
 }
 
-/// What acts on a structure that no strength holds: forces within it that balance this there are none.
+/// Loads on a structure that no strength holds: no internal forces balance them.
 void add_loads(Situation& now, const FluidMaker& make_fluid, json& answer) {
   solid::SearchBudget effort("loads on joints");
   solid::StaticBlocks blocks(now.scene, now.water_if_any(), effort);
@@ -96,7 +96,7 @@ void add_loads(Situation& now, const FluidMaker& make_fluid, json& answer) {
       "on the structure; below is what acts on all that stands on each joint";
 }
 
-/// Forces on joints as the scene stands; where it does not, with just the strength with which it would.
+/// Joint forces of the structure as stated; if it fails, with the strength at which it would just stand.
 void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStrength& found, json& answer) {
   constexpr double just_stands = 1 - 1e-6;
   if (found.bearing == Bearing::bears_none) return add_loads(now, make_fluid, answer);
@@ -117,7 +117,7 @@ void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStreng
   if (stands) solid::add_cracked_joints(blocks.solid(), now, answer);
 }
 
-/// A factor where there is one, else why there is none; both ways of finding it have these fields.
+/// A factor, or the reason why there is none; both methods have these fields.
 template <class Strength>
 void add_factor(const Attempt<Strength>& found, const char* key, const char* why, json& answer) {
   const bool has_one = found.value && found.value->bearing == Bearing::fails_at_a_factor;
@@ -131,8 +131,8 @@ void add_factor(const Attempt<Strength>& found, const char* key, const char* why
           : "no shear strength of the joints would hold the structure";
 }
 
-/// Blocks cannot bear more than limit analysis says, but for what they strain. Those that do hold each other at slivers
-/// and tips, by less than counts as a failure.
+/// Blocks cannot carry more than limit analysis says, except through strain. Those that do hold each other at slivers
+/// and tips, by less than the failure displacement.
 void add_what_is_above_the_bound(const StaticStrength& blocks, const limit::LimitStrength& bound, json& answer) {
   constexpr double of_strain = 1e-2;
   if (bound.bearing != Bearing::fails_at_a_factor || blocks.bearing == Bearing::bears_none) return;

@@ -11,8 +11,8 @@
 namespace blockweir::solid {
 namespace {
 
-// Of the springs that hold the ground at rest, over its modulus and a block's size: it then settles by no more than a
-// thousandth of what it strains. What they bear goes on as a load.
+// Stiffness of the springs that hold the ground at rest, over its modulus and a block's size: their settlement is below
+// a thousandth of its strain. Their forces remain as a load.
 constexpr double stiffer = 1e3;
 
 double lowest_of(const scene::Scene& scene) {
@@ -49,7 +49,7 @@ ViscousBoundary::ViscousBoundary(const scene::Scene& scene, const Parts& parts) 
     const Matrix26 T = shape_at(p.material);
     drag_[at(p.part)] += p.length_m * T.transpose() * p.resistance() * T;
     const Block& block = parts.blocks[at(p.part)];
-    // Beside the model the ground settles by its weight as it does here.
+    // Beside the model the ground settles under its weight as it does here.
     Eigen::Matrix2d held = Eigen::Matrix2d::Identity();
     if (p.side) held = p.normal * p.normal.transpose();
     hold_[at(p.part)] += stiffer * block.elasticity(0, 0) / block.radius * p.length_m * T.transpose() * held * T;
@@ -107,7 +107,7 @@ Point ViscousBoundary::traction(const BoundaryPoint& p, const BaseMotion& base, 
     const double later_s = way_m / p.speed[axis];
     return base.ground_velocity({step.from_s - later_s, step.to_s - later_s}, mean)[axis];
   };
-  const Point up(record(p.up_m, 0), record(p.up_m, 1));  // twice what comes up
+  const Point up(record(p.up_m, 0), record(p.up_m, 1));  // twice the rising wave
   // Motions are against the base where its inertia acts.
   const Point frame = base.moves_supports() ? Point(Point::Zero()) : base.ground_velocity(step, mean);
   if (!p.side) return p.resistance() * (up - frame);

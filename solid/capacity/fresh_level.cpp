@@ -40,7 +40,7 @@ class FreshSearch {
   }
 
  private:
-  /// What finds no rest and yet goes nowhere has not failed.
+  /// Blocks without rest that stay in place have not failed.
   bool stands(double level_m) {
     StaticBlocks blocks(scene_, &water_, effort_);
     FailureWatch watch(blocks.solid());
@@ -66,7 +66,7 @@ class FreshSearch {
     }
   }
 
-  /// Some levels fail between others that stand: it goes on until it has seen none that fails over a good way.
+  /// Some levels fail between others that are stable: continues until a sufficient range below is stable.
   void look_below() {
     constexpr double way = 0.06;  // of the rise from the empty reservoir
     const double way_m = way * (found_.fails_m - empty_m_);

@@ -99,7 +99,7 @@ class LevelSearch {
                     (has_bracket() ? fmt::format(", fails at {:.9g} m", fails_m_) : ""));
       const double next_m = has_bracket() ? (rests_m_ + fails_m_) / 2 : std::min(full_m_, rests_m_ + range_m_ / rises);
       if (next_m <= rests_m_ || next_m >= fails_m_) break;
-      // What only strains moves less under a small rise, and what slips need not be followed as far.
+      // Pure strain moves less under a small rise, and slip need not be followed as far.
       const double share = std::min(1.0, followed_ * std::max(1e-6, (next_m - rests_m_) / range_m_));
       if (blocks_.rests_at(next_m, share)) {
         rest_at(next_m);
@@ -115,8 +115,8 @@ class LevelSearch {
     resting_ = blocks_.state();
   }
 
-  /// Follows the blocks all the way: what slips a little and then rests has not failed, and the search goes on from
-  /// there, to a coarser bracket. Otherwise tells how they fail.
+  /// Follows the blocks all the way: a small slip that comes to rest is no failure, and the search continues from there
+  /// with a wider bracket. Otherwise reports how they fail.
   bool stands_beyond(StaticLevel& found) {
     constexpr double seen = 1e-4;  // beyond the level, so that how the blocks fail is seen
     const double beyond_m = fails_m_ + seen * range_m_;
@@ -160,7 +160,8 @@ class LevelSearch {
   SearchBudget effort_{"level by the blocks"};
   StaticBlocks blocks_;
   std::optional<double> settles_m_;
-  double followed_ = 10;  ///< way on which the blocks may come to rest, over that of a failure, per rise over the range
+  double followed_ = 10;  ///< displacement within which blocks may come to rest, over failure's, for each share of the
+                          ///< range
 };
 
 }  // namespace

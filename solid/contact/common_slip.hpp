@@ -10,9 +10,9 @@
 
 namespace blockweir::solid {
 
-/// Is there a rigid motion of the one block against the other, as the scene's outline has them, that slips at each
-/// contact that slips and presses or opens none that is closed? Where faces meet at an angle there may be none: what
-/// slips there strains, until a contact opens.
+/// Whether a rigid motion of one block relative to the other, as drawn, slips at each slipping contact without pressing
+/// or opening a closed one. If faces meet at an angle there may be none: the slip then strains the blocks, until a
+/// contact opens.
 bool slips_as_one(const std::vector<Block>& blocks, const std::vector<ContactPoint>& contacts,
                   std::span<const int> joint);
 

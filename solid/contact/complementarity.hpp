@@ -7,8 +7,8 @@
 
 namespace blockweir::solid {
 
-/// z by Lemke's complementary pivoting (Cottle, Pang and Stone 1992, The linear complementarity problem, 4.4) of n
-/// equations (M n x n, q n), scaled so that all of M, and all of q, are of like size. None where it ends on a ray, or
+/// Solves n equations (M n x n, q n) for z by Lemke's complementary pivoting (Cottle, Pang and Stone 1992, The linear
+/// complementarity problem, 4.4). Scale the entries of M, and those of q, to similar size. None if it ends on a ray, or
 /// after 20 n pivots.
 std::optional<Eigen::VectorXd> solve_complementarity(const Eigen::MatrixXd& M, const Eigen::VectorXd& q);
 

@@ -16,14 +16,14 @@ struct ContactMemory {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();       ///< what acts: multiplier less penalty times separation
   double penalty = 0;                                    ///< N/m per metre
   double bond_length = 0;                                ///< m, part of the joint that was bonded at the start
-  double bond = 0;                                       ///< what is left of cohesion and tension: 1 all, 0 none
+  double bond = 0;                                       ///< remaining share of cohesion and tension strength
   double slip_m = 0;                                     ///< signed sum of slip along the edge
   double slip_path_m = 0;                                ///< sum of its magnitude
   double gap_at_start = 0;    ///< m between blocks that touch but for rounded coordinates: counts as none
   double overlap_m = 0;       ///< not above zero: by so much more than its spring gives way blocks are in each other
   double stored_j_per_m = 0;  ///< in its spring
   ContactState state = ContactState::open;
-  bool let_go = false;  ///< the bond does not hold it in the step at hand: open as it began, or pulled off
+  bool let_go = false;  ///< the bond does not act in this step: open at its start, or pulled off
 
   [[nodiscard]] bool bonded() const { return bond > 0; }
   /// Has it ever? The slip of its joint counts from then on.

@@ -23,15 +23,15 @@ class CornerMeetings {
                  FoundContacts& found)
       : outlines_(outlines), openings_(openings), passing_(passing), found_(found) {}
 
-  /// Corners that have passed each other a little behind the line of their faces go on as they are: pushed onto it at
-  /// once, they would fly.
+  /// Corners that have passed each other slightly behind the line of their faces keep that offset: closed at once, they
+  /// would be thrown off.
   void count_from_passing();
-  /// A vertex that touches one edge of a block near a corner lies far behind the next one, which it has never met: only
-  /// closed contacts, and of the others the least penetrated, may press from within, where it is within. One that lies
-  /// beside a block's acute corner is behind the line of an edge there, and in nothing.
+  /// A vertex on one edge of a block near a corner is far behind the next edge, which it never touched. From inside
+  /// only closed contacts may press, and of the others the one with least penetration. A vertex beside an acute corner
+  /// is behind the line of an edge, but inside nothing.
   void drop_edges_seen_from_within();
-  /// Where two convex vertices meet, up to four vertex-edge candidates describe one contact. What the meeting has come
-  /// to know stays with the one that is kept.
+  /// Where two convex vertices touch, up to four vertex-edge candidates describe one contact. The one that is kept
+  /// takes over the memory of the contact.
   void keep_one_of_each();
 
  private:

@@ -16,8 +16,8 @@ struct CoulombContacts {
 };
 
 /// Normal and shear forces, 2 n [N per metre]: gap >= 0, pressure >= 0, one of them zero; shear within friction times
-/// pressure, and at that bound against the slip where there is one: the complementarity problem of Stewart and Trinkle
-/// (1996, Int. J. Numer. Meth. Engng 39). None where pivoting finds none.
+/// pressure, and at that bound, against the slip, if there is slip: the complementarity problem of Stewart and Trinkle
+/// (1996, Int. J. Numer. Meth. Engng 39). None if pivoting finds none.
 std::optional<Eigen::VectorXd> coulomb_forces(const CoulombContacts& contacts);
 
 }  // namespace blockweir::solid

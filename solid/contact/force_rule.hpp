@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What bounds the two forces of a contact, a support or a bolt, and the forces that fulfil it while all others stand.
+// Bounds of the two forces of a contact, support or bolt, and the forces that satisfy them with all other forces fixed.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 namespace blockweir::solid {
 
 /// Normal force within its bounds, shear within cohesion + normal * friction. A force inside its bounds closes its gap
-/// or slip, but for what its compliance gives way: apart + compliance * force = 0.
+/// or slip, apart from its compliance: apart + compliance * force = 0.
 struct ForceRule {
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
@@ -50,8 +50,8 @@ class PointForces {
     double shear = 0;
     bool slips = false;
   };
-  /// `gap`, `slip`: what they would be without the forces [m]. Of Coulomb's law one point has at least one solution,
-  /// for friction that does not jam; where it jams the shear is left out.
+  /// `gap`, `slip`: values without the forces [m]. For one point Coulomb's law has at least one solution if friction
+  /// does not jam; if it does, the shear is left out.
   [[nodiscard]] Found at(double gap, double slip) const {
     if (may_open_ && gap >= opening_[slip > 0 ? 0 : 1] * slip) return {};
     const double free_normal = -(stiffness_[0] * gap + stiffness_[1] * slip);

@@ -33,7 +33,7 @@ struct FormulationSettings {
   bool joints_held = false;                 ///< every contact in touch sticks, whatever its law says
   bool friction_lags = false;               ///< shear is bounded by what lag_friction found, whatever acts now
   bool states_stand = false;                ///< contacts without a bond to lose keep their states, whatever acts now
-  bool swept = false;                       ///< what overlaps as the step begins is not closed in it, whoever left it
+  bool swept = false;                       ///< overlap at the start of the step is not closed in it
   double lasting_overlap_m = 0;             ///< what overlaps by more as a step begins is not closed in it; 0: all is
 };
 
@@ -58,8 +58,8 @@ class Formulation {
   /// equilibrium is to be found again.
   virtual bool sweep(const Held& held) = 0;
 
-  /// How far forces still are from those that a sweep would leave alone [N per metre]; equilibrium need not be found
-  /// much more closely before it.
+  /// Distance of the forces from those of a converged sweep [N per metre]; equilibrium need not be found much more
+  /// accurately before that.
   [[nodiscard]] virtual double unsettled(const Held& /*held*/) const { return 0; }
 
   /// Where shear can be bounded by normal forces that lag; else null.
@@ -67,10 +67,10 @@ class Formulation {
   /// Where forces are unknowns of the system; else null.
   [[nodiscard]] virtual const ForceConstraints* force_constraints() const { return nullptr; }
 
-  /// For a solver of forces: what a contact or support resists at the trial, and what bounds its forces.
+  /// For a solver of forces: resistance of a contact or support at the trial, and the bounds of its forces.
   virtual Ruled ruled_contact(const Trial& trial, int index, const ContactPoint& c);
   virtual Ruled ruled_support(const Trial& trial, int index, const Support& s);
-  /// What that solver has found acts, with the state that goes with it.
+  /// Applies the forces found by that solver, with the corresponding state.
   virtual Interaction take_contact(const Trial& trial, int index, ContactPoint& c, const RuledForce& found);
   Interaction take_support(const Trial& trial, int index, Support& s, const Eigen::Vector2d& force);
 
@@ -80,7 +80,7 @@ class Formulation {
   /// Is a velocity along a closed contact an error of the time integration? Not where contacts are springs.
   [[nodiscard]] virtual bool holds_exactly() const { return true; }
 
-  /// The step is not to be: what contacts and supports remember is what they did as it began.
+  /// Undoes the step: contacts and supports get back their memory of its start.
   void undo(const Held& held) const { before_.restore(held); }
   /// Slip, dilation and anchors of an accepted step; does any contact slip?
   bool accept(const Trial& trial, const Held& held) const;

@@ -10,7 +10,7 @@
 
 namespace blockweir::solid {
 
-/// What an island hands over: indices of its contacts and supports, and all of them.
+/// The contacts and supports of an island: their indices, and all of them.
 struct Held {
   std::span<const int> contact_ids;
   std::vector<ContactPoint>& contacts;

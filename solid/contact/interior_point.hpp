@@ -24,7 +24,7 @@ class InteriorPoint final : public Formulation {
   void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
              const Held& held) override;
 
-  /// Newton's method on the products: force is what will act after a correction that moves nothing.
+  /// Newton's method on the products: the force is the one after a correction without displacement.
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override;
   Interaction support(const Trial& trial, int index, Support& s) override;
   bool sweep(const Held& /*held*/) override { return true; }
@@ -34,26 +34,26 @@ class InteriorPoint final : public Formulation {
   /// Once the blocks have moved by a whole correction that aims at products of zero: what the next one, with the same
   /// matrix, is to aim at instead (Mehrotra 1992, SIAM J. Optim. 2).
   void predict(const Trial& trial, const Held& held);
-  /// Once the blocks have moved by a whole correction: the fraction of it that leaves all positive, at least half,
-  /// which forces follow. The few pairs that half would take beyond zero stop before, and the next correction makes up
-  /// for what they are out by: else a brick that next to nothing holds sideways keeps thousands of contacts waiting.
+  /// Call after a whole correction of the blocks: the fraction of it that leaves all variables positive, at least half,
+  /// which the forces follow. The few pairs that half would make negative stop before, and the next correction removes
+  /// their error: otherwise a brick that hardly anything holds sideways delays thousands of contacts.
   double follow_correction(const Trial& trial, const Held& held);
   /// Forces and states, for the augmented Lagrangian to begin with.
   void hand_over(const Held& held) const;
 
  private:
-  /// A force and the motion that it resists; one of them goes to zero.
+  /// A force and the motion that it resists; one of them tends to zero.
   struct Pair {
     double force = 1;
     double motion = 1;
     double force_change = 0;
     double motion_change = 0;
-    double product_change = 0;  ///< that a correction aims at beside what it is linear in
+    double product_change = 0;  ///< nonlinear part of the product that a correction aims at
 
     [[nodiscard]] double stiffness() const { return force / motion; }
     /// What the motion lacks of the product.
     [[nodiscard]] double lacks(double product) const { return (product - product_change) / force - motion; }
-    /// Of its changes: the fraction, at most all, that takes `within` of what would make it negative.
+    /// The fraction of its changes, at most all, that uses `within` of the distance to zero.
     [[nodiscard]] double positive_fraction(double within) const {
       const double of_force = force_change < 0 ? -within * force / force_change : 1;
       const double of_motion = motion_change < 0 ? -within * motion / motion_change : 1;

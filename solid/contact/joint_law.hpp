@@ -14,7 +14,7 @@ namespace blockweir::solid {
 
 enum class ContactState : int { open = 0, stick = 1, slip = 2 };
 
-/// Strength of a contact as it stands now, near a normal force [N per metre], friction as a tangent.
+/// Present strength of a contact near a normal force [N per metre], with friction as a tangent.
 struct Strength {
   double friction = 0;   ///< tan(phi), or of friction that bends its tangent
   double cohesion = 0;   ///< c times bonded length
@@ -63,7 +63,7 @@ struct JointProperties {
   [[nodiscard]] bool dilates() const { return dilation > 0; }
   /// Is its friction the same at any normal force?
   [[nodiscard]] bool is_straight() const { return !curve.bends(); }
-  /// Near a normal force, of a contact that stands for that length of joint, and whose bond is left to the part `bond`.
+  /// Near a normal force, for a contact that represents this length of joint and has the share `bond` of its bond left.
   [[nodiscard]] Strength strength(double bond, double bonded_m, double length_m, double normal) const {
     Strength found{.friction = residual_friction + bond * (friction - residual_friction),
                    .cohesion = bond * cohesion_pa * bonded_m,
@@ -98,7 +98,7 @@ struct JointProperties {
     return dilation_m(after_m) - dilation_m(slip_m);
   }
 
-  /// For a block that comes onto the joint's plane later: it was not bonded to it, and is none of its joints.
+  /// For a block that comes onto the joint's plane later: it was never bonded, and belongs to no joint.
   [[nodiscard]] JointProperties of_plane() const {
     JointProperties plane = *this;
     plane.joint = -1;

@@ -16,7 +16,7 @@ class JointLaws {
  public:
   explicit JointLaws(const scene::Scene& scene);
 
-  /// Of two blocks as the scene has them; 0 where it states none.
+  /// Law of two blocks as drawn; 0 if the scene states none.
   [[nodiscard]] int between(int block_a, int block_b) const {
     const auto found = by_pair_.find(key(block_a, block_b));
     return found == by_pair_.end() ? 0 : found->second;
@@ -27,13 +27,13 @@ class JointLaws {
     int edge = 0;
     int plane = 0;
   };
-  /// Of a vertex of a block on another's edge; the face that ends at the vertex lies on `face_plane`. Blocks that meet
-  /// on their way have the edge's plane, else the face's. The law of a pair that the scene states yields to a plane
-  /// that both lie on and that is not the pair's own: each plane holds on its line.
+  /// Law of a vertex of a block on another's edge; the face that ends at the vertex lies on `face_plane`. Blocks that
+  /// touch during the run have the law of the edge's plane, else of the face's. If both lie on a plane that is not the
+  /// pair's own, its law replaces that of the pair: each plane's law holds along its line.
   [[nodiscard]] int of_contact(int vertex_block, int face_plane, const Edge& on) const;
-  /// The joints that lie along one plane have a law in common for what slides onto it later, without their bonds. That
-  /// of the plane that most of a part of a block's edge lies on, fractions as in scene::TracePiece; 0 where half of it
-  /// or more lies on none.
+  /// Joints along one plane have a common law for blocks that slide onto it later, without their bonds. Returns the
+  /// plane with the largest share of a part of a block's edge (fractions as in scene::TracePiece); 0 if half of it or
+  /// more lies on no plane.
   [[nodiscard]] int plane_of(int block, int edge, double s_from, double s_to) const;
   [[nodiscard]] bool any_plane() const { return !on_planes_.empty(); }
   [[nodiscard]] bool dilate() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joints that dilate: their faces touch at a distance, and what they have slipped belongs to the joint. It is kept
-// while the joint is open, handed to all contacts that the joint gets, and found again where blocks part and meet anew.
+// Joints that dilate: their faces touch at a distance, and the slip belongs to the joint. It is kept while the joint is
+// open, passed to all its contacts, and found again when blocks separate and touch again.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,8 @@ class JointOpenings {
   /// Slip of a contact that was closed last at its anchor: while it is open it goes on with the blocks, as the teeth of
   /// the joint's faces do.
   [[nodiscard]] double slip_since(const ContactPoint& was) const;
-  /// Contacts that are new (`inherited` is 0) go on with the slip of their joint: of the nearest that has slipped, or
-  /// of what has parted, as `parting` has now.
+  /// New contacts (`inherited` is 0) continue with the slip of their joint: that of the nearest contact that has
+  /// slipped, or of one that has separated, as in `parting`.
   void hand_on(const std::vector<ContactPoint>& parting, std::vector<ContactPoint>& found,
                const std::vector<char>& inherited);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of shear forces that lag behind the normal forces. A shear that may grow presses its contact or a neighbour
-// less or more, which bounds it anew: where all bounds go the whole way at once, they and the forces may run to and
-// fro, each time further. They go as much of the way as their last changes tell (Aitken's delta-squared for vectors:
-// Irons and Tuck 1969, Int. J. Numer. Methods Eng. 1; Kuettler and Wall 2008, Comput. Mech. 43).
+// Bounds of shear forces that lag behind the normal forces. A growing shear changes the pressure of its contact or of a
+// neighbour, and so the bounds: with full updates, bounds and forces may oscillate with growing amplitude. The updates
+// are therefore relaxed by their last changes (Aitken's delta-squared for vectors: Irons and Tuck 1969, Int. J. Numer.
+// Methods Eng. 1; Kuettler and Wall 2008, Comput. Mech. 43).
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ class LaggedBounds {
       bound.change = change;
       stand = stand && std::abs(change) <= tolerance_n(k);
     }
-    // Where they go on the same way it is forces that still change: nothing is to be held back.
+    // If updates keep their direction, the forces are still changing: no relaxation.
     if (before > 0 && difference > 0) {
       share_ = across < 0 ? std::clamp(-share_ * across / difference, least_share, 1.0) : 1;
     }

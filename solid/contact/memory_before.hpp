@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What contacts and supports remembered as the step at hand began.
+// The memory of contacts and supports at the start of the step.
 #pragma once
 
 #include <vector>

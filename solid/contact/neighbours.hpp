@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Broad phase: pairs of blocks whose bounding boxes come near each other, found on a uniform grid.
+// Broad phase: pairs of blocks with close bounding boxes, found on a uniform grid.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,9 +10,9 @@ namespace blockweir::solid {
 
 using Box = Eigen::AlignedBox2d;
 
-/// Pairs (low index, high index), in increasing order, whose boxes overlap. `movable[i]` is false for fixed
-/// blocks; two of them make no pair. Boxes that are much larger than the typical one (a foundation) are held
-/// against all others instead of being spread over the grid.
+/// Pairs (lower index, higher index), in increasing order, whose boxes overlap. `movable[i]` is false for fixed blocks;
+/// two fixed blocks make no pair. Boxes much larger than the typical one (a foundation) are compared with all others
+/// instead of being entered in the grid.
 std::vector<std::pair<int, int>> neighbours(const std::vector<Box>& boxes, const std::vector<bool>& movable);
 
 }  // namespace blockweir::solid

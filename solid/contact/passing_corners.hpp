@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Corners that the search lets pass each other, and those that it leaves out for what their meeting has already: has a
-// step taken one into the other's block after all?
+// Corners that the search allows to pass each other, and those left out because another contact describes them: checks
+// whether a step has moved one into the other block.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ class PassingCorners {
   std::vector<ContactPoint> passed_;             ///< those of the search before
   std::vector<ContactPoint> stood_for_;          ///< left out for what their corner has on the other block's edge
   std::array<std::vector<Point>, 2> moved_;      ///< outlines of such corners' blocks
-  std::vector<ContactPoint> entered_;            ///< of passing ones, those that did not in the step at hand
+  std::vector<ContactPoint> entered_;            ///< passing corners that entered a block in this step
   std::vector<ContactPoint> turned_on_;          ///< of those stood for, the ones that press too in it
 };
 

@@ -13,8 +13,8 @@
 
 namespace blockweir::solid {
 
-/// Vertex to edge is the one kind of contact; edge to edge is two of them, at the ends of the overlap; where a
-/// convex vertex meets a convex vertex the entrance edge, the one less penetrated, stands for both.
+/// Vertex to edge is the only kind of contact. Edge to edge is two of them, at the ends of the overlap. Vertex to
+/// vertex, if both are convex, is a contact with the entrance edge, the one less penetrated.
 class ContactSearch {
  public:
   static constexpr double reach_per_move = NearPairs::reach_per_move;
@@ -40,10 +40,10 @@ class ContactSearch {
   /// not, the next search looks farther.
   [[nodiscard]] bool covers(double moved_m) { return pairs_.covers(moved_m); }
 
-  /// Has a step to these placements taken a corner that was let pass into the block that it met? If so, the next search
-  /// from the same start keeps its contact. What one of `contacts`, as the step has
-  /// them, holds on another edge of that block has not, however far its spring lets it in. Of all
-  /// blocks, or of those of an island, by increasing number.
+  /// Whether a step to these placements has moved a passing corner into the other block. If so, the next search from
+  /// the same start keeps its contact. Not for a corner that one of `contacts`, as in the step, holds on another
+  /// edge of that block, however far its spring lets it in. For all blocks, or those of an island, by increasing
+  /// number.
   [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts) {
     return passing_.entered(placements, contacts);
   }

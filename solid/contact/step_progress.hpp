@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How contacts and supports have come apart in the step at hand, and what their states have gone through.
+// Separations of contacts and supports in the step, and the changes of their states.
 #pragma once
 
 #include <algorithm>

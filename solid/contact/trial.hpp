@@ -36,8 +36,8 @@ Point edge_point(const ContactPoint& c, double fraction);
 Interaction interaction_of(const ContactPoint& c, const EdgeFrame& edge, double slip);
 Interaction interaction_of(const Support& s);
 
-/// (gap, slip) of a contact, or (x, y) of a support from where it should be [m], followed by increments within the
-/// step, so that large penalties meet no cancellation; `moved` sums what moves both points [m].
+/// (gap, slip) of a contact, or (x, y) of a support from its target [m], with increments within the step computed
+/// without cancellation, for large penalties; `moved` sums the displacements of both points [m].
 struct Separation {
   Eigen::Vector2d value = Eigen::Vector2d::Zero();
   double moved = 0;

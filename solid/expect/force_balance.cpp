@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a block would slide on a level joint by the balance of forces alone: what the contact has no part in.
+// Sliding distance of a block on a horizontal joint by the balance of forces, independent of the contact model.
 #include <cmath>
 #include <numbers>
 

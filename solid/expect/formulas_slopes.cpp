@@ -39,10 +39,11 @@ std::vector<Column> columns(const Scene& s) {
   return all;
 }
 
-/// What has to hold the lowest column at its top [N per metre], below 0 where the slope stands; t = tan(friction) on
+/// Force needed at the top of the lowest column [N per metre], negative if the slope is stable; t = tan(friction) on
 /// bases and sides. A column of height y and breadth B, pushed by P at the height M, pushes the next one at the height
-/// L with the larger of what keeps it from toppling and from sliding, friction on its sides being at its limit:
+/// L with the larger of the forces against toppling and against sliding, friction on its sides being at its limit:
 ///   (P (M - B t) + W (y sin a - B cos a)/2)/L   and   P - W (t cos a - sin a)/(1 - t^2).
+///
 double force_at_toe(const std::vector<Column>& slope, double tilt, double t) {
   double push = 0;
   for (std::size_t i = 0; i < slope.size(); ++i) {

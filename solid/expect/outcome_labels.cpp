@@ -24,11 +24,11 @@ std::string mode(const Outcome& o, const std::string& of) {
   return o.failure.moving() ? "moving" : "stands";
 }
 
-/// A rectangular block of breadth over height r on a plane of dip a, from rest. A bond in shear alone holds it where
-/// W sin a <= W cos a tan(phi) + c L and it does not turn. Else it slides as a whole where friction is below both
-/// tan(a) and r: T = N tan(phi) then has its resultant within the base. Else it turns where r < tan(a), with q = 0.75
-/// (sin a - r cos a)/(1 + r^2) its angular acceleration times h/2g, and on its toe T/N = (sin a - q)/(cos a + r q):
-/// beyond tan(phi) the toe slips too.
+/// A rectangular block with breadth over height r on a plane of dip a, starting at rest. A bond in shear alone holds it
+/// if W sin a <= W cos a tan(phi) + c L and it does not rotate. Otherwise it slides if friction is below both tan(a)
+/// and r: T = N tan(phi) then has its resultant within the base. Otherwise it topples if r < tan(a), with q = 0.75 (sin
+/// a - r cos a)/(1 + r^2) its angular acceleration times h/2g, and T/N = (sin a - q)/(cos a + r q) at its toe: beyond
+/// tan(phi) the toe slips, too.
 std::string slide_or_topple(const scene::Scene& scene, const std::string& of) {
   const PlaneJoint p = plane_joint(scene, of);
   const double r = p.length * p.length / geometry::signed_area(p.upper->vertices);

@@ -9,8 +9,8 @@
 namespace blockweir::solid::expect {
 namespace {
 
-/// A group for each block: that of the blocks which it touches, over others or at once. Ground and what the scene leads
-/// by supports have groups of their own, for all of a model may rest on one ground.
+/// A group number for each block: connected by touching, directly or through others. Ground and supported blocks have
+/// groups of their own, since a whole model may rest on one ground.
 std::vector<std::size_t> groups_that_touch(const Outcome& o) {
   const scene::Scene& s = o.solid.scene();
   std::vector<bool> free(s.blocks.size());

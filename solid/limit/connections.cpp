@@ -56,7 +56,7 @@ Face face_of(const scene::TracePiece& piece, int a, int b, int joint, const scen
   return face;
 }
 
-/// What acts as one body on a block: another block, or all of the ground that it meets.
+/// Bodies that act on a block: other blocks, or all ground blocks together.
 class Bodies {
  public:
   Bodies(const scene::Scene& scene, const std::vector<std::pair<int, int>>& pairs, double touching_m)

@@ -70,8 +70,8 @@ class LimitAnalysis::Program {
     }
     lp_.add_variable(0, infinite, worst, /*objective=*/-1);
   }
-  /// False where no forces balance the loads. All objectives are bounded: the factor by the largest that is told, what
-  /// is short and what is out of balance by none.
+  /// False if no forces balance the loads. All objectives are bounded: the factor by the largest one reported, shortage
+  /// and imbalance by nature.
   bool solve() { return lp_.maximize() == ProgramStatus::optimal; }
 
   [[nodiscard]] double value(int variable) const { return lp_.value(variable); }
@@ -84,7 +84,7 @@ class LimitAnalysis::Program {
     }
     return twists;
   }
-  /// Adds tangents to faces whose friction bends and whose forces are beyond it; true where there were any.
+  /// Adds tangents to faces with curved friction whose forces exceed it; true if there were any.
   bool add_tangents(std::vector<Face>& faces, double reduction) const {
     const double weight = structure_.weight_n_per_m_;
     const double lacks = shortage_ ? lp_.value(*shortage_) : 0;
@@ -123,7 +123,7 @@ class LimitAnalysis::Program {
     int shear = 0;
   };
 
-  /// Throws std::runtime_error where it is beyond what the simplex method can scale.
+  /// Throws std::runtime_error if it is beyond what the simplex method can scale.
   [[nodiscard]] Wrench scaled(const Wrench& w) const {
     constexpr double most = 1e9;
     const Wrench scaled = Wrench(w[0], w[1], w[2] / structure_.size_m_) / structure_.weight_n_per_m_;

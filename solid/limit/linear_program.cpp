@@ -82,7 +82,7 @@ bool LinearProgram::is_optimal() const {
   return true;
 }
 
-/// From the basis at hand. GLPK's code; 0: it came to an end.
+/// From the present basis. Returns GLPK's code; 0: finished.
 int LinearProgram::solve(int method) {
   constexpr int most_ms = 120'000;
   glp_smcp how;
@@ -95,8 +95,8 @@ int LinearProgram::solve(int method) {
   return glp_simplex(program_.get(), &how);
 }
 
-/// By `size`, each a little differently: bounds that meet in one point, between which the method runs in circles, do so
-/// no more. What has no solution then has none at all. With 0 it takes that back.
+/// Relaxes each bound by `size`, each slightly differently, so that bounds meeting in one point no longer make the
+/// method cycle. If there is still no solution, there is none at all. 0 restores the bounds.
 void LinearProgram::relax(double size, unsigned seed) {
   std::minstd_rand random(seed);
   const auto more = [&] { return size * (1 + static_cast<double>(random()) / std::minstd_rand::max()); };

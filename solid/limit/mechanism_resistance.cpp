@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a mechanism meets: openings and slips of faces, and the power that resists them.
+// Resistance to a mechanism: openings and slips of faces, and the power that they dissipate.
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +9,8 @@
 namespace blockweir::solid::limit {
 namespace {
 
-/// The bound that a mechanism meets which opens the face by so much a slip: that of associated flow between the two
-/// tangents beside it.
+/// The bound for a mechanism that opens the face by this much for each unit of slip: that of associated flow between
+/// the two adjacent tangents.
 Face::Bound bound_of(const Face& face, double opening_per_slip) {
   const std::vector<Face::Bound> bounds = face.bounds();
   const auto next =

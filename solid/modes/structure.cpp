@@ -136,7 +136,7 @@ void Structure::add_holds(Entries& stiffness) const {
   }
 }
 
-/// What k resists is the displacement of point i against that of j.
+/// k resists the displacement of point i relative to point j.
 void Structure::add_spring(int part_i, const Point& at_i, int part_j, const Point& at_j, const Eigen::Matrix2d& k,
                            Entries& stiffness) const {
   if (moves(part_i)) {

@@ -51,7 +51,7 @@ json word_check(const expect::Outcome& outcome, const scene::Expectation& e) {
           {"passed", got == expected}};
 }
 
-/// Of an expectation that this scene cannot answer: nothing else of the run is lost for it.
+/// For an expectation that this scene cannot answer; the rest of the run is still checked.
 json no_check(const char* trouble) {
   return {{"expected", nullptr},  {"got", nullptr},  {"relative_error", nullptr},
           {"tolerance", nullptr}, {"passed", false}, {"trouble", trouble}};

@@ -20,7 +20,7 @@ namespace {
 
 using Pair = std::pair<int, int>;
 
-/// What touches in the outline and has no joint of its own in the scene; none where there are too many to be read.
+/// Touching pairs of blocks without a joint of their own in the scene; empty if they are too many.
 std::vector<Pair> unnamed_joints(const scene::Scene& scene) {
   constexpr std::size_t most = 12;
   std::set<Pair> touching = scene::touching_pairs(scene, scene::rounding_ratio * scene::structure_size_m(scene.blocks));

@@ -69,7 +69,7 @@ std::string new_contacts_warning(const expect::Outcome& o) {
   for (const ContactRow& c : o.first.contacts) known.insert(pair_of(c));
   std::set<std::pair<int, int>> met;
   for (const ContactPoint& c : o.solid.contacts()) {
-    constexpr int default_law = 0;  // not that of a cut, along whose edge a block slides
+    constexpr int default_law = 0;  // not the law of a cut along whose edge a block slides
     if (c.state == ContactState::open || c.law != default_law || known.contains(c.pair())) continue;
     if (other_joint(scene, c.pair()) != nullptr) met.insert(c.pair());
   }

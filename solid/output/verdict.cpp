@@ -39,7 +39,7 @@ std::string others_text(std::size_t count) {
   return fmt::format(", and {} more block{} after it", count, count == 1 ? "" : "s");
 }
 
-/// What the level is good for; empty where it is that of slow filling to a thousandth of the head.
+/// Limits of the level's accuracy; empty if it is that of slow filling to a thousandth of the head.
 std::string doubt(const Solid& solid, const Failure& f) {
   if (std::isnan(f.level_m)) return {};
   if (f.bound && solid.scene().analysis.kind == scene::AnalysisKind::at_rest) {
@@ -186,7 +186,7 @@ void add_levels_not_reached(const expect::Outcome& o, json& warnings) {
   look("downstream", scene.water.downstream_level_m, o.last.downstream_level_m);
 }
 
-/// Stands, fails or moving, and what belongs to it.
+/// The outcome (stands, fails or moving) with its data.
 void add_outcome(const expect::Outcome& outcome, json& text) {
   if (!outcome.failure.failures().empty()) {
     text["outcome"] = "fails";

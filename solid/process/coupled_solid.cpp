@@ -103,7 +103,7 @@ void CoupledSolid::advance(const wire::Load& load, const wire::Motion& sent, dou
   observe(load, to_s);
   watch_interface(load, sent, masses, from_s, to_s);
   for (const ContactPoint& c : solid_.contacts()) {
-    const bool over_edge = c.anchor >= 0 && c.anchor <= 1;  // beside it there is nothing to enter
+    const bool over_edge = c.anchor >= 0 && c.anchor <= 1;  // beside the edge there is nothing to enter
     if (c.state != ContactState::open && over_edge) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
   }
   if (load.breached && !breached_s_) breached_s_ = from_s;
@@ -149,7 +149,7 @@ void CoupledSolid::observe(const wire::Load& load, double time_s) {
   const Stopwatch watch(watch_s_);
   const Levels levels{load.upstream_level_m, load.downstream_level_m};
   failure_.look(time_s, levels);
-  // A static analysis seeks its states of rest beyond what the start has come to, which is only near to one.
+  // A static analysis iterates to equilibrium beyond the initial state, which is only close to it.
   const bool sought = solid_.scene().analysis.kind != scene::AnalysisKind::at_rest || time_s > 0;
   if (failure_.failures().empty() && sought) {
     margins_.look(solid_, time_s, levels.higher_m());

@@ -30,9 +30,9 @@ using schedule::FluidReport;
 
 using Clock = std::chrono::steady_clock;
 
-/// Progress, at most twenty lines a second on a pipe, one in two seconds for people. While the structure settles,
+/// Progress lines: at most twenty a second on a pipe, one in two seconds for people. While the structure settles,
 /// "settling SOLUTIONS"; then "time_s level_m largest_displacement_m", and "solving WINDOW time_s SOLUTIONS" from a
-/// window that takes long. A fluid that waits is told of each solution's end, too.
+/// long window. A waiting fluid gets a sign of life after each solution.
 class Reports {
  public:
   Reports(int fd, double duration_s) : fd_(fd), duration_s_(duration_s) {}
@@ -87,7 +87,7 @@ class Reports {
     return true;
   }
   void write(const std::string& line) {
-    // Where nobody listens the run goes on without.
+    // If nobody reads, the run continues without progress lines.
     silent_ = silent_ || ::write(fd_ >= 0 ? fd_ : STDERR_FILENO, line.data(), line.size()) < 0;
   }
 
@@ -107,7 +107,7 @@ double processor_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// What has not been said, or has needed no other process. Its start would have taken about what the solid's own took.
+/// Messages that were skipped, and the process that was not needed: its start would take about as long as the solid's.
 std::vector<std::string> skips_of(const Exchanges& exchanges, bool dry, bool one_process, double exchange_s,
                                   double start_s) {
   using results::saved;

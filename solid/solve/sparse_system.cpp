@@ -11,8 +11,8 @@
 namespace blockweir::solid {
 namespace {
 
-/// Factorizations take the same memory again and again. Returned to the system between them it would come back in pages
-/// that have to be cleared: a fifth of the time of a dam of 1,009 bricks.
+/// Factorizations allocate the same memory again and again. If it were returned to the system in between, its pages
+/// would have to be cleared each time: a fifth of the time of a dam of 1,009 bricks.
 void keep_freed_memory() {
   constexpr int largest = 32 << 20;  // that mallopt takes as a threshold
   mallopt(M_MMAP_THRESHOLD, largest);

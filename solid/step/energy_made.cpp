@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a step has made of nothing.
+// Spurious energy of a step, and its removal.
 #include <algorithm>
 #include <cmath>
 
@@ -73,7 +73,7 @@ void StepEnergy::look_at_links(const IslandEquations& s, const std::vector<int>&
       if (!trial_.moves(block)) continue;
       Group& group = group_with(block);
       group.may_let_go = group.may_let_go || by == By::may_let_go;
-      // What turns on a hinge gains by Shi's scheme as what topples on a corner does.
+      // With Shi's scheme a block on a hinge gains energy as a toppling block does.
       group.held = group.held || by == By::spring || (by == By::hinge && trial_.scheme.second_order());
       if (!trial_.moves(a.block_i) || !trial_.moves(a.block_j)) group.anchored = true;
     }
@@ -94,7 +94,7 @@ void StepEnergy::look_at_links(const IslandEquations& s, const std::vector<int>&
   }
 }
 
-/// About the group's first block, so that sums do not depend on what else the island has.
+/// About the group's first block, so that sums do not depend on the rest of the island.
 Eigen::Matrix<double, 6, 3> StepEnergy::rigid_of(const IslandEquations& s, const std::vector<int>& group_of,
                                                  std::size_t k) const {
   const auto b = at(s.island.blocks[k]);

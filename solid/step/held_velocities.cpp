@@ -20,7 +20,7 @@ void HeldVelocities::settle(IslandEquations& s, double dt) {
   settle_by_impulses(s, dt);
 }
 
-/// False where friction cannot have what that takes.
+/// False if friction cannot provide the impulses.
 bool HeldVelocities::settle_solved(IslandEquations& s, double dt) {
   constexpr double unheard_m_per_s = 1e-9;
   const auto rests = [this](int b) {
@@ -79,8 +79,8 @@ bool HeldVelocities::project(IslandEquations& s, const std::vector<Eigen::Vector
   return true;
 }
 
-/// The step's force gives a block that lands from nothing to twice the impulse that stops it, by where in the step that
-/// is; what settles its velocity is the rest. Friction goes by the whole.
+/// The force of the step gives a landing block between zero and twice the impulse that stops it, depending on the time
+/// of contact in the step; the velocity correction provides the rest. Friction is bounded by the total.
 bool HeldVelocities::friction_has(const IslandEquations& s, const std::vector<Eigen::Vector2d>& missing,
                                   double dt) const {
   constexpr double least = 1e-2;  // of the normal impulse: less is how blocks ring by their strains
@@ -141,14 +141,14 @@ Eigen::Vector2d HeldVelocities::rate_of_fixed(const Interaction& action, double 
   return rate;
 }
 
-/// Velocities along held directions become those of what holds them. Of a contact all that it gives its blocks in the
-/// step is bounded by its friction (Moreau 1999): the impulse of its force, and what settles the velocity.
+/// Velocities in constrained directions become those of the constraint. A contact's total impulse in the step is
+/// bounded by its friction (Moreau 1999): that of its force, and that of the correction.
 void HeldVelocities::settle_by_impulses(IslandEquations& s, double dt) {
   const bool falls = trial_.falls();
   const bool many_fall = s.unknowns->total > few_unknowns && falls;
   const double unheard_m_per_s = std::max(1e-9, (many_fall ? 1e-4 : 1e-6) * trial_.fall_m() / dt);
   const int most = s.unknowns->total > large_island ? 20 : falls ? 100 : 300;
-  Eigen::VectorXd& beyond = s.correction;  // what velocities have beyond those that are due
+  Eigen::VectorXd& beyond = s.correction;  // difference of the velocities from the required ones
   beyond.setZero();
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
     const auto b = at(s.island.blocks[k]);
@@ -183,8 +183,8 @@ void HeldVelocities::settle_by_impulses(IslandEquations& s, double dt) {
   }
 }
 
-/// Of a closed contact neither gap nor slip goes on, as far as it can press and friction has the impulse. One that
-/// dilates as it slips opens by that, and its friction has no part in it.
+/// The gap and slip rates of a closed contact become zero, as far as it can press and friction has the impulse. A
+/// dilating contact opens as it slips, and its friction does no work in that.
 void HeldVelocities::rule_of_contact(ForceSweeps::Row& row, double opening, double dt) const {
   const bool held = !row.rule.opens || !row.force.isZero(0);
   ForceRule rule{.opens = false};

@@ -21,8 +21,8 @@ void StepsWithImpacts::start_acceleration(const std::vector<Panel>& water, doubl
 Outcome StepsWithImpacts::make(const Stretch& stretch) {
   made_by_shi_ = true;
   const StepMode own{.scheme = model_.scheme};
-  // Without velocities a step as short as the scene's would hold back by inertia what is led, and let it spring back at
-  // rest: one long against elastic periods follows what is led through states of rest.
+  // For steps without velocities. A step as short as the scene's would hold prescribed motion back by inertia and let
+  // it spring back at rest; a step long against elastic periods follows it through equilibria.
   constexpr double longer = 10;
   if (model_.is(scene::AnalysisKind::quasi_static)) {
     const double long_s = longer * model_.pseudo_step_s();

@@ -45,8 +45,8 @@ std::vector<bool> unanchored(const Model& model, const State& state) {
 
 namespace {
 
-/// What a vertex may move as bolts stretch on their way to equilibrium [m]: they bear no more than their yield, or the
-/// weight. What they pull at an angle or with a short lever moves farther than they stretch.
+/// Largest displacement of a vertex while bolts stretch to equilibrium [m]: their force is at most their yield or the
+/// weight. With an oblique pull or a short lever it exceeds their elongation.
 double moved_by_bolts_m(const Model& model, const State& state) {
   constexpr double farther = 4;
   double most = 0;
@@ -68,7 +68,7 @@ bool InitialEquilibrium::settle(const std::vector<Panel>& water) {
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) trial_.frozen[b] = fixed[b] || waiting[b];
   const StepMode mode{.scheme = {.damps = false}, .settles = true};
   const FormulationSettings usual = formulation_->settings();
-  // What the start leaves unbalanced or apart stays as long as nothing moves: it is found ten times as closely as a
+  // Errors of the initial state remain as long as nothing moves: it is found ten times as accurately as a
   // step.
   FormulationSettings closely = usual;
   closely.force_tolerance_n *= 0.1;
@@ -103,7 +103,7 @@ bool InitialEquilibrium::settle(const std::vector<Panel>& water) {
   time_step_.begin_anew();
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
     state_.blocks[b].velocity = released[b].velocity;
-    // What has only waited, or stood still for the others to settle, does not rest.
+    // Blocks that only waited, or were held while others settled, are not at rest.
     if (waiting[b] || !released[b].velocity.isZero(0)) state_.sleep.wake(b);
     state_.blocks[b].acceleration.setZero();
     state_.blocks[b].force.setZero();
@@ -122,8 +122,8 @@ void InitialEquilibrium::hold(const Stretch& pseudo_step, const StepMode& mode, 
   const double at_rest_m = 1e-13 * model_.size_m;
   const double shortest = 1e-6 * pseudo_step.dt;
   set(held);
-  // Slender structures are soft against the inertia of such steps and come to rest a tenth at a time: longer steps take
-  // them there sooner.
+  // Slender structures are soft compared with the inertia of such steps and relax by a tenth at a time: longer steps
+  // are faster.
   double dt = pseudo_step.dt;
   double longest = 100 * pseudo_step.dt;
   double moved_before = std::numeric_limits<double>::infinity();
@@ -140,7 +140,7 @@ void InitialEquilibrium::hold(const Stretch& pseudo_step, const StepMode& mode, 
       longest = dt = pseudo_step.dt;
       if (solves()) return true;
     }
-    // What is soft goes on by as much as a step may, held back by its inertia.
+    // Soft structures move by as much as a step may, restrained by inertia.
     while (last == Outcome::too_far && dt > shortest) {
       dt /= 4;
       if (solves()) return true;
@@ -167,10 +167,10 @@ void InitialEquilibrium::hold(const Stretch& pseudo_step, const StepMode& mode, 
   }
 }
 
-/// Shear that joints cannot carry by their own laws slips away at rest, so that its release does not set the blocks
-/// ringing. Where all joints of a high stack slip at once, both ends of each in opposite directions, next to nothing
-/// holds the blocks sideways: shorter steps, whose inertia does, find the states, and come at least near to rest. A
-/// structure that does not is on the move already: it starts from the held state.
+/// Shear that the joints' own laws cannot carry slips while settling, so that its release does not make the blocks
+/// oscillate. If all joints of a high stack slip at once, both ends of each in opposite directions, hardly anything
+/// holds the blocks sideways: shorter steps, whose inertia does, find the states, and come at least close to
+/// equilibrium. A structure that does not is already moving: it starts from the held state.
 bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode) {
   constexpr int most_steps = 200;
   const Standing held = state_;
@@ -210,16 +210,16 @@ bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode)
     }
     ++counts_.settling_steps;
     const double moved = trial_.largest_increment();
-    // Whatever stops it then: it has not stood as it was drawn.
+    // Whatever stops it then, it was not stable as drawn.
     if (state_.largest_slip_m() > slips_m) break;
     if (moved <= at_rest_m && whole_step) return true;
     const double before = std::exchange(acceleration, 2 * moved / (dt * dt));
-    // What changes by less than a thousandth a step does not come to rest in those that are left.
+    // A motion that changes by less than a thousandth in a step will not stop in the remaining steps.
     steady_steps = std::abs(acceleration / before - 1) <= 1e-3 ? steady_steps + 1 : 0;
-    // A static analysis follows what creeps by steps that grow, and sees sooner where it goes.
+    // A static analysis follows creep by growing steps, and decides sooner.
     if (steady_steps == 5 && (acceleration >= moving || model_.is(scene::AnalysisKind::at_rest))) break;
     if (moved > far_m) break;
-    // Large structures come to rest a tenth at a time: longer steps, where they find states, take them there sooner.
+    // Large structures relax by a tenth at a time: longer steps, if they find states, are faster.
     const bool comes_to_rest = state_.whole_law.after_failure() && whole_step && moved <= 1e-6 * model_.size_m;
     const double longer = comes_to_rest ? longest : std::min(pseudo_step.dt, 2 * dt);
     if (longer <= dt || longer < failed || !as_long.skips()) dt = longer;
@@ -231,9 +231,9 @@ bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode)
   return false;
 }
 
-/// The strains of the motion that begins, found in steps so short that it hardly moves: released at once, what joints
-/// have held beyond their laws would give it a push. What does not strain has none, and what is so soft that these
-/// steps would carry it off starts as it was held.
+/// The strains at the start of a motion, found in steps so short that there is hardly any displacement: released at
+/// once, forces held beyond the joints' laws would give the blocks a push. Rigid blocks have no strains, and blocks so
+/// soft that these steps would carry them off start from the held state.
 void InitialEquilibrium::start_moving(const Stretch& pseudo_step, double acceleration, const Standing& held,
                                       const StepMode& mode) {
   constexpr int steps = 5;

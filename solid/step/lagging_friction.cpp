@@ -26,7 +26,7 @@ bool LaggingFriction::find(IslandEquations& s, const StepMode& mode) {
     const double left = mode.settles && goes_on ? s.unbalanced() : std::numeric_limits<double>::infinity();
     const Approach reached = approach(s, left);
     if (mode.settles && reached == Approach::near && finish(s, mode)) return true;
-    // Softer contacts or a shorter step cost less than what sweeps would take from here.
+    // Softer contacts or a shorter step are cheaper than sweeps from here.
     if (mode.settles && reached == Approach::nothing) return false;
   }
   for (int sweep = 0; sweep < model_.scene.contact.max_iterations; ++sweep) {
@@ -43,11 +43,11 @@ bool LaggingFriction::find(IslandEquations& s, const StepMode& mode) {
   return false;
 }
 
-/// Where hundreds of contacts slip or open at once, Newton's method would look for their states by hundreds of
-/// solutions. What this leaves undone, Newton's method or sweeps do; where it does not get near they begin as without
-/// it. Among thousands of deformable bricks some contacts with next to no force on them go to and fro: it goes back to
-/// where it was nearest.
-/// Forces of the step before will change by about `change_n`.
+/// If hundreds of contacts slip or open at once, Newton's method would need hundreds of solutions for
+/// their states. It, or sweeps, complete what this method leaves; if this method does not get close, they
+/// start as without it. Among thousands of deformable bricks some contacts with almost no force
+/// alternate: the result is then the closest state. Forces of the step before will change by about
+/// `change_n`.
 LaggingFriction::Approach LaggingFriction::approach(IslandEquations& s, double change_n) {
   constexpr int most_solutions = 200;
   constexpr double near = 1e-5;  // of what was unbalanced

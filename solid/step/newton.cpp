@@ -13,9 +13,9 @@
 namespace blockweir::solid {
 namespace {
 
-constexpr int few_at_rest = 24;  ///< unknowns of an island whose solutions cost next to nothing
+constexpr int few_at_rest = 24;  ///< unknowns of an island whose solutions cost almost nothing
 
-/// Notices that Newton's method runs in circles: what is unbalanced comes again (Brent's way to find a cycle).
+/// Detects cycles of Newton's method: an imbalance occurs again (Brent's cycle detection).
 class Circle {
  public:
   bool closes(double unbalanced) {
@@ -36,9 +36,9 @@ class Circle {
 
 }  // namespace
 
-/// Solutions that an island gets. Where sweeps can follow, or what a static analysis has, more than 40 find hardly any
-/// state of a medium island (NUMERICS.md). Where it has failed, its next turn is a short one; of what falls sweeps come
-/// as near sooner.
+/// Number of solutions for an island. If sweeps can follow, or the fallbacks of a static analysis, more than 40 hardly
+/// ever find a state of a medium island (NUMERICS.md). After a failure the next attempt is short; for falling blocks
+/// sweeps get as close sooner.
 int Newton::turn(int unknowns, const StepMode& mode) const {
   const int most = model_.scene.contact.max_iterations;
   const bool sweeps = may_sweep(step_, mode);
@@ -49,7 +49,7 @@ int Newton::turn(int unknowns, const StepMode& mode) const {
   constexpr int states_known = 20;
   if (mode.smooth_only && unknowns > few_unknowns && trial_.falls()) return std::min(most, states_known);
   if (!sweeps && unknowns <= large_island) {
-    // States of held joints are known, and nothing else would find their forces.
+    // The states of held joints are known, and no other method would find their forces.
     const bool others_follow = model_.is(scene::AnalysisKind::at_rest) && !formulation_->settings().joints_held;
     return others_follow && unknowns > few_at_rest ? std::min(most, enough) : most;
   }
@@ -97,9 +97,9 @@ bool Newton::find(IslandEquations& s, const StepMode& mode) {
   return false;
 }
 
-/// Multipliers that took the penalties' part have put all out of balance, and no state in question: a solution in the
-/// states that contacts have spares those in which hundreds of them would change and change back. While a structure
-/// settles all are judged, or what has slipped once would go on, and bonds beside it break that can hold it.
+/// Multipliers that replaced the penalties' part disturb the balance, but no states. A solution with the present states
+/// avoids one in which hundreds of them would change and change back. While a structure settles all are checked:
+/// otherwise a contact that slipped once would continue, and bonds that can hold it would break.
 double Newton::unbalanced_in_these_states(IslandEquations& s, const StepMode& mode) {
   const Temporarily stand(formulation_->settings().states_stand, !mode.settles);
   return s.unbalanced();

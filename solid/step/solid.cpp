@@ -13,8 +13,8 @@
 namespace blockweir::solid {
 namespace {
 
-/// The longest step in which no block among others turns farther than a search of contacts holds, if all go on turning
-/// as they do [s]: a longer one would be undone. Static analyses have no velocities.
+/// The longest step in which no block among others rotates farther than a contact search allows, with present
+/// velocities [s]: a longer one would be undone. Static analyses have no velocities.
 double until_turned(const Model& model, const State& state) {
   if (!model.is(scene::AnalysisKind::dynamic)) return std::numeric_limits<double>::infinity();
   double fastest = 0;
@@ -77,7 +77,7 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
     state_.next_dt = dt / 4;
     if (state_.next_dt < smallest_step) refuse_step(time, dt, outcome);
   }
-  // Steps without velocities take what slips a short way each: whether it comes to rest is seen at the window's end.
+  // Steps without velocities move a slipping block a short way each: whether it stops is known at the window's end.
   constexpr double balanced = 5e-5;  // of the weight
   if (model_.is(scene::AnalysisKind::quasi_static) && rest_.unbalanced_ratio() > balanced) {
     rest_.come_to_rest(water.at(to_s), to_s);

@@ -29,7 +29,7 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) 
   const double slipped_m = state_.largest_slip_m();
   const double far_m = model_.scene.analysis.failure_displacement_m;
   double failed = std::numeric_limits<double>::infinity();  // the last step length that found no states
-  Backoff as_long;  // as it again: what creeps makes hundreds of steps, and one in vain costs as many
+  Backoff as_long;  // as many steps again: creep makes hundreds of steps, and a failed attempt costs as many
   state_.rest = {};
   for (double dt = longest; state_.rest.steps < most_steps && dt > shortest * longest;) {
     state_.stop();
@@ -47,16 +47,16 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) 
     ++state_.rest.steps;
     const double before = std::exchange(state_.rest.unbalanced, unbalanced_ratio());
     state_.rest.found = !time_step_.any_swept() && state_.rest.unbalanced <= model_.scene.analysis.residual_tolerance;
-    // What only strains or settles halves what is unbalanced, however far it goes; what slides or turns does not.
+    // Strain and settlement halve the imbalance, however far they go; sliding and rotation do not.
     const bool settles = state_.rest.steps == 1 || state_.rest.unbalanced < before / 2;
     const bool far = state_.largest_displacement_m(model_) - before_m > far_m;
-    // What an anchor or a neighbour stops after such a slip has failed before. What strains as far slips by that, too.
+    // A slip that is stopped by an anchor or neighbour after this distance has failed before, even if strain caused it.
     state_.rest.found = state_.rest.found && state_.largest_slip_m() - slipped_m <= far_m + before_m;
     if (state_.rest.found || (far && !settles)) break;
     const double longer = settles ? std::min(std::max(longest, dt), 2 * dt) : 2 * dt;
     if (longer < failed || !as_long.skips()) dt = longer;
   }
-  if (!state_.rest.found) return;  // velocities tell where it goes
+  if (!state_.rest.found) return;  // velocities show where it moves
   state_.stop();
 }
 

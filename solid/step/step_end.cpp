@@ -34,8 +34,8 @@ bool supports_lead(const StepWorkspace& step, const IslandEquations& s) {
   });
 }
 
-/// Velocities become those of what holds them. The impulses that take the blocks along give energy: a base at its own
-/// velocity, supports, of which each has its own, all that the blocks gain.
+/// Velocities become those of the constraints. The impulses that carry blocks along supply energy: from a base with its
+/// velocity, and from supports, each with its own, all that the blocks gain.
 void settle_velocities(StepWorkspace& step, IslandEquations& s, double dt, bool base_leads, bool starts) {
   const bool led = !base_leads && !starts && supports_lead(step, s);
   const double kinetic = led ? kinetic_energy(step, s) : 0;
@@ -133,9 +133,9 @@ void StepEnd::accept_motion(IslandEquations& island, double dt) {
   });
 }
 
-/// Viscous forces of a step by Shi's scheme go by its mean rates. The trapezoidal rule goes on from those of its end:
-/// their mean over a step is that of the step's mean rate, and takes. Generalized-alpha weighs them otherwise and would
-/// make energy of them.
+/// Viscous forces in a step of Shi's scheme use its mean rates. The trapezoidal rule continues from those of its end:
+/// their mean over a step is that of the mean rate, and dissipates. Generalized-alpha weights them differently and
+/// would produce energy.
 void StepEnd::act_by_end_rates(std::size_t b, double dt) {
   if (model_.scene.analysis.integrator != scene::Integrator::trapezoidal || !trial_.scheme.damps) return;
   BlockState& state = state_.blocks[b];

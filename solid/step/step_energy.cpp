@@ -67,8 +67,8 @@ void StepEnergy::lead(const StepIslands& islands, const Point& moved) {
   }
 }
 
-/// Through a step. Generalized-alpha weighs forces in its own way: there it is what momentum has gained beyond loads
-/// and damping; what blocks of a group give each other is no matter, as the base moves all alike.
+/// Over a step. Generalized-alpha weights forces in its own way: there it is the momentum gained beyond loads and
+/// damping; forces between blocks of a group do not matter, since the base moves all alike.
 Point StepEnergy::push_of_base(std::size_t b, const Vector6& load, double dt) const {
   if (!trial_.scheme.second_order()) return pushes_[b];
   if (trial_.scheme.alpha_f == 0) return state_.energy.push_through_step(b, pushes_[b]);

@@ -46,7 +46,7 @@ void require_small_strains(const StepWorkspace& step) {
 
 namespace {
 
-/// What helps: a start without stress lets go what is on its way, and finds no states that this one does not find.
+/// Remedies: a start without stress releases moving parts, but finds no states that this one does not find.
 std::string start_advice(const StepWorkspace& step, bool moves_on, double overlap_m) {
   if (moves_on) {
     const bool rests = step.model.scene.analysis.kind == scene::AnalysisKind::at_rest;  // where nothing is on its way
@@ -59,7 +59,7 @@ std::string start_advice(const StepWorkspace& step, bool moves_on, double overla
 
 }  // namespace
 
-/// What the last try of a start left open: where blocks still move, and which of them do not fit onto each other.
+/// The unfinished part of the last attempt to start: which blocks still move, and which do not fit each other.
 void refuse_start(const StepWorkspace& step, int steps, int most_steps, Outcome last) {
   const bool too_far = last == Outcome::too_far;
   std::string text =

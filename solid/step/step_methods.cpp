@@ -31,8 +31,8 @@ Outcome StepMethods::try_all(const Stretch& stretch, const StepMode& mode) {
   return outcome;
 }
 
-/// Where sweeps have ended far from their laws. What stands is worth the thousands of solutions that lagging friction
-/// may take; of what falls they count all the same.
+/// For sweeps that ended far from their laws. A standing structure is worth the thousands of solutions that lagged
+/// friction may need; for falling blocks the sweeps are accepted.
 Outcome StepMethods::try_far_from_laws(const Stretch& stretch, const StepMode& mode) {
   Outcome outcome = Outcome::not_found;
   const double standing_m_per_s = model_.scene.analysis.gravity_m_per_s2 * stretch.dt;  // of a fall through the step

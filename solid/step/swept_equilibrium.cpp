@@ -86,7 +86,7 @@ bool SweptEquilibrium::finish(IslandEquations& s, const StepMode& mode) {
   return find_by_newton(step_, s, mode);
 }
 
-/// What the last sweep, or the nearest to forces that stand, still moved.
+/// Displacement in the last sweep, or in the one closest to convergence.
 double SweptEquilibrium::sweep(IslandEquations& s, int most, double enough_m) {
   const Stopwatch watch(profile_.sweeps);
   counts_.sweeps += s.sweeps.settle(most, enough_m);

@@ -72,7 +72,7 @@ bool TimeStep::has_seen(bool made, double moved_m, const StepMode& mode) {
   return true;
 }
 
-/// What acts in the step, and what its blocks and supports begin with.
+/// Loads of the step, and the initial state of its blocks and supports.
 void TimeStep::begin(const Stretch& stretch, const StepMode& mode) {
   trial_.end_s = stretch.end_s;
   trial_.find_sliding_blocks();
@@ -94,7 +94,7 @@ void TimeStep::begin(const Stretch& stretch, const StepMode& mode) {
   begin_contacts(mode);
 }
 
-/// By the ground beyond: what has held the ground at rest, and what comes in.
+/// Forces of the ground beyond: those that held it at rest, and incoming waves.
 void TimeStep::push_boundary(const scene::TimeSpan& span) {
   for (std::size_t b = 0; b < state_.held_by_ground.size(); ++b) trial_.external[b] += state_.held_by_ground[b];
   model_.boundary.add_free_field(model_.base, span, !trial_.scheme.second_order(), trial_.external);
@@ -130,8 +130,8 @@ bool TimeStep::solve(const StepMode& mode) {
   const bool newton = !sweeps || (trial_.first_force.empty() && !state_.whole_law.skips());
   bool solved = true;
   bool all_by_newton = true;
-  const bool falls =
-      sweeps && trial_.falls();  // what sweeps have come near to is then no sign that Newton's method would
+  const bool falls = sweeps && trial_.falls();  // then a result close to that of sweeps does not show that Newton's
+                                                // method would converge
   IslandSleep sleep(step_);
   for (IslandEquations& island : islands_) {
     island.found = Found::nothing;
@@ -182,8 +182,8 @@ bool TimeStep::find_contacts() {
   return true;
 }
 
-/// Phases of a step whose islands have few blocks take no longer than looks at the clock: but for the first steps, one
-/// in 16 is timed and counts for all.
+/// In islands of few blocks, phases of a step take no longer than reading the clock: after the first steps, one in 16
+/// is timed and counts for all.
 double TimeStep::timed() const {
   constexpr std::size_t few_blocks = 16;  // an island
   constexpr long steps = 16;
@@ -191,8 +191,8 @@ double TimeStep::timed() const {
   return counts_.steps % steps == 0 ? static_cast<double>(steps) : 0;
 }
 
-/// What a large island's velocities are is round-off where they would move it by no more: with penalties times
-/// that, a wall that stands would be out of balance as each step begins.
+/// Velocities of a large island are round-off if they would displace it by no more: with penalties times that, a
+/// standing wall would be out of balance at the start of each step.
 void TimeStep::start_where_it_rests(const IslandEquations& s) {
   const double round_off_m = 10 * formulation_->settings().position_round_off_m;
   if (s.unknowns->total <= large_island || s.unknowns->shared()) return;

@@ -47,8 +47,8 @@ Eigen::Vector3d scale_of(const Block& block) {
   return block.inertia.matrix().diagonal().head<3>().cwiseSqrt().cwiseInverse();
 }
 
-/// Of blocks that move. No two blocks push more of their water together than the mean of what each pushes alone:
-/// m_ij^2 <= m_ii m_jj, or there would be a motion without inertia.
+/// For moving blocks. Two blocks cannot displace more common water than the geometric mean of their own: m_ij^2 <= m_ii
+/// m_jj, or there would be a motion without inertia.
 std::vector<CoupledMass> pairs_of(const wire::Load& load, const Solid& solid, const std::vector<Eigen::Matrix3d>& own) {
   const auto fault = [](const std::string& found) {
     return std::runtime_error(found + ": the fluid process is at fault");

@@ -13,13 +13,13 @@
 namespace blockweir::solid {
 namespace {
 
-/// Would a crack at its edge take what it holds? What softens with slip has no edge stress of its own.
+/// Whether a crack at its edge would reduce its strength. A softening joint has no edge stress of its own.
 bool cracks(const JointProperties& law) {
   const bool bonded = law.tension_pa > 0 ? !law.softens() : law.cohesion_pa > 0;
   return bonded && !law.keeps_cohesion && law.bonded_length_m < 0;
 }
 
-/// What the contacts of a straight joint bear together, per metre of thickness.
+/// Sum of the contact forces of a straight joint, per metre of thickness.
 struct Resultant {
   double length_m = 0;
   double normal = 0;  ///< N/m, compression positive

@@ -40,7 +40,8 @@ void EnergyWatch::look(const Solid& solid) {
   made_ = std::max(made_, own - lowest_);
   const double had =
       now_.kinetic + std::abs(now_.strain) + std::abs(now_.potential) + std::abs(balance.given_j_per_m());
-  // What only strains and settles has next to no energy: it is held against what its weight gives as it fails.
+  // A structure that only strains and settles has almost no energy: the reference is the work of its weight in a
+  // failure.
   if (!begun_) scale_ = solid.model().weight_n_per_m * solid.scene().analysis.failure_displacement_m;
   scale_ = std::max(scale_, had);
   begun_ = true;

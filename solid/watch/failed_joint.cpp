@@ -46,7 +46,7 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
     whole += normal;
   }
   const bool slides = !turns && whole > 0;
-  // Of what has come to touch only as the body moved no joint is named where another bears.
+  // Joints that touch only because the body moved are not named if another joint carries load.
   const auto bears_from_the_start = [&](const LeftJoint& j) {
     return !j.trace.pieces.empty() && j.normal > bears * whole;
   };

@@ -20,7 +20,7 @@ double radius(const Solid& solid, const std::vector<int>& blocks) {
   return box.diagonal().norm() / 2;
 }
 
-/// Contacts at which the body meets what it leaves; 1 where the vertex is the body's, -1 where the edge is.
+/// Contacts between the body and the rest; 1 if the vertex is the body's, -1 if the edge is.
 template <class Look>
 void each_left(const Solid& solid, const MovingBody& body, Look look) {
   for (const ContactPoint& c : solid.contacts()) {
@@ -37,8 +37,8 @@ Point way_out(const Solid& solid, const ContactPoint& c, int of_body) {
   return -of_body * perpendicular(edge.vector(c.edge_to - c.edge_from)).normalized();
 }
 
-/// Where the blocks are: the contact's own gap is that of its last step's start, and a static analysis takes few, long
-/// ones.
+/// At the present positions: the contact's own gap is that at the start of the last step, and a static analysis takes
+/// few, long steps.
 double gap_now(const Solid& solid, const ContactPoint& c) {
   const Placement& edge = solid.placements()[at(c.edge_part)];
   const Point from_edge = solid.placements()[at(c.vertex_part)].position(c.vertex_at) - edge.position(c.edge_from);
@@ -65,8 +65,8 @@ bool leaves_straight(const MovedSince& moved, const MovingBody& body) {
   return any && !any_closed && least > slip;
 }
 
-/// Does the body, by turning about where it presses, open a joint behind it? What strains or rings may turn, too, but
-/// opens none; and what slides away from a wall opens that by its slip.
+/// Whether the body opens a joint behind it by rotating about its pressed edge. Strain and oscillation may rotate it,
+/// but open no joint; a body that slides away from a wall opens that joint by its slip.
 bool opens_by_turning(const MovedSince& moved, const MovingBody& body, const PairMotions& pairs, double turn) {
   constexpr double opened = 0.2;  // of the turn times the joint's length, however slender the body
   const Solid& solid = moved.solid();
@@ -121,7 +121,7 @@ Mode mode_of(const MovedSince& moved, const MovingBody& body, const PairMotions&
   const bool turning = by_turn > turns * travel && !leans_back;
   const Point gravity = moved.solid().scene().analysis.gravity();
   const bool sliding = slip > slides * travel;
-  // What topples from where it stands on one corner opens no joint.
+  // A body that topples from a single corner opens no joint.
   return {.turns = turning && (!sliding || opens_by_turning(moved, body, pairs, turn)),
           .slides = sliding,
           .leaves = !turning && leaves_straight(moved, body),

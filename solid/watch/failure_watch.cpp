@@ -20,10 +20,10 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int a_spell =
-    10;  ///< looks in a row after which a block that only strains has come to stand: sliding ones stick at times
+    10;  ///< consecutive evaluations after which a straining block counts as at rest: sliding ones stick at times
 
-/// What turns about its toe has moments to balance: a column of height h and breadth b, whose middle is accelerated by
-/// a, resists with m a (2/3) (h^2 + b^2)/h, and a rise dh of the level gives rho g head dh head/2.
+/// Rotation about a toe requires moments: a column of height h and breadth b, whose middle is accelerated by a, resists
+/// with m a (2/3) (h^2 + b^2)/h, and a rise dh of the level gives rho g head dh head/2.
 double turning_lever(const Solid& solid, const Failure& failure) {
   Eigen::AlignedBox2d box;
   for (const int b : failure.blocks) {
@@ -65,7 +65,7 @@ double FailureWatch::speed(std::size_t b) const {
   return fastest;
 }
 
-/// Farthest that a vertex has come since the block last stood [m].
+/// Largest displacement of a vertex since the block was last at rest [m].
 double FailureWatch::travel(std::size_t b) const {
   const Placement then(solid_.blocks()[b].centroid, watched_[b].displacement);
   const Point base = solid_.base().displacement(solid_.time_s()) - solid_.base().displacement(watched_[b].time_s);
@@ -143,7 +143,7 @@ void FailureWatch::look(double time_s, const Levels& levels) {
   }
   begun_ = true;
   seen_s_ = solid_.time_s();
-  std::vector<std::pair<double, std::size_t>> far_gone;  // by what they have come
+  std::vector<std::pair<double, std::size_t>> far_gone;  // by displacement
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     if (stands_[b] || solid_.blocks()[b].fixed || guided_[b] || watched_[b].failed) continue;
     if (const double way = travel(b); way > far) far_gone.emplace_back(-way, b);
@@ -259,13 +259,13 @@ void FailureWatch::add_uncertainty(const Watched& last, Failure& failure) const 
   if (last.next_s > 0) {
     failure.window_rise_m = windows * std::abs(last.next.of(failure.downstream) - last.levels.of(failure.downstream));
   }
-  // A force that grows with the time moves a body by a t^3/6 and makes it as fast as what counts as rest after
-  // sqrt(2 v/a); what turns begins more slowly than that.
+  // A force that grows linearly with time moves a body by a t^3/6 and brings it to the rest speed after sqrt(2 v/a);
+  // rotation starts more slowly than that.
   const double passed_s = solid_.time_s() - last.time_s;
   const double growth = 6 * failure.travel_m / std::pow(passed_s, 3);
   const double unseen_s = std::min(passed_s, 2 * std::sqrt(2 * scene.analysis.rest_speed_m_per_s / growth));
   const double rate = last.next_s > last.time_s ? failure.window_rise_m / (last.next_s - last.time_s) : 0;
-  // What inertia holds back or adds when the body last stood, as a rise of the level: rho g head dh.
+  // Effect of inertia when the body was last at rest, as a rise of the level: rho g head dh.
   Point inertia = Point::Zero();
   for (const int k : failure.blocks) inertia += solid_.blocks()[at(k)].mass_per_m() * watched_[at(k)].acceleration;
   const double per_m = scene::unit_weight_of_water(scene) * failure.head_m;

@@ -10,7 +10,7 @@ namespace blockweir::solid {
 namespace {
 
 constexpr double gain = 3;           // times the energy before: a fourfold one
-constexpr double least_share = 0.5;  // of what the water gives or takes
+constexpr double least_share = 0.5;  // of the water's work
 constexpr int in_a_row = 5;          // 3^5 times the energy at first
 constexpr std::uint64_t patience = 40;
 

@@ -29,7 +29,7 @@ struct Hold {
   double weight = 1;           ///< of its row: less for a spring that gives way
 };
 
-/// Bodies: blocks joined so far. Whatever stands is one of them.
+/// Bodies: blocks joined so far. All blocks at rest form one of them.
 class Bodies {
  public:
   explicit Bodies(std::size_t blocks) : parent_(blocks + 1) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -100,8 +100,8 @@ std::map<int, bool> held_bodies(const std::vector<Hold>& holds, int standing) {
   return held;
 }
 
-/// A spring holds no motion that lets it out, or presses it in, by less than it is pressed in already before a vertex
-/// has come as far as a failure: what slides on soft springs past a shallow corner still has its toe on them.
+/// A spring does not constrain a motion that changes its compression by less than the present one within the failure
+/// displacement: a block sliding on soft springs past a shallow corner keeps its toe on them.
 double weight_of(const Solid& solid, const ContactPoint& c) {
   const double unheld = std::max(0.0, -c.gap) / solid.scene().analysis.failure_displacement_m;
   return std::sqrt(free_motion) / std::max(unheld, std::sqrt(free_motion));
@@ -157,8 +157,8 @@ double stretch_rate(const Solid& solid, const Bolt& bolt, const Point& along) {
   return along.dot(velocity[0] - velocity[1]);
 }
 
-/// Bolts support what they can stop: going on at the rates that they have, the group's would store more than its
-/// kinetic energy before a vertex has come as far as a failure.
+/// Bolts hold a group if they can stop it: at its present rates they would store more than its kinetic energy within
+/// the failure displacement.
 bool bolts_support(const Solid& solid, const std::vector<Hold>& group, int standing) {
   std::set<int> blocks;
   std::map<const Bolt*, double> rates;

@@ -73,7 +73,7 @@ class Connections {
     return {grounded_.count - left.count, grounded_.weight_n_per_m - left.weight_n_per_m};
   }
 
-  /// The joints of each structure apart: what meets on the ground alone stands, and fails, by itself.
+  /// The joints of each structure separately: structures that only share the ground stand and fail on their own.
   [[nodiscard]] std::vector<std::set<Pair>> by_structure(const std::set<Pair>& joints) const {
     std::map<int, std::set<Pair>> apart;
     for (const Pair& pair : joints) apart[std::max(structure_of(pair.first), structure_of(pair.second))].insert(pair);
@@ -253,7 +253,7 @@ Surfaces::Surfaces(const Solid& solid) {
       }
     }
   }
-  // What is bent, as the base of a dam with its toe in the ground, slides on none of its faces alone.
+  // A bent surface, such as a dam's base with its toe in the ground, cannot slide on one of its faces alone.
   for (const Pair& pair : pairs) {
     if (line_through(points.at(pair), Point::Zero(), tolerance_m)) candidates.push_back({pair});
   }

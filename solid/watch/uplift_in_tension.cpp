@@ -22,7 +22,7 @@ bool is_of(const JointRow& row, const Crack& crack) {
   return std::abs(crack.length_m - row.length_m) < off_m && (crack.end() - row.downstream_end_m).norm() < off_m;
 }
 
-/// What such a law makes of a crack; nullptr of those that follow it, or have the full pressure anyway.
+/// How such a law treats a crack; nullptr for those that follow it, or have the full pressure anyway.
 const char* makes_of_a_crack(Uplift law) {
   switch (law) {
     case Uplift::drained:

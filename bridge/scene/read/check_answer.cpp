@@ -45,7 +45,7 @@ std::vector<std::string> candidates(const Scene& scene, Subject subject) {
   return names;
 }
 
-/// What the scene lacks of a need; null where it has it.
+/// What the scene lacks for a need; null if it lacks nothing.
 const char* missing(const Scene& scene, Need need) {
   switch (need) {
     case Need::water:

@@ -19,7 +19,7 @@ struct Effect {
   std::size_t parting = 0;     ///< of them, those along which blocks touch
   bool law = false;            ///< some joint has it
   double longest_joint_m = 0;  ///< of those
-  bool beside_region = false;  ///< along some boundary whose law is that of a region's outline
+  bool beside_region = false;  ///< along some boundary with the law of a region's outline
   const Cuts::Source* first_idle = nullptr;
   const Cuts::Source* source = nullptr;
   double bonded_length_m = 0;

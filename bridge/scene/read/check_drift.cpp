@@ -11,7 +11,7 @@
 namespace blockweir::scene {
 namespace {
 
-/// Does it end the run at another value than it began with? What comes and goes leaves little.
+/// Whether the table ends at another value than it starts with; a load that returns leaves little.
 bool lasts(const TimeTable& table, double end_s) {
   constexpr double same = 1e-9;
   const double before = table.rows_at(0);

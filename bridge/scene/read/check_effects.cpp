@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sound scene states and nothing comes of: keys that another key switches off, materials of no block, water that
-// reaches nothing, a run in which nothing can happen.
+// Warns of keys without effect in a valid scene: switched off by another key, materials of no block, water that reaches
+// nothing, a run in which nothing can happen.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -31,7 +31,7 @@ double narrowest(const JointTrace& beside, const Block& b) {
   return gap_m;
 }
 
-/// What the scene states of water between the two, and a gap leaves out; empty where it states none.
+/// Water between the two blocks that the scene states and the gap removes; empty if it states none.
 std::string lost_uplift(const Scene& scene, int a, int b) {
   if (scene.fluid == FluidModel::none) return {};
   const auto joint = std::find_if(scene.joints.begin(), scene.joints.end(), [&](const Joint& j) {
@@ -46,7 +46,7 @@ std::string lost_uplift(const Scene& scene, int a, int b) {
 }  // namespace
 
 void check_gaps(const Scene& scene, Problems& problems) {
-  // Without gravity nothing closes a gap; what begins without stress is likely thrown or dropped.
+  // Without gravity no gap closes; blocks that start without stress are probably thrown or dropped.
   if (scene.analysis.gravity_m_per_s2 == 0 || scene.analysis.start == Start::unstressed) return;
   const double touching_m = closed_ratio * structure_size_m(scene.blocks);
   const BlockIndex index(scene.blocks);

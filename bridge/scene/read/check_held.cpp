@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks that would fall for ever: none of what could hold them is beside or below.
+// Reports blocks that would fall for ever, since nothing holds them.
 #include <fmt/format.h>
 
 #include <algorithm>

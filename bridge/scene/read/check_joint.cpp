@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A named joint whose law would act on nothing: its blocks do not touch, do not move, or are bonded on more than they
-// share.
+// Reports a named joint whose law has no effect: its blocks do not touch, do not move, or are bonded over more than
+// their common length.
 #include <fmt/format.h>
 
 #include <algorithm>

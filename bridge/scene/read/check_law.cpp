@@ -36,8 +36,8 @@ bool follower_states_one(const Reading& reading, const Keys& keys) {
 }  // namespace
 
 void check_law(TableReader& table, const JointLaw& law, Reading& reading, bool of_all) {
-  // What the law lacks is an error, unless it is stated as 0 or as another law: then it is a warning, and none where
-  // [joint] states it for others to have.
+  // A missing key is an error; only a warning if it is stated as 0 or by another law; nothing if [joint] states it for
+  // other tables.
   const auto without = [&](const char* key, const char* missing, const Keys& enabling) {
     if (!table.has(key)) return;
     if (of_all && follower_states_one(reading, enabling)) return;

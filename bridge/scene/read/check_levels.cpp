@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Levels that no reservoir has, faster than a wave or higher on the downstream side, and those that a run does not come
-// to or does not see.
+// Warns of levels that no reservoir has (faster than a wave, or higher downstream), and of those that a run does not
+// reach or see.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A structure beside its ground and its water: of very different sizes one of them is in another unit.
+// Compares the size of the structure with its ground and water: very different sizes suggest another unit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* in_metres = "are some coordinates in centimetres or millimetres? write metres";
 
-/// The box around what can move, or around what can not.
+/// Bounding box of the moving blocks, or of the fixed ones.
 std::optional<geometry::Bounds> box_of(const std::vector<Block>& blocks, bool fixed) {
   std::vector<Point> points;
   for (const Block& block : blocks) {

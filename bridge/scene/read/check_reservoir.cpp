@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the reservoir's loads do not act as they are stated: ice beside the face that it is to press on, drains
-// at a head that the water does not have.
+// Warns of reservoir loads that do not act as stated: ice that misses its face, drains with a head that the water does
+// not have.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ void warn_of_leaning_ice(const Reading& reading, double downward) {
       "ice that acts level, as guidelines have it", "state its thrust as a [[load]] on the block in place of [ice]");
 }
 
-/// Faces take the pressure of the sheet that lies on them; what lies on none is lost from the thrust.
+/// Faces take the pressure of the sheet beside them; the part of the thrust beside no face is lost.
 void check_ice(const Reading& reading) {
   constexpr double round_off = 1e-6;
   const Scene& scene = reading.scene;
@@ -60,7 +60,7 @@ double highest_of(const TimeTable& level, double end_s) {
   return std::max(level.rows_at(end_s), *std::max_element(level.value.begin(), level.value.end())) + sine;
 }
 
-/// What lies above the crest would go over it, and what lies above the water has not settled in it.
+/// Silt above the crest would pass over it, and silt above the water has not settled in it.
 void check_silt(const Reading& reading) {
   const Scene& scene = reading.scene;
   const toml::node* level = reading.file["silt"]["level_m"].node();
@@ -147,7 +147,7 @@ void check_piezometers(const Reading& reading) {
   }
 }
 
-/// Deepest water over the foot of what can move [m]; 0 without a pool, or where nothing can.
+/// Largest depth of water above the foot of moving blocks [m]; 0 without a pool, or if nothing moves.
 double deepest(const Scene& scene) {
   double bottom_m = std::numeric_limits<double>::infinity();
   for (const Block& block : scene.blocks) {
@@ -178,7 +178,7 @@ void check_sound_windows(const Reading& reading) {
       fmt::format("shorten window_s in [coupling] to {:.2g} s", most * element_m / r.sound_speed_m_per_s));
 }
 
-/// Reservoirs so long that their mesh would take minutes, and tell no more.
+/// Warns of reservoirs so long that their mesh would take minutes without a better answer.
 void check_far_walls(const Reading& reading) {
   constexpr double most_depths = 1000;
   const Scene& scene = reading.scene;

@@ -40,7 +40,7 @@ class Listener : public DL_CreationAdapter {
   void addEllipse(const DL_EllipseData& /*ellipse*/) override { ++drawing_.curves; }
   void endSection() override { finish(); }
 
-  /// Closes the polyline at hand, if any: dxflib tells its end only by what comes next.
+  /// Closes the present polyline, if any: dxflib shows its end only by the next entity.
   void finish() {
     if (!open_) return;
     open_ = false;

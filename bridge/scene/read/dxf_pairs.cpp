@@ -35,7 +35,7 @@ bool is_integer(int code) {
 
 class Pairs {
  public:
-  /// Returns whether the pair is sound; else `fault` says what is wrong.
+  /// Returns whether the pair is valid; otherwise `fault` says what is wrong.
   bool take(int line, const std::string& code_text, const std::string& value) {
     const auto code = results::parse_number<int>(code_text);
     if (!code) return wrong(line, shown(code_text) + " as a group code", "a whole number");

@@ -18,7 +18,7 @@ std::string without_option(std::string remedy) {
   return remedy;
 }
 
-/// Settings reach the reader as the command line's do: what stands at one of them stands at the entry.
+/// Settings are read as those of the command line: a diagnostic on one of them is moved to the entry.
 bool move_to(const SettingEntry& entry, const std::string& file, Diagnostic& d) {
   const auto& settings = entry.settings;
   const auto stated = std::find_if(settings.begin(), settings.end(),

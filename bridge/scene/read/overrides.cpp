@@ -84,7 +84,7 @@ toml::key key_of(const std::string& word, const Override& o) {
   return toml::key(word, toml::source_region{{1, 1}, {1, 1}, std::make_shared<const std::string>(o.argument)});
 }
 
-/// An entry of a list of sections by its name, else by its index; null where there is none.
+/// An entry of a list of tables by its name, or else its index; null if there is none.
 toml::table* entry(toml::array& list, const std::string& word) {
   for (auto& node : list) {
     toml::table* table = node.as_table();

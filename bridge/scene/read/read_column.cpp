@@ -10,7 +10,7 @@
 namespace blockweir::scene {
 namespace {
 
-/// Index of the edge that `p` lies on; -1 where it lies on none.
+/// Index of the edge that contains `p`; -1: none.
 int edge_at(const std::vector<Point>& outline, const Point& p) {
   const double tolerance_m = 1e-6 * geometry::bounds_of(outline).size();
   for (std::size_t e = 0; e < outline.size(); ++e) {

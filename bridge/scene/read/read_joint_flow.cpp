@@ -115,7 +115,7 @@ void warn_of_idle_drain(Reading& reading, const DrainLine& drain) {
       "a head below the reservoir's level", "state the height of the gallery on the y axis");
 }
 
-/// The fluid is told the mean motion of a mesh alone.
+/// The fluid receives only the mean motion of a mesh.
 void refuse_mesh(Reading& reading, const Block& block, const std::string& joint) {
   if (block.mesh_size_m == 0 || reading.problems.full()) return;
   reading.problems.error(

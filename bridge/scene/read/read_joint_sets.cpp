@@ -65,7 +65,7 @@ void read_joint_sets(Reading& reading, const geometry::Bounds& bounds, const std
         cuts.lines.push_back(std::move(line));
         continue;
       }
-      constexpr double beyond = 1e-7;  // of the section; what dangles is taken away
+      constexpr double beyond = 1e-7;  // of the section's size; dangling ends are removed
       for (geometry::Line& part : geometry::parts_within(line, region->outline, beyond * bounds.size())) {
         cuts.lines.push_back(std::move(part));
       }

@@ -61,11 +61,11 @@ void refuse_dilation_beyond_friction(TableReader& table, const char* key, const 
                              friction_deg, law.dilation_angle_deg));
 }
 
-/// The keys whose value the law has taken.
+/// Reads the keys of a law; returns those that were given.
 std::vector<std::string> read_keys(TableReader& table, JointLaw& law) {
   const Range angle{[](double degrees) { return degrees >= 0 && degrees < 90; },
                     "an angle of at least 0 and below 90 degrees"};
-  // A joint that closes to nothing would keep the water out of what opens beside it.
+  // A joint that closes completely would keep the water out of an adjacent open part.
   const Range above_zero{[](double width) { return width > 0; },
                          "a number above 0 (1e-6 m lets next to nothing through)"};
   const auto range = [&](const JointLawKey& key) {
@@ -87,7 +87,7 @@ std::vector<std::string> read_keys(TableReader& table, JointLaw& law) {
   return taken;
 }
 
-/// The last of these keys that was taken; null where none was.
+/// The last of these keys that was given; null if none was.
 const char* last_taken(const std::vector<std::string>& taken, std::initializer_list<const char*> keys) {
   const char* last = nullptr;
   for (const char* key : keys) {

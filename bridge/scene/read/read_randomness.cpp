@@ -72,7 +72,7 @@ void require_positive_definite(Reading& reading, const Randomness& random, const
   for (const Correlation& c : random.correlations) {
     const auto i = index(c.between[0]);
     const auto j = index(c.between[1]);
-    if (i >= size || j >= size || i == j) return;  // told where it stands
+    if (i >= size || j >= size || i == j) return;  // reported elsewhere
     if (matrix(i, j) != 0) {
       reading.problems.error(reading.problems.at(c.line),
                              fmt::format("a second correlation of \"{}\" and \"{}\"", c.between[0], c.between[1]),
@@ -90,7 +90,7 @@ void require_positive_definite(Reading& reading, const Randomness& random, const
       "take coefficients nearer to 0, or all from one set of measurements");
 }
 
-/// The level is what is looked for. A filling that is run may depend on numbers, but is none itself.
+/// The level is the unknown. A filling may depend on random numbers, but must not be random itself.
 void refuse_random_level(Reading& reading, const Randomness& random) {
   const std::string level = "water.upstream_level_m";
   const bool runs = random.reliability.by == CapacityBy::runs;

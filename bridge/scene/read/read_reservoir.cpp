@@ -13,7 +13,7 @@
 namespace blockweir::scene {
 namespace {
 
-/// Reports what acts through the reservoir where there is none that stands still.
+/// Reports loads that act through the reservoir, if the scene has no still water.
 void require_still_water(TableReader& table, Reading& reading) {
   if (still_pools(reading.scene.fluid) && reading.scene.water.upstream_level_m) return;
   const FluidModel model = reading.scene.fluid;

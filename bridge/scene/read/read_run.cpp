@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the run goes: analysis, contact, coupling, output, and what it is expected to give.
+// Reads the settings of a run: analysis, contact, coupling, output, and expected results.
 #include <fmt/format.h>
 
 #include <algorithm>

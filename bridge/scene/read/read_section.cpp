@@ -136,7 +136,7 @@ void add_blocks(Reading& reading, const TableReader& table, const std::string& p
   }
 }
 
-/// Joints along cuts: one that bears the cut's name alone has just that, of several each adds its blocks'.
+/// Joints along cuts: a single joint has the cut's name; of several, each appends the names of its blocks.
 void add_joints(Reading& reading, const geometry::Cut& cut, const Cuts& cuts, std::size_t first_block) {
   const auto cut_of = [&](const geometry::Neighbours& pair) -> const Joint& {
     return cuts.joints[static_cast<std::size_t>(pair.id)];

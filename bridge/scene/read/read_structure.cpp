@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands: materials and blocks.
+// Reads materials and blocks.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies: which runs of the scene are to be made, and what is to come out.
+// Reads studies: their runs and their expected results.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ struct Known {
   Names parts{"block, joint or arch"};
 };
 
-/// What all kinds have in common; the quantity is that of the kind. False when `of` names nothing.
+/// Members common to all kinds; the quantity depends on the kind. False if `of` names nothing.
 bool read_study(TableReader& table, Reading& reading, Known& known, Study& study) {
   Expectation& e = study.expected;
   study.line = table.place().line;

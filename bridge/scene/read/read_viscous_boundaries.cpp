@@ -59,7 +59,7 @@ bool overlap(const ViscousFace& one, const ViscousFace& other) {
   return std::min(high, one.length_m()) - std::max(low, 0.0) > near_m;
 }
 
-/// The face from from_m to to_m; none where it is no part of an edge.
+/// The face from from_m to to_m; empty if it is not part of an edge.
 std::vector<ViscousFace> stated_face(TableReader& table, Reading& reading, int index) {
   ViscousFace face{.block = index};
   if (table.has("from_m") != table.has("to_m")) {

@@ -24,7 +24,7 @@ std::pair<double, double> extremes(const TimeTable& table, double duration_s) {
   return {low, high};
 }
 
-/// Crest: the highest vertex of what can move, or of all where nothing can. Bottom: the lowest of all.
+/// Crest: the highest moving vertex, or the highest of all if nothing moves. Bottom: the lowest of all.
 struct Heights {
   double bottom_m;
   double crest_m;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the sections of a scene file, and those that are none.
+// Finds the sections of a scene file, and unknown ones.
 #include "bridge/scene/read/reading.hpp"
 
 #include <fmt/format.h>

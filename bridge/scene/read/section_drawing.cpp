@@ -26,7 +26,7 @@ toml::array array_of(const Ring& points) {
   return list;
 }
 
-/// Closed lines, joined from pieces whose ends meet; empty when an end is left over.
+/// Closed lines, joined from pieces with common ends; empty if an end is left over.
 std::vector<Ring> rings_of(std::vector<Ring> pieces) {
   std::vector<Ring> rings;
   const auto meet = [](const Point& a, const Point& b) { return (a - b).norm() <= 1e-9 * (1 + a.norm()); };

@@ -42,7 +42,7 @@ PressureLine load_line(const double* row) {
   return line;
 }
 
-/// Adds up what the ranks found, each where its cells are; all of them know all of it then.
+/// Sums the samples of all ranks, each with its own cells; every rank gets the result.
 template <class Operation>
 void combine(std::vector<double>& values, Operation operation) {
   if (!Foam::Pstream::parRun()) return;
@@ -167,8 +167,8 @@ void EdgePressures::add_open(const EdgeElement& element, std::size_t samples, co
   }
 }
 
-/// Water enters by a mouth that it covers. Between two mouths its line goes over from one to the other; towards a dry
-/// one that lies lower than it stands, it runs out.
+/// Water enters through the mouths that it covers. Between two mouths its pressure changes linearly; it flows out
+/// towards a dry mouth below its level.
 void EdgePressures::add_slot(const EdgeElement& element, const std::vector<Mouth>& mouths,
                              const std::vector<double>& lines, wire::Load& load) const {
   const auto pressure = [](const PressureLine& line, const Point& at) { return line.at_zero - line.slope * at.y(); };

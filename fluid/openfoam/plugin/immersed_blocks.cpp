@@ -164,7 +164,7 @@ void ImmersedBlocks::clip(std::size_t b) {
   });
 }
 
-/// Anew from all blocks: the same for the same parts, whichever came first, and however often they have moved.
+/// Summed again over all blocks: the result does not depend on the order or number of their movements.
 void ImmersedBlocks::fill() {
   Foam::scalarField& filled = filled_.primitiveFieldRef();
   filled = 0;

@@ -129,7 +129,7 @@ void Session::resume() {
   if (const auto motion = await_motion()) start_window(*motion);
 }
 
-/// Fields go into a time folder of their own, what they leave out beside it.
+/// Fields are saved in a time folder of their own, other data beside it.
 void Session::save() {
   time_.writeNow();
   if (!Foam::Pstream::master()) return;
@@ -247,7 +247,7 @@ std::optional<wire::Motion> Session::await_motion() {
       time_.writeAndEnd();
       return std::nullopt;
     }
-    const bool begun = time_.timeIndex() > time_.startTimeIndex();  // else there is nothing yet to go on from
+    const bool begun = time_.timeIndex() > time_.startTimeIndex();  // at the start there is nothing to continue from
     if (motion->order != wire::Order::compute && begun) save();
     if (motion->order != wire::Order::save) return motion;  // else the solid says next why it stops
   }

@@ -134,7 +134,7 @@ void WaterLevels::set(double time_s) {
 }
 
 void WaterLevels::set(Pool& pool, double time_s) {
-  if (!pool.level) return;  // one rank without its cells still takes part in what ranks tell each other
+  if (!pool.level) return;  // collective calls need the ranks without cells of the pool, too
   const double level = pool.level->value(time_s);
   auto& water = mesh_.lookupObjectRef<Foam::volScalarField>("alpha.water");
   auto& air = mesh_.lookupObjectRef<Foam::volScalarField>("alpha.air");

@@ -30,7 +30,7 @@ void add_panel(const Point& from, const Point& to, double p_from, double p_to, c
   into.moment += arm.x() * force.y() - arm.y() * force.x();
 }
 
-/// fmt computes with what it prints, and OpenFOAM traps that of a NaN.
+/// fmt does arithmetic on the value, and OpenFOAM traps that for a NaN.
 std::string level(double level_m) {
   return std::isnan(level_m) ? "nan" : fmt::format("{:.9g}", level_m);
 }

@@ -72,8 +72,8 @@ PressureLine WaterState::line_at(const Point& x, bool cut) const {
   return line;
 }
 
-/// Still water up to the cell's share of it, and what its pressure exceeds that of such water by: interFoam's balance
-/// across the faces of a cell that the surface cuts is the one of initial_water.cpp.
+/// Still water up to the cell's water fraction, and the excess over its pressure: interFoam's balance at the faces of a
+/// surface cell is that of initial_water.cpp.
 PressureLine WaterState::film_in(int cell) const {
   const Column& c = column_[static_cast<std::size_t>(cell)];
   const double share = alpha_[cell];
