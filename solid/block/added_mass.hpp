@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Added mass: the inertia of water that blocks displace, for their rigid motions.
+// Added mass: the inertia of water that blocks displace, for their motions.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 
 namespace blockweir::solid {
 
-/// The water's force on block `a` for an acceleration of block `b`, with reversed sign [kg/m, kg, kg m].
+/// The water's force on motion `a` for an acceleration of motion `b`, with reversed sign [kg/m, kg, kg m].
 struct CoupledMass {
   int a = 0;
   int b = 0;
@@ -23,24 +23,25 @@ struct CoupledMass {
   }
 };
 
-/// Added mass M_a for (u0, v0, r0) of the scene's blocks about their present centroids: 3x3 matrices on the diagonal,
-/// and those of pairs off it.
+/// Added mass M_a of motions in threes: 3x3 matrices on the diagonal, and those of pairs off it. First (u0, v0, r0) of
+/// the scene's blocks about their present centroids; then, if there are any, those of WaterMotions.
 struct AddedMasses {
   AddedMasses() = default;
-  AddedMasses(std::initializer_list<Eigen::Matrix3d> own_ones) : own(own_ones) {}
+  AddedMasses(std::initializer_list<Eigen::Matrix3d> own_ones) : own(own_ones), blocks(own.size()) {}
 
-  std::vector<Eigen::Matrix3d> own;  ///< symmetric [kg/m, kg, kg m]; one for each block of the scene, or none
-  std::vector<CoupledMass> pairs;    ///< pairs of blocks a < b, each once
+  std::vector<Eigen::Matrix3d> own;  ///< symmetric [kg/m, kg, kg m]; one for each motion, or none
+  std::vector<CoupledMass> pairs;    ///< pairs of motions a < b, each once
+  std::size_t blocks = 0;            ///< number of motions that are those of blocks
 
   [[nodiscard]] bool empty() const { return own.empty(); }
-  /// M_a v, for all blocks.
+  /// M_a v, for all motions.
   [[nodiscard]] std::vector<Eigen::Vector3d> times(const std::vector<Eigen::Vector3d>& v) const;
-  /// The smallest set of pairs that connects all blocks with common water.
+  /// The smallest set of pairs that connects all motions with common water.
   [[nodiscard]] std::vector<std::pair<int, int>> links() const;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(own, pairs);
+    archive(own, pairs, blocks);
   }
 };
 

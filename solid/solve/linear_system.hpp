@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solid/solve/backoff.hpp"
+#include "solid/solve/low_rank.hpp"
 #include "solid/solve/unknowns.hpp"
 
 namespace blockweir::solid {
@@ -46,6 +47,8 @@ class LinearSystem {
   /// Adds to the block at local (row, column); for a rigid block, the rigid part; off the diagonal only where a couple
   /// was announced.
   virtual void add(int row, int column, const Matrix6& k) = 0;
+  /// Adds U S U^T to the matrix, until set_zero().
+  virtual void set_beside(LowRank beside) = 0;
   /// Factorizes the sum and solves; `symmetric` promises K = K^T, which allows Cholesky for a sparse system. False if
   /// the matrix is singular to working accuracy.
   virtual bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) = 0;
@@ -58,7 +61,7 @@ class LinearSystem {
   virtual void restore(const KeptFactors& /*kept*/) {}
   [[nodiscard]] virtual SolutionTimes times() const = 0;
   /// Solves for another right-hand side with the factors of the last solve.
-  [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const = 0;
+  [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) = 0;
   /// The whole matrix.
   [[nodiscard]] virtual Eigen::MatrixXd dense() const = 0;
 };

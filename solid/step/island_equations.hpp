@@ -42,7 +42,7 @@ class IslandEquations : StepPart {
   ForceSweeps sweeps;               ///< used if Newton's method does not find the contact states
   std::vector<Matrix6> compliance;  ///< of each block alone, for sweeps
   /// Force on each block by water that other blocks displace; empty if they displace separate water.
-  std::vector<Eigen::Vector3d> pulls;
+  std::vector<Vector6> pulls;
 
   /// Created on first use: sweeps need none.
   [[nodiscard]] LinearSystem& system() const;
@@ -65,8 +65,6 @@ class IslandEquations : StepPart {
   void set_block_matrices();
   void add_stiffness(const Interaction& action);
   bool solve(bool symmetric);
-  /// Solves for another force with the matrix of the last solution.
-  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& force) const;
 
   /// Whether a force on one block moves others at once, through shared unknowns or water.
   [[nodiscard]] bool moves_as_one() const { return unknowns->shared() || !pulls.empty(); }
@@ -90,9 +88,8 @@ class IslandEquations : StepPart {
   const WaterInertia& water_;
   const std::vector<int>& numbers_;
   mutable std::unique_ptr<LinearSystem> system_;
-  WaterFactors water_factors_;  ///< of the system's last solution
-  bool symmetric_ = true;       ///< whether the actions' stiffnesses are symmetric
-  UnknownForces forces_;        ///< replaces the system if forces are unknowns
+  bool symmetric_ = true;  ///< whether the actions' stiffnesses are symmetric
+  UnknownForces forces_;   ///< replaces the system if forces are unknowns
 };
 
 }  // namespace blockweir::solid

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solid/block/panel.hpp"
+#include "solid/block/water_motions.hpp"
 #include "solid/step/added_mass_guard.hpp"
 
 namespace blockweir::solid {
@@ -15,14 +16,20 @@ std::vector<Eigen::Vector3d> water_forces(const std::vector<Panel>& panels, cons
                                           scene::NodalRule rule);
 
 /// Energy from a force in a step is F d with Shi's scheme (force at the step's end), and (F0 + F1)/2 d with others. F
-/// is that of the pressures, plus M_a (a' - a) with the guard, so that the guard only moves energy between blocks.
+/// is that of the pressures, plus M_a (a' - a) with the guard, so that the guard only moves energy between blocks. For
+/// a mesh whose bending the water responds to, the sums of forces and moments count.
 class WaterWork {
  public:
+  /// Positions and velocities of the blocks, and the motions that the water responds to.
+  struct Blocks {
+    const std::vector<BlockState>& states;
+    const std::vector<Placement>& placements;
+    const WaterMotions& motions;
+  };
   /// Call at the start of a step with these pressure forces.
-  void begin_step(std::vector<Eigen::Vector3d> forces, const AddedMassGuard& guard,
-                  const std::vector<BlockState>& states);
-  /// Call after a step; whether by Shi's scheme or another.
-  void end_step(const AddedMassGuard& guard, const std::vector<BlockState>& states, double dt, bool by_shi);
+  void begin_step(std::vector<Eigen::Vector3d> forces, const AddedMassGuard& guard, const Blocks& blocks);
+  /// Call after a step, by Shi's scheme or another.
+  void end_step(const AddedMassGuard& guard, const Blocks& blocks, double dt, bool by_shi);
 
   [[nodiscard]] double sum_j_per_m() const { return sum_; }
 
@@ -36,7 +43,7 @@ class WaterWork {
   std::vector<Eigen::Vector3d> before_;  ///< forces at the end of the last step
   std::vector<Eigen::Vector3d> forces_;  ///< of the present step
   std::vector<Eigen::Vector3d> displacement_;
-  std::vector<Eigen::Vector3d> velocity_;
+  std::vector<Eigen::Vector3d> velocity_;  ///< of the guard's motions
 };
 
 }  // namespace blockweir::solid
