@@ -47,9 +47,8 @@ struct Water {
   NodalRule nodal_rule = NodalRule::consistent;
   int elements_per_face = 20;        ///< interface elements on a fully wet edge
   double open_crack_width_m = 0.05;  ///< narrower gaps contain no open water; default: 2.5e-3 of the structure's size
-  std::optional<bool>
-      wets_ends;             ///< whether faces at the model's ends below the bed are wet; default: by their shape
-  bool may_overtop = false;  ///< allows levels above the crest
+  std::optional<bool> wets_ends;  ///< whether faces at the model's ends below the bed are wet; default: by their shape
+  bool may_overtop = false;       ///< allows levels above the crest
   CrestPressure crest_pressure = CrestPressure::none;
   std::optional<Ice> ice;
   double earthquake_coefficient = 0;           ///< k_h for the added water pressure
@@ -89,7 +88,7 @@ struct OpenFoam {
   int steps_per_window = 1;  ///< at least; more if max_courant requires it
   LevelControl level_control = LevelControl::table;
   double move_tolerance = 1e-7;  ///< in depths: blocks are mapped to the cells anew once a corner has moved this far
-  double rest_tolerance = 0;  ///< of the largest pressure: smaller changes count as rest, without a step; 0: never
+  double rest_tolerance = 0;     ///< of the largest pressure: smaller changes count as rest, without a step; 0: never
   std::vector<std::vector<Point>> initial_water_m;  ///< outlines filled with water at time 0, besides the pools
   std::optional<Wave> wave;
   bool operator==(const OpenFoam&) const = default;
@@ -137,7 +136,7 @@ struct External {
 /// Order in which the two sides step: bridge/schedule/schedules.hpp.
 enum class Schedule { serial, parallel, improved };
 
-/// Pressures between two exchanges: solid/block/water_course.hpp.
+/// Pressures between two exchanges: solid/block/pressure_history.hpp.
 enum class LoadInWindow { held, linear, quadratic };
 
 /// What happens when the exchange produces energy, which is an instability: the run fails, or ends there with a result.

@@ -56,7 +56,7 @@ class CoupledSolid final : public schedule::SolidSide {
   [[nodiscard]] nlohmann::json seconds() const;
 
   Solid solid_;
-  WaterCourse water_;
+  PressureHistory water_;
   FailureWatch failure_;
   Margins margins_;           ///< until something fails
   EdgeTension edge_tension_;  ///< likewise

@@ -21,7 +21,7 @@ void AddedMassGuard::begin_window(const AddedMasses& masses, const std::vector<E
   begin_step({1, 0, 0});
 }
 
-void AddedMassGuard::begin_step(const WaterCourse::Weights& weights) {
+void AddedMassGuard::begin_step(const PressureHistory::Weights& weights) {
   std::vector<Eigen::Vector3d> accelerations(motions(), Eigen::Vector3d::Zero());
   for (std::size_t b = 0; b < motions(); ++b) {
     for (std::size_t i = 0; i < weights.size(); ++i) accelerations[b] += weights[i] * accelerations_[i][b];

@@ -7,7 +7,7 @@
 
 #include "solid/block/added_mass.hpp"
 #include "solid/block/motion.hpp"
-#include "solid/block/water_course.hpp"
+#include "solid/block/pressure_history.hpp"
 
 namespace blockweir::solid {
 
@@ -23,7 +23,7 @@ class AddedMassGuard {
   /// A window begins under forces that answer these velocities, of time_s. With no masses the guard is off.
   void begin_window(const AddedMasses& masses, const std::vector<Eigen::Vector3d>& velocities, double time_s);
   /// The factors that the window's forces have at the end of the step.
-  void begin_step(const WaterCourse::Weights& weights);
+  void begin_step(const PressureHistory::Weights& weights);
 
   [[nodiscard]] bool acts() const { return !masses_.empty(); }
   [[nodiscard]] const AddedMasses& masses() const { return masses_; }

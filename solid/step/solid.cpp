@@ -34,14 +34,14 @@ void Solid::settle(const std::vector<Panel>& water) {
 }
 
 void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses) {
-  WaterCourse held(0);
+  PressureHistory held(0);
   held.add(from_s, water);
   std::vector<Eigen::Vector3d> velocities;
   for (std::size_t b = 0; b < model_.described(); ++b) velocities.push_back(state_.blocks[b].velocity.head<3>());
   advance(from_s, to_s, held, {masses, velocities, from_s});
 }
 
-void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answered& answered) {
+void Solid::advance(double from_s, double to_s, PressureHistory& water, const Answered& answered) {
   if (model_.is(scene::AnalysisKind::at_rest)) return rest_.come_to_rest(water.at(to_s), to_s);
   const double largest_step = model_.scene.analysis.step_s;
   const double smallest_step = 1e-6 * largest_step;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bridge/scene/scene.hpp"
-#include "solid/block/water_course.hpp"
+#include "solid/block/pressure_history.hpp"
 #include "solid/step/impacts.hpp"
 #include "solid/step/static_analysis.hpp"
 #include "solid/step/time_step.hpp"
@@ -30,7 +30,7 @@ class Solid {
 
   using Answered = solid::Answered;
   /// Moves the blocks from `from_s` to `to_s` under the given water, in as many steps as accuracy requires.
-  void advance(double from_s, double to_s, WaterCourse& water, const Answered& answered);
+  void advance(double from_s, double to_s, PressureHistory& water, const Answered& answered);
   /// The same under constant water pressure; the velocities are the present ones of the blocks.
   void advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses = {});
 

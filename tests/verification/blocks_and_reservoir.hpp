@@ -35,7 +35,7 @@ class Blocks : public schedule::SolidSide {
     water_.add(load.time_s, panels_of(load, solid));
     masses = watch_.look(load, solid);
   }
-  WaterCourse water_;
+  PressureHistory water_;
   AddedMassWatch watch_;
 };
 

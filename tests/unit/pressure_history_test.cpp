@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "solid/block/water_course.hpp"
+#include "solid/block/pressure_history.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -33,9 +33,9 @@ std::vector<Panel> divided(int count, double time_s, bool backwards = false) {
   return panels;
 }
 
-TEST(WaterCourse, ForcesGoOnHoweverTheFluidDividesItsEdges) {
+TEST(PressureHistory, ForcesGoOnHoweverTheFluidDividesItsEdges) {
   for (const int degree : {1, 2}) {
-    WaterCourse course(degree);
+    PressureHistory course(degree);
     course.add(0.5, divided(4, 0.5));
     course.add(1.0, divided(7, 1.0));
     course.add(1.5, divided(7, 1.5, /*backwards=*/true));
@@ -45,17 +45,17 @@ TEST(WaterCourse, ForcesGoOnHoweverTheFluidDividesItsEdges) {
   }
 }
 
-TEST(WaterCourse, AnEdgeThatIsWettedAnewHasNoPast) {
-  WaterCourse course(1);
+TEST(PressureHistory, AnEdgeThatIsWettedAnewHasNoPast) {
+  PressureHistory course(1);
   course.add(1, divided(1, 1));
   auto more = divided(1, 2);
   more.push_back({0, 1, 0, 1, 1, 1});
   course.add(2, more);
-  EXPECT_EQ(course.weights(3), (WaterCourse::Weights{1, 0, 0}));
+  EXPECT_EQ(course.weights(3), (PressureHistory::Weights{1, 0, 0}));
 }
 
-TEST(WaterCourse, ASurfaceThatRisesGoesOnRising) {
-  WaterCourse course(1);
+TEST(PressureHistory, ASurfaceThatRisesGoesOnRising) {
+  PressureHistory course(1);
   course.add(1, {{0, 0, 0, 0.25, 100, 0}});
   course.add(2, {{0, 0, 0, 0.50, 200, 0}});
   const Panel on = course.at(3).at(0);

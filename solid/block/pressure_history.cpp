@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/block/water_course.hpp"
+#include "solid/block/pressure_history.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ bool same_panels(const std::vector<Panel>& a, const std::vector<Panel>& b) {
 using Exchanges = std::array<std::vector<Panel>, 3>;
 
 /// Of panels that correspond.
-void interpolate(const Exchanges& exchanges, const WaterCourse::Weights& weights, std::vector<Panel>& blend) {
+void interpolate(const Exchanges& exchanges, const PressureHistory::Weights& weights, std::vector<Panel>& blend) {
   blend = exchanges[0];
   for (std::size_t p = 0; p < blend.size(); ++p) {
     const auto mix = [&](double Panel::*value) {
@@ -44,7 +44,7 @@ void interpolate(const Exchanges& exchanges, const WaterCourse::Weights& weights
 }
 
 /// The panels of all exchanges, each with its share of the pressure: forces are linear in that.
-void superpose(const Exchanges& exchanges, const WaterCourse::Weights& weights, std::vector<Panel>& blend) {
+void superpose(const Exchanges& exchanges, const PressureHistory::Weights& weights, std::vector<Panel>& blend) {
   blend.clear();
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (weights[i] == 0) continue;
@@ -58,7 +58,7 @@ void superpose(const Exchanges& exchanges, const WaterCourse::Weights& weights, 
 
 }  // namespace
 
-void WaterCourse::add(double time_s, std::vector<Panel> panels) {
+void PressureHistory::add(double time_s, std::vector<Panel> panels) {
   const bool goes_on = known_ > 0 && time_s > time_s_[0] && edges(panels) == edges(panels_[0]);
   known_ = goes_on ? std::min(known_ + 1, 3) : 1;
   for (const std::size_t i : {2, 1}) {
@@ -70,7 +70,7 @@ void WaterCourse::add(double time_s, std::vector<Panel> panels) {
 }
 
 /// Lagrange's polynomials.
-WaterCourse::Weights WaterCourse::weights(double time_s) const {
+PressureHistory::Weights PressureHistory::weights(double time_s) const {
   const auto points = static_cast<std::size_t>(std::clamp(known_, 1, degree_ + 1));
   Weights weights{};
   for (std::size_t i = 0; i < points; ++i) {
@@ -82,7 +82,7 @@ WaterCourse::Weights WaterCourse::weights(double time_s) const {
   return weights;
 }
 
-const std::vector<Panel>& WaterCourse::at(double time_s) {
+const std::vector<Panel>& PressureHistory::at(double time_s) {
   if (degree_ == 0 || known_ < 2) return panels_[0];
   const Weights w = weights(time_s);
   const bool divided_anew =

@@ -9,14 +9,14 @@
 
 namespace blockweir::solid {
 
-class WaterCourse {
+class PressureHistory {
  public:
   /// Factors of the last exchange and of the two before it.
   using Weights = std::array<double, 3>;
 
   /// `degree` 0: constant, 1: linear, 2: quadratic, limited by the number of exchanges with the same edges; edges that
   /// become dry or wet start without a past. The fluid may divide its edges differently in every exchange.
-  explicit WaterCourse(int degree) : degree_(degree) {}
+  explicit PressureHistory(int degree) : degree_(degree) {}
 
   void add(double time_s, std::vector<Panel> panels);
   [[nodiscard]] Weights weights(double time_s) const;
