@@ -14,7 +14,7 @@ struct RunOptions {
   std::filesystem::path out{};  ///< empty: runs/CASE or runs/CASE-VARIANT, or the first free one with -N appended
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
-  bool inproc = false;  ///< the reference fluid within the solid's process
+  bool inproc = false;  ///< still water or a reservoir within the solid's process
   bool strict = false;  ///< warnings of the reader are errors
   bool quiet = false;
   bool trace = false;    ///< all sides record when they wait and send, in the run's folder "trace"

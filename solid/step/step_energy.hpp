@@ -45,6 +45,7 @@ class StepEnergy : StepPart {
   void look_at_links(const IslandEquations& island, const std::vector<int>& group_of, std::vector<Group>& groups) const;
 
   std::vector<Point> pushes_;    ///< force of a moving base on each block at the end of the step; empty without one
+  std::vector<bool> on_base_;    ///< blocks whose island touches something that moves with the base
   Point moved_ = Point::Zero();  ///< displacement of the base in the step [m]
 };
 

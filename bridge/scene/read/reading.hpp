@@ -142,6 +142,8 @@ void check_drift(const Reading& reading);
 void check_effects(const Reading& reading);
 /// Warns of reservoir loads that do not act as stated, in a valid scene.
 void check_reservoir(const Reading& reading);
+/// Reports a pool of model = "reservoir" that is shut in as the scene draws it.
+void check_surface(const Reading& reading);
 /// Call last.
 void reject_unknown_sections(Reading& reading);
 
