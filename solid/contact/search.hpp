@@ -13,6 +13,9 @@
 
 namespace blockweir::solid {
 
+/// The order in which contacts are found and kept.
+[[nodiscard]] bool precedes(const ContactPoint& a, const ContactPoint& b);
+
 /// Vertex to edge is the one kind of contact; edge to edge is two of them, at the ends of the overlap; where a
 /// convex vertex meets a convex vertex the entrance edge, the one less penetrated, stands for both.
 class ContactSearch {

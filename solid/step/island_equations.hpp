@@ -70,6 +70,8 @@ class IslandEquations : StepPart {
 
   /// Do blocks share unknowns, or water that they push? Then a force on one moves others at once.
   [[nodiscard]] bool moves_as_one() const { return unknowns->shared() || !pulls.empty(); }
+  /// Does nothing touch or hold its blocks?
+  [[nodiscard]] bool is_free() const { return island.is_free() && bolts.empty(); }
   [[nodiscard]] Held held() { return {island.contacts, state_.contacts, island.supports, state_.supports}; }
   [[nodiscard]] int local(int block) const { return numbers_[static_cast<std::size_t>(block)]; }
   /// Is a block one of the island's?

@@ -170,7 +170,7 @@ void WaterInertia::add_to_residual(IslandEquations& s) const {
     const Eigen::Vector3d noise =
         sum_round_off * (pull.segment<3>(3 * m).cwiseAbs() + history_.segment<3>(3 * m).cwiseAbs());
     for (std::size_t k = 0; k < motion.of_corners.size(); ++k) {
-      const auto& nodes = s.unknowns->of(s.local(model_.parts.triangles[motion.block][k]));
+      const auto nodes = s.unknowns->of(s.local(model_.parts.triangles[motion.block][k]));
       s.residual(nodes) += motion.of_corners[k].transpose() * left;
       s.uncertain(nodes) += motion.of_corners[k].cwiseAbs().transpose() * noise;
     }
@@ -184,11 +184,11 @@ Eigen::MatrixXd WaterInertia::columns(const IslandEquations& s, const Numbers& h
   for (const Eigen::Index m : here) {
     const Motion& motion = motions_[static_cast<std::size_t>(m)];
     if (motion.of_corners.empty()) {
-      const auto& own = s.unknowns->of(s.local(static_cast<int>(motion.block)));
+      const auto own = s.unknowns->of(s.local(static_cast<int>(motion.block)));
       for (std::size_t axis = 0; axis < 3; ++axis) columns(own[axis], first + static_cast<Eigen::Index>(axis)) = 1;
     }
     for (std::size_t k = 0; k < motion.of_corners.size(); ++k) {
-      const auto& nodes = s.unknowns->of(s.local(model_.parts.triangles[motion.block][k]));
+      const auto nodes = s.unknowns->of(s.local(model_.parts.triangles[motion.block][k]));
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         columns.block<1, 3>(nodes[i], first) += motion.of_corners[k].col(static_cast<Eigen::Index>(i)).transpose();
       }
