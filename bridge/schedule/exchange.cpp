@@ -37,7 +37,7 @@ void Exchange::resume(std::uint64_t number) {
 
 bool Exchange::answer_holds(const wire::Motion& motion, double time_s) const {
   return skips_ && number_ > 0 && time_s < load_.holds_until_s && motion.displacement == answered_.displacement &&
-         motion.velocity == answered_.velocity;
+         motion.velocity == answered_.velocity && motion.face_velocity == answered_.face_velocity;
 }
 
 void Exchange::tell(wire::Motion& motion, double time_s) {

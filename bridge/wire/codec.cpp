@@ -10,6 +10,7 @@
 #include "bridge/wire/checksum.hpp"
 #include "bridge/wire/column_codec.hpp"
 #include "bridge/wire/coupled_pairs.hpp"
+#include "bridge/wire/face_points.hpp"
 #include "bridge/wire/messages_generated.h"
 
 namespace blockweir::wire {
@@ -128,6 +129,7 @@ void encode(const Motion& m, Builder& builder, std::vector<Part>& parts) {
   ColumnWriter write(builder, parts);
   write(m.displacement);
   write(m.velocity);
+  write_face_points(write, m);
   const std::size_t columns = builder.GetSize() - sizeof(Trailer);
   finish(builder, buffer::Body::Motion,
          buffer::CreateMotion(builder, m.window, m.time_s, static_cast<std::uint8_t>(m.order), write.told()), columns);
@@ -237,6 +239,7 @@ void decode(const Part& frame, Motion& m, const NextPart& next) {
   if (!columns.read<Finite>(m.displacement, name)) refuse_rows(m.displacement, name, m.window);
   name = "velocity";
   if (!columns.read<Finite>(m.velocity, name)) refuse_rows(m.velocity, name, m.window);
+  read_face_points(columns, m);
   columns.end();
   if (m.displacement.size() != m.velocity.size()) {
     throw BadMessage(fmt::format("{} displacements and {} velocities", m.displacement.size(), m.velocity.size()));

@@ -47,16 +47,24 @@ struct Motion {
   Order order = Order::compute;
   Column<std::array<double, 6>> displacement;
   Column<std::array<double, 6>> velocity;
+  /// Corners of meshes on the faces of their blocks, for a fluid that answers their bending: velocity (x, y) [m/s],
+  /// fraction of the edge, block and edge. In order around each outline, from its first vertex. None for other fluids.
+  Column<std::array<double, 2>> face_velocity;
+  Column<double> face_s;
+  Column<std::array<std::uint32_t, 2>> face_edge;
 
   /// Lets go of the frame that brought it.
   void release() {
     displacement.release();
     velocity.release();
+    face_velocity.release();
+    face_s.release();
+    face_edge.release();
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(window, time_s, displacement, velocity);
+    archive(window, time_s, displacement, velocity, face_velocity, face_s, face_edge);
   }
 };
 
@@ -80,10 +88,12 @@ struct Load {
   bool breached = false;          ///< open water has found a way past the structure
   /// The fluid's added mass on each block's rigid motion, by which its forces answer an acceleration: upper half
   /// (xx, xy, xr, yy, yr, rr) [kg/m, kg, kg m] of a symmetric matrix of translation x, y and rotation about the block's
-  /// centroid where it is now. One row a block, zeros where the water does not reach, or none at all.
+  /// centroid where it is now. One row a block, zeros where the water does not reach, or none at all. A fluid that
+  /// answers strains and bending has more rows: the strains (ex, ey, gxy) of each block, then (x, y, nothing) of each
+  /// point of the motion's faces. Blocks with such points have their mass there alone.
   Column<std::array<double, 6>> added_mass;
-  /// What blocks that push the same water do to each other: row by row, the force on the first block of `coupled` by a
-  /// unit acceleration of the second, both about their centroids as above. Each pair once, or none at all.
+  /// What blocks that push the same water do to each other: row by row, the force on the first row of `coupled` by a
+  /// unit acceleration of the second, both as in added_mass. Each pair once, or none at all.
   Column<std::array<std::uint32_t, 2>> coupled;
   Column<std::array<double, 9>> added_mass_between;
 

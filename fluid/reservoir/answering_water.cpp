@@ -5,11 +5,11 @@
 
 namespace blockweir::reservoir {
 
-AnsweringWater::AnsweringWater(WaterMesh mesh, const WaterPhysics& physics, const std::vector<Point>& centroids,
+AnsweringWater::AnsweringWater(WaterMesh mesh, const WaterPhysics& physics, const process::FaceMotion& moves,
                                const std::vector<bool>& fixed, double window_s)
     : mesh_(std::make_unique<const WaterMesh>(std::move(mesh))),
       equation_(std::make_unique<const PressureEquation>(*mesh_, physics, fixed, window_s)),
-      answer_(answer_of(*mesh_, *equation_, centroids, fixed)),
+      answer_(answer_of(*mesh_, *equation_, moves)),
       remembers_(physics.remembers()) {
   if (remembers_) state_ = equation_->rest();
 }

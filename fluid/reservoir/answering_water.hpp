@@ -11,8 +11,8 @@ namespace blockweir::reservoir {
 
 class AnsweringWater {
  public:
-  /// `centroids` of the blocks as meshed. Windows of `window_s`.
-  AnsweringWater(WaterMesh mesh, const WaterPhysics& physics, const std::vector<Point>& centroids,
+  /// Beside faces that move by `moves`; `fixed` blocks are ground. Windows of `window_s`.
+  AnsweringWater(WaterMesh mesh, const WaterPhysics& physics, const process::FaceMotion& moves,
                  const std::vector<bool>& fixed, double window_s);
 
   [[nodiscard]] const WaterAnswer& answer() const { return answer_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The added mass of all blocks with all others, as the solid's guard is told it.
+// The added mass of all motions with all others, as the solid's guard is told it.
 #pragma once
 
 #include <map>
@@ -12,9 +12,9 @@ namespace blockweir::reservoir {
 class GuardedMass {
  public:
   GuardedMass() = default;
-  explicit GuardedMass(std::size_t blocks) : own_(blocks) {}
+  explicit GuardedMass(std::size_t motions) : own_(motions) {}
 
-  /// Blocks that this body of water wets push it beside what others have of them.
+  /// What this body of water wets pushes it beside what others have of it.
   void add(const WaterAnswer& answer);
   void tell(wire::Load& load) const;
 

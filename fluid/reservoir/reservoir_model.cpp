@@ -12,19 +12,13 @@
 #include "bridge/results/saving.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/schedule/velocities.hpp"
 #include "bridge/wire/panels.hpp"
 #include "fluid/reservoir/carry_over.hpp"
 #include "fluid/reservoir/scene_water.hpp"
 
 namespace blockweir::reservoir {
 namespace {
-
-/// Where the centroids of the blocks are.
-std::vector<Point> centroids_of(const std::vector<std::vector<Point>>& outlines) {
-  std::vector<Point> centroids;
-  for (const auto& outline : outlines) centroids.push_back(geometry::centroid(outline));
-  return centroids;
-}
 
 void copy_panels(const wire::Load& from, std::size_t first, std::size_t last, wire::Load& to) {
   for (std::size_t i = first; i < last; ++i) {
@@ -44,7 +38,6 @@ ReservoirModel::ReservoirModel(const scene::Scene& scene, const std::filesystem:
   if (scene::flows_in_joints(scene) && !folder.empty()) flow_.emplace(scene, folder);
   if (scene.output.reservoir && !folder.empty()) pictures_.emplace(scene, folder);
   for (const scene::Block& block : scene.blocks) fixed_.push_back(block.fixed);
-  accelerations_.assign(scene.blocks.size(), Eigen::Vector3d::Zero());
 }
 
 void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
@@ -56,6 +49,8 @@ void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load
   if (outdated(window_s)) {
     solved_ = {{}, to_s, still_.outlines(), levels_of(still_load_), window_s};
     solved_.motion.displacement = motion.displacement.values();
+    solved_.motion.face_s = motion.face_s.values();
+    solved_.motion.face_edge = motion.face_edge.values();
     solve(still_);
   } else {
     ++kept_;
@@ -87,8 +82,8 @@ bool ReservoirModel::moves() const {
 }
 
 void ReservoirModel::take_accelerations(const wire::Motion& motion, const scene::TimeSpan& window) {
-  std::vector<Eigen::Vector3d> velocities;
-  for (const auto& v : motion.velocity) velocities.emplace_back(v[0], v[1], v[2]);
+  std::vector<Eigen::Vector3d> velocities = schedule::velocities_in(motion);
+  accelerations_.resize(velocities.size(), Eigen::Vector3d::Zero());
   if (told_ && velocities.size() == velocities_.size() && window.to_s > time_s_) {
     for (std::size_t b = 0; b < velocities.size(); ++b) {
       accelerations_[b] = (velocities[b] - velocities_[b]) / (window.to_s - window.from_s);
@@ -145,14 +140,15 @@ void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
   const WaterPhysics physics = physics_of(scene_);
   std::vector<AnsweringWater> waters;
   deepest_m_ = 0;
-  guarded_ = GuardedMass(scene_.blocks.size());
+  const FaceMotions moves(scene_, solved_.motion, water.outlines());
+  guarded_ = GuardedMass(moves.count());
   for (const hydrostatic::WaterBody& body : water.bodies()) {
     const double deep = depth(body);
     deepest_m_ = std::max(deepest_m_, deep);
-    WaterMesh mesh = mesh_of(scene_, body, water.outlines());
+    WaterMesh mesh = mesh_of(scene_, body, water.outlines(), moves.corners());
     if (mesh.triangle.empty()) continue;
     PressureState before = physics.remembers() ? carry_over(waters_, mesh) : PressureState();
-    waters.emplace_back(std::move(mesh), physics, centroids_of(water.outlines()), fixed_, solved_.window_s);
+    waters.emplace_back(std::move(mesh), physics, moves, fixed_, solved_.window_s);
     if (physics.remembers()) waters.back().go_on_from(std::move(before));
     guarded_.add(waters.back().answer());
   }
@@ -164,10 +160,12 @@ Eigen::VectorXd ReservoirModel::accelerations_of(const WaterAnswer& answer) cons
       shaken_steadily() || (scene_.base_motion && scene_.base_motion->form == scene::BaseForm::inertia);
   Eigen::VectorXd a(static_cast<Eigen::Index>(answer.modes.size()));
   for (std::size_t k = 0; k < answer.modes.size(); ++k) {
-    const auto [block, axis] = answer.modes[k];
-    const double of_ground = axis < 2 ? ground_[axis] : 0;
-    const bool with_ground = block < 0 || inertia;
-    a[static_cast<Eigen::Index>(k)] = (block < 0 ? 0 : accelerations_[at(block)][axis]) + (with_ground ? of_ground : 0);
+    const auto [motion, axis] = answer.modes[k];
+    const std::size_t n = scene_.blocks.size();
+    const bool strains = motion >= 0 && at(motion) >= n && at(motion) < 2 * n;
+    const bool with_ground = (motion < 0 || inertia) && axis < 2 && !strains;
+    a[static_cast<Eigen::Index>(k)] =
+        (motion < 0 ? 0 : accelerations_[at(motion)][axis]) + (with_ground ? ground_[axis] : 0);
   }
   return a;
 }
@@ -176,8 +174,8 @@ std::string ReservoirModel::state() const {
   std::vector<PressureState> states;
   for (const AnsweringWater& water : waters_) states.push_back(water.state());
   return checkpoint::pack(still_.state(), flow_ ? flow_->state() : "", pictures_ ? checkpoint::pack(*pictures_) : "",
-                          solved_.motion.displacement, solved_.time_s, solved_.window_s, states, velocities_,
-                          accelerations_, ground_, time_s_, told_, solutions_, kept_);
+                          solved_.motion, solved_.time_s, solved_.window_s, states, velocities_, accelerations_,
+                          ground_, time_s_, told_, solutions_, kept_);
 }
 
 void ReservoirModel::restore(const std::string& state) {
@@ -185,8 +183,8 @@ void ReservoirModel::restore(const std::string& state) {
   std::string of_flow;
   std::string of_pictures;
   std::vector<PressureState> states;
-  checkpoint::unpack(state, of_still, of_flow, of_pictures, solved_.motion.displacement, solved_.time_s,
-                     solved_.window_s, states, velocities_, accelerations_, ground_, time_s_, told_, solutions_, kept_);
+  checkpoint::unpack(state, of_still, of_flow, of_pictures, solved_.motion, solved_.time_s, solved_.window_s, states,
+                     velocities_, accelerations_, ground_, time_s_, told_, solutions_, kept_);
   still_.restore(of_still);
   if (flow_) flow_->restore(of_flow);
   if (pictures_) checkpoint::unpack(of_pictures, *pictures_);

@@ -7,6 +7,7 @@
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 #include "fluid/joints/flow_output.hpp"
 #include "fluid/reservoir/answering_water.hpp"
+#include "fluid/reservoir/face_motions.hpp"
 #include "fluid/reservoir/guarded_mass.hpp"
 #include "fluid/reservoir/reservoir_output.hpp"
 
@@ -56,7 +57,7 @@ class ReservoirModel final : public schedule::FluidSide {
   double deepest_m_ = 0;                        ///< of the bodies
   GuardedMass guarded_;                         ///< of the bodies
   std::vector<Eigen::Vector3d> velocities_;     ///< last told
-  std::vector<Eigen::Vector3d> accelerations_;  ///< of the blocks, in the frame of the scene
+  std::vector<Eigen::Vector3d> accelerations_;  ///< of all motions, in the frame of the scene
   Point ground_ = Point::Zero();                ///< acceleration
   double time_s_ = 0;
   bool told_ = false;

@@ -74,8 +74,8 @@ WaterPhysics physics_of(const scene::Scene& scene) {
 }
 
 WaterMesh mesh_of(const scene::Scene& scene, const hydrostatic::WaterBody& body,
-                  const std::vector<std::vector<Point>>& outlines) {
-  WaterMesh mesh = mesh_water(body, outlines, far_ends(scene, outlines, depth(body)), fineness_of(scene));
+                  const std::vector<std::vector<Point>>& outlines, const std::vector<Point>& corners) {
+  WaterMesh mesh = mesh_water(body, {outlines, corners}, far_ends(scene, outlines, depth(body)), fineness_of(scene));
   require_surface(scene, mesh);
   return mesh;
 }

@@ -189,15 +189,15 @@ double depth(const WaterBody& body) {
   return std::max(0.0, body.surface.from_m.y() - lowest);
 }
 
-WaterMesh mesh_water(const WaterBody& body, const std::vector<std::vector<Point>>& outlines, const FarEnds& ends,
-                     const Fineness& fineness) {
+WaterMesh mesh_water(const WaterBody& body, const Banks& banks, const FarEnds& ends, const Fineness& fineness) {
+  const auto& outlines = banks.outlines;
   WaterMesh mesh;
   const double deep = depth(body);
   mesh.ends = ends;
   mesh.depth_m = deep;
   if (deep <= 0) return mesh;
   const double tiny = same_place * deep;
-  const std::vector<Ring> rings = region_of(body, outlines, ends, tiny);
+  std::vector<Ring> rings = region_of(body, outlines, ends, tiny);
   if (rings.empty()) return mesh;
   const Ends open = ends_of(rings);
   const Ends blocks = ends_of(outlines);
@@ -210,6 +210,7 @@ WaterMesh mesh_water(const WaterBody& body, const std::vector<std::vector<Point>
       if (p.x() > blocks.left - tiny && p.x() < blocks.right + tiny) sizes.points.push_back(p);
     }
   }
+  for (Ring& ring : rings) ring = with_points(ring, banks.corners, 10 * tiny);
   Triangulated triangles = triangulate(rings, sizes);
   mesh.node = std::move(triangles.node);
   MiddleNodes middles(mesh);

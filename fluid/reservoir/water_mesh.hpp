@@ -54,10 +54,16 @@ struct WaterMesh {
   double depth_m = 0;
 };
 
-/// Delaunay refinement (Ruppert, Shewchuk) of the body's region, whose ends in open water are moved to `ends`.
-/// `outlines`: where the blocks are. Empty for a body without a region.
-WaterMesh mesh_water(const hydrostatic::WaterBody& body, const std::vector<std::vector<Point>>& outlines,
-                     const FarEnds& ends, const Fineness& fineness);
+/// What stands in the water.
+struct Banks {
+  const std::vector<std::vector<Point>>& outlines;  ///< where the blocks are
+  std::vector<Point> corners = {};                  ///< where faces bend
+};
+
+/// Delaunay refinement (Ruppert, Shewchuk) of the body's region, whose ends in open water are moved to `ends`. Empty
+/// for a body without a region.
+WaterMesh mesh_water(const hydrostatic::WaterBody& body, const Banks& banks, const FarEnds& ends,
+                     const Fineness& fineness);
 
 /// Height of the surface over the lowest point of the body [m].
 double depth(const hydrostatic::WaterBody& body);

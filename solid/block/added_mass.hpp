@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Water that blocks must push, as inertia of their rigid motions.
+// Water that blocks must push, as inertia of their motions.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 
 namespace blockweir::solid {
 
-/// The water's force on block `a` by an acceleration of block `b`, the other way [kg/m, kg, kg m].
+/// The water's force on motion `a` by an acceleration of motion `b`, the other way [kg/m, kg, kg m].
 struct CoupledMass {
   int a = 0;
   int b = 0;
@@ -23,24 +23,25 @@ struct CoupledMass {
   }
 };
 
-/// M_a of (u0, v0, r0) of the scene's blocks about their centroids where they are now: 3x3 matrices on the diagonal,
-/// and those of pairs beside it.
+/// M_a of motions in threes: 3x3 matrices on the diagonal, and those of pairs beside it. First come (u0, v0, r0) of the
+/// scene's blocks about their centroids where they are now; others, if there are any, are those of WaterMotions.
 struct AddedMasses {
   AddedMasses() = default;
-  AddedMasses(std::initializer_list<Eigen::Matrix3d> own_ones) : own(own_ones) {}
+  AddedMasses(std::initializer_list<Eigen::Matrix3d> own_ones) : own(own_ones), blocks(own.size()) {}
 
-  std::vector<Eigen::Matrix3d> own;  ///< symmetric [kg/m, kg, kg m]; one a block of the scene, or none
-  std::vector<CoupledMass> pairs;    ///< each of blocks a < b once
+  std::vector<Eigen::Matrix3d> own;  ///< symmetric [kg/m, kg, kg m]; one a motion, or none
+  std::vector<CoupledMass> pairs;    ///< each of motions a < b once
+  std::size_t blocks = 0;            ///< how many motions are those of blocks
 
   [[nodiscard]] bool empty() const { return own.empty(); }
-  /// M_a v, of as many blocks as there are.
+  /// M_a v, of as many motions as there are.
   [[nodiscard]] std::vector<Eigen::Vector3d> times(const std::vector<Eigen::Vector3d>& v) const;
-  /// Pairs that join all blocks which push the same water, none more than it takes.
+  /// Pairs that join all motions which push the same water, none more than it takes.
   [[nodiscard]] std::vector<std::pair<int, int>> links() const;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(own, pairs);
+    archive(own, pairs, blocks);
   }
 };
 

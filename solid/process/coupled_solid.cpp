@@ -8,7 +8,9 @@
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/repeat.hpp"
+#include "bridge/schedule/velocities.hpp"
 #include "solid/watch/capture.hpp"
+#include "solid/watch/told_motion.hpp"
 
 namespace blockweir::solid {
 
@@ -58,17 +60,7 @@ void CoupledSolid::map(const wire::Load& load) {
 
 void CoupledSolid::predict(double ahead_s, wire::Motion& motion) {
   const Stopwatch watch(map_s_);
-  const std::size_t n = solid_.described();
-  auto& displacement = motion.displacement.own();
-  auto& velocity = motion.velocity.own();
-  displacement.resize(n);
-  velocity.resize(n);
-  for (std::size_t b = 0; b < n; ++b) {
-    const BlockState& s = solid_.states()[b];
-    Vector6::Map(displacement[b].data()) =
-        s.displacement + ahead_s * s.velocity + ahead_s * ahead_s / 2 * s.acceleration;
-    Vector6::Map(velocity[b].data()) = s.velocity + ahead_s * s.acceleration;
-  }
+  tell_motion(solid_, ahead_s, motion);
 }
 
 void CoupledSolid::start(const wire::Load& load) {
@@ -90,8 +82,7 @@ void CoupledSolid::start(const wire::Load& load) {
 
 void CoupledSolid::advance(const wire::Load& load, const wire::Motion& told, double from_s, double to_s) {
   if (load.window > 0) map(load);
-  std::vector<Eigen::Vector3d> velocities;
-  for (const auto& v : told.velocity) velocities.emplace_back(v[0], v[1], v[2]);
+  const std::vector<Eigen::Vector3d> velocities = schedule::velocities_in(told);
   AddedMasses masses;
   solid_.call_meanwhile([this, window = told.window, before = solid_.counts().iterations] {
     progress_.solving(window, solid_.time_s(), solid_.counts().iterations - before);
@@ -133,13 +124,9 @@ void CoupledSolid::watch_interface(const wire::Load& load, const wire::Motion& t
   if (load.block.empty() || scene.analysis.kind != scene::AnalysisKind::dynamic) return;
   const Stopwatch watch(watch_s_);
   double kinetic = energy_.now().kinetic;
-  std::vector<Eigen::Vector3d> velocities;
-  for (std::size_t b = 0; b < masses.own.size(); ++b) {
-    velocities.emplace_back(Eigen::Vector3d::Zero());
-    if (!solid_.blocks()[b].fixed) velocities.back() = solid_.states()[b].velocity.head<3>();
-  }
+  const auto velocities = solid_.model().water_motions.velocities(solid_.states(), masses.own.size());
   const std::vector<Eigen::Vector3d> momenta = masses.times(velocities);
-  for (std::size_t b = 0; b < momenta.size(); ++b) kinetic += velocities[b].dot(momenta[b]) / 2;
+  for (std::size_t m = 0; m < momenta.size(); ++m) kinetic += velocities[m].dot(momenta[m]) / 2;
   interface_energy_.look(water_.last(), told, {from_s, to_s}, kinetic);
   if (!interface_energy_.growth() || scene.coupling.on_energy_gain == scene::EnergyGain::report) return;
   throw SolveError(interface_energy_.trouble(added_mass_.ratio()));

@@ -19,6 +19,9 @@ class DenseSystem final : public LinearSystem {
     const int columns = u_.count[at(column)];
     k_.block(u_.first[at(row)], u_.first[at(column)], rows, columns) += k.topLeftCorner(rows, columns);
   }
+  void set_beside(LowRank beside) override {
+    if (!beside.none()) k_ += beside.U * beside.S * beside.U.transpose();
+  }
   bool solve(bool /*symmetric*/, const Eigen::VectorXd& f, Eigen::VectorXd& d) override {
     {
       const Stopwatch watch(times_.factorization);
@@ -28,7 +31,7 @@ class DenseSystem final : public LinearSystem {
     return d.allFinite();
   }
   [[nodiscard]] SolutionTimes times() const override { return times_; }
-  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const override { return lu_.solve(f); }
+  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) override { return lu_.solve(f); }
   [[nodiscard]] Eigen::MatrixXd dense() const override { return k_; }
 
  private:

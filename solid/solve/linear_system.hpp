@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "solid/solve/low_rank.hpp"
 #include "solid/solve/pause.hpp"
 #include "solid/solve/unknowns.hpp"
 
@@ -46,6 +47,8 @@ class LinearSystem {
   /// Adds to the block at local (row, column), of a rigid block the rigid part; off the diagonal only where a couple
   /// was announced.
   virtual void add(int row, int column, const Matrix6& k) = 0;
+  /// The matrix is what was added and U S U^T beside it, until set_zero().
+  virtual void set_beside(LowRank beside) = 0;
   /// Factorizes what was added and solves; `symmetric` promises K = K^T, which lets a sparse system use Cholesky.
   /// False when the matrix is singular to working accuracy.
   virtual bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) = 0;
@@ -58,7 +61,7 @@ class LinearSystem {
   virtual void restore(const KeptFactors& /*kept*/) {}
   [[nodiscard]] virtual SolutionTimes times() const = 0;
   /// For another right-hand side, with the factors of the last solve.
-  [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const = 0;
+  [[nodiscard]] virtual Eigen::VectorXd solve_again(const Eigen::VectorXd& f) = 0;
   /// What was added, all of it.
   [[nodiscard]] virtual Eigen::MatrixXd dense() const = 0;
 };

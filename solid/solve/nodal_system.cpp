@@ -32,6 +32,7 @@ class NodalSystem final : public LinearSystem {
   }
 
   void set_zero() override { matrix_.set_zero(); }
+  void set_beside(LowRank beside) override { matrix_.set_beside(std::move(beside)); }
   [[nodiscard]] bool reused() const override { return matrix_.reused(); }
   void forget_factors() override { matrix_.forget_factors(); }
   [[nodiscard]] KeptFactors kept_factors() const override { return matrix_.kept(); }
@@ -53,9 +54,9 @@ class NodalSystem final : public LinearSystem {
     return matrix_.solve(symmetric, f, d);
   }
 
-  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) const override { return matrix_.solve_again(f); }
+  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) override { return matrix_.solve_again(f); }
 
-  [[nodiscard]] Eigen::MatrixXd dense() const override { return matrix_.k; }
+  [[nodiscard]] Eigen::MatrixXd dense() const override { return matrix_.dense(); }
 
  private:
   /// Where the entries of a pair of blocks stand among the matrix's values, column by column.

@@ -22,8 +22,8 @@ void AddedMassGuard::begin_window(const AddedMasses& masses, const std::vector<E
 }
 
 void AddedMassGuard::begin_step(const WaterCourse::Weights& weights) {
-  std::vector<Eigen::Vector3d> accelerations(blocks(), Eigen::Vector3d::Zero());
-  for (std::size_t b = 0; b < blocks(); ++b) {
+  std::vector<Eigen::Vector3d> accelerations(motions(), Eigen::Vector3d::Zero());
+  for (std::size_t b = 0; b < motions(); ++b) {
     for (std::size_t i = 0; i < weights.size(); ++i) accelerations[b] += weights[i] * accelerations_[i][b];
   }
   forces_ = masses_.times(accelerations);

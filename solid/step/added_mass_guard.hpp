@@ -27,11 +27,13 @@ class AddedMassGuard {
 
   [[nodiscard]] bool acts() const { return !masses_.empty(); }
   [[nodiscard]] const AddedMasses& masses() const { return masses_; }
-  /// M_a of a block of the scene alone.
-  [[nodiscard]] const Eigen::Matrix3d& mass(std::size_t block) const { return masses_.own[block]; }
-  /// M_a a', on (u0, v0, r0).
-  [[nodiscard]] const Eigen::Vector3d& force(std::size_t block) const { return forces_[block]; }
-  [[nodiscard]] std::size_t blocks() const { return masses_.own.size(); }
+  /// M_a of a motion alone; the first are those of the scene's blocks.
+  [[nodiscard]] const Eigen::Matrix3d& mass(std::size_t motion) const { return masses_.own[motion]; }
+  /// M_a a', on the motion's three.
+  [[nodiscard]] const Eigen::Vector3d& force(std::size_t motion) const { return forces_[motion]; }
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& forces() const { return forces_; }
+  [[nodiscard]] std::size_t motions() const { return masses_.own.size(); }
+  [[nodiscard]] std::size_t blocks() const { return masses_.blocks; }
 
   template <class Archive>
   void serialize(Archive& archive) {

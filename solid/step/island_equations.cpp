@@ -150,7 +150,7 @@ double IslandEquations::add_residual(std::size_t k) {
   Vector6 inertia = mass_factor * (model_.blocks[b].inertia * trial_.increment[b]);
   if (b < state_.guard.blocks())
     inertia.head<3>() += mass_factor * (state_.guard.mass(b) * trial_.increment[b].head<3>());
-  if (!pulls.empty()) inertia.head<3>() -= pulls[k];
+  if (!pulls.empty()) inertia -= pulls[k];
   const Vector6 left = trial_.balance[b] - inertia + trial_.history[b];
   unknowns->add(static_cast<int>(k), left, residual);
   const double noise = trial_.round_off[b] + sum_round_off * (magnitude(inertia, model_.blocks[b]) +

@@ -42,7 +42,7 @@ class IslandEquations : StepPart {
   ForceSweeps sweeps;               ///< where Newton's method does not find the states
   std::vector<Matrix6> compliance;  ///< of each block alone, for sweeps
   /// On each block by the water that others push; none where all push their own.
-  std::vector<Eigen::Vector3d> pulls;
+  std::vector<Vector6> pulls;
 
   /// Made when it is first asked for: what is swept needs none.
   [[nodiscard]] LinearSystem& system() const;
@@ -65,8 +65,6 @@ class IslandEquations : StepPart {
   void set_block_matrices();
   void add_stiffness(const Interaction& action);
   bool solve(bool symmetric);
-  /// For another force, with the matrix of the last solution.
-  [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& force) const;
 
   /// Do blocks share unknowns, or water that they push? Then a force on one moves others at once.
   [[nodiscard]] bool moves_as_one() const { return unknowns->shared() || !pulls.empty(); }
@@ -92,9 +90,8 @@ class IslandEquations : StepPart {
   const WaterInertia& water_;
   const std::vector<int>& numbers_;
   mutable std::unique_ptr<LinearSystem> system_;
-  WaterFactors water_factors_;  ///< of the system's last solution
-  bool symmetric_ = true;       ///< are the actions' stiffnesses?
-  UnknownForces forces_;        ///< instead of the system while there are any
+  bool symmetric_ = true;  ///< are the actions' stiffnesses?
+  UnknownForces forces_;   ///< instead of the system while there are any
 };
 
 }  // namespace blockweir::solid

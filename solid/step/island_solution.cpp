@@ -15,6 +15,7 @@ namespace blockweir::solid {
 void IslandEquations::set_block_matrices() {
   system().set_zero();
   IslandMatrix(model_, trial_, *this).add_own(system());
+  system().set_beside(water_.beside(*this));
 }
 
 void IslandEquations::add_stiffness(const Interaction& action) {
@@ -61,15 +62,7 @@ bool IslandEquations::solve_linearized() {
 bool IslandEquations::solve(bool symmetric) {
   if (!model_.scene.analysis.reuse_factors) system().forget_factors();
   if (!system().solve(symmetric, residual, correction)) return false;
-  water_factors_ = water_.factors(*this);
-  WaterInertia::correct(water_factors_, correction);
   return correction.allFinite();
-}
-
-Eigen::VectorXd IslandEquations::solve_again(const Eigen::VectorXd& force) const {
-  Eigen::VectorXd d = system().solve_again(force);
-  WaterInertia::correct(water_factors_, d);
-  return d;
 }
 
 void IslandEquations::move(double fraction) {

@@ -53,6 +53,7 @@ Model::Model(const scene::Scene& described)
       loads(scene, parts),
       base(scene),
       boundary(scene, parts),
+      water_motions(scene, parts),
       size_m(model_size(scene)),
       weight_n_per_m(weight_of_all(blocks, scene.analysis.gravity_m_per_s2)),
       scheme(Newmark::of(scene.analysis.integrator, scene.analysis.spectral_radius)) {

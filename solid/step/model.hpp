@@ -9,6 +9,7 @@
 #include "solid/block/loads.hpp"
 #include "solid/block/parts.hpp"
 #include "solid/block/viscous_boundary.hpp"
+#include "solid/block/water_motions.hpp"
 #include "solid/contact/contact_point.hpp"
 #include "solid/contact/formulation.hpp"
 #include "solid/contact/joint_laws.hpp"
@@ -29,6 +30,7 @@ struct Model {
   Loads loads;
   BaseMotion base;
   ViscousBoundary boundary;
+  WaterMotions water_motions;
   double size_m = 0;          ///< half the height of what can move, at least half its width
   double weight_n_per_m = 0;  ///< of all that can move
   Newmark scheme;             ///< the scene's integrator

@@ -63,11 +63,14 @@ void Solid::advance(double from_s, double to_s, WaterCourse& water, const Answer
     if (!panels.empty()) {
       state_.water_work.begin_step(
           water_forces(panels, model_.blocks, state_.placements, model_.described(), model_.scene.water.nodal_rule),
-          state_.guard, state_.blocks);
+          state_.guard, {state_.blocks, state_.placements, model_.water_motions});
     }
     const Outcome outcome = steps_.make({dt, time + dt, panels});
     if (outcome == Outcome::made) {
-      if (!panels.empty()) state_.water_work.end_step(state_.guard, state_.blocks, dt, steps_.made_by_shi());
+      if (!panels.empty()) {
+        state_.water_work.end_step(state_.guard, {state_.blocks, state_.placements, model_.water_motions}, dt,
+                                   steps_.made_by_shi());
+      }
       time += dt;
       state_.next_dt =
           std::min(largest_step, state_.next_dt < dt ? state_.next_dt * 2 : std::max(state_.next_dt, dt * 2));

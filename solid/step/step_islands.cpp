@@ -25,8 +25,9 @@ std::vector<std::pair<int, int>> StepIslands::links() const {
 }
 
 /// Of a block with a mesh its first triangle, to which all others are joined.
-int StepIslands::part_of(int block) const {
-  return model_.blocks[at(block)].meshed ? model_.parts.triangles[at(block)].front() : block;
+int StepIslands::part_of(int motion) const {
+  const bool mean_of_mesh = at(motion) < model_.described() && model_.blocks[at(motion)].meshed;
+  return mean_of_mesh ? model_.parts.triangles[at(motion)].front() : model_.water_motions.share(at(motion)).part;
 }
 
 void StepIslands::prepare() {

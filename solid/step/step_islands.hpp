@@ -37,7 +37,7 @@ class StepIslands : StepPart {
  private:
   [[nodiscard]] std::vector<KeptFactors> kept_factors() const;
   [[nodiscard]] std::vector<std::pair<int, int>> links() const;
-  [[nodiscard]] int part_of(int block) const;
+  [[nodiscard]] int part_of(int motion) const;
   void make();
   void give_bolts_to_islands();
   void find_incidences();

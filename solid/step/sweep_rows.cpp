@@ -66,7 +66,7 @@ void SweepRows::add_end_of_all(IslandEquations& s, bool second, int k, const Mat
     Eigen::VectorXd pull = Eigen::VectorXd::Zero(s.unknowns->total);
     s.unknowns->add(k, shape.row(axis).transpose(), pull);
     motions.row(axis) = pull.transpose();
-    responses.col(axis) = s.solve_again(pull);
+    responses.col(axis) = s.system().solve_again(pull);
   }
   Eigen::Index first = 0;
   Eigen::Index last = s.unknowns->total - 1;

@@ -20,23 +20,22 @@ void WaterInertia::begin_window(const Answered& answered) {
 
 void WaterInertia::begin_step(double dt) {
   motions_.clear();
-  std::vector<bool> shares(state_.guard.blocks());
+  std::vector<bool> shares(state_.guard.motions());
   for (const CoupledMass& pair : state_.guard.masses().pairs) shares[at(pair.a)] = shares[at(pair.b)] = true;
-  for (std::size_t b = 0; b < state_.guard.blocks(); ++b) {
-    if (model_.blocks[b].fixed) continue;
-    if (!model_.blocks[b].meshed) {
-      trial_.external[b].head<3>() += state_.guard.force(b);
-      if (shares[b]) motions_.push_back({b, {}});
-    } else if (shares[b] || !state_.guard.mass(b).isZero(0)) {
-      motions_.push_back(motion_of_mesh(b));
-    }
+  for (std::size_t m = 0; m < state_.guard.motions(); ++m) {
+    const bool of_block = m < state_.guard.blocks();
+    if (of_block && model_.blocks[m].fixed) continue;
+    const bool of_mesh = of_block && model_.blocks[m].meshed;
+    if (of_block && !of_mesh) trial_.external[m].head<3>() += state_.guard.force(m);
+    const bool apart = !of_block || of_mesh;  // in no matrix of a block
+    if (!shares[m] && (!apart || state_.guard.mass(m).isZero(0))) continue;
+    motions_.push_back(of_mesh ? mean_of_mesh(m) : Motion{m, {model_.water_motions.share(m)}});
+    if (apart) push(motions_.back());
   }
   if (motions_.empty()) return;
   find_masses();
   const Eigen::VectorXd velocity = velocities_now();
-  const Eigen::VectorXd acceleration =
-      gather([this](std::size_t t) -> Vector6 { return state_.blocks[t].acceleration; },
-             [this](std::size_t b) -> Eigen::Vector3d { return state_.blocks[b].acceleration.head<3>(); });
+  const Eigen::VectorXd acceleration = gather([this](std::size_t part) { return state_.blocks[part].acceleration; });
   history_.resize(velocity.size());
   for (Eigen::Index i = 0; i < velocity.size(); i += 3) {
     BlockState rates;
@@ -49,34 +48,43 @@ void WaterInertia::begin_step(double dt) {
 
 /// P as follow_triangles() has it, at the start of the step: mean velocity of the triangles, and the turn in their mean
 /// rate of deformation.
-WaterInertia::Motion WaterInertia::motion_of_mesh(std::size_t b) {
+WaterInertia::Motion WaterInertia::mean_of_mesh(std::size_t b) const {
   Motion motion{b, {}};
   const double stretch = 2 + state_.placements[b].strain()[0] + state_.placements[b].strain()[1];
   for (const int t : model_.parts.triangles[b]) {
     const Block& triangle = model_.blocks[at(t)];
     const auto& X = triangle.vertices;
     const double share = triangle.area / model_.blocks[b].area;
-    auto& P = motion.of_corners.emplace_back();
+    auto& P = motion.shares.emplace_back(MotionShare{t, {}}).by_rates;
     for (std::size_t i = 0; i < 3; ++i) {
       const Point gradient = perpendicular(X[(i + 2) % 3] - X[(i + 1) % 3]) / (2 * triangle.area);
       const auto column = static_cast<Eigen::Index>(2 * i);
       P.block<2, 2>(0, column) = share / 3 * Eigen::Matrix2d::Identity();
       P.block<1, 2>(2, column) = share / stretch * state_.placements[b].turn(perpendicular(gradient)).transpose();
     }
-    trial_.external[at(t)] +=
-        corner_shape(triangle, state_.placements[at(t)]).transpose() * (P.transpose() * state_.guard.force(b));
   }
   return motion;
+}
+
+void WaterInertia::push(const Motion& motion) {
+  for (const auto& [part, by_rates] : motion.shares) {
+    const Vector6 force = by_rates.transpose() * state_.guard.force(motion.number);
+    const Block& block = model_.blocks[at(part)];
+    trial_.external[at(part)] +=
+        block.is_part() ? Vector6(corner_shape(block, state_.placements[at(part)]).transpose() * force) : force;
+  }
 }
 
 void WaterInertia::find_masses() {
   const auto count = static_cast<Eigen::Index>(3 * motions_.size());
   masses_.setZero(count, count);
-  std::vector<Eigen::Index> place(state_.guard.blocks(), -1);
+  std::vector<Eigen::Index> place(state_.guard.motions(), -1);
   for (std::size_t m = 0; m < motions_.size(); ++m) {
     const auto first = static_cast<Eigen::Index>(3 * m);
-    place[motions_[m].block] = first;
-    if (!motions_[m].of_corners.empty()) masses_.block<3, 3>(first, first) = state_.guard.mass(motions_[m].block);
+    const std::size_t number = motions_[m].number;
+    place[number] = first;
+    const bool in_own_matrix = number < state_.guard.blocks() && !model_.blocks[number].meshed;
+    if (!in_own_matrix) masses_.block<3, 3>(first, first) = state_.guard.mass(number);
   }
   for (const CoupledMass& pair : state_.guard.masses().pairs) {
     const Eigen::Index a = place[at(pair.a)];
@@ -88,42 +96,34 @@ void WaterInertia::find_masses() {
 }
 
 bool WaterInertia::of_meshes() const {
-  return std::any_of(motions_.begin(), motions_.end(), [](const Motion& m) { return !m.of_corners.empty(); });
+  return std::any_of(motions_.begin(), motions_.end(),
+                     [this](const Motion& m) { return model_.blocks[at(m.shares.front().part)].is_part(); });
 }
 
 WaterInertia::Numbers WaterInertia::motions_of(const IslandEquations& s) const {
   Numbers here;
   for (std::size_t m = 0; m < motions_.size(); ++m) {
-    const auto block = static_cast<int>(motions_[m].block);
-    if (s.has(motions_[m].of_corners.empty() ? block : model_.parts.triangles[at(block)].front())) {
-      here.push_back(static_cast<Eigen::Index>(m));
-    }
+    if (s.has(motions_[m].shares.front().part)) here.push_back(static_cast<Eigen::Index>(m));
   }
   return here;
 }
 
-template <class OfCorners, class OfBlock>
-Eigen::VectorXd WaterInertia::gather(const OfCorners& of_corners, const OfBlock& of_block) const {
+template <class OfPart>
+Eigen::VectorXd WaterInertia::gather(const OfPart& of_part) const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * motions_.size()));
   for (std::size_t m = 0; m < motions_.size(); ++m) {
-    const Motion& motion = motions_[m];
     auto own = all.segment<3>(static_cast<Eigen::Index>(3 * m));
-    if (motion.of_corners.empty()) own = of_block(motion.block);
-    for (std::size_t k = 0; k < motion.of_corners.size(); ++k) {
-      own += motion.of_corners[k] * of_corners(at(model_.parts.triangles[motion.block][k]));
-    }
+    for (const auto& [part, by_rates] : motions_[m].shares) own += by_rates * of_part(at(part));
   }
   return all;
 }
 
 Eigen::VectorXd WaterInertia::velocities_before() const {
-  return gather([this](std::size_t t) -> Vector6 { return trial_.began_with[t]; },
-                [this](std::size_t b) -> Eigen::Vector3d { return trial_.began_with[b].head<3>(); });
+  return gather([this](std::size_t part) { return trial_.began_with[part]; });
 }
 
 Eigen::VectorXd WaterInertia::velocities_now() const {
-  return gather([this](std::size_t t) -> Vector6 { return state_.blocks[t].velocity; },
-                [this](std::size_t b) -> Eigen::Vector3d { return state_.blocks[b].velocity.head<3>(); });
+  return gather([this](std::size_t part) { return state_.blocks[part].velocity; });
 }
 
 double WaterInertia::taken_by_water(const IslandEquations& s) const {
@@ -148,9 +148,10 @@ void WaterInertia::pass_on(const IslandEquations& s, double dt) const {
   if (here.empty()) return;
   const Eigen::VectorXd push = masses_ * (velocities_now() - velocities_before()) / dt;
   for (const Eigen::Index m : here) {
-    const Motion& motion = motions_[static_cast<std::size_t>(m)];
-    if (!motion.of_corners.empty()) continue;
-    trial_.for_motion[motion.block] -= trial_.increment[motion.block].head<3>().dot(push.segment<3>(3 * m));
+    for (const auto& [part, by_rates] : motions_[static_cast<std::size_t>(m)].shares) {
+      if (model_.blocks[at(part)].is_part()) continue;
+      trial_.for_motion[at(part)] -= (by_rates * trial_.increment[at(part)]).dot(push.segment<3>(3 * m));
+    }
   }
 }
 
@@ -158,102 +159,82 @@ void WaterInertia::add_to_residual(IslandEquations& s) const {
   s.pulls.clear();
   const Numbers here = motions_of(s);
   if (here.empty()) return;
-  s.pulls.assign(s.island.blocks.size(), Eigen::Vector3d::Zero());
-  const Eigen::VectorXd moved =
-      gather([this](std::size_t t) { return trial_.corner_increment(t); },
-             [this](std::size_t b) -> Eigen::Vector3d { return trial_.increment[b].head<3>(); });
+  s.pulls.assign(s.island.blocks.size(), Vector6::Zero());
+  const Eigen::VectorXd moved = gather([this](std::size_t part) -> Vector6 {
+    return model_.blocks[part].is_part() ? trial_.corner_increment(part) : trial_.increment[part];
+  });
   const Eigen::VectorXd pull = trial_.scheme.mass_factor(trial_.dt) * (masses_ * moved);
   for (const Eigen::Index m : here) {
     const Motion& motion = motions_[static_cast<std::size_t>(m)];
     const Eigen::Vector3d left = (history_ - pull).segment<3>(3 * m);
-    if (motion.of_corners.empty()) s.pulls[at(s.local(static_cast<int>(motion.block)))] = left;
     const Eigen::Vector3d noise =
         sum_round_off * (pull.segment<3>(3 * m).cwiseAbs() + history_.segment<3>(3 * m).cwiseAbs());
-    for (std::size_t k = 0; k < motion.of_corners.size(); ++k) {
-      const auto nodes = s.unknowns->of(s.local(model_.parts.triangles[motion.block][k]));
-      s.residual(nodes) += motion.of_corners[k].transpose() * left;
-      s.uncertain(nodes) += motion.of_corners[k].cwiseAbs().transpose() * noise;
+    for (const auto& [part, by_rates] : motion.shares) {
+      if (!model_.blocks[at(part)].is_part()) {
+        s.pulls[at(s.local(part))] += by_rates.transpose() * left;
+        continue;
+      }
+      const auto& nodes = s.unknowns->of(s.local(part));
+      s.residual(nodes) += by_rates.transpose() * left;
+      s.uncertain(nodes) += by_rates.cwiseAbs().transpose() * noise;
     }
   }
 }
 
-/// U: what the motions are by an island's unknowns, transposed.
-Eigen::MatrixXd WaterInertia::columns(const IslandEquations& s, const Numbers& here) const {
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(s.unknowns->total, static_cast<Eigen::Index>(3 * here.size()));
-  Eigen::Index first = 0;
-  for (const Eigen::Index m : here) {
-    const Motion& motion = motions_[static_cast<std::size_t>(m)];
-    if (motion.of_corners.empty()) {
-      const auto own = s.unknowns->of(s.local(static_cast<int>(motion.block)));
-      for (std::size_t axis = 0; axis < 3; ++axis) columns(own[axis], first + static_cast<Eigen::Index>(axis)) = 1;
+/// The rows of masses_ that have inertia, of an island: a straight wall's corners have it along its normal alone.
+WaterInertia::Numbers WaterInertia::rows_of(const IslandEquations& s) const {
+  Numbers rows;
+  for (const Eigen::Index m : motions_of(s)) {
+    for (Eigen::Index row = 3 * m; row < 3 * m + 3; ++row) {
+      if (!masses_.row(row).isZero(0)) rows.push_back(row);
     }
-    for (std::size_t k = 0; k < motion.of_corners.size(); ++k) {
-      const auto nodes = s.unknowns->of(s.local(model_.parts.triangles[motion.block][k]));
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        columns.block<1, 3>(nodes[i], first) += motion.of_corners[k].col(static_cast<Eigen::Index>(i)).transpose();
-      }
-    }
-    first += 3;
   }
-  return columns;
+  return rows;
 }
 
 /// S: in the step's matrix.
-Eigen::MatrixXd WaterInertia::inertia(const Numbers& here) const {
-  const auto count = static_cast<Eigen::Index>(3 * here.size());
-  Eigen::MatrixXd S(count, count);
-  for (std::size_t i = 0; i < here.size(); ++i) {
-    for (std::size_t j = 0; j < here.size(); ++j) {
-      S.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)) =
-          trial_.scheme.mass_factor(trial_.dt) * masses_.block<3, 3>(3 * here[i], 3 * here[j]);
+Eigen::MatrixXd WaterInertia::inertia(const Numbers& rows) const {
+  return trial_.scheme.mass_factor(trial_.dt) * masses_(rows, rows);
+}
+
+LowRank WaterInertia::beside(const IslandEquations& s) const {
+  LowRank beside;
+  const Numbers rows = rows_of(s);
+  if (rows.empty()) return beside;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (const auto& [part, by_rates] : motions_[static_cast<std::size_t>(rows[k] / 3)].shares) {
+      const auto& own = s.unknowns->of(s.local(part));
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        const double share = by_rates(rows[k] % 3, static_cast<Eigen::Index>(i));
+        if (share != 0) entries.emplace_back(own[i], static_cast<int>(k), share);
+      }
     }
   }
-  return S;
-}
-
-WaterFactors WaterInertia::factors(const IslandEquations& s) const {
-  WaterFactors factors;
-  const Numbers here = motions_of(s);
-  if (here.empty()) return factors;
-  factors.U = columns(s, here);
-  factors.S = inertia(here);
-  factors.X.resize(factors.U.rows(), factors.U.cols());
-  for (Eigen::Index i = 0; i < factors.U.cols(); ++i) factors.X.col(i) = s.system().solve_again(factors.U.col(i));
-  factors.core.compute(Eigen::MatrixXd::Identity(factors.U.cols(), factors.U.cols()) +
-                       factors.S * (factors.U.transpose() * factors.X));
-  return factors;
-}
-
-void WaterInertia::correct(const WaterFactors& f, Eigen::VectorXd& x) {
-  if (f.U.cols() == 0) return;
-  x -= f.X * f.core.solve(f.S * (f.U.transpose() * x));
+  beside.U.resize(s.unknowns->total, static_cast<Eigen::Index>(rows.size()));
+  beside.U.setFromTriplets(entries.begin(), entries.end());
+  beside.S = inertia(rows);
+  return beside;
 }
 
 void WaterInertia::add_to_saddle(const IslandEquations& s, SaddlePoint& saddle) const {
   constexpr double nothing = 1e-12;  // of the heaviest mode
-  const Numbers here = motions_of(s);
-  if (here.empty()) return;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(inertia(here));
+  const Numbers rows = rows_of(s);
+  if (rows.empty()) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(inertia(rows));
   const double heaviest = modes.eigenvalues().cwiseAbs().maxCoeff();
   for (Eigen::Index i = 0; i < modes.eigenvalues().size(); ++i) {
     const double inertia = modes.eigenvalues()[i];
     if (std::abs(inertia) <= nothing * heaviest) continue;
     saddle.add_force(0, -1 / inertia);
-    Eigen::Index first = 0;
-    for (const Eigen::Index m : here) {
-      const Motion& motion = motions_[static_cast<std::size_t>(m)];
-      const Eigen::Vector3d e = modes.eigenvectors().col(i).segment<3>(first);
-      first += 3;
-      if (motion.of_corners.empty()) {
-        Vector6 along = Vector6::Zero();
-        along.head<3>() = e;
-        saddle.couple(s.local(static_cast<int>(motion.block)), -along, along);
-      }
-      for (std::size_t k = 0; k < motion.of_corners.size(); ++k) {
-        const auto t = at(model_.parts.triangles[motion.block][k]);
-        const Vector6 along =
-            corner_shape(model_.blocks[t], trial_.placement[t]).transpose() * (motion.of_corners[k].transpose() * e);
-        saddle.couple(s.local(static_cast<int>(t)), -along, along);
+    Eigen::VectorXd mode = Eigen::VectorXd::Zero(masses_.rows());
+    mode(rows) = modes.eigenvectors().col(i);
+    for (const Eigen::Index m : motions_of(s)) {
+      for (const auto& [part, by_rates] : motions_[static_cast<std::size_t>(m)].shares) {
+        const Block& block = model_.blocks[at(part)];
+        Vector6 along = by_rates.transpose() * mode.segment<3>(3 * m);
+        if (block.is_part()) along = corner_shape(block, trial_.placement[at(part)]).transpose() * along;
+        saddle.couple(s.local(part), -along, along);
       }
     }
   }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The added-mass guard in a step. On a block that pushes its water alone it is a few terms more of its matrix. A block
-// with a mesh tells the fluid its mean motion; the water's inertia resists that motion, P velocities of the nodes. So
-// the whole M_a adds P^T M_a P to the matrix, of three ranks a block and of all with each other. It is kept apart of
-// the sparse matrix (Woodbury).
+// The added-mass guard in a step. On a block that pushes its water alone it is a few terms more of its matrix. Other
+// motions that the water answers (WaterMotions) are P times the rates of blocks and of the nodes of meshes: M_a adds
+// P^T M_a P to the matrix. It is kept apart of the sparse matrix (Woodbury). A block with a mesh whose fluid does not
+// answer its bending has the mean motion of its triangles.
 #pragma once
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <vector>
 
 #include "solid/solve/islands.hpp"
+#include "solid/solve/low_rank.hpp"
 #include "solid/solve/saddle_point.hpp"
 #include "solid/step/step_workspace.hpp"
 
@@ -17,20 +18,11 @@ namespace blockweir::solid {
 class IslandEquations;
 
 /// What the water that acts in a window answers: the inertia in its forces, for the added-mass guard of dynamic
-/// analyses where the scene has it on, with velocities (u0, v0, r0) of the scene's blocks and the time that it was
-/// told.
+/// analyses where the scene has it on, with velocities of the motions and the time that it was told.
 struct Answered {
   const AddedMasses& masses;
   const std::vector<Eigen::Vector3d>& velocities;
   double time_s;
-};
-
-/// (K + U S U^T)^-1 = K^-1 - X (I + S X^T U)^-1 S U^T K^-1, X = K^-1 U, of an island's matrix K.
-struct WaterFactors {
-  Eigen::MatrixXd U;
-  Eigen::MatrixXd S;
-  Eigen::MatrixXd X;
-  Eigen::PartialPivLU<Eigen::MatrixXd> core;
 };
 
 class WaterInertia : StepPart {
@@ -54,29 +46,29 @@ class WaterInertia : StepPart {
   /// Beside unknown forces the inertia is a few more of them: f = lambda e.P d, a force a mode e of M_a that has
   /// inertia.
   void add_to_saddle(const IslandEquations& island, SaddlePoint& saddle) const;
-  /// With the matrix that the island's system has just solved with.
-  [[nodiscard]] WaterFactors factors(const IslandEquations& island) const;
-  /// From solutions with K to such with K + U S U^T.
-  static void correct(const WaterFactors& factors, Eigen::VectorXd& x);
+  /// P^T M_a P, in the step's matrix beside what blocks have of their own.
+  [[nodiscard]] LowRank beside(const IslandEquations& island) const;
 
  private:
-  /// (u0, v0, r0) of a block that shares its water with others, or has a mesh, whose inertia its triangles share.
+  /// A motion whose inertia, or some of it, is in no block's own matrix.
   struct Motion {
-    std::size_t block = 0;
-    std::vector<Eigen::Matrix<double, 3, 6>> of_corners;  ///< its rates by the velocities of each triangle's corners
+    std::size_t number = 0;
+    std::vector<MotionShare> shares;
   };
   using Numbers = std::vector<Eigen::Index>;
 
-  Motion motion_of_mesh(std::size_t block);
+  [[nodiscard]] Motion mean_of_mesh(std::size_t block) const;
+  /// The water's force on the motion, as one on its parts.
+  void push(const Motion& motion);
   void find_masses();
   [[nodiscard]] Numbers motions_of(const IslandEquations& island) const;
-  /// Of each motion, by what triangles' corners or the block itself have.
-  template <class OfCorners, class OfBlock>
-  [[nodiscard]] Eigen::VectorXd gather(const OfCorners& of_corners, const OfBlock& of_block) const;
+  /// Of each motion, by what parts have in their six, which of triangles are those of their corners.
+  template <class OfPart>
+  [[nodiscard]] Eigen::VectorXd gather(const OfPart& of_part) const;
   [[nodiscard]] Eigen::VectorXd velocities_before() const;
   [[nodiscard]] Eigen::VectorXd velocities_now() const;
-  [[nodiscard]] Eigen::MatrixXd columns(const IslandEquations& island, const Numbers& here) const;
-  [[nodiscard]] Eigen::MatrixXd inertia(const Numbers& here) const;
+  [[nodiscard]] Numbers rows_of(const IslandEquations& island) const;
+  [[nodiscard]] Eigen::MatrixXd inertia(const Numbers& rows) const;
 
   std::vector<Motion> motions_;  ///< under the guard
   Eigen::MatrixXd masses_;       ///< M_a of the motions, three each; zero where a block's own matrix has it

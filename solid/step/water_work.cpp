@@ -14,29 +14,27 @@ std::vector<Eigen::Vector3d> water_forces(const std::vector<Panel>& panels, cons
   return forces;
 }
 
-void WaterWork::begin_step(std::vector<Eigen::Vector3d> forces, const AddedMassGuard& guard,
-                           const std::vector<BlockState>& states) {
+void WaterWork::begin_step(std::vector<Eigen::Vector3d> forces, const AddedMassGuard& guard, const Blocks& blocks) {
   forces_ = std::move(forces);
   displacement_.clear();
-  velocity_.clear();
   for (std::size_t b = 0; b < forces_.size(); ++b) {
     if (b < guard.blocks()) forces_[b] += guard.force(b);
-    displacement_.emplace_back(states[b].displacement.head<3>());
-    velocity_.emplace_back(states[b].velocity.head<3>());
+    displacement_.emplace_back(blocks.states[b].displacement.head<3>());
   }
+  blocks.motions.add_corners(guard.forces(), blocks.placements, forces_);
+  velocity_ = blocks.motions.velocities(blocks.states, guard.motions());
 }
 
-void WaterWork::end_step(const AddedMassGuard& guard, const std::vector<BlockState>& states, double dt, bool by_shi) {
+void WaterWork::end_step(const AddedMassGuard& guard, const Blocks& blocks, double dt, bool by_shi) {
   const bool mean = !by_shi && before_.size() == forces_.size();
-  std::vector<Eigen::Vector3d> taken;  // by the water that blocks push
-  for (std::size_t b = 0; b < guard.blocks(); ++b) {
-    taken.emplace_back((states[b].velocity.head<3>() - velocity_[b]) / dt);
-  }
-  taken = guard.masses().times(taken);
+  std::vector<Eigen::Vector3d> taken = blocks.motions.velocities(blocks.states, guard.motions());
+  for (std::size_t m = 0; m < taken.size(); ++m) taken[m] = (taken[m] - velocity_[m]) / dt;
+  taken = guard.masses().times(taken);  // by the water that blocks push
+  blocks.motions.add_corners(taken, blocks.placements, taken);
   for (std::size_t b = 0; b < forces_.size(); ++b) {
-    const Eigen::Vector3d way = states[b].displacement.head<3>() - displacement_[b];
+    const Eigen::Vector3d way = blocks.states[b].displacement.head<3>() - displacement_[b];
     Eigen::Vector3d force = mean ? Eigen::Vector3d((before_[b] + forces_[b]) / 2) : forces_[b];
-    if (b < taken.size()) force -= taken[b];
+    if (b < guard.blocks()) force -= taken[b];
     sum_ += force.dot(way);
   }
   before_.swap(forces_);

@@ -154,7 +154,7 @@ TEST(AddedMassWatch, TheGuardsLimitIsForTheStart) {
   wire::Load load = load_of({}, {132 * mass, 0, 0, 0, 0, 0});
   load.time_s = 0.5;
   watch.look(load, solid);
-  EXPECT_THAT(watch.warning(scene.coupling), HasSubstr("block \"wall\" had to push water 132 times as heavy"));
+  EXPECT_THAT(watch.warning(scene), HasSubstr("block \"wall\" had to push water 132 times as heavy"));
   scene.coupling.added_mass_limit = 120;  // of the scene's own it holds all along
   const Solid limited(scene);
   AddedMassWatch other;

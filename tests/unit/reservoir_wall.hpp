@@ -41,7 +41,7 @@ inline WaterMesh mesh_of(const Wall& wall, double ratio, const FarEnd& left) {
   hydrostatic::Pools pools;
   const auto water =
       pools.find(structure, wall.H, std::numeric_limits<double>::quiet_NaN(), scene::CrestPressure::none);
-  return mesh_water(water.bodies.front(), structure.outlines, {left, {}}, {ratio, ratio / 100, 0.35});
+  return mesh_water(water.bodies.front(), {structure.outlines}, {left, {}}, {ratio, ratio / 100, 0.35});
 }
 
 inline std::ptrdiff_t node_nearest(const WaterMesh& mesh, const Point& x) {

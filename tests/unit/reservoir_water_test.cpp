@@ -29,12 +29,20 @@ double pressure(const WaterMesh& mesh, const PressureEquation::Moves& moves, con
 Solved solve(const Wall& wall, double ratio) {
   const WaterMesh mesh =
       mesh_of(wall, ratio, {wall.far_wall_m.value_or(-6 * wall.H - 100), wall.far_wall_m.has_value(), {}});
-  std::vector<Point> centroids(wall.outlines().size(), Point(0, 0));
-  std::vector<bool> fixed(wall.outlines().size(), false);
+  const auto outlines = wall.outlines();
+  std::vector<bool> fixed(outlines.size(), false);
   fixed[0] = true;
-  Solved solved{mesh, answer_of(mesh, PressureEquation(mesh, {}, fixed, 1), centroids, fixed), 0};
+  const auto moves = [&](const process::FacePoint& point) -> process::PointMotion {
+    if (point.block == 0) return {};
+    const auto& outline = outlines[at(point.block)];
+    const Point& from = outline[at(point.edge)];
+    const Point x = from + point.s * (outline[(at(point.edge) + 1) % outline.size()] - from);
+    const int first = 3 * point.block;  // turns are about the origin
+    return {{first, first + 1, first + 2}, (Eigen::Matrix2Xd(2, 3) << 1, 0, -x.y(), 0, 1, x.x()).finished()};
+  };
+  Solved solved{mesh, answer_of(mesh, PressureEquation(mesh, {}, fixed, 1), moves), 0};
   for (std::size_t k = 0; k < solved.answer.modes.size(); ++k) {
-    if (solved.answer.modes[k].block == static_cast<int>(wall.outlines().size()) - 1 &&
+    if (solved.answer.modes[k].motion == static_cast<int>(wall.outlines().size()) - 1 &&
         solved.answer.modes[k].axis == 0)
       solved.top = static_cast<Eigen::Index>(k);
   }

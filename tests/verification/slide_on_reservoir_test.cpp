@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_step fluid_reservoir bridge_schedule
+// links: solid_watch fluid_reservoir bridge_schedule
 // A rigid dam slides in one pulse of the ground while its reservoir answers: Newmark's slip, on all schedules, whatever
 // the number of windows and however often the water is meshed anew.
 #include <gtest/gtest.h>
