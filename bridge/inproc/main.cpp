@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// blockweir-inproc: the solid and the reference fluid in one process. What they say to each other, and all results, are
-// those of two.
+// blockweir-inproc: the solid and the water that this program has in one process: still water, and water that responds.
+// What they say to each other, and all results, are those of two.
 #include "bridge/process/exit_status.hpp"
 #include "bridge/process/solid_options.hpp"
 
+using namespace blockweir;
+
+namespace {
+
+std::unique_ptr<schedule::FluidSide> water_of(const scene::Scene& scene, const std::filesystem::path& folder) {
+  return scene.fluid == scene::FluidModel::reservoir ? reservoir::make(scene, folder)
+                                                     : hydrostatic::make(scene, folder);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace blockweir;
-  process::SolidProcess solid{.make_fluid = hydrostatic::make};
+  process::SolidProcess solid{.make_fluid = water_of};
   std::string report;
-  CLI::App app{"blockweir-inproc: the blocks of a scene and the still water on them, in one process"};
+  CLI::App app{
+      "blockweir-inproc: the blocks of a scene and the water on them, still or a reservoir that responds, in one "
+      "process"};
   process::add_solid_options(app, solid);
   app.add_option("--report", report, "file for the fluid's times and counts (JSON)");
   try {

@@ -15,7 +15,8 @@ Work run_command(CLI::App& app) {
       "folder for the results (default: runs/CASE, or runs/CASE-2, -3, ... where that holds an earlier run)");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
   app.add_option("--set", options->overrides, "set a key of the scene, e.g. analysis.step_s=0.001");
-  app.add_flag("--inproc", options->inproc, "compute still water in the solid's process; the results are the same");
+  app.add_flag("--inproc", options->inproc,
+               "compute still water or a reservoir in the solid's process; the results are the same");
   app.add_flag("--strict", options->strict, "treat warnings as errors; a scene that has any is not run");
   app.add_flag("--trace", options->trace, "record when each side computes and waits, for \"blockweir trace\"");
   app.add_flag("--quiet", options->quiet, "show no progress");

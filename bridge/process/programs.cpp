@@ -37,11 +37,11 @@ fs::path trace_of(const fs::path& folder) {
 }
 
 void require_fit(const scene::Scene& scene, bool inproc) {
-  if (!inproc || scene.fluid == FluidModel::hydrostatic || scene.fluid == FluidModel::none) return;
-  throw std::invalid_argument(
-      fmt::format("--inproc: found model = \"{}\" in [fluid]; only \"hydrostatic\" runs in the solid's process, leave "
-                  "--inproc away",
-                  scene::name(scene.fluid)));
+  if (!inproc || scene.fluid == FluidModel::none || scene::still_pools(scene.fluid)) return;
+  throw std::invalid_argument(fmt::format(
+      "--inproc: found model = \"{}\" in [fluid]; only \"hydrostatic\" and \"reservoir\" run in the solid's "
+      "process, leave --inproc away",
+      scene::name(scene.fluid)));
 }
 
 Command limit_command(const fs::path& folder, const std::string& question, const fs::path& answer) {

@@ -15,7 +15,7 @@ struct Processes {
   std::filesystem::path folder;          ///< of the run
   std::string endpoint;                  ///< where they meet
   std::uint64_t first = 0;               ///< checkpoint to go on from; 0: from the start
-  bool inproc = false;                   ///< the reference fluid within the solid's process
+  bool inproc = false;                   ///< still water or a reservoir within the solid's process
   std::filesystem::path scene_folder{};  ///< where an external fluid's command runs
 };
 

@@ -14,7 +14,7 @@ struct RunOptions {
   std::filesystem::path out{};  ///< empty: runs/CASE, or runs/CASE-VARIANT; or the first free with -N behind it
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
-  bool inproc = false;  ///< the reference fluid within the solid's process
+  bool inproc = false;  ///< still water or a reservoir within the solid's process
   bool strict = false;  ///< what the reader warns of is refused
   bool quiet = false;
   bool trace = false;    ///< all sides say when they wait and when they send: files in the run's folder "trace"

@@ -25,6 +25,7 @@ double exact_end(double s, double surface, double tolerance) {
 WetEdges::WetEdges(const std::vector<std::vector<Point>>& outlines, double level_m, double growth_m, const Grid& grid)
     : level_m_(level_m), growth_m_(growth_m), unit_m_(grid.unit_m), tiny_m_(grid.tiny_m) {
   edges_.reserve(4 * outlines.size());
+  heights_.reserve(4 * outlines.size());
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     const auto& outline = outlines[k];
     for (std::size_t e = 0; e < outline.size(); ++e) {
@@ -38,6 +39,8 @@ WetEdges::WetEdges(const std::vector<std::vector<Point>>& outlines, double level
       if (low >= high) continue;
       const double length = span.norm();
       edges_.push_back({static_cast<int>(k), static_cast<int>(e), from, span / length, length, low, high, surface});
+      const auto [bottom_m, top_m] = std::minmax({from.y(), from.y() + span.y()});
+      heights_.push_back({bottom_m, top_m});
     }
   }
   parts_.reserve(edges_.size());
@@ -66,7 +69,9 @@ void WetEdges::add_near(const Piece& boundary, double near_m, std::vector<std::p
   const Point& start = boundary.to;  // blocks have their inside on the left, too: they run against the boundary
   const Point way = boundary.from - start;
   const double length = way.norm();
+  const auto [bottom_m, top_m] = std::minmax({start.y(), boundary.from.y()});
   for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (heights_[i].bottom_m > top_m + 2 * near_m || heights_[i].top_m < bottom_m - 2 * near_m) continue;
     const Sunken& edge = edges_[i];
     const double cosine = edge.along.dot(way) / length;
     if (cosine <= 0.99) continue;

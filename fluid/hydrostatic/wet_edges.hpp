@@ -40,6 +40,10 @@ class WetEdges {
     double s_to;
     double surface;  ///< fraction at which the level cuts the edge's line, or none within 0..1
   };
+  struct Heights {
+    double bottom_m;
+    double top_m;
+  };
   struct Part {
     std::size_t sunken;
     double s_from;
@@ -50,6 +54,7 @@ class WetEdges {
   void add_near(const Piece& boundary, double near_m, std::vector<std::pair<double, double>>& found);
 
   std::vector<Sunken> edges_;
+  std::vector<Heights> heights_;  ///< of the edges; what a search looks at first lies close together
   std::vector<Part> parts_;
   double level_m_;
   double growth_m_;

@@ -5,18 +5,19 @@
 
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/water_answers.hpp"
 
 namespace blockweir::reservoir {
 
 FaceMotions::FaceMotions(const scene::Scene& scene, const wire::Motion& motion,
                          const std::vector<std::vector<Point>>& outlines)
     : corners_of_(scene.blocks.size()), count_(scene.blocks.size()) {
-  const bool dynamic = scene.analysis.kind == scene::AnalysisKind::dynamic;
+  const bool answers_strains = scene::answers_bending(scene);
   bool any_strains = false;
   for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
     const scene::Block& block = scene.blocks[b];
-    const bool strains =
-        dynamic && !block.fixed && !block.rigid && block.mesh_size_m == 0 && scene.analysis.rigid != scene::Rigid::all;
+    const bool strains = answers_strains && !block.fixed && !block.rigid && block.mesh_size_m == 0 &&
+                         scene.analysis.rigid != scene::Rigid::all;
     any_strains = any_strains || strains;
     bodies_.push_back({block.fixed, strains, geometry::centroid(outlines[b]),
                        Eigen::Rotation2Dd(motion.displacement[b][2]), outlines[b]});

@@ -8,6 +8,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace blockweir::reservoir {
@@ -81,9 +82,9 @@ class Criteria {
 double Sizes::at(const Point& x) const {
   const double outside = std::max({0.0, inner_left_m - x.x(), x.x() - inner_right_m});
   if (outside > 0) return std::min(widest_m + outer_growth * outside, std::max(widest_m, outermost_m));
-  double nearest = widest_m / growth;
-  for (const Point& p : points) nearest = std::min(nearest, (x - p).norm());
-  return std::min(widest_m, at_point_m + growth * nearest);
+  double nearest = widest_m / growth * (widest_m / growth);  // squared: asked for each triangle, of all points
+  for (const Point& p : points) nearest = std::min(nearest, (x - p).squaredNorm());
+  return std::min(widest_m, at_point_m + growth * std::sqrt(nearest));
 }
 
 Triangulated triangulate(const std::vector<Ring>& rings, const Sizes& sizes) {

@@ -2,12 +2,13 @@
 #include "solid/block/water_motions.hpp"
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/water_answers.hpp"
 
 namespace blockweir::solid {
 
 WaterMotions::WaterMotions(const scene::Scene& scene, const Parts& parts)
     : parts_(parts), blocks_(scene.blocks.size()) {
-  if (scene.fluid != scene::FluidModel::reservoir || scene.analysis.kind != scene::AnalysisKind::dynamic) return;
+  if (!scene::answers_bending(scene)) return;
   for (std::size_t b = 0; b < blocks_; ++b) {
     if (scene.blocks[b].fixed || parts.triangles[b].empty()) continue;
     for (const OutlineSide& side : parts.outlines[b]) corners_.push_back({static_cast<int>(b), side});

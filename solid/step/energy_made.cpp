@@ -104,8 +104,7 @@ Eigen::Matrix<double, 6, 3> StepEnergy::rigid_of(const IslandEquations& s, const
 
 /// None where no block has made any.
 std::vector<StepEnergy::Group> StepEnergy::makers(const IslandEquations& s, std::vector<int>& group_of) const {
-  // What waves carry through viscous ground is its own.
-  if (!trial_.scheme.damps || (model_.base.moves_supports() && !model_.boundary.empty())) return {};
+  if (!trial_.scheme.damps) return {};
   const auto has_made = [&](int b) {
     const Made made = made_by(at(b));
     return state_.energy.owed(at(b)) > 0 || made.energy > made.round_off;

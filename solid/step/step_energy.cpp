@@ -56,20 +56,25 @@ void StepEnergy::balance(IslandEquations& s, double dt) {
 void StepEnergy::lead(const StepIslands& islands, const Point& moved) {
   moved_ = moved;
   pushes_.assign(model_.blocks.size(), Point::Zero());
+  on_base_.assign(model_.blocks.size(), false);
   for (const IslandEquations& s : islands) {
     if (s.found == Found::asleep) continue;
+    bool on_base = false;
     for (const Interaction& action : s.actions) {
       for (const bool second : {false, true}) {
         if (trial_.moves(action.block(second))) continue;
         pushes_[at(action.block(!second))] += (second ? 1 : -1) * action.pull();
+        on_base = true;
       }
     }
+    for (const int b : s.island.blocks) on_base_[at(b)] = on_base;
   }
 }
 
 /// Through a step. Generalized-alpha weighs forces in its own way: there it is what momentum has gained beyond loads
 /// and damping; what blocks of a group give each other is no matter, as the base moves all alike.
 Point StepEnergy::push_of_base(std::size_t b, const Vector6& load, double dt) const {
+  if (!on_base_[b]) return Point::Zero();  // as on viscous ground, whose free field is a load
   if (!trial_.scheme.second_order()) return pushes_[b];
   if (trial_.scheme.alpha_f == 0) return state_.energy.push_through_step(b, pushes_[b]);
   const bool part = model_.blocks[b].is_part();

@@ -45,6 +45,7 @@ class StepEnergy : StepPart {
   void look_at_links(const IslandEquations& island, const std::vector<int>& group_of, std::vector<Group>& groups) const;
 
   std::vector<Point> pushes_;    ///< of a base that moves, on each block as the step ends; none where it rests
+  std::vector<bool> on_base_;    ///< blocks whose island touches what moves with the base
   Point moved_ = Point::Zero();  ///< by the base in the step [m]
 };
 

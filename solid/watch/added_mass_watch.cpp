@@ -14,7 +14,7 @@ namespace blockweir::solid {
 namespace {
 
 constexpr double guarded_limit = 100;  // beyond it round-off and the estimate's error have no room left
-constexpr double no_limit = std::numeric_limits<double>::infinity();  // of the reservoir, whose mass is no estimate
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr double solver_error = 1e-3;  // a fluid's own, by which a mode without inertia may fall below zero
 
 void require_inertia(const Block& block, const MassRatio& ratio) {
@@ -38,6 +38,11 @@ void require_stable(const Block& block, double ratio, double largest, bool guard
   throw SolveError(
       fmt::format("{}; the added-mass guard holds up to {}; make the block thicker or heavier, or join it with another",
                   found, largest));
+}
+
+/// The reservoir's added mass is no estimate; with sound it is that of one window alone.
+bool is_exact(const scene::Scene& scene) {
+  return scene.fluid == scene::FluidModel::reservoir && !scene.reservoir.compressible;
 }
 
 Eigen::Matrix3d symmetric(const std::array<double, 6>& m) {
@@ -129,7 +134,7 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
   }
   const scene::Coupling& coupling = scene.coupling;
   if (!limit_) {
-    const double guarded = scene.fluid == scene::FluidModel::reservoir ? no_limit : guarded_limit;
+    const double guarded = is_exact(scene) ? no_limit : guarded_limit;
     limit_ = coupling.added_mass_limit   ? *coupling.added_mass_limit
              : coupling.added_mass_guard ? guarded
                                          : largest_stable_ratio(scene);
@@ -159,7 +164,7 @@ AddedMasses AddedMassWatch::look(const wire::Load& load, const Solid& solid) {
 
 std::string AddedMassWatch::warning(const scene::Scene& scene) const {
   const bool guarded = scene.coupling.added_mass_guard && !scene.coupling.added_mass_limit;
-  if (!guarded || scene.fluid == scene::FluidModel::reservoir || ratio_ <= guarded_limit) return {};
+  if (!guarded || is_exact(scene) || ratio_ <= guarded_limit) return {};
   return fmt::format(
       "while it moved, block \"{}\" had to push water {:.3g} times as heavy as itself; the added-mass guard is tested "
       "up to {} times; see \"interface_energy\" for the energy error of the exchange",

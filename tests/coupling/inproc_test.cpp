@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
-// Still water within the solid's process: the bits of two processes, and the same words when it goes wrong.
+// Still water, or a reservoir, within the solid's process: the bits of two processes, and the same words when it goes
+// wrong.
 #include "tests/same_results.hpp"
 
 namespace blockweir::test {
@@ -33,13 +34,26 @@ TEST_F(Inproc, GivesTheBitsOfTwoProcesses) {
   }
 }
 
+TEST_F(Inproc, AReservoirThatRespondsGivesThemToo) {
+  const std::string scene =
+      "reservoir-slide --set coupling.schedule=improved --set analysis.duration_s=0.4 --set "
+      "coupling.window_s=0.005 --set "
+      "fluid.reservoir.surface=waves ";
+  ASSERT_EQ(shell(command(scene, "--set expect=[] --out two")), 0) << text("out");
+  ASSERT_EQ(shell(command(scene, "--set expect=[] --out one --inproc")), 0) << text("out");
+  EXPECT_FALSE(fs::exists(folder / "one/reservoir.log"));
+  expect_same("two", "one");
+  EXPECT_GT(nlohmann::json::parse(text("one/summary.json"))["counts"]["fluid_reservoir solutions"], 1);
+}
+
 TEST_F(Inproc, ASceneWithoutWaterNeedsNeither) {
   EXPECT_EQ(shell(command("incline", "--out o --inproc")), 0) << text("out");
 }
 
 TEST_F(Inproc, AFluidThatNeedsAProcessIsRefusedAndNothingIsTouched) {
   EXPECT_EQ(shell(command("water-column", "--out o --inproc")), 2);
-  EXPECT_THAT(text("out"), HasSubstr("--inproc: found model = \"column\" in [fluid]; only \"hydrostatic\" runs"));
+  EXPECT_THAT(text("out"),
+              HasSubstr("--inproc: found model = \"column\" in [fluid]; only \"hydrostatic\" and \"reservoir\""));
   EXPECT_FALSE(fs::exists(folder / "o"));
   EXPECT_EQ(shell(programs + "/blockweir-inproc " + cases + "water-column --out o"), 2);
   EXPECT_THAT(text("out"), HasSubstr("[fluid] model: found \"column\"; expected \"hydrostatic\""));

@@ -198,5 +198,25 @@ TEST_F(Said, WaterThatStandsAboveTheCrestIsLeftOutWithAWord) {
   EXPECT_THAT(warnings("8.5 --set water.downstream_level_m=8.5"), Not(HasSubstr("crest")));
 }
 
+TEST_F(Said, AMeshBeforeCompressibleWaterLacksItsBendingThere) {
+  const std::string wall = R"(analysis = { duration_s = 0.01, gravity_m_per_s2 = 0, start = "unstressed" }
+water = { upstream_level_m = 4 }
+fluid = { model = "reservoir", reservoir = { element_ratio = 0.5, compressible = SOUND } }
+material.m = { youngs_modulus_pa = 25e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
+block = [ { name = "rock", material = "m", fixed = true, vertices_m = [[-6, -1], [2, -1], [2, 0], [-6, 0]] },
+          { name = "wall", material = "m", mesh_size_m = 2, vertices_m = [[0, 0], [2, 0], [2, 4], [0, 4]] } ]
+)";
+  const auto warnings_with = [&](const std::string& sound) {
+    std::string content = wall;
+    scene(content.replace(content.find("SOUND"), 5, sound));
+    EXPECT_EQ(shell("rm -rf o; " + programs + "/blockweir run s.toml --out o"), 0) << text("out");
+    return summary()["warnings"].dump();
+  };
+  EXPECT_THAT(warnings_with("true"),
+              AllOf(HasSubstr("has a mesh, and compressible water feels its mean motion, not its bending"),
+                    HasSubstr("0.3 to 1.1 % low")));
+  EXPECT_THAT(warnings_with("false"), Not(HasSubstr("bending")));
+}
+
 }  // namespace
 }  // namespace blockweir::test

@@ -26,11 +26,12 @@ TEST(ReservoirModel, AnAccelerationAddsItsPressureToStillWater) {
   EXPECT_LT(load.cracks_from, load.block.size());  // uplift is there as it was
 }
 
-TEST(ReservoirModel, RefusesAPoolWithoutASurface) {
-  const scene::Scene scene = dam_of_two(
-      "[fluid]\nmodel = \"reservoir\"\nreservoir = { upstream_wall_m = -50 }\n"
-      "[[block]]\nname = \"roof\"\nmaterial = \"m\"\nfixed = true\n"
-      "vertices_m = [[-50, 18], [0, 18], [0, 22], [-50, 22]]\n");
+TEST(ReservoirModel, RefusesAPoolThatLosesItsSurface) {
+  scene::Scene scene = dam_of_two("[fluid]\nmodel = \"reservoir\"\nreservoir = { upstream_wall_m = -50 }\n");
+  scene::Block roof = scene.blocks[0];
+  roof.name = "roof";
+  roof.vertices = {{-50, 18}, {0, 18}, {0, 22}, {-50, 22}};
+  scene.blocks.push_back(roof);  // a scene that draws it so is refused as it is read
   ReservoirModel water(scene);
   wire::Motion motion = moved(0, 0);
   motion.displacement.own().resize(4);
@@ -195,6 +196,12 @@ TEST(ReservoirModel, AFarWallWithinTheModelAndKeysOfAnotherModelAreErrors) {
               testing::HasSubstr("bottom_reflection of water that is not compressible"));
   EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { compressible = true, sound_speed_m_per_s = 10 }\n"),
               testing::HasSubstr("above 29.38 m/s, twice the speed of a fall by the structure's size"));
+  EXPECT_THAT(
+      error("[[block]]\nname = \"boat\"\nmaterial = \"m\"\ninitial_velocity_m_per_s = [800, 0]\n"
+            "vertices_m = [[-30, 18], [-20, 18], [-20, 22], [-30, 22]]\n"
+            "[fluid]\nmodel = \"reservoir\"\nreservoir = { compressible = true }\n"),
+      testing::AllOf(testing::HasSubstr("sound takes 1440 m/s in the water, and block \"boat\" begins with 800"),
+                     testing::HasSubstr("above 1600 m/s, twice the speed of the fastest block")));
   EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"still\" }\n"),
               testing::HasSubstr("expected one of level, waves"));
   EXPECT_THAT(error("[fluid]\nmodel = \"reservoir\"\nreservoir = { element_ratio = 0 }\n"),

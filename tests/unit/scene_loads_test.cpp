@@ -146,17 +146,23 @@ TEST_F(SceneRecord, BecomesPartOfTheTextAndItsDigest) {
 }
 
 TEST_F(SceneRecord, FaultsNameTheFileAndItsLine) {
-  EXPECT_THAT(error(shaken("none.csv")), HasSubstr(":45: error: the record none.csv: it cannot be read"));
+  EXPECT_THAT(error(shaken("none.csv")), HasSubstr(":45: error: the record none.csv: there is no such file; expected"));
   EXPECT_THAT(error(shaken("")), HasSubstr("file in a record in a file is ''"));
   EXPECT_THAT(complaint("0,1\n1,x\n"), HasSubstr("the record r.csv: \"x\" at line 2 is not a number"));
-  EXPECT_THAT(complaint("0,1\n1,nan\n"), HasSubstr("\"nan\" at line 2 is not a number"));
+  EXPECT_THAT(complaint("0,1\n1,nan\n"), HasSubstr("\"nan\" at line 2 is not a number; expected rows of finite"));
+  EXPECT_THAT(complaint("nan,NaN\n0,1\n1,2\n"), HasSubstr("\"nan\" at line 1 is not a number"));
+  EXPECT_THAT(complaint("0,1\n1,inf\n"), HasSubstr("\"inf\" at line 2 is not a number"));
   EXPECT_THAT(complaint("t,a\nu,b\n"), HasSubstr("\"u\" at line 2 is not a number"));
-  EXPECT_THAT(complaint("0,1\n1,\n"), HasSubstr("\"\" at line 2 is not a number"));
+  EXPECT_THAT(complaint("0,1\n1,\n"), HasSubstr("line 2 has nothing in column 2; expected rows of finite numbers"));
+  EXPECT_THAT(complaint("0,1\n,2\n"), HasSubstr("line 2 has nothing in column 1"));
+  EXPECT_THAT(complaint(",\n0,1\n1,2\n"), HasSubstr("line 1 has nothing in column 1"));
   EXPECT_THAT(complaint("0,1\n1\n"), HasSubstr("line 2 has no column 2"));
-  EXPECT_THAT(complaint("0,1\n1,2\n", ", column = 3"), HasSubstr("line 1 has no column 3"));
-  EXPECT_THAT(complaint("0,1\n1,2\n1,3\n"), HasSubstr("time goes from 1 s to 1 s at line 3"));
-  EXPECT_THAT(complaint("0,1\n"), HasSubstr("1 rows; expected two rows or more"));
-  EXPECT_THAT(complaint(""), HasSubstr("0 rows"));
+  EXPECT_THAT(complaint("0,1\n1,2\n", ", column = 3"), HasSubstr("line 1 has no column 3; expected the same columns"));
+  EXPECT_THAT(complaint("0,1\n1,2\n", ", column = 1"), HasSubstr("column 1 is the time; expected the column of"));
+  EXPECT_THAT(complaint("0,1\n1,2\n1,3\n"), HasSubstr("time goes from 1 s to 1 s at line 3; expected times that"));
+  EXPECT_THAT(complaint("0,1\n2,2\n1,3\n"), HasSubstr("time goes from 2 s to 1 s at line 3"));
+  EXPECT_THAT(complaint("0,1\n"), HasSubstr("it has one row; expected two rows or more"));
+  EXPECT_THAT(complaint(""), HasSubstr("it has no row; expected"));
   EXPECT_THAT(complaint("0,1e300\n1,2\n", ", scale = 1e300"), HasSubstr("the value at line 1 is too large"));
   EXPECT_THAT(complaint("0,1\n1,2\n", ", step_s = 0"), HasSubstr("step_s in a record in a file is 0"));
   EXPECT_THAT(complaint("0,1\n1,2\n", ", colum = 2"), HasSubstr("did you mean \"column\"?"));

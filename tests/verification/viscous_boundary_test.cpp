@@ -138,7 +138,10 @@ INSTANTIATE_TEST_SUITE_P(All, ViscousBoundaryOf,
 
 /// Half of the record comes up, the free surface doubles it, and all of it leaves. In the form "inertia" motions are
 /// against the record's.
-TEST(ViscousBoundary, TheFreeSurfaceMovesAsTheRecordHasIt) {
+class ViscousBoundaryWith : public testing::TestWithParam<scene::Integrator> {};
+
+TEST_P(ViscousBoundaryWith, TheFreeSurfaceMovesAsTheRecordHasIt) {
+  const scene::Integrator integrator = GetParam();
   for (const Wave wave : {Wave::shear, Wave::pressure}) {
     for (const scene::BaseForm form : {scene::BaseForm::support, scene::BaseForm::inertia}) {
       const int axis = axis_of(wave);
@@ -146,6 +149,7 @@ TEST(ViscousBoundary, TheFreeSurfaceMovesAsTheRecordHasIt) {
       const double length_s = 30 / c;
       auto scene = column(wave, 2, 0.5 / c);
       scene.supports.clear();  // they are the base's
+      scene.analysis.integrator = integrator;
       scene.base_motion.emplace();
       scene.base_motion->form = form;
       (axis == 0 ? scene.base_motion->acceleration_x_m_per_s2 : scene.base_motion->acceleration_y_m_per_s2) =
@@ -177,6 +181,9 @@ TEST(ViscousBoundary, TheFreeSurfaceMovesAsTheRecordHasIt) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(All, ViscousBoundaryWith,
+                         testing::Values(scene::Integrator::trapezoidal, scene::Integrator::generalized_alpha));
 
 /// 1/sqrt(cos^2 kH + (alpha sin kH)^2), alpha the impedance of the layer over that of the half space.
 TEST(ViscousBoundary, ASoftLayerAmplifiesWhatTheHalfSpaceBrings) {

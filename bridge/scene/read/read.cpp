@@ -118,6 +118,7 @@ void read_sections(Reading& reading, ReadScene& result) {
   }
   check_effects(reading);
   check_reservoir(reading);
+  check_surface(reading);
   check_drift(reading);
   check_magnitudes(reading.file, reading.scene, reading.problems);
 }

@@ -43,12 +43,22 @@ void read_compressible(TableReader& table, Reading& reading) {
                            "compressible = true", fmt::format("state it, or leave {} out", key));
   }
   const double fall = std::sqrt(reading.scene.analysis.gravity_m_per_s2 * structure_size_m(reading.scene.blocks));
-  if (!r.compressible || r.sound_speed_m_per_s > 2 * fall) return;
-  reading.problems.error(
-      table.place("sound_speed_m_per_s"),
-      fmt::format("sound_speed_m_per_s is {}: blocks of this structure fall as fast", r.sound_speed_m_per_s),
-      fmt::format("above {:.4g} m/s, twice the speed of a fall by the structure's size", 2 * fall),
-      "correct it: sound takes some 1440 m/s in water");
+  if (r.compressible && r.sound_speed_m_per_s <= 2 * fall) {
+    reading.problems.error(
+        table.place("sound_speed_m_per_s"),
+        fmt::format("sound_speed_m_per_s is {}: blocks of this structure fall as fast", r.sound_speed_m_per_s),
+        fmt::format("above {:.4g} m/s, twice the speed of a fall by the structure's size", 2 * fall),
+        "correct it: sound takes some 1440 m/s in water");
+  }
+  for (const Block& block : reading.scene.blocks) {
+    const double speed = block.initial_velocity_m_per_s.norm();
+    if (!r.compressible || r.sound_speed_m_per_s > 2 * speed) continue;
+    reading.problems.error(table.place("sound_speed_m_per_s"),
+                           fmt::format("sound takes {} m/s in the water, and block \"{}\" begins with {:.4g} m/s",
+                                       r.sound_speed_m_per_s, block.name, speed),
+                           fmt::format("above {:.4g} m/s, twice the speed of the fastest block", 2 * speed),
+                           "correct initial_velocity_m_per_s of the block, or sound_speed_m_per_s: some 1440 m/s");
+  }
 }
 
 void read_reservoir_model(TableReader& fluid, Reading& reading) {

@@ -142,6 +142,8 @@ void check_drift(const Reading& reading);
 void check_effects(const Reading& reading);
 /// Warns of loads of the reservoir that do not act as a sound scene states them.
 void check_reservoir(const Reading& reading);
+/// Reports a pool of model = "reservoir" that is shut in as the scene draws it.
+void check_surface(const Reading& reading);
 /// After all others.
 void reject_unknown_sections(Reading& reading);
 

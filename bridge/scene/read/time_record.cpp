@@ -9,6 +9,7 @@
 #include <array>
 #include <boost/algorithm/string.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 
 #include "bridge/results/number_of.hpp"
@@ -28,10 +29,11 @@ struct Layout {
   double scale = 1;
 };
 
-/// What is wrong with a record, and how it should be.
+/// What is wrong with a record, how it should be, and what to do.
 struct Fault {
   std::string found;
   const char* expected;
+  const char* remedy = "check the path and the file";
 };
 
 std::vector<std::string> fields_of(std::string line) {
@@ -44,9 +46,28 @@ std::vector<std::string> fields_of(std::string line) {
   return fields;
 }
 
+/// Words, and no number among them. "nan" is a value that is lacking, not a word.
 bool is_heading(const std::vector<std::string>& fields) {
-  return std::none_of(fields.begin(), fields.end(),
-                      [](const std::string& field) { return results::number_of<double>(field); });
+  const auto is_number = [](const std::string& field) {
+    char* end = nullptr;
+    std::strtod(field.c_str(), &end);
+    return end != field.c_str() && *end == '\0';
+  };
+  const auto is_empty = [](const std::string& field) { return field.empty(); };
+  return std::none_of(fields.begin(), fields.end(), is_number) && !std::all_of(fields.begin(), fields.end(), is_empty);
+}
+
+double number_in(const std::vector<std::string>& fields, std::size_t column, int line) {
+  if (column >= fields.size()) {
+    throw Fault{fmt::format("line {} has no column {}", line, column + 1), "the same columns in each row",
+                "complete the row, or correct `column`"};
+  }
+  const std::string& field = fields[column];
+  if (const auto value = results::number_of<double>(field)) return *value;
+  throw Fault{field.empty() ? fmt::format("line {} has nothing in column {}", line, column + 1)
+                            : fmt::format("\"{}\" at line {} is not a number", field.substr(0, 40), line),
+              "rows of finite numbers, between commas, semicolons or blanks",
+              "fill in a value that is lacking from the rows beside it"};
 }
 
 /// Rows (time, value) of the record; throws a Fault.
@@ -64,33 +85,29 @@ std::vector<std::array<double, 2>> rows_of(std::istream& stream, const Layout& l
     if (std::exchange(heading_allowed, false) && is_heading(fields)) continue;
     if (line.find(',') != std::string::npos && line.find(';') != std::string::npos) {
       throw Fault{fmt::format("line {} has commas and semicolons", line_number),
-                  "one of both between numbers, and decimal points"};
+                  "one of both between numbers, and decimal points", "put points for decimal commas"};
     }
     if (layout.step_s && !layout.column_stated && fields.size() > 1) {
       throw Fault{
           fmt::format("line {} has {} numbers, of which step_s makes the first the value", line_number, fields.size()),
-          "one number a row where step_s is given, or `column`; without step_s the first column is the time"};
+          "one number a row where step_s is given, or `column`; without step_s the first column is the time",
+          "leave step_s out, or state `column`"};
     }
-    const auto number = [&](std::size_t column) {
-      const auto value = column < fields.size() ? results::number_of<double>(fields[column]) : std::nullopt;
-      if (value) return *value;
-      throw Fault{column < fields.size()
-                      ? fmt::format("\"{}\" at line {} is not a number", fields[column].substr(0, 40), line_number)
-                      : fmt::format("line {} has no column {}", line_number, column + 1),
-                  "rows of finite numbers, between commas, semicolons or blanks"};
-    };
-    const double time = layout.step_s ? static_cast<double>(rows.size()) * *layout.step_s : number(0);
+    const double time =
+        layout.step_s ? static_cast<double>(rows.size()) * *layout.step_s : number_in(fields, 0, line_number);
     if (!rows.empty() && time <= rows.back()[0]) {
       throw Fault{fmt::format("time goes from {} s to {} s at line {}", rows.back()[0], time, line_number),
-                  "times that increase from row to row"};
+                  "times that increase from row to row", "put the rows in order, and give each time once"};
     }
-    rows.push_back({time, layout.scale * number(value_at)});
+    rows.push_back({time, layout.scale * number_in(fields, value_at, line_number)});
     if (!std::isfinite(rows.back()[1])) {
-      throw Fault{fmt::format("the value at line {} is too large once scaled", line_number), "finite numbers"};
+      throw Fault{fmt::format("the value at line {} is too large once scaled", line_number), "finite numbers",
+                  "correct the value, or scale"};
     }
-    if (rows.size() > most_rows) throw Fault{fmt::format("more than {} rows", most_rows), "a shorter record"};
+    if (rows.size() > most_rows)
+      throw Fault{fmt::format("more than {} rows", most_rows), "a shorter record", "cut the record, or sample it anew"};
   }
-  if (rows.size() < 2) throw Fault{fmt::format("{} rows", rows.size()), "two rows or more"};
+  if (rows.size() < 2) throw Fault{rows.empty() ? "it has no row" : "it has one row", "two rows or more"};
   return rows;
 }
 
@@ -105,14 +122,20 @@ void take_record(toml::table& described, const std::filesystem::path& folder, Pr
     layout.column_stated = table.integer("column", layout.column, 1);
     table.number("scale", layout.scale);
   }
-  const auto refuse = [&](const std::string& found, const char* expected) {
-    problems.error(place, fmt::format("the record {}: {}", layout.file, found), expected,
-                   "check the path and the file");
+  const auto refuse = [&](const Fault& fault) {
+    problems.error(place, fmt::format("the record {}: {}", layout.file, fault.found), fault.expected, fault.remedy);
   };
+  if (!layout.step_s && layout.column_stated && layout.column == 1) {
+    return refuse({"column 1 is the time", "the column of the value, from 2, or step_s", "correct `column`"});
+  }
+  const std::filesystem::path path = folder / layout.file;
   std::error_code failed;
-  std::ifstream stream(folder / layout.file);
-  if (!std::filesystem::is_regular_file(folder / layout.file, failed) || !stream) {
-    return refuse("it cannot be read", "a file of rows, its path from the scene's folder");
+  std::ifstream stream(path);
+  if (!std::filesystem::exists(path, failed)) {
+    return refuse({"there is no such file", "a file of rows, its path from the scene's folder", "correct the path"});
+  }
+  if (!std::filesystem::is_regular_file(path, failed) || !stream) {
+    return refuse({"it cannot be read", "a file of rows", "check the path, and what you may read"});
   }
   try {
     toml::array table;
@@ -120,7 +143,7 @@ void take_record(toml::table& described, const std::filesystem::path& folder, Pr
     for (const char* key : {"file", "column", "step_s", "scale"}) described.erase(key);
     described.insert("table", std::move(table));
   } catch (const Fault& fault) {
-    refuse(fault.found, fault.expected);
+    refuse(fault);
   }
 }
 
