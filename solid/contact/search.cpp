@@ -9,13 +9,13 @@
 #include "solid/contact/trial.hpp"
 
 namespace blockweir::solid {
-namespace {
 
-/// The order in which contacts are found and kept.
 bool precedes(const ContactPoint& a, const ContactPoint& b) {
   const auto place = [](const ContactPoint& c) { return std::make_tuple(c.pair(), c.vertex_block, c.vertex, c.edge); };
   return place(a) < place(b);
 }
+
+namespace {
 
 bool of_lower_pair(const ContactPoint& a, const ContactPoint& b) {
   return a.pair() < b.pair();

@@ -12,6 +12,10 @@ struct Island {
   std::vector<int> contacts;                 ///< indices into the step's contacts
   std::vector<int> supports;                 ///< indices into the model's supports
   std::vector<std::pair<int, int>> couples;  ///< local indices of block pairs in contact, lower first, each once
+
+  /// Does nothing touch or hold its blocks?
+  [[nodiscard]] bool is_free() const { return contacts.empty() && supports.empty(); }
+  [[nodiscard]] bool is_one_free() const { return is_free() && blocks.size() == 1; }
 };
 
 /// `links[k]` = the two blocks of contact k; `support_blocks[k]` the block of support k. `joined`: pairs of moving

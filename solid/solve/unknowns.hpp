@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -18,20 +19,24 @@ class Unknowns {
   explicit Unknowns(const std::vector<int>& count_of, const std::vector<std::array<int, 3>>& nodes_of = {})
       : count(count_of) {
     std::unordered_map<int, int> first_of;  // node: its x displacement
+    first.reserve(count.size());
+    begin_.reserve(count.size() + 1);
+    number_.reserve(6 * count.size());
     for (std::size_t b = 0; b < count.size(); ++b) {
       const bool triangle = !nodes_of.empty() && nodes_of[b][0] >= 0;
       first.push_back(total);
-      auto& own = number_.emplace_back();
-      for (int i = 0; !triangle && i < count[b]; ++i) own.push_back(total++);
+      begin_.push_back(number_.size());
+      for (int i = 0; !triangle && i < count[b]; ++i) number_.push_back(total++);
       for (std::size_t i = 0; triangle && i < 3; ++i) {
         const auto [found, is_new] = first_of.emplace(nodes_of[b][i], total);
         if (is_new) {
           nodes.emplace_back(nodes_of[b][i], total);
           total += 2;
         }
-        own.insert(own.end(), {found->second, found->second + 1});
+        number_.insert(number_.end(), {found->second, found->second + 1});
       }
     }
+    begin_.push_back(number_.size());
     if (shared()) map_.assign(count.size(), Matrix6::Identity());
   }
 
@@ -42,7 +47,9 @@ class Unknowns {
 
   [[nodiscard]] int blocks() const { return static_cast<int>(count.size()); }
   [[nodiscard]] bool shared() const { return !nodes.empty(); }
-  [[nodiscard]] const std::vector<int>& of(int block) const { return number_[at(block)]; }
+  [[nodiscard]] std::span<const int> of(int block) const {
+    return {number_.data() + begin_[at(block)], begin_[at(block + 1)] - begin_[at(block)]};
+  }
 
   /// Sets d = map * (displacements of the corners) of a triangle.
   void set_map(int block, const Matrix6& map) { map_[at(block)] = map; }
@@ -74,8 +81,9 @@ class Unknowns {
   }
 
  private:
-  std::vector<std::vector<int>> number_;
-  std::vector<Matrix6> map_;  ///< for triangles
+  std::vector<int> number_;         ///< of all blocks, one after the other
+  std::vector<std::size_t> begin_;  ///< of each block's
+  std::vector<Matrix6> map_;        ///< for triangles
 };
 
 }  // namespace blockweir::solid

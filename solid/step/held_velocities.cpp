@@ -11,6 +11,7 @@
 namespace blockweir::solid {
 
 void HeldVelocities::settle(IslandEquations& s, double dt) {
+  if (s.is_free()) return;
   if (s.found == Found::by_sweeps) return settle_by_impulses(s, dt);
   std::vector<Vector6> before;
   for (const int block : s.island.blocks) before.push_back(state_.blocks[at(block)].velocity);
@@ -154,7 +155,7 @@ void HeldVelocities::settle_by_impulses(IslandEquations& s, double dt) {
     const auto b = at(s.island.blocks[k]);
     Vector6 rate = state_.blocks[b].velocity;
     if (to_mean()) rate -= (model_.blocks[b].is_part() ? trial_.corner_increment(b) : trial_.increment[b]) / dt;
-    const auto& numbers = s.unknowns->of(static_cast<int>(k));
+    const auto numbers = s.unknowns->of(static_cast<int>(k));
     for (std::size_t i = 0; i < numbers.size(); ++i) beyond[numbers[i]] = rate[static_cast<Eigen::Index>(i)];
   }
   const Eigen::VectorXd before = beyond;

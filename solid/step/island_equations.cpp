@@ -169,7 +169,7 @@ void IslandEquations::add_residual_at_corners(int k) {
   const Vector6 left = trial_.history[t] - pull;
   const double noise =
       trial_.round_off[t] + sum_round_off * (pull.cwiseAbs().maxCoeff() + trial_.history[t].cwiseAbs().maxCoeff());
-  const auto& numbers = unknowns->of(k);
+  const auto numbers = unknowns->of(k);
   for (Eigen::Index i = 0; i < 6; ++i) {
     residual[numbers[at(static_cast<int>(i))]] += left[i];
     uncertain[numbers[at(static_cast<int>(i))]] += corner_share * noise;

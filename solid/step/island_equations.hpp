@@ -68,6 +68,8 @@ class IslandEquations : StepPart {
 
   /// Whether a force on one block moves others at once, through shared unknowns or water.
   [[nodiscard]] bool moves_as_one() const { return unknowns->shared() || !pulls.empty(); }
+  /// Does nothing touch or hold its blocks?
+  [[nodiscard]] bool is_free() const { return island.is_free() && bolts.empty(); }
   [[nodiscard]] Held held() { return {island.contacts, state_.contacts, island.supports, state_.supports}; }
   [[nodiscard]] int local(int block) const { return numbers_[static_cast<std::size_t>(block)]; }
   /// Whether the island contains the block.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
@@ -47,15 +48,26 @@ void StepIslands::make() {
   for (const Support& s : state_.supports) support_blocks.push_back(s.block);
   std::vector<std::pair<int, int>> joined;
   for (const StrainCoupling& c : model_.parts.couplings) joined.emplace_back(c.i, c.j);
-  all_.clear();
+  std::vector<IslandEquations> before = std::exchange(all_, {});
+  std::vector<IslandEquations*> alone(model_.blocks.size(), nullptr);  // what nothing touched stays as it is
+  for (IslandEquations& s : before) {
+    if (s.island.is_one_free() && s.bolts.empty()) alone[at(s.island.blocks.front())] = &s;
+  }
   std::vector<std::size_t> island_of(model_.blocks.size());
   std::vector<Island> found = find_islands(trial_.frozen, links_, support_blocks, joined);
   if (!model_.scene.analysis.islands) found = {join(found)};
   counts_.most_islands = std::max(counts_.most_islands, static_cast<long>(found.size()));
   all_.reserve(found.size());
+  std::vector<int> counts;
+  std::vector<std::array<int, 3>> nodes;
   for (Island& island : found) {
-    std::vector<int> counts;
-    std::vector<std::array<int, 3>> nodes;
+    counts.clear();
+    nodes.clear();
+    if (island.is_one_free() && alone[at(island.blocks.front())] != nullptr) {
+      island_of[at(island.blocks.front())] = all_.size();
+      all_.push_back(std::move(*alone[at(island.blocks.front())]));
+      continue;
+    }
     for (const int b : island.blocks) {
       counts.push_back(model_.blocks[at(b)].unknowns());
       nodes.push_back(model_.blocks[at(b)].nodes);

@@ -27,6 +27,7 @@ constexpr double most_at_first = 400;  // of the first step that is swept: what 
 }  // namespace
 
 Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
+  if (s.is_free() && fly(s)) return Found::finished;
   ++counts_.swept_islands;
   const Held held = s.held();
   formulation_->undo(held);
@@ -74,6 +75,16 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   s.balance_alone();
   s.find_residual([&](std::size_t k) { s.add_forces(k); });
   return Found::by_sweeps;
+}
+
+/// What nothing touches moves as its loads have it: one solution is exact.
+bool SweptEquilibrium::fly(IslandEquations& s) {
+  s.balance_alone();
+  s.find_residual({});
+  if (!SweepRows(step_).begin(s)) return false;
+  s.move(1);
+  s.balance_alone();
+  return s.find_residual({}) <= formulation_->settings().force_tolerance_n;
 }
 
 /// Begins with the forces found, to the last digit, so that their states stand, and with softer penalties: these leave

@@ -16,6 +16,7 @@ class SweptEquilibrium : StepPart {
   Found find(IslandEquations& island, const StepMode& mode);
 
  private:
+  bool fly(IslandEquations& island);
   double sweep(IslandEquations& island, int most, double enough_m);
   bool finish(IslandEquations& island, const StepMode& mode);
   void start_again(const IslandEquations& island);

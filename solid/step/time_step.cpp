@@ -117,10 +117,9 @@ void TimeStep::begin_with_forces_tried() {
   if (tried_.empty()) return;
   auto was = tried_.begin();
   for (const ContactPoint& c : state_.contacts) {
-    const auto same = std::find_if(was, tried_.end(), [&](const ContactPoint& t) { return t.same_key(c); });
-    if (same != tried_.end()) was = same;
-    const bool acts = same != tried_.end() && same->state != ContactState::open;
-    trial_.first_force.push_back(acts ? same->force : Eigen::Vector2d(0, 0));
+    while (was != tried_.end() && precedes(*was, c)) ++was;
+    const bool acts = was != tried_.end() && was->same_key(c) && was->state != ContactState::open;
+    trial_.first_force.push_back(acts ? was->force : Eigen::Vector2d(0, 0));
   }
 }
 

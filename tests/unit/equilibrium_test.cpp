@@ -48,6 +48,18 @@ TEST(SweptEquilibrium, OfASmallIslandIsFinishedByNewtonsMethod) {
   EXPECT_NEAR(reaction(sample.state, 1), weight, 1);
 }
 
+TEST(SweptEquilibrium, WhatNothingTouchesFliesByOneSolution) {
+  scene::Scene above = stones();
+  for (scene::Point& p : above.blocks[1].vertices) p.y() += 5;
+  Sample sample(above);
+  sample.begin();
+  ASSERT_TRUE(sample.island().is_free());
+  EXPECT_EQ(SweptEquilibrium(sample.step).find(sample.island(), sample.mode), Found::finished);
+  EXPECT_EQ(sample.step.counts.swept_islands, 0);
+  EXPECT_NEAR(sample.step.trial.increment[1][1], -10 * 0.01 * 0.01 / 2, 1e-16);
+  EXPECT_EQ(sample.island().unbalanced(), 0);
+}
+
 TEST(Equilibrium, SweepsOnlyWhereAModeLetsItAndNewtonsMethodIsNotWorthATry) {
   Sample sample(stones());
   sample.begin();

@@ -65,5 +65,21 @@ TEST(StepIslands, StonesThatDoNotTouchAreIslandsOfTheirOwnAndKeptWhileContactsSt
   EXPECT_EQ(before->local(1), 0);
 }
 
+TEST(StepIslands, WhatNothingTouchesKeepsItsEquationsWhileOthersPart) {
+  scene::Scene one_above = stones(2);
+  for (scene::Point& p : one_above.blocks[2].vertices) p.y() += 5;
+  Sample sample(one_above);
+  sample.begin();
+  IslandEquations* const first = &*sample.islands.begin();
+  first[0].residual[0] = first[1].residual[0] = 7;
+  sample.state.contacts.clear();
+  sample.islands.prepare();
+  ASSERT_EQ(sample.islands.size(), 2);
+  IslandEquations* const now = &*sample.islands.begin();
+  EXPECT_TRUE(now[0].is_free());
+  EXPECT_TRUE(now[0].incidence.of(0).empty());
+  EXPECT_EQ(now[1].residual[0], 7);
+}
+
 }  // namespace
 }  // namespace blockweir::solid

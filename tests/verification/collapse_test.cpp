@@ -82,5 +82,12 @@ TEST(Collapse, FacesThatComeOntoEachOtherAtTheirCornersPressAtBoth) {
   for (const unsigned seed : {36U, 51U}) EXPECT_LE(watched(random_collapse(seed)).overlap_m, 1e-6) << "seed " << seed;
 }
 
+TEST(Collapse, SweepsTakeOverSoonWhereNewtonsMethodLeadsAway) {
+  solid::Solid wall(test::collapse(test::wall(10, 2, 1), 0.01, 20, 30));
+  wall.advance(0, 0.01, {});
+  EXPECT_GT(wall.counts().sweeps, 0);
+  EXPECT_LE(wall.counts().iterations, 5) << "40 solutions before";
+}
+
 }  // namespace
 }  // namespace blockweir::solid
