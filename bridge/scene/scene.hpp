@@ -88,9 +88,9 @@ struct Analysis {
   double step_s = 0.01;                  ///< the largest step
   double max_displacement_ratio = 0.01;  ///< in a step, over half the larger side of the box around all moving blocks
   double gravity_m_per_s2 = 9.81;
-  double gravity_tilt_deg = 0;       ///< turns gravity about the origin, as if the ground dipped downstream
-  double mass_damping_per_s = 0;     ///< drag force on all motion, per unit mass
-  double rest_speed_m_per_s = 1e-5;  ///< a block slower than this counts as at rest; default: 7e-7 sqrt(g L)
+  double gravity_tilt_deg = 0;           ///< turns gravity about the origin, as if the ground dipped downstream
+  double mass_damping_per_s = 0;         ///< drag force on all motion, per unit mass
+  double rest_speed_m_per_s = 1e-5;      ///< a block slower than this counts as at rest; default: 7e-7 sqrt(g L)
   double failure_displacement_m = 0.02;  ///< a longer motion without rest is a failure; default: 1e-3 L
   bool stop_at_failure = false;          ///< end the run once the failure is certain
   bool islands = true;                   ///< solve groups of blocks in contact separately
