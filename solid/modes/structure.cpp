@@ -82,8 +82,8 @@ Structure::Structure(const Solid& solid)
 /// Between two parts' six unknowns.
 void Structure::add(int part_i, int part_j, const Matrix6& k, Entries& entries) const {
   const Matrix6 own = unknowns_.mapped(local(part_i), local(part_j), k);
-  const std::vector<int>& rows = unknowns_.of(local(part_i));
-  const std::vector<int>& columns = unknowns_.of(local(part_j));
+  const auto rows = unknowns_.of(local(part_i));
+  const auto columns = unknowns_.of(local(part_j));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t j = 0; j < columns.size(); ++j) {
       entries.emplace_back(rows[i], columns[j], own(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
@@ -157,7 +157,7 @@ void Structure::add_spring(int part_i, const Point& at_i, int part_j, const Poin
 Eigen::VectorXd Structure::translation(int axis) const {
   Eigen::VectorXd q = Eigen::VectorXd::Zero(unknowns());
   for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const std::vector<int>& own = unknowns_.of(static_cast<int>(k));
+    const auto own = unknowns_.of(static_cast<int>(k));
     const bool corners = solid_.blocks()[at(parts_[k])].is_part();
     for (std::size_t i = static_cast<std::size_t>(axis); i < (corners ? own.size() : 2); i += 2) q[own[i]] = 1;
   }
@@ -173,7 +173,8 @@ process::PointMotion Structure::motion_of(const process::FacePoint& point) const
   const Point& from = solid_.parts().vertex(*side);
   const double way = (point.s - side->s_from) / (side->s_to - side->s_from);
   const Point material = from + way * (solid_.parts().end(*side) - from);
-  process::PointMotion motion{unknowns_.of(local(side->part)), {}};
+  const auto unknown = unknowns_.of(local(side->part));
+  process::PointMotion motion{{unknown.begin(), unknown.end()}, {}};
   const Matrix26 T = solid_.placements()[at(side->part)].shape(material);
   Matrix26 own = T;
   for (Eigen::Index row = 0; row < 2; ++row) {
