@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Velocities as the solid sends them, in the threes that an added mass belongs to.
+// Velocities in the solid's message, in groups of three that match the rows of the added mass.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,8 @@
 
 namespace blockweir::schedule {
 
-/// Rates of u0, v0, r0 of each block [m/s, rad/s]; then of its strains ex, ey, gxy [1/s]; then x, y [m/s], and 0, of
-/// each point of faces.
+/// Rates of u0, v0, r0 of every block [m/s, rad/s]; then of the strains ex, ey, gxy of every block [1/s]; then x, y
+/// (and 0) of every mesh corner on a face [m/s].
 inline std::vector<Eigen::Vector3d> velocities_in(const wire::Motion& motion) {
   std::vector<Eigen::Vector3d> velocities;
   velocities.reserve(2 * motion.velocity.size() + motion.face_velocity.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points of meshes on faces, as the last three columns of a Motion: where there are none they are left out. C++17.
+// Mesh corners on faces: the last three columns of a Motion, left out if there are none. C++17.
 #pragma once
 
 #include "bridge/wire/column_codec.hpp"
@@ -14,7 +14,7 @@ inline void write_face_points(ColumnWriter& write, const Motion& m) {
   write(m.face_edge);
 }
 
-/// Throws BadMessage where the columns have not one length, or a number that cannot be.
+/// Throws BadMessage if the columns differ in length or hold an impossible number.
 inline void read_face_points(ColumnReader& columns, Motion& m) {
   m.face_velocity.clear();
   m.face_s.clear();

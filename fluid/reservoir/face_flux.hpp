@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What unit accelerations of a structure's unknowns let through the water's wet faces.
+// Flux through wet faces caused by unit accelerations of a structure's unknowns.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace blockweir::reservoir {
 
-/// g of PressureEquation at the nodes, for each unknown that moves a face.
+/// g of PressureEquation at the nodes, for every unknown that moves a wet face.
 std::map<int, Eigen::VectorXd> flux_on_faces(const WaterMesh& mesh, const process::FaceMotion& moves);
 
 }  // namespace blockweir::reservoir

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motions of the structure that the water answers, in threes as messages have them: u0, v0, r0 of each block; then its
-// strains ex, ey, gxy; then x, y, and nothing, of each point of faces that the solid names, corners of its meshes.
+// The motions of blocks that cause water pressure, three components each: first u0, v0, r0 of every block; then the
+// strains ex, ey, gxy of every block; then x, y (and 0) of every mesh corner on a face, in the order of the message.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,14 +13,14 @@ namespace blockweir::reservoir {
 class FaceMotions {
  public:
   FaceMotions() = default;
-  /// Blocks that `motion` has brought to `outlines`.
+  /// `outlines`: positions of the blocks after `motion`.
   FaceMotions(const scene::Scene& scene, const wire::Motion& motion, const std::vector<std::vector<Point>>& outlines);
 
-  /// As many as messages have rows for: blocks alone, where none of them strains or bends.
+  /// Rows of the added mass: one a block if no block strains or bends, else of all motions.
   [[nodiscard]] std::size_t count() const { return count_; }
-  /// Velocity of a point by rates of the motions, 3 a motion; of none on a fixed block.
+  /// Velocity of a point as a function of the motions' rates, three unknowns a motion; none on a fixed block.
   [[nodiscard]] process::PointMotion operator()(const process::FacePoint& point) const;
-  /// Places of the points of faces: between them faces move as straight lines.
+  /// Positions of the mesh corners. Between two of them a face stays straight.
   [[nodiscard]] const std::vector<Point>& corners() const { return corners_; }
 
  private:
@@ -31,7 +31,7 @@ class FaceMotions {
     Eigen::Rotation2Dd turn{0};
     std::vector<Point> outline;
   };
-  /// A point of a face: where its side of the mesh ends, and the point there.
+  /// A mesh corner on a face, and the side of the mesh that begins there.
   struct Corner {
     std::uint32_t edge = 0;
     double s_from = 0;

@@ -54,10 +54,10 @@ struct WaterMesh {
   double depth_m = 0;
 };
 
-/// What stands in the water.
+/// The blocks that border the water.
 struct Banks {
-  const std::vector<std::vector<Point>>& outlines;  ///< where the blocks are
-  std::vector<Point> corners = {};                  ///< where faces bend
+  const std::vector<std::vector<Point>>& outlines;  ///< of all blocks, where they are now
+  std::vector<Point> corners = {};                  ///< mesh corners on faces
 };
 
 /// Delaunay refinement (Ruppert, Shewchuk) of the body's region, whose ends in open water are moved to `ends`. Empty

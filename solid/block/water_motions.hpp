@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motions of blocks that water answers, in threes: u0, v0, r0 of each block of the scene; then its strains ex, ey, gxy;
-// then x, y, and nothing, of each corner of a mesh on a face of its block.
+// The motions of blocks that cause water pressure, three components each: first u0, v0, r0 of every block of the scene;
+// then the strains ex, ey, gxy of every block; then x, y (and 0) of every mesh corner on the outline of a block.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,8 @@
 
 namespace blockweir::solid {
 
-/// What one part has in a motion: rates of the three by the part's six, which of a triangle are those of its corners.
+/// How a motion depends on one part: its three rates from the part's six (of a triangle: the velocities of its
+/// corners).
 struct MotionShare {
   int part = 0;
   Eigen::Matrix<double, 3, 6> by_rates = Eigen::Matrix<double, 3, 6>::Zero();
@@ -18,25 +19,25 @@ struct MotionShare {
 
 class WaterMotions {
  public:
-  /// The parts must outlive it. Corners of meshes only where the scene's fluid answers their bending.
+  /// The parts must outlive it. Mesh corners are included only if the fluid responds to bending.
   WaterMotions(const scene::Scene& scene, const Parts& parts);
 
   [[nodiscard]] std::size_t count() const { return 2 * blocks_ + corners_.size(); }
-  /// Of a block's (u0, v0, r0) that has no mesh, or of any motion that comes after them.
+  /// For u0, v0, r0 of a block without a mesh, and for all strains and corners.
   [[nodiscard]] MotionShare share(std::size_t motion) const;
   /// Velocities of the first `count` motions.
   [[nodiscard]] std::vector<Eigen::Vector3d> velocities(const std::vector<BlockState>& states, std::size_t count) const;
-  /// Adds to the forces on blocks (u0, v0, r0) those on corners of their meshes.
+  /// Adds the forces on mesh corners to the forces and moments on their blocks.
   void add_corners(const std::vector<Eigen::Vector3d>& of_motions, const std::vector<Placement>& placements,
                    std::vector<Eigen::Vector3d>& of_blocks) const;
 
-  /// A corner of a triangle, where a side of the outline begins.
+  /// The mesh corner at which a side of the outline begins.
   struct Corner {
     int block = 0;
     OutlineSide side;
   };
   [[nodiscard]] const std::vector<Corner>& corners() const { return corners_; }
-  /// Number of a corner's motion.
+  /// Index of a corner's motion.
   [[nodiscard]] std::size_t motion_of_corner(std::size_t corner) const { return 2 * blocks_ + corner; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A few full rows beside a sparse matrix, and the correction that they mean for its factors.
+// A symmetric low-rank matrix added to a sparse one, and the Woodbury correction of the sparse matrix's factors.
 #pragma once
 
 #include <Eigen/LU>
@@ -8,7 +8,7 @@
 
 namespace blockweir::solid {
 
-/// U S U^T: n x n by U, n x r, and S, r x r and symmetric.
+/// U S U^T, with U n x r and S r x r, symmetric.
 struct LowRank {
   Eigen::SparseMatrix<double> U;
   Eigen::MatrixXd S;
@@ -17,10 +17,10 @@ struct LowRank {
   [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& d) const { return U * (S * (U.transpose() * d)); }
 };
 
-/// (K + U S U^T)^-1 = K^-1 - X (I + S X^T U)^-1 S U^T K^-1, X = K^-1 U (Woodbury), K what a solver has factorized.
+/// (K + U S U^T)^-1 = K^-1 - X (I + S X^T U)^-1 S U^T K^-1 with X = K^-1 U, for a factorized K.
 class WoodburyCorrection {
  public:
-  /// Is X there, of these factors?
+  /// Is X up to date for this U and S?
   [[nodiscard]] bool made_for(const LowRank& beside) const {
     return X_.rows() == beside.U.rows() && X_.cols() == beside.U.cols() && S_ == beside.S && same(U_, beside.U);
   }
@@ -34,7 +34,7 @@ class WoodburyCorrection {
     core_.compute(Eigen::MatrixXd::Identity(S_.rows(), S_.cols()) + S_ * (U_.transpose() * X_));
   }
 
-  /// From a solution with K to one with K + U S U^T.
+  /// Turns a solution with K into one with K + U S U^T.
   void correct(Eigen::VectorXd& d) const { d -= X_ * core_.solve(S_ * (U_.transpose() * d)); }
 
  private:

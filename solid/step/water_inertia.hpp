@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The added-mass guard in a step. On a block that pushes its water alone it is a few terms more of its matrix. Other
-// motions that the water answers (WaterMotions) are P times the rates of blocks and of the nodes of meshes: M_a adds
-// P^T M_a P to the matrix. It is kept apart of the sparse matrix (Woodbury). A block with a mesh whose fluid does not
-// answer its bending has the mean motion of its triangles.
+// The added-mass guard in a step. The inertia of water that one block alone pushes is added to that block's matrix. The
+// other motions (WaterMotions) are v = P q', q' the velocities of blocks and mesh nodes: M_a adds P^T M_a P to the
+// system matrix, as a low-rank part (low_rank.hpp). If the fluid does not respond to the bending of a mesh, the motion
+// is the mean motion of its triangles.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,8 +17,8 @@ namespace blockweir::solid {
 
 class IslandEquations;
 
-/// What the water that acts in a window answers: the inertia in its forces, for the added-mass guard of dynamic
-/// analyses where the scene has it on, with velocities of the motions and the time that it was told.
+/// The added mass in the water forces of a window, and the velocities that these forces respond to, with their time.
+/// For dynamic analyses with the added-mass guard on.
 struct Answered {
   const AddedMasses& masses;
   const std::vector<Eigen::Vector3d>& velocities;
@@ -30,7 +30,7 @@ class WaterInertia : StepPart {
   explicit WaterInertia(StepWorkspace& step) : StepPart(step) {}
 
   void begin_window(const Answered& answered);
-  /// The force M_a a' on blocks and meshes, and what the water's inertia remembers.
+  /// Adds the force M_a a' to blocks and meshes, and computes the history term of the water's inertia.
   void begin_step(double dt);
   [[nodiscard]] bool of_meshes() const;
   /// Is there inertia beyond that of the blocks' own matrices?
@@ -46,11 +46,11 @@ class WaterInertia : StepPart {
   /// Beside unknown forces the inertia is a few more of them: f = lambda e.P d, a force a mode e of M_a that has
   /// inertia.
   void add_to_saddle(const IslandEquations& island, SaddlePoint& saddle) const;
-  /// P^T M_a P, in the step's matrix beside what blocks have of their own.
+  /// P^T M_a P in the step's matrix, without the part in the blocks' own matrices.
   [[nodiscard]] LowRank beside(const IslandEquations& island) const;
 
  private:
-  /// A motion whose inertia, or some of it, is in no block's own matrix.
+  /// A motion with inertia that is in no block's own matrix.
   struct Motion {
     std::size_t number = 0;
     std::vector<MotionShare> shares;
@@ -58,11 +58,11 @@ class WaterInertia : StepPart {
   using Numbers = std::vector<Eigen::Index>;
 
   [[nodiscard]] Motion mean_of_mesh(std::size_t block) const;
-  /// The water's force on the motion, as one on its parts.
+  /// Adds the guard's force on the motion to its parts.
   void push(const Motion& motion);
   void find_masses();
   [[nodiscard]] Numbers motions_of(const IslandEquations& island) const;
-  /// Of each motion, by what parts have in their six, which of triangles are those of their corners.
+  /// Values of all motions, from values of the parts (of triangles: of their corners).
   template <class OfPart>
   [[nodiscard]] Eigen::VectorXd gather(const OfPart& of_part) const;
   [[nodiscard]] Eigen::VectorXd velocities_before() const;
