@@ -62,7 +62,7 @@ class SparseSystem final : public LinearSystem {
     const int count = u_.count[at(row)];
     for (int j = 0; j < u_.count[at(column)]; ++j) {
       double* column_start = matrix_.k.valuePtr() + matrix_.k.outerIndexPtr()[u_.first[at(column)] + j];
-      Eigen::Map<Eigen::VectorXd>(column_start + slot, count) += k.col(j).head(count);
+      for (int i = 0; i < count; ++i) column_start[slot + i] += k(i, j);
     }
   }
 
