@@ -28,7 +28,7 @@ Rows last_rows(const Rows& rows) {
   return last;
 }
 
-double figure(const std::string& cell) {
+double number_in(const std::string& cell) {
   return cell.empty() ? std::nan("") : std::stod(cell);
 }
 

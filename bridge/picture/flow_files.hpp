@@ -19,7 +19,7 @@ Rows flow_rows(const std::filesystem::path& run, const std::string& name);
 Rows last_rows(const Rows& rows);
 
 /// The number in a cell; NaN if it is empty.
-double figure(const std::string& cell);
+double number_in(const std::string& cell);
 
 /// "drain gallery" for the column "drain_gallery_m2_per_s", "to air" for "to_air_m2_per_s".
 std::string words_of_flow(const std::string& column);

@@ -34,7 +34,7 @@ std::optional<LabelPlaces::Point> LabelPlaces::nearest(const Point& wanted, cons
       const double angle = 2 * std::numbers::pi * (d + 0.5) / directions;
       const Point middle = within(wanted + ring * step * Point(std::cos(angle), std::sin(angle)), size);
       const Box box = around(middle, size);
-      if (is_free(box, labels_) && (!off_lines || is_free(box, lines_))) return middle;
+      if (is_free(box, labels_) && (!off_lines || is_free(box, avoided_))) return middle;
     }
   }
   return std::nullopt;

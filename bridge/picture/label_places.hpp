@@ -20,7 +20,7 @@ class LabelPlaces {
   explicit LabelPlaces(const Box& frame) : frame_(frame) {}
 
   /// A region that labels avoid if possible.
-  void keep_free(const Box& box) { lines_.push_back(box); }
+  void keep_free(const Box& box) { avoided_.push_back(box); }
   /// Centre of the free place nearest to `wanted` for a label of this size, which is then occupied; none if there is no
   /// room.
   std::optional<Point> place(const Point& wanted, const Point& size);
@@ -31,7 +31,7 @@ class LabelPlaces {
 
   Box frame_;
   std::vector<Box> labels_;
-  std::vector<Box> lines_;
+  std::vector<Box> avoided_;
 };
 
 }  // namespace blockweir::picture

@@ -10,7 +10,7 @@
 namespace blockweir::picture {
 
 /// section_state at the frame chosen by `frames_data`. For water other than still water, the pressures are those of the
-/// frame, of one kind. Throws process::Stopped.
+/// frame, not split into kinds. Throws process::Stopped.
 [[nodiscard]] nlohmann::json pictured_state(const scene::Scene& scene, const std::filesystem::path& run,
                                             const nlohmann::json& frames_data);
 

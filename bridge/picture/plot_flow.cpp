@@ -31,7 +31,7 @@ std::string pressures(const Rows& rows, double time_s, const std::string& joint)
   std::vector<Eigen::Vector3d> points;  // x, y [m], pressure [kPa]
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i][1] != joint || std::stod(rows[i][0]) != time_s) continue;
-    points.emplace_back(figure(rows[i][2]), figure(rows[i][3]), figure(rows[i][5]) / 1000);
+    points.emplace_back(number_in(rows[i][2]), number_in(rows[i][3]), number_in(rows[i][5]) / 1000);
   }
   if (points.empty()) return text;
   // Of the smaller x, of equal ones the higher.
@@ -148,7 +148,7 @@ Panel against_laws(const Rows& rows) {
   if (rows.size() < 2 || rows[1][0] == rows.back()[0]) return {};
   const Rows last = last_rows(rows);
   const auto highest = std::max_element(last.begin(), last.end(), [](const auto& a, const auto& b) {
-    return figure(a[column::uplift]) < figure(b[column::uplift]);
+    return number_in(a[column::uplift]) < number_in(b[column::uplift]);
   });
   Panel panel;
   std::string lines;
@@ -156,7 +156,7 @@ Panel against_laws(const Rows& rows) {
     std::string data;
     for (const auto& row : rows) {
       if (&row == &rows.front() || row[column::joint] != (*highest)[column::joint] || row[k].empty()) continue;
-      data += fmt::format("{} {:.6g}\n", row[0], figure(row[k]) / 1000);
+      data += fmt::format("{} {:.6g}\n", row[0], number_in(row[k]) / 1000);
     }
     if (data.empty()) return;
     panel.data += fmt::format("$law_{} << EOD\n{}EOD\n", k, data);

@@ -15,19 +15,20 @@ json flow_data(const std::filesystem::path& run) {
   const Rows totals = flow_rows(run, "flow.csv");
   Rows joints = last_rows(flow_rows(run, "joint_uplift.csv"));
   if (joints.empty() || totals.size() < 2) return nullptr;
-  std::stable_sort(joints.begin(), joints.end(),
-                   [](const auto& a, const auto& b) { return figure(a[column::uplift]) > figure(b[column::uplift]); });
-  json data = {{"time_s", figure(joints.front()[0])},
+  std::stable_sort(joints.begin(), joints.end(), [](const auto& a, const auto& b) {
+    return number_in(a[column::uplift]) > number_in(b[column::uplift]);
+  });
+  json data = {{"time_s", number_in(joints.front()[0])},
                {"left_out", joints.size() > most ? joints.size() - most : 0},
                {"joints", json::array()},
                {"flows", json::array()}};
   joints.resize(std::min(joints.size(), most));
   for (const auto& row : joints) {
-    const auto force = [&](std::size_t k) { return row[k].empty() ? json() : json(figure(row[k])); };
+    const auto force = [&](std::size_t k) { return row[k].empty() ? json() : json(number_in(row[k])); };
     data["joints"].push_back({{"name", row[column::joint]},
-                              {"length_m", figure(row[column::length_m])},
-                              {"flow_m2_per_s", figure(row[column::flow])},
-                              {"reynolds_number", figure(row[column::reynolds])},
+                              {"length_m", number_in(row[column::length_m])},
+                              {"flow_m2_per_s", number_in(row[column::flow])},
+                              {"reynolds_number", number_in(row[column::reynolds])},
                               {"uplift_n_per_m", force(column::uplift)},
                               {"triangular_n_per_m", force(column::triangular)},
                               {"drained_n_per_m", force(column::drained)},
@@ -35,7 +36,7 @@ json flow_data(const std::filesystem::path& run) {
   }
   for (std::size_t k = 1; k < totals.front().size(); ++k) {
     if (totals.front()[k].find("_m2_per_s") == std::string::npos) break;
-    data["flows"].push_back({{"name", words_of_flow(totals.front()[k])}, {"m2_per_s", figure(totals.back()[k])}});
+    data["flows"].push_back({{"name", words_of_flow(totals.front()[k])}, {"m2_per_s", number_in(totals.back()[k])}});
   }
   return data;
 }

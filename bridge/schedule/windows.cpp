@@ -15,11 +15,11 @@ constexpr double round_off = 1e-12;
 Windows::Windows(const scene::Scene& scene)
     : window_s_(scene.coupling.window_s),
       duration_s_(scene.analysis.duration_s),
-      at_rest_(scene.analysis.kind == scene::AnalysisKind::at_rest),
+      is_static_(scene.analysis.kind == scene::AnalysisKind::at_rest),
       ticks_(static_cast<std::uint64_t>(std::max(1.0, std::ceil(duration_s_ / window_s_ * (1 - round_off))))),
       longest_(static_cast<std::uint64_t>(
           std::max(1.0, std::floor(scene.coupling.longest_window_s / window_s_ * (1 + round_off))))) {
-  if (scene::still_pools(scene.fluid) && !at_rest_) {
+  if (scene::still_pools(scene.fluid) && !is_static_) {
     for (const auto* level : {&scene.water.upstream_level_m, &scene.water.downstream_level_m}) {
       if (*level) levels_.push_back(**level);
     }
@@ -45,7 +45,7 @@ void Windows::next(const SolidSide& solid) {
     ++part_;
     return;
   }
-  tick_ += at_rest_ ? 1 : length_;
+  tick_ += is_static_ ? 1 : length_;
   length_ = longest_ > 1 && solid.at_rest() ? std::min(2 * length_, longest_) : 1;
   cuts_.clear();
   part_ = 0;

@@ -18,10 +18,12 @@ class Windows {
  public:
   explicit Windows(const scene::Scene& scene);
 
-  [[nodiscard]] double from_s() const { return at_rest_ ? duration_s_ : part_ > 0 ? cuts_[part_ - 1] : at(tick_); }
-  [[nodiscard]] double to_s() const { return at_rest_ ? duration_s_ : cut() ? cuts_[part_] : at(tick_ + length_); }
+  [[nodiscard]] double from_s() const { return is_static_ ? duration_s_ : part_ > 0 ? cuts_[part_ - 1] : at(tick_); }
+  [[nodiscard]] double to_s() const { return is_static_ ? duration_s_ : cut() ? cuts_[part_] : at(tick_ + length_); }
   /// Whether the run ends with this window.
-  [[nodiscard]] bool last() const { return at_rest_ ? tick_ + 1 >= most_sweeps : !cut() && tick_ + length_ >= ticks_; }
+  [[nodiscard]] bool last() const {
+    return is_static_ ? tick_ + 1 >= most_static_windows : !cut() && tick_ + length_ >= ticks_;
+  }
   /// Moves on to the next window.
   void next(const SolidSide& solid);
 
@@ -31,7 +33,7 @@ class Windows {
   }
 
  private:
-  static constexpr std::uint64_t most_sweeps = 1000;
+  static constexpr std::uint64_t most_static_windows = 1000;
   [[nodiscard]] double at(std::uint64_t tick) const {
     return tick >= ticks_ ? duration_s_ : static_cast<double>(tick) * window_s_;
   }
@@ -42,7 +44,7 @@ class Windows {
   std::vector<scene::TimeTable> levels_;  ///< of still water
   double window_s_;
   double duration_s_;
-  bool at_rest_;
+  bool is_static_;
   std::uint64_t ticks_;    ///< windows of length window_s in the run
   std::uint64_t longest_;  ///< longest window, in the same unit
   std::uint64_t tick_ = 0;

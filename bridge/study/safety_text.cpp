@@ -19,10 +19,12 @@ std::string scaled(const json& value, const char* format, double scale = 1) {
 /// The loads that the factor multiplies, and those that stay constant.
 std::string load_factor_text(const json& found) {
   const auto list = [&](const char* key) {
-    return fmt::format("{}", fmt::join(found[key].get<std::vector<std::string>>(), " and "));
+    auto names = found[key].get<std::vector<std::string>>();
+    std::replace(names.begin(), names.end(), std::string("[earthquake]"), std::string("the inertia of [earthquake]"));
+    return fmt::format("{}", fmt::join(names, " and "));
   };
-  return fmt::format("{:.5g} times {}, by limit analysis; as stated: {}", found["factor"].get<double>(), list("loads"),
-                     list("constant"));
+  return fmt::format("{:.5g} times {}, by limit analysis; held as stated: {}", found["factor"].get<double>(),
+                     list("loads"), list("constant"));
 }
 
 /// A name at the start of a row of figures; one that is longer than its column has a line of its own above them.

@@ -18,18 +18,18 @@ struct Mode {
 
 /// The answer of one geometry to unit accelerations over one window, from rest.
 struct WaterAnswer {
-  std::vector<Mode> modes;                       ///< those of motions in threes, the ground's two last
+  std::vector<Mode> modes;                       ///< three for each motion, then two of the ground
   std::vector<hydrostatic::WetInterval> panels;  ///< sides of the mesh on blocks' faces, along their edges
   std::vector<std::array<int, 3>> panel_nodes;   ///< at s_from, between and at s_to of each
   Eigen::SparseMatrix<double> flux;              ///< nodes x modes, g of PressureEquation
   Eigen::MatrixXd pressure;  ///< 2 panels x modes, at s_from and s_to of each [Pa per m/s2, rad/s2 or 1/s2]
   Eigen::MatrixXd mass;      ///< modes x modes: the water's force on i is -sum mass_ij a_j [kg/m, kg, kg m]
 
-  /// Of panels, at s_from and s_to of each, of a pressure at the nodes: of the same force and moment [Pa].
+  /// Pressures at s_from and s_to of each panel with the same force and moment as the nodal pressures p [Pa].
   [[nodiscard]] Eigen::VectorXd on_panels(const Eigen::VectorXd& p) const;
 };
 
-/// `moves`: points of faces by 3 unknowns a motion, those of the ground by none.
+/// `moves`: motion of a point on a face, three unknowns a motion; no unknowns on the ground.
 WaterAnswer answer_of(const WaterMesh& mesh, const PressureEquation& equation, const process::FaceMotion& moves);
 
 }  // namespace blockweir::reservoir

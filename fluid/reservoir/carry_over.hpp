@@ -6,8 +6,8 @@
 
 namespace blockweir::reservoir {
 
-/// State of `to` as `from` have it, by their shape functions: where a node of `to` lies outside all of them, as they
-/// are continued from the nearest triangle's edge.
+/// Interpolates the state of the meshes `from` at the nodes of `to`; outside them, extrapolates from the edge of the
+/// nearest triangle.
 PressureState carry_over(const std::vector<AnsweringWater>& from, const WaterMesh& to);
 
 }  // namespace blockweir::reservoir

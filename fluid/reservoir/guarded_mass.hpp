@@ -14,7 +14,7 @@ class GuardedMass {
   GuardedMass() = default;
   explicit GuardedMass(std::size_t motions) : own_(motions) {}
 
-  /// What this body of water wets pushes it beside what others have of it.
+  /// Adds the added mass of one body of water; a block may touch several.
   void add(const WaterAnswer& answer);
   void tell(wire::Load& load) const;
 

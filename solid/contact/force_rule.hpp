@@ -57,7 +57,7 @@ class PointForces {
     const double free_normal = -(stiffness_[0] * gap + stiffness_[1] * slip);
     double normal = free_normal;
     double shear = -(stiffness_[1] * gap + stiffness_[2] * slip);
-    if (free_normal < least_normal_ || free_normal > most_normal_) [[unlikely]] {  // foretold: nothing waits for it
+    if (free_normal < least_normal_ || free_normal > most_normal_) [[unlikely]] {  // predicted branch: no stall
       normal = within(free_normal);
       shear = -(slip + gap_by_shear_ * normal) * shear_per_slip_;
     }

@@ -158,7 +158,7 @@ void CoupledSolid::record() {
   const bool last = time_s >= duration - soon || finished();
   const bool history_due = last || time_s >= next_history_s_ - soon;
   const bool frame_due = last || time_s >= next_frame_s_ - soon;
-  if (!frame_due) ++frames_.not_asked_for;
+  if (!frame_due) ++frames_.windows_without;
   if (!history_due && !frame_due) return;
   make_frame(solid_, last_load_, water_.last(), time_s, frame_);
   recorded_s_ = time_s;

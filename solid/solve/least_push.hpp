@@ -25,8 +25,8 @@ class LeastPush {
   LeastPush(const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps);
 
   /// Projected Gauss-Seidel there and back with Nesterov's acceleration, begun anew where it turns back (O'Donoghue and
-  /// Candes 2015). Ends where no gap is farther than half of that [m] from what its push is to leave, or after a
-  /// bounded number of sweeps.
+  /// Candes 2015). Ends when every gap is within half of tolerance_m of its target, or after a bounded
+  /// number of sweeps.
   void solve(double tolerance_m);
 
   [[nodiscard]] const Eigen::Vector3d& moved(std::size_t body) const { return moved_[body]; }

@@ -44,11 +44,11 @@ struct StepMode {
 /// Result for an island in a step.
 enum class Found {
   nothing,
-  asleep,     ///< skipped: keeps its state
-  corners,    ///< corners that were ignored have entered a block: contacts are missing
-  by_newton,  ///< equilibrium to round-off
-  finished,   ///< the same, started from the result of sweeps
-  by_sweeps   ///< to within the integrator's error
+  asleep,                  ///< skipped: keeps its state
+  corners,                 ///< corners that were ignored have entered a block: contacts are missing
+  by_newton,               ///< equilibrium to round-off
+  by_newton_after_sweeps,  ///< by Newton's method after sweeps, to round-off
+  by_sweeps                ///< to within the integrator's error
 };
 
 /// Result of an attempted step. Unless the step is made, the state is unchanged.

@@ -27,7 +27,7 @@ constexpr double most_at_first = 400;  // of the first step that is swept: what 
 }  // namespace
 
 Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
-  if (s.is_free() && fly(s)) return Found::finished;
+  if (s.is_free() && fly(s)) return Found::by_newton_after_sweeps;
   ++counts_.swept_islands;
   const Held held = s.held();
   formulation_->undo(held);
@@ -66,7 +66,7 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   if (near && (few || !state_.finish.skips())) {
     const bool exact = restore_unless(step_, s, mode, [&] { return finish(s, mode); });
     if (!few) exact ? state_.finish.succeeded() : state_.finish.failed();
-    if (exact) return Found::finished;
+    if (exact) return Found::by_newton_after_sweeps;
   }
   // Off by more than a fall through the step, a structure that stands would be thrown.
   if (left_m > trial_.fall_m() && !mode.roughly && !trial_.falls()) return Found::nothing;

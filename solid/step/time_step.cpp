@@ -49,7 +49,7 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
   }
   const bool seen = has_seen(outcome == Outcome::made, moved, mode);
   if (outcome != Outcome::made || !seen) {
-    if (!seen && (any_swept() || any_found(Found::finished))) tried_ = state_.contacts;
+    if (!seen && (any_swept() || any_found(Found::by_newton_after_sweeps))) tried_ = state_.contacts;
     for (IslandEquations& s : islands_) formulation_->undo(s.held());
     state_.contacts_stand = seen;
     return seen ? outcome : attempt_again(stretch, mode);
@@ -143,7 +143,8 @@ bool TimeStep::solve(const StepMode& mode) {
     start_where_it_rests(island);
     if (solved) island.found = find_equilibrium(step_, island, mode, newton);
     solved = solved && island.found != Found::nothing && island.found != Found::corners;
-    all_by_newton = all_by_newton && (island.found == Found::by_newton || (island.found == Found::finished && !falls));
+    all_by_newton = all_by_newton &&
+                    (island.found == Found::by_newton || (island.found == Found::by_newton_after_sweeps && !falls));
   }
   if (sweeps && (newton || (all_by_newton && !falls))) {
     all_by_newton ? state_.whole_law.succeeded() : state_.whole_law.failed();

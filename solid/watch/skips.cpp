@@ -65,10 +65,10 @@ json skips(const Solid& solid, const Frames& frames) {
                                saved(profile.search, counts.searches, counts.skipped_searches)));
   }
   factorizations(counts, profile, list);
-  if (frames.not_asked_for > 0) {
-    list.push_back(fmt::format("frames after {} of {} windows: one in {} s is asked for{}", frames.not_asked_for,
-                               frames.not_asked_for + frames.written, solid.scene().output.frame_every_s,
-                               saved(frames.seconds, frames.written, frames.not_asked_for)));
+  if (frames.windows_without > 0) {
+    list.push_back(fmt::format("frames after {} of {} windows: one in {} s is asked for{}", frames.windows_without,
+                               frames.windows_without + frames.written, solid.scene().output.frame_every_s,
+                               saved(frames.seconds, frames.written, frames.windows_without)));
   }
   return list;
 }

@@ -11,12 +11,12 @@ namespace blockweir::solid {
 /// Frame files: one every frame_every_s, independent of the windows.
 struct Frames {
   long written = 0;
-  long not_asked_for = 0;
+  long windows_without = 0;
   double seconds = 0;  ///< for writing them
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(written, not_asked_for, seconds);
+    archive(written, windows_without, seconds);
   }
 };
 

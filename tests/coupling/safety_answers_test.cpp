@@ -86,8 +86,10 @@ TEST_F(Answers, IceAndTheEarthquakesWaterHaveSumsOfTheirOwnAndTheLoadsThatGrowAr
   const double westergaard = 7.0 / 12 * 0.02 * 9810 * (16 + 1);  // on upright faces, of both pools
   EXPECT_NEAR(sums["added water (Westergaard)"]["x_n_per_m"].get<double>() / westergaard, 1, 1e-6);
   EXPECT_EQ(found["tailwater_m"], 1);
-  EXPECT_THAT(text("out"),
-              HasSubstr("times [silt] and [earthquake], by limit analysis; as stated: weight and water and ice and"));
+  EXPECT_THAT(
+      text("out"),
+      HasSubstr(
+          "times [silt] and the inertia of [earthquake], by limit analysis; held as stated: weight and water and"));
   EXPECT_THAT(text("out"), HasSubstr("as it stands: tailwater at 1 m"));
   EXPECT_THAT(text("out"), HasSubstr("moments about (3.5, 0) m"));
 }

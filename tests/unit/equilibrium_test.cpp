@@ -43,7 +43,7 @@ TEST(Pivoting, FindsTheForcesUnderAStoneThatNoBondHolds) {
 TEST(SweptEquilibrium, OfASmallIslandIsFinishedByNewtonsMethod) {
   Sample sample(stones());
   sample.begin();
-  EXPECT_EQ(SweptEquilibrium(sample.step).find(sample.island(), sample.mode), Found::finished);
+  EXPECT_EQ(SweptEquilibrium(sample.step).find(sample.island(), sample.mode), Found::by_newton_after_sweeps);
   EXPECT_EQ(sample.step.counts.swept_islands, 1);
   EXPECT_NEAR(reaction(sample.state, 1), weight, 1);
 }
@@ -54,7 +54,7 @@ TEST(SweptEquilibrium, WhatNothingTouchesFliesByOneSolution) {
   Sample sample(above);
   sample.begin();
   ASSERT_TRUE(sample.island().is_free());
-  EXPECT_EQ(SweptEquilibrium(sample.step).find(sample.island(), sample.mode), Found::finished);
+  EXPECT_EQ(SweptEquilibrium(sample.step).find(sample.island(), sample.mode), Found::by_newton_after_sweeps);
   EXPECT_EQ(sample.step.counts.swept_islands, 0);
   EXPECT_NEAR(sample.step.trial.increment[1][1], -10 * 0.01 * 0.01 / 2, 1e-16);
   EXPECT_EQ(sample.island().unbalanced(), 0);

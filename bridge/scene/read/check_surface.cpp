@@ -70,7 +70,9 @@ void check(const Reading& reading, const char* key, const std::optional<double>&
   const double gap_m = reading.scene.water.open_crack_width_m;
   const double level_m = level->at(0);
   const double tiny_m = inside * model.size();
-  const auto [left_m, right_m] = std::minmax(*wall_m, crest_of(blocks).x());
+  const double crest_m = crest_of(blocks).x();
+  const double left_m = std::min(*wall_m, crest_m);
+  const double right_m = std::max(*wall_m, crest_m);
   const std::vector<Covered> roof = covered(blocks, 0, level_m - tiny_m);
   if (is_free(roof, left_m, right_m, gap_m)) return;
   const double at_wall_m = *wall_m == left_m ? left_m + tiny_m : right_m - tiny_m;
