@@ -127,12 +127,11 @@ TEST(ReservoirModel, APseudoStaticEarthquakeTakesItsPressureInPlaceOfWestergaard
   EXPECT_NEAR(thrust(load), still + 0.981 * added, 1e-4 * added);
 }
 
-TEST(ReservoirModel, SoundUnderHeldPressuresIsWarnedOf) {
-  const auto warned = [](const std::string& coupling) {
+TEST(ReservoirModel, SoundAndWavesUnderHeldPressuresAreWarnedOf) {
+  const auto warned = [](const std::string& coupling, const std::string& kind = "compressible = true") {
     const auto read = scene::read_text(R"(water = { upstream_level_m = 5 }
 material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
 analysis = { duration_s = 1 }
-fluid = { model = "reservoir", reservoir = { compressible = true } }
 [[block]]
 name = "rock"
 material = "m"
@@ -142,13 +141,18 @@ vertices_m = [[-9, -5], [20, -5], [20, 0], [-9, 0]]
 name = "wall"
 material = "m"
 vertices_m = [[0, 0], [8, 0], [8, 10], [0, 10]]
-)" + coupling,
+[fluid]
+model = "reservoir"
+reservoir = { )" + kind + " }\n" + coupling,
                                        "sound");
     return std::any_of(read.warnings.begin(), read.warnings.end(), [](const auto& warning) {
       return warning.text().find("its pressures are held in each window") != std::string::npos;
     });
   };
   EXPECT_TRUE(warned(""));
+  EXPECT_TRUE(warned("", "surface = \"waves\""));
+  EXPECT_FALSE(warned("", "surface = \"level\""));
+  EXPECT_FALSE(warned("[coupling]\nschedule = \"improved\"\n", "surface = \"waves\""));
   EXPECT_FALSE(warned("[coupling]\nschedule = \"improved\"\n"));
   EXPECT_FALSE(warned("[coupling]\nload_in_window = \"linear\"\n"));
 }

@@ -202,16 +202,19 @@ void check_far_walls(const Reading& reading) {
   look("downstream_wall_m", scene.reservoir.downstream_wall_m, model.high.x());
 }
 
-/// Sound that answers a window late damps what swings, or drives it.
-void check_sound(const Reading& reading) {
+/// Sound or surface waves whose pressures act a window late damp what swings, or drive it.
+void check_waves_held(const Reading& reading) {
   const Scene& scene = reading.scene;
-  if (!scene.reservoir.compressible || scene.coupling.load_in_window != LoadInWindow::held) return;
-  const toml::node* stated = reading.file["fluid"]["reservoir"]["compressible"].node();
-  if (stated == nullptr) return;
+  const bool sound = scene.reservoir.compressible;
+  if ((!sound && !scene.reservoir.surface_waves) || scene.coupling.load_in_window != LoadInWindow::held) return;
+  const bool nothing_moves =
+      std::all_of(scene.blocks.begin(), scene.blocks.end(), [](const Block& block) { return block.fixed; });
+  const toml::node* stated = reading.file["fluid"]["reservoir"][sound ? "compressible" : "surface"].node();
+  if (stated == nullptr || (!sound && nothing_moves)) return;
   reading.problems.warning(reading.problems.at(stated->source()),
-                           "sound runs in the water, and its pressures are held in each window: what swings loses or "
-                           "gains energy by a share "
-                           "that falls only with the window's length",
+                           fmt::format("{} in the water, and its pressures are held in each window: what swings loses "
+                                       "or gains energy by a share that falls only with the window's length",
+                                       sound ? "sound runs" : "waves run"),
                            "schedule = \"improved\", or load_in_window = \"linear\", in [coupling]",
                            "state one of both, and halve window_s to see what is left");
 }
@@ -223,7 +226,7 @@ void check_reservoir(const Reading& reading) {
   check_silt(reading);
   check_drains(reading);
   check_piezometers(reading);
-  check_sound(reading);
+  check_waves_held(reading);
   check_sound_windows(reading);
   check_far_walls(reading);
 }
