@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::reservoir {
 namespace {
@@ -75,6 +76,9 @@ WaterPhysics physics_of(const scene::Scene& scene) {
 
 WaterMesh mesh_of(const scene::Scene& scene, const hydrostatic::WaterBody& body,
                   const std::vector<std::vector<Point>>& outlines, const std::vector<Point>& corners) {
+  // Its added mass is (depth/size)^2 of that of deep water; meshed by its depth, a long film has millions of triangles.
+  constexpr double film = 5e-3;  // of the structure's size
+  if (depth(body) <= film * scene::structure_size_m(scene.blocks)) return {};
   WaterMesh mesh = mesh_water(body, {outlines, corners}, far_ends(scene, outlines, depth(body)), fineness_of(scene));
   require_surface(scene, mesh);
   return mesh;

@@ -15,7 +15,6 @@ namespace {
 using hydrostatic::WaterBody;
 
 constexpr double same_place = 1e-7;  ///< of the depth
-constexpr double shallow = 1e-3;     ///< of the blocks' width: water whose added mass is 1e-6 of a wall's so high
 constexpr double outermost = 0.6;    ///< of it: triangles of the absorbing stretch; with 1.0, 1.1 % of sound came back
 
 struct Ends {
@@ -196,12 +195,12 @@ WaterMesh mesh_water(const WaterBody& body, const Banks& banks, const FarEnds& e
   const double deep = depth(body);
   mesh.ends = ends;
   mesh.depth_m = deep;
-  const Ends blocks = ends_of(outlines);
-  if (deep <= shallow * (blocks.right - blocks.left)) return mesh;
+  if (deep <= 0) return mesh;
   const double tiny = same_place * deep;
   std::vector<Ring> rings = region_of(body, outlines, ends, tiny);
   if (rings.empty()) return mesh;
   const Ends open = ends_of(rings);
+  const Ends blocks = ends_of(outlines);
   Sizes sizes{{}, fineness.at_corner * deep, fineness.widest * deep, fineness.growth};
   if (ends.left.absorbs_from_m) sizes.inner_left_m = *ends.left.absorbs_from_m;
   if (ends.right.absorbs_from_m) sizes.inner_right_m = *ends.right.absorbs_from_m;

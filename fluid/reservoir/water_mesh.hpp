@@ -61,7 +61,7 @@ struct Banks {
 };
 
 /// Delaunay refinement (Ruppert, Shewchuk) of the body's region, whose ends in open water are moved to `ends`. Empty
-/// for a body without a region, and for water shallower than a thousandth of the blocks' width.
+/// for a body without a region.
 WaterMesh mesh_water(const hydrostatic::WaterBody& body, const Banks& banks, const FarEnds& ends,
                      const Fineness& fineness);
 

@@ -150,7 +150,9 @@ void StepEnd::act_by_end_rates(std::size_t b, double dt) {
     const Matrix6 inertia = model_.blocks[b].inertia.matrix();
     state.acceleration.head(moves) -= inertia.topLeftCorner(moves, moves).ldlt().solve(pull.head(moves));
   }
-  if (model_.blocks[b].rigid || trial_.retardation_s(b) == 0) return;
+  // Strains that push water accelerate other motions with them: theirs alone may not change.
+  const bool push_water = state_.guard.motions() > state_.guard.blocks();
+  if (model_.blocks[b].rigid || trial_.retardation_s(b) == 0 || push_water) return;
   const Eigen::Vector3d strain = trial_.retardation_s(b) * (model_.blocks[b].stiffness * beyond.tail<3>());
   trial_.balance[b].tail<3>() -= strain;
   const Eigen::Matrix4d inertia = model_.blocks[b].inertia.matrix().bottomRightCorner<4, 4>();

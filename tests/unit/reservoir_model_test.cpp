@@ -47,6 +47,18 @@ TEST(ReservoirModel, RefusesAPoolThatLosesItsSurface) {
   }
 }
 
+/// The dam is 22 m high: by its depth a film would be meshed for ever.
+TEST(ReservoirModel, AFilmOfWaterIsNotMeshed) {
+  for (const auto& [level_m, meshed] : {std::pair{1e-3, false}, {0.1, false}, {0.5, true}}) {
+    scene::Scene scene = dam_of_two();
+    scene.water.upstream_level_m = scene::TimeTable::constant(level_m);
+    ReservoirModel water(scene);
+    wire::Load load;
+    water.advance(moved(0, 0), 0, load);
+    EXPECT_EQ(load.added_mass[1][0] > 0, meshed) << level_m;
+  }
+}
+
 /// The bed rises to a wall on the model's own end, or just beyond it.
 TEST(ReservoirModel, AWallMayStandOnTheModelsEnd) {
   for (const double wall_m : {-50.0, -50.0000001, -50.00001, -50.0001, -50.001}) {

@@ -111,11 +111,6 @@ TEST(ReservoirWater, GroundThatRisesLiftsAllOfTheWater) {
   EXPECT_LT(worst, 1e-12);
 }
 
-TEST(ReservoirWater, AFilmOfWaterHasNoMesh) {
-  EXPECT_TRUE(mesh_of({.H = 0.1}, 0.25, {-100, false, {}}).triangle.empty());
-  EXPECT_FALSE(mesh_of({.H = 0.2}, 0.25, {-100, false, {}}).triangle.empty());
-}
-
 TEST(ReservoirWater, TheAddedMassesOfAllBlocksAreOneSymmetricPositiveMatrix) {
   const Solved s = solve({.cut_m = 8}, 0.25);
   const auto& M = s.answer.mass;
