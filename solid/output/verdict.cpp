@@ -8,6 +8,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/loose_blocks.hpp"
+#include "solid/output/rest_text.hpp"
 #include "solid/watch/joint_name.hpp"
 
 namespace blockweir::solid::output {
@@ -201,29 +202,13 @@ void add_outcome(const expect::Outcome& outcome, json& text) {
   }
 }
 
-std::string rest_text(const expect::Outcome& outcome, const Rest& rest) {
-  const auto steps = outcome.solid.counts().steps;
-  const scene::Analysis& analysis = outcome.solid.scene().analysis;
-  if (rest.found) return fmt::format("at rest after {} steps, {:.3g} of the weight unbalanced", steps, rest.unbalanced);
-  const std::string moved = fmt::format("largest displacement {:.4g} m", outcome.last.largest_displacement_m);
-  if (rest.steps == 0) return "no equilibrium: no step towards it could be solved; " + moved;
-  if (rest.unbalanced <= analysis.residual_tolerance) {
-    return fmt::format(
-        "no equilibrium: after {} steps forces balance, but only where joints have slipped by more than "
-        "failure_displacement_m = {:.3g} m; {}",
-        steps, analysis.failure_displacement_m, moved);
-  }
-  return fmt::format("no equilibrium: {:.3g} of the weight unbalanced after {} steps, {}", rest.unbalanced, steps,
-                     moved);
-}
-
 /// A static analysis that finds no equilibrium, and no failure, has stopped.
 void add_rest(const expect::Outcome& outcome, json& text) {
   if (outcome.solid.scene().analysis.kind != scene::AnalysisKind::at_rest) return;
   const Rest& rest = outcome.solid.state().rest;
   const auto steps = outcome.solid.counts().steps;
   text["rest"] = {{"found", rest.found}, {"unbalanced_ratio", rest.unbalanced}, {"steps", steps}};
-  text["rest"]["text"] = rest_text(outcome, rest);
+  text["rest"]["text"] = rest_text(rest, steps, outcome.solid.scene().analysis, outcome.last.largest_displacement_m);
   if (!rest.found && outcome.failure.failures().empty()) {
     text["outcome"] = "stopped";
     text["stopped"] = text["rest"]["text"];
