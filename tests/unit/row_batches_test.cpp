@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_solve
-// Rows in batches end with the forces of rows that are visited one by one.
+// Rows in batches, and rows that are visited one by one, end with forces that fulfil their rules.
 #include "solid/solve/row_batches.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ ForceSweeps tangle(unsigned seed, int padding) {
   return sweeps;
 }
 
-TEST(RowBatches, EndWithTheForcesOfRowsOneByOne) {
+TEST(RowBatches, EndWithForcesThatFulfilTheirRules) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     ForceSweeps together = tangle(seed, 0);
     ForceSweeps alone = tangle(seed, RowBatches::most_unknowns);  // too many unknowns for batches
