@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/reservoir/pressure_equation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "bridge/scene/at.hpp"
+#include "fluid/reservoir/many_sides.hpp"
 
 namespace blockweir::reservoir {
 namespace {
@@ -84,6 +86,40 @@ Eigen::VectorXd PressureEquation::pressure(const Eigen::VectorXd& flux) const {
   PressureState state = rest();
   step(state, flux);
   return state.p;
+}
+
+void PressureEquation::solve(const Eigen::SparseMatrix<double>& flux, const Take& take) const {
+  if (remembers_) {
+    for (Eigen::Index k = 0; k < flux.cols(); ++k) take(k, pressure(flux.col(k)));
+    return;
+  }
+  std::vector<int> wanted;  // the solid boundary's nodes
+  std::vector<bool> seen(mesh_.node.size(), false);
+  for (const BoundarySide& side : mesh_.side) {
+    if (side.kind == BoundarySide::Kind::surface) continue;
+    for (const int node : side.node) {
+      if (unknowns_.of_node[at(node)] >= 0 && !seen[at(node)]) wanted.push_back(node);
+      seen[at(node)] = true;
+    }
+  }
+  std::vector<int> unknowns(wanted.size());
+  std::transform(wanted.begin(), wanted.end(), unknowns.begin(), [&](int node) { return unknowns_.of_node[at(node)]; });
+  const ManySides factors(factors_, unknowns);
+  ManySides::Rows x(unknowns_.count, ManySides::width);
+  Eigen::MatrixXd p = Eigen::MatrixXd::Zero(flux.rows(), ManySides::width);
+  for (Eigen::Index first = 0; first < flux.cols(); first += ManySides::width) {
+    const Eigen::Index count = std::min(ManySides::width, flux.cols() - first);
+    x.setZero();
+    for (Eigen::Index k = 0; k < count; ++k) {
+      for (Eigen::SparseMatrix<double>::InnerIterator g(flux, first + k); g; ++g) {
+        const int unknown = unknowns_.of_node[at(static_cast<int>(g.row()))];
+        if (unknown >= 0) x(factors.row_of(unknown), k) = -density_ * g.value();
+      }
+    }
+    factors.solve(x);
+    for (std::size_t i = 0; i < wanted.size(); ++i) p.row(wanted[i]) = x.row(factors.row_of(unknowns[i]));
+    take(first, count == ManySides::width ? p : Eigen::MatrixXd(p.leftCols(count)));
+  }
 }
 
 Eigen::VectorXd PressureEquation::at_unknowns(const Eigen::VectorXd& at_nodes) const {

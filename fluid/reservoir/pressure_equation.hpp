@@ -39,6 +39,10 @@ class PressureEquation {
   void step(PressureState& state, const Eigen::VectorXd& flux) const;
   /// p of water at rest after one window of `flux`.
   [[nodiscard]] Eigen::VectorXd pressure(const Eigen::VectorXd& flux) const;
+  /// The same for each column of `flux`. `take` gets the number of the first column and the pressures of some columns,
+  /// at the nodes of the water's solid boundary; elsewhere they may be anything.
+  using Take = std::function<void(Eigen::Index first, const Eigen::MatrixXd& p)>;
+  void solve(const Eigen::SparseMatrix<double>& flux, const Take& take) const;
 
  private:
   [[nodiscard]] Eigen::VectorXd at_unknowns(const Eigen::VectorXd& at_nodes) const;
