@@ -14,7 +14,7 @@ Eigen::SparseMatrix<double> mass_on_faces(const scene::Scene& scene, const wire:
   const std::vector<bool> ground(scene.blocks.size(), false);  // it does not absorb: the water is incompressible
   std::vector<Eigen::Triplet<double>> entries;
   for (const hydrostatic::WaterBody& body : still.bodies()) {
-    const WaterMesh mesh = mesh_of(scene, body, still.outlines());
+    const WaterMesh mesh = mesh_of(scene, body, {still.outlines()});
     if (mesh.triangle.empty()) continue;
     const PressureEquation equation(mesh, {.density_kg_per_m3 = scene.water.density_kg_per_m3}, ground, 1);
     const FaceFlux flux = flux_on_faces(mesh, moves);

@@ -19,18 +19,31 @@ constexpr double stage_weight = 1 - 1 / std::numbers::sqrt2;  ///< b over the wi
 PressureEquation::PressureEquation(const WaterMesh& mesh, const WaterPhysics& physics, const std::vector<bool>& ground,
                                    double window_s)
     : mesh_(mesh),
+      physics_(physics),
+      ground_(ground),
       density_(physics.density_kg_per_m3),
       remembers_(physics.remembers()),
       window_s_(window_s),
       unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))),
       matrices_(matrices_of(mesh, unknowns_, physics, ground)) {
-  const double b = stage_weight * window_s;
-  const Eigen::SparseMatrix<double>& K = matrices_.K;
-  if (remembers_) {
-    factors_.compute(K + matrices_.C / b + matrices_.M / (b * b));
-  } else {
-    factors_.compute(K);
-  }
+  factors_.analyzePattern(matrix());
+  factorize();
+}
+
+void PressureEquation::update(double window_s) {
+  window_s_ = window_s;
+  matrices_ = matrices_of(mesh_, unknowns_, physics_, ground_);
+  factorize();
+}
+
+Eigen::SparseMatrix<double> PressureEquation::matrix() const {
+  if (!remembers_) return matrices_.K;
+  const double b = stage_weight * window_s_;
+  return matrices_.K + matrices_.C / b + matrices_.M / (b * b);
+}
+
+void PressureEquation::factorize() {
+  factors_.factorize(matrix());
   if (factors_.info() != Eigen::Success) {
     throw std::runtime_error("the reservoir's equation is singular: has its water a surface?");
   }

@@ -30,6 +30,9 @@ class PressureEquation {
   PressureEquation(const WaterMesh& mesh, const WaterPhysics& physics, const std::vector<bool>& ground,
                    double window_s);
 
+  /// The mesh's nodes have moved, or windows are of another length: factors anew, in the order that they have.
+  void update(double window_s);
+
   /// g of an acceleration that is linear along each side; only sides that `moves` names move.
   using Acceleration = std::function<Point(const Point& x)>;
   using Moves = std::function<bool(const BoundarySide& side)>;
@@ -48,7 +51,12 @@ class PressureEquation {
   [[nodiscard]] Eigen::VectorXd at_unknowns(const Eigen::VectorXd& at_nodes) const;
   [[nodiscard]] Eigen::VectorXd at_nodes(const Eigen::VectorXd& at_unknowns) const;
 
+  [[nodiscard]] Eigen::SparseMatrix<double> matrix() const;
+  void factorize();
+
   const WaterMesh& mesh_;
+  WaterPhysics physics_;
+  std::vector<bool> ground_;
   double density_;
   bool remembers_;
   double window_s_;

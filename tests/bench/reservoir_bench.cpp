@@ -93,7 +93,7 @@ void measure(int blocks, int faces, int turns) {
   const hydrostatic::WaterBody& body = still.bodies().front();
   reservoir::WaterMesh mesh;
   const double meshing = least_ms(
-      turns, [] {}, [&] { mesh = reservoir::mesh_of(scene, body, still.outlines()); });
+      turns, [] {}, [&] { mesh = reservoir::mesh_of(scene, body, {still.outlines()}); });
   print(fmt::format("mesh: {} nodes, {} triangles", mesh.node.size(), mesh.triangle.size()).c_str(), meshing);
   const std::vector<bool> ground(scene.blocks.size(), false);
   print("matrix and factors",
