@@ -24,26 +24,27 @@ PressureEquation::PressureEquation(const WaterMesh& mesh, const WaterPhysics& ph
       density_(physics.density_kg_per_m3),
       remembers_(physics.remembers()),
       window_s_(window_s),
-      unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))),
-      matrices_(matrices_of(mesh, unknowns_, physics, ground)) {
-  factors_.analyzePattern(matrix());
-  factorize();
+      unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))) {
+  if (!remembers_) stiffness_.emplace(mesh, unknowns_);
+  const Eigen::SparseMatrix<double> first = matrix();
+  factors_.analyzePattern(first);
+  factorize(first);
 }
 
 void PressureEquation::update(double window_s) {
   window_s_ = window_s;
-  matrices_ = matrices_of(mesh_, unknowns_, physics_, ground_);
-  factorize();
+  factorize(matrix());
 }
 
-Eigen::SparseMatrix<double> PressureEquation::matrix() const {
-  if (!remembers_) return matrices_.K;
+Eigen::SparseMatrix<double> PressureEquation::matrix() {
+  if (stiffness_) return stiffness_->of(mesh_);
+  matrices_ = matrices_of(mesh_, unknowns_, physics_, ground_);
   const double b = stage_weight * window_s_;
   return matrices_.K + matrices_.C / b + matrices_.M / (b * b);
 }
 
-void PressureEquation::factorize() {
-  factors_.factorize(matrix());
+void PressureEquation::factorize(const Eigen::SparseMatrix<double>& matrix) {
+  factors_.factorize(matrix);
   if (factors_.info() != Eigen::Success) {
     throw std::runtime_error("the reservoir's equation is singular: has its water a surface?");
   }

@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <functional>
+#include <optional>
 
 #include "fluid/reservoir/water_matrices.hpp"
 
@@ -51,8 +52,9 @@ class PressureEquation {
   [[nodiscard]] Eigen::VectorXd at_unknowns(const Eigen::VectorXd& at_nodes) const;
   [[nodiscard]] Eigen::VectorXd at_nodes(const Eigen::VectorXd& at_unknowns) const;
 
-  [[nodiscard]] Eigen::SparseMatrix<double> matrix() const;
-  void factorize();
+  /// Of both stages. Its entries are in the same places at each call.
+  [[nodiscard]] Eigen::SparseMatrix<double> matrix();
+  void factorize(const Eigen::SparseMatrix<double>& matrix);
 
   const WaterMesh& mesh_;
   WaterPhysics physics_;
@@ -61,7 +63,8 @@ class PressureEquation {
   bool remembers_;
   double window_s_;
   Unknowns unknowns_;
-  WaterMatrices matrices_;
+  std::optional<StiffnessMatrix> stiffness_;  ///< of water that does not remember
+  WaterMatrices matrices_;                    ///< of water that does
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
 };
 
