@@ -15,7 +15,7 @@ namespace blockweir::reservoir {
 namespace {
 
 /// Largest stretch of a triangle, and the largest compression.
-constexpr double most_stretch = 1.5;
+constexpr double most_stretch = 2;
 
 /// Of the square of the depth: what two outlines of one region may differ by.
 constexpr double same_area = 2e-6;
@@ -173,12 +173,12 @@ void MeshMotion::factorize() {
   for (const QuadraticTriangle& t : mesh_.triangle) {
     std::array<Point, 3> opposite;  // sides against the corners
     for (std::size_t i = 0; i < 3; ++i) opposite[i] = mesh_.node[at(t[(i + 2) % 3])] - mesh_.node[at(t[(i + 1) % 3])];
-    const double four_areas = 2 * geometry::cross(opposite[0], opposite[1]);
+    const double twice_area = geometry::cross(opposite[0], opposite[1]);
     for (std::size_t i = 0; i < 3; ++i) {
       const int row = of_inner[at(t[i])];
       if (row < 0) continue;
       for (std::size_t j = 0; j < 3; ++j) {
-        const double k = opposite[i].dot(opposite[j]) / four_areas;
+        const double k = opposite[i].dot(opposite[j]) / (twice_area * twice_area);
         const int column = of_inner[at(t[j])];
         if (column < 0) across.emplace_back(row, of_boundary[at(t[j])], k);
         if (column >= 0 && column <= row) inside.emplace_back(row, column, k);

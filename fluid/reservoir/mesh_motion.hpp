@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves the nodes of a mesh with the boundary of its water, its triangles kept:
 //
-//     div grad u = 0,    u given at the boundary
+//     div (grad u / A) = 0,    u given at the boundary, A the area of a triangle
 //
-// by linear elements on the mesh as it was made. u is the displacement since then, so that where nodes are depends on
-// where the boundary is and on nothing between.
+// by linear elements on the mesh as it was made, so that small triangles hardly change their shape. u is the
+// displacement since then: where nodes are depends on where the boundary is, and on nothing between.
 #pragma once
 
 #include <Eigen/SparseCholesky>

@@ -254,7 +254,7 @@ schedule::FluidReport ReservoirModel::report() const {
         kept_, kept_ + solutions_, scene_.reservoir.move_tolerance, results::saved(solve_s_, solutions_, kept_)));
   }
   if (solutions_ > meshes_) {
-    report.skips.push_back(fmt::format("meshing the reservoir, {} of {} times: its nodes followed its boundary",
+    report.skips.push_back(fmt::format("meshing the reservoir, {} of {} times: the mesh's nodes followed its boundary",
                                        solutions_ - meshes_, solutions_));
   }
   return report;
