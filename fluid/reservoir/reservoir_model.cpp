@@ -147,7 +147,7 @@ void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
 
 /// False if a mesh cannot follow: all stay as they are then.
 bool ReservoirModel::move_meshes(const hydrostatic::HydrostaticModel& water, const FaceMotions& moves) {
-  if (scene_.reservoir.move_tolerance == 0) return false;
+  if (scene_.reservoir.move_tolerance == 0 || motions_.empty()) return false;
   std::vector<WaterMesh> meshes;
   for (const hydrostatic::WaterBody& body : water.bodies()) {
     if (is_film(scene_, body)) continue;
@@ -234,11 +234,13 @@ void ReservoirModel::restore(const std::string& state) {
 }
 
 /// For blocks and levels as they were.
-void ReservoirModel::solve_again(const Geometry& then) {
+void ReservoirModel::solve_again(Geometry then) {
   hydrostatic::HydrostaticModel water(scene_);
   wire::Load load;
   water.advance(then.motion, then.time_s, load);
-  solved_ = {then.motion, then.time_s, water.outlines(), levels_of(load), then.window_s};
+  solved_ = std::move(then);
+  solved_.outlines = water.outlines();
+  solved_.levels_m = levels_of(load);
   solve(water);
 }
 

@@ -44,7 +44,7 @@ class ReservoirModel final : public schedule::FluidSide {
   void solve(const hydrostatic::HydrostaticModel& water);
   bool move_meshes(const hydrostatic::HydrostaticModel& water, const FaceMotions& moves);
   void mesh_anew(const hydrostatic::HydrostaticModel& water, const FaceMotions& moves);
-  void solve_again(const Geometry& then);
+  void solve_again(Geometry then);
   [[nodiscard]] bool moves() const;
   [[nodiscard]] bool shaken_steadily() const;
   [[nodiscard]] Point steady_acceleration() const;
