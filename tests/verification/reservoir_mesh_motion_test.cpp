@@ -66,5 +66,19 @@ TEST(ReservoirMeshMotion, WaterIsMeshedAnewWhereOtherFacesAreWet) {
   }
 }
 
+TEST(ReservoirMeshMotion, AFilmOfWaterHasNoMeshAndIsRestored) {
+  scene::Scene scene = dam_of_two();
+  scene.water.upstream_level_m = scene::TimeTable::constant(0.01);
+  ReservoirModel water(scene);
+  wire::Load load;
+  water.advance(moved(0, 0), 0.01, load);
+  ReservoirModel again(scene);
+  EXPECT_NO_THROW(again.restore(water.state()));
+  wire::Load other;
+  water.advance(moved(0.1, 0), 0.02, load);
+  again.advance(moved(0.1, 0), 0.02, other);
+  EXPECT_EQ(load.pressure_from_pa.values(), other.pressure_from_pa.values());
+}
+
 }  // namespace
 }  // namespace blockweir::reservoir
