@@ -112,10 +112,14 @@ std::optional<WaterMesh> MeshMotion::moved(const hydrostatic::WaterBody& body, c
 bool MeshMotion::prepare() {
   if (prepared_) return can_move_;
   prepared_ = true;
+  if (known_.empty()) return false;
   for (const Ring& ring : mesh_.rings) ring_.insert(ring_.end(), ring.begin(), ring.end());
   const NearestPoint known(known_);
   const NearestPoint of_ring(ring_);
-  for (const Point& p : ring_) anchor_.push_back(known.within(same_place_m_, p));
+  for (const Point& p : ring_) {
+    anchor_.push_back(known.within(same_place_m_, p));
+    nearest_known_.push_back(known.to(p));
+  }
   for (const Point& p : known_) place_.push_back(of_ring.within(same_place_m_, p));
   can_move_ = trace_boundary();
   if (can_move_) factorize();
@@ -193,8 +197,8 @@ void MeshMotion::factorize() {
   factors_ = std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(matrix);
 }
 
-/// Where the points of the rings are now. Those that are no end of a face, as at far ends, are at the corner of the
-/// region that is nearest to where they were.
+/// Where the points of the rings are now. Those that are no end of a face, as at far ends, are at a corner of the
+/// region: the nearest to where they would be if they had moved with the nearest end of a face.
 std::optional<MeshMotion::Points> MeshMotion::points_now(const hydrostatic::WaterBody& body, const Banks& banks,
                                                          const FarEnds& ends) const {
   const Points known = known_points(body, banks);
@@ -209,7 +213,8 @@ std::optional<MeshMotion::Points> MeshMotion::points_now(const hydrostatic::Wate
   };
   Points points;
   for (std::size_t i = 0; i < ring_.size(); ++i) {
-    points.push_back(anchor_[i] ? known[*anchor_[i]] : nearest_corner(ring_[i]));
+    const std::size_t with = nearest_known_[i];
+    points.push_back(anchor_[i] ? known[*anchor_[i]] : nearest_corner(ring_[i] + known[with] - known_[with]));
   }
   for (std::size_t k = 0; k < known.size(); ++k) {
     if (place_[k] && (known[k] - points[*place_[k]]).norm() > same_place_m_) return {};  // what was one has parted

@@ -51,6 +51,7 @@ class MeshMotion {
   bool can_move_ = false;
   Points ring_;                                     ///< points of all rings
   std::vector<std::optional<std::size_t>> anchor_;  ///< of each of ring_: the known point that it is at
+  std::vector<std::size_t> nearest_known_;          ///< of each of ring_
   std::vector<std::optional<std::size_t>> place_;   ///< of each known point: that of ring_ where it is
   std::vector<OnBoundary> boundary_;
   std::vector<int> inner_;  ///< corners of triangles that are not on the boundary

@@ -47,6 +47,20 @@ TEST(ReservoirMeshMotion, ALevelThatRisesHasTheAddedMassOfItsDepth) {
   EXPECT_LT(water.report().counts.at("reservoir meshes"), 12);
 }
 
+/// The water's section has corners there that are no end of a face.
+TEST(ReservoirMeshMotion, WaterUnderAnOverhangAtTheSurfaceMovesWithIt) {
+  scene::Scene scene = dam_of_two();
+  auto& top = scene.blocks[2].vertices;
+  top = {{0, 10}, {16, 10}, {16, 20}, {0, 20}, {0.02, 19.9}, {0, 19.8}, {0.02, 19.7}, {0, 19.6}};
+  ReservoirModel water(scene);
+  wire::Load load;
+  wire::Load anew;
+  for (int i = 0; i <= 10; ++i) water.advance(moved(-0.1 * i, 0), 0.01 * i, load);
+  EXPECT_EQ(water.report().counts.at("reservoir meshes"), 1);
+  ReservoirModel(scene).advance(moved(-1, 0), 0.1, anew);
+  EXPECT_NEAR(added_mass(load), added_mass(anew), 2e-5 * added);
+}
+
 TEST(ReservoirMeshMotion, WaterIsMeshedAnewWhereOtherFacesAreWet) {
   const scene::Scene scene = dam_of_two();
   ReservoirModel water(scene);
