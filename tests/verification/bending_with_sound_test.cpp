@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_answers fluid_hydrostatic fluid_reservoir bridge_scene_read bridge_schedule
+// Walls that bend and strain before a reservoir that carries sound: blocks and water make each window as one step.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "tests/verification/swinging_wall.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+constexpr double height = 40;
+constexpr double depth = 38;
+constexpr double thickness = 6;
+
+std::string sound(double speed_m_per_s) {
+  return fmt::format("compressible = true, sound_speed_m_per_s = {}", speed_m_per_s);
+}
+
+/// First frequency of a cantilever before a long reservoir, by Ritz with z^2 to z^6. The water's pressure is a sum over
+/// cos(l z), l = (2q - 1) pi/2H; at the frequency w its added mass is 2 rho/(H (l^2 - w^2/c^2)^(1/2)) (Chopra 1967).
+double cantilever(double density_kg_per_m3, double sound_speed_m_per_s) {
+  constexpr int terms = 5;
+  constexpr int points = 2000;
+  const double bending = 25e9 / (1 - 0.2 * 0.2) * std::pow(thickness, 3) / 12;
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(terms, terms);
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(terms, terms);
+  for (int i = 0; i < terms; ++i) {
+    for (int j = 0; j < terms; ++j) {
+      K(i, j) = bending * (i + 2) * (i + 1) * (j + 2) * (j + 1) / (i + j + 1) / std::pow(height, 3);
+      M(i, j) = density_kg_per_m3 * thickness * height / (i + j + 5);
+    }
+  }
+  double omega = 0;
+  for (int turn = 0; turn < 12; ++turn) {
+    Eigen::MatrixXd wet = M;
+    for (int q = 1; q <= 100; ++q) {
+      const double l = (2 * q - 1) * std::numbers::pi / (2 * depth);
+      Eigen::VectorXd share = Eigen::VectorXd::Zero(terms);
+      for (int k = 0; k < points; ++k) {
+        const double z = (k + 0.5) * depth / points;
+        for (int i = 0; i < terms; ++i) share[i] += std::pow(z / height, i + 2) * std::cos(l * z) * depth / points;
+      }
+      wet += 2000 / depth / std::sqrt(l * l - std::pow(omega / sound_speed_m_per_s, 2)) * share * share.transpose();
+    }
+    omega = std::sqrt(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(K, wet).eigenvalues()[0]);
+  }
+  return omega;
+}
+
+class BendingWithSound : public testing::TestWithParam<Wall> {};
+
+TEST_P(BendingWithSound, SwingsAsTheWaveEquationHasIt) {
+  Wall wall = GetParam();
+  const double incompressible = wet_frequency(wall);
+  for (const double c : {1e5, 1440.0, 500.0}) {
+    wall.water = sound(c);
+    const double slower = cantilever(wall.density_kg_per_m3, c) / cantilever(wall.density_kg_per_m3, 1e9);
+    const Swing swing = swing_of(wall, incompressible * slower);
+    EXPECT_NEAR(swing.omega / (incompressible * slower), 1, 1e-3) << c;
+    EXPECT_LT(swing.growth, 1.05) << c;
+    EXPECT_GT(swing.growth, 0.5) << c;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Walls, BendingWithSound,
+                         testing::Values(Wall{}, Wall{.schedule = "improved"},
+                                         Wall{.integrator = "generalized-alpha"},
+                                         Wall{.integrator = "shi", .step_s = 0.001}));
+
+/// Whatever the water weighs beside the wall, and where steps do not resolve its higher modes.
+TEST(LightWallsWithSound, GainNoEnergy) {
+  for (const char* schedule : {"serial", "improved"}) {
+    for (const char* integrator : {"trapezoidal", "generalized-alpha", "shi"}) {
+      for (const double density_kg_per_m3 : {1.0, 100.0}) {
+        const Wall wall{.schedule = schedule,
+                        .integrator = integrator,
+                        .mesh_size_m = 8,
+                        .density_kg_per_m3 = density_kg_per_m3,
+                        .step_s = 0.008,
+                        .water = sound(1440) + ", element_ratio = 0.5",
+                        .duration_s = 8};
+        EXPECT_LT(swing_of(wall, 15).growth, 1.05) << schedule << integrator << density_kg_per_m3;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace blockweir::solid
