@@ -49,40 +49,46 @@ double cantilever(double density_kg_per_m3, double sound_speed_m_per_s) {
   return omega;
 }
 
-class BendingWithSound : public testing::TestWithParam<Wall> {};
+struct Case {
+  Wall wall;
+  double sound_speed_m_per_s;
+};
+
+class BendingWithSound : public testing::TestWithParam<Case> {};
 
 TEST_P(BendingWithSound, SwingsAsTheWaveEquationHasIt) {
-  Wall wall = GetParam();
-  const double incompressible = wet_frequency(wall);
-  for (const double c : {1e5, 1440.0, 500.0}) {
-    wall.water = sound(c);
-    const double slower = cantilever(wall.density_kg_per_m3, c) / cantilever(wall.density_kg_per_m3, 1e9);
-    const Swing swing = swing_of(wall, incompressible * slower);
-    EXPECT_NEAR(swing.omega / (incompressible * slower), 1, 1e-3) << c;
-    EXPECT_LT(swing.growth, 1.05) << c;
-    EXPECT_GT(swing.growth, 0.5) << c;
-  }
+  auto [wall, c] = GetParam();
+  const double slower = cantilever(wall.density_kg_per_m3, c) / cantilever(wall.density_kg_per_m3, 1e9);
+  const double expected = wet_frequency(wall) * slower;
+  wall.water = sound(c);
+  const Swing swing = swing_of(wall, expected);
+  EXPECT_NEAR(swing.omega / expected, 1, 1e-3);
+  EXPECT_LT(swing.growth, 1.05);
+  EXPECT_GT(swing.growth, 0.5);
 }
 
+/// With sound of 1e5 m/s the water is as good as incompressible; at 500 m/s the wall is 1.3 % slower.
 INSTANTIATE_TEST_SUITE_P(Walls, BendingWithSound,
-                         testing::Values(Wall{}, Wall{.schedule = "improved"},
-                                         Wall{.integrator = "generalized-alpha"},
-                                         Wall{.integrator = "shi", .step_s = 0.001}));
+                         testing::Values(Case{{}, 1e5}, Case{{.schedule = "improved"}, 500},
+                                         Case{{.integrator = "generalized-alpha"}, 1440},
+                                         Case{{.integrator = "shi", .step_s = 0.001, .duration_s = 1.2}, 1440},
+                                         Case{{.density_kg_per_m3 = 300}, 1440}));
 
 /// Whatever the water weighs beside the wall, and where steps do not resolve its higher modes.
 TEST(LightWallsWithSound, GainNoEnergy) {
-  for (const char* schedule : {"serial", "improved"}) {
-    for (const char* integrator : {"trapezoidal", "generalized-alpha", "shi"}) {
-      for (const double density_kg_per_m3 : {1.0, 100.0}) {
-        const Wall wall{.schedule = schedule,
-                        .integrator = integrator,
-                        .mesh_size_m = 8,
-                        .density_kg_per_m3 = density_kg_per_m3,
-                        .step_s = 0.008,
-                        .water = sound(1440) + ", element_ratio = 0.5",
-                        .duration_s = 8};
-        EXPECT_LT(swing_of(wall, 15).growth, 1.05) << schedule << integrator << density_kg_per_m3;
-      }
+  for (const char* integrator : {"trapezoidal", "generalized-alpha", "shi"}) {
+    for (const double density_kg_per_m3 : {1.0, 100.0}) {
+      const Wall wall{.schedule = density_kg_per_m3 > 1 ? "serial" : "improved",
+                      .integrator = integrator,
+                      .mesh_size_m = 8,
+                      .density_kg_per_m3 = density_kg_per_m3,
+                      .step_s = 0.008,
+                      .water = sound(1440) + ", element_ratio = 0.5",
+                      .duration_s = 4};
+      const scene::Scene scene = scene::read_text(text_of(wall), "wall").scene;
+      Recorded blocks(scene);
+      run_with_reservoir(scene, blocks);
+      EXPECT_LT(growth_of(blocks.kinetic), 1.05) << integrator << density_kg_per_m3;
     }
   }
 }

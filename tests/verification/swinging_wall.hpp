@@ -72,7 +72,7 @@ class Recorded : public Blocks {
 
 struct Swing {
   double omega;
-  double growth;  ///< largest kinetic energy of the second half over that of the first
+  double growth;  ///< of the kinetic energy
 };
 
 /// What is left of the motion beside the best c0 + c1 cos(w t) + c2 sin(w t).
@@ -86,6 +86,13 @@ inline double left_beside(double omega, const std::vector<double>& moved, double
   return (y - terms * terms.householderQr().solve(y)).norm();
 }
 
+/// Largest of the second half over that of the first.
+inline double growth_of(const std::vector<double>& kinetic) {
+  const auto half = static_cast<std::ptrdiff_t>(kinetic.size() / 2);
+  return *std::max_element(kinetic.end() - half, kinetic.end()) /
+         *std::max_element(kinetic.begin(), kinetic.begin() + half);
+}
+
 inline Swing swing_of(const Wall& wall, double near) {
   const scene::Scene scene = scene::read_text(text_of(wall), "wall").scene;
   Recorded blocks(scene);
@@ -96,9 +103,7 @@ inline Swing swing_of(const Wall& wall, double near) {
     const double left = left_beside(omega, blocks.moved, wall.step_s);
     if (left < least) least = left, swing.omega = omega;
   }
-  const auto half = static_cast<std::ptrdiff_t>(blocks.kinetic.size() / 2);
-  swing.growth = *std::max_element(blocks.kinetic.end() - half, blocks.kinetic.end()) /
-                 *std::max_element(blocks.kinetic.begin(), blocks.kinetic.begin() + half);
+  swing.growth = growth_of(blocks.kinetic);
   return swing;
 }
 
