@@ -95,13 +95,18 @@ void ReservoirModel::look_ahead(const Motions& before, double before_s) {
   for (std::size_t m = 0; m < std::min(before.size(), mean.size()); ++m) {
     mean[m] = ahead_->gamma * accelerations_[m] + (1 - ahead_->gamma) * before[m];
   }
+  const auto ground_until = [&](double end_s) {  // its mean over a window, of the values at both ends
+    const double from_s = end_s - window_s;
+    return Point(ahead_->gamma * stated_acceleration({from_s, end_s}) +
+                 (1 - ahead_->gamma) * stated_acceleration({from_s - window_s, from_s}));
+  };
   for (AnsweringWater& water : waters_) {
     const WaterAnswer& answer = water.answer();
     if (now_s > known_until_s(before_s)) {
-      water.advance(for_modes(answer, mean, stated_acceleration({now_s - window_s, now_s})));
+      water.advance(for_modes(answer, mean, ground_until(now_s)));
     }
     water.look_ahead(for_modes(answer, accelerations_, Point::Zero()),
-                     for_modes(answer, none, stated_acceleration({now_s, now_s + window_s})), *ahead_);
+                     for_modes(answer, none, ground_until(now_s + window_s)), *ahead_);
   }
 }
 
