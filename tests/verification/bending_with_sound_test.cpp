@@ -93,5 +93,23 @@ TEST(LightWallsWithSound, GainNoEnergy) {
   }
 }
 
+/// Motion of the wall beside that of its ground, at the end.
+double shaken(const char* form) {
+  const Wall wall{.mesh_size_m = 8, .step_s = 0.004, .water = sound(1440) + ", element_ratio = 0.5", .duration_s = 1.2};
+  const scene::Scene scene =
+      scene::read_text(text_of(wall) + "[base_motion]\nform = \"" + form +
+                           "\"\nacceleration_x_m_per_s2 = { table = [[0, 0], [0.3, 1], [0.6, -1], [0.9, 0]] }\n",
+                       "shaken")
+          .scene;
+  Blocks blocks(scene);
+  run_with_reservoir(scene, blocks);
+  return blocks.solid.states()[1].displacement[0] - blocks.solid.states()[0].displacement[0];
+}
+
+TEST(GroundBeforeSound, ShakesAWallAlikeInBothForms) {
+  const double relative = shaken("inertia");
+  EXPECT_NEAR(shaken("support"), relative, 0.005 * std::abs(relative));
+}
+
 }  // namespace
 }  // namespace blockweir::solid
