@@ -74,22 +74,19 @@ INSTANTIATE_TEST_SUITE_P(Walls, BendingWithSound,
                                          Case{{.integrator = "shi", .step_s = 0.001, .duration_s = 1.2}, 1440},
                                          Case{{.density_kg_per_m3 = 300}, 1440}));
 
-/// Whatever the water weighs beside the wall, and where steps do not resolve its higher modes.
+/// Where the water is far heavier than the wall, and steps do not resolve the wall's higher modes.
 TEST(LightWallsWithSound, GainNoEnergy) {
   for (const char* integrator : {"trapezoidal", "generalized-alpha", "shi"}) {
-    for (const double density_kg_per_m3 : {1.0, 100.0}) {
-      const Wall wall{.schedule = density_kg_per_m3 > 1 ? "serial" : "improved",
-                      .integrator = integrator,
-                      .mesh_size_m = 8,
-                      .density_kg_per_m3 = density_kg_per_m3,
-                      .step_s = 0.008,
-                      .water = sound(1440) + ", element_ratio = 0.5",
-                      .duration_s = 4};
-      const scene::Scene scene = scene::read_text(text_of(wall), "wall").scene;
-      Recorded blocks(scene);
-      run_with_reservoir(scene, blocks);
-      EXPECT_LT(growth_of(blocks.kinetic), 1.05) << integrator << density_kg_per_m3;
-    }
+    const Wall wall{.integrator = integrator,
+                    .mesh_size_m = 8,
+                    .density_kg_per_m3 = 1,
+                    .step_s = 0.008,
+                    .water = sound(1440) + ", element_ratio = 0.5",
+                    .duration_s = 4};
+    const scene::Scene scene = scene::read_text(text_of(wall), "wall").scene;
+    Recorded blocks(scene);
+    run_with_reservoir(scene, blocks);
+    EXPECT_LT(growth_of(blocks.kinetic), 1.05) << integrator;
   }
 }
 
