@@ -35,7 +35,7 @@ std::array<double, 2> levels_of(const wire::Load& load) {
 }  // namespace
 
 ReservoirModel::ReservoirModel(const scene::Scene& scene, const std::filesystem::path& folder)
-    : scene_(scene), still_(scene) {
+    : scene_(scene), shaking_(scene), still_(scene) {
   if (scene::flows_in_joints(scene) && !folder.empty()) flow_.emplace(scene, folder);
   if (scene.output.reservoir && !folder.empty()) pictures_.emplace(scene, folder);
   for (const scene::Block& block : scene.blocks) fixed_.push_back(block.fixed);
@@ -97,8 +97,8 @@ void ReservoirModel::look_ahead(const Motions& before, double before_s) {
   }
   const auto ground_until = [&](double end_s) {  // its mean over a window, of the values at both ends
     const double from_s = end_s - window_s;
-    return Point(ahead_->gamma * stated_acceleration({from_s, end_s}) +
-                 (1 - ahead_->gamma) * stated_acceleration({from_s - window_s, from_s}));
+    return Point(ahead_->gamma * shaking_.stated_acceleration({from_s, end_s}) +
+                 (1 - ahead_->gamma) * shaking_.stated_acceleration({from_s - window_s, from_s}));
   };
   for (AnsweringWater& water : waters_) {
     const WaterAnswer& answer = water.answer();
@@ -130,36 +130,19 @@ void ReservoirModel::take_accelerations(const wire::Motion& motion, const scene:
     }
     ground_ = ground_acceleration(window);
   }
-  if (shaken_steadily()) ground_ = steady_acceleration();
+  if (shaking_.is_steady()) ground_ = shaking_.steady_acceleration();
   velocities_ = std::move(velocities);
   time_s_ = window.to_s;
   told_ = true;
-}
-
-/// A pseudo-static earthquake: loads of all that can move, as by ground that accelerates the other way.
-bool ReservoirModel::shaken_steadily() const {
-  return scene_.water.earthquake_coefficient != 0 && scene_.water.added_water == scene::AddedWater::reservoir;
-}
-
-Point ReservoirModel::steady_acceleration() const {
-  return -scene_.analysis.gravity_m_per_s2 *
-         Point(scene_.water.earthquake_coefficient, scene_.water.earthquake_vertical_coefficient);
 }
 
 Point ReservoirModel::ground_acceleration(const scene::TimeSpan& window) const {
   if (!scene_.base_motion) return Point::Zero();
   const auto ground = std::find(fixed_.begin(), fixed_.end(), true);
   if (scene_.base_motion->form == scene::BaseForm::inertia || ground == fixed_.end()) {
-    return stated_acceleration(window);
+    return shaking_.stated_acceleration(window);
   }
   return accelerations_[static_cast<std::size_t>(ground - fixed_.begin())].head<2>();
-}
-
-Point ReservoirModel::stated_acceleration(const scene::TimeSpan& window) const {
-  if (shaken_steadily()) return steady_acceleration();
-  if (!scene_.base_motion) return Point::Zero();
-  return {scene_.base_motion->acceleration_x_m_per_s2.at(window),
-          scene_.base_motion->acceleration_y_m_per_s2.at(window)};
 }
 
 /// Has a corner, or a level, moved by more than a share of the depth since the water was solved for? Water that
@@ -236,8 +219,7 @@ void ReservoirModel::mesh_anew(const hydrostatic::HydrostaticModel& water, const
 
 Eigen::VectorXd ReservoirModel::for_modes(const WaterAnswer& answer, const Motions& motions,
                                           const Point& ground) const {
-  const bool inertia =
-      shaken_steadily() || (scene_.base_motion && scene_.base_motion->form == scene::BaseForm::inertia);
+  const bool inertia = shaking_.is_in_frame_of_ground();
   Eigen::VectorXd a(static_cast<Eigen::Index>(answer.modes.size()));
   for (std::size_t k = 0; k < answer.modes.size(); ++k) {
     const auto [motion, axis] = answer.modes[k];

@@ -11,6 +11,7 @@
 #include "fluid/reservoir/guarded_mass.hpp"
 #include "fluid/reservoir/mesh_motion.hpp"
 #include "fluid/reservoir/reservoir_output.hpp"
+#include "fluid/reservoir/shaking.hpp"
 
 namespace blockweir::reservoir {
 
@@ -42,21 +43,19 @@ class ReservoirModel final : public schedule::FluidSide {
 
   void take_accelerations(const wire::Motion& motion, const scene::TimeSpan& window);
   [[nodiscard]] Point ground_acceleration(const scene::TimeSpan& window) const;
-  [[nodiscard]] Point stated_acceleration(const scene::TimeSpan& window) const;
   [[nodiscard]] bool outdated(double window_s) const;
   void solve(const hydrostatic::HydrostaticModel& water);
   bool move_meshes(const hydrostatic::HydrostaticModel& water, const FaceMotions& moves);
   void mesh_anew(const hydrostatic::HydrostaticModel& water, const FaceMotions& moves);
   void solve_again(Geometry then);
   [[nodiscard]] bool moves() const;
-  [[nodiscard]] bool shaken_steadily() const;
-  [[nodiscard]] Point steady_acceleration() const;
   /// One a mode: of motions and of the ground.
   [[nodiscard]] Eigen::VectorXd for_modes(const WaterAnswer& answer, const Motions& motions, const Point& ground) const;
   [[nodiscard]] double known_until_s(double told_s) const;
   void look_ahead(const Motions& before, double before_s);
 
   const scene::Scene& scene_;
+  const Shaking shaking_;
   hydrostatic::HydrostaticModel still_;
   wire::Load still_load_;
   std::optional<joints::FlowOutput> flow_;
