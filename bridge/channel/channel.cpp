@@ -112,7 +112,7 @@ struct Channel::Line {
         const std::string met = monitor.strangers() > 0      ? fmt::format("{} other clients have", monitor.strangers())
                                 : !monitor.refusal().empty() ? "a client that left during the handshake has"
                                                              : "";
-        throw PeerError(fmt::format("{} has not come to {} within {:.3g} s{}; is it running, with the same {}?",
+        throw PeerError(fmt::format("{} has not connected to {} within {:.3g} s{}; is it running, with the same {}?",
                                     options.partner, options.endpoint, options.open_timeout_s,
                                     met.empty() ? "" : ", but " + met,
                                     options.keys.empty() ? "--endpoint" : "--endpoint, and --keys of the same make"));
@@ -195,7 +195,7 @@ struct Channel::Line {
         wire::decode(frame, failure);
         throw PeerError(fmt::format("{} stopped {}: {}", options.partner, moment, failure.text));
       }
-      if (got != kind) throw wire::BadMessage("a message of another kind than was due");
+      if (got != kind) throw wire::BadMessage("a message of another kind than the one expected");
       incoming.decode(frame, into);
     } catch (const wire::BadMessage& bad) {
       refuse(fmt::format("{} sent {} ({})", options.partner, bad.what(), moment));

@@ -191,7 +191,7 @@ class QueuedWork {
         "--engine slurm: {} jobs in a row have left the queue without an answer, {} of {} are missing; {}; see "
         "the logs in {}, and whether all machines see that folder and {}; the same command continues",
         vain, missing_.size(), digests_.size(),
-        words.empty() ? "the tasks have said nothing" : "the last words of a task are \"" + words + "\"",
+        words.empty() ? "the tasks have written no message" : "the last message of a task is \"" + words + "\"",
         logs_.string(), fs::read_symlink("/proc/self/exe").string()));
   }
 

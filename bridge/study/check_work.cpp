@@ -31,7 +31,10 @@ StudyTask named_task(const json& item) {
   for (const auto& map : studies.maps) {
     if (map.name == name) return map_task(item["brief"].get<bool>() ? thinned(map) : map);
   }
-  throw std::runtime_error(fmt::format("{}: the study \"{}\" is gone; start the command again", scene.string(), name));
+  throw std::runtime_error(
+      fmt::format("{}: the scene has no study \"{}\" any more: its file has changed since the command began; start the "
+                  "command again",
+                  scene.string(), name));
 }
 
 json done_study(const json& item) {

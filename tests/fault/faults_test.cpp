@@ -115,7 +115,7 @@ TEST_F(Faults, ATakenEndpointIsRefused) {
   EXPECT_EQ(shell(programs + "/blockweir-solid " + cases + "monolith-slides --out b" + end), 1);
   EXPECT_THAT(text("out"), HasSubstr("another process listens there already"));
   EXPECT_EQ(end_of(first, 20), 1);
-  EXPECT_THAT(text("first"), HasSubstr("has not come to ipc://"));
+  EXPECT_THAT(text("first"), HasSubstr("has not connected to ipc://"));
 }
 
 TEST_F(Faults, ABadSceneEndsWithStatusTwoAndWritesNothing) {

@@ -117,7 +117,7 @@ void check_answer(TableReader& table, const Reading& reading, const Expectation&
   const bool about_nothing =
       (quantity == nullptr || quantity->of == Subject::none) && (formula == nullptr || formula->of == Subject::none);
   if (!e.of.empty() && about_nothing) {
-    report("of", "has no effect: the figure speaks of the whole scene", "a figure of a part of the scene",
+    report("of", "has no effect: the quantity is one of the whole scene", "a quantity of a part of the scene",
            "leave of out, or use another quantity");
   }
   if (e.at_m && quantity != nullptr && !quantity->at_point) {
