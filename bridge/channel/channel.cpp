@@ -109,13 +109,13 @@ struct Channel::Line {
                         options.partner, options.endpoint, monitor.refusal()));
       }
       if (seconds_since(start) > options.open_timeout_s) {
-        const std::string met = monitor.strangers() > 0      ? fmt::format("{} other clients have", monitor.strangers())
-                                : !monitor.refusal().empty() ? "a client that left during the handshake has"
+        const std::string met = monitor.strangers() > 0      ? fmt::format("{} other clients were", monitor.strangers())
+                                : !monitor.refusal().empty() ? "a client that left during the handshake was"
                                                              : "";
-        throw PeerError(fmt::format("{} has not connected to {} within {:.3g} s{}; is it running, with the same {}?",
-                                    options.partner, options.endpoint, options.open_timeout_s,
-                                    met.empty() ? "" : ", but " + met,
-                                    options.keys.empty() ? "--endpoint" : "--endpoint, and --keys of the same make"));
+        throw PeerError(fmt::format(
+            "no connection with the {} at {} within {:.3g} s{}; is it running, with the same {}?", options.partner,
+            options.endpoint, options.open_timeout_s, met.empty() ? "" : " (" + met + " there)",
+            options.keys.empty() ? "--endpoint" : "--endpoint, and --keys of the same make"));
       }
     }
   }

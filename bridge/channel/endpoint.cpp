@@ -42,7 +42,8 @@ bool is_tcp(const std::string& endpoint) {
 
 void check_endpoint(const std::string& endpoint, bool listens, bool may_come) {
   const std::string ipc = "ipc://";
-  const auto refuse = [&](const std::string& why) { throw PeerError(fmt::format("endpoint {}: {}", endpoint, why)); };
+  const auto text = [&](const std::string& why) { return fmt::format("endpoint {}: {}", endpoint, why); };
+  const auto refuse = [&](const std::string& why) { throw std::invalid_argument(text(why)); };
   if (is_tcp(endpoint)) {
     const auto colon = endpoint.rfind(':');
     const std::string port = endpoint.substr(colon + 1);
@@ -75,10 +76,11 @@ void check_endpoint(const std::string& endpoint, bool listens, bool may_come) {
   if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
     refuse("there is no folder " + folder.string() + "; make it, or choose another path");
   if (!listens) return;
-  if (somebody_listens(address)) refuse("another process listens there already; choose another --endpoint");
+  if (somebody_listens(address))
+    throw PeerError(text("another process listens there already; choose another --endpoint"));
   const auto there = std::filesystem::symlink_status(path, ignored);
   if (std::filesystem::exists(there) && !std::filesystem::is_socket(there)) {
-    refuse("there is a file that is no socket; choose another --endpoint");
+    throw PeerError(text("there is a file that is no socket; choose another --endpoint"));
   }
   std::filesystem::remove(path, ignored);  // a former run's
 }

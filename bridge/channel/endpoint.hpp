@@ -8,9 +8,9 @@ namespace blockweir::channel {
 
 [[nodiscard]] bool is_tcp(const std::string& endpoint);
 
-/// Throws PeerError for an endpoint that is not ipc://PATH or tcp://HOST:PORT, an ipc path that is too long or whose
-/// folder is missing, and, if `listens`, one where a live process listens. Removes a stale ipc file. Throws
-/// std::invalid_argument for a tcp port that other machines can reach, unless `may_come`.
+/// Throws std::invalid_argument for an endpoint that is not ipc://PATH or tcp://HOST:PORT, an ipc path that is too long
+/// or whose folder is missing, and a tcp port that other machines can reach, unless `may_come`. If `listens`, throws
+/// PeerError for an ipc path where a live process listens or a file is, and removes a stale ipc file.
 void check_endpoint(const std::string& endpoint, bool listens, bool may_come);
 
 }  // namespace blockweir::channel

@@ -4,6 +4,17 @@
 #include <fmt/format.h>
 
 namespace blockweir::channel {
+namespace {
+
+const char* remedy(const wire::Hello& ours, const wire::Hello& theirs) {
+  if (ours.protocol != theirs.protocol) return "; use the same version of blockweir on both sides";
+  if (ours.scene_digest != theirs.scene_digest) {
+    return "; the two have read different scenes: give both the same scene file and the same --set";
+  }
+  return ours.first_window == theirs.first_window ? "" : "; give both the same --resume";
+}
+
+}  // namespace
 
 std::string compare(const wire::Hello& ours, const wire::Hello& theirs) {
   std::string text;
@@ -20,13 +31,13 @@ std::string compare(const wire::Hello& ours, const wire::Hello& theirs) {
   differ("duration_s", ours.duration_s, theirs.duration_s);
   differ("first window", ours.first_window, theirs.first_window);
   differ("number of blocks", ours.block_names.size(), theirs.block_names.size());
-  if (ours.block_names.size() != theirs.block_names.size()) return text;
+  if (ours.block_names.size() != theirs.block_names.size()) return text + remedy(ours, theirs);
   for (std::size_t b = 0; b < ours.block_names.size(); ++b)
     differ("block name", ours.block_names[b], theirs.block_names[b]);
   if (ours.vertex_counts != theirs.vertex_counts || ours.vertices_m != theirs.vertices_m) {
     text += std::string(text.empty() ? "" : "; ") + "outlines of the blocks differ";
   }
-  return text;
+  return text.empty() ? text : text + remedy(ours, theirs);
 }
 
 std::string printable(std::string name) {

@@ -2,21 +2,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
-#include "bridge/reliability/refused_draws.hpp"
+#include "bridge/launch/scene_parts.hpp"
 #include "bridge/results/counted.hpp"
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/check.hpp"
-#include "bridge/scene/read/collected_errors.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/scene/touching_pairs.hpp"
-#include "bridge/study/load_case_scene.hpp"
-#include "bridge/study/open_study.hpp"
-#include "bridge/study/study.hpp"
-#include "bridge/validate/bench.hpp"
 
 namespace blockweir::launch {
 namespace {
@@ -29,49 +25,18 @@ struct CheckOptions {
   bool strict = false;
 };
 
-/// Adds the warnings of a variant or load case that the scene itself does not have; the entry is at `line`.
-void add_warnings(const scene::ReadScene& read, const std::string& whose, int line,
-                  std::vector<scene::Diagnostic> warnings, std::vector<scene::Diagnostic>& all) {
-  for (scene::Diagnostic& warning : warnings) {
-    const auto same = [&](const scene::Diagnostic& other) { return other.message() == warning.message(); };
-    if (std::any_of(read.warnings.begin(), read.warnings.end(), same)) continue;
-    if (warning.line != line) warning.found = fmt::format("{}: {}", whose, warning.found);
-    all.push_back(std::move(warning));
-  }
-}
-
 int check(const CheckOptions& options) {
   const std::filesystem::path& path = options.scene;
   const auto& overrides = options.overrides;
   const scene::ReadScene read = scene::read(path, overrides);
+  SceneParts parts = check_parts(read, path, overrides);
   std::vector<scene::Diagnostic> warnings = read.warnings;
-  std::size_t studies = 0;
-  scene::CollectedErrors wrong;  // of variants, load cases and studies: each is a scene of its own
-  for (const scene::Variant& variant : read.scene.variants) {
-    wrong.from([&] {
-      add_warnings(read, fmt::format("variant \"{}\"", variant.name), variant.line,
-                   scene::read_variant(path, variant.name, overrides).warnings, warnings);
-    });
-  }
-  for (const scene::LoadCase& load_case : read.load_cases) {
-    wrong.from([&] {
-      const scene::ReadScene set = study::load_case_scene(load_case, path, overrides);
-      add_warnings(read, fmt::format("load case \"{}\"", load_case.name), load_case.line, set.warnings, warnings);
-      if (auto idle = study::idle_load_case(load_case, read.scene, set.scene)) warnings.push_back(std::move(*idle));
-      for (auto& missed : study::missed_joints(load_case, set.scene)) warnings.push_back(std::move(missed));
-    });
-  }
-  wrong.from([&] { studies += study::study_tasks(path, overrides).size(); });
-  wrong.from([&] { studies += study::open_study_tasks(path, overrides, /*jobs=*/1).size(); });
-  wrong.from([&] { study::bench_settings(path, overrides); });
-  wrong.from([&] {
-    for (auto& warning : study::refused_draws(path, read, overrides)) warnings.push_back(std::move(warning));
-  });
+  std::move(parts.warnings.begin(), parts.warnings.end(), std::back_inserter(warnings));
   for (const auto& note : read.notes) fmt::print(stderr, "{}", results::for_stderr(note.text() + "\n"));
   if (!options.strict) {
     for (const auto& warning : warnings) fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));
   }
-  wrong.report();
+  parts.wrong.report();
   if (options.strict) scene::refuse_warnings(warnings);
   const scene::Scene& s = read.scene;
   const auto touching = scene::touching_pairs(s, scene::rounding_ratio * scene::structure_size_m(s.blocks));
@@ -83,7 +48,7 @@ int check(const CheckOptions& options) {
       warnings.empty() ? "" : fmt::format(", with {} warning{}", warnings.size(), warnings.size() == 1 ? "" : "s"),
       counted(s.blocks.size(), "block"), counted(touching.size(), "joint"), named,
       counted(s.variants.size(), "variant"), counted(read.load_cases.size(), "load case"),
-      counted(studies, "study", "studies"), s.analysis.duration_s, s.analysis.step_s);
+      counted(parts.studies, "study", "studies"), s.analysis.duration_s, s.analysis.step_s);
   const std::string figures = fmt::format(
       "structure of {:.4g} m: failure_displacement_m = {:.3g}, rest_speed_m_per_s = {:.3g}, penetration_tolerance_m = "
       "{:.3g}{}\n",

@@ -3,6 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/run_and_report.hpp"
+#include "bridge/launch/scene_parts.hpp"
 
 namespace blockweir::launch {
 
@@ -20,7 +21,10 @@ Work run_command(CLI::App& app) {
   app.add_flag("--strict", options->strict, "treat warnings as errors; a scene that has any is not run");
   app.add_flag("--trace", options->trace, "record when each side computes and waits, for \"blockweir trace\"");
   app.add_flag("--quiet", options->quiet, "show no progress");
-  return [options] { return run_and_report([&] { return process::run(*options); }); };
+  return [options] {
+    require_sound_parts(options->scene);
+    return run_and_report([&] { return process::run(*options); });
+  };
 }
 
 }  // namespace blockweir::launch

@@ -7,6 +7,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/process/program.hpp"
 #include "bridge/results/result_file.hpp"
+#include "bridge/scene/loose_blocks.hpp"
 #include "bridge/scene/read/read.hpp"
 
 namespace {
@@ -21,7 +22,8 @@ std::unique_ptr<schedule::FluidSide> still_water(const scene::Scene& of, const s
 /// Of one line of settings, a list of "key=value".
 json capacity_of(const std::string& scene, const std::string& line, process::Capacity by) {
   try {
-    const scene::Scene sample = scene::read(scene, json::parse(line).get<std::vector<std::string>>()).scene;
+    scene::Scene sample = scene::read(scene, json::parse(line).get<std::vector<std::string>>()).scene;
+    scene::hold_loose_blocks(sample);
     return process::capacity_answer(sample, still_water, by);
   } catch (const scene::SceneError& error) {
     return {{"outcome", "refused"}, {"trouble", error.what()}};
@@ -65,6 +67,7 @@ int main(int argc, char** argv) {
     if (answer.empty()) throw std::invalid_argument("--answer is required: the file for the answer (JSON)");
     scene::Scene asked = scene::read(scene).scene;
     if (moment_s) asked.analysis.duration_s = *moment_s;
+    const std::string loose = scene::hold_loose_blocks(asked);
     const auto answered = [&]() -> json {
       if (question == "level") return process::level_answer(asked, still_water);
       if (question == "safety") return process::safety_answer(asked, still_water);
@@ -72,7 +75,9 @@ int main(int argc, char** argv) {
       if (question == "water") return process::water_answer(asked, still_water);
       return process::modes_answer(asked, still_water, reservoir::mass_on_faces);
     };
-    results::replace_file(answer, answered().dump(2) + "\n");
+    json found = answered();
+    if (!loose.empty() && question != "margin") found["warnings"].push_back(loose);  // a run names them itself
+    results::replace_file(answer, found.dump(2) + "\n");
     return 0;
   });
 }

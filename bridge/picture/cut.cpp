@@ -41,7 +41,7 @@ void draw(const scene::Scene& scene, const std::filesystem::path& out) {
   const double aspect = std::clamp(span.y() / span.x(), 0.2, 3.0);
   std::string script = fmt::format(
       "set title {}\nset size ratio -1\nunset key\n"
-      "set tics out nomirror\nset xlabel 'x (m)'\nset ylabel 'y (m)'\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
+      "set tics out nomirror\nset xlabel 'x (m)'\nset ylabel 'elevation (m)'\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
       gnuplot_title(scene.title, 1200), all.low.x() - edge.x(), all.high.x() + edge.x(), all.low.y() - edge.y(),
       all.high.y() + edge.y());
   int number = 0;

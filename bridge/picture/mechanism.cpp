@@ -42,17 +42,6 @@ std::vector<Point> displaced(const std::vector<Point>& outline, const Eigen::Vec
   return moved;
 }
 
-/// Box around the moving blocks, with a third of its size of ground around it.
-Bounds view_around(const scene::Scene& scene) {
-  std::vector<Point> movable;
-  for (const scene::Block& block : scene.blocks) {
-    if (!block.fixed) movable.insert(movable.end(), block.vertices.begin(), block.vertices.end());
-  }
-  Bounds view = geometry::bounds_of(movable);
-  const Point margin = Point::Constant(view.size() / 3);
-  return {view.low - margin, view.high + margin};
-}
-
 std::string reservoir(const Bounds& view, const scene::Scene& scene, double level_m) {
   const double face = pictured_structure(scene).low.x();
   return fmt::format(
@@ -63,9 +52,21 @@ std::string reservoir(const Bounds& view, const scene::Scene& scene, double leve
 
 }  // namespace
 
+Bounds mechanism_view(const scene::Scene& scene, const json& mechanism) {
+  const std::map<std::string, Eigen::Vector3d> motions = motions_of(mechanism);
+  const Bounds structure = pictured_structure(scene);
+  std::vector<Point> shown{structure.low, structure.high};
+  for (const scene::Block& block : scene.blocks) {
+    if (motions.contains(block.name)) shown.insert(shown.end(), block.vertices.begin(), block.vertices.end());
+  }
+  const Bounds view = geometry::bounds_of(shown);
+  const Point margin = Point::Constant(view.size() / 3);
+  return {view.low - margin, view.high + margin};
+}
+
 void draw_mechanism(const scene::Scene& scene, const json& mechanism, const std::optional<double>& level_m,
                     const std::filesystem::path& out) {
-  const Bounds view = view_around(scene);
+  const Bounds view = mechanism_view(scene, mechanism);
   const Point span = view.high - view.low;
   const double aspect = std::clamp(span.y() / span.x(), 0.3, 2.0);
   std::string script = fmt::format(

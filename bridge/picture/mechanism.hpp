@@ -6,9 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bridge/geometry/outline.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::picture {
+
+/// What the drawing shows: the structure without its wide rock, all blocks that move, and a third of their size around
+/// them.
+[[nodiscard]] geometry::Bounds mechanism_view(const scene::Scene& scene, const nlohmann::json& mechanism);
 
 /// `mechanism`: from the answer of `blockweir-limit`; `level_m`: of the reservoir, if there is one. Throws
 /// std::runtime_error if gnuplot is missing.

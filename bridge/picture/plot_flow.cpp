@@ -120,7 +120,7 @@ Panel map_of_joints(const Rows& rows, double time_s, const History& history) {
   }
   return {fmt::format("$joints << EOD\n{}EOD\n", lines),
           fmt::format("unset key\nset size ratio -1\nset palette defined (0 '#dddddd', 0.01 '#9ecae1', 1 '#08306b')\n"
-                      "set title '{}: pressure in joints (kPa)'\nset xlabel 'x (m)'\nset ylabel 'y (m)'\n"
+                      "set title '{}: pressure in joints (kPa)'\nset xlabel 'x (m)'\nset ylabel 'elevation (m)'\n"
                       "plot $joints using 1:2:3 with lines lc palette lw 2\nset size noratio\nunset title\n",
                       title(history, time_s))};
 }

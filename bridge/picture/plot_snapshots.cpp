@@ -230,7 +230,7 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.12, 2.0);
   const std::string axes =
       "set size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\nset xlabel 'x (m)'\n"
-      "set ylabel 'y (m)'\n";
+      "set ylabel 'elevation (m)'\n";
   const double breached_s =
       summary.contains("breach") ? summary["breach"]["time_s"].get<double>() : std::numeric_limits<double>::infinity();
   const auto flow_at = [&](const json& frame) {

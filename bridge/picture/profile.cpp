@@ -109,7 +109,7 @@ Picture picture_of(const std::vector<Side>& sides, const std::filesystem::path& 
     ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", sides[i].name, -static_cast<double>(i));
   }
   return {file, 1100, 520,
-          fmt::format("set xlabel 'wall time [s]'\nset ytics ({})\nset yrange [{}:0.6]\n"
+          fmt::format("set xlabel 'wall time (s)'\nset ytics ({})\nset yrange [{}:0.6]\n"
                       "set key outside right top\nset xrange [0:*]\nset border 3\nset tics nomirror\nplot {}\n{}",
                       ticks, -static_cast<double>(sides.size()) + 0.4, curves, data)};
 }

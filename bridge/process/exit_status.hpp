@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -58,6 +59,10 @@ int exit_status(const char* program, Work work) noexcept {
   } catch (const Stopped& stopped) {
     say(stopped);
     return stopped_status;
+  } catch (const std::bad_alloc&) {
+    std::fputs(program, stderr);
+    std::fputs(": not enough memory; make the model smaller, or raise the limit (ulimit -v)\n", stderr);
+    return 1;
   } catch (const std::system_error& error) {
     if (error.code().value() == EPIPE && reader_is_gone()) return closed_pipe;
     say(error);

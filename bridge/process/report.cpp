@@ -80,6 +80,7 @@ std::string report(const RunResult& result) {
     text += fmt::format("FACTOR  {}\n", s["limit_analysis"]["text"].get<std::string>());
   }
   if (s.contains("rest")) text += fmt::format("STATIC  {}\n", s["rest"]["text"].get<std::string>());
+  if (s.contains("loose")) text += fmt::format("LOOSE   {}\n", s["loose"]["text"].get<std::string>());
   if (s.contains("breach")) {
     text +=
         fmt::format("BREACH  after {} s: {}\n", number(s["breach"]["time_s"]), s["breach"]["text"].get<std::string>());

@@ -229,7 +229,7 @@ void draw_reliability(const json& answer, const std::filesystem::path& folder) {
   if (!rows.empty()) {
     draw_study(
         folder / "fragility.png", "Fragility curve",
-        fmt::format("set xlabel 'level of the reservoir, m'\nset ylabel 'probability of failure, 1'\nset yrange "
+        fmt::format("set xlabel 'level of the reservoir (m)'\nset ylabel 'probability of failure'\nset yrange "
                     "[0:1]\nset key outside bottom horizontal\nset grid\nset arrow from {0},0 to {0},1 nohead lc "
                     "rgb '#c00000'\n$curve << EOD\n{1}EOD\nplot $curve using 1:3:4 with filledcurves lc rgb "
                     "'#b8cce4' title '95 % interval', $curve using 1:2 with lines lw 2 lc rgb '#204a87' title "
@@ -246,7 +246,7 @@ void draw_reliability(const json& answer, const std::filesystem::path& folder) {
   }
   draw_study(
       folder / "sobol.png", "What the level of failure depends on",
-      fmt::format("set style data histogram\nset style fill solid 0.8\nset ylabel 'Sobol''s index, 1'\nset yrange "
+      fmt::format("set style data histogram\nset style fill solid 0.8\nset ylabel 'Sobol''s index'\nset yrange "
                   "[0:*]\nset key outside bottom horizontal\nset grid y\nset xtics ({})\n$bars << EOD\n{}EOD\n"
                   "plot $bars using 1 lc rgb '#204a87' title 'alone', '' using 2 lc rgb '#8fb0d9' title 'in all'\n",
                   names, bars));

@@ -124,6 +124,12 @@ picture::ReportParts parts_of(const fs::path& run, const std::string& program, c
 
 int write_report(const ReportOptions& options) {
   if (!options.out.empty()) results::require_writable_file("--out", options.out);
+  constexpr double page_mb = 2;
+  const fs::path run_folder = options.run.empty() ? fs::path(".") : options.run;
+  results::require_room(!options.out.empty()              ? options.out
+                        : process::is_run(options.source) ? options.source
+                                                          : run_folder,
+                        page_mb);
   const json kept = options.reliability.empty() ? json() : kept_reliability(options.reliability);
   fs::path run = options.source;
   std::optional<process::TemporaryFolder> scratch;

@@ -54,4 +54,19 @@ void require_writable_file(const char* option, const fs::path& file) {
       fmt::format("{} {}: {}; expected a file that can be written; choose another", option, file.string(), found));
 }
 
+void require_room(const fs::path& place, double mb) {
+  fs::path there = fs::absolute(place);
+  std::error_code error;
+  while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_regular_file(there, error) && !fs::is_directory(there, error)) return;  // a device, a pipe
+  const fs::space_info room = fs::space(there, error);
+  if (error) return;  // some network disks do not tell
+  const double free_mb = static_cast<double>(room.available) / 1e6;
+  if (free_mb >= mb) return;
+  throw std::runtime_error(
+      fmt::format("no room is left on the disk that holds {}: {:.2g} MB are free, expected at least {:.2g} MB; free "
+                  "some, or choose another place with --out",
+                  place.string(), free_mb, mb));
+}
+
 }  // namespace blockweir::results

@@ -13,4 +13,8 @@ void make_folder(const std::filesystem::path& folder);
 /// Throws std::invalid_argument with one line for the user if `file`, given as `option`, cannot be written.
 void require_writable_file(const char* option, const std::filesystem::path& file);
 
+/// Throws std::runtime_error with one line for the user if less than `mb` are free on the disk that holds `place`, or
+/// will hold it. To be asked before work whose result is to be kept there.
+void require_room(const std::filesystem::path& place, double mb);
+
 }  // namespace blockweir::results

@@ -24,12 +24,16 @@ class Names {
     return found == index_.end() ? -1 : found->second;
   }
   [[nodiscard]] const std::vector<std::string>& list() const { return list_; }
+  /// Some names are missing because what makes them is wrong: a name that is not found may be one of them.
+  void set_incomplete() { complete_ = false; }
+  [[nodiscard]] bool complete() const { return complete_; }
   [[nodiscard]] const std::string& kind() const { return kind_; }
 
  private:
   std::string kind_;
   std::vector<std::string> list_;
   std::unordered_map<std::string, int> index_;
+  bool complete_ = true;
 };
 
 }  // namespace blockweir::scene

@@ -23,6 +23,10 @@ std::string load_factor_text(const json& found) {
     std::replace(names.begin(), names.end(), std::string("[earthquake]"), std::string("the inertia of [earthquake]"));
     return fmt::format("{}", fmt::join(names, " and "));
   };
+  if (found["factor"].is_null()) {
+    return fmt::format("no part of {}, by limit analysis: what is held as stated is too much by itself: {}",
+                       list("loads"), list("constant"));
+  }
   return fmt::format("{:.5g} times {}, by limit analysis; held as stated: {}", found["factor"].get<double>(),
                      list("loads"), list("constant"));
 }
@@ -58,8 +62,11 @@ std::string factors_text(const json& cases) {
     if (c.contains("friction_history")) add_line("factor: ", c["friction_history"]);
     if (c.contains("stopped")) add_line("a lower bound, ", c["stopped"]);
     if (c.contains("water_factor")) {
-      add_line("it bears ", fmt::format("{:.5g} times what the water presses, by limit analysis",
-                                        c["water_factor"]["factor"].get<double>()));
+      const json& factor = c["water_factor"]["factor"];
+      add_line("it bears ", factor.is_null()
+                                ? "nothing of what the water presses, by limit analysis: what acts beside it is "
+                                  "too much by itself"
+                                : scaled(factor, "{:.5g} times what the water presses, by limit analysis"));
     }
     if (c.contains("load_factor")) {
       add_line("it bears ", load_factor_text(c["load_factor"]));
@@ -127,7 +134,7 @@ std::string joints_text(const json& answer) {
   }
   if (joints.empty()) return {};
   constexpr const char* forces = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n";
-  constexpr const char* stresses = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9}\n";
+  constexpr const char* stresses = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n";
   std::string text = fmt::format("\njoints that run through, {}{}\n", answer["name"].get<std::string>(),
                                  answer.contains("joints_with_strength_times")
                                      ? fmt::format(", with {:.4g} times the strength, as it does not stand",
@@ -140,11 +147,13 @@ std::string joints_text(const json& answer) {
                         scaled(j["moment_n"], "{:.1f}", 1e-3), scaled(j["sliding_factor"], "{:.4g}"),
                         scaled(j["residual_sliding_factor"], "{:.4g}"));
   }
-  text += fmt::format(fmt::runtime(stresses), "joint", "result.", "pressed m", "crack m", "heel kPa", "toe kPa");
+  text += fmt::format(fmt::runtime(stresses), "joint", "result.", "pressed m", "crack m", "bonded m", "heel kPa",
+                      "toe kPa");
   for (const json& j : joints) {
     text += fmt::format(fmt::runtime(stresses), beside(j["name"], 20), scaled(j["resultant_from_downstream"], "{:.4f}"),
                         scaled(j["compressed_length_m"], "{:.3f}"), scaled(j["cracked_length_m"], "{:.3f}"),
-                        scaled(j["heel_stress_pa"], "{:.1f}", 1e-3), scaled(j["toe_stress_pa"], "{:.1f}", 1e-3));
+                        scaled(j["bonded_length_m"], "{:.3f}"), scaled(j["heel_stress_pa"], "{:.1f}", 1e-3),
+                        scaled(j["toe_stress_pa"], "{:.1f}", 1e-3));
   }
   constexpr std::size_t most = 4;  // of a mesh of joints the file has the rest
   return joints.size() > most ? text : text + sums_text(joints, "sum, which the joint bears");

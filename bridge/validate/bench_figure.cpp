@@ -49,7 +49,7 @@ void draw_bench(const std::filesystem::path& file, const std::string& title, con
                 const std::vector<Point>& points) {
   std::string script = fmt::format(
       "set title {}\nset logscale xy\n"
-      "set format x '%g'\nset format y '%.0e'\nset xlabel 'wall time [s]'\nset ylabel {}\nset grid\n"
+      "set format x '%g'\nset format y '%.0e'\nset xlabel 'wall time (s)'\nset ylabel {}\nset grid\n"
       "set key outside right top Left reverse font ',9'\n{}{}",
       gnuplot_text(title), gnuplot_text(error), ranges(points), time_tics());
   std::string plots;

@@ -94,6 +94,7 @@ HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
     centroids_.push_back(geometry::centroid(block.vertices));
     structure_.outlines.push_back(block.vertices);
   }
+  crest_drawn_m_ = crest_m(structure_);
 }
 
 void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
@@ -138,6 +139,7 @@ void HydrostaticModel::press(double to_s, bool moved, Flow flow, wire::Load& loa
   load.upstream_level_m = last_upstream_m_;
   load.downstream_level_m = last_downstream_m_;
   const double ground_m = ground_displacement().y();
+  structure_.crest_drawn_m = crest_drawn_m_ + ground_m;
   const Pools::State water =
       pools_.find(structure_, last_upstream_m_ + ground_m, last_downstream_m_ + ground_m, scene_.water.crest_pressure);
   load.breached = water.breached;

@@ -68,6 +68,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   CrackEnds crack_ends_;
   joints::FlowInJoints flow_;
   Structure structure_;  ///< current
+  double crest_drawn_m_ = 0;
   Pools pools_;
   std::vector<WaterBody> bodies_;
   std::vector<PoolSection> sections_;

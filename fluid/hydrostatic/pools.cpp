@@ -14,6 +14,11 @@ bool as_high(double a_m, double b_m) {
   return std::abs(a_m - b_m) <= 1e-12 * std::max(std::abs(a_m), std::abs(b_m));
 }
 
+/// A crest that the scene draws above the level. NaN: no.
+bool has_sunk_below(const Structure& structure, double level_m) {
+  return level_m <= structure.crest_drawn_m && level_m > crest_m(structure) + structure.open_crack_width_m;
+}
+
 }  // namespace
 
 Pools::State Pools::find(const Structure& structure, double upstream_m, double downstream_m, scene::CrestPressure law) {
@@ -29,9 +34,11 @@ Pools::State Pools::find(const Structure& structure, double upstream_m, double d
   };
   add(upstream, upstream_m);
   add(downstream, downstream_m);
+  const bool connected = state.breached;
+  state.breached = connected || has_sunk_below(structure, upstream_m) || has_sunk_below(structure, downstream_m);
   if (state.bodies.size() < 2) return state;
   const double lower_m = std::min(upstream_m, downstream_m);
-  if (state.breached) {
+  if (connected) {
     state.bodies = {{Surface::level(upstream_m), &wet(structure, upstream_part, upstream_m)},
                     {Surface::level(downstream_m), &wet(structure, downstream_part, downstream_m)}};
   } else if (lower_m > crest_m(structure)) {

@@ -19,8 +19,9 @@ struct WaterBody {
 /// Two pools with equal levels are one body of water. Pools with different levels are separate. If open water
 /// connects them the water would flow, which is a breach: each pool then wets its side of the vertical line
 /// through the middle of the crest. If both are above the crest without a breach, the part that only the lower
-/// pool would wet across the crest belongs to a third body: over_the_crest(). Results are kept until
-/// blocks_moved().
+/// pool would wet across the crest belongs to a third body: over_the_crest(). A crest that has sunk below a level by
+/// more than the width of an open crack, though the scene draws it above, is a breach, too: the water flows over it.
+/// Each pool then still wets its side up to the crest. Results are kept until blocks_moved().
 class Pools {
  public:
   struct State {

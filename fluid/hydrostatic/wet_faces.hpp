@@ -2,6 +2,7 @@
 // Finds the parts of the blocks' outlines that open water reaches, from geometry only.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "bridge/scene/ground_ends.hpp"
@@ -17,6 +18,8 @@ struct Structure {
   double open_crack_width_m = 0.05;  ///< narrower gaps contain no water
   scene::GroundEnds ground{};
   bool floats = false;  ///< water is below the lowest block
+  /// Where the scene draws the structure's highest point; NaN if no matter.
+  double crest_drawn_m = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct WetFaces {

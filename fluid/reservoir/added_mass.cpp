@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "bridge/scene/at.hpp"
 #include "fluid/reservoir/face_flux.hpp"
 
 namespace blockweir::reservoir {
@@ -22,9 +21,9 @@ std::array<int, 3> nodes_of(const BoundarySide& side) {
 }
 
 /// Modes of all motions that have a flux, in order, and of the ground.
-std::vector<Mode> modes_of(const std::map<int, Eigen::VectorXd>& flux) {
+std::vector<Mode> modes_of(const std::vector<int>& unknowns) {
   std::vector<Mode> modes;
-  for (const auto& [unknown, g] : flux) {
+  for (const int unknown : unknowns) {
     const int motion = unknown / 3;
     if (!modes.empty() && modes.back().motion == motion) continue;
     for (int axis = 0; axis < 3; ++axis) modes.push_back({motion, axis});
@@ -34,13 +33,48 @@ std::vector<Mode> modes_of(const std::map<int, Eigen::VectorXd>& flux) {
   return modes;
 }
 
+/// Ground: what has no unknowns, and the bed.
+Eigen::VectorXd flux_of_ground(const PressureEquation& equation, const process::FaceMotion& moves, int axis) {
+  const auto of_ground = [&](const BoundarySide& side) {
+    using Kind = BoundarySide::Kind;
+    if (side.kind == Kind::face) return moves({side.block, side.edge, (side.s_from + side.s_to) / 2}).unknown.empty();
+    return side.kind == Kind::bed;
+  };
+  return equation.flux(of_ground, [axis](const Point&) { return Point(Point::Unit(axis)); });
+}
+
+/// nodes x modes. An unknown of a motion may have none.
+Eigen::SparseMatrix<double> flux_of(const std::vector<Mode>& modes, const FaceFlux& faces,
+                                    const PressureEquation& equation, const process::FaceMotion& moves) {
+  Eigen::SparseMatrix<double> flux(faces.g.rows(), static_cast<Eigen::Index>(modes.size()));
+  std::size_t next = 0;  // of the faces' unknowns
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const auto [motion, axis] = modes[k];
+    flux.startVec(column);
+    if (motion < 0) {
+      const Eigen::VectorXd ground = flux_of_ground(equation, moves, axis);
+      for (Eigen::Index i = 0; i < ground.size(); ++i) {
+        if (ground[i] != 0) flux.insertBack(i, column) = ground[i];
+      }
+    } else if (next < faces.unknown.size() && faces.unknown[next] == 3 * motion + axis) {
+      using Entries = Eigen::SparseMatrix<double>::InnerIterator;
+      for (Entries g(faces.g, static_cast<Eigen::Index>(next++)); g; ++g) flux.insertBack(g.row(), column) = g.value();
+    }
+  }
+  flux.finalize();
+  return flux;
+}
+
 }  // namespace
 
-Eigen::VectorXd WaterAnswer::on_panels(const Eigen::VectorXd& p) const {
-  Eigen::VectorXd linear(static_cast<Eigen::Index>(2 * panel_nodes.size()));
-  for (std::size_t i = 0; i < panel_nodes.size(); ++i) {
-    const auto& [a, b, c] = panel_nodes[i];
-    linear.segment<2>(static_cast<Eigen::Index>(2 * i)) = linear_through({p[a], p[b], p[c]});
+Eigen::MatrixXd WaterAnswer::on_panels(const Eigen::MatrixXd& p) const {
+  Eigen::MatrixXd linear(static_cast<Eigen::Index>(2 * panel_nodes.size()), p.cols());
+  for (Eigen::Index k = 0; k < p.cols(); ++k) {
+    for (std::size_t i = 0; i < panel_nodes.size(); ++i) {
+      const auto& [a, b, c] = panel_nodes[i];
+      linear.col(k).segment<2>(static_cast<Eigen::Index>(2 * i)) = linear_through({p(a, k), p(b, k), p(c, k)});
+    }
   }
   return linear;
 }
@@ -53,40 +87,16 @@ WaterAnswer answer_of(const WaterMesh& mesh, const PressureEquation& equation, c
     answer.panels.push_back({side.block, side.edge, from, to});
     answer.panel_nodes.push_back(nodes_of(side));
   }
-  const auto of_ground = [&](const BoundarySide& side) {
-    using Kind = BoundarySide::Kind;
-    if (side.kind == Kind::face) return moves({side.block, side.edge, (side.s_from + side.s_to) / 2}).unknown.empty();
-    return side.kind == Kind::bed;
-  };
-  const std::map<int, Eigen::VectorXd> of_faces = flux_on_faces(mesh, moves);
-  answer.modes = modes_of(of_faces);
-  const auto count = static_cast<Eigen::Index>(answer.modes.size());
-  answer.flux.resize(static_cast<Eigen::Index>(mesh.node.size()), count);
-  answer.pressure.setZero(static_cast<Eigen::Index>(2 * answer.panels.size()), count);
-  Eigen::MatrixXd work = Eigen::MatrixXd::Zero(count, count);  // the water's force on i by a unit of j
-  std::vector<Eigen::VectorXd> pressures(answer.modes.size());
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const auto [motion, axis] = answer.modes[static_cast<std::size_t>(k)];
-    Eigen::VectorXd flux;
-    if (motion < 0) {
-      flux = equation.flux(of_ground, [axis = axis](const Point&) { return Point(Point::Unit(axis)); });
-    } else if (const auto own = of_faces.find(3 * motion + axis); own != of_faces.end()) {
-      flux = own->second;
-    } else {
-      continue;
-    }
-    for (Eigen::Index i = 0; i < flux.size(); ++i) {
-      if (flux[i] != 0) answer.flux.insert(i, k) = flux[i];
-    }
-    pressures[static_cast<std::size_t>(k)] = equation.pressure(flux);
-  }
-  answer.flux.makeCompressed();
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::VectorXd& p = pressures[static_cast<std::size_t>(k)];
-    if (p.size() == 0) continue;
-    answer.pressure.col(k) = answer.on_panels(p);
-    work.col(k) = answer.flux.transpose() * p;
-  }
+  const FaceFlux faces = flux_on_faces(mesh, moves);
+  answer.modes = modes_of(faces.unknown);
+  answer.flux = flux_of(answer.modes, faces, equation, moves);
+  const Eigen::Index count = answer.flux.cols();
+  answer.pressure.resize(static_cast<Eigen::Index>(2 * answer.panels.size()), count);
+  Eigen::MatrixXd work(count, count);  // the water's force on i by a unit of j
+  equation.solve(answer.flux, [&](Eigen::Index first, const Eigen::MatrixXd& p) {
+    answer.pressure.middleCols(first, p.cols()) = answer.on_panels(p);
+    work.middleCols(first, p.cols()) = answer.flux.transpose() * p;
+  });
   answer.mass = -(work + work.transpose()) / 2;
   return answer;
 }

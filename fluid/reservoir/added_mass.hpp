@@ -25,8 +25,9 @@ struct WaterAnswer {
   Eigen::MatrixXd pressure;  ///< 2 panels x modes, at s_from and s_to of each [Pa per m/s2, rad/s2 or 1/s2]
   Eigen::MatrixXd mass;      ///< modes x modes: the water's force on i is -sum mass_ij a_j [kg/m, kg, kg m]
 
-  /// Pressures at s_from and s_to of each panel with the same force and moment as the nodal pressures p [Pa].
-  [[nodiscard]] Eigen::VectorXd on_panels(const Eigen::VectorXd& p) const;
+  /// Pressures at s_from and s_to of each panel with the same force and moment as the nodal pressures p [Pa], column by
+  /// column.
+  [[nodiscard]] Eigen::MatrixXd on_panels(const Eigen::MatrixXd& p) const;
 };
 
 /// `moves`: motion of a point on a face, three unknowns a motion; no unknowns on the ground.

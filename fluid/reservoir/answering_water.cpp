@@ -7,11 +7,17 @@ namespace blockweir::reservoir {
 
 AnsweringWater::AnsweringWater(WaterMesh mesh, const WaterPhysics& physics, const process::FaceMotion& moves,
                                const std::vector<bool>& fixed, double window_s)
-    : mesh_(std::make_unique<const WaterMesh>(std::move(mesh))),
-      equation_(std::make_unique<const PressureEquation>(*mesh_, physics, fixed, window_s)),
+    : mesh_(std::make_unique<WaterMesh>(std::move(mesh))),
+      equation_(std::make_unique<PressureEquation>(*mesh_, physics, fixed, window_s)),
       answer_(answer_of(*mesh_, *equation_, moves)),
       remembers_(physics.remembers()) {
   if (remembers_) state_ = equation_->rest();
+}
+
+void AnsweringWater::move_to(WaterMesh mesh, const process::FaceMotion& moves, double window_s) {
+  *mesh_ = std::move(mesh);
+  equation_->update(window_s);
+  answer_ = answer_of(*mesh_, *equation_, moves);
 }
 
 bool AnsweringWater::at_rest() const {

@@ -19,6 +19,8 @@ class AnsweringWater {
   [[nodiscard]] const WaterMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const PressureState& state() const { return state_; }
   [[nodiscard]] bool at_rest() const;
+  /// Onto `mesh`, that of before with its nodes moved. What the water remembers stays at the nodes.
+  void move_to(WaterMesh mesh, const process::FaceMotion& moves, double window_s);
   void go_on_from(PressureState state) { state_ = std::move(state); }
   /// One window with `accelerations`, one a mode of the answer.
   void advance(const Eigen::VectorXd& accelerations);
@@ -27,8 +29,8 @@ class AnsweringWater {
   [[nodiscard]] Eigen::VectorXd pressure_at_nodes() const;
 
  private:
-  std::unique_ptr<const WaterMesh> mesh_;  ///< the equation refers to it
-  std::unique_ptr<const PressureEquation> equation_;
+  std::unique_ptr<WaterMesh> mesh_;  ///< the equation refers to it
+  std::unique_ptr<PressureEquation> equation_;
   WaterAnswer answer_;
   bool remembers_;
   PressureState state_;            ///< of water that remembers

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/reservoir/face_flux.hpp"
 
+#include <map>
+
 #include "bridge/scene/at.hpp"
 #include "fluid/reservoir/water_matrices.hpp"
 
 namespace blockweir::reservoir {
 
-std::map<int, Eigen::VectorXd> flux_on_faces(const WaterMesh& mesh, const process::FaceMotion& moves) {
-  std::map<int, Eigen::VectorXd> flux;
+FaceFlux flux_on_faces(const WaterMesh& mesh, const process::FaceMotion& moves) {
+  std::map<int, std::vector<Eigen::Triplet<double>>> entries;  // of each unknown, in the order of the sides
   const Eigen::Matrix3d mass = side_mass();
   for (const BoundarySide& side : mesh.side) {
     if (side.kind != BoundarySide::Kind::face) continue;
@@ -18,14 +20,21 @@ std::map<int, Eigen::VectorXd> flux_on_faces(const WaterMesh& mesh, const proces
       const process::PointMotion point = moves({side.block, side.edge, s[i]});
       for (std::size_t k = 0; k < point.unknown.size(); ++k) {
         const double along = normal.dot(point.by_unknown.col(static_cast<Eigen::Index>(k)));
-        auto& g = flux.try_emplace(point.unknown[k], Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.node.size())))
-                      .first->second;
+        auto& g = entries[point.unknown[k]];
         for (std::size_t row = 0; row < 3; ++row) {
-          g[side.node[row]] += along * mass(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i));
+          g.emplace_back(side.node[row], 0, along * mass(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i)));
         }
       }
     }
   }
+  FaceFlux flux;
+  std::vector<Eigen::Triplet<double>> all;
+  for (const auto& [unknown, own] : entries) {
+    for (const auto& entry : own) all.emplace_back(entry.row(), static_cast<int>(flux.unknown.size()), entry.value());
+    flux.unknown.push_back(unknown);
+  }
+  flux.g.resize(static_cast<Eigen::Index>(mesh.node.size()), static_cast<Eigen::Index>(flux.unknown.size()));
+  flux.g.setFromTriplets(all.begin(), all.end());
   return flux;
 }
 

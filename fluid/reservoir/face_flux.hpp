@@ -2,14 +2,19 @@
 // Flux through wet faces caused by unit accelerations of a structure's unknowns.
 #pragma once
 
-#include <map>
+#include <Eigen/SparseCore>
+#include <vector>
 
 #include "bridge/process/face_motion.hpp"
 #include "fluid/reservoir/water_mesh.hpp"
 
 namespace blockweir::reservoir {
 
-/// g of PressureEquation at the nodes, for every unknown that moves a wet face.
-std::map<int, Eigen::VectorXd> flux_on_faces(const WaterMesh& mesh, const process::FaceMotion& moves);
+/// Every unknown that moves a wet face, in order, and g of PressureEquation for each: nodes x unknowns.
+struct FaceFlux {
+  std::vector<int> unknown;
+  Eigen::SparseMatrix<double> g;
+};
+FaceFlux flux_on_faces(const WaterMesh& mesh, const process::FaceMotion& moves);
 
 }  // namespace blockweir::reservoir

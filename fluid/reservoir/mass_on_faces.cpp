@@ -14,18 +14,21 @@ Eigen::SparseMatrix<double> mass_on_faces(const scene::Scene& scene, const wire:
   const std::vector<bool> ground(scene.blocks.size(), false);  // it does not absorb: the water is incompressible
   std::vector<Eigen::Triplet<double>> entries;
   for (const hydrostatic::WaterBody& body : still.bodies()) {
-    const WaterMesh mesh = mesh_of(scene, body, still.outlines());
+    const WaterMesh mesh = mesh_of(scene, body, {still.outlines()});
     if (mesh.triangle.empty()) continue;
     const PressureEquation equation(mesh, {.density_kg_per_m3 = scene.water.density_kg_per_m3}, ground, 1);
-    const auto flux = flux_on_faces(mesh, moves);
-    for (const auto& [column, g] : flux) {
-      const Eigen::VectorXd p = equation.pressure(g);
-      for (const auto& [row, of_row] : flux) {
-        const double half = -of_row.dot(p) / 2;
-        entries.emplace_back(row, column, half);
-        entries.emplace_back(column, row, half);
+    const FaceFlux flux = flux_on_faces(mesh, moves);
+    equation.solve(flux.g, [&](Eigen::Index first, const Eigen::MatrixXd& p) {
+      const Eigen::MatrixXd work = flux.g.transpose() * p;
+      for (Eigen::Index k = 0; k < work.cols(); ++k) {
+        for (Eigen::Index i = 0; i < work.rows(); ++i) {
+          const int row = flux.unknown[static_cast<std::size_t>(i)];
+          const int column = flux.unknown[static_cast<std::size_t>(first + k)];
+          entries.emplace_back(row, column, -work(i, k) / 2);
+          entries.emplace_back(column, row, -work(i, k) / 2);
+        }
       }
-    }
+    });
   }
   Eigen::SparseMatrix<double> mass(unknowns, unknowns);
   mass.setFromTriplets(entries.begin(), entries.end());

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/reservoir/pressure_equation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "bridge/scene/at.hpp"
+#include "fluid/reservoir/many_sides.hpp"
 
 namespace blockweir::reservoir {
 namespace {
@@ -17,18 +19,32 @@ constexpr double stage_weight = 1 - 1 / std::numbers::sqrt2;  ///< b over the wi
 PressureEquation::PressureEquation(const WaterMesh& mesh, const WaterPhysics& physics, const std::vector<bool>& ground,
                                    double window_s)
     : mesh_(mesh),
+      physics_(physics),
+      ground_(ground),
       density_(physics.density_kg_per_m3),
       remembers_(physics.remembers()),
       window_s_(window_s),
-      unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))),
-      matrices_(matrices_of(mesh, unknowns_, physics, ground)) {
-  const double b = stage_weight * window_s;
-  const Eigen::SparseMatrix<double>& K = matrices_.K;
-  if (remembers_) {
-    factors_.compute(K + matrices_.C / b + matrices_.M / (b * b));
-  } else {
-    factors_.compute(K);
-  }
+      unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))) {
+  if (!remembers_) stiffness_.emplace(mesh, unknowns_);
+  const Eigen::SparseMatrix<double> first = matrix();
+  factors_.analyzePattern(first);
+  factorize(first);
+}
+
+void PressureEquation::update(double window_s) {
+  window_s_ = window_s;
+  factorize(matrix());
+}
+
+Eigen::SparseMatrix<double> PressureEquation::matrix() {
+  if (stiffness_) return stiffness_->of(mesh_);
+  matrices_ = matrices_of(mesh_, unknowns_, physics_, ground_);
+  const double b = stage_weight * window_s_;
+  return matrices_.K + matrices_.C / b + matrices_.M / (b * b);
+}
+
+void PressureEquation::factorize(const Eigen::SparseMatrix<double>& matrix) {
+  factors_.factorize(matrix);
   if (factors_.info() != Eigen::Success) {
     throw std::runtime_error("the reservoir's equation is singular: has its water a surface?");
   }
@@ -84,6 +100,40 @@ Eigen::VectorXd PressureEquation::pressure(const Eigen::VectorXd& flux) const {
   PressureState state = rest();
   step(state, flux);
   return state.p;
+}
+
+void PressureEquation::solve(const Eigen::SparseMatrix<double>& flux, const Take& take) const {
+  if (remembers_) {
+    for (Eigen::Index k = 0; k < flux.cols(); ++k) take(k, pressure(flux.col(k)));
+    return;
+  }
+  std::vector<int> wanted;  // the solid boundary's nodes
+  std::vector<bool> seen(mesh_.node.size(), false);
+  for (const BoundarySide& side : mesh_.side) {
+    if (side.kind == BoundarySide::Kind::surface) continue;
+    for (const int node : side.node) {
+      if (unknowns_.of_node[at(node)] >= 0 && !seen[at(node)]) wanted.push_back(node);
+      seen[at(node)] = true;
+    }
+  }
+  std::vector<int> unknowns(wanted.size());
+  std::transform(wanted.begin(), wanted.end(), unknowns.begin(), [&](int node) { return unknowns_.of_node[at(node)]; });
+  const ManySides factors(factors_, unknowns);
+  ManySides::Rows x(unknowns_.count, ManySides::width);
+  Eigen::MatrixXd p = Eigen::MatrixXd::Zero(flux.rows(), ManySides::width);
+  for (Eigen::Index first = 0; first < flux.cols(); first += ManySides::width) {
+    const Eigen::Index count = std::min(ManySides::width, flux.cols() - first);
+    x.setZero();
+    for (Eigen::Index k = 0; k < count; ++k) {
+      for (Eigen::SparseMatrix<double>::InnerIterator g(flux, first + k); g; ++g) {
+        const int unknown = unknowns_.of_node[at(static_cast<int>(g.row()))];
+        if (unknown >= 0) x(factors.row_of(unknown), k) = -density_ * g.value();
+      }
+    }
+    factors.solve(x);
+    for (std::size_t i = 0; i < wanted.size(); ++i) p.row(wanted[i]) = x.row(factors.row_of(unknowns[i]));
+    take(first, count == ManySides::width ? p : Eigen::MatrixXd(p.leftCols(count)));
+  }
 }
 
 Eigen::VectorXd PressureEquation::at_unknowns(const Eigen::VectorXd& at_nodes) const {

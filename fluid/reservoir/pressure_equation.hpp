@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <functional>
+#include <optional>
 
 #include "fluid/reservoir/water_matrices.hpp"
 
@@ -30,6 +31,9 @@ class PressureEquation {
   PressureEquation(const WaterMesh& mesh, const WaterPhysics& physics, const std::vector<bool>& ground,
                    double window_s);
 
+  /// The mesh's nodes have moved, or windows are of another length: factors anew, in the order that they have.
+  void update(double window_s);
+
   /// g of an acceleration that is linear along each side; only sides that `moves` names move.
   using Acceleration = std::function<Point(const Point& x)>;
   using Moves = std::function<bool(const BoundarySide& side)>;
@@ -39,17 +43,28 @@ class PressureEquation {
   void step(PressureState& state, const Eigen::VectorXd& flux) const;
   /// p of water at rest after one window of `flux`.
   [[nodiscard]] Eigen::VectorXd pressure(const Eigen::VectorXd& flux) const;
+  /// The same for each column of `flux`. `take` gets the number of the first column and the pressures of some columns,
+  /// at the nodes of the water's solid boundary; elsewhere they may be anything.
+  using Take = std::function<void(Eigen::Index first, const Eigen::MatrixXd& p)>;
+  void solve(const Eigen::SparseMatrix<double>& flux, const Take& take) const;
 
  private:
   [[nodiscard]] Eigen::VectorXd at_unknowns(const Eigen::VectorXd& at_nodes) const;
   [[nodiscard]] Eigen::VectorXd at_nodes(const Eigen::VectorXd& at_unknowns) const;
 
+  /// Of both stages. Its entries are in the same places at each call.
+  [[nodiscard]] Eigen::SparseMatrix<double> matrix();
+  void factorize(const Eigen::SparseMatrix<double>& matrix);
+
   const WaterMesh& mesh_;
+  WaterPhysics physics_;
+  std::vector<bool> ground_;
   double density_;
   bool remembers_;
   double window_s_;
   Unknowns unknowns_;
-  WaterMatrices matrices_;
+  std::optional<StiffnessMatrix> stiffness_;  ///< of water that does not remember
+  WaterMatrices matrices_;                    ///< of water that does
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
 };
 

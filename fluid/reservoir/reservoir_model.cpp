@@ -137,20 +137,53 @@ bool ReservoirModel::outdated(double window_s) const {
 void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
   const Stopwatch watch(solve_s_);
   ++solutions_;
+  const FaceMotions moves(scene_, solved_.motion, water.outlines());
+  if (!move_meshes(water, moves)) mesh_anew(water, moves);
+  deepest_m_ = 0;
+  for (const hydrostatic::WaterBody& body : water.bodies()) deepest_m_ = std::max(deepest_m_, depth(body));
+  guarded_ = GuardedMass(moves.count());
+  for (const AnsweringWater& body : waters_) guarded_.add(body.answer());
+}
+
+/// False if a mesh cannot follow: all stay as they are then.
+bool ReservoirModel::move_meshes(const hydrostatic::HydrostaticModel& water, const FaceMotions& moves) {
+  if (scene_.reservoir.move_tolerance == 0 || motions_.empty()) return false;
+  std::vector<WaterMesh> meshes;
+  for (const hydrostatic::WaterBody& body : water.bodies()) {
+    if (is_film(scene_, body)) continue;
+    if (meshes.size() == motions_.size()) return false;
+    std::optional<WaterMesh> moved = motions_[meshes.size()].moved(body, {water.outlines(), moves.corners()},
+                                                                   far_ends(scene_, body, water.outlines()));
+    if (!moved) return false;
+    meshes.push_back(*std::move(moved));
+  }
+  if (meshes.size() != motions_.size()) return false;
+  std::vector<PressureState> before;
+  if (physics_of(scene_).remembers()) {
+    for (const WaterMesh& mesh : meshes) before.push_back(carry_over(waters_, mesh));
+  }
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    waters_[i].move_to(std::move(meshes[i]), moves, solved_.window_s);
+    if (!before.empty()) waters_[i].go_on_from(std::move(before[i]));
+  }
+  return true;
+}
+
+void ReservoirModel::mesh_anew(const hydrostatic::HydrostaticModel& water, const FaceMotions& moves) {
+  const Stopwatch watch(mesh_s_);
+  ++meshes_;
+  meshed_ = solved_;
   const WaterPhysics physics = physics_of(scene_);
   std::vector<AnsweringWater> waters;
-  deepest_m_ = 0;
-  const FaceMotions moves(scene_, solved_.motion, water.outlines());
-  guarded_ = GuardedMass(moves.count());
+  motions_.clear();
   for (const hydrostatic::WaterBody& body : water.bodies()) {
-    const double deep = depth(body);
-    deepest_m_ = std::max(deepest_m_, deep);
-    WaterMesh mesh = mesh_of(scene_, body, water.outlines(), moves.corners());
+    const Banks banks{water.outlines(), moves.corners()};
+    WaterMesh mesh = mesh_of(scene_, body, banks);
     if (mesh.triangle.empty()) continue;
     PressureState before = physics.remembers() ? carry_over(waters_, mesh) : PressureState();
+    motions_.emplace_back(mesh, body, banks);
     waters.emplace_back(std::move(mesh), physics, moves, fixed_, solved_.window_s);
     if (physics.remembers()) waters.back().go_on_from(std::move(before));
-    guarded_.add(waters.back().answer());
   }
   waters_ = std::move(waters);
 }
@@ -174,8 +207,9 @@ std::string ReservoirModel::state() const {
   std::vector<PressureState> states;
   for (const AnsweringWater& water : waters_) states.push_back(water.state());
   return checkpoint::pack(still_.state(), flow_ ? flow_->state() : "", pictures_ ? checkpoint::pack(*pictures_) : "",
-                          solved_.motion, solved_.time_s, solved_.window_s, states, velocities_, accelerations_,
-                          ground_, time_s_, told_, solutions_, kept_);
+                          meshed_.motion, meshed_.time_s, meshed_.window_s, solved_.motion, solved_.time_s,
+                          solved_.window_s, states, velocities_, accelerations_, ground_, time_s_, told_, solutions_,
+                          meshes_, kept_);
 }
 
 void ReservoirModel::restore(const std::string& state) {
@@ -183,31 +217,47 @@ void ReservoirModel::restore(const std::string& state) {
   std::string of_flow;
   std::string of_pictures;
   std::vector<PressureState> states;
-  checkpoint::unpack(state, of_still, of_flow, of_pictures, solved_.motion, solved_.time_s, solved_.window_s, states,
-                     velocities_, accelerations_, ground_, time_s_, told_, solutions_, kept_);
+  checkpoint::unpack(state, of_still, of_flow, of_pictures, meshed_.motion, meshed_.time_s, meshed_.window_s,
+                     solved_.motion, solved_.time_s, solved_.window_s, states, velocities_, accelerations_, ground_,
+                     time_s_, told_, solutions_, meshes_, kept_);
   still_.restore(of_still);
   if (flow_) flow_->restore(of_flow);
   if (pictures_) checkpoint::unpack(of_pictures, *pictures_);
   if (!told_) return;
-  hydrostatic::HydrostaticModel then(scene_);
-  wire::Load load;
-  then.advance(solved_.motion, solved_.time_s, load);
-  solved_.outlines = then.outlines();
-  solved_.levels_m = levels_of(load);
-  solve(then);
+  const std::array counts{solutions_, meshes_};
+  const Geometry last = solved_;
+  solve_again(meshed_);
+  if (last.time_s != meshed_.time_s) solve_again(last);
   for (std::size_t i = 0; i < waters_.size(); ++i) waters_[i].go_on_from(std::move(states.at(i)));
-  --solutions_;
+  solutions_ = counts[0];
+  meshes_ = counts[1];
+}
+
+/// For blocks and levels as they were.
+void ReservoirModel::solve_again(Geometry then) {
+  hydrostatic::HydrostaticModel water(scene_);
+  wire::Load load;
+  water.advance(then.motion, then.time_s, load);
+  solved_ = std::move(then);
+  solved_.outlines = water.outlines();
+  solved_.levels_m = levels_of(load);
+  solve(water);
 }
 
 schedule::FluidReport ReservoirModel::report() const {
   schedule::FluidReport report = still_.report();
   report.seconds["reservoir"] = solve_s_;
   report.counts["reservoir solutions"] = solutions_;
+  report.counts["reservoir meshes"] = meshes_;
   if (kept_ > 0) {
     report.skips.push_back(fmt::format(
         "the reservoir's mesh and factors in {} of {} windows: neither a level nor a corner had moved by {} of the "
         "depth{}",
         kept_, kept_ + solutions_, scene_.reservoir.move_tolerance, results::saved(solve_s_, solutions_, kept_)));
+  }
+  if (solutions_ > meshes_) {
+    report.skips.push_back(fmt::format("meshing the reservoir, {} of {} times: the mesh's nodes followed its boundary",
+                                       solutions_ - meshes_, solutions_));
   }
   return report;
 }

@@ -9,6 +9,7 @@
 #include "fluid/reservoir/answering_water.hpp"
 #include "fluid/reservoir/face_motions.hpp"
 #include "fluid/reservoir/guarded_mass.hpp"
+#include "fluid/reservoir/mesh_motion.hpp"
 #include "fluid/reservoir/reservoir_output.hpp"
 
 namespace blockweir::reservoir {
@@ -41,6 +42,9 @@ class ReservoirModel final : public schedule::FluidSide {
   [[nodiscard]] Point ground_acceleration(const scene::TimeSpan& window) const;
   [[nodiscard]] bool outdated(double window_s) const;
   void solve(const hydrostatic::HydrostaticModel& water);
+  bool move_meshes(const hydrostatic::HydrostaticModel& water, const FaceMotions& moves);
+  void mesh_anew(const hydrostatic::HydrostaticModel& water, const FaceMotions& moves);
+  void solve_again(Geometry then);
   [[nodiscard]] bool moves() const;
   [[nodiscard]] bool shaken_steadily() const;
   [[nodiscard]] Point steady_acceleration() const;
@@ -52,8 +56,10 @@ class ReservoirModel final : public schedule::FluidSide {
   std::optional<joints::FlowOutput> flow_;
   std::optional<ReservoirOutput> pictures_;  ///< where they are asked for
   std::vector<bool> fixed_;
+  Geometry meshed_;  ///< when the water was last meshed
   Geometry solved_;
-  std::vector<AnsweringWater> waters_;          ///< one a body of water
+  std::vector<AnsweringWater> waters_;          ///< one a body of water that is no film
+  std::vector<MeshMotion> motions_;             ///< of their meshes
   double deepest_m_ = 0;                        ///< of the bodies
   GuardedMass guarded_;                         ///< of the bodies
   std::vector<Eigen::Vector3d> velocities_;     ///< last told
@@ -62,8 +68,10 @@ class ReservoirModel final : public schedule::FluidSide {
   double time_s_ = 0;
   bool told_ = false;
   long solutions_ = 0;
-  long kept_ = 0;  ///< windows that took the factors of one before
+  long meshes_ = 0;  ///< solutions on meshes made anew
+  long kept_ = 0;    ///< windows that took the factors of one before
   double solve_s_ = 0;
+  double mesh_s_ = 0;
 };
 
 }  // namespace blockweir::reservoir

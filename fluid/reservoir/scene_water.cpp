@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 #include "bridge/scene/at.hpp"
@@ -26,20 +25,6 @@ Fineness fineness_of(const scene::Scene& scene) {
   constexpr double growth = 0.35;
   const double widest = scene.reservoir.element_ratio;
   return {widest, corner * widest, growth};
-}
-
-FarEnds far_ends(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines, double deep_m) {
-  double left = std::numeric_limits<double>::infinity();
-  double right = -left;
-  for (const auto& outline : outlines) {
-    for (const Point& p : outline) left = std::min(left, p.x()), right = std::max(right, p.x());
-  }
-  const auto end = [&](const std::optional<double>& wall_m, double model_m, int side) {
-    if (wall_m) return FarEnd{*wall_m, true, {}};
-    if (!physics_of(scene).remembers()) return FarEnd{model_m + side * long_in_depths * deep_m, false, {}};
-    return FarEnd{model_m + side * absorbs_to_depths * deep_m, false, model_m + side * absorbs_from_depths * deep_m};
-  };
-  return {end(scene.reservoir.upstream_wall_m, left, -1), end(scene.reservoir.downstream_wall_m, right, 1)};
 }
 
 /// The block that lies on the water.
@@ -74,12 +59,27 @@ WaterPhysics physics_of(const scene::Scene& scene) {
   return physics;
 }
 
-WaterMesh mesh_of(const scene::Scene& scene, const hydrostatic::WaterBody& body,
-                  const std::vector<std::vector<Point>>& outlines, const std::vector<Point>& corners) {
-  // Its added mass is (depth/size)^2 of that of deep water; meshed by its depth, a long film has millions of triangles.
+bool is_film(const scene::Scene& scene, const hydrostatic::WaterBody& body) {
   constexpr double film = 5e-3;  // of the structure's size
-  if (depth(body) <= film * scene::structure_size_m(scene.blocks)) return {};
-  WaterMesh mesh = mesh_water(body, {outlines, corners}, far_ends(scene, outlines, depth(body)), fineness_of(scene));
+  return depth(body) <= film * scene::structure_size_m(scene.blocks);
+}
+
+FarEnds far_ends(const scene::Scene& scene, const hydrostatic::WaterBody& body,
+                 const std::vector<std::vector<Point>>& outlines) {
+  const double deep_m = depth(body);
+  const Extent model = extent_of(outlines);
+  const auto end = [&](const std::optional<double>& wall_m, double model_m, int side) {
+    if (wall_m) return FarEnd{*wall_m, true, {}};
+    if (!physics_of(scene).remembers()) return FarEnd{model_m + side * long_in_depths * deep_m, false, {}};
+    return FarEnd{model_m + side * absorbs_to_depths * deep_m, false, model_m + side * absorbs_from_depths * deep_m};
+  };
+  return {end(scene.reservoir.upstream_wall_m, model.left_m, -1),
+          end(scene.reservoir.downstream_wall_m, model.right_m, 1)};
+}
+
+WaterMesh mesh_of(const scene::Scene& scene, const hydrostatic::WaterBody& body, const Banks& banks) {
+  if (is_film(scene, body)) return {};
+  WaterMesh mesh = mesh_water(body, banks, far_ends(scene, body, banks.outlines), fineness_of(scene));
   require_surface(scene, mesh);
   return mesh;
 }

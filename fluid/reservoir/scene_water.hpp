@@ -9,9 +9,16 @@ namespace blockweir::reservoir {
 
 WaterPhysics physics_of(const scene::Scene& scene);
 
-/// Mesh of a body of water between blocks that are at `outlines`, out to the far ends, with nodes at `corners` of
-/// faces. Empty for one without a region. Throws std::runtime_error where blocks cover all of it.
-WaterMesh mesh_of(const scene::Scene& scene, const hydrostatic::WaterBody& body,
-                  const std::vector<std::vector<Point>>& outlines, const std::vector<Point>& corners = {});
+/// Water so shallow has no mesh: its added mass is (depth/size)^2 of that of deep water. Meshed by its depth, a long
+/// film has millions of triangles.
+bool is_film(const scene::Scene& scene, const hydrostatic::WaterBody& body);
+
+/// Where the water of a body ends beyond blocks that are at `outlines`.
+FarEnds far_ends(const scene::Scene& scene, const hydrostatic::WaterBody& body,
+                 const std::vector<std::vector<Point>>& outlines);
+
+/// Mesh of a body of water between banks, out to the far ends. Empty for a film, and for one without a region. Throws
+/// std::runtime_error where blocks cover all of it.
+WaterMesh mesh_of(const scene::Scene& scene, const hydrostatic::WaterBody& body, const Banks& banks);
 
 }  // namespace blockweir::reservoir

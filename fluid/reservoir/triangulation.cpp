@@ -30,6 +30,50 @@ Kernel::Point_2 to_cgal(const Point& p) {
   return {p.x(), p.y()};
 }
 
+/// The size that Sizes allows at a place. CGAL asks for it for each triangle that it makes: the points are in order
+/// along the axis on which they lie farther apart, and those beyond the nearest found are not looked at.
+class SizeField {
+ public:
+  explicit SizeField(const Sizes& sizes) : sizes_(sizes) {
+    Eigen::AlignedBox2d reach;
+    for (const Point& p : sizes.points) reach.extend(p);
+    if (!reach.isEmpty() && reach.sizes().y() > reach.sizes().x()) axis_ = 1;
+    std::sort(sizes_.points.begin(), sizes_.points.end(),
+              [this](const Point& a, const Point& b) { return a[axis_] < b[axis_]; });
+  }
+
+  /// No side may be shorter at any place.
+  [[nodiscard]] double least_m() const { return std::min(sizes_.at_point_m, sizes_.widest_m); }
+
+  [[nodiscard]] double at(const Point& x) const {
+    const double outside = std::max({0.0, sizes_.inner_left_m - x.x(), x.x() - sizes_.inner_right_m});
+    if (outside > 0) {
+      return std::min(sizes_.widest_m + outer_growth * outside, std::max(sizes_.widest_m, sizes_.outermost_m));
+    }
+    return std::min(sizes_.widest_m, sizes_.at_point_m + sizes_.growth * std::sqrt(nearest_squared(x)));
+  }
+
+ private:
+  /// Distance from the nearest point, or that from which on it does not count.
+  [[nodiscard]] double nearest_squared(const Point& x) const {
+    const double reach = sizes_.widest_m / sizes_.growth;
+    double nearest = reach * reach;
+    const auto beyond = [&](const Point& p) {
+      const double along = p[axis_] - x[axis_];
+      return along * along > nearest;
+    };
+    const auto& points = sizes_.points;
+    const auto middle = std::lower_bound(points.begin(), points.end(), x[axis_],
+                                         [this](const Point& p, double along) { return p[axis_] < along; });
+    for (auto p = middle; p != points.end() && !beyond(*p); ++p) nearest = std::min(nearest, (x - *p).squaredNorm());
+    for (auto p = middle; p != points.begin() && !beyond(*--p);) nearest = std::min(nearest, (x - *p).squaredNorm());
+    return nearest;
+  }
+
+  Sizes sizes_;
+  Eigen::Index axis_ = 0;
+};
+
 /// CGAL's criteria for a bad triangle: an angle below 20.7 degrees, or a side longer than it may be there.
 class Criteria {
  public:
@@ -47,7 +91,7 @@ class Criteria {
 
   class Is_bad {
    public:
-    explicit Is_bad(const Sizes& sizes) : sizes_(&sizes) {}
+    explicit Is_bad(const SizeField& sizes) : sizes_(&sizes) {}
     [[nodiscard]] CGAL::Mesh_2::Face_badness operator()(const Quality& q) const {
       if (q.too_long > 1) return CGAL::Mesh_2::IMPERATIVELY_BAD;
       return q.sine_squared < least_sine_squared ? CGAL::Mesh_2::BAD : CGAL::Mesh_2::NOT_BAD;
@@ -61,31 +105,24 @@ class Criteria {
       const Point b = p[2] - p[0];
       const double twice_area = a.x() * b.y() - a.y() * b.x();
       q.sine_squared = twice_area * twice_area / (side[1] * side[2]);
-      q.too_long = std::sqrt(side[2]) / sizes_->at((p[0] + p[1] + p[2]) / 3);
+      const double longest = std::sqrt(side[2]);
+      q.too_long = longest <= sizes_->least_m() ? 0 : longest / sizes_->at((p[0] + p[1] + p[2]) / 3);
       return operator()(q);
     }
 
    private:
     static constexpr double least_sine_squared = 0.125;  // Shewchuk's bound, below which refinement ends
-    const Sizes* sizes_;
+    const SizeField* sizes_;
   };
 
-  explicit Criteria(const Sizes& sizes) : sizes_(&sizes) {}
+  explicit Criteria(const SizeField& sizes) : sizes_(&sizes) {}
   [[nodiscard]] Is_bad is_bad_object() const { return Is_bad(*sizes_); }
 
  private:
-  const Sizes* sizes_;
+  const SizeField* sizes_;
 };
 
 }  // namespace
-
-double Sizes::at(const Point& x) const {
-  const double outside = std::max({0.0, inner_left_m - x.x(), x.x() - inner_right_m});
-  if (outside > 0) return std::min(widest_m + outer_growth * outside, std::max(widest_m, outermost_m));
-  double nearest = widest_m / growth * (widest_m / growth);  // squared: asked for each triangle, of all points
-  for (const Point& p : points) nearest = std::min(nearest, (x - p).squaredNorm());
-  return std::min(widest_m, at_point_m + growth * std::sqrt(nearest));
-}
 
 Triangulated triangulate(const std::vector<Ring>& rings, const Sizes& sizes) {
   Triangulation mesh;
@@ -95,7 +132,8 @@ Triangulated triangulate(const std::vector<Ring>& rings, const Sizes& sizes) {
       if (next != ring[i]) mesh.insert_constraint(to_cgal(ring[i]), to_cgal(next));
     }
   }
-  CGAL::Delaunay_mesher_2<Triangulation, Criteria> mesher(mesh, Criteria(sizes));
+  const SizeField allowed(sizes);
+  CGAL::Delaunay_mesher_2<Triangulation, Criteria> mesher(mesh, Criteria(allowed));
   mesher.refine_mesh();
   Triangulated result;
   std::map<Triangulation::Vertex_handle, int> number;

@@ -23,8 +23,6 @@ struct Sizes {
   double inner_left_m = -std::numeric_limits<double>::infinity();
   double inner_right_m = std::numeric_limits<double>::infinity();
   double outermost_m = 0;
-
-  [[nodiscard]] double at(const Point& x) const;
 };
 
 struct Triangulated {

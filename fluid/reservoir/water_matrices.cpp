@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/reservoir/water_matrices.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
@@ -17,25 +18,26 @@ double twice_area(const std::array<Point, 3>& corner) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Exact with the three middles as points of integration, as gradients are linear.
+/// From that of the linear triangle, k_ij = A grad l_i . grad l_j with the barycentric coordinates l, as l_i l_j and
+/// the like have closed integrals.
 Matrix6 stiffness_of(const std::array<Point, 3>& corner) {
-  std::array<Point, 3> gradient;  // of the barycentric coordinates
-  const double area2 = twice_area(corner);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Point opposite = corner[(i + 2) % 3] - corner[(i + 1) % 3];
-    gradient[i] = Point(-opposite.y(), opposite.x()) / area2;
-  }
+  std::array<Point, 3> opposite;  // sides against the corners
+  for (std::size_t i = 0; i < 3; ++i) opposite[i] = corner[(i + 2) % 3] - corner[(i + 1) % 3];
+  const double four_areas = 2 * twice_area(corner);
   Matrix6 K = Matrix6::Zero();
-  for (std::size_t q = 0; q < 3; ++q) {
-    std::array<double, 3> l{};  // barycentric coordinates of the middle of side q
-    l[q] = l[(q + 1) % 3] = 0.5;
-    Eigen::Matrix<double, 2, 6> B;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      B.col(static_cast<Eigen::Index>(i)) = (4 * l[i] - 1) * gradient[i];
-      B.col(static_cast<Eigen::Index>(3 + i)) = 4 * (l[i] * gradient[j] + l[j] * gradient[i]);
-    }
-    K += area2 / 6 * B.transpose() * B;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const auto at = [](Eigen::Index corner_number) { return static_cast<std::size_t>(corner_number); };
+    const Eigen::Index j = (i + 1) % 3;
+    const Eigen::Index l = (i + 2) % 3;
+    const double k_ii = opposite[at(i)].squaredNorm() / four_areas;
+    const double k_jj = opposite[at(j)].squaredNorm() / four_areas;
+    const double k_ij = opposite[at(i)].dot(opposite[at(j)]) / four_areas;
+    K(i, i) = k_ii;
+    K(i, j) = K(j, i) = -k_ij / 3;
+    const Eigen::Index middle = 3 + i;  // of i and j
+    K(i, middle) = K(middle, i) = K(j, middle) = K(middle, j) = 4 * k_ij / 3;
+    K(middle, middle) = 8 * (k_ii + k_jj + k_ij) / 3;
+    K(3 + j, 3 + l) = K(3 + l, 3 + j) = 8 * k_ij / 3;  // middles of j and l, of l and i: they share l
   }
   return K;
 }
@@ -158,6 +160,36 @@ WaterMatrices matrices_of(const WaterMesh& mesh, const Unknowns& unknowns, const
   add_triangles(mesh, physics, sums);
   add_sides(mesh, physics, ground, sums);
   return {sums.K.matrix(), sums.C.matrix(), sums.M.matrix()};
+}
+
+StiffnessMatrix::StiffnessMatrix(const WaterMesh& mesh, const Unknowns& unknowns) {
+  Sum sum(unknowns);
+  for (const QuadraticTriangle& t : mesh.triangle) sum.add(t, Matrix6::Ones(), 1);
+  K_ = sum.matrix();
+  for (const QuadraticTriangle& t : mesh.triangle) {
+    auto place = place_.emplace_back().begin();
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        const auto [column, row] = std::minmax(unknowns.of_node[at(t[i])], unknowns.of_node[at(t[j])]);
+        *place++ = column < 0 ? -1 : static_cast<int>(&K_.coeffRef(row, column) - K_.valuePtr());
+      }
+    }
+  }
+}
+
+const Eigen::SparseMatrix<double>& StiffnessMatrix::of(const WaterMesh& mesh) {
+  K_.coeffs().setZero();
+  for (std::size_t n = 0; n < mesh.triangle.size(); ++n) {
+    const QuadraticTriangle& t = mesh.triangle[n];
+    const Matrix6 K = stiffness_of({mesh.node[at(t[0])], mesh.node[at(t[1])], mesh.node[at(t[2])]});
+    auto place = place_[n].begin();
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      for (Eigen::Index j = 0; j <= i; ++j, ++place) {
+        if (*place >= 0) K_.valuePtr()[*place] += K(i, j);
+      }
+    }
+  }
+  return K_;
 }
 
 }  // namespace blockweir::reservoir

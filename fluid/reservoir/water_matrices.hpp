@@ -46,6 +46,19 @@ struct WaterMatrices {
 WaterMatrices matrices_of(const WaterMesh& mesh, const Unknowns& unknowns, const WaterPhysics& physics,
                           const std::vector<bool>& ground);
 
+/// K alone, of a mesh whose nodes move: where its entries are is found once.
+class StiffnessMatrix {
+ public:
+  StiffnessMatrix(const WaterMesh& mesh, const Unknowns& unknowns);
+
+  /// For the nodes where they are now. Its entries are those of WaterMatrices::K, in the same places.
+  [[nodiscard]] const Eigen::SparseMatrix<double>& of(const WaterMesh& mesh);
+
+ private:
+  Eigen::SparseMatrix<double> K_;
+  std::vector<std::array<int, 21>> place_;  ///< of each triangle's entries, its lower half by rows; -1: none
+};
+
 /// int N_i N_j ds over a side of unit length, nodes from, middle, to.
 Eigen::Matrix3d side_mass();
 

@@ -8,104 +8,16 @@
 
 #include "bridge/scene/at.hpp"
 #include "fluid/reservoir/triangulation.hpp"
+#include "fluid/reservoir/water_region.hpp"
 
 namespace blockweir::reservoir {
 namespace {
 
+using geometry::cross;
 using hydrostatic::WaterBody;
 
-constexpr double same_place = 1e-7;  ///< of the depth
-constexpr double outermost = 0.6;    ///< of it: triangles of the absorbing stretch; with 1.0, 1.1 % of sound came back
-
-struct Ends {
-  double left = std::numeric_limits<double>::infinity();
-  double right = -std::numeric_limits<double>::infinity();
-};
-
-Ends ends_of(const std::vector<Ring>& rings) {
-  Ends ends;
-  for (const Ring& ring : rings) {
-    for (const Point& p : ring) ends = {std::min(ends.left, p.x()), std::max(ends.right, p.x())};
-  }
-  return ends;
-}
-
-double cross(const Point& a, const Point& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-/// Without the points that clipping leaves twice or on straight lines.
-Ring corners_of(const Ring& ring, double tiny_m) {
-  Ring apart;
-  for (const Point& p : ring) {
-    if (apart.empty() || (p - apart.back()).norm() > tiny_m) apart.push_back(p);
-  }
-  while (apart.size() > 1 && (apart.front() - apart.back()).norm() <= tiny_m) apart.pop_back();
-  Ring corners;
-  for (std::size_t i = 0; i < apart.size(); ++i) {
-    const Point& before = corners.empty() ? apart.back() : corners.back();
-    const Point through = apart[(i + 1) % apart.size()] - before;
-    if (std::abs(cross(through, apart[i] - before)) > tiny_m * through.norm()) corners.push_back(apart[i]);
-  }
-  return corners;
-}
-
-/// Where wet faces begin and end: what one block does to the water stops there.
-std::vector<Point> ends_of_faces(const WaterBody& body, const std::vector<std::vector<Point>>& outlines) {
-  std::vector<Point> ends;
-  for (const hydrostatic::WetInterval& wet : body.wet->intervals) {
-    const auto& outline = outlines[at(wet.block)];
-    const Point& from = outline[at(wet.edge)];
-    const Point span = outline[(at(wet.edge) + 1) % outline.size()] - from;
-    ends.insert(ends.end(), {from + wet.s_from * span, from + wet.s_to * span});
-  }
-  return ends;
-}
-
-/// The ring with those of `points` that lie on its sides.
-Ring with_points(const Ring& ring, const std::vector<Point>& points, double tiny_m) {
-  Ring all;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    all.push_back(ring[i]);
-    const Point span = ring[(i + 1) % ring.size()] - ring[i];
-    const double length = span.norm();
-    std::vector<double> on;
-    for (const Point& p : points) {
-      const double along = span.dot(p - ring[i]) / length;
-      if (std::abs(cross(span, p - ring[i])) > tiny_m * length || along < tiny_m || along > length - tiny_m) continue;
-      on.push_back(along);
-    }
-    std::sort(on.begin(), on.end());
-    double last = -1;
-    for (const double along : on) {
-      if (along - last > tiny_m) all.push_back(ring[i] + along / length * span);
-      last = along;
-    }
-  }
-  return all;
-}
-
-/// The body's region in corners, its ends in open water moved to the far ends. A wall may stand on the blocks' own end:
-/// what water there is beyond ends at it.
-std::vector<Ring> region_of(const WaterBody& body, const std::vector<std::vector<Point>>& outlines, const FarEnds& far,
-                            double tiny_m) {
-  const Ends water = ends_of(body.wet->region);
-  const Ends blocks = ends_of(outlines);
-  const double left_m = std::min(far.left.x_m, blocks.left);
-  const double right_m = std::max(far.right.x_m, blocks.right);
-  const std::vector<Point> ends = ends_of_faces(body, outlines);
-  std::vector<Ring> rings;
-  for (const Ring& given : body.wet->region) {
-    Ring ring = given;
-    for (Point& p : ring) {
-      if (water.left < blocks.left - tiny_m && p.x() < std::max(water.left + tiny_m, left_m)) p.x() = left_m;
-      if (water.right > blocks.right + tiny_m && p.x() > std::min(water.right - tiny_m, right_m)) p.x() = right_m;
-    }
-    const Ring corners = corners_of(ring, tiny_m);
-    if (corners.size() > 2) rings.push_back(with_points(corners, ends, 10 * tiny_m));
-  }
-  return rings;
-}
+constexpr double outermost =
+    0.6;  ///< of the depth: triangles of the absorbing stretch; with 1.0, 1.1 % of sound came back
 
 /// Finds the face of a block that a side of the mesh lies on.
 class Faces {
@@ -181,14 +93,6 @@ class MiddleNodes {
 
 }  // namespace
 
-double depth(const WaterBody& body) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Ring& ring : body.wet->region) {
-    for (const Point& p : ring) lowest = std::min(lowest, p.y());
-  }
-  return std::max(0.0, body.surface.from_m.y() - lowest);
-}
-
 WaterMesh mesh_water(const WaterBody& body, const Banks& banks, const FarEnds& ends, const Fineness& fineness) {
   const auto& outlines = banks.outlines;
   WaterMesh mesh;
@@ -196,22 +100,25 @@ WaterMesh mesh_water(const WaterBody& body, const Banks& banks, const FarEnds& e
   mesh.ends = ends;
   mesh.depth_m = deep;
   if (deep <= 0) return mesh;
-  const double tiny = same_place * deep;
-  std::vector<Ring> rings = region_of(body, outlines, ends, tiny);
+  const double tiny = same_place_m(body);
+  std::vector<Ring> rings = region_of(body, banks, ends);
   if (rings.empty()) return mesh;
-  const Ends open = ends_of(rings);
-  const Ends blocks = ends_of(outlines);
+  const Extent open = extent_of(rings);
+  const Extent blocks = extent_of(outlines);
+  const std::vector<Point> ends_on_faces = ends_of_faces(body, banks);
+  for (Ring& ring : rings) ring = with_points(ring, ends_on_faces, 10 * tiny);
   Sizes sizes{{}, fineness.at_corner * deep, fineness.widest * deep, fineness.growth};
   if (ends.left.absorbs_from_m) sizes.inner_left_m = *ends.left.absorbs_from_m;
   if (ends.right.absorbs_from_m) sizes.inner_right_m = *ends.right.absorbs_from_m;
   sizes.outermost_m = outermost * deep;
   for (const Ring& ring : rings) {
     for (const Point& p : ring) {
-      if (p.x() > blocks.left - tiny && p.x() < blocks.right + tiny) sizes.points.push_back(p);
+      if (p.x() > blocks.left_m - tiny && p.x() < blocks.right_m + tiny) sizes.points.push_back(p);
     }
   }
   for (Ring& ring : rings) ring = with_points(ring, banks.corners, 10 * tiny);
   Triangulated triangles = triangulate(rings, sizes);
+  mesh.rings = std::move(rings);
   mesh.node = std::move(triangles.node);
   MiddleNodes middles(mesh);
   for (const auto& [a, b, c] : triangles.triangle) {
@@ -229,8 +136,8 @@ WaterMesh mesh_water(const WaterBody& body, const Banks& banks, const FarEnds& e
       side.kind = BoundarySide::Kind::surface;
     } else if (faces.find(from, to, side)) {
       side.kind = BoundarySide::Kind::face;
-    } else if ((stands_at(open.left) && middle.x() < blocks.left + tiny && !ends.left.wall) ||
-               (stands_at(open.right) && middle.x() > blocks.right - tiny && !ends.right.wall)) {
+    } else if ((stands_at(open.left_m) && middle.x() < blocks.left_m + tiny && !ends.left.wall) ||
+               (stands_at(open.right_m) && middle.x() > blocks.right_m - tiny && !ends.right.wall)) {
       side.kind = BoundarySide::Kind::far_end;
     }
   }

@@ -3,15 +3,11 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
-#include "fluid/hydrostatic/pools.hpp"
+#include "fluid/reservoir/water_region.hpp"
 
 namespace blockweir::reservoir {
-
-using geometry::Point;
-using hydrostatic::Ring;
 
 /// A side of a triangle on the water's boundary: its end nodes and the one between them, water on the left.
 struct BoundarySide {
@@ -34,38 +30,18 @@ struct Fineness {
   double growth = 0.35;  ///< by how much sides grow with the distance from the nearest corner
 };
 
-/// Where the water ends beyond the model, if it does not end at a block.
-struct FarEnd {
-  double x_m = 0;
-  bool wall = false;                     ///< of the ground; else the water goes on
-  std::optional<double> absorbs_from_m;  ///< x from which waves are damped, so that none comes back
-};
-
-struct FarEnds {
-  FarEnd left;
-  FarEnd right;
-};
-
 struct WaterMesh {
   std::vector<Point> node;
   std::vector<QuadraticTriangle> triangle;  ///< counter-clockwise
   std::vector<BoundarySide> side;
+  std::vector<Ring> rings;  ///< the boundary: sides begin and end at its points
   FarEnds ends;
   double depth_m = 0;
-};
-
-/// The blocks that border the water.
-struct Banks {
-  const std::vector<std::vector<Point>>& outlines;  ///< of all blocks, where they are now
-  std::vector<Point> corners = {};                  ///< mesh corners on faces
 };
 
 /// Delaunay refinement (Ruppert, Shewchuk) of the body's region, whose ends in open water are moved to `ends`. Empty
 /// for a body without a region.
 WaterMesh mesh_water(const hydrostatic::WaterBody& body, const Banks& banks, const FarEnds& ends,
                      const Fineness& fineness);
-
-/// Height of the surface over the lowest point of the body [m].
-double depth(const hydrostatic::WaterBody& body);
 
 }  // namespace blockweir::reservoir

@@ -19,6 +19,7 @@
 #include "solid/capacity/situation.hpp"
 #include "solid/capacity/static_blocks.hpp"
 #include "solid/capacity/static_strength.hpp"
+#include "solid/limit/determinacy.hpp"
 #include "solid/limit/limit_strength.hpp"
 #include "solid/watch/joint_table.hpp"
 #include "solid/watch/uplift_in_tension.hpp"
@@ -60,6 +61,7 @@ json table_json(const std::vector<solid::JointRow>& rows) {
                      {"resultant_from_downstream", figure(row.resultant_from_downstream)},
                      {"compressed_length_m", row.faces_length_m - row.cracked_length_m},
                      {"cracked_length_m", row.cracked_length_m},
+                     {"bonded_length_m", figure(row.bonded_length_m)},
                      {"heel_stress_pa", row.heel_stress_pa},
                      {"toe_stress_pa", row.toe_stress_pa},
                      {"downstream_end_m", {row.downstream_end_m.x(), row.downstream_end_m.y()}},
@@ -160,6 +162,13 @@ void add_friction_history(const limit::LimitAnalysis& structure, const StaticStr
   const std::optional<double> below = jumps_below(structure, bound);
   if (!below || !blocks.stopped.empty()) return;
   if (blocks.bearing != Bearing::fails_at_a_factor || (blocks.factor > *below && !blocks.creeps)) return;
+  if (limit::each_joint_divides(structure.scene(), structure.faces())) {
+    answer["friction_history"] = fmt::format(
+        "the bond of a joint breaks from its most stressed end on, which the blocks follow, down to {:.4g}; limit "
+        "analysis, with {:.4g}, has all of the bond at once",
+        blocks.factor, bound.factor);
+    return;
+  }
   answer["friction_history"] = fmt::format(
       "with strength over {:.4g} to {:.4g} some forces in the joints hold the structure and others do not; which come "
       "about depends on how it was loaded, so that the blocks' factor may jump by some per cent from one level to the "
@@ -214,6 +223,9 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
     answer["load_factor"] = {{"factor", loads.value->factor},
                              {"gap", loads.value->gap},
                              {"mechanism", solid::mechanism_json(structure, loads.value->mechanism)}};
+  } else if (loads.value && loads.value->bearing == Bearing::bears_none &&
+             std::any_of(stated.begin(), stated.end(), [](const auto& load) { return !load.isZero(); })) {
+    answer["load_factor"] = {{"factor", nullptr}};  // what does not grow is too much already
   }
   solid::add_water_in_an_earthquake(scene, answer);
   answer["joints"] = json::array();

@@ -39,7 +39,11 @@ void add_water_factor(const limit::LimitAnalysis& structure, Situation& now, con
   const limit::Wrenches dry = limit::combined(statics::weights_of(now.scene), 1, stated);
   const auto found = attempt(
       [&] { return structure.largest_factor(dry, statics::water_forces(now.scene, now.water->at(now.level_m))); });
-  if (!found.value || found.value->bearing != Bearing::fails_at_a_factor) return;
+  if (!found.value || found.value->bearing == Bearing::bears_any) return;
+  if (found.value->bearing == Bearing::bears_none) {
+    answer["water_factor"] = {{"factor", nullptr}};  // what acts beside the water is too much already
+    return;
+  }
   const double factor = found.value->factor;
   answer["water_factor"] = {{"factor", factor}, {"gap", found.value->gap}};
   constexpr double scarce = 1.1;

@@ -18,6 +18,18 @@ inline Point strained(const Eigen::Ref<const Eigen::Vector3d>& strain, const Poi
   return {strain[0] * X.x() + strain[2] / 2 * X.y(), strain[1] * X.y() + strain[2] / 2 * X.x()};
 }
 
+/// What a block's points need of its turn in a step, free of cancellation.
+struct Turn {
+  double versed = 0;  ///< 1 - cos
+  double sine = 0;
+
+  Turn() = default;
+  explicit Turn(double radians) : sine(std::sin(radians)) {
+    const double half = std::sin(radians / 2);
+    versed = 2 * half * half;
+  }
+};
+
 /// The position and rotation of a block, with the sine and cosine of the angle.
 class Placement {
  public:
@@ -73,18 +85,23 @@ class Placement {
     return force;
   }
 
+  /// Its first three: of a block whose strains are constant.
+  [[nodiscard]] Eigen::Vector3d rigid_generalized(const Point& f, const Point& X) const {
+    const Point y = X + strained(strain_, X);
+    const Point own = unturn(f);
+    return {f.x(), f.y(), y.x() * own.y() - y.y() * own.x()};
+  }
+
   /// Displacement of a material point when the six unknowns of this placement change by `increment`, free of
   /// cancellation: R ((R(dr) - I)(I + E) X + R(dr) dE X) + du.
-  [[nodiscard]] Point increment(const Vector6& increment, const Point& X) const {
-    const double half = std::sin(increment[2] / 2);
-    const double c1 = -2 * half * half;  // cos(dr) - 1
-    const double s = std::sin(increment[2]);
+  [[nodiscard]] Point increment(const Vector6& increment, const Turn& turned, const Point& X) const {
     const Point y = X + strained(strain_, X);
     const Point z = strained(increment.tail<3>(), X);
-    const Point moved(c1 * (y.x() + z.x()) - s * (y.y() + z.y()) + z.x(),
-                      s * (y.x() + z.x()) + c1 * (y.y() + z.y()) + z.y());
+    const Point moved(-turned.versed * (y.x() + z.x()) - turned.sine * (y.y() + z.y()) + z.x(),
+                      turned.sine * (y.x() + z.x()) - turned.versed * (y.y() + z.y()) + z.y());
     return increment.head<2>() + turn(moved);
   }
+  [[nodiscard]] Point increment(const Vector6& by, const Point& X) const { return increment(by, Turn(by[2]), X); }
 
  private:
   Point centre_ = Point::Zero();

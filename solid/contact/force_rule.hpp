@@ -3,9 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace blockweir::solid {
@@ -37,77 +35,131 @@ struct RuledForce {
 };
 
 /// The forces that fulfil a rule at one point, found time and again: what does not depend on gap and slip is computed
-/// once.
+/// once. Of one point (a number) or of several at a time (a vector of numbers), to the same bits: all cases are
+/// computed, and the right one is taken.
+template <class T>
 class PointForces {
  public:
-  PointForces() = default;
-  /// `flexibility`: d (gap, slip) / d (normal, shear), symmetric and positive, the rule's compliance not among it.
-  PointForces(const ForceRule& rule, const Eigen::Matrix2d& flexibility);
-
-  /// Plain numbers: they stay in registers.
+  using Mask = decltype(T{} < T{});
   struct Found {
-    double normal = 0;
-    double shear = 0;
-    bool slips = false;
+    T normal{};
+    T shear{};
+    Mask slips{};
   };
+  /// The numbers of a rule, and d (gap, slip) / d (normal, shear), symmetric and positive, with the rule's compliance.
+  struct Law {
+    T friction{};
+    T cohesion{};
+    T least_normal{};
+    T most_normal{};
+    T opens{};  ///< above zero: it does
+    std::array<T, 2> opening{};
+    T gap_by_normal{};
+    T gap_by_shear{};
+    T slip_by_shear{};
+  };
+
+  PointForces() = default;
+  explicit PointForces(const Law& law) : law_(law) {
+    const T one = T{} + 1.0;
+    const T per = one / (law.gap_by_normal * law.slip_by_shear - law.gap_by_shear * law.gap_by_shear);
+    stiffness_ = {law.slip_by_shear * per, -law.gap_by_shear * per, law.gap_by_normal * per};
+    shear_per_slip_ = one / law.slip_by_shear;
+    normal_per_gap_ = one / law.gap_by_normal;
+    for (const int k : {0, 1}) {
+      const T side = T{} + (k == 0 ? -1.0 : 1.0);
+      Slipping& s = slipping_[k];
+      s.side = side;
+      const T by_shear = law.gap_by_shear - law.opening[k] * law.slip_by_shear;
+      const T by_normal = law.gap_by_normal - law.opening[k] * law.gap_by_shear + side * law.friction * by_shear;
+      s.gap_by_cohesion = law.cohesion > T{} ? by_shear * side * law.cohesion : T{};
+      s.normal_per_gap = by_normal > T{} ? one / by_normal : T{};
+    }
+  }
+
   /// `gap`, `slip`: values without the forces [m]. For one point Coulomb's law has at least one solution if friction
   /// does not jam; if it does, the shear is left out.
-  [[nodiscard]] Found at(double gap, double slip) const {
-    if (may_open_ && gap >= opening_[slip > 0 ? 0 : 1] * slip) return {};
-    const double free_normal = -(stiffness_[0] * gap + stiffness_[1] * slip);
-    double normal = free_normal;
-    double shear = -(stiffness_[1] * gap + stiffness_[2] * slip);
-    if (free_normal < least_normal_ || free_normal > most_normal_) [[unlikely]] {  // predicted branch: no stall
-      normal = within(free_normal);
-      shear = -(slip + gap_by_shear_ * normal) * shear_per_slip_;
-    }
-    if (std::abs(shear) <= std::max(0.0, cohesion_ + friction_ * normal)) return {normal, shear, false};
-    return at_bound(gap, slip, shear > 0);
+  [[nodiscard, gnu::always_inline]] Found at(const T& gap, const T& slip) const {
+    const T none{};
+    const T free_normal = -(stiffness_[0] * gap + stiffness_[1] * slip);
+    const T free_shear = -(stiffness_[1] * gap + stiffness_[2] * slip);
+    const T normal = within(free_normal);
+    const T shear = normal == free_normal ? free_shear : -(slip + law_.gap_by_shear * normal) * shear_per_slip_;
+    const Slip minus = slipping(0, gap, slip);
+    const Slip plus = slipping(1, gap, slip);
+    const T jammed = within(-gap * normal_per_gap_);
+    const T minus_normal = minus.fits ? minus.normal : plus.fits ? plus.normal : jammed;
+    const T minus_shear = minus.fits ? minus.shear : plus.fits ? plus.shear : none;
+    const T plus_normal = plus.fits ? plus.normal : minus.fits ? minus.normal : jammed;
+    const T plus_shear = plus.fits ? plus.shear : minus.fits ? minus.shear : none;
+    const Mask sticks = magnitude(shear) <= bound(normal);
+    const Mask opens = (law_.opens > none) & (gap >= (slip > none ? law_.opening[0] : law_.opening[1]) * slip);
+    const T at_bound = shear > none ? plus_normal : minus_normal;
+    const T shear_at_bound = shear > none ? plus_shear : minus_shear;
+    return {opens    ? none
+            : sticks ? normal
+                     : at_bound,
+            opens    ? none
+            : sticks ? shear
+                     : shear_at_bound,
+            (opens | sticks) == Mask{}};
   }
 
  private:
   /// Shear of one sign at its bound.
   struct Slipping {
-    double opening = 0;          ///< d gap / d slip
-    double gap_by_cohesion = 0;  ///< of the gap that the contact resists, gap - opening * slip
-    double normal_per_gap = 0;   ///< that closes it; 0: none does
+    T side{};
+    T gap_by_cohesion{};  ///< of the gap that the contact resists, gap - opening * slip
+    T normal_per_gap{};   ///< that closes it; 0: none does
+  };
+  struct Slip {
+    T normal{};
+    T shear{};
+    Mask fits{};  ///< a normal force closes the gap, and the slip is to the right side
   };
 
-  [[nodiscard]] double within(double normal) const { return std::min(std::max(normal, least_normal_), most_normal_); }
-  [[nodiscard]] Found at_bound(double gap, double slip, bool positive) const {
-    Found found{0, 0, true};
-    if (slips(gap, slip, positive, found) || slips(gap, slip, !positive, found)) return found;
-    return {within(-gap / gap_by_normal_), 0, true};
+  [[nodiscard, gnu::always_inline]] static T magnitude(const T& x) { return x < T{} ? -x : x; }
+  [[nodiscard, gnu::always_inline]] T within(const T& normal) const {
+    const T least = normal < law_.least_normal ? law_.least_normal : normal;
+    return law_.most_normal < least ? law_.most_normal : least;
   }
-  /// The normal force that closes the gap while shear of this sign is at its bound, unless the slip is to the wrong
-  /// side.
-  [[nodiscard]] bool slips(double gap, double slip, bool positive, Found& found) const {
-    const Slipping& s = slipping_[positive ? 1 : 0];
-    if (s.normal_per_gap == 0) return false;
-    const double side = positive ? 1 : -1;
-    found.normal = within(-(gap - s.opening * slip + s.gap_by_cohesion) * s.normal_per_gap);
-    found.shear = side * std::max(0.0, cohesion_ + friction_ * found.normal);
-    return side * (slip + gap_by_shear_ * found.normal + slip_by_shear_ * found.shear) <= 0;
+  [[nodiscard, gnu::always_inline]] T bound(const T& normal) const {
+    const T shear = law_.cohesion + law_.friction * normal;
+    return shear > T{} ? shear : T{};
+  }
+  [[nodiscard, gnu::always_inline]] Slip slipping(int k, const T& gap, const T& slip) const {
+    const Slipping& s = slipping_[k];
+    const T normal = within(-(gap - law_.opening[k] * slip + s.gap_by_cohesion) * s.normal_per_gap);
+    const T shear = s.side * bound(normal);
+    const T left = s.side * (slip + law_.gap_by_shear * normal + law_.slip_by_shear * shear);
+    const Mask fits = (s.normal_per_gap != T{}) & (left <= T{});
+    return {normal, shear, fits};
   }
 
-  // In the order in which a visit reads them.
-  bool may_open_ = true;
-  std::array<double, 2> opening_ = {0, 0};
-  std::array<double, 3> stiffness_ = {0, 0, 0};  ///< gap, both, slip
-  double least_normal_ = 0;
-  double most_normal_ = 0;
-  double friction_ = 0;
-  double cohesion_ = 0;
-  std::array<Slipping, 2> slipping_;
-  double gap_by_normal_ = 0;
-  double gap_by_shear_ = 0;
-  double slip_by_shear_ = 0;
-  double shear_per_slip_ = 0;
+  Law law_;
+  std::array<T, 3> stiffness_{};  ///< gap, both, slip
+  std::array<Slipping, 2> slipping_{};
+  T shear_per_slip_{};
+  T normal_per_gap_{};
 };
 
+/// Of one point; `flexibility` without the rule's compliance.
+[[nodiscard]] inline PointForces<double>::Law law_of(const ForceRule& rule, const Eigen::Matrix2d& flexibility) {
+  return {.friction = rule.friction,
+          .cohesion = rule.cohesion,
+          .least_normal = rule.least_normal,
+          .most_normal = rule.most_normal,
+          .opens = rule.opens && rule.least_normal == 0 ? 1.0 : 0.0,
+          .opening = rule.opening,
+          .gap_by_normal = flexibility(0, 0) + rule.compliance[0],
+          .gap_by_shear = flexibility(1, 0),
+          .slip_by_shear = flexibility(1, 1) + rule.compliance[1]};
+}
+
 /// Of a point that is asked once.
-inline RuledForce forces_of(const ForceRule& rule, const Eigen::Matrix2d& flexibility, const Eigen::Vector2d& apart) {
-  const PointForces::Found found = PointForces(rule, flexibility).at(apart[0], apart[1]);
+[[nodiscard]] inline RuledForce forces_of(const ForceRule& rule, const Eigen::Matrix2d& flexibility,
+                                          const Eigen::Vector2d& apart) {
+  const auto found = PointForces<double>(law_of(rule, flexibility)).at(apart[0], apart[1]);
   return {{found.normal, found.shear}, found.slips};
 }
 

@@ -50,6 +50,13 @@ struct Interaction {
     rows.row(1) = placement.generalized(perpendicular(axis), at(second));
     return rows;
   }
+  /// Of a block whose strains are constant.
+  [[nodiscard]] Eigen::Matrix<double, 2, 3> rigid_shape(const Placement& placement, bool second) const {
+    Eigen::Matrix<double, 2, 3> rows;
+    rows.row(0) = placement.rigid_generalized(axis, at(second));
+    rows.row(1) = placement.rigid_generalized(perpendicular(axis), at(second));
+    return rows;
+  }
 };
 
 }  // namespace blockweir::solid

@@ -6,9 +6,10 @@
 namespace blockweir::solid {
 namespace {
 
-/// What rests does so exactly: no sine is taken of it.
-Point moved(const Placement& start, const Vector6& increment, const Point& X) {
-  return increment.isZero(0) ? Point(Point::Zero()) : start.increment(increment, X);
+/// What rests does so exactly.
+Point moved(const Trial& trial, std::size_t b, const Point& X) {
+  const Vector6& increment = trial.increment[b];
+  return increment.isZero(0) ? Point(Point::Zero()) : trial.start[b].increment(increment, trial.turn[b], X);
 }
 
 /// What moves a point, whether it cancels there or not: a slender block's base hardly moves while the block turns.
@@ -44,17 +45,18 @@ Interaction interaction_of(const Support& s) {
 Separation separation_of(const Trial& trial, const ContactPoint& c, const EdgeFrame& edge) {
   const auto v = at(c.vertex_part);
   const auto e = at(c.edge_part);
-  const Point vertex_moved = moved(trial.start[v], trial.increment[v], c.vertex_at);
+  const Point vertex_moved = moved(trial, v, c.vertex_at);
   const Point foot = edge_point(c, c.anchor);
-  const Point edge_moved = moved(trial.start[e], trial.increment[e], foot);
+  const Point edge_moved = moved(trial, e, foot);
   const Point apart = c.separation + vertex_moved - edge_moved;
   return {{edge.n.dot(apart), edge.t.dot(apart)},
           motion(trial.increment[v], c.vertex_at) + motion(trial.increment[e], foot)};
 }
 
 Separation separation_of(const Trial& trial, const Support& s) {
-  const Point moved = trial.start[at(s.block)].increment(trial.increment[at(s.block)], s.material);
-  return {s.held().cwiseProduct(s.separation + moved), motion(trial.increment[at(s.block)], s.material)};
+  const auto b = at(s.block);
+  const Point moved = trial.start[b].increment(trial.increment[b], trial.turn[b], s.material);
+  return {s.held().cwiseProduct(s.separation + moved), motion(trial.increment[b], s.material)};
 }
 
 }  // namespace blockweir::solid

@@ -16,6 +16,7 @@ struct Trial {
   const std::vector<Block>& blocks;
   const std::vector<Placement>& start;        ///< at the start of the step
   const std::vector<Vector6>& increment;      ///< tried so far
+  const std::vector<Turn>& turn;              ///< of the increments
   const std::vector<Placement>& placement;    ///< start plus increment
   const std::vector<Vector6>& past_velocity;  ///< velocity = velocity_factor * increment + past_velocity
   double velocity_factor = 0;                 ///< 1/s; 0 where velocities mean nothing

@@ -7,6 +7,7 @@
 #include "solid/expect/time_series.hpp"
 #include "solid/watch/acceleration_fit.hpp"
 #include "solid/watch/added_mass_watch.hpp"
+#include "solid/watch/breach.hpp"
 #include "solid/watch/edge_tension.hpp"
 #include "solid/watch/energy.hpp"
 #include "solid/watch/failure_watch.hpp"
@@ -31,8 +32,8 @@ struct Outcome {
   const AddedMassWatch& added_mass;
   const InterfaceEnergy& interface_energy;
   const Frames& frames;
-  double largest_penetration_m = 0;    ///< over the whole run
-  std::optional<double> breached_s{};  ///< time from which open water has passed the structure
+  double largest_penetration_m = 0;  ///< over the whole run
+  std::optional<Breach> breach{};
 };
 
 std::vector<std::string> quantity_names();

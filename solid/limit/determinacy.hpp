@@ -7,8 +7,11 @@
 
 namespace blockweir::solid::limit {
 
-/// Whether there are as many plane joints as moving blocks, without bonds and ties, and each block is connected to the
-/// ground. Then each joint divides the structure in two.
+/// Whether each joint divides the structure in two: there are as many plane joints as moving blocks, and each block is
+/// connected to the ground.
+bool each_joint_divides(const scene::Scene& scene, const std::vector<Face>& faces);
+
+/// The same without bonds and ties.
 bool follow_from_equilibrium(const scene::Scene& scene, const std::vector<Face>& faces, const std::vector<Tie>& ties);
 
 }  // namespace blockweir::solid::limit

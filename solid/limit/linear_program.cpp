@@ -16,6 +16,14 @@ namespace {
 /// entry of the order of one, and then its basis is singular, or it finds no forces where there are some.
 constexpr double round_off = 1e-10;
 
+/// What GLPK's code and status mean where there is no optimum.
+std::string why_not(int code, int status) {
+  if (code == GLP_EITLIM || code == GLP_ETMLIM) return "came to no end";
+  if (code != 0) return fmt::format("broke down (GLPK's code {})", code);
+  if (status == GLP_UNBND) return "found nothing that bounds the objective";
+  return "found forces that do not balance within round-off, since loads and strengths are too many decades apart,";
+}
+
 }  // namespace
 
 LinearProgram::LinearProgram() : program_(glp_create_prob(), glp_delete_prob) {
@@ -125,9 +133,7 @@ ProgramStatus LinearProgram::maximize() {
   throw std::runtime_error(fmt::format(
       "limit analysis: the simplex method {} on a linear program of {} rows and {} variables; expected an optimum; "
       "loads or strengths in wrong units may be the cause",
-      status == GLP_UNBND ? "found nothing that bounds the objective"
-                          : fmt::format("ended with code {}, status {}", failed, status),
-      glp_get_num_rows(program_.get()), glp_get_num_cols(program_.get())));
+      why_not(failed, status), glp_get_num_rows(program_.get()), glp_get_num_cols(program_.get())));
 }
 
 double LinearProgram::value(int variable) const {

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/loose_blocks.hpp"
+#include "solid/output/rest_text.hpp"
 #include "solid/watch/joint_name.hpp"
 
 namespace blockweir::solid::output {
@@ -206,25 +208,43 @@ void add_rest(const expect::Outcome& outcome, json& text) {
   const Rest& rest = outcome.solid.state().rest;
   const auto steps = outcome.solid.counts().steps;
   text["rest"] = {{"found", rest.found}, {"unbalanced_ratio", rest.unbalanced}, {"steps", steps}};
-  text["rest"]["text"] =
-      rest.found ? fmt::format("at rest after {} steps, {:.3g} of the weight unbalanced", steps, rest.unbalanced)
-                 : fmt::format(
-                       "no equilibrium: {:.3g} of the weight unbalanced after {} steps, largest displacement "
-                       "{:.4g} m",
-                       rest.unbalanced, steps, outcome.last.largest_displacement_m);
+  text["rest"]["text"] = rest_text(rest, steps, outcome.solid.scene().analysis, outcome.last.largest_displacement_m);
   if (!rest.found && outcome.failure.failures().empty()) {
     text["outcome"] = "stopped";
     text["stopped"] = text["rest"]["text"];
   }
 }
 
+double drawn_crest_m(const scene::Scene& scene) {
+  Eigen::AlignedBox2d all;
+  for (const scene::Block& block : scene.blocks) {
+    for (const scene::Point& p : block.vertices) all.extend(p);
+  }
+  return all.max().y();
+}
+
 void add_breach(const expect::Outcome& outcome, json& text) {
-  if (!outcome.breached_s) return;
-  const bool flows = outcome.solid.scene().fluid == scene::FluidModel::openfoam;
-  text["breach"] = {{"time_s", *outcome.breached_s},
-                    {"text", flows ? "open water passes the structure"
-                                   : "open water passes the structure; from then on water would flow, and the "
-                                     "pressures of still water no longer apply"}};
+  if (!outcome.breach) return;
+  const auto& [time_s, level_m, crest_m] = *outcome.breach;
+  std::string how = "open water passes the structure";
+  if (level_m > crest_m && level_m <= drawn_crest_m(outcome.solid.scene())) {
+    how =
+        fmt::format("water at a level of {:.4g} m flows over the crest, which has sunk to {:.4g} m", level_m, crest_m);
+  }
+  if (outcome.solid.scene().fluid != scene::FluidModel::openfoam) {
+    how += "; from then on water would flow, and the pressures of still water no longer apply";
+  }
+  text["breach"] = {{"time_s", time_s}, {"crest_m", crest_m}, {"text", how}};
+}
+
+void add_loose(const expect::Outcome& outcome, json& text) {
+  const std::vector<int>& loose = outcome.failure.loose();
+  if (loose.empty()) return;
+  json names = json::array();
+  for (const int b : loose) names.push_back(outcome.solid.blocks()[at(b)].name);
+  text["loose"] = {{"blocks", names},
+                   {"text", scene::loose_text(outcome.solid.scene(), loose) +
+                                ", as nothing holds what the scene draws there: the verdict is that of the others"}};
 }
 
 }  // namespace
@@ -233,6 +253,7 @@ void add_verdict(const expect::Outcome& outcome, json& text) {
   add_outcome(outcome, text);
   add_rest(outcome, text);
   add_breach(outcome, text);
+  add_loose(outcome, text);
 }
 
 }  // namespace blockweir::solid::output

@@ -8,7 +8,7 @@
 
 namespace blockweir::solid::output {
 
-/// Adds keys outcome, failure or margin, moving, stopped, rest and breach to a summary, and its warnings.
+/// Adds keys outcome, failure or margin, moving, stopped, rest, breach and loose to a summary, and its warnings.
 void add_verdict(const expect::Outcome& outcome, nlohmann::json& summary);
 
 }  // namespace blockweir::solid::output

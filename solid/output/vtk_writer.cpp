@@ -157,10 +157,17 @@ void VtkWriter::write(const Frame& frame) {
   const auto save = [&](const char* name, void (*fill)(const Frame&, Grid&)) {
     Grid grid;
     fill(frame, grid);
-    files_.add(grid, fmt::format("{}_{:06d}.vtu", name, count_), frame.time_s, name, part++);
+    const std::string file = fmt::format("{}_{:06d}.vtu", name, count_);
+    files_.add(grid, file, frame.time_s, name, part++);
+    return file;
   };
   save("blocks", fill_blocks);
-  save("joints", fill_joints);
+  if (frame.contacts.empty() && !without_contacts_.empty()) {
+    files_.repeat(without_contacts_, frame.time_s, "joints", part++);
+  } else {
+    const std::string file = save("joints", fill_joints);
+    if (frame.contacts.empty()) without_contacts_ = file;
+  }
   save("water", fill_water);
   if (!frame.bolts.empty()) save("bolts", fill_bolts);
   if (!frame.meshes.empty()) save("mesh", fill_mesh);

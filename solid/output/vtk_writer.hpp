@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "bridge/vtk/collection.hpp"
 #include "solid/watch/frame.hpp"
@@ -19,12 +20,13 @@ class VtkWriter {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(files_, count_);
+    archive(files_, count_, without_contacts_);
   }
 
  private:
   vtk::Collection files_;
   int count_ = 0;
+  std::string without_contacts_;  ///< the first file of joints that is empty: it serves again
 };
 
 }  // namespace blockweir::solid::output

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/results/stopwatch.hpp"
@@ -32,6 +33,14 @@ std::vector<scene::FacePressure> face_pressures_of(const std::vector<Panel>& wat
                      .pressure_to_pa = scene::TimeTable::constant(panel.pressure_to_pa)});
   }
   return loads;
+}
+
+double highest_point_m(const Solid& solid) {
+  Eigen::AlignedBox2d all;
+  for (std::size_t b = 0; b < solid.blocks().size(); ++b) {
+    for (const Point& X : solid.blocks()[b].vertices) all.extend(solid.placements()[b].position(X));
+  }
+  return all.max().y();
 }
 
 }  // namespace
@@ -82,6 +91,9 @@ void CoupledSolid::start(const wire::Load& load) {
 
 void CoupledSolid::advance(const wire::Load& load, const wire::Motion& sent, double from_s, double to_s) {
   if (load.window > 0) map(load);
+  if (load.breached && !breach_) {
+    breach_ = {from_s, std::fmax(load.upstream_level_m, load.downstream_level_m), highest_point_m(solid_)};
+  }
   const std::vector<Eigen::Vector3d> velocities = schedule::velocities_in(sent);
   AddedMasses masses;
   solid_.call_meanwhile([this, window = sent.window, before = solid_.counts().iterations] {
@@ -97,7 +109,6 @@ void CoupledSolid::advance(const wire::Load& load, const wire::Motion& sent, dou
     const bool over_edge = c.anchor >= 0 && c.anchor <= 1;  // beside the edge there is nothing to enter
     if (c.state != ContactState::open && over_edge) largest_penetration_m_ = std::max(largest_penetration_m_, -c.gap);
   }
-  if (load.breached && !breached_s_) breached_s_ = from_s;
   last_load_ = load;
   unrecorded_ = to_s;
 }
@@ -234,7 +245,7 @@ void CoupledSolid::finish(const nlohmann::json& extra, const std::string& stoppe
                                 .interface_energy = interface_energy_,
                                 .frames = frames_,
                                 .largest_penetration_m = largest_penetration_m_,
-                                .breached_s = breached_s_};
+                                .breach = breach_};
   nlohmann::json text = {{"warnings", solid_.scene().warnings}};  // of a start that fails, too
   if (recorded_s_ >= 0) text = output::summary(outcome);
   for (const std::string& skip : more_skips) text["skips"].push_back(skip);

@@ -38,7 +38,7 @@ class CoupledSolid final : public schedule::SolidSide {
   void serialize(Archive& archive) {
     archive(solid_, water_, failure_, margins_, edge_tension_, acceleration_, series_, energy_, added_mass_,
             interface_energy_, history_, frame_log_, vtk_, first_, frame_, last_load_, next_history_s_, next_frame_s_,
-            recorded_s_, largest_penetration_m_, breached_s_, frames_, step_s_, map_s_, watch_s_, output_s_);
+            recorded_s_, largest_penetration_m_, breach_, frames_, step_s_, map_s_, watch_s_, output_s_);
   }
 
   /// Writes summary.json; `extra` is merged into it. `stopped`: reason if the run ended early, otherwise empty.
@@ -78,7 +78,7 @@ class CoupledSolid final : public schedule::SolidSide {
   double next_frame_s_ = 0;
   double recorded_s_ = -1;  ///< time of frame_
   double largest_penetration_m_ = 0;
-  std::optional<double> breached_s_;
+  std::optional<Breach> breach_;  ///< the first
   Frames frames_;
   double step_s_ = 0;    ///< wall time in the solid's steps
   double map_s_ = 0;     ///< wall time in converting messages

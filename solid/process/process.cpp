@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bridge/channel/endpoint.hpp"
 #include "bridge/channel/handshake.hpp"
 #include "bridge/process/fluid_name.hpp"
 #include "bridge/process/sides.hpp"
@@ -249,6 +250,9 @@ FluidReport run_process(SolidProcess process) {
   const auto start = Clock::now();
   const scene::Scene scene = scene::read(process.scene, process.overrides).scene;
   require_line(scene, process);
+  if (!process.line.endpoint.empty()) {
+    channel::check_endpoint(process.line.endpoint, /*listens=*/false, /*may_come=*/true);
+  }
   channel::catch_stop_signals();
   results::make_folder(process.folder);
   const results::FolderLock lock(process.folder);

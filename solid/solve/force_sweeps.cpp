@@ -4,204 +4,178 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace blockweir::solid {
+namespace {
+
+constexpr int patience = 50;    // sweeps that come no nearer
+constexpr double nearer = 0.9;  // than the nearest so far
+
+}  // namespace
 
 void ForceSweeps::begin(const Eigen::VectorXd& displacement, std::size_t rows, bool accelerates) {
   accelerates_ = accelerates;
+  rows_are_new_ = true;
   rows_.clear();
   rows_.reserve(rows);
   entries_.clear();
-  displacement_ = displacement;
+  displacement_.setZero(displacement.size() + RowBatches::most_unknowns);
+  displacement_.head(displacement.size()) = displacement;
 }
 
 void ForceSweeps::begin_sweeps() {
-  for (Row& row : rows_) {
-    row.forces = PointForces(row.rule, row.flexibility);
+  if (rows_are_new_) batches_.choose(rows_, entries_, displacement().size());
+  rows_are_new_ = false;
+  batches_.begin(rows_);
+  alone_.clear();
+  for (const int k : batches_.left_alone()) {
+    Row& row = rows_[at(k)];
+    alone_.emplace_back(law_of(row.rule, row.flexibility));
     row.force_before = row.force;
   }
   displacement_before_ = displacement_;
   momentum_ = 1;
-  nearest_m_ = least_m_ = std::numeric_limits<double>::infinity();
+  last_m_ = nearest_m_ = milestone_m_ = least_m_ = std::numeric_limits<double>::infinity();
   in_vain_ = 0;
   part_ = 1;
-  sweeps_ = 0;
-  last_m_ = std::numeric_limits<double>::infinity();
 }
 
 void ForceSweeps::displace(const Eigen::VectorXd& displacement) {
-  displacement_ = displacement;
+  displacement_.head(displacement.size()) = displacement;
   begin_sweeps();
 }
 
 void ForceSweeps::let_act() {
-  for (const Row& row : rows_) act(row, row.force[0], row.force[1]);
+  for (const Row& row : rows_) act(row, row.force);
   begin_sweeps();
 }
 
-void ForceSweeps::act(const Row& row, double normal, double shear) {
-  for (const End& end : row.ends) {
-    const double* by_normal = entries_.data() + end.first_entry + 2 * end.count;
-    const double* by_shear = by_normal + end.count;
-    double* moved = displacement_.data() + end.first;
-    if (end.count == 3) {  // of rigid blocks, most of what is swept: no loop
-      const std::array<double, 3> sum = {moved[0] + (normal * by_normal[0] + shear * by_shear[0]),
-                                         moved[1] + (normal * by_normal[1] + shear * by_shear[1]),
-                                         moved[2] + (normal * by_normal[2] + shear * by_shear[2])};
-      std::copy(sum.begin(), sum.end(), moved);
-      continue;
-    }
-    for (Eigen::Index i = 0; i < end.count; ++i) moved[i] += normal * by_normal[i] + shear * by_shear[i];
+ForceSweeps::Entries ForceSweeps::motions(const Row::End& end) const {
+  return {entries_.data() + end.first_entry, end.count, 2};
+}
+
+ForceSweeps::Entries ForceSweeps::responses(const Row::End& end) const {
+  return {entries_.data() + end.first_entry + 2 * end.count, end.count, 2};
+}
+
+void ForceSweeps::act(const Row& row, const Eigen::Vector2d& force) {
+  for (const Row::End& end : row.ends) {
+    displacement_.segment(end.first, end.count).noalias() += responses(end) * force;
   }
 }
 
-/// What displacements add to these.
-ForceSweeps::Apart ForceSweeps::moved(const Row& row, Apart now) const {
-  for (const End& end : row.ends) {
-    const double* of_gap = entries_.data() + end.first_entry;
-    const double* of_slip = of_gap + end.count;
-    const double* moved = displacement_.data() + end.first;
-    if (end.count == 3) {
-      now.gap += of_gap[0] * moved[0] + of_gap[1] * moved[1] + of_gap[2] * moved[2];
-      now.slip += of_slip[0] * moved[0] + of_slip[1] * moved[1] + of_slip[2] * moved[2];
-      continue;
-    }
-    for (Eigen::Index i = 0; i < end.count; ++i) {
-      now.gap += of_gap[i] * moved[i];
-      now.slip += of_slip[i] * moved[i];
-    }
+Eigen::Vector2d ForceSweeps::apart(const Row& row) const {
+  Eigen::Vector2d now = row.apart;
+  for (const Row::End& end : row.ends) {
+    now.noalias() += motions(end).transpose() * displacement_.segment(end.first, end.count);
   }
   return now;
 }
 
-Eigen::Vector2d ForceSweeps::apart(const Row& row) const {
-  const Apart now = moved(row, {row.apart[0], row.apart[1]});
-  return {now.gap, now.slip};
-}
-
-/// In scalars: a pair that has just been written one by one is read slowly as one. Each visit waits for what the one
-/// before has moved: what does not depend on that comes first.
-void ForceSweeps::visit(Row& row, Progress& progress) {
+void ForceSweeps::visit(std::size_t alone, SweepProgress& progress) {
+  Row& row = rows_[at(batches_.left_alone()[alone])];
   const Eigen::Matrix2d& W = row.flexibility;
-  const double normal = row.force[0];
-  const double shear = row.force[1];
-  const Apart without = moved(
-      row, {row.apart[0] - (W(0, 0) * normal + W(0, 1) * shear), row.apart[1] - (W(1, 0) * normal + W(1, 1) * shear)});
-  const PointForces::Found found = row.forces.at(without.gap, without.slip);
-  double more_normal = found.normal - normal;
-  double more_shear = found.shear - shear;
-  if (part_ != 1) {
-    more_normal *= part_;
-    more_shear *= part_;
-  }
+  const Eigen::Vector2d without = apart(row) - W * row.force;
+  const auto found = alone_[alone].at(without[0], without[1]);
+  const Eigen::Vector2d more = part_ * (Eigen::Vector2d(found.normal, found.shear) - row.force);
   row.slips = found.slips;
-  if (more_normal == 0 && more_shear == 0) return;
-  row.force[0] = part_ == 1 ? found.normal : normal + more_normal;
-  row.force[1] = part_ == 1 ? found.shear : shear + more_shear;
-  act(row, more_normal, more_shear);
-  progress.ahead -= W(0, 0) * more_normal * (row.force[0] - row.force_before[0]) +
-                    W(1, 1) * more_shear * (row.force[1] - row.force_before[1]);
-  progress.largest_m = std::max({progress.largest_m, std::abs(W(0, 0) * more_normal + W(0, 1) * more_shear),
-                                 std::abs(W(1, 0) * more_normal + W(1, 1) * more_shear)});
+  if (more.isZero(0)) return;
+  row.force += more;
+  act(row, more);
+  const Eigen::Vector2d since = row.force - row.force_before;
+  progress.ahead -= W(0, 0) * more[0] * since[0] + W(1, 1) * more[1] * since[1];
+  progress.largest_m = std::max(progress.largest_m, (W * more).cwiseAbs().maxCoeff());
 }
 
-/// All forces, and what they displace, by so much of what the last sweep has changed.
+/// Displacements, and forces of rows that are alone, by so much of what the last sweep has changed.
 void ForceSweeps::go_on(double beyond) {
-  for (const int k : acting_) {
+  for (const int k : batches_.left_alone()) {
     Row& row = rows_[at(k)];
     const Eigen::Vector2d now = row.force;
     row.force += beyond * (now - row.force_before);
     row.force_before = now;
   }
-  for (Eigen::Index i = 0; i < displacement_.size(); ++i) {
-    const double now = displacement_[i];
-    displacement_[i] += beyond * (now - displacement_before_[i]);
-    displacement_before_[i] = now;
-  }
-}
-
-/// Half of the rows are contacts that stay open: they are looked at in every tenth sweep, and before an end.
-void ForceSweeps::choose_rows() {
-  constexpr int between = 10;
-  saw_all_ = sweeps_++ % between == 0 || part_ != 1 || last_m_ <= enough_m_;
-  if (!saw_all_) return;
-  acting_.resize(rows_.size());
-  std::iota(acting_.begin(), acting_.end(), 0);
+  displacement_before_.swap(displacement_);
+  displacement_ = displacement_before_ + beyond * (displacement_before_ - displacement_);
 }
 
 int ForceSweeps::settle(int most, double enough_m) {
-  enough_m_ = enough_m;
   double before_m = std::numeric_limits<double>::infinity();  // acceleration turns: two sweeps are to be near
-  for (int n = 1; n <= most; ++n) {
-    const double left_m = sweep();
-    if (saw_all_ && std::max(left_m, before_m) <= enough_m) return n;
+  int n = 0;
+  for (bool ends = false; n < most && !ends; ++n) {
+    const double left_m = sweep_once();
+    ends = std::max(left_m, before_m) <= enough_m;
     before_m = left_m;
   }
-  return most;
+  batches_.give_back(rows_);
+  return n;
 }
 
 double ForceSweeps::sweep() {
-  constexpr int patience = 50;
+  const double left_m = sweep_once();
+  batches_.give_back(rows_);
+  return left_m;
+}
+
+double ForceSweeps::sweep_once() {
   constexpr double part = 0.7;
   if (part_ == 1 && in_vain_ >= patience) {
     part_ = part;
-    nearest_m_ = std::numeric_limits<double>::infinity();
+    in_vain_ = 0;
+    milestone_m_ = std::numeric_limits<double>::infinity();
   }
-  choose_rows();
-  return last_m_ = part_ == 1 ? sweep_ahead() : sweep_part_way();
+  last_m_ = part_ == 1 ? sweep_ahead() : sweep_part_way();
+  ++in_vain_;
+  if (last_m_ < nearer * milestone_m_) {
+    milestone_m_ = last_m_;
+    in_vain_ = 0;
+  }
+  if (part_ != 1 && last_m_ < nearest_m_) {
+    nearest_m_ = last_m_;
+    keep();
+  }
+  return last_m_;
 }
 
 /// Acceleration begins anew where it turns back (O'Donoghue and Candes 2015), or where forces begin to grow: friction
 /// makes the problem unsymmetric.
 double ForceSweeps::sweep_ahead() {
-  constexpr double grows = 2;     // above the least since it began
-  constexpr double nearer = 0.9;  // of the nearest
+  constexpr double grows = 2;  // above the least since it began
   const double next = (1 + std::sqrt(1 + 4 * momentum_ * momentum_)) / 2;
-  go_on((momentum_ - 1) / next);
+  const double beyond = (momentum_ - 1) / next;
+  go_on(beyond);
   if (accelerates_) momentum_ = next;
-  Progress progress;
-  for (const int k : acting_) visit(rows_[at(k)], progress);
-  if (saw_all_) {
-    std::erase_if(acting_, [&](int k) {
-      const Row& row = rows_[at(k)];
-      return row.force.isZero(0) && row.force_before.isZero(0);
-    });
-  }
+  SweepProgress progress;
+  batches_.sweep(beyond, 1, displacement_.data(), progress);
+  for (std::size_t k = 0; k < alone_.size(); ++k) visit(k, progress);
   least_m_ = std::min(least_m_, progress.largest_m);
   if (progress.ahead > 0 || progress.largest_m > grows * least_m_) {
     momentum_ = 1;
     least_m_ = progress.largest_m;
-  }
-  ++in_vain_;
-  if (progress.largest_m < nearer * nearest_m_) {
-    nearest_m_ = progress.largest_m;
-    in_vain_ = 0;
   }
   return progress.largest_m;
 }
 
 /// Where friction jams blocks, forces that go all of their way run in circles.
 double ForceSweeps::sweep_part_way() {
-  Progress progress;
-  for (Row& row : rows_) visit(row, progress);
-  const double left_m = progress.largest_m / part_;
-  if (left_m < nearest_m_) {
-    nearest_m_ = left_m;
-    keep();
-  }
-  return left_m;
+  SweepProgress progress;
+  batches_.sweep(0, part_, displacement_.data(), progress);
+  for (std::size_t k = 0; k < alone_.size(); ++k) visit(k, progress);
+  return progress.largest_m / part_;
 }
 
 void ForceSweeps::keep() {
   displacement_before_ = displacement_;
-  for (Row& row : rows_) row.force_before = row.force;
+  batches_.keep();
+  for (const int k : batches_.left_alone()) rows_[at(k)].force_before = rows_[at(k)].force;
 }
 
 double ForceSweeps::take_nearest() {
   if (part_ == 1 || !(nearest_m_ < last_m_)) return last_m_;
   displacement_ = displacement_before_;
-  for (Row& row : rows_) row.force = row.force_before;
+  batches_.take_kept();
+  batches_.give_back(rows_);
+  for (const int k : batches_.left_alone()) rows_[at(k)].force = rows_[at(k)].force_before;
   return nearest_m_;
 }
 
@@ -209,8 +183,7 @@ double ForceSweeps::residual() const {
   double largest = 0;
   for (const Row& row : rows_) {
     const Eigen::Vector2d without = apart(row) - row.flexibility * row.force;
-    const PointForces::Found found = row.forces.at(without[0], without[1]);
-    const Eigen::Vector2d change = Eigen::Vector2d(found.normal, found.shear) - row.force;
+    const Eigen::Vector2d change = forces_of(row.rule, row.flexibility, without).force - row.force;
     largest = std::max(largest, (row.flexibility * change).cwiseAbs().maxCoeff());
   }
   return largest;

@@ -8,29 +8,14 @@
 #include <vector>
 
 #include "bridge/scene/at.hpp"
-#include "solid/contact/force_rule.hpp"
+#include "solid/solve/force_row.hpp"
+#include "solid/solve/row_batches.hpp"
 
 namespace blockweir::solid {
 
 class ForceSweeps {
  public:
-  /// What one end of a force meets: unknowns that follow each other.
-  struct End {
-    std::size_t first_entry = 0;  ///< of its motions, then responses
-    int first = 0;
-    int count = 0;  ///< 0: what does not move
-  };
-  /// In the order of a visit, what none reads last.
-  struct Row {
-    std::array<End, 2> ends;
-    Eigen::Vector2d apart = Eigen::Vector2d::Zero();  ///< gap and slip without a displacement [m]
-    Eigen::Vector2d force = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d flexibility = Eigen::Matrix2d::Zero();   ///< of gap and slip, by the row's own forces
-    PointForces forces{};                                    ///< by the rule, as sweeps have them
-    Eigen::Vector2d force_before = Eigen::Vector2d::Zero();  ///< as the sweep before left it, or the nearest
-    bool slips = false;                                      ///< shear is at its bound
-    ForceRule rule{};
-  };
+  using Row = ForceRow;
 
   /// No rows, but room for so many, and displacements that there are without forces.
   /// Where blocks share unknowns sweeps are not accelerated: it threw a meshed dam on jointed rock.
@@ -49,9 +34,8 @@ class ForceSweeps {
   /// Each force once, from forces that go on as the last sweep changed them (Nesterov's acceleration), or that stand
   /// where that would lead away. Where that has long come no nearer, each force goes a part of the way. Largest change
   /// of a gap or slip by a row's own forces [m].
-  /// Of rows without a force most sweeps look only at those that the last look at all has found pressed.
   double sweep();
-  /// Sweeps until two in a row, the second of all rows, change no gap or slip by more than that [m]. Their number.
+  /// Sweeps until two in a row change no gap or slip by more than that [m]. Their number.
   int settle(int most, double enough_m);
   /// After sweeps of parts of the way, which come and go: forces and displacements as the nearest of them left them.
   /// What that left [m]; that of the last sweep where none was such.
@@ -60,44 +44,42 @@ class ForceSweeps {
   [[nodiscard]] double residual() const;
   [[nodiscard]] Eigen::Vector2d apart(const Row& row) const;
 
-  [[nodiscard]] const Eigen::VectorXd& displacement() const { return displacement_; }
+  [[nodiscard]] auto displacement() const {
+    return displacement_.head(displacement_.size() - RowBatches::most_unknowns);
+  }
   [[nodiscard]] std::vector<Row>& rows() { return rows_; }
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
  private:
-  struct Progress {
-    double largest_m = 0;  ///< change of a gap or slip
-    double ahead = 0;      ///< above zero: the sweep has taken back what acceleration had gone ahead
-  };
-  struct Apart {
-    double gap = 0;
-    double slip = 0;
-  };
+  /// Of an end: a column each for normal and shear.
+  using Entries = Eigen::Map<const Eigen::MatrixX2d>;
+
   void begin_sweeps();
-  [[nodiscard]] inline Apart moved(const Row& row, Apart now) const;
+  double sweep_once();
   double sweep_ahead();
   double sweep_part_way();
   void go_on(double beyond);
-  void choose_rows();
   void keep();
-  void visit(Row& row, Progress& progress);
-  inline void act(const Row& row, double normal, double shear);
+  void visit(std::size_t alone, SweepProgress& progress);
+  void act(const Row& row, const Eigen::Vector2d& force);
+  [[nodiscard]] Entries motions(const Row::End& end) const;
+  [[nodiscard]] Entries responses(const Row::End& end) const;
 
   std::vector<Row> rows_;
-  std::vector<int> acting_;  ///< rows that had a force as all were looked at last, or got one
   std::vector<double> entries_;
-  Eigen::VectorXd displacement_;
-  Eigen::VectorXd displacement_before_;  ///< as the sweep before left them, or the nearest of those part of the way
+  RowBatches batches_;
+  std::vector<PointForces<double>> alone_;  ///< of the rows that batches leave alone
+  Eigen::VectorXd displacement_;            ///< and zeros, of what does not move
+  Eigen::VectorXd displacement_before_;     ///< as the sweep before left them, or the nearest of those part of the way
   double momentum_ = 1;
   bool accelerates_ = true;
-  double least_m_ = 0;    ///< that a sweep has changed since acceleration began
-  double nearest_m_ = 0;  ///< that any has
+  bool rows_are_new_ = true;
+  double least_m_ = 0;      ///< that a sweep has changed since acceleration began
+  double milestone_m_ = 0;  ///< of the last sweep that came much nearer
+  double nearest_m_ = 0;    ///< of sweeps of parts of the way
   double last_m_ = 0;
-  double enough_m_ = 0;
-  int sweeps_ = 0;        ///< of the same displacements
-  bool saw_all_ = false;  ///< did the last one?
-  int in_vain_ = 0;       ///< sweeps that came no nearer
-  double part_ = 1;       ///< of its way that a force goes
+  int in_vain_ = 0;  ///< sweeps since the milestone
+  double part_ = 1;  ///< of its way that a force goes
 };
 
 template <class Motions, class Responses>

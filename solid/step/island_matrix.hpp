@@ -20,6 +20,7 @@ class IslandMatrix {
   /// A contact, support or bolt adds J^T C J on the diagonal of each block, and -J^T C J between the two.
   template <class System>
   void add_stiffness(System& to, const Interaction& action) const {
+    if (is_between_rigid(action)) return add_rigid_stiffness(to, action);
     add_columns(to, action, false);
     add_columns(to, action, true);
   }
@@ -28,6 +29,10 @@ class IslandMatrix {
   void add_columns(System& to, const Interaction& action, bool of_second) const;
 
  private:
+  [[nodiscard]] bool is_between_rigid(const Interaction& action) const;
+  template <class System>
+  void add_rigid_stiffness(System& to, const Interaction& action) const;
+
   const Model& model_;
   const StepTrial& trial_;
   const IslandEquations& s_;

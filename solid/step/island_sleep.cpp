@@ -37,8 +37,7 @@ void IslandSleep::begin(IslandEquations& s) {
   ++counts_.slept_islands;
   for (const int block : s.island.blocks) {
     const auto b = static_cast<std::size_t>(block);
-    trial_.increment[b].setZero();
-    trial_.placement[b] = state_.placements[b];
+    trial_.go_to(b, Vector6::Zero());
     state_.blocks[b].velocity.setZero();
     state_.blocks[b].acceleration.setZero();
   }

@@ -22,11 +22,12 @@ void IslandEquations::add_stiffness(const Interaction& action) {
   IslandMatrix(model_, trial_, *this).add_stiffness(system(), action);
 }
 
-/// The matrix that belongs to the residual. Each block takes up its own columns, but where blocks share them.
+/// The matrix that belongs to the residual. Where there are many, each block takes up its own columns, in the same
+/// order, unless blocks share them.
 void IslandEquations::assemble() {
   const Stopwatch watch(profile_.assembly);
   set_block_matrices();
-  if (unknowns->shared()) {
+  if (unknowns->shared() || island.blocks.size() < many) {
     for (const Interaction& action : actions) add_stiffness(action);
     return;
   }

@@ -74,7 +74,7 @@ double PushApart::lasting_m(const IslandEquations& s) const {
 }
 
 bool PushApart::push(const IslandEquations& s) {
-  constexpr int most = 3;  // pushes turn blocks
+  constexpr int most = 10;  // pushes turn blocks, and what they had not met is met then
   const double lasting = lasting_m(s);
   if (lasting == 0) return false;
   // Newton's method leaves none but those that a swept step had left.

@@ -22,7 +22,9 @@ StepTrial::StepTrial(const Model& model, const State& state)
   began_with.assign(n, Vector6::Zero());
   for_motion.assign(n, 0);
   increment.assign(n, Vector6::Zero());
+  turn.resize(n);
   still_ = increment;
+  unturned_ = turn;
   balance.assign(n, Vector6::Zero());
   round_off.resize(n);
 }
@@ -77,6 +79,7 @@ void StepTrial::predict(std::size_t b) {
 
 void StepTrial::go_to(std::size_t b, const Vector6& moved) {
   increment[b] = moved;
+  turn[b] = Turn(moved[2]);
   placement[b] = Placement(model_.blocks[b].centroid, state_.blocks[b].displacement + moved);
 }
 
@@ -134,9 +137,9 @@ bool StepTrial::goes_too_far(double moved_m) const {
 
 /// Largest turn of any block near others in the step at hand [rad].
 double StepTrial::largest_turn() const {
-  const auto turn = [this](int b) { return std::abs(increment[static_cast<std::size_t>(b)][2]); };
+  const auto turned = [this](int b) { return std::abs(increment[static_cast<std::size_t>(b)][2]); };
   return largest(state_.contacts.size(), [&](std::size_t k) {
-    return std::max(turn(state_.contacts[k].vertex_part), turn(state_.contacts[k].edge_part));
+    return std::max(turned(state_.contacts[k].vertex_part), turned(state_.contacts[k].edge_part));
   });
 }
 
@@ -145,7 +148,7 @@ double StepTrial::largest_increment() const {
     double moved = 0;
     if ((frozen[b] && !model_.base.moves_supports()) || increment[b].isZero(0)) return moved;
     for (const Point& X : model_.blocks[b].vertices)
-      moved = std::max(moved, state_.placements[b].increment(increment[b], X).norm());
+      moved = std::max(moved, state_.placements[b].increment(increment[b], turn[b], X).norm());
     return moved;
   });
 }

@@ -28,6 +28,7 @@ class StepTrial {
   std::vector<double> for_motion;      ///< work of loads less energy of strain and springs [J per metre]
 
   std::vector<Vector6> increment;
+  std::vector<Turn> turn;             ///< of the increments
   std::vector<Placement> placement;   ///< with the increment
   std::vector<Point> node_increment;  ///< of meshes [m]
   std::vector<Vector6> balance;       ///< all forces except inertia
@@ -48,10 +49,11 @@ class StepTrial {
   [[nodiscard]] Vector6 corner_increment(std::size_t triangle) const;
 
   [[nodiscard]] Trial at_start() const {
-    return {model_.blocks, state_.placements, still_, state_.placements, past_velocity, scheme.velocity_factor(dt)};
+    return {model_.blocks, state_.placements,         still_, unturned_, state_.placements,
+            past_velocity, scheme.velocity_factor(dt)};
   }
   [[nodiscard]] Trial now() const {
-    return {model_.blocks, state_.placements, increment, placement, past_velocity, scheme.velocity_factor(dt)};
+    return {model_.blocks, state_.placements, increment, turn, placement, past_velocity, scheme.velocity_factor(dt)};
   }
   /// Whether this block (-1: the ground) has unknowns.
   [[nodiscard]] bool moves(int block) const { return block >= 0 && !frozen[static_cast<std::size_t>(block)]; }
@@ -79,6 +81,7 @@ class StepTrial {
   const State& state_;
   std::vector<bool> slides_;    ///< has a slipping contact at the start of the step
   std::vector<Vector6> still_;  ///< zero increments
+  std::vector<Turn> unturned_;  ///< theirs
   bool falls_ = false;
 };
 

@@ -201,8 +201,7 @@ void TimeStep::start_where_it_rests(const IslandEquations& s) {
     const double moved =
         trial_.increment[b].head<2>().norm() + model_.blocks[b].radius * trial_.increment[b].tail<4>().norm();
     if (moved > round_off_m) continue;
-    trial_.increment[b].setZero();
-    trial_.placement[b] = state_.placements[b];
+    trial_.go_to(b, Vector6::Zero());
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/hydrostatics.hpp"
+#include "bridge/scene/loose_blocks.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/watch/energy_debt.hpp"
 #include "solid/watch/failed_joint.hpp"
@@ -36,7 +37,12 @@ double turning_lever(const Solid& solid, const Failure& failure) {
 }  // namespace
 
 FailureWatch::FailureWatch(const Solid& solid)
-    : solid_(solid), watched_(solid.described()), stands_(watched_.size(), true), guided_(watched_.size()) {
+    : solid_(solid),
+      watched_(solid.described()),
+      stands_(watched_.size(), true),
+      guided_(watched_.size()),
+      loose_(scene::loose_blocks(solid.scene())) {
+  for (const int b : loose_) watched_[at(b)].failed = true;
   std::map<std::size_t, int> supports;
   for (const scene::Support& support : solid.scene().supports) {
     if (++supports[at(support.block)] == 2) guided_[at(support.block)] = true;
@@ -160,9 +166,13 @@ void FailureWatch::look(double time_s, const Levels& levels) {
                    [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
 }
 
+bool FailureWatch::is_loose(std::size_t b) const {
+  return std::binary_search(loose_.begin(), loose_.end(), static_cast<int>(b));
+}
+
 bool FailureWatch::rests_again() const {
   for (std::size_t b = 0; b < watched_.size(); ++b) {
-    if (watched_[b].failed && !slow_[b]) return false;
+    if (watched_[b].failed && !is_loose(b) && !slow_[b]) return false;
   }
   return true;
 }
@@ -171,7 +181,7 @@ double FailureWatch::farthest_failed_m() const {
   const Point base = solid_.base().displacement(solid_.time_s());
   double farthest = 0;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
-    if (!watched_[b].failed) continue;
+    if (!watched_[b].failed || is_loose(b)) continue;
     for (const Point& X : solid_.blocks()[b].vertices) {
       farthest = std::max(farthest, (solid_.placements()[b].displacement(X) - base).norm());
     }

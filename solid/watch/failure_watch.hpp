@@ -4,7 +4,8 @@
 // A block is at rest while no vertex is faster than rest_speed_m_per_s. It also counts as at rest if its contacts allow
 // no rigid motion (mobility.hpp) in several evaluations: then it only strains or oscillates. A motion that carries a
 // vertex farther than failure_displacement_m without rest in between is a failure; a slip that ends in a new
-// equilibrium is not. Failure begins, and the level is taken, when the block was last at rest.
+// equilibrium is not. Failure begins, and the level is taken, when the block was last at rest. Blocks that nothing
+// holds from the start, beside others that something does, are not judged.
 #pragma once
 
 #include "bridge/scene/joint_trace.hpp"
@@ -72,6 +73,9 @@ class FailureWatch {
   /// Failures so far, the earliest first.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
 
+  /// Blocks that are not judged, because they fall from the start.
+  [[nodiscard]] const std::vector<int>& loose() const { return loose_; }
+
   /// Whether all failed blocks were at rest at the last evaluation.
   [[nodiscard]] bool rests_again() const;
 
@@ -98,7 +102,7 @@ class FailureWatch {
     Point acceleration = Point::Zero();  ///< of its centroid at that time
     Vector6 seen = Vector6::Zero();      ///< displacement at the last evaluation
     Point velocity = Point::Zero();      ///< mean of the centroid's velocity between the last two evaluations
-    bool failed = false;
+    bool failed = false;                 ///< or loose
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -106,6 +110,7 @@ class FailureWatch {
     }
   };
   void judge();
+  [[nodiscard]] bool is_loose(std::size_t block) const;
   [[nodiscard]] double speed(std::size_t block) const;
   [[nodiscard]] double travel(std::size_t block) const;
   [[nodiscard]] bool sets_out(std::size_t block) const;
@@ -125,6 +130,7 @@ class FailureWatch {
   bool rings_ = false;        ///< velocities along constrained directions may flip from step to step
   double seen_s_ = 0;         ///< time of the last evaluation
   std::vector<bool> guided_;  ///< by supports at two points, or ground: its motion is not a failure
+  std::vector<int> loose_;
   std::vector<Failure> failures_;
 };
 

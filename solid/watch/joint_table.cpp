@@ -106,6 +106,7 @@ std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, c
       row.sliding_factor = sum.sliding_factor();
       row.residual_sliding_factor = sum.residual_sliding_factor();
     }
+    row.bonded_length_m = sum.bonded_length_m();
     row.upstream_end_m = sum.upstream_end();
     row.downstream_end_m = sum.downstream_end();
     row.sums = force_sums(solid, water, parts, joints[i], row.downstream_end_m);

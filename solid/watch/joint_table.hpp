@@ -26,8 +26,9 @@ struct JointRow {
   std::optional<double> residual_sliding_factor;    ///< the same after the bond is broken
   std::optional<double> resultant_from_downstream;  ///< over the length; none without compression
   double cracked_length_m = 0;                      ///< of the faces
-  double heel_stress_pa = 0;                        ///< at the upstream end; tension positive
-  double toe_stress_pa = 0;                         ///< at the downstream end
+  std::optional<double> bonded_length_m;  ///< that has cohesion or tension strength now; none where none is stated
+  double heel_stress_pa = 0;              ///< at the upstream end; tension positive
+  double toe_stress_pa = 0;               ///< at the downstream end
   Point upstream_end_m;
   Point downstream_end_m;
   std::vector<ForceSum> sums;  ///< forces above the surface, moments about its downstream end

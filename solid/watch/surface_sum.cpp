@@ -28,10 +28,13 @@ std::vector<SurfaceSum> surface_sums(const Solid& solid, const Surfaces& surface
   }
   const auto is_point = [&](const SurfaceSum& sum) { return sum.length_m() <= 1e-6 * solid.size_m(); };
   for (const ContactPoint& c : solid.contacts()) {
-    if (c.state == ContactState::open) continue;
     for (const int surface : surfaces.of(c.pair())) {
       SurfaceSum& sum = sums[at(surface)];
       if (is_point(sum)) continue;
+      if (const JointProperties& law = solid.laws()[c.law]; law.cohesion_pa > 0 || law.tension_pa > 0) {
+        sum.add_bond(c.bond * c.bond_length);
+      }
+      if (c.state == ContactState::open) continue;
       const auto [force, pushed] = force_on_side(solid, c, sum.across());
       const JointProperties& law = solid.laws()[c.law];
       const double kept = law.keeps_cohesion ? c.bond : 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "solid/contact/outline.hpp"
@@ -41,6 +42,11 @@ class SurfaceSum {
     pulled_ += std::max(0.0, -pressed);
     moment_ += pressed * place;
   }
+
+  /// Length that a contact holds by cohesion or tension strength, weighted by what remains of them.
+  void add_bond(double length_m) { bonded_m_ = bonded_m_.value_or(0) + length_m; }
+  /// None where no joint of the surface has a bond.
+  [[nodiscard]] const std::optional<double>& bonded_length_m() const { return bonded_m_; }
 
   [[nodiscard]] double strength() const { return std::max(0.0, cohesion_ + friction_); }
   [[nodiscard]] bool is_sheared() const {
@@ -89,6 +95,7 @@ class SurfaceSum {
   static constexpr double seen = 1e-2;  // faces rotated by strain resist less
   Point low_ = Point::Constant(std::numeric_limits<double>::infinity());
   Point high_ = -low_;
+  std::optional<double> bonded_m_;
   double cohesion_ = 0;
   double friction_ = 0;
   double residual_ = 0;  ///< strength after the bond is broken

@@ -173,7 +173,7 @@ TEST_F(ExternalFluid, ThatIsNotThereOrNeverConnectsIsToldOf) {
               HasSubstr("the external fluid \"true\" ended with exit status 0 before the run was under way; it has to "
                         "connect to BLOCKWEIR_ENDPOINT and to stay; all that it wrote is in external.log"));
   EXPECT_EQ(run("\"sleep\",\"1000\"", "--set coupling.timeout_s=1"), 1);
-  EXPECT_THAT(text("out"), HasSubstr("external fluid \"sleep 1000\" has not connected to ipc://"));
+  EXPECT_THAT(text("out"), HasSubstr("no connection with the external fluid \"sleep 1000\" at ipc://"));
   EXPECT_FALSE(orphan());
 }
 

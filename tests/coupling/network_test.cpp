@@ -84,7 +84,7 @@ TEST_F(Network, WithTheWrongKeyBothEndInTime) {
   EXPECT_EQ(end_of(a, 6), 1);
   EXPECT_EQ(end_of(b, 6), 1);
   EXPECT_THAT(text("solid"), HasSubstr("refused a client from 10.77.0.2:"));
-  EXPECT_THAT(text("solid"), HasSubstr("other clients have; is it running"));
+  EXPECT_THAT(text("solid"), HasSubstr("other clients were there); is it running"));
   EXPECT_THAT(text("fluid"), HasSubstr("--keys of the same make"));
 }
 

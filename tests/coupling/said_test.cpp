@@ -127,6 +127,16 @@ TEST_F(Said, AnEndpointWithoutWaterIsRefused) {
   EXPECT_FALSE(fs::exists(folder / "o"));
 }
 
+TEST_F(Said, AnEndpointThatIsNoneIsAWrongCommandAndLeavesNoFolder) {
+  scene(block + "[water]\nupstream_level_m = 0.5\n");
+  for (const std::string endpoint : {"foo", "tcp://127.0.0.1", "ipc:///nowhere/line"}) {
+    EXPECT_EQ(shell(programs + "/blockweir-solid s.toml --out o --endpoint " + endpoint), 2) << endpoint;
+    EXPECT_THAT(text("out"), HasSubstr("endpoint " + endpoint + ": "));
+    EXPECT_EQ(shell(programs + "/blockweir-hydrostatic s.toml --endpoint " + endpoint), 2) << endpoint;
+    EXPECT_FALSE(fs::exists(folder / "o"));
+  }
+}
+
 TEST_F(Said, ADryRunSaysNothingOfALevel) {
   scene(block);
   ASSERT_EQ(shell(programs + "/blockweir-solid s.toml --out o"), 0) << text("out");

@@ -229,6 +229,16 @@ TEST_F(LineFaults, ADiskThatFillsUpLeavesACheckpointToGoOnFrom) {
   EXPECT_EQ(shell("umount disk"), 0) << text("out");
 }
 
+TEST_F(LineFaults, AReportForAFullDiskIsRefusedBeforeItsRun) {
+  fs::create_directory(folder / "disk");
+  if (shell("mount -t tmpfs -o size=64k none disk") != 0)
+    GTEST_SKIP() << "no disk can be mounted here: " << text("out");
+  EXPECT_EQ(shell(programs + "/blockweir report " + cases + "cracked-dam-upper --out disk/r.html"), 1);
+  EXPECT_THAT(text("out"), HasSubstr("no room is left on the disk that holds disk/r.html: "));
+  EXPECT_FALSE(fs::exists(folder / "runs"));
+  EXPECT_EQ(shell("umount disk"), 0) << text("out");
+}
+
 TEST_F(LineFaults, TheLauncherEndsAPartnerThatIsStopped) {
   const pid_t run = start(programs + "/blockweir run " + scene + " --set analysis.step_s=0.001 --quiet --out o", "log");
   ASSERT_TRUE(under_way("o"));

@@ -74,7 +74,8 @@ class AugmentedLagrangian : public testing::Test {
   std::vector<ContactPoint> contacts;
   std::vector<int> ids;
   std::vector<Support> supports;
-  const Trial trial{parts.blocks, start, increment, placement, still, 0};
+  const std::vector<Turn> unturned{2};
+  const Trial trial{parts.blocks, start, increment, unturned, placement, still, 0};
 };
 
 /// Redundant contacts cannot all close such gaps, and each new penalty asks for a factorization: a slope of 99,936

@@ -37,8 +37,11 @@ std::map<int, int> lines_of_functions(const std::string& code) {
   int begin = 1;  // of the declaration
   int depth = 0;  // of braces within a function, a member's initializer among them
   bool inside = false;
+  bool directive = false;  // of the preprocessor
   for (const char c : code) {
     line += c == '\n' ? 1 : 0;
+    directive = depth == 0 && (c == '#' || (directive && c != '\n'));
+    if (directive) continue;
     if (c == '{') {
       if (inside || depth > 0 || initializes_member(declaration)) {
         ++depth;

@@ -80,9 +80,10 @@ class Found {
   bool all_within = true;  ///< each fraction in (0, 1]
 
  private:
-  [[nodiscard]] Trial trial() const { return {parts_.blocks, start_, increment_, placement_, still_, 0}; }
+  [[nodiscard]] Trial trial() const { return {parts_.blocks, start_, increment_, turn_, placement_, still_, 0}; }
   void move(const Eigen::Vector3d& by) {
     increment_[1].head<3>() += by;
+    turn_[1] = Turn(increment_[1][2]);
     placement_[1] = Placement(parts_.blocks[1].centroid, increment_[1]);
   }
   Eigen::Vector3d residual(const Eigen::Vector3d& load) {
@@ -104,6 +105,7 @@ class Found {
   std::vector<Placement> start_;
   std::vector<Placement> placement_;
   std::vector<Vector6> increment_{2, Vector6::Zero()};
+  std::vector<Turn> turn_{2};
   std::vector<Vector6> still_{2, Vector6::Zero()};
   Eigen::Matrix3d matrix_;
 };

@@ -33,6 +33,7 @@ json joint(const std::string& name, double size) {
           {"resultant_from_downstream", 0.41234},
           {"compressed_length_m", 8},
           {"cracked_length_m", 2},
+          {"bonded_length_m", 6.5},
           {"heel_stress_pa", -size},
           {"toe_stress_pa", -size},
           {"downstream_end_m", {10, 0}},
@@ -74,6 +75,18 @@ TEST(SafetyText, NamesAreWholeAndRowsFitATerminal) {
       if (line.find_first_not_of("0123456789.- yesNO") == std::string::npos) EXPECT_LE(line.size(), 80U) << line;
     }
   }
+}
+
+TEST(SafetyText, ALoadOfWhichNothingIsBorneHasItsLine) {
+  json quake = load_case("earthquake");
+  quake["water_factor"] = {{"factor", nullptr}};
+  quake["load_factor"] = {
+      {"factor", nullptr}, {"loads", {"[earthquake]"}}, {"constant", {"weight", "the earthquake's added water"}}};
+  const std::string text = blockweir::study::safety_text(json::array({quake}));
+  EXPECT_THAT(text, HasSubstr("earthquake: it bears nothing of what the water presses, by limit analysis: what acts "
+                              "beside it is too much by itself\n"));
+  EXPECT_THAT(text, HasSubstr("earthquake: it bears no part of the inertia of [earthquake], by limit analysis: what is "
+                              "held as stated is too much by itself: weight and the earthquake's added water\n"));
 }
 
 }  // namespace

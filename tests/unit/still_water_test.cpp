@@ -102,5 +102,28 @@ TEST(StillWater, ACrackThatOpenWaterHasReachedIsPressedOnce) {
   EXPECT_NEAR(resultant(scene, load, 1).force.y(), 9810 * 5.5 * 6, 1e-6);
 }
 
+/// Whether water at `level_m` flows over a wall 5 m high whose crest has sunk by `sunk_m`.
+bool breached(double level_m, double sunk_m, double tailwater_m = 1) {
+  auto scene = scene_of({{{-9, -2}, {9, -2}, {9, 0}, {-9, 0}}, {{0, 0}, {1, 0}, {1, 5}, {0, 5}}}, level_m);
+  scene.water.downstream_level_m = scene::TimeTable::constant(tailwater_m);
+  HydrostaticModel model(scene);
+  wire::Motion motion;
+  motion.displacement.own().resize(2);
+  motion.displacement.own()[1][1] = -sunk_m;
+  wire::Load load;
+  model.advance(motion, 0, load);
+  return load.breached;
+}
+
+TEST(StillWater, WaterFlowsOverACrestThatHasSunkBelowIt) {
+  EXPECT_FALSE(breached(4.9, 0));
+  EXPECT_FALSE(breached(4.9, 0.09));
+  EXPECT_FALSE(breached(4.9, 0.12));  // a film, thinner than open water (0.05 m)
+  EXPECT_TRUE(breached(4.9, 0.16));
+  EXPECT_TRUE(breached(2, 0.16, 4.9));     // the tailwater
+  EXPECT_FALSE(breached(4.9, 0.16, 4.9));  // one body of water
+  EXPECT_FALSE(breached(5.5, 0.16));       // the scene has it overtopped
+}
+
 }  // namespace
 }  // namespace blockweir::hydrostatic

@@ -70,6 +70,18 @@ TEST_F(VtkFiles, AreReadBackToTheBit) {
   EXPECT_EQ(water->GetPointData()->GetArray("pressure_pa")->GetComponent(1, 0), 14715);
 }
 
+TEST_F(VtkFiles, OfJointsWithoutContactsAreOneForAllFrames) {
+  Frame frame = frame_at(0);
+  frame.contacts.clear();
+  VtkWriter writer(folder);
+  writer.write(frame);
+  writer.write(frame);
+  writer.write(frame_at(2));
+  EXPECT_TRUE(fs::exists(folder / "frames/joints_000000.vtu"));
+  EXPECT_FALSE(fs::exists(folder / "frames/joints_000001.vtu"));
+  EXPECT_TRUE(fs::exists(folder / "frames/joints_000002.vtu"));
+}
+
 /// From the model's end, wherever the model is.
 TEST_F(VtkFiles, AreDrawnWithTheWatersSurfaceWhereTheModelStands) {
   Frame frame = frame_at(0);

@@ -63,6 +63,18 @@ TEST(SafetyWarnings, WhatIsAboutToTurnOverIsSaidToBe) {
   }
 }
 
+/// The added water of the earthquake is held, its inertia grows.
+TEST(SafetyWarnings, AnEarthquakeWhoseWaterIsTooMuchIsNotPassedOver) {
+  const std::string outline = "[0, 0], [2, 0], [2, 8], [0, 8]";
+  const auto load_factor = [&](double level_m, double coefficient) {
+    return safety_of(outline, "friction_angle_deg = 60", level_m,
+                     fmt::format("[earthquake]\nhorizontal_coefficient = {}\n", coefficient))["load_factor"];
+  };
+  EXPECT_GT(load_factor(2, 0.05)["factor"].get<double>(), 1);
+  EXPECT_TRUE(load_factor(7, 0.3)["factor"].is_null());
+  EXPECT_TRUE(safety_of(outline, "friction_angle_deg = 60", 7)["load_factor"].is_null());  // nothing is stated
+}
+
 /// Also where friction is as scarce.
 TEST(SafetyWarnings, AFactorOnTheWaterBelowOnePointOneIsWarnedOfWhateverTheStrength) {
   int near = 0;

@@ -16,9 +16,10 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-json safety_of(const std::string& modulus_pa, const std::string& more) {
+json safety_of(const std::string& modulus_pa, const std::string& more,
+               const std::string& joint = "friction_angle_deg = 40") {
   const std::string text = fmt::format(R"(analysis = {{ duration_s = 1 }}
-joint = {{ friction_angle_deg = 40 }}
+joint = {{ {} }}
 material.m = {{ youngs_modulus_pa = {}, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }}
 [[block]]
 name = "rock"
@@ -30,8 +31,16 @@ name = "wall"
 material = "m"
 vertices_m = [[0, 0], [1, 0], [1, 6], [0, 6]]
 {})",
-                                       modulus_pa, more);
+                                       joint, modulus_pa, more);
   return process::safety_answer(scene::read_text(text, "wall.toml").scene, hydrostatic::make);
+}
+
+TEST(SafetyWithoutAnswer, AStrengthThatSpoilsTheLinearProgramIsSaidInWords) {
+  const json answer =
+      safety_of("50e9", "[[body_load]]\nacceleration_x_m_per_s2 = 1", "friction_angle_deg = 40, cohesion_pa = 1e15");
+  EXPECT_THAT(answer["why_no_limit_analysis_factor"].get<std::string>(),
+              HasSubstr("found forces that do not balance within round-off, since loads and strengths are too many "
+                        "decades apart"));
 }
 
 TEST(SafetyWithoutAnswer, BlocksThatCannotBeSolvedAreNotSaidToFail) {

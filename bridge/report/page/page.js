@@ -116,6 +116,7 @@ function writeVerdict() {
   if (s.margin && s.margin.text) lines.push(s.margin.text + '.');
   if (s.limit_analysis) lines.push('Factor by limit analysis: ' + s.limit_analysis.text + '.');
   if (s.stopped) lines.push(`After ${number(report.frames[report.frames.length - 1].t)} of ${number(report.duration_s)} s it was stopped: ${s.stopped.replace(/\.$/, '')}.`);
+  if (s.loose) lines.push(s.loose.text + '.');
   if (s.breach) lines.push(`After ${number(s.breach.time_s)} s: ${s.breach.text}.`);
   if (s.rest) lines.push(s.rest.text + '.');
   lines.push(...loadCasesInWords(), ...reliabilityInWords(report.reliability));
@@ -191,7 +192,8 @@ function writeCases() {
   tellEach(c => (c.mechanism ? [c.mechanism.text] : []), (who, text) => `Mechanism of ${who}, by limit analysis: ${text}.`, 'quiet');
   for (const c of report.safety.filter(c => c.load_factor)) {
     const grown = c.load_factor;
-    to.append(paragraph(`Load case "${c.name}": it bears ${number(grown.factor)} times ${grown.loads.join(' and ')} by limit analysis; as stated: ${grown.constant.join(' and ')}.`, 'quiet'));
+    to.append(paragraph(is(grown.factor) ? `Load case "${c.name}": it bears ${number(grown.factor)} times ${grown.loads.join(' and ')} by limit analysis; as stated: ${grown.constant.join(' and ')}.`
+      : `Load case "${c.name}": it bears no part of ${grown.loads.join(' and ')} by limit analysis: what stays as stated is too much by itself: ${grown.constant.join(' and ')}.`, 'quiet'));
   }
   to.append(caseFigures(report));
   for (const c of report.safety) {
@@ -203,8 +205,8 @@ function writeCases() {
     together.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));
     if (c.set.length > 0) together.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
     if (is(scaled)) together.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength.`, 'quiet'));
-    together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'M kN', 'sliding factor', 'residual', 'resultant', 'crack m', 'heel kPa', 'toe kPa'],
-      c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.moment_n), number(j.sliding_factor, 4), number(j.residual_sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
+    together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'M kN', 'sliding factor', 'residual', 'resultant', 'crack m', 'bonded m', 'heel kPa', 'toe kPa'],
+      c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.moment_n), number(j.sliding_factor, 4), number(j.residual_sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), fixed(j.bonded_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
     if (c.joints.length <= 4) c.joints.forEach(joint => to.append(...sumsTable(joint)));  // of a mesh of joints the file has the rest
   }
 }

@@ -10,7 +10,11 @@ namespace blockweir::scene {
 /// Share of a block's size: coordinates in files are rounded, and blocks closer than this touch.
 constexpr double rounding_ratio = 1e-6;
 
-/// Reports blocks that overlap by more than 1e-6 of the smaller one's size. Blocks without vertices are skipped.
+/// Whether two blocks overlap by more than 1e-6 of the smaller one's size.
+bool overlap(const Block& a, const Block& b);
+
+/// Reports blocks that overlap. Of blocks that two generators or sections make one error names the first pair and the
+/// number of the others. Blocks without vertices are skipped.
 void check_overlaps(const Scene& scene, Problems& problems);
 
 /// Reports, in one error, the blocks that would fall for ever. A block is held if one of these is true: it is fixed; a

@@ -10,6 +10,7 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/read/check.hpp"
 #include "bridge/scene/read/reading.hpp"
 
 namespace blockweir::scene {
@@ -74,6 +75,7 @@ void check_joint(TableReader& table, Reading& reading, const Joint& joint, doubl
   }
   const JointTrace trace = trace_joint(*a, *b, touching_m);
   const JointLaw& law = joint.law;
+  if (trace.pieces.empty() && overlap(*a, *b)) return;  // an error of its own: check_overlaps()
   if (trace.pieces.empty()) {
     const bool asks = law.uplift != Uplift::none || law.cohesion_pa > 0 || law.tension_strength_pa > 0;
     const std::string found = fmt::format("blocks \"{}\" and \"{}\" of {} do not touch ({:.3g} m apart)", a->name,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <polyclipping/clipper.hpp>
 
 #include "bridge/geometry/polygon.hpp"
@@ -71,38 +72,69 @@ bool parted_by_longest_edge(const Block& a, const Block& b) {
          std::all_of(a.vertices.begin(), a.vertices.end(), [&](const Point& p) { return left(p) >= 0; });
 }
 
-void check_pair(const Block& a, const Block& b, Problems& problems) {
+/// Area of a pair and a point in it; no area where the two overlap by less than rounding.
+struct Overlap {
+  double area_m2 = 0;
+  Point near = Point::Zero();
+};
+
+Overlap overlap_of(const Block& a, const Block& b) {
   const geometry::Bounds box_a = geometry::bounds_of(a.vertices);
   const geometry::Bounds box_b = geometry::bounds_of(b.vertices);
   const double tolerance = rounding_ratio * std::min(box_a.size(), box_b.size());
   const Point depth = box_a.high.cwiseMin(box_b.high) - box_a.low.cwiseMax(box_b.low);
-  if (depth.minCoeff() <= tolerance || parted_by_longest_edge(a, b) || parted_by_longest_edge(b, a)) return;
+  if (depth.minCoeff() <= tolerance || parted_by_longest_edge(a, b) || parted_by_longest_edge(b, a)) return {};
   const double reach = std::max(box_a.size(), box_b.size()) + (box_b.low - box_a.low).cwiseAbs().maxCoeff();
   constexpr double finest = 1e17;  // well below the largest integer that Clipper multiplies soundly
   const auto pieces = common_area(a, b, {box_a.low, finest / reach}, tolerance);
-  if (pieces.empty()) return;
-  double area = 0;
-  for (const auto& piece : pieces) area += geometry::signed_area(piece);
-  const Point middle = geometry::centroid(pieces.front());
-  problems.error(problems.at(std::max(a.line, b.line)),
-                 fmt::format("blocks \"{}\" and \"{}\" overlap by {:.4g} m2 near ({:.4g}, {:.4g})", a.name, b.name,
-                             area, middle.x(), middle.y()),
-                 "blocks that at most touch", "move the vertices of one of them to the common boundary");
+  if (pieces.empty()) return {};
+  Overlap found{0, geometry::centroid(pieces.front())};
+  for (const auto& piece : pieces) found.area_m2 += geometry::signed_area(piece);
+  return found;
 }
+
+/// Overlaps of the blocks that two lines of the file make.
+struct OfTwoLines {
+  std::string first;
+  std::size_t pairs = 0;
+};
 
 }  // namespace
 
+bool overlap(const Block& a, const Block& b) {
+  return overlap_of(a, b).area_m2 > 0;
+}
+
 void check_overlaps(const Scene& scene, Problems& problems) {
   const BlockIndex index(scene.blocks);
-  for (std::size_t i = 0; i < scene.blocks.size() && !problems.full(); ++i) {
-    const Block& block = scene.blocks[i];
-    if (block.vertices.empty()) continue;
-    std::vector<std::size_t> near = index.meeting(geometry::bounds_of(block.vertices));
+  std::map<std::pair<int, int>, OfTwoLines> found;
+  std::size_t pairs = 0;  // nobody would read more
+  for (std::size_t i = 0; i < scene.blocks.size() && pairs < Problems::largest_count; ++i) {
+    const Block& a = scene.blocks[i];
+    if (a.vertices.empty()) continue;
+    std::vector<std::size_t> near = index.meeting(geometry::bounds_of(a.vertices));
     std::sort(near.begin(), near.end());
     for (const std::size_t j : near) {
-      if (j <= i || problems.full()) continue;
-      check_pair(block, scene.blocks[j], problems);
+      if (j <= i || pairs == Problems::largest_count) continue;
+      const Block& b = scene.blocks[j];
+      const Overlap common = overlap_of(a, b);
+      if (!(common.area_m2 > 0)) continue;
+      ++pairs;
+      OfTwoLines& all = found[std::minmax(a.line, b.line)];
+      if (++all.pairs > 1) continue;
+      all.first = fmt::format("blocks \"{}\" and \"{}\" overlap by {:.4g} m2 near ({:.4g}, {:.4g})", a.name, b.name,
+                              common.area_m2, common.near.x(), common.near.y());
     }
+  }
+  for (const auto& [lines, all] : found) {
+    const bool one = all.pairs == 1;
+    const std::string others = one ? ""
+                                   : fmt::format(", and {}{} more pair{} of the blocks of lines {} and {}",
+                                                 pairs == Problems::largest_count ? "at least " : "", all.pairs - 1,
+                                                 all.pairs > 2 ? "s" : "", lines.first, lines.second);
+    problems.error(problems.at(lines.second), all.first + others, "blocks that at most touch",
+                   one ? "move the vertices of one of them to the common boundary"
+                       : "move one of the two, by its origin_m or its outline");
   }
 }
 

@@ -74,9 +74,9 @@ toml::table parse(const std::string& text, const std::string& name) {
 void read_sections(Reading& reading, ReadScene& result) {
   for (const auto read : {read_heading, read_analysis, read_materials, read_default_joint}) read(reading);
   const std::size_t before = reading.problems.count();
-  for (const auto read :
-       {read_section, read_arches, read_walls, read_heaps, read_blocks, read_supports, read_viscous_boundaries})
-    read(reading);
+  for (const auto read : {read_section, read_arches, read_walls, read_heaps}) read(reading);
+  if (reading.problems.count() > before) reading.blocks.set_incomplete();
+  for (const auto read : {read_blocks, read_supports, read_viscous_boundaries}) read(reading);
   const bool structure_sound = reading.problems.count() == before;
   for (const auto read : {refuse_repeated_names,
                           read_joints,

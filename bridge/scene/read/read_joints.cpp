@@ -23,7 +23,7 @@ std::array<int, 2> read_between(TableReader& table, Reading& reading) {
   if (!table.texts("between", words, 2)) return between;
   for (std::size_t i = 0; i < 2; ++i) {
     between[i] = reading.blocks.find(words[i]);
-    if (between[i] >= 0) continue;
+    if (between[i] >= 0 || !reading.blocks.complete()) continue;
     reading.problems.error(table.place("between", i),
                            fmt::format("between in {} names no block: \"{}\"", table.name(), words[i]),
                            one_of(reading.blocks.list()), did_you_mean(words[i], reading.blocks.list()));

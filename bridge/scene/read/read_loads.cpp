@@ -122,7 +122,7 @@ std::vector<int> read_loaded_blocks(TableReader& table, Reading& reading) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     blocks.push_back(reading.blocks.find(words[i]));
     require_movable(table, reading, table.place("blocks", i), blocks.back());
-    if (blocks.back() >= 0) continue;
+    if (blocks.back() >= 0 || !reading.blocks.complete()) continue;
     reading.problems.error(table.place("blocks", i),
                            fmt::format("blocks in {} names no block: \"{}\"", table.name(), words[i]),
                            one_of(reading.blocks.list()), did_you_mean(words[i], reading.blocks.list()));

@@ -10,15 +10,15 @@
 namespace blockweir::scene {
 namespace {
 
-constexpr double most_voussoirs = 10'000;  // slender ones lie in the boxes around many others: reading takes long
+constexpr int most_voussoirs = 10'000;  // slender ones lie in the boxes around many others: reading takes long
 
-int read_count(TableReader& table, Reading& reading, const char* key) {
+int read_count(TableReader& table, Reading& reading, const char* key, int most) {
   int count = 0;
   if (!table.has(key)) {
-    reading.problems.error(table.place(), fmt::format("{} has no \"{}\"", table.name(), key), "a whole number from 1",
-                           fmt::format("add {} = ...", key));
+    reading.problems.error(table.place(), fmt::format("{} has no \"{}\"", table.name(), key),
+                           fmt::format("a whole number from 1 to {}", most), fmt::format("add {} = ...", key));
   }
-  table.integer(key, count, 1);
+  table.integer(key, count, 1, most);
   return count;
 }
 
@@ -69,7 +69,7 @@ void read_arch(TableReader& table, Reading& reading) {
   table.number("embrace_deg", arch.embrace_deg,
                {[](double e) { return e > 0 && e <= 180; }, "an angle above 0, up to 180 degrees"});
   table.flag("springings", springings);
-  arch.voussoirs = read_count(table, reading, "voussoirs");
+  arch.voussoirs = read_count(table, reading, "voussoirs", most_voussoirs);
   const bool sound = reading.problems.count() == errors && few_enough(reading, table, arch.voussoirs, most_voussoirs);
   reading.scene.arches.push_back(arch);  // a wrong one too: what names it is right
   if (!sound) return;
@@ -126,8 +126,8 @@ void read_wall(TableReader& table, Reading& reading) {
   table.choice<Bond>("bond", wall.bond, {{"running", Bond::running}, {"stacked", Bond::stacked}});
   table.flag("fixed_base", wall.fixed_base);
   table.point("initial_velocity_m_per_s", block.initial_velocity_m_per_s);
-  wall.rows = read_count(table, reading, "rows");
-  wall.columns = read_count(table, reading, "columns");
+  wall.rows = read_count(table, reading, "rows", most_blocks);
+  wall.columns = read_count(table, reading, "columns", most_blocks);
   if (reading.problems.count() > errors || !few_enough(reading, table, 1.0 * wall.rows * wall.columns)) return;
 
   for (int row = 0; row < wall.rows; ++row) {

@@ -89,7 +89,7 @@ void add_block(Reading& reading, const Place& place, Block block) {
 }
 
 bool few_enough(Reading& reading, TableReader& table, double blocks, double most) {
-  constexpr double most_of_all = 100'000;
+  constexpr double most_of_all = most_blocks;
   const auto others = reading.scene.blocks.size();
   if (blocks <= most && blocks + static_cast<double>(others) <= most_of_all) return true;
   reading.problems.error(

@@ -42,21 +42,22 @@ std::optional<Heights> heights(const std::vector<Block>& blocks) {
 }
 
 void check_level(TableReader& table, Reading& reading, const char* key, const std::optional<TimeTable>& level) {
-  const bool sound = std::none_of(reading.scene.blocks.begin(), reading.scene.blocks.end(),
-                                  [](const Block& block) { return block.vertices.empty(); });
+  const bool sound =
+      reading.blocks.complete() && std::none_of(reading.scene.blocks.begin(), reading.scene.blocks.end(),
+                                                [](const Block& block) { return block.vertices.empty(); });
   const auto model = heights(reading.scene.blocks);
   if (!level || !model || !sound) return;
   const auto [low, high] = extremes(*level, reading.scene.analysis.duration_s);
   if (high > model->crest_m && !reading.scene.water.may_overtop) {
     reading.problems.error(
         table.place(key),
-        fmt::format("{} reaches {} m, above the structure's highest vertex at {} m", key, high, model->crest_m),
+        fmt::format("{} reaches {:.6g} m, above the structure's highest vertex at {:.6g} m", key, high, model->crest_m),
         "a level within the structure", "lower the level, or set may_overtop = true in [water] if that is meant");
   }
   if (low < model->bottom_m) {
     reading.problems.error(
         table.place(key),
-        fmt::format("{} falls to {} m, below the model's lowest vertex at {} m", key, low, model->bottom_m),
+        fmt::format("{} falls to {:.6g} m, below the model's lowest vertex at {:.6g} m", key, low, model->bottom_m),
         "a level within the model", "raise the level, or leave it out where there is no water");
   }
 }

@@ -86,8 +86,10 @@ void mend_outline(std::vector<Point>& outline, const std::string& whose, Problem
 void add_block(Reading& reading, const Place& place, Block block);
 /// Adds a block made by [[arch]], [[wall]] or [[heap]]; reports one that is too thin.
 void add_made_block(Reading& reading, TableReader& table, Block block);
-/// Reports more than `most` new blocks, or more than 100,000 in total.
-bool few_enough(Reading& reading, TableReader& table, double blocks, double most = 100'000);
+/// That generators make together.
+inline constexpr int most_blocks = 100'000;
+/// Reports more than `most` new blocks, or more than most_blocks in total.
+bool few_enough(Reading& reading, TableReader& table, double blocks, double most = most_blocks);
 /// Reports an entry that does not have exactly one of value, word and formula.
 void require_one_answer(TableReader& table, Reading& reading);
 

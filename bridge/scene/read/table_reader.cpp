@@ -164,8 +164,7 @@ bool TableReader::settings(const char* key, std::vector<std::string>& into) {
   return true;
 }
 
-bool TableReader::integer(const char* key, int& into, int least) {
-  constexpr int most = 1'000'000;
+bool TableReader::integer(const char* key, int& into, int least, int most) {
   const std::string words = fmt::format("a whole number from {} to {}", least, most);
   const toml::node* node = ask(key, false, words);
   if (node == nullptr) return false;
@@ -207,6 +206,12 @@ bool TableReader::texts(const char* key, std::vector<std::string>& into, std::op
   const toml::node* node = ask(key, true, words);
   if (node == nullptr) return false;
   const toml::array* list = node->as_array();
+  if (list != nullptr && list->empty() && !count) {
+    const bool sets = std::string_view(key) == "set";
+    return wrong(key, *node, sets ? "at least one text \"key=value\"" : "at least one text",
+                 fmt::format("state what it {}, such as {} = [\"{}\"]", sets ? "changes" : "is to name", key,
+                             sets ? "joint.friction_angle_deg=25" : "..."));
+  }
   if (list == nullptr || list->size() != count.value_or(list->size()) || !list->is_homogeneous<std::string>())
     return wrong(key, *node, words);
   for (const auto& entry : *list) into.push_back(*entry.value<std::string>());
@@ -245,7 +250,7 @@ int TableReader::reference(const char* key, const Names& names, bool required) {
   std::string word;
   if (!text(key, word, required)) return -1;
   const int index = names.find(word);
-  if (index >= 0) return index;
+  if (index >= 0 || !names.complete()) return index;
   problems_.error(place(key), fmt::format("{} in {} names no {}: \"{}\"", key, name_, names.kind(), word),
                   one_of(names.list()),
                   word.empty() ? fmt::format("name one, or leave {} out", key) : did_you_mean(word, names.list()));

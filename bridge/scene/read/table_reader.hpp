@@ -71,7 +71,7 @@ class TableReader : public TableKeys {
   bool numbers(const char* key, std::vector<double>& into, const Range& range = any_number(), std::size_t least = 1);
   /// A required list of at least one number, flag or text, as --set takes them.
   bool settings(const char* key, std::vector<std::string>& into);
-  bool integer(const char* key, int& into, int least);
+  bool integer(const char* key, int& into, int least, int most = 1'000'000);
   bool flag(const char* key, bool& into);
   bool text(const char* key, std::string& into, bool required = false);
   /// One of the known words; optional unless `required`.

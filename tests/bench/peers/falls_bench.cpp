@@ -118,8 +118,11 @@ void row(const std::string& scene, const std::string& program, const Measured& m
   std::fflush(stdout);
 }
 
+std::string only;  // scenes with this in their names
+
 /// The faster of so many rounds, by turns: whatever else the machine does meets both.
 void compare(const std::string& name, const std::string& blocks, double duration_s, double tilt_deg, int rounds) {
+  if (name.find(only) == std::string::npos) return;
   const scene::Scene scene = test::collapse(blocks, duration_s, tilt_deg, 30);
   const long steps = std::lround(duration_s / step_s);
   std::vector<Measured> box2d;
@@ -149,6 +152,7 @@ void compare_heap(int stones, double duration_s, int rounds) {
 
 int main(int argc, char** argv) {
   const bool large = argc > 1 && std::string(argv[1]) == "--large";
+  if (argc > 1 && !large) only = argv[1];
   fmt::print("{:<16} {:<10} {:>10} {:>8} {:>16} {:>16} {:>14}\n", "scene", "program", "wall [ms]", "/ Box2D",
              "slowest/median", "made/dissipated", "overlap [m]");
   if (large) {

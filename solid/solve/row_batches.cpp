@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/solve/row_batches.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+#include "bridge/scene/at.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+constexpr int colours = 64;
+
+std::pair<int, int> counts(const ForceRow& row) {
+  return {row.ends[0].count, row.ends[1].count};
+}
+
+/// Rows by colour: none shares a block with another of its colour. In each, ends of the same numbers of unknowns follow
+/// each other.
+std::vector<std::vector<int>> coloured(const std::vector<ForceRow>& rows, std::size_t unknowns,
+                                       std::vector<int>& left_alone) {
+  std::vector<std::vector<int>> by_colour;
+  std::vector<std::uint64_t> used(unknowns);  // colours of the rows at the block that begins there
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const auto& ends = rows[k].ends;
+    std::uint64_t taken = 0;
+    for (const auto& end : ends) taken |= end.count > 0 ? used[at(end.first)] : 0;
+    const int colour = std::countr_one(taken);
+    const bool many = std::max(ends[0].count, ends[1].count) > RowBatches::most_unknowns;
+    if (many || colour == colours) {
+      left_alone.push_back(static_cast<int>(k));
+      continue;
+    }
+    if (at(colour) == by_colour.size()) by_colour.emplace_back();
+    by_colour[at(colour)].push_back(static_cast<int>(k));
+    for (const auto& end : ends) {
+      if (end.count > 0) used[at(end.first)] |= std::uint64_t{1} << colour;
+    }
+  }
+  for (std::vector<int>& colour : by_colour) {
+    std::stable_sort(colour.begin(), colour.end(),
+                     [&](int a, int b) { return counts(rows[at(a)]) < counts(rows[at(b)]); });
+  }
+  return by_colour;
+}
+
+}  // namespace
+
+void RowBatches::choose(const std::vector<ForceRow>& rows, const std::vector<double>& entries, Eigen::Index nowhere) {
+  batches_.clear();
+  entries_.clear();
+  left_alone_.clear();
+  for (const std::vector<int>& colour : coloured(rows, at(nowhere), left_alone_)) {
+    for (std::size_t from = 0; from < colour.size();) {
+      std::array<int, lanes> of = {-1, -1, -1, -1};
+      const auto like = counts(rows[at(colour[from])]);
+      for (std::size_t lane = 0; lane < of.size() && from < colour.size(); ++lane, ++from) {
+        if (counts(rows[at(colour[from])]) != like) break;
+        of[lane] = colour[from];
+      }
+      add_batch(of, rows, entries, static_cast<int>(nowhere));
+    }
+  }
+}
+
+void RowBatches::add_batch(const std::array<int, lanes>& of, const std::vector<ForceRow>& rows,
+                           const std::vector<double>& entries, int nowhere) {
+  RowBatch& batch = batches_.emplace_back();
+  batch.row = of;
+  for (const std::size_t e : {0, 1}) {
+    BatchEnd& end = batch.ends[e];
+    end.first.fill(nowhere);
+    end.first_entry = entries_.size();
+    end.count = rows[at(of[0])].ends[e].count;
+    entries_.resize(entries_.size() + at(4 * end.count));
+    for (int lane = 0; lane < lanes && end.count > 0; ++lane) {
+      if (of[at(lane)] < 0) continue;
+      const ForceRow::End& from = rows[at(of[at(lane)])].ends[e];
+      end.first[at(lane)] = from.first;
+      for (int i = 0; i < 4 * from.count; ++i) {
+        entries_[end.first_entry + at(i)].of[lane] = entries[from.first_entry + at(i)];
+      }
+    }
+  }
+}
+
+void RowBatches::begin(const std::vector<ForceRow>& rows) {
+  for (RowBatch& batch : batches_) {
+    PointForces<Four>::Law law;
+    law.gap_by_normal += 1.0;  // of lanes without a row, which are open
+    law.slip_by_shear += 1.0;
+    law.opens += 1.0;
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (batch.row[at(lane)] < 0) continue;
+      const ForceRow& row = rows[at(batch.row[at(lane)])];
+      const PointForces<double>::Law of = law_of(row.rule, row.flexibility);
+      law.friction[lane] = of.friction;
+      law.cohesion[lane] = of.cohesion;
+      law.least_normal[lane] = of.least_normal;
+      law.most_normal[lane] = of.most_normal;
+      law.opens[lane] = of.opens;
+      law.opening[0][lane] = of.opening[0];
+      law.opening[1][lane] = of.opening[1];
+      law.gap_by_normal[lane] = of.gap_by_normal;
+      law.gap_by_shear[lane] = of.gap_by_shear;
+      law.slip_by_shear[lane] = of.slip_by_shear;
+      batch.gap[lane] = row.apart[0];
+      batch.slip[lane] = row.apart[1];
+      batch.normal[lane] = row.force[0];
+      batch.shear[lane] = row.force[1];
+      batch.gap_by_normal[lane] = row.flexibility(0, 0);
+      batch.gap_by_shear[lane] = row.flexibility(0, 1);
+      batch.slip_by_shear[lane] = row.flexibility(1, 1);
+    }
+    batch.forces = PointForces<Four>(law);
+    batch.normal_before = batch.normal;
+    batch.shear_before = batch.shear;
+  }
+}
+
+void RowBatches::sweep(double by, double part, double* displacement, SweepProgress& progress) {
+  BatchProgress four;
+  sweep_batches(batches_, entries_, by, part, displacement, four);
+  for (int lane = 0; lane < lanes; ++lane) {
+    progress.largest_m = std::max(progress.largest_m, four.largest[lane]);
+    progress.ahead += four.ahead[lane];
+  }
+}
+
+void RowBatches::keep() {
+  for (RowBatch& batch : batches_) {
+    batch.normal_before = batch.normal;
+    batch.shear_before = batch.shear;
+  }
+}
+
+void RowBatches::take_kept() {
+  for (RowBatch& batch : batches_) {
+    batch.normal = batch.normal_before;
+    batch.shear = batch.shear_before;
+  }
+}
+
+void RowBatches::give_back(std::vector<ForceRow>& rows) const {
+  for (const RowBatch& batch : batches_) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (batch.row[at(lane)] < 0) continue;
+      ForceRow& row = rows[at(batch.row[at(lane)])];
+      row.force = {batch.normal[lane], batch.shear[lane]};
+      row.slips = batch.slips[lane] != 0;
+    }
+  }
+}
+
+}  // namespace blockweir::solid

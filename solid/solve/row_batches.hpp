@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of sweeps in batches of four. The graph of contacts is coloured: rows of one colour share no block, and colours
+// follow each other.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "solid/solve/force_row.hpp"
+#include "solid/solve/row_batch.hpp"
+
+namespace blockweir::solid {
+
+class RowBatches {
+ public:
+  static constexpr int most_unknowns = 6;  ///< of an end: those of a block
+
+  /// Rows of blocks that move by themselves; `entries` as the rows have them. Ends that do not move get the
+  /// displacements from `nowhere` on, which stay zero.
+  void choose(const std::vector<ForceRow>& rows, const std::vector<double>& entries, Eigen::Index nowhere);
+  /// Rows of which an end has more unknowns.
+  [[nodiscard]] const std::vector<int>& left_alone() const { return left_alone_; }
+
+  /// Gaps, slips, forces and rules as the rows have them.
+  void begin(const std::vector<ForceRow>& rows);
+  /// Each force once, from forces that go on by so much of what the last sweep has changed, and a part of its way.
+  void sweep(double by, double part, double* displacement, SweepProgress& progress);
+  /// Notes forces as they are; and goes back to them.
+  void keep();
+  void take_kept();
+  /// Forces, and which slip.
+  void give_back(std::vector<ForceRow>& rows) const;
+
+ private:
+  void add_batch(const std::array<int, lanes>& of, const std::vector<ForceRow>& rows,
+                 const std::vector<double>& entries, int nowhere);
+
+  std::vector<RowBatch> batches_;
+  std::vector<BatchEntry> entries_;
+  std::vector<int> left_alone_;
+};
+
+}  // namespace blockweir::solid

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_solve
+// Rows in batches, and rows that are visited one by one, end with forces that fulfil their rules.
+#include "solid/solve/row_batches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "solid/solve/force_sweeps.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+constexpr int bodies = 40;
+
+/// Rows between random bodies, or a body and what does not move, with unit masses, under random loads. Every third body
+/// has six unknowns, the others three; `padding` further unknowns of each move by nothing.
+ForceSweeps tangle(unsigned seed, int padding) {
+  std::mt19937 draw(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Eigen::Index> first = {0};
+  for (int b = 0; b < bodies; ++b) first.push_back(first.back() + (b % 3 == 0 ? 6 : 3) + padding);
+  ForceSweeps sweeps;
+  sweeps.begin(Eigen::VectorXd::NullaryExpr(first.back(), [&] { return uniform(draw); }), 3 * bodies);
+  for (int k = 0; k < 3 * bodies; ++k) {
+    ForceSweeps::Row& row = sweeps.add_row();
+    row.rule.friction = 0.3;
+    row.rule.compliance = {0.1, 0.1};  // so that there is one answer
+    row.apart = {uniform(draw), uniform(draw)};
+    for (const bool second : {false, true}) {
+      if (second && k % 4 == 0) continue;
+      const int b = (k + (second ? 7 + k % 5 : 0)) % bodies;
+      const Eigen::Index count = first[static_cast<std::size_t>(b) + 1] - first[static_cast<std::size_t>(b)];
+      Eigen::Matrix2Xd motions = Eigen::Matrix2Xd::NullaryExpr(2, count, [&] { return uniform(draw) / 2; });
+      motions.rightCols(padding).setZero();
+      sweeps.add_end(second, first[static_cast<std::size_t>(b)], motions, Eigen::MatrixX2d(motions.transpose()));
+    }
+  }
+  sweeps.let_act();
+  return sweeps;
+}
+
+TEST(RowBatches, EndWithForcesThatFulfilTheirRules) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    ForceSweeps together = tangle(seed, 0);
+    ForceSweeps alone = tangle(seed, RowBatches::most_unknowns);  // too many unknowns for batches
+    together.settle(20000, 1e-13);
+    alone.settle(20000, 1e-13);
+    EXPECT_LE(together.residual(), 1e-11) << seed;
+    EXPECT_LE(alone.residual(), 1e-11) << seed;
+  }
+}
+
+/// Each row is in a batch once, and none of a batch shares a block: momentum balances after any sweep.
+TEST(RowBatches, MoveWhatTheirForcesMove) {
+  ForceSweeps sweeps = tangle(7, 0);
+  const Eigen::VectorXd start = sweeps.displacement();
+  for (int n = 0; n < 5; ++n) sweeps.sweep();
+  ForceSweeps other = tangle(7, 0);
+  for (std::size_t k = 0; k < sweeps.rows().size(); ++k) other.rows()[k].force = sweeps.rows()[k].force;
+  other.let_act();
+  EXPECT_LE((other.displacement() - sweeps.displacement()).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_GT((start - sweeps.displacement()).cwiseAbs().maxCoeff(), 0.1);
+}
+
+}  // namespace
+}  // namespace blockweir::solid

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_answers fluid_hydrostatic nlohmann_json::nlohmann_json bridge_scene_read
+// The bonded length in the table of joints is the L of the sliding factor (c L + N tan(phi))/T.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "bridge/process/answers.hpp"
+#include "bridge/scene/read/read.hpp"
+
+namespace blockweir::test {
+namespace {
+
+nlohmann::json base_of(const std::string& bond, const std::string& mesh) {
+  const std::string text = fmt::format(R"(analysis = {{ duration_s = 1 }}
+joint = {{ friction_angle_deg = 30 {} }}
+material.m = {{ youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }}
+water = {{ upstream_level_m = 4.5 }}
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-10, -3], [12, -3], [12, 0], [-10, 0]]
+[[block]]
+name = "wall"
+material = "m"
+vertices_m = [[0, 0], [2.5, 0], [1, 5], [0, 5]]
+{})",
+                                       bond, mesh);
+  return process::safety_answer(scene::read_text(text, "wall.toml").scene, hydrostatic::make)["joints"][0];
+}
+
+double length_by_hand(const nlohmann::json& row, double cohesion_pa) {
+  const double friction = std::tan(30 * std::numbers::pi / 180) * row["normal_n_per_m"].get<double>();
+  return (row["sliding_factor"].get<double>() * row["shear_n_per_m"].get<double>() - friction) / cohesion_pa;
+}
+
+TEST(BondedLength, IsThatOfTheSlidingFactor) {
+  const auto whole = base_of(", cohesion_pa = 5e4, tension_strength_pa = 5e4", "");
+  EXPECT_NEAR(whole["bonded_length_m"].get<double>(), 2.5, 1e-6);
+  EXPECT_NEAR(length_by_hand(whole, 5e4), 2.5, 1e-4);
+  const auto cracked = base_of(", cohesion_pa = 5e4", "mesh_size_m = 0.5");
+  EXPECT_LT(cracked["bonded_length_m"].get<double>(), 2.3);
+  EXPECT_NEAR(length_by_hand(cracked, 5e4), cracked["bonded_length_m"].get<double>(), 1e-3);
+  EXPECT_TRUE(base_of("", "")["bonded_length_m"].is_null());
+}
+
+}  // namespace
+}  // namespace blockweir::test
