@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "bridge/geometry/outline.hpp"
-#include "bridge/scene/answers.hpp"
 #include "bridge/scene/fluid_models.hpp"
+#include "bridge/scene/quantity_table.hpp"
 #include "bridge/scene/read/unique_file_names.hpp"
 #include "bridge/scene/water_answers.hpp"
 
