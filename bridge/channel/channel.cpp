@@ -195,7 +195,7 @@ struct Channel::Line {
         wire::decode(frame, failure);
         throw PeerError(fmt::format("{} stopped {}: {}", options.partner, moment, failure.text));
       }
-      if (got != kind) throw wire::BadMessage("a message of another kind than was due");
+      if (got != kind) throw wire::BadMessage("a message of another kind than the one expected");
       incoming.decode(frame, into);
     } catch (const wire::BadMessage& bad) {
       refuse(fmt::format("{} sent {} ({})", options.partner, bad.what(), moment));

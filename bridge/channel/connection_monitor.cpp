@@ -84,7 +84,9 @@ void ConnectionMonitor::note(std::uint16_t event, std::int32_t value) {
       refusal_ = "it left in the middle of the handshake";
       break;
     case ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL:
-      refusal_ = "it has other keys, or none where there should be some, or is no blockweir at all";
+      refusal_ =
+          "its keys are not those expected, or it has none although they are required, or it is not a blockweir "
+          "program";
       final_refusal_ = true;
       break;
     case ZMQ_EVENT_HANDSHAKE_FAILED_AUTH:
@@ -112,7 +114,7 @@ void ConnectionMonitor::gone(int descriptor) {
 void ConnectionMonitor::log(const std::string& address) {
   if (++strangers_ > most_lines) return;
   const std::string line = fmt::format("blockweir: refused a client from {} at {}: {}{}\n", address, endpoint_,
-                                       refusal_.empty() ? "it does not speak as the partner would" : refusal_,
+                                       refusal_.empty() ? "it does not follow blockweir's protocol" : refusal_,
                                        strangers_ == most_lines ? "; further ones are not logged" : "");
   std::fputs(line.c_str(), stderr);
   refusal_.clear();

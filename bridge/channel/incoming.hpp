@@ -45,7 +45,7 @@ class Incoming {
       const std::shared_ptr<zmq::message_t> first = frame_;  // kept while its parts arrive
       wire::decode(frame, into, [&] { return next_part(); });
     }
-    if (frame_->more()) throw wire::BadMessage("more parts than it says");
+    if (frame_->more()) throw wire::BadMessage("more parts than its header states");
   }
 
  private:

@@ -24,7 +24,7 @@ using Worker = std::function<nlohmann::json(const nlohmann::json& item)>;
 using MakeWorker = std::function<Worker(const nlohmann::json& common)>;
 
 /// Called with item and answer; the answer is null if the working process was killed.
-using Heard = std::function<void(std::size_t item, const nlohmann::json& answer)>;
+using OnAnswer = std::function<void(std::size_t item, const nlohmann::json& answer)>;
 
 /// The processes' time, and the part of it spent on items.
 struct Effort {
@@ -41,9 +41,9 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// Calls `heard` once for each item, as they finish. False if SIGINT or SIGTERM stopped it; then some items are
+  /// Calls `on_answer` once for each item, as they finish. False if SIGINT or SIGTERM stopped it; then some items are
   /// missing. Throws std::runtime_error if the work cannot continue.
-  [[nodiscard]] virtual bool perform(const Work& work, const Heard& heard) = 0;
+  [[nodiscard]] virtual bool perform(const Work& work, const OnAnswer& on_answer) = 0;
 
   /// Of all work so far.
   [[nodiscard]] const Effort& effort() const { return effort_; }

@@ -56,8 +56,8 @@ class Counter {
 
 struct Process {
   pid_t id = -1;
-  int answers = -1;   ///< a pipe from it
-  std::string heard;  ///< of a line that has not ended
+  int answers = -1;             ///< a pipe from it
+  std::string unfinished_line;  ///< of an answer, received so far
 };
 
 void write_all(int to, const std::string& text) {
@@ -72,8 +72,8 @@ void write_all(int to, const std::string& text) {
 /// Calls of one perform().
 class Crew {
  public:
-  Crew(const Work& work, const Heard& heard, const MakeWorker& make, std::size_t size)
-      : work_(work), heard_(heard), make_(make), counter_(size), crew_(size) {}
+  Crew(const Work& work, const OnAnswer& on_answer, const MakeWorker& make, std::size_t size)
+      : work_(work), on_answer_(on_answer), make_(make), counter_(size), crew_(size) {}
 
   ~Crew() {
     for (const Process& one : crew_) {
@@ -155,24 +155,24 @@ class Crew {
       }
     }
     for (std::size_t s = 1; s < sources.size(); ++s) {
-      if (sources[s].revents != 0) hear(workers[s]);
+      if (sources[s].revents != 0) read_answers(workers[s]);
     }
   }
 
-  void hear(std::size_t w) {
+  void read_answers(std::size_t w) {
     Process& one = crew_[w];
     std::array<char, 65536> buffer{};
     const ssize_t more = ::read(one.answers, buffer.data(), buffer.size());
     if (more < 0 && errno == EINTR) return;
     if (more <= 0) return end(w);
-    one.heard.append(buffer.data(), static_cast<std::size_t>(more));
-    for (auto at = one.heard.find('\n'); at != std::string::npos; at = one.heard.find('\n')) {
-      const json line = json::parse(one.heard.substr(0, at));
-      one.heard.erase(0, at + 1);
+    one.unfinished_line.append(buffer.data(), static_cast<std::size_t>(more));
+    for (auto at = one.unfinished_line.find('\n'); at != std::string::npos; at = one.unfinished_line.find('\n')) {
+      const json line = json::parse(one.unfinished_line.substr(0, at));
+      one.unfinished_line.erase(0, at + 1);
       worked_s_ += line[1].get<double>();
       if (counter_.stopped()) continue;  // it may be what it is because of the stop
       answered_[line[0].get<std::size_t>()] = true;
-      heard_(line[0], line[2]);
+      on_answer_(line[0], line[2]);
     }
   }
 
@@ -192,13 +192,13 @@ class Crew {
     }
     if (last < work_.items.size() && !answered_[last]) {
       answered_[last] = true;
-      heard_(last, nullptr);
+      on_answer_(last, nullptr);
     }
     start(w);
   }
 
   const Work& work_;
-  const Heard& heard_;
+  const OnAnswer& on_answer_;
   const MakeWorker& make_;
   StopSignals signals_;
   Counter counter_;
@@ -212,11 +212,11 @@ class LocalEngine : public Engine {
  public:
   LocalEngine(int jobs, MakeWorker make) : jobs_(static_cast<std::size_t>(jobs)), make_(std::move(make)) {}
 
-  bool perform(const Work& work, const Heard& heard) override {
+  bool perform(const Work& work, const OnAnswer& on_answer) override {
     if (work.items.empty()) return true;
     const Clock::time_point begun = Clock::now();
     const std::size_t size = std::min(jobs_, work.items.size());
-    Crew crew(work, heard, make_, size);
+    Crew crew(work, on_answer, make_, size);
     const bool all = crew.perform();
     add({static_cast<double>(size) * seconds_since(begun), crew.worked_s()});
     return all;

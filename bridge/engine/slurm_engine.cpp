@@ -44,9 +44,9 @@ std::string last_words(const fs::path& logs) {
 /// One perform(): what is missing is put into the queue, and again where a job leaves it undone.
 class QueuedWork {
  public:
-  QueuedWork(const Work& work, const Heard& heard, const SlurmOptions& options)
+  QueuedWork(const Work& work, const OnAnswer& on_answer, const SlurmOptions& options)
       : work_(work),
-        heard_(heard),
+        on_answer_(on_answer),
         options_(options),
         folder_(options.folder / (results::file_name(work.name) + ".slurm")),
         digests_(digests_of(work)) {
@@ -133,7 +133,7 @@ class QueuedWork {
             "what it does counts; the same command continues once the queue answers",
             longest_silence_s, state.trouble, job));
       }
-      tell(state);
+      report_progress(state);
       pollfd stop{signals_.descriptor(), POLLIN, 0};
       ::poll(&stop, 1, look_every_ms);
       if (signals_.next() == 0) continue;
@@ -170,16 +170,16 @@ class QueuedWork {
       for (const auto& [digest, answer] : answers.by_digest) {
         const auto found = missing_.find(digest);
         if (found == missing_.end()) continue;
-        for (const std::size_t item : found->second) heard_(item, answer);
+        for (const std::size_t item : found->second) on_answer_(item, answer);
         missing_.erase(found);
       }
     }
   }
 
-  void tell(const QueueState& state) {
-    constexpr double told_every_s = 5;
-    if (seconds_since(told_) < told_every_s) return;
-    told_ = Clock::now();
+  void report_progress(const QueueState& state) {
+    constexpr double report_every_s = 5;
+    if (seconds_since(reported_) < report_every_s) return;
+    reported_ = Clock::now();
     fmt::print(stderr, "{}: {} of {} missing; {} tasks run, {} wait{}{}\n", work_.name, missing_.size(),
                digests_.size(), state.running, state.waiting, state.reason.empty() ? "" : " (" + state.reason + ")",
                state.trouble.empty() ? "" : "; the queue does not answer: " + state.trouble);
@@ -191,12 +191,12 @@ class QueuedWork {
         "--engine slurm: {} jobs in a row have left the queue without an answer, {} of {} are missing; {}; see "
         "the logs in {}, and whether all machines see that folder and {}; the same command continues",
         vain, missing_.size(), digests_.size(),
-        words.empty() ? "the tasks have said nothing" : "the last words of a task are \"" + words + "\"",
+        words.empty() ? "the tasks have written no message" : "the last message of a task is \"" + words + "\"",
         logs_.string(), fs::read_symlink("/proc/self/exe").string()));
   }
 
   const Work& work_;
-  const Heard& heard_;
+  const OnAnswer& on_answer_;
   const SlurmOptions& options_;
   fs::path folder_;
   std::vector<std::string> digests_;
@@ -204,7 +204,7 @@ class QueuedWork {
   std::map<std::string, std::set<std::string>> seen_;        ///< files of answers, by folder
   StopSignals signals_;
   fs::path logs_;
-  Clock::time_point told_ = Clock::now();
+  Clock::time_point reported_ = Clock::now();
   Effort effort_;
   Measured measured_;
 };
@@ -216,10 +216,10 @@ class SlurmEngine : public Engine {
     require_slurm();
   }
 
-  bool perform(const Work& work, const Heard& heard) override {
+  bool perform(const Work& work, const OnAnswer& on_answer) override {
     if (work.items.empty()) return true;
-    if (work.brief) return here_->perform(work, heard);
-    QueuedWork queued(work, heard, options_);
+    if (work.brief) return here_->perform(work, on_answer);
+    QueuedWork queued(work, on_answer, options_);
     const bool all = queued.perform();
     add(queued.effort());
     return all;
@@ -232,13 +232,13 @@ class SlurmEngine : public Engine {
 
 /// What a task has of processors.
 int processors_of_task() {
-  const char* told = std::getenv("SLURM_CPUS_PER_TASK");
-  return told == nullptr ? 1 : std::max(1, std::atoi(told));
+  const char* value = std::getenv("SLURM_CPUS_PER_TASK");
+  return value == nullptr ? 1 : std::max(1, std::atoi(value));
 }
 
 std::string word_of(const char* variable) {
-  const char* told = std::getenv(variable);
-  return told == nullptr ? "0" : told;
+  const char* value = std::getenv(variable);
+  return value == nullptr ? "0" : value;
 }
 
 }  // namespace

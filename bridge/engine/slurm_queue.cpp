@@ -66,7 +66,7 @@ Said ask(const std::vector<std::string>& words) {
 
 /// Why a question has no answer; never empty.
 std::string trouble_of(const char* program, const Said& said) {
-  return said.text.empty() ? fmt::format("{} ended with status {} and said nothing", program, said.status) : said.text;
+  return said.text.empty() ? fmt::format("{} ended with status {} without a message", program, said.status) : said.text;
 }
 
 bool is_unknown_job(const Said& said) {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // blockweir-dummy: replaces the solid, to test a fluid alone. Blocks move as the command line says.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 #include "bridge/channel/handshake.hpp"
-#include "bridge/channel/line_options.hpp"
-#include "bridge/process/exit_status.hpp"
+#include "bridge/process/program.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/schedule/hello.hpp"
@@ -120,20 +118,17 @@ int run(Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  constexpr auto required = process::ProgramOption::Use::required;
   Options options;
-  CLI::App app{
-      "blockweir-dummy: stands in for the solid, so that a fluid can be tested alone; prints its forces (CSV)"};
-  app.add_option("scene", options.scene, "scene file or case folder")->required();
-  channel::add_line_options(app, options.line)->required();
-  app.add_option("--set", options.overrides, "set a key of the scene, as key=value");
-  app.add_option("--move", options.moves, "BLOCK=U,V,TURN: the block's velocities, in m/s and rad/s; others rest");
-  app.add_option("--windows", options.windows, "number of motions (default: all of the scene's duration)");
-  app.add_option("--save-every", options.save_every, "every how many windows the fluid is told to save its state");
-  app.add_option("--resume", options.resume, "begin with the motion of this number, as a resumed run does");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return process::exit_status("blockweir-dummy", [&] { return run(options); });
+  const process::Program program{
+      "blockweir-dummy",
+      "stands in for the solid, so that a fluid can be tested alone; prints its forces (CSV)",
+      {{{"scene", &options.scene, "scene file or case folder", required}},
+       process::connection_options(options.line, required),
+       {{"--set", &options.overrides, "set a key of the scene, as key=value"},
+        {"--move", &options.moves, "BLOCK=U,V,TURN: the block's velocities, in m/s and rad/s; others rest"},
+        {"--windows", &options.windows, "number of motions (default: all of the scene's duration)"},
+        {"--save-every", &options.save_every, "the fluid is told to save its state every so many windows"},
+        {"--resume", &options.resume, "begin with the motion of this number, as a resumed run does"}}}};
+  return process::run_program(argc, argv, program, [&] { return run(options); });
 }

@@ -13,7 +13,7 @@ Work modes_command(CLI::App& app) {
   app.add_option("--json", options->json, "also write the answer to this file, as JSON");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
-  return [options] { return study::tell_modes(*options); };
+  return [options] { return study::print_modes(*options); };
 }
 
 }  // namespace blockweir::launch

@@ -14,7 +14,7 @@ Work reliability_command(CLI::App& app) {
   app.add_option("--json", options->json, "also write the answer to this file, as JSON");
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   add_engine_options(app, options->engine);
-  return [options] { return study::tell_reliability(*options); };
+  return [options] { return study::print_reliability(*options); };
 }
 
 }  // namespace blockweir::launch

@@ -14,7 +14,7 @@ Work safety_command(CLI::App& app) {
   app.add_option("--json", options->json, "also write the answer to this file, as JSON");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
-  return [options] { return study::tell_safety(*options); };
+  return [options] { return study::print_safety(*options); };
 }
 
 }  // namespace blockweir::launch

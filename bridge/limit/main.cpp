@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // blockweir-limit: at which level, and by which factor on strength, the blocks of a scene fail, and in which modes they
 // swing, without a run.
-#include <CLI/CLI.hpp>
-
 #include <iostream>
 #include <optional>
 
 #include "bridge/process/answers.hpp"
-#include "bridge/process/exit_status.hpp"
+#include "bridge/process/program.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/scene/loose_blocks.hpp"
 #include "bridge/scene/read/read.hpp"
@@ -45,26 +43,25 @@ int answer_lines(const std::string& scene, process::Capacity by) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  constexpr auto required = process::ProgramOption::Use::required;
   std::string question;
   std::string scene;
   std::string answer;
   std::optional<double> moment_s;
-  CLI::App app{"blockweir-limit: at which level, and by which factor on strength, a scene fails"};
-  app.add_option("question", question,
-                 "level: at which it fails; safety: factor of safety; margin: factor at the end of a run; modes: "
-                 "natural frequencies; water: pressures; capacity, static-capacity: the level of each line of settings "
-                 "on standard input, by limit analysis or by the blocks")
-      ->required()
-      ->check(CLI::IsMember({"level", "safety", "margin", "modes", "water", "capacity", "static-capacity"}));
-  app.add_option("scene", scene, "scene file or case folder")->required();
-  app.add_option("--answer", answer, "file for the answer (JSON)");
-  app.add_option("--moment", moment_s, "time whose loads and levels count, s (default: the run's end)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return process::exit_status("blockweir-limit", [&] {
+  const process::Program program{
+      "blockweir-limit",
+      "at which level, and by which factor on strength, a scene fails",
+      {{{"question",
+         &question,
+         "level: at which it fails; safety: factor of safety; margin: factor at the end of a run; modes: natural "
+         "frequencies; water: pressures; capacity, static-capacity: the level of each line of settings on standard "
+         "input, by limit analysis or by the blocks",
+         required,
+         {"level", "safety", "margin", "modes", "water", "capacity", "static-capacity"}},
+        {"scene", &scene, "scene file or case folder", required},
+        {"--answer", &answer, "file for the answer (JSON)"},
+        {"--moment", &moment_s, "time whose loads and levels count, s (default: the run's end)"}}}};
+  return process::run_program(argc, argv, program, [&] {
     if (question == "capacity") return answer_lines(scene, process::Capacity::limit);
     if (question == "static-capacity") return answer_lines(scene, process::Capacity::statics);
     if (answer.empty()) throw std::invalid_argument("--answer is required: the file for the answer (JSON)");

@@ -216,14 +216,14 @@ std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels) 
 /// A resultant for each named joint, and one for all that stands on other joints of a block. Of both sides of a joint
 /// the upper block's counts.
 void put_uplift(const scene::Scene& scene, const json& panels, json& list) {
-  constexpr std::size_t told_apart = 12;  // of a mesh of joints no picture can name each
+  constexpr std::size_t most_named = 12;  // of a mesh of joints no picture can name each
   const JointNames names(scene);
   std::map<std::string, Pressing> parts;
   for (const Panel& p : panels_of(scene, panels)) {
     if (p.inwards.y() > 0) p.add_to(parts[names.uplift_at(p.block, (p.from + p.to) / 2)]);
   }
   for (const auto& [name, pressing] : parts) {
-    pressing.put(parts.size() <= told_apart ? name : std::string("uplift"), "uplift", list);
+    pressing.put(parts.size() <= most_named ? name : std::string("uplift"), "uplift", list);
   }
 }
 

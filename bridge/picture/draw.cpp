@@ -17,14 +17,14 @@ namespace {
 
 class DrawnShare {
  public:
-  explicit DrawnShare(bool told) : told_(told), terminal_(::isatty(STDERR_FILENO) != 0) {}
+  explicit DrawnShare(bool shown) : shown_(shown), terminal_(::isatty(STDERR_FILENO) != 0) {}
   ~DrawnShare() {
-    if (told_ && terminal_) fmt::print(stderr, "\r\033[K");
+    if (shown_ && terminal_) fmt::print(stderr, "\r\033[K");
   }
   DrawnShare(const DrawnShare&) = delete;
   DrawnShare& operator=(const DrawnShare&) = delete;
   void show(double share) {
-    if (!told_) return;
+    if (!shown_) return;
     constexpr int width = 30;
     const int filled = static_cast<int>(share * width);
     if (terminal_) {
@@ -37,7 +37,7 @@ class DrawnShare {
   }
 
  private:
-  bool told_;
+  bool shown_;
   bool terminal_;
   int tenths_ = 0;
 };
@@ -57,7 +57,7 @@ std::string gnuplot_script(const Picture& picture, const std::string& output) {
                      output, picture.commands, one_more_drawn);
 }
 
-void draw(const std::vector<Picture>& pictures, bool told) {
+void draw(const std::vector<Picture>& pictures, bool show_progress) {
   const std::vector<MemoryFile> drawn(pictures.size());
   std::string script = "set print '-'\n";
   for (std::size_t i = 0; i < pictures.size(); ++i) script += gnuplot_script(pictures[i], drawn[i].path());
@@ -65,7 +65,7 @@ void draw(const std::vector<Picture>& pictures, bool told) {
   for (std::size_t at = 0; (at = script.find(one_more_drawn, at)) != std::string::npos; ++at) ++all;
   GnuplotProgram program(script, drawn);
   {
-    DrawnShare share(told);
+    DrawnShare share(show_progress);
     for (std::size_t done = 0; program.printed();) {
       share.show(static_cast<double>(++done) / static_cast<double>(std::max(all, done)));
     }

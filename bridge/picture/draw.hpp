@@ -23,8 +23,8 @@ inline constexpr const char* one_more_drawn = "print 'drawn'\n";
 std::string gnuplot_script(const Picture& picture, const std::string& output);
 
 /// Draws all pictures, then puts them in place together: existing files stay if one fails. Throws std::runtime_error if
-/// gnuplot is missing or refuses a script, or if a file cannot be written. With `told`, standard error shows the
-/// progress: a bar on a terminal, a line for each tenth in a pipe.
-void draw(const std::vector<Picture>& pictures, bool told = false);
+/// gnuplot is missing or refuses a script, or if a file cannot be written. With `show_progress`, standard error shows
+/// the progress: a bar on a terminal, a line for each tenth in a pipe.
+void draw(const std::vector<Picture>& pictures, bool show_progress = false);
 
 }  // namespace blockweir::picture

@@ -121,7 +121,7 @@ void GnuplotProgram::end() {
   const std::string last = last_line(words_.text());
   throw std::runtime_error(
       fmt::format("gnuplot drew no figure: it ended with {}{}; no file was changed; try again with "
-                  "more memory, and tell us what it said if that does not help",
+                  "more memory; if that does not help, report gnuplot's message",
                   how, last.empty() ? "" : ": " + last));
 }
 

@@ -4,10 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,6 +14,7 @@
 #include "bridge/picture/openfoam_water.hpp"
 #include "bridge/picture/silt.hpp"
 #include "bridge/picture/still_pools.hpp"
+#include "bridge/picture/view_grid.hpp"
 #include "bridge/process/programs.hpp"
 
 namespace blockweir::picture {
@@ -28,20 +25,10 @@ using nlohmann::json;
 
 /// What of the outline is in view: gnuplot does not fill to the view's corners where a polygon reaches beyond them.
 std::string polygon(int& number, const json& outline, const View& view, const char* style) {
-  namespace bg = boost::geometry;
-  using Corner = bg::model::d2::point_xy<double>;
-  const bg::model::box<Corner> seen({view.left, view.bottom}, {view.right, view.top});
-  bg::model::polygon<Corner> whole;
-  for (const json& p : outline) bg::append(whole.outer(), Corner(p[0].get<double>(), p[1].get<double>()));
-  bg::correct(whole);
-  std::vector<bg::model::polygon<Corner>> pieces;
-  bg::intersection(whole, seen, pieces);
+  std::vector<Eigen::Vector2d> whole;
+  for (const json& p : outline) whole.emplace_back(p[0].get<double>(), p[1].get<double>());
   std::string text;
-  for (const auto& piece : pieces) {
-    std::vector<Eigen::Vector2d> points;
-    for (const Corner& p : piece.outer()) points.emplace_back(p.x(), p.y());
-    text += gnuplot_polygon(++number, points, style);
-  }
+  for (const auto& piece : in_view(whole, view)) text += gnuplot_polygon(++number, piece, style);
   return text;
 }
 

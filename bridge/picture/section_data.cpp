@@ -55,10 +55,10 @@ json law(const std::string& name, const scene::JointLaw& law) {
 /// Joints of one set, cut or region share name and law: listed once.
 json laws(const scene::Scene& scene) {
   json rows = json::array();
-  std::set<std::string> told;
+  std::set<std::string> named;
   for (const scene::Joint& joint : scene.joints) {
     const std::string& name = joint.set.empty() ? joint.name : joint.set;
-    if (told.insert(name).second) rows.push_back(law(name, joint.law));
+    if (named.insert(name).second) rows.push_back(law(name, joint.law));
   }
   rows.push_back(law(rows.empty() ? "all joints" : "all other joints", scene.default_joint));
   return rows;
@@ -87,7 +87,7 @@ json joints(const scene::Scene& scene) {
   constexpr double touching = 1e-6;  // of the structure
   const double touching_m = touching * scene::structure_size_m(scene.blocks);
   json list = json::array();
-  std::set<std::string> told;
+  std::set<std::string> named;
   for (const scene::Joint& joint : scene.joints) {
     const auto trace =
         scene::trace_joint(scene.blocks[at(joint.between[0])], scene.blocks[at(joint.between[1])], touching_m);
@@ -95,7 +95,7 @@ json joints(const scene::Scene& scene) {
     json line = json::array({pair(trace.mouth())});
     for (const auto& piece : trace.pieces) line.push_back(pair(piece.to_m));
     const std::string& name = joint.set.empty() ? joint.name : joint.set;
-    list.push_back({{"name", name}, {"lines", json::array({line})}, {"labelled", told.insert(name).second}});
+    list.push_back({{"name", name}, {"lines", json::array({line})}, {"labelled", named.insert(name).second}});
   }
   return list;
 }

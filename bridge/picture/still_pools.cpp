@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/picture/still_pools.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
-#include <polyclipping/clipper.hpp>
+
+#include "bridge/picture/view_grid.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -35,25 +36,6 @@ struct WetPoints {
       if (p.x() >= all.right - near) foot_right = std::min(foot_right, p.y());
     }
   }
-};
-
-/// Metres in view to Clipper's integers and back.
-class Grid {
- public:
-  explicit Grid(const View& view)
-      : origin_(view.left, view.bottom), per_m_(1e8 / std::max(view.right - view.left, view.top - view.bottom)) {}
-  [[nodiscard]] cl::IntPoint on(const Point& p) const {
-    const Point q = per_m_ * (p - origin_);
-    return {std::llround(q.x()), std::llround(q.y())};
-  }
-  [[nodiscard]] Point metres(const cl::IntPoint& p) const {
-    return origin_ + Point(static_cast<double>(p.X), static_cast<double>(p.Y)) / per_m_;
-  }
-  static constexpr double closed = 1e5;  ///< of the view's 1e8: narrower gaps between blocks show no water
-
- private:
-  Point origin_;
-  double per_m_;
 };
 
 double crest_x(const json& frame) {
@@ -89,7 +71,7 @@ bool shows_movable(const json& frame, const View& view) {
 }
 
 /// All that may be a pool, as boxes up to the levels.
-cl::Paths under_levels(const json& frame, const WetPoints& wet, const View& view, const Grid& grid) {
+cl::Paths under_levels(const json& frame, const WetPoints& wet, const View& view, const ViewGrid& grid) {
   cl::Paths boxes;
   const double highest = shows_movable(frame, view) ? std::min(view.top, highest_point(frame)) : view.top;
   const auto add = [&](double from, double to, double bottom, double level) {
@@ -119,7 +101,7 @@ cl::Paths under_levels(const json& frame, const WetPoints& wet, const View& view
   return boxes;
 }
 
-cl::Paths grown_blocks(const json& frame, const Grid& grid) {
+cl::Paths grown_blocks(const json& frame, const ViewGrid& grid) {
   cl::ClipperOffset offset;
   for (const json& block : frame["blocks"]) {
     cl::Path outline;
@@ -127,7 +109,7 @@ cl::Paths grown_blocks(const json& frame, const Grid& grid) {
     offset.AddPath(outline, cl::jtMiter, cl::etClosedPolygon);
   }
   cl::Paths grown;
-  offset.Execute(grown, Grid::closed / 2);
+  offset.Execute(grown, ViewGrid::closed / 2);
   return grown;
 }
 
@@ -155,7 +137,7 @@ bool above_all(const json& frame) {
 std::vector<std::vector<Point>> still_pools(const json& frame, const View& view) {
   const WetPoints wet(frame);
   if (wet.middles.empty()) return {};
-  const Grid grid(view);
+  const ViewGrid grid(view);
   cl::Clipper clipper;
   clipper.AddPaths(under_levels(frame, wet, view, grid), cl::ptSubject, true);
   clipper.AddPaths(grown_blocks(frame, grid), cl::ptClip, true);
@@ -164,7 +146,7 @@ std::vector<std::vector<Point>> still_pools(const json& frame, const View& view)
   std::vector<std::vector<Point>> pools;
   for (const cl::Path& outline : open) {
     const bool is_wet = std::any_of(wet.middles.begin(), wet.middles.end(), [&](const Point& middle) {
-      return distance_to(outline, grid.on(middle)) <= Grid::closed;
+      return distance_to(outline, grid.on(middle)) <= ViewGrid::closed;
     });
     if (!is_wet || !cl::Orientation(outline)) continue;  // a hole is a block, which is drawn over the water
     auto& pool = pools.emplace_back();

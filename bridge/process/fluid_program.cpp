@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "bridge/channel/line_options.hpp"
-#include "bridge/process/exit_status.hpp"
+#include "bridge/process/program.hpp"
 #include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/schedule/hello.hpp"
@@ -64,20 +63,18 @@ void require_fluid(const scene::Scene& scene, scene::FluidModel model) {
 int run_fluid_program(int argc, char** argv, scene::FluidModel model, const FluidMaker& make) {
   const scene::FluidEntry& entry = scene::fluid_entry(model);
   Options options;
-  CLI::App app{fmt::format("{}: {}", entry.program, entry.about)};
-  app.add_option("scene", options.scene, "scene file or case folder")->required();
-  channel::add_line_options(app, options.line)->required();
-  app.add_option("--out", options.folder, "folder for checkpoints and pictures");
-  app.add_option("--set", options.overrides, "set a key of the scene, as key=value; the same for both processes");
-  app.add_option("--resume", options.resume,
-                 "continue from the checkpoint of this number in --out; the same for both processes");
-  app.add_option("--report", options.report, "file for this process's times and counts (JSON)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return exit_status(entry.program, [&] { return run(options, entry, make); });
+  constexpr auto required = ProgramOption::Use::required;
+  const Program program{
+      entry.program,
+      entry.about,
+      {{{"scene", &options.scene, "scene file or case folder", required}},
+       connection_options(options.line, required),
+       {{"--out", &options.folder, "folder for checkpoints and pictures"},
+        {"--set", &options.overrides, "set a key of the scene, as key=value; the same for both processes"},
+        {"--resume", &options.resume,
+         "continue from the checkpoint of this number in --out; the same for both processes"},
+        {"--report", &options.report, "file for this process's times and counts (JSON)"}}}};
+  return run_program(argc, argv, program, [&] { return run(options, entry, make); });
 }
 
 }  // namespace blockweir::process

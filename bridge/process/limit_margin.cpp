@@ -28,8 +28,8 @@ std::string text_of(const json& found, bool fails) {
                        fails && factor >= 1 ? "; above 1 although it fails, as an upper bound may be" : "");
   }
   if (!fails && found.value("holds_nothing", false)) {
-    return fmt::format("not told: it stands, although by limit analysis nothing holds the structure as it is drawn: {}",
-                       how());
+    return fmt::format(
+        "not reported: it stands, although by limit analysis nothing holds the structure as it is drawn: {}", how());
   }
   if (found.contains("reservoir_factor")) {
     return fmt::format("{}{:.4g} on the reservoir's forces{}, as {}: {}", bound,

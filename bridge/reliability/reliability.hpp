@@ -22,6 +22,6 @@ struct ReliabilityOptions {
 /// Prints probability, reliability index, design point and Sobol's indices, and draws the fragility curve. Returns 0; 1
 /// if samples or a method have no answer, 130 if it was stopped. Throws scene::SceneError, and std::invalid_argument
 /// for an unsuitable scene or options.
-int tell_reliability(const ReliabilityOptions& options);
+int print_reliability(const ReliabilityOptions& options);
 
 }  // namespace blockweir::study

@@ -2,12 +2,7 @@
 // Finds blocks by their bounding boxes, so that checks of pairs stay fast for many blocks.
 #pragma once
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <iterator>
-#include <utility>
+#include <memory>
 #include <vector>
 
 #include "bridge/geometry/outline.hpp"
@@ -18,36 +13,18 @@ namespace blockweir::scene {
 class BlockIndex {
  public:
   /// Blocks without vertices are left out.
-  explicit BlockIndex(const std::vector<Block>& blocks) : tree_(entries(blocks)) {}
+  explicit BlockIndex(const std::vector<Block>& blocks);
+  ~BlockIndex();
 
   /// Blocks whose bounding boxes touch or overlap `bounds`.
-  [[nodiscard]] std::vector<std::size_t> meeting(const geometry::Bounds& bounds) const {
-    std::vector<Entry> found;
-    tree_.query(boost::geometry::index::intersects(box(bounds)), std::back_inserter(found));
-    std::vector<std::size_t> blocks;
-    blocks.reserve(found.size());
-    for (const Entry& entry : found) blocks.push_back(entry.second);
-    return blocks;
-  }
+  [[nodiscard]] std::vector<std::size_t> meeting(const geometry::Bounds& bounds) const;
 
   /// Removes a block from the index.
-  void forget(std::size_t i, const Block& block) { tree_.remove(Entry{box(geometry::bounds_of(block.vertices)), i}); }
+  void forget(std::size_t i, const Block& block);
 
  private:
-  using Corner = boost::geometry::model::d2::point_xy<double>;
-  using Box = boost::geometry::model::box<Corner>;
-  using Entry = std::pair<Box, std::size_t>;
-
-  static Box box(const geometry::Bounds& b) { return {Corner(b.low.x(), b.low.y()), Corner(b.high.x(), b.high.y())}; }
-  static std::vector<Entry> entries(const std::vector<Block>& blocks) {
-    std::vector<Entry> all;
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      if (!blocks[i].vertices.empty()) all.emplace_back(box(geometry::bounds_of(blocks[i].vertices)), i);
-    }
-    return all;
-  }
-
-  boost::geometry::index::rtree<Entry, boost::geometry::index::linear<16>> tree_;
+  struct Tree;  ///< of Boost.Geometry, which takes seconds to compile
+  std::unique_ptr<Tree> tree_;
 };
 
 }  // namespace blockweir::scene

@@ -31,19 +31,22 @@ StudyTask named_task(const json& item) {
   for (const auto& map : studies.maps) {
     if (map.name == name) return map_task(item["brief"].get<bool>() ? thinned(map) : map);
   }
-  throw std::runtime_error(fmt::format("{}: the study \"{}\" is gone; start the command again", scene.string(), name));
+  throw std::runtime_error(
+      fmt::format("{}: the scene has no study \"{}\" any more: its file has changed since the command began; start the "
+                  "command again",
+                  scene.string(), name));
 }
 
 json done_study(const json& item) {
   const StudyTask task = named_task(item);
   int count = 0;
-  const auto tell = [&](const std::string& settings, const std::string& outcome) {
-    if (item["told"].get<bool>()) {
+  const auto report_run = [&](const std::string& settings, const std::string& outcome) {
+    if (item["reported"].get<bool>()) {
       fmt::print(stderr, "{}",
                  results::for_stderr(fmt::format("{}, run {}: {}: {}\n", task.name, ++count, settings, outcome)));
     }
   };
-  const StudyResult result = go(task, item["scene"].get<std::string>(), item["overrides"].get<Settings>(), tell);
+  const StudyResult result = go(task, item["scene"].get<std::string>(), item["overrides"].get<Settings>(), report_run);
   return {{"check", result.check},
           {"runs", result.runs},
           {"text", result.text},
@@ -84,12 +87,12 @@ json bench_item(const fs::path& scene, const Settings& overrides, bool inproc, b
   return item;
 }
 
-json study_item(const fs::path& scene, const std::string& name, const Settings& overrides, bool brief, bool told) {
+json study_item(const fs::path& scene, const std::string& name, const Settings& overrides, bool brief, bool reported) {
   return {{"scene", fs::absolute(scene).string()},
           {"study", name},
           {"overrides", overrides},
           {"brief", brief},
-          {"told", told}};
+          {"reported", reported}};
 }
 
 StudyResult study_result(const json& answer) {
@@ -124,7 +127,7 @@ scene::MapStudy thinned(scene::MapStudy map) {
   return map;
 }
 
-void perform_in_order(engine::Engine& engine, const engine::Work& work, const engine::Heard& taken) {
+void perform_in_order(engine::Engine& engine, const engine::Work& work, const engine::OnAnswer& taken) {
   std::map<std::size_t, json> early;
   std::size_t next = 0;
   const bool all = engine.perform(work, [&](std::size_t i, const json& answer) {

@@ -21,9 +21,9 @@ nlohmann::json run_item(const std::filesystem::path& scene, const std::string& v
 nlohmann::json bench_item(const std::filesystem::path& scene, const Settings& overrides, bool inproc, bool motion);
 
 /// One study; study_result() reads its answer. `brief`: of a map only the first, the middle and the last values.
-/// `told`: reports each run on standard error.
+/// `reported`: reports each run on standard error.
 nlohmann::json study_item(const std::filesystem::path& scene, const std::string& name, const Settings& overrides,
-                          bool brief, bool told);
+                          bool brief, bool reported);
 
 /// The result in the answer to a study_item(); null: its process was killed.
 StudyResult study_result(const nlohmann::json& answer);
@@ -36,6 +36,6 @@ scene::MapStudy thinned(scene::MapStudy map);
 
 /// Works on all items; `taken` gets the answers in the order of the items, each as soon as it and all earlier ones
 /// exist. Throws Interrupted.
-void perform_in_order(engine::Engine& engine, const engine::Work& work, const engine::Heard& taken);
+void perform_in_order(engine::Engine& engine, const engine::Work& work, const engine::OnAnswer& taken);
 
 }  // namespace blockweir::study

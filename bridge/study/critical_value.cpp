@@ -70,7 +70,7 @@ class Search {
       if (!known_.contains(bracket.middle())) make(middles(bracket, jobs_), bracket);
       (known_.at(bracket.middle()) == at_low ? bracket.low : bracket.high) = bracket.middle();
     }
-    return told(bracket);
+    return finding_of(bracket);
   }
 
  private:
@@ -93,7 +93,7 @@ class Search {
         finding_.runs[1]["settings"][0].get<std::string>(), wanted(critical_)));
   }
 
-  Finding told(const Bracket& bracket) {
+  Finding finding_of(const Bracket& bracket) {
     const auto word_at = [&](double value) {
       for (const Outcome& run : finding_.runs) {
         if (run["settings"][0] == setting(critical_.key, value)) return shown_word(run);

@@ -102,7 +102,7 @@ std::string level_report(const json& answer) {
 
 }  // namespace
 
-int tell_level(const LevelOptions& options) {
+int print_level(const LevelOptions& options) {
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
   const process::Asked asked = process::ask("level", options);
   const json& limit = asked.answer["limit_analysis"];

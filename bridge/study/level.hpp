@@ -14,6 +14,6 @@ struct LevelOptions : process::AskOptions {
 
 /// Prints the level by equilibrium of the blocks and by limit analysis, and draws the mechanism. Returns 0: a dam that
 /// fails is a result.
-int tell_level(const LevelOptions& options);
+int print_level(const LevelOptions& options);
 
 }  // namespace blockweir::study

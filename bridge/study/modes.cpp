@@ -43,7 +43,7 @@ std::string modes_report(const json& answer) {
 
 }  // namespace
 
-int tell_modes(const ModesOptions& options) {
+int print_modes(const ModesOptions& options) {
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
   const process::Asked asked = process::ask("modes", options);
   fmt::print("{}", results::for_stdout(modes_report(asked.answer)));

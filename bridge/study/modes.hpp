@@ -11,6 +11,6 @@ struct ModesOptions : process::AskOptions {
 };
 
 /// Returns the exit status. Throws as process::ask() does.
-int tell_modes(const ModesOptions& options);
+int print_modes(const ModesOptions& options);
 
 }  // namespace blockweir::study

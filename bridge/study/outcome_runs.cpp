@@ -99,7 +99,7 @@ std::vector<Outcome> OutcomeRuns::make(const std::vector<Settings>& settings, st
     Outcome row = answer.is_object() ? answer : troubled("stopped", "its process was killed");
     row["settings"] = settings[i];
     rows[i] = row;
-    tell(row, --left);
+    report_progress(row, --left);
     if (row.contains("trouble")) return;
     row["key"] = key_of(settings[i]);
     kept_.line(row.dump());
@@ -109,15 +109,15 @@ std::vector<Outcome> OutcomeRuns::make(const std::vector<Settings>& settings, st
   return rows;
 }
 
-void OutcomeRuns::tell(const Outcome& outcome, std::size_t left) {
+void OutcomeRuns::report_progress(const Outcome& outcome, std::size_t left) {
   ++done_;
   const double each_s = seconds_since(begun_) / static_cast<double>(done_);
   const std::string more =
       left == 0 ? "no more runs" : fmt::format("{} more, some {}", left, duration(each_s * static_cast<double>(left)));
   if (plan_.of_many) {
-    constexpr double told_every_s = 5;
-    if (seconds_since(told_) < told_every_s) return;
-    told_ = std::chrono::steady_clock::now();
+    constexpr double report_every_s = 5;
+    if (seconds_since(reported_) < report_every_s) return;
+    reported_ = std::chrono::steady_clock::now();
     return say(fmt::format("{}: {} done, {}\n", plan_.name, done_, more));
   }
   std::string ending = outcome["outcome"];

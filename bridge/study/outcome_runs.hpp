@@ -43,7 +43,7 @@ class OutcomeRuns {
   /// A text of all that decides an outcome: the scene with overrides, without its studies; the settings, the method,
   /// the version.
   [[nodiscard]] std::string key_of(const Settings& settings) const;
-  void tell(const Outcome& outcome, std::size_t left);
+  void report_progress(const Outcome& outcome, std::size_t left);
 
   OutcomePlan plan_;
   engine::Engine& engine_;
@@ -51,7 +51,7 @@ class OutcomeRuns {
   std::map<std::string, Outcome> known_;  ///< by key_of()
   results::ResultFile kept_;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point reported_ = std::chrono::steady_clock::now();
   std::size_t done_ = 0;  ///< in this call of the program
 };
 

@@ -59,19 +59,19 @@ json Probability::ask(json request, const Evaluate& evaluate) {
   for (const auto& [key, value] : common_.items()) {
     if (!request.contains(key)) request[key] = value;
   }
-  json heard = program_->ask(request);
-  while (heard.contains("evaluate")) {
+  json reply = program_->ask(request);
+  while (reply.contains("evaluate")) {
     std::vector<double> values;
     try {
-      values = evaluate(heard["evaluate"].get<std::vector<RandomPoint>>());
+      values = evaluate(reply["evaluate"].get<std::vector<RandomPoint>>());
     } catch (...) {  // it waits for values that do not come
       program_ = started();
       throw;
     }
-    heard = program_->ask({{"values", values}});
+    reply = program_->ask({{"values", values}});
   }
-  if (heard.contains("answer")) return heard["answer"];
-  throw std::runtime_error(heard.value("trouble", "no answer"));
+  if (reply.contains("answer")) return reply["answer"];
+  throw std::runtime_error(reply.value("trouble", "no answer"));
 }
 
 Settings settings_of_one(const scene::Randomness& randomness, std::size_t v, const RandomPoint& point) {

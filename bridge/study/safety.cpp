@@ -155,7 +155,7 @@ json safety_answers(const process::AskOptions& options, Pictures* pictures) {
   return cases;
 }
 
-int tell_safety(const SafetyOptions& options) {
+int print_safety(const SafetyOptions& options) {
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
   process::AskOptions question = options;
   question.out = process::answer_folder("safety", options);

@@ -27,6 +27,6 @@ nlohmann::json safety_answers(const process::AskOptions& options,
 /// Prints the factor of the scene itself and of each load case, by equilibrium of the blocks and by limit analysis,
 /// with the joints that run through the structure, and draws the mechanisms. Returns 1 if a load case has no answer or
 /// does not reach its required factor; otherwise 0.
-int tell_safety(const SafetyOptions& options);
+int print_safety(const SafetyOptions& options);
 
 }  // namespace blockweir::study

@@ -50,41 +50,42 @@ std::string factors_text(const json& cases) {
                                              : "NO");
   }
   for (const json& c : cases) {
-    const auto tell = [&](const char* what, const json& why) {
+    const auto add_line = [&](const char* what, const json& why) {
       text += fmt::format("{}: {}{}\n", c["name"].get<std::string>(), what, why.get<std::string>());
     };
-    if (c["tailwater_m"].is_number()) tell("tailwater at ", scaled(c["tailwater_m"], "{:.5g} m"));
+    if (c["tailwater_m"].is_number()) add_line("tailwater at ", scaled(c["tailwater_m"], "{:.5g} m"));
     if (c["outcome"] == "not found" && !c.contains("stopped"))
-      tell("no answer: ", c["why_no_factor"]);
+      add_line("no answer: ", c["why_no_factor"]);
     else if (c["factor"].is_null() && c.contains("why_no_factor"))
-      tell("no factor: ", c["why_no_factor"]);
-    if (c.contains("mechanism")) tell("mechanism: ", c["mechanism"]["text"]);
-    if (c.contains("friction_history")) tell("factor: ", c["friction_history"]);
-    if (c.contains("stopped")) tell("a lower bound, ", c["stopped"]);
+      add_line("no factor: ", c["why_no_factor"]);
+    if (c.contains("mechanism")) add_line("mechanism: ", c["mechanism"]["text"]);
+    if (c.contains("friction_history")) add_line("factor: ", c["friction_history"]);
+    if (c.contains("stopped")) add_line("a lower bound, ", c["stopped"]);
     if (c.contains("water_factor")) {
       const json& factor = c["water_factor"]["factor"];
-      tell("it bears ", factor.is_null()
-                            ? "nothing of what the water presses, by limit analysis: what acts beside it is "
-                              "too much by itself"
-                            : scaled(factor, "{:.5g} times what the water presses, by limit analysis"));
+      add_line("it bears ", factor.is_null()
+                                ? "nothing of what the water presses, by limit analysis: what acts beside it is "
+                                  "too much by itself"
+                                : scaled(factor, "{:.5g} times what the water presses, by limit analysis"));
     }
     if (c.contains("load_factor")) {
-      tell("it bears ", load_factor_text(c["load_factor"]));
+      add_line("it bears ", load_factor_text(c["load_factor"]));
     }
     if (c.contains("with_cracked_joint") && c["satisfied"] == false) {
-      tell("not enough: ", c["with_cracked_joint"]["text"]);
+      add_line("not enough: ", c["with_cracked_joint"]["text"]);
     }
-    if (c.contains("limit_analysis_note")) tell("limit: ", c["limit_analysis_note"]);
+    if (c.contains("limit_analysis_note")) add_line("limit: ", c["limit_analysis_note"]);
     for (const json& warning : c["scene_warnings"]) {  // warnings of the scene itself were printed when it was read
-      const json& told = cases[0]["scene_warnings"];
-      if (std::find(told.begin(), told.end(), warning) == told.end()) tell("WARNING ", warning);
+      const json& shown = cases[0]["scene_warnings"];
+      if (std::find(shown.begin(), shown.end(), warning) == shown.end()) add_line("WARNING ", warning);
     }
     for (const json& warning : c["warnings"]) {  // what the first has said of all is not said again
-      const json& told = cases[0]["warnings"];
-      if (&c == &cases[0] || std::find(told.begin(), told.end(), warning) == told.end()) tell("WARNING ", warning);
+      const json& shown = cases[0]["warnings"];
+      if (&c == &cases[0] || std::find(shown.begin(), shown.end(), warning) == shown.end())
+        add_line("WARNING ", warning);
     }
     if (c.contains("added_water_pressure")) {
-      tell("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);
+      add_line("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);
     }
   }
   return text +

@@ -87,8 +87,8 @@ Tasks tasks_of(const StudyOptions& options) {
 
 }  // namespace
 
-StudyRuns::StudyRuns(const StudyTask& task, fs::path scene, Settings overrides, Listener heard)
-    : task_(task), scene_(std::move(scene)), overrides_(std::move(overrides)), heard_(std::move(heard)) {}
+StudyRuns::StudyRuns(const StudyTask& task, fs::path scene, Settings overrides, Listener on_run)
+    : task_(task), scene_(std::move(scene)), overrides_(std::move(overrides)), on_run_(std::move(on_run)) {}
 
 Attempt StudyRuns::attempt(const Settings& settings, const scene::Expectation& expected, double longest_s) {
   Attempt attempt;
@@ -109,8 +109,8 @@ Attempt StudyRuns::attempt(const Settings& settings, const scene::Expectation& e
     attempt = {.trouble = error.what(), .refused = true};
   }
   wall_time_s_ += attempt.wall_time_s;
-  heard_(fmt::format("{}", fmt::join(settings, ", ")),
-         attempt.trouble.empty() ? outcome_word(attempt.summary) : attempt.trouble);
+  on_run_(fmt::format("{}", fmt::join(settings, ", ")),
+          attempt.trouble.empty() ? outcome_word(attempt.summary) : attempt.trouble);
   return attempt;
 }
 
@@ -163,8 +163,8 @@ std::vector<StudyTask> study_tasks(const fs::path& scene, const Settings& overri
 }
 
 StudyResult go(const StudyTask& task, const fs::path& scene, const Settings& overrides,
-               const StudyRuns::Listener& heard) {
-  StudyRuns runs(task, scene, overrides, heard);
+               const StudyRuns::Listener& on_run) {
+  StudyRuns runs(task, scene, overrides, on_run);
   StudyResult result;
   try {
     result = task.go(runs);
@@ -177,7 +177,7 @@ StudyResult go(const StudyTask& task, const fs::path& scene, const Settings& ove
   return result;
 }
 
-void tell(const std::string& name, const StudyResult& result, const fs::path& out) {
+void print_study(const std::string& name, const StudyResult& result, const fs::path& out) {
   const json& check = result.check;
   fmt::print("{}\n{}", name, result.text);
   if (check.contains("trouble")) {
@@ -211,11 +211,11 @@ int perform_all(const StudyOptions& options) {
   try {
     engine::Work work{.name = "studies", .common = {{"by", "check"}}, .items = {}};
     for (const StudyTask& task : tasks.answered) {
-      work.items.push_back(study_item(options.scene, task.name, options.overrides, /*brief=*/false, /*told=*/true));
+      work.items.push_back(study_item(options.scene, task.name, options.overrides, /*brief=*/false, /*reported=*/true));
     }
     perform_in_order(*engine, work, [&](std::size_t i, const json& answer) {
       StudyResult result = study_result(answer);
-      tell(tasks.answered[i].name, result, options.out);
+      print_study(tasks.answered[i].name, result, options.out);
       sound = sound && result.check["passed"].get<bool>();
       if (result.key.empty() || result.check.contains("trouble")) return;
       orders.emplace_back(tasks.answered[i].name, std::move(result));

@@ -43,8 +43,8 @@ struct StudyTask;
 class StudyRuns {
  public:
   using Listener = std::function<void(const std::string& settings, const std::string& outcome)>;
-  /// `overrides` of the command line replace the study's settings; `heard` is called for each run.
-  StudyRuns(const StudyTask& task, std::filesystem::path scene, Settings overrides, Listener heard);
+  /// `overrides` of the command line replace the study's settings; `on_run` is called for each run.
+  StudyRuns(const StudyTask& task, std::filesystem::path scene, Settings overrides, Listener on_run);
 
   /// Runs the scene with `settings` and only `expected` to check; ends it if it takes longer. Throws Interrupted.
   Attempt attempt(const Settings& settings, const scene::Expectation& expected, double longest_s);
@@ -60,7 +60,7 @@ class StudyRuns {
   const StudyTask& task_;
   std::filesystem::path scene_;
   Settings overrides_;
-  Listener heard_;
+  Listener on_run_;
   process::TemporaryFolder scratch_;
   double wall_time_s_ = 0;
 };
@@ -93,11 +93,11 @@ Settings joined(Settings first, const Settings& second);
 
 /// Makes the study's runs. If one fails, the check fails and has the reason as "trouble".
 StudyResult go(const StudyTask& task, const std::filesystem::path& scene, const Settings& overrides,
-               const StudyRuns::Listener& heard);
+               const StudyRuns::Listener& on_run);
 
 /// Prints the result of a study: figures and their check on standard output; if a folder is given, also a table and a
 /// figure there.
-void tell(const std::string& name, const StudyResult& result, const std::filesystem::path& out);
+void print_study(const std::string& name, const StudyResult& result, const std::filesystem::path& out);
 
 /// "stands", "stopped", or the mode of the first failure.
 std::string outcome_word(const nlohmann::json& summary);

@@ -96,14 +96,14 @@ int stress(const StressOptions& options) {
   try {
     engine::Work work{.name = "stress", .common = {{"by", "check"}}, .items = {}};
     for (const Map& map : maps) {
-      work.items.push_back(study_item(map.scene, map.task.name, {}, options.brief, /*told=*/true));
+      work.items.push_back(study_item(map.scene, map.task.name, {}, options.brief, /*reported=*/true));
     }
     results::make_folder(options.out);
     perform_in_order(*make_engine(options.engine, options.out), work, [&](std::size_t i, const json& answer) {
       const StudyResult result = study_result(answer);
       const fs::path out = options.out / maps[i].scene.stem();
       results::make_folder(out);
-      tell(maps[i].task.name, result, out);
+      print_study(maps[i].task.name, result, out);
       rows.push_back(row(maps[i], result));
     });
   } catch (const Interrupted&) {

@@ -119,7 +119,8 @@ class ColumnReader {
   [[nodiscard]] bool more() const { return told_ != nullptr && column_ < told_->size(); }
 
   void end() const {
-    if (in_frame_ > 0) throw BadMessage(fmt::format("{} bytes more than it says in window {}", in_frame_, window_));
+    if (in_frame_ > 0)
+      throw BadMessage(fmt::format("{} bytes more than its header states in window {}", in_frame_, window_));
   }
 
  private:

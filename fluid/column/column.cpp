@@ -66,8 +66,9 @@ double Column::with_cushion(const Way& end, double window_s) {
 
 void Column::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
   if (motion.displacement.size() != blocks_) {
-    throw std::runtime_error(fmt::format("positions of {} blocks came; the scene has {}; give both sides one scene",
-                                         motion.displacement.size(), blocks_));
+    throw std::runtime_error(fmt::format(
+        "received the positions of {} blocks, but the scene has {}; start both processes with the same scene",
+        motion.displacement.size(), blocks_));
   }
   const Way end = way(motion);
   const double window_s = to_s - time_s_;

@@ -99,8 +99,9 @@ HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
 
 void HydrostaticModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
   if (motion.displacement.size() != scene_.blocks.size()) {
-    throw std::runtime_error(fmt::format("positions of {} blocks came; the scene has {}; give both sides one scene",
-                                         motion.displacement.size(), scene_.blocks.size()));
+    throw std::runtime_error(fmt::format(
+        "received the positions of {} blocks, but the scene has {}; start both processes with the same scene",
+        motion.displacement.size(), scene_.blocks.size()));
   }
   const double upstream = level_at(scene_.water.upstream_level_m, to_s);
   const double downstream = level_at(scene_.water.downstream_level_m, to_s);

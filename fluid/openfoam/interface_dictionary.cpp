@@ -133,7 +133,7 @@ std::string interface_dictionary(const scene::Scene& scene, const Surroundings& 
   const wire::Hello hello = schedule::hello(scene, "openfoam", first_window);
   std::string text = file_header("dictionary", "blockweir");
   text += fmt::format(
-      "endpoint {};  // of the solid process; BLOCKWEIR_ENDPOINT in the environment comes first\n"
+      "endpoint {};  // of the solid process; BLOCKWEIR_ENDPOINT in the environment takes precedence\n"
       "timeout {};\nopenTimeout {};\n\n"
       "sceneDigest {};\nschedule {};\nunits {};\nwindow {};\nduration {};\nfirstWindow {};\nstepsPerWindow "
       "{};\nmaxCourant {};\nwaterDensity {};\ngravity {};\ndepth {};\nopenCrackWidth {};\nmoveTolerance "

@@ -21,7 +21,7 @@ void AnsweringWater::move_to(WaterMesh mesh, const process::FaceMotion& moves, d
 }
 
 bool AnsweringWater::at_rest() const {
-  return state_.p.isZero(0) && state_.rate.isZero(0);
+  return state_.p.isZero(0) && state_.rate.isZero(0) && state_.loaded.isZero(0);
 }
 
 void AnsweringWater::advance(const Eigen::VectorXd& accelerations) {
@@ -32,6 +32,16 @@ void AnsweringWater::advance(const Eigen::VectorXd& accelerations) {
   } else {
     pressure_ = answer_.pressure * accelerations;
   }
+}
+
+void AnsweringWater::look_ahead(const Eigen::VectorXd& accelerations, const Eigen::VectorXd& of_ground,
+                                const WindowAhead& weights) {
+  pressure_.setZero(2 * static_cast<Eigen::Index>(answer_.panels.size()));
+  if (at_rest() && accelerations.isZero(0) && of_ground.isZero(0)) return;
+  PressureState end = state_;
+  equation_->step(end, answer_.flux * (weights.start * accelerations + of_ground));
+  state_.loaded = end.p + weights.past * (state_.p - state_.loaded);
+  pressure_ = answer_.on_panels(state_.loaded) + weights.inertia * (answer_.pressure * accelerations);
 }
 
 Eigen::VectorXd AnsweringWater::pressure_at_nodes() const {

@@ -6,6 +6,7 @@
 
 #include "bridge/wire/message.hpp"
 #include "fluid/reservoir/added_mass.hpp"
+#include "fluid/reservoir/window_ahead.hpp"
 
 namespace blockweir::reservoir {
 
@@ -24,6 +25,9 @@ class AnsweringWater {
   void go_on_from(PressureState state) { state_ = std::move(state); }
   /// One window with `accelerations`, one a mode of the answer.
   void advance(const Eigen::VectorXd& accelerations);
+  /// Turns the pressures into the load of the coming window (WindowAhead), with the accelerations a_n, and those of the
+  /// ground that are known of the window.
+  void look_ahead(const Eigen::VectorXd& accelerations, const Eigen::VectorXd& of_ground, const WindowAhead& weights);
   void add_panels(wire::Load& load) const;
   /// Beyond that of still water, at the mesh's nodes, at the end of the window before [Pa].
   [[nodiscard]] Eigen::VectorXd pressure_at_nodes() const;

@@ -84,7 +84,7 @@ class OldMeshes {
 
 PressureState carry_over(const std::vector<AnsweringWater>& from, const WaterMesh& to) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(to.node.size()));
-  PressureState state{none, none};
+  PressureState state{none, none, none};
   const bool at_rest = std::all_of(from.begin(), from.end(), [](const AnsweringWater& w) { return w.at_rest(); });
   if (at_rest) return state;
   const OldMeshes meshes(from);
@@ -97,6 +97,7 @@ PressureState carry_over(const std::vector<AnsweringWater>& from, const WaterMes
       const double share = N[static_cast<Eigen::Index>(k)];
       state.p[row] += share * water.state().p[t[k]];
       state.rate[row] += share * water.state().rate[t[k]];
+      state.loaded[row] += share * water.state().loaded[t[k]];
     }
   }
   return state;

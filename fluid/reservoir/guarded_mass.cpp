@@ -8,18 +8,18 @@
 
 namespace blockweir::reservoir {
 
-void GuardedMass::add(const WaterAnswer& answer) {
+void GuardedMass::add(const WaterAnswer& answer, double share) {
   const Eigen::Index count = answer.mass.rows() - 2;  // without the ground's
   const auto motion = [&](Eigen::Index mode) { return answer.modes[static_cast<std::size_t>(mode)].motion; };
   for (Eigen::Index i = 0; i < count; i += 3) {
-    const Eigen::Matrix3d m = answer.mass.block<3, 3>(i, i);
+    const Eigen::Matrix3d m = share * answer.mass.block<3, 3>(i, i);
     const std::array<double, 6> more{m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
     auto& row = own_[at(motion(i))];
     std::transform(row.begin(), row.end(), more.begin(), row.begin(), std::plus<>());
     for (Eigen::Index j = i + 3; j < count; j += 3) {  // modes are in the order of the motions
       const std::array pair{static_cast<std::uint32_t>(motion(i)), static_cast<std::uint32_t>(motion(j))};
       auto& between = between_.try_emplace(pair, Eigen::Matrix3d::Zero()).first->second;
-      between += answer.mass.block<3, 3>(i, j);
+      between += share * answer.mass.block<3, 3>(i, j);
     }
   }
 }

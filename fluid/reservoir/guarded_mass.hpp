@@ -14,8 +14,8 @@ class GuardedMass {
   GuardedMass() = default;
   explicit GuardedMass(std::size_t motions) : own_(motions) {}
 
-  /// Adds the added mass of one body of water; a block may touch several.
-  void add(const WaterAnswer& answer);
+  /// Adds `share` of the added mass of one body of water; a block may touch several.
+  void add(const WaterAnswer& answer, double share);
   void tell(wire::Load& load) const;
 
  private:

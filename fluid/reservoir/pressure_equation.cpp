@@ -12,7 +12,7 @@
 namespace blockweir::reservoir {
 namespace {
 
-constexpr double stage_weight = 1 - 1 / std::numbers::sqrt2;  ///< b over the window
+constexpr double sdirk2 = 1 - 1 / std::numbers::sqrt2;  ///< b over the window
 
 }  // namespace
 
@@ -23,6 +23,7 @@ PressureEquation::PressureEquation(const WaterMesh& mesh, const WaterPhysics& ph
       ground_(ground),
       density_(physics.density_kg_per_m3),
       remembers_(physics.remembers()),
+      theta_(physics.theta),
       window_s_(window_s),
       unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))) {
   if (!remembers_) stiffness_.emplace(mesh, unknowns_);
@@ -39,7 +40,7 @@ void PressureEquation::update(double window_s) {
 Eigen::SparseMatrix<double> PressureEquation::matrix() {
   if (stiffness_) return stiffness_->of(mesh_);
   matrices_ = matrices_of(mesh_, unknowns_, physics_, ground_);
-  const double b = stage_weight * window_s_;
+  const double b = theta_.value_or(sdirk2) * window_s_;
   return matrices_.K + matrices_.C / b + matrices_.M / (b * b);
 }
 
@@ -69,7 +70,7 @@ Eigen::VectorXd PressureEquation::flux(const Moves& moves, const Acceleration& a
 
 PressureState PressureEquation::rest() const {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh_.node.size()));
-  return {none, none};
+  return {none, none, none};
 }
 
 void PressureEquation::step(PressureState& state, const Eigen::VectorXd& flux) const {
@@ -78,7 +79,7 @@ void PressureEquation::step(PressureState& state, const Eigen::VectorXd& flux) c
     state.p = at_nodes(factors_.solve(f));
     return;
   }
-  const double b = stage_weight * window_s_;
+  const double b = theta_.value_or(sdirk2) * window_s_;
   const Eigen::VectorXd p0 = at_unknowns(state.p);
   const Eigen::VectorXd v0 = at_unknowns(state.rate);
   Eigen::VectorXd p;
@@ -91,9 +92,15 @@ void PressureEquation::step(PressureState& state, const Eigen::VectorXd& flux) c
     v = (p - p_from) / b;
   };
   finish(p0, v0);
+  if (theta_) {
+    state.p = at_nodes(p0 + (p - p0) / *theta_);
+    state.rate = at_nodes(v0 + (v - v0) / *theta_);
+    return;
+  }
   const double rest = window_s_ - b;
   finish(p0 + rest * v, v0 + rest * (v - v0) / b);
-  state = {at_nodes(p), at_nodes(v)};
+  state.p = at_nodes(p);
+  state.rate = at_nodes(v);
 }
 
 Eigen::VectorXd PressureEquation::pressure(const Eigen::VectorXd& flux) const {

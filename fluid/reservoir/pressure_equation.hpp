@@ -10,20 +10,22 @@
 
 namespace blockweir::reservoir {
 
-/// Pressure beyond that of still water at the nodes [Pa], and its rate.
+/// Pressure beyond that of still water at the nodes [Pa], its rate, and l of WindowAhead, 0 where nothing looks ahead.
 struct PressureState {
   Eigen::VectorXd p;
   Eigen::VectorXd rate;
+  Eigen::VectorXd loaded;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(p, rate);
+    archive(p, rate, loaded);
   }
 };
 
 /// M p'' + C p' + K p = -rho g over one window, g_i = int N_i a.n ds (water_matrices.hpp), a held in it: the mean of
 /// what accelerates. Two implicit stages (SDIRK2, Alexander 1977): of second order, and it damps what the mesh does not
 /// resolve. Both stages have the matrix K + C/b + M/b^2, b = (1 - 1/sqrt 2) T. Without M and C, K p = -rho g.
+/// With theta, one stage up to b = theta T, and on to T along the same line: 1/2 is the trapezoidal rule.
 class PressureEquation {
  public:
   /// `mesh` is to outlive it. `ground`: which blocks are part of it. Throws std::runtime_error where a body of water
@@ -61,6 +63,7 @@ class PressureEquation {
   std::vector<bool> ground_;
   double density_;
   bool remembers_;
+  std::optional<double> theta_;
   double window_s_;
   Unknowns unknowns_;
   std::optional<StiffnessMatrix> stiffness_;  ///< of water that does not remember

@@ -12,6 +12,7 @@
 #include "bridge/results/saving.hpp"
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/water_answers.hpp"
 #include "bridge/schedule/velocities.hpp"
 #include "bridge/wire/panels.hpp"
 #include "fluid/reservoir/carry_over.hpp"
@@ -34,20 +35,27 @@ std::array<double, 2> levels_of(const wire::Load& load) {
 }  // namespace
 
 ReservoirModel::ReservoirModel(const scene::Scene& scene, const std::filesystem::path& folder)
-    : scene_(scene), still_(scene) {
+    : scene_(scene), shaking_(scene), still_(scene) {
   if (scene::flows_in_joints(scene) && !folder.empty()) flow_.emplace(scene, folder);
   if (scene.output.reservoir && !folder.empty()) pictures_.emplace(scene, folder);
   for (const scene::Block& block : scene.blocks) fixed_.push_back(block.fixed);
+  const scene::Analysis& analysis = scene.analysis;
+  if (scene::answers_ahead(scene)) {
+    ahead_ = window_ahead(scene::newmark_weights(analysis.integrator, analysis.spectral_radius));
+  }
 }
 
 void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load& load) {
   // The solid says nothing while nothing moves: what has changed since has done so in the last window.
   const double longest_s = scene_.coupling.window_s;
   const double window_s = told_ && to_s > time_s_ ? std::min(to_s - time_s_, longest_s) : longest_s;
+  const Motions before = accelerations_;
+  const double before_s = time_s_;
   take_accelerations(motion, {to_s - window_s, to_s});
   still_.advance(motion, to_s, still_load_);
-  if (outdated(window_s)) {
-    solved_ = {{}, to_s, still_.outlines(), levels_of(still_load_), window_s};
+  const double solved_s = ahead_ ? longest_s : window_s;
+  if (outdated(solved_s)) {
+    solved_ = {{}, to_s, still_.outlines(), levels_of(still_load_), solved_s};
     solved_.motion.displacement = motion.displacement.values();
     solved_.motion.face_s = motion.face_s.values();
     solved_.motion.face_edge = motion.face_edge.values();
@@ -60,14 +68,46 @@ void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load
   load.downstream_level_m = still_load_.downstream_level_m;
   load.breached = still_load_.breached;
   copy_panels(still_load_, 0, still_load_.cracks_from, load);
-  for (AnsweringWater& water : waters_) {
-    water.advance(accelerations_of(water.answer()));
-    water.add_panels(load);
+  if (ahead_) {
+    look_ahead(before, before_s);
+  } else {
+    for (AnsweringWater& water : waters_) water.advance(for_modes(water.answer(), accelerations_, ground_));
   }
+  for (const AnsweringWater& water : waters_) water.add_panels(load);
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
   copy_panels(still_load_, still_load_.cracks_from, still_load_.block.size(), load);
   guarded_.tell(load);
   load.holds_until_s = moves() || pictures_ ? to_s : still_load_.holds_until_s;
+}
+
+/// The time of the motion behind the velocities told.
+double ReservoirModel::known_until_s(double told_s) const {
+  const bool middles = scene_.coupling.schedule == scene::Schedule::improved;
+  return std::max(0.0, told_s - (middles ? scene_.coupling.window_s / 2 : 0));
+}
+
+/// Steps to where the motion is known, and looks a window further. `before`: accelerations told at before_s.
+void ReservoirModel::look_ahead(const Motions& before, double before_s) {
+  const double window_s = scene_.coupling.window_s;
+  const double now_s = known_until_s(time_s_);
+  const Motions none(accelerations_.size(), Eigen::Vector3d::Zero());
+  Motions mean = none;
+  for (std::size_t m = 0; m < std::min(before.size(), mean.size()); ++m) {
+    mean[m] = ahead_->gamma * accelerations_[m] + (1 - ahead_->gamma) * before[m];
+  }
+  const auto ground_until = [&](double end_s) {  // its mean over a window, of the values at both ends
+    const double from_s = end_s - window_s;
+    return Point(ahead_->gamma * shaking_.stated_acceleration({from_s, end_s}) +
+                 (1 - ahead_->gamma) * shaking_.stated_acceleration({from_s - window_s, from_s}));
+  };
+  for (AnsweringWater& water : waters_) {
+    const WaterAnswer& answer = water.answer();
+    if (now_s > known_until_s(before_s)) {
+      water.advance(for_modes(answer, mean, ground_until(now_s)));
+    }
+    water.look_ahead(for_modes(answer, accelerations_, Point::Zero()),
+                     for_modes(answer, none, ground_until(now_s + window_s)), *ahead_);
+  }
 }
 
 void ReservoirModel::record(double time_s) {
@@ -82,7 +122,7 @@ bool ReservoirModel::moves() const {
 }
 
 void ReservoirModel::take_accelerations(const wire::Motion& motion, const scene::TimeSpan& window) {
-  std::vector<Eigen::Vector3d> velocities = schedule::velocities_in(motion);
+  Motions velocities = schedule::velocities_in(motion);
   accelerations_.resize(velocities.size(), Eigen::Vector3d::Zero());
   if (told_ && velocities.size() == velocities_.size() && window.to_s > time_s_) {
     for (std::size_t b = 0; b < velocities.size(); ++b) {
@@ -90,28 +130,17 @@ void ReservoirModel::take_accelerations(const wire::Motion& motion, const scene:
     }
     ground_ = ground_acceleration(window);
   }
-  if (shaken_steadily()) ground_ = steady_acceleration();
+  if (shaking_.is_steady()) ground_ = shaking_.steady_acceleration();
   velocities_ = std::move(velocities);
   time_s_ = window.to_s;
   told_ = true;
-}
-
-/// A pseudo-static earthquake: loads of all that can move, as by ground that accelerates the other way.
-bool ReservoirModel::shaken_steadily() const {
-  return scene_.water.earthquake_coefficient != 0 && scene_.water.added_water == scene::AddedWater::reservoir;
-}
-
-Point ReservoirModel::steady_acceleration() const {
-  return -scene_.analysis.gravity_m_per_s2 *
-         Point(scene_.water.earthquake_coefficient, scene_.water.earthquake_vertical_coefficient);
 }
 
 Point ReservoirModel::ground_acceleration(const scene::TimeSpan& window) const {
   if (!scene_.base_motion) return Point::Zero();
   const auto ground = std::find(fixed_.begin(), fixed_.end(), true);
   if (scene_.base_motion->form == scene::BaseForm::inertia || ground == fixed_.end()) {
-    return {scene_.base_motion->acceleration_x_m_per_s2.at(window),
-            scene_.base_motion->acceleration_y_m_per_s2.at(window)};
+    return shaking_.stated_acceleration(window);
   }
   return accelerations_[static_cast<std::size_t>(ground - fixed_.begin())].head<2>();
 }
@@ -142,7 +171,7 @@ void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
   deepest_m_ = 0;
   for (const hydrostatic::WaterBody& body : water.bodies()) deepest_m_ = std::max(deepest_m_, depth(body));
   guarded_ = GuardedMass(moves.count());
-  for (const AnsweringWater& body : waters_) guarded_.add(body.answer());
+  for (const AnsweringWater& body : waters_) guarded_.add(body.answer(), ahead_ ? ahead_->inertia : 1);
 }
 
 /// False if a mesh cannot follow: all stay as they are then.
@@ -188,17 +217,16 @@ void ReservoirModel::mesh_anew(const hydrostatic::HydrostaticModel& water, const
   waters_ = std::move(waters);
 }
 
-Eigen::VectorXd ReservoirModel::accelerations_of(const WaterAnswer& answer) const {
-  const bool inertia =
-      shaken_steadily() || (scene_.base_motion && scene_.base_motion->form == scene::BaseForm::inertia);
+Eigen::VectorXd ReservoirModel::for_modes(const WaterAnswer& answer, const Motions& motions,
+                                          const Point& ground) const {
+  const bool inertia = shaking_.is_in_frame_of_ground();
   Eigen::VectorXd a(static_cast<Eigen::Index>(answer.modes.size()));
   for (std::size_t k = 0; k < answer.modes.size(); ++k) {
     const auto [motion, axis] = answer.modes[k];
     const std::size_t n = scene_.blocks.size();
     const bool strains = motion >= 0 && at(motion) >= n && at(motion) < 2 * n;
     const bool with_ground = (motion < 0 || inertia) && axis < 2 && !strains;
-    a[static_cast<Eigen::Index>(k)] =
-        (motion < 0 ? 0 : accelerations_[at(motion)][axis]) + (with_ground ? ground_[axis] : 0);
+    a[static_cast<Eigen::Index>(k)] = (motion < 0 ? 0 : motions[at(motion)][axis]) + (with_ground ? ground[axis] : 0);
   }
   return a;
 }

@@ -11,6 +11,7 @@
 #include "fluid/reservoir/guarded_mass.hpp"
 #include "fluid/reservoir/mesh_motion.hpp"
 #include "fluid/reservoir/reservoir_output.hpp"
+#include "fluid/reservoir/shaking.hpp"
 
 namespace blockweir::reservoir {
 
@@ -38,6 +39,8 @@ class ReservoirModel final : public schedule::FluidSide {
     double window_s = 0;
   };
 
+  using Motions = std::vector<Eigen::Vector3d>;
+
   void take_accelerations(const wire::Motion& motion, const scene::TimeSpan& window);
   [[nodiscard]] Point ground_acceleration(const scene::TimeSpan& window) const;
   [[nodiscard]] bool outdated(double window_s) const;
@@ -46,25 +49,28 @@ class ReservoirModel final : public schedule::FluidSide {
   void mesh_anew(const hydrostatic::HydrostaticModel& water, const FaceMotions& moves);
   void solve_again(Geometry then);
   [[nodiscard]] bool moves() const;
-  [[nodiscard]] bool shaken_steadily() const;
-  [[nodiscard]] Point steady_acceleration() const;
-  [[nodiscard]] Eigen::VectorXd accelerations_of(const WaterAnswer& answer) const;
+  /// One a mode: of motions and of the ground.
+  [[nodiscard]] Eigen::VectorXd for_modes(const WaterAnswer& answer, const Motions& motions, const Point& ground) const;
+  [[nodiscard]] double known_until_s(double told_s) const;
+  void look_ahead(const Motions& before, double before_s);
 
   const scene::Scene& scene_;
+  const Shaking shaking_;
   hydrostatic::HydrostaticModel still_;
   wire::Load still_load_;
   std::optional<joints::FlowOutput> flow_;
   std::optional<ReservoirOutput> pictures_;  ///< where they are asked for
+  std::optional<WindowAhead> ahead_;         ///< where the water answers ahead
   std::vector<bool> fixed_;
   Geometry meshed_;  ///< when the water was last meshed
   Geometry solved_;
-  std::vector<AnsweringWater> waters_;          ///< one a body of water that is no film
-  std::vector<MeshMotion> motions_;             ///< of their meshes
-  double deepest_m_ = 0;                        ///< of the bodies
-  GuardedMass guarded_;                         ///< of the bodies
-  std::vector<Eigen::Vector3d> velocities_;     ///< last told
-  std::vector<Eigen::Vector3d> accelerations_;  ///< of all motions, in the frame of the scene
-  Point ground_ = Point::Zero();                ///< acceleration
+  std::vector<AnsweringWater> waters_;  ///< one a body of water that is no film
+  std::vector<MeshMotion> motions_;     ///< of their meshes
+  double deepest_m_ = 0;                ///< of the bodies
+  GuardedMass guarded_;                 ///< of the bodies
+  Motions velocities_;                  ///< last told
+  Motions accelerations_;               ///< of all motions, in the frame of the scene
+  Point ground_ = Point::Zero();        ///< acceleration
   double time_s_ = 0;
   bool told_ = false;
   long solutions_ = 0;

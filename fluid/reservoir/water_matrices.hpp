@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCore>
 #include <limits>
+#include <optional>
 
 #include "fluid/reservoir/water_mesh.hpp"
 
@@ -15,6 +16,8 @@ struct WaterPhysics {
   double sound_speed_m_per_s = std::numeric_limits<double>::infinity();  ///< infinite: incompressible
   double gravity_m_per_s2 = std::numeric_limits<double>::infinity();     ///< of surface waves; infinite: there are none
   double bottom_reflection = 1;  ///< share of a pressure wave that the ground throws back
+  /// Of the rule by which time is stepped (pressure_equation.hpp); none: SDIRK2.
+  std::optional<double> theta{};
 
   /// The pressure depends on what has been before.
   [[nodiscard]] bool remembers() const {

@@ -36,6 +36,11 @@ std::span<const Sample> equally_spaced(const Course& course) {
   return {course.data(), n};
 }
 
+/// The x with the least |Ax - b|. One function for both fits here: Eigen's decomposition takes seconds to compile.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
+  return A.colPivHouseholderQr().solve(b);
+}
+
 /// The recurrence u_n = f_1 u_n-1 + ... + f_p u_n-p + c that fits the signal best (Prony's method).
 struct Recurrence {
   Eigen::VectorXd factors;
@@ -45,7 +50,7 @@ struct Recurrence {
     const Eigen::Index n = u.size() - order;
     Eigen::MatrixXd past = Eigen::MatrixXd::Ones(n, order + 1);
     for (Eigen::Index k = 0; k < order; ++k) past.col(k) = u.segment(order - 1 - k, n);
-    const Eigen::VectorXd fit = past.colPivHouseholderQr().solve(u.tail(n));
+    const Eigen::VectorXd fit = least_squares(past, u.tail(n));
     misfit = (past * fit - u.tail(n)).norm() / std::sqrt(static_cast<double>(n));
     factors = fit.head(order);
   }
@@ -191,14 +196,14 @@ double wave_speed(const Outcome& o, const std::string& of) {
   const Course& course = course_of(o, of);
   const auto late = static_cast<Eigen::Index>(course.size() / 4);
   if (late < 3) throw NoFigure("no front: the run has too few steps");
-  Eigen::Matrix<double, Eigen::Dynamic, 2> times(late, 2);
+  Eigen::MatrixXd times(late, 2);
   Eigen::VectorXd moved(late);
   for (Eigen::Index i = 0; i < late; ++i) {
     const Sample& s = course[course.size() - static_cast<std::size_t>(late - i)];
     times.row(i) << 1, s.time_s;
     moved[i] = s.displacement.head<2>().norm();
   }
-  const Eigen::Vector2d line = times.colPivHouseholderQr().solve(moved);
+  const Eigen::Vector2d line = least_squares(times, moved);
   const double passed_s = -line[0] / line[1];
   constexpr double still = 1e-6;  // of what has moved farthest: round-off, ahead of the front
   if (!(passed_s > 0 && passed_s < times(0, 1)) || moved[late - 1] < still * o.last.largest_displacement_m)

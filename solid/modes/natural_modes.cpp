@@ -2,13 +2,14 @@
 #include "solid/modes/natural_modes.hpp"
 
 #include <Spectra/MatOp/SparseSymMatProd.h>
-#include <Spectra/MatOp/SymShiftInvert.h>
 #include <Spectra/SymGEigsShiftSolver.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "solid/solve/symmetric_modes.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -19,26 +20,36 @@ constexpr int few_unknowns = 60;
 constexpr double free_share = 1e-4;  ///< of the typical frequency: what is slower is free
 constexpr double of_contacts = 100;  ///< times the typical frequency: what is faster swings on contacts' springs
 
-/// Eigenvalues from the lowest up, and their vectors.
-struct Pairs {
-  Eigen::VectorXd values;
-  Eigen::MatrixXd vectors;
+/// (K - shift M)^-1 x, in the form that Spectra calls. With a shift below 0 the matrix is positive definite.
+class ShiftedSolve {
+ public:
+  using Scalar = double;
+
+  ShiftedSolve(const Sparse& K, const Sparse& M) : K_(K), M_(M) {}
+  [[nodiscard]] Eigen::Index rows() const { return K_.rows(); }
+  [[nodiscard]] Eigen::Index cols() const { return K_.cols(); }
+  void set_shift(double shift) {
+    factors_.compute(K_ - shift * M_);
+    if (factors_.info() != Eigen::Success) throw std::runtime_error("the natural modes: the stiffness has no factors");
+  }
+  void perform_op(const double* x, double* y) const {
+    Eigen::VectorXd::Map(y, rows()) = factors_.solve(Eigen::VectorXd::Map(x, rows()));
+  }
+
+ private:
+  const Sparse& K_;
+  const Sparse& M_;
+  Eigen::SimplicialLDLT<Sparse> factors_;
 };
 
-Pairs all_of(const Sparse& K, const Sparse& M) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> found{Eigen::MatrixXd(K), Eigen::MatrixXd(M)};
-  return {found.eigenvalues(), found.eigenvectors()};
-}
-
-Pairs lowest_of(const Sparse& K, const Sparse& M, int count, double typical_omega) {
-  using Solve = Spectra::SymShiftInvert<double, Eigen::Sparse, Eigen::Sparse>;
+SymmetricModes lowest_of(const Sparse& K, const Sparse& M, int count, double typical_omega) {
   using Multiply = Spectra::SparseSymMatProd<double>;
   const double below = -1e-3 * typical_omega * typical_omega;  // K may be singular
-  Solve solve(K, M);
+  ShiftedSolve solve(K, M);
   Multiply multiply(M);
   const int basis = std::min(static_cast<int>(K.rows()), std::max(3 * count, 20));
-  Spectra::SymGEigsShiftSolver<Solve, Multiply, Spectra::GEigsMode::ShiftInvert> solver(solve, multiply, count, basis,
-                                                                                        below);
+  Spectra::SymGEigsShiftSolver<ShiftedSolve, Multiply, Spectra::GEigsMode::ShiftInvert> solver(solve, multiply, count,
+                                                                                               basis, below);
   solver.init();
   solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-11, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful) {
@@ -51,8 +62,9 @@ Pairs lowest_of(const Sparse& K, const Sparse& M, int count, double typical_omeg
 
 std::vector<NaturalMode> natural_modes(const Sparse& K, const Sparse& M, int count, double typical_omega) {
   const int known = std::min(count, static_cast<int>(K.rows()));
-  const Pairs found =
-      K.rows() <= few_unknowns || known > K.rows() / 2 ? all_of(K, M) : lowest_of(K, M, known, typical_omega);
+  const bool all = K.rows() <= few_unknowns || known > K.rows() / 2;
+  const SymmetricModes found =
+      all ? symmetric_modes(Eigen::MatrixXd(K), Eigen::MatrixXd(M)) : lowest_of(K, M, known, typical_omega);
   std::vector<NaturalMode> modes;
   for (Eigen::Index k = 0; k < known; ++k) {
     const Eigen::VectorXd shape = found.vectors.col(k);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "solid/output/checks.hpp"
-#include "solid/output/mesh_before_sound.hpp"
 #include "solid/output/new_contacts.hpp"
 #include "solid/output/verdict.hpp"
 #include "solid/output/water_on_crest.hpp"
@@ -65,7 +64,7 @@ void add_warnings(const expect::Outcome& outcome, json& warnings) {
   for (const std::string& warning :
        {outcome.energy.warning(outcome.solid), residual_warning(scene, outcome.solid.counts()),
         outcome.edge_tension.warning(), new_contacts_warning(outcome), water_on_crest_warning(outcome),
-        outcome.added_mass.warning(scene), mesh_before_sound_warning(outcome)}) {
+        outcome.added_mass.warning(scene)}) {
     if (!warning.empty()) warnings.push_back(warning);
   }
 }

@@ -12,7 +12,7 @@ double condition_number(Eigen::MatrixXd k) {
     const Eigen::RowVectorXd columns = k.cwiseAbs().colwise().maxCoeff().cwiseSqrt().cwiseInverse();
     k = rows.asDiagonal() * k * columns.asDiagonal();
   }
-  const Eigen::VectorXd singular = k.bdcSvd().singularValues();
+  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner>(k).singularValues();
   return singular[0] / singular[singular.size() - 1];
 }
 

@@ -45,7 +45,7 @@ void ForceSweeps::displace(const Eigen::VectorXd& displacement) {
   begin_sweeps();
 }
 
-void ForceSweeps::let_act() {
+void ForceSweeps::apply_forces() {
   for (const Row& row : rows_) act(row, row.force);
   begin_sweeps();
 }

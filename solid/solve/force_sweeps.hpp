@@ -27,7 +27,7 @@ class ForceSweeps {
   void add_end(bool second, Eigen::Index first, const Eigen::MatrixBase<Motions>& motions,
                const Eigen::MatrixBase<Responses>& responses);
   /// Rows are all there, with their rules: displacements by the forces that they have.
-  void let_act();
+  void apply_forces();
   /// The same rows sweep other displacements, with rules that may be others.
   void displace(const Eigen::VectorXd& displacement);
 

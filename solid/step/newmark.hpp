@@ -2,7 +2,7 @@
 // The Newmark family over one step, with the increment d as unknown.
 #pragma once
 
-#include "bridge/scene/scene.hpp"
+#include "bridge/scene/newmark_weights.hpp"
 #include "solid/block/motion.hpp"
 
 namespace blockweir::solid {
@@ -19,11 +19,8 @@ struct Newmark {
   bool operator==(const Newmark&) const = default;
 
   static Newmark of(scene::Integrator integrator, double spectral_radius) {
-    if (integrator == scene::Integrator::shi) return {};
-    if (integrator == scene::Integrator::trapezoidal) return {0.25, 0.5, 0, 0};
-    const double am = (2 * spectral_radius - 1) / (spectral_radius + 1);
-    const double af = spectral_radius / (spectral_radius + 1);
-    return {(1 - am + af) * (1 - am + af) / 4, 0.5 - am + af, am, af};
+    const scene::NewmarkWeights w = scene::newmark_weights(integrator, spectral_radius);
+    return {w.beta, w.gamma, w.alpha_m, w.alpha_f};
   }
 
   /// Factor of the mass in the step's matrix; the balance is divided by (1 - alpha_f).

@@ -82,7 +82,10 @@ void State::stop() {
 }
 
 void State::place_blocks(const Model& model) {
-  if (blocks.size() != model.blocks.size()) throw std::runtime_error("a checkpoint of another number of blocks");
+  if (blocks.size() != model.blocks.size())
+    throw std::runtime_error(
+        "the checkpoint has another number of blocks than the scene; resume with the scene of the run that wrote it, "
+        "or begin a new run");
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     placements[b] = Placement(model.blocks[b].centroid, blocks[b].displacement);
   }

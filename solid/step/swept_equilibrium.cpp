@@ -147,7 +147,7 @@ bool SweptEquilibrium::linearize(IslandEquations& s, bool first_round) {
     const Interaction action = interaction_of(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s));
     rows.add(s, ruled_bolt(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s)), action, action.force);
   }
-  s.sweeps.let_act();
+  s.sweeps.apply_forces();
   return true;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/step/water_inertia.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "bridge/scene/at.hpp"
 #include "solid/block/corners.hpp"
+#include "solid/solve/symmetric_modes.hpp"
 #include "solid/step/island_equations.hpp"
 
 namespace blockweir::solid {
@@ -221,14 +221,14 @@ void WaterInertia::add_to_saddle(const IslandEquations& s, SaddlePoint& saddle) 
   constexpr double nothing = 1e-12;  // of the heaviest mode
   const Numbers rows = rows_of(s);
   if (rows.empty()) return;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(inertia(rows));
-  const double heaviest = modes.eigenvalues().cwiseAbs().maxCoeff();
-  for (Eigen::Index i = 0; i < modes.eigenvalues().size(); ++i) {
-    const double inertia = modes.eigenvalues()[i];
+  const SymmetricModes modes = symmetric_modes(inertia(rows));
+  const double heaviest = modes.values.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < modes.values.size(); ++i) {
+    const double inertia = modes.values[i];
     if (std::abs(inertia) <= nothing * heaviest) continue;
     saddle.add_force(0, -1 / inertia);
     Eigen::VectorXd mode = Eigen::VectorXd::Zero(masses_.rows());
-    mode(rows) = modes.eigenvectors().col(i);
+    mode(rows) = modes.vectors.col(i);
     for (const Eigen::Index m : motions_of(s)) {
       for (const auto& [part, by_rates] : motions_[static_cast<std::size_t>(m)].shares) {
         const Block& block = model_.blocks[at(part)];

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/water_answers.hpp"
 #include "bridge/schedule/load_fault.hpp"
 #include "solid/watch/schedule_stability.hpp"
 
@@ -40,9 +41,9 @@ void require_stable(const Block& block, double ratio, double largest, bool guard
                   found, largest));
 }
 
-/// The reservoir's added mass is no estimate; with sound it is that of one window alone.
+/// The reservoir's added mass is no estimate; with sound it is that of one window, which counts where it looks ahead.
 bool is_exact(const scene::Scene& scene) {
-  return scene.fluid == scene::FluidModel::reservoir && !scene.reservoir.compressible;
+  return scene.fluid == scene::FluidModel::reservoir && (!scene.reservoir.compressible || scene::answers_ahead(scene));
 }
 
 Eigen::Matrix3d symmetric(const std::array<double, 6>& m) {

@@ -2,6 +2,7 @@
 #include "solid/watch/fill_motion.hpp"
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/water_answers.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -30,6 +31,8 @@ void tell_corners(const Solid& solid, double ahead_s, wire::Motion& motion) {
 
 void fill_motion(const Solid& solid, double ahead_s, wire::Motion& motion) {
   const std::size_t n = solid.described();
+  const double velocities_ahead_s =
+      scene::answers_ahead(solid.scene()) ? scene::velocities_ahead_s(solid.scene()) : ahead_s;
   auto& displacement = motion.displacement.own();
   auto& velocity = motion.velocity.own();
   displacement.resize(n);
@@ -38,9 +41,9 @@ void fill_motion(const Solid& solid, double ahead_s, wire::Motion& motion) {
     const BlockState& s = solid.states()[b];
     Vector6::Map(displacement[b].data()) =
         s.displacement + ahead_s * s.velocity + ahead_s * ahead_s / 2 * s.acceleration;
-    Vector6::Map(velocity[b].data()) = s.velocity + ahead_s * s.acceleration;
+    Vector6::Map(velocity[b].data()) = s.velocity + velocities_ahead_s * s.acceleration;
   }
-  tell_corners(solid, ahead_s, motion);
+  tell_corners(solid, velocities_ahead_s, motion);
 }
 
 }  // namespace blockweir::solid

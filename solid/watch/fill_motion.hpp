@@ -7,7 +7,8 @@
 
 namespace blockweir::solid {
 
-/// Displacements and velocities after `ahead_s`, at constant acceleration; not number, time and order.
+/// Displacements and velocities after `ahead_s`, at constant acceleration; not number, time and order. Velocities for
+/// water that answers ahead are those of scene::velocities_ahead_s instead.
 void fill_motion(const Solid& solid, double ahead_s, wire::Motion& motion);
 
 }  // namespace blockweir::solid

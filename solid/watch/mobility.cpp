@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/watch/mobility.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <set>
 
 #include "bridge/scene/at.hpp"
+#include "solid/solve/symmetric_modes.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -54,10 +54,10 @@ Eigen::RowVector3d row(const Hold& hold, const Point& origin, double size) {
 
 /// Motions of `bodies` that no hold to both sides stops: columns, of unit length.
 Eigen::MatrixXd free_motions(const Eigen::MatrixXd& stopped) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(stopped.transpose() * stopped);
+  const SymmetricModes modes = symmetric_modes(stopped.transpose() * stopped);
   Eigen::Index free = 0;
-  while (free < modes.eigenvalues().size() && modes.eigenvalues()[free] < free_motion) ++free;
-  return modes.eigenvectors().leftCols(free);
+  while (free < modes.values.size() && modes.values[free] < free_motion) ++free;
+  return modes.vectors.leftCols(free);
 }
 
 /// A single motion that slips one way here and the other way there is stopped by one-sided holds.

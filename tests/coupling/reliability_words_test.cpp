@@ -45,7 +45,7 @@ TEST_F(ReliabilityWords, LevelsAreOfTheSamplesThatFailAndFormLeavesTheCrestWhere
 TEST_F(ReliabilityWords, FormSaysWhyItFindsNoneWhereNothingFails) {
   EXPECT_EQ(
       reliability({.friction_deg = {80, 0.5}}, "[reliability]\nlevel_m = 21.5\nsamples = 10\nmethods = ['form']\n"), 1);
-  EXPECT_THAT(text("out"), HasSubstr("NONE    by form: the search for the design point comes to a point at which no "
+  EXPECT_THAT(text("out"), HasSubstr("NONE    by form: the search for the design point reached a point at which no "
                                      "variable changes the level; all points there stand at 27 m, the highest level "
                                      "that is looked at: may_overtop = true in [water]"));
 }

@@ -139,7 +139,7 @@ TEST(LargeMessages, AMessageWithMorePartsThanItSaysIsRefused) {
                         wire::encode(wire::Load{.window = 1}, without, none);
                         return Frame(without.GetBufferPointer(), without.GetBufferPointer() + without.GetSize());
                       }),
-              testing::HasSubstr("more parts than it says"));
+              testing::HasSubstr("more parts than its header states"));
 }
 
 }  // namespace

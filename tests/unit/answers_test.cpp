@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bridge/scene/answers.hpp"
+#include "bridge/scene/quantity_table.hpp"
 #include "solid/expect/formulas.hpp"
 #include "solid/expect/outcome_labels.hpp"
 

@@ -95,7 +95,7 @@ TEST_F(Line, AMessageOfAnotherKindThanIsDueIsNamedToBothSides) {
     channel.receive(load);
     ADD_FAILURE();
   } catch (const PeerError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("fluid process sent a message of another kind than was due"));
+    EXPECT_THAT(error.what(), HasSubstr("fluid process sent a message of another kind than the one expected"));
   }
   fluid.join();
 }

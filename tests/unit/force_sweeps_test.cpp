@@ -24,7 +24,7 @@ ForceSweeps stack() {
     if (k > 0) sweeps.add_end(true, k - 1, -up, -response);
     sweeps.rows().back().flexibility(1, 1) = 1;  // what slips is of no interest
   }
-  sweeps.let_act();
+  sweeps.apply_forces();
   return sweeps;
 }
 
@@ -65,7 +65,7 @@ TEST(ForceSweeps, EndOnlyWhenRowsThatWereOpenHaveBeenLookedAtAgain) {
     if (!ground) sweeps.add_end(true, 0, -up, -response);
     sweeps.rows().back().flexibility(1, 1) = 1;
   }
-  sweeps.let_act();
+  sweeps.apply_forces();
   EXPECT_LT(sweeps.settle(1000, 1e-14), 1000);
   EXPECT_LE(sweeps.residual(), 1e-13);
   EXPECT_NEAR(sweeps.displacement()[0], 3, 1e-12);
@@ -77,7 +77,7 @@ TEST(ForceSweeps, GoOnFromForcesThatTheyAreGiven) {
   for (Eigen::Index k = 0; k < weights; ++k) {
     sweeps.rows()[static_cast<std::size_t>(k)].force.x() = static_cast<double>(weights - k);
   }
-  sweeps.let_act();
+  sweeps.apply_forces();
   EXPECT_EQ(sweeps.sweep(), 0);
 }
 

@@ -37,7 +37,7 @@ ForceSweeps tangle(unsigned seed, int padding) {
       sweeps.add_end(second, first[static_cast<std::size_t>(b)], motions, Eigen::MatrixX2d(motions.transpose()));
     }
   }
-  sweeps.let_act();
+  sweeps.apply_forces();
   return sweeps;
 }
 
@@ -59,7 +59,7 @@ TEST(RowBatches, MoveWhatTheirForcesMove) {
   for (int n = 0; n < 5; ++n) sweeps.sweep();
   ForceSweeps other = tangle(7, 0);
   for (std::size_t k = 0; k < sweeps.rows().size(); ++k) other.rows()[k].force = sweeps.rows()[k].force;
-  other.let_act();
+  other.apply_forces();
   EXPECT_LE((other.displacement() - sweeps.displacement()).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_GT((start - sweeps.displacement()).cwiseAbs().maxCoeff(), 0.1);
 }

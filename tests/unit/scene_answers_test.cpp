@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "bridge/scene/answers.hpp"
+#include "bridge/scene/quantity_table.hpp"
 #include "tests/unit/scene_sample.hpp"
 
 using namespace blockweir::scene;
@@ -33,7 +33,7 @@ const std::map<Subject, std::string> parts = {
     {Subject::none, ""},       {Subject::block, "top"}, {Subject::block_if_any, ""}, {Subject::block_only, "top"},
     {Subject::joint, "crack"}, {Subject::bolt, "bar"},  {Subject::arch, "ring"}};
 
-std::string entry(const Answer& answer, const std::string& of) {
+std::string entry(const QuantityEntry& answer, const std::string& of) {
   return fmt::format("quantity = \"{}\"\n{}of = \"{}\"\n{}", answer.name,
                      answer.word ? "word = \"stands\"\n" : "value = 1\n", of, answer.at_point ? "at_m = [0, 4]\n" : "");
 }
@@ -53,7 +53,7 @@ bool suits(Subject subject, const std::string& of) {
 }
 
 TEST(SceneAnswers, EachQuantityIsOfWhatItsRowSays) {
-  for (const Answer& answer : quantities()) {
+  for (const QuantityEntry& answer : quantities()) {
     if (answer.needs == Need::column) continue;
     for (const char* of : {"", "top", "crack", "bar", "ring"}) {
       if (answer.at_point && of != std::string("top")) continue;  // the point is looked for in a block
@@ -71,13 +71,13 @@ TEST(SceneAnswers, EachQuantityIsOfWhatItsRowSays) {
 }
 
 /// What a formula's joint has to state.
-std::vector<std::string> law_of(const Answer& answer) {
+std::vector<std::string> law_of(const QuantityEntry& answer) {
   if (answer.name != std::string("cracked-through")) return {};
   return {"joints.crack.uplift=\"cracked\""};
 }
 
 TEST(SceneAnswers, EachFormulaIsOfWhatItsRowSays) {
-  for (const Answer& answer : formulas()) {
+  for (const QuantityEntry& answer : formulas()) {
     for (const char* of : {"", "top", "crack", "bar", "ring"}) {
       if (answer.at_point && of != std::string("top")) continue;
       const auto found = errors(expecting(fmt::format("quantity = \"{}\"\nformula = \"{}\"\nof = \"{}\"\n{}",
@@ -98,7 +98,7 @@ TEST(SceneAnswers, EachFormulaIsOfWhatItsRowSays) {
 }
 
 TEST(SceneAnswers, AFormulaOfOneBlockLeavesOutNeitherLiftsNorTailwater) {
-  for (const Answer& answer : formulas()) {
+  for (const QuantityEntry& answer : formulas()) {
     if (!answer.one_block) continue;
     const std::string scene =
         expecting(fmt::format("quantity = \"failure_head_m\"\nformula = \"{}\"\nof = \"crack\"\n", answer.name));

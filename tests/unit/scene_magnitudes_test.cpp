@@ -202,12 +202,12 @@ TEST(SceneMagnitudes, ALevelFasterThanAWave) {
 
 TEST(SceneMagnitudes, ALevelThatTheRunDoesNotComeTo) {
   expect_warning(with("[[0, 1], [2, 3]]", "[[0, 1], [4, 3]]"), 45,
-                 {"upstream_level_m never comes to its 3 m at 4 s: the run ends after 2 s, at 2 m",
+                 {"upstream_level_m never reaches its 3 m at 4 s: the run ends after 2 s, at 2 m",
                   "lengthen duration_s, or raise the level faster"});
   expect_warning(with("table = [[0, 1], [2, 3]]", "from = 1, rate_per_s = 0.5, to = 3"), 45,
-                 {"never comes to its 3 m at 4 s"});
+                 {"never reaches its 3 m at 4 s"});
   expect_warning(with("[[0, 1], [2, 3]]", "[[-2, 0.5], [0, 1], [2, 3]]"), 45,
-                 {"never comes to its 0.5 m at -2 s: the run begins at 0 s"});
+                 {"never reaches its 0.5 m at -2 s: the run begins at 0 s"});
 }
 
 TEST(SceneMagnitudes, TailwaterAboveHeadwater) {

@@ -121,7 +121,7 @@ TEST(Codec, AFrameThatHoldsLessOrMoreThanItsTableSaysIsRefused) {
                             [](buffer::ColumnSum* told) {
                               told[6] = {0, checksum(nullptr, 0)};
                             }),
-            "8 bytes more than it says in window 17");
+            "8 bytes more than its header states in window 17");
 }
 
 TEST(Codec, MotionArrivesAsItWasSent) {

@@ -111,27 +111,27 @@ std::vector<double> swing() {
   return every;
 }
 
-double error(double window_s, const std::vector<double>& expected, const std::filesystem::path& folder) {
-  std::filesystem::create_directory(folder);
-  const std::vector<double> found = run(window_s, folder);
-  EXPECT_EQ(found.size(), expected.size());
+/// Largest, over the largest of `exact`.
+double difference(const std::vector<double>& found, const std::vector<double>& exact) {
+  EXPECT_EQ(found.size(), exact.size());
   double worst = 0;
   double largest = 0;
-  for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i) {
-    worst = std::max(worst, std::abs(found[i] - expected[i]));
-    largest = std::max(largest, std::abs(expected[i]));
+  for (std::size_t i = 0; i < std::min(found.size(), exact.size()); ++i) {
+    worst = std::max(worst, std::abs(found[i] - exact[i]));
+    largest = std::max(largest, std::abs(exact[i]));
   }
   return worst / largest;
 }
 
 class Sound : public test::OwnFolder {};
 
+/// What is left beside the exact swing is the mesh's: windows of half the length change it no more.
 TEST_F(Sound, AWallOnASpringConvergesBySecondOrderToItsSwing) {
-  const std::vector<double> expected = swing();
-  const double coarse = error(0.005, expected, folder / "coarse");
-  const double fine = error(0.0025, expected, folder / "fine");
-  EXPECT_LT(coarse, 0.035);
-  EXPECT_GT(std::log2(coarse / fine), 1.7);
+  const std::vector<double> coarse = run(0.01, folder);
+  const std::vector<double> fine = run(0.005, folder);
+  const std::vector<double> finest = run(0.0025, folder);
+  EXPECT_LT(difference(finest, swing()), 0.006);
+  EXPECT_GT(std::log2(difference(coarse, fine) / difference(fine, finest)), 1.7);
 }
 
 }  // namespace

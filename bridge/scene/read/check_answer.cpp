@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "bridge/scene/answers.hpp"
 #include "bridge/scene/one_block.hpp"
+#include "bridge/scene/quantity_table.hpp"
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/reading.hpp"
 
@@ -64,7 +64,7 @@ const char* missing(const Scene& scene, Need need) {
 
 /// One of quantity and formula, `kind`, against what the table states.
 void check_one(TableReader& table, const Reading& reading, const Expectation& e, const char* kind,
-               const Answer& answer) {
+               const QuantityEntry& answer) {
   const std::string what = fmt::format("{} {} in {}", kind, answer.name, table.name());
   const auto report = [&](const char* key, const std::string& found, const std::string& expected,
                           const std::string& remedy) {
@@ -106,8 +106,8 @@ void check_one(TableReader& table, const Reading& reading, const Expectation& e,
 }  // namespace
 
 void check_answer(TableReader& table, const Reading& reading, const Expectation& e) {
-  const Answer* quantity = find_answer(quantities(), e.quantity);
-  const Answer* formula = find_answer(formulas(), e.formula);
+  const QuantityEntry* quantity = find_entry(quantities(), e.quantity);
+  const QuantityEntry* formula = find_entry(formulas(), e.formula);
   if (quantity != nullptr) check_one(table, reading, e, "quantity", *quantity);
   if (formula != nullptr) check_one(table, reading, e, "formula", *formula);
   if (quantity == nullptr && formula == nullptr && !e.quantity.empty()) return;  // an unknown one has been reported
@@ -117,7 +117,7 @@ void check_answer(TableReader& table, const Reading& reading, const Expectation&
   const bool about_nothing =
       (quantity == nullptr || quantity->of == Subject::none) && (formula == nullptr || formula->of == Subject::none);
   if (!e.of.empty() && about_nothing) {
-    report("of", "has no effect: the figure speaks of the whole scene", "a figure of a part of the scene",
+    report("of", "has no effect: the quantity is one of the whole scene", "a quantity of a part of the scene",
            "leave of out, or use another quantity");
   }
   if (e.at_m && quantity != nullptr && !quantity->at_point) {

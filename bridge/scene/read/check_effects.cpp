@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "bridge/geometry/outline.hpp"
-#include "bridge/scene/answers.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
+#include "bridge/scene/quantity_table.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/structure_size.hpp"
 
@@ -125,7 +125,7 @@ void check_strange_uplift(const Reading& reading) {
 void check_reach_of_water(const Reading& reading) {
   const Scene& scene = reading.scene;
   const auto about_water = [](const Expectation& e) {
-    const Answer* quantity = find_answer(quantities(), e.quantity);
+    const QuantityEntry* quantity = find_entry(quantities(), e.quantity);
     return quantity != nullptr && quantity->needs == Need::water;
   };
   const auto& expected = scene.expectations;

@@ -62,7 +62,7 @@ void check_end(const char* key, const TimeTable& level, const toml::table& file,
   const double time_s = level.time_s[static_cast<std::size_t>(missed - level.value.begin())];
   problems.warning(
       problems.at(file["water"][key].node()->source()),
-      fmt::format("{} never comes to its {:.6g} m at {:.6g} s: the run {}", key, *missed, time_s,
+      fmt::format("{} never reaches its {:.6g} m at {:.6g} s: the run {}", key, *missed, time_s,
                   time_s > 0 ? fmt::format("ends after {} s, at {:.6g} m", duration_s, level.rows_at(duration_s))
                              : "begins at 0 s"),
       "levels within the run", "lengthen duration_s, or raise the level faster");

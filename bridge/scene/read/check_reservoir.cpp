@@ -11,6 +11,7 @@
 #include "bridge/scene/cracks.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/upstream_faces.hpp"
+#include "bridge/scene/water_answers.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -207,6 +208,7 @@ void check_waves_held(const Reading& reading) {
   const Scene& scene = reading.scene;
   const bool sound = scene.reservoir.compressible;
   if ((!sound && !scene.reservoir.surface_waves) || scene.coupling.load_in_window != LoadInWindow::held) return;
+  if (answers_ahead(scene)) return;
   const bool nothing_moves =
       std::all_of(scene.blocks.begin(), scene.blocks.end(), [](const Block& block) { return block.fixed; });
   const toml::node* stated = reading.file["fluid"]["reservoir"][sound ? "compressible" : "surface"].node();
@@ -219,6 +221,33 @@ void check_waves_held(const Reading& reading) {
                            "state one of both, and halve window_s to see what is left");
 }
 
+/// Where the water does not look ahead, its sound answers the mean motion of a mesh alone.
+void check_meshes_before_sound(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  const toml::node* stated = reading.file["fluid"]["reservoir"]["compressible"].node();
+  const bool answers = scene.analysis.kind != AnalysisKind::dynamic || answers_ahead(scene);
+  if (!scene.reservoir.compressible || stated == nullptr || answers) return;
+  const auto meshed = std::find_if(scene.blocks.begin(), scene.blocks.end(),
+                                   [](const Block& b) { return !b.fixed && b.mesh_size_m > 0; });
+  if (meshed == scene.blocks.end()) return;
+  std::string where = "with steps shorter than a window";
+  std::string expected = "window_s as long as step_s, or left out";
+  if (scene.coupling.schedule == Schedule::parallel) {
+    where = "on the parallel schedule";
+    expected = "schedule = \"serial\" or \"improved\"";
+  } else if (!scene.coupling.added_mass_guard) {
+    where = "without the added-mass guard";
+    expected = "added_mass_guard = true";
+  }
+  reading.problems.warning(
+      reading.problems.at(stated->source()),
+      fmt::format("block \"{}\" has a mesh, and {} water with sound feels its mean motion, not its "
+                  "bending: the first natural frequency is 0.3 to 1.1 % low, and higher modes "
+                  "that nothing damps grow",
+                  meshed->name, where),
+      expected + ", in [coupling]", "state it, or compare with a run of half the steps");
+}
+
 }  // namespace
 
 void check_reservoir(const Reading& reading) {
@@ -227,6 +256,7 @@ void check_reservoir(const Reading& reading) {
   check_drains(reading);
   check_piezometers(reading);
   check_waves_held(reading);
+  check_meshes_before_sound(reading);
   check_sound_windows(reading);
   check_far_walls(reading);
 }

@@ -94,7 +94,7 @@ class Pairs {
     if (kind_ != "LWPOLYLINE" || (times_[10] == points_said_ && times_[20] == points_said_)) return true;
     return wrong(line_,
                  fmt::format("LWPOLYLINE of {} points with {} x and {} y", *points_said_, times_[10], times_[20]),
-                 "as many of each as it says");
+                 "as many of each as it states");
   }
 
   bool in_section_ = false;

@@ -6,9 +6,10 @@
 #include <cmath>
 
 #include "bridge/geometry/outline.hpp"
-#include "bridge/scene/answers.hpp"
 #include "bridge/scene/fluid_models.hpp"
+#include "bridge/scene/quantity_table.hpp"
 #include "bridge/scene/read/unique_file_names.hpp"
+#include "bridge/scene/water_answers.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -139,6 +140,7 @@ void read_coupling(Reading& reading) {
   table.number("added_mass_limit", c.added_mass_limit, positive());
   table.choice<EnergyGain>("on_energy_gain", c.on_energy_gain,
                            {{"stop", EnergyGain::stop}, {"report", EnergyGain::report}});
+  if (answers_ahead(reading.scene)) c.load_in_window = LoadInWindow::held;  // it is that of the window's end
 }
 
 void read_output(Reading& reading) {

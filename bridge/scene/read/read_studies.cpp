@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bridge/scene/answers.hpp"
+#include "bridge/scene/quantity_table.hpp"
 #include "bridge/scene/read/unique_file_names.hpp"
 
 namespace blockweir::scene {

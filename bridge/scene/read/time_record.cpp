@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/algorithm/string.hpp>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/scene/answers.hpp"
+#include "bridge/scene/quantity_table.hpp"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ constexpr bool takes_a_point = true;
 constexpr bool says_a_word = true;
 constexpr bool of_one_block = true;
 
-constexpr Answer all_quantities[] = {
+constexpr QuantityEntry all_quantities[] = {
     // Of the first failure; `of` says which block or joint is expected to be it.
     {"failure_level_m", Subject::block_if_any},
     {"failure_head_m", Subject::block_if_any},
@@ -55,7 +55,7 @@ constexpr Answer all_quantities[] = {
     {"stability", Subject::block_if_any, Need::water, !takes_a_point, says_a_word},
 };
 
-constexpr Answer all_formulas[] = {
+constexpr QuantityEntry all_formulas[] = {
     {"weight-of-all"},
     {"weight-above", Subject::joint},
     {"own-weight-stress", Subject::block_only},
@@ -95,25 +95,25 @@ constexpr Answer all_formulas[] = {
     {"schedule-stability", Subject::block_only, Need::column, !takes_a_point, says_a_word},
 };
 
-std::vector<std::string> names_of(std::span<const Answer> answers) {
+std::vector<std::string> names_of(std::span<const QuantityEntry> table) {
   std::vector<std::string> names;
-  for (const Answer& answer : answers) names.emplace_back(answer.name);
+  for (const QuantityEntry& entry : table) names.emplace_back(entry.name);
   return names;
 }
 
 }  // namespace
 
-std::span<const Answer> quantities() {
+std::span<const QuantityEntry> quantities() {
   return all_quantities;
 }
 
-std::span<const Answer> formulas() {
+std::span<const QuantityEntry> formulas() {
   return all_formulas;
 }
 
-const Answer* find_answer(std::span<const Answer> answers, const std::string& name) {
-  const auto found = std::find_if(answers.begin(), answers.end(), [&](const Answer& a) { return name == a.name; });
-  return found == answers.end() ? nullptr : &*found;
+const QuantityEntry* find_entry(std::span<const QuantityEntry> table, const std::string& name) {
+  const auto found = std::find_if(table.begin(), table.end(), [&](const QuantityEntry& a) { return name == a.name; });
+  return found == table.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> quantity_names() {

@@ -16,7 +16,8 @@ enum class Subject { none, block, block_if_any, block_only, joint, bolt, arch };
 /// What else the scene must contain.
 enum class Need { nothing, water, upstream_level, face_pressure, column };
 
-struct Answer {
+/// A row of both tables: a quantity, or a formula.
+struct QuantityEntry {
   const char* name;
   Subject of = Subject::none;
   Need needs = Need::nothing;
@@ -27,11 +28,11 @@ struct Answer {
 };
 
 /// Values of `quantity` in [[expect]] and in studies.
-std::span<const Answer> quantities();
+std::span<const QuantityEntry> quantities();
 /// Values of `formula` in the same tables.
-std::span<const Answer> formulas();
+std::span<const QuantityEntry> formulas();
 /// Null if there is none of that name.
-const Answer* find_answer(std::span<const Answer> answers, const std::string& name);
+const QuantityEntry* find_entry(std::span<const QuantityEntry> table, const std::string& name);
 
 std::vector<std::string> quantity_names();
 std::vector<std::string> formula_names();
