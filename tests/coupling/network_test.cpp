@@ -63,8 +63,9 @@ TEST_F(Network, AStrangersKeyIsTurnedAwayAndThePartnerStillComesIn) {
   fs::copy(folder / "k/fluid", folder / "half");
   fs::copy_file(folder / "other/fluid/own-secret", folder / "half/own-secret", fs::copy_options::overwrite_existing);
   const pid_t a = solid("--keys k/solid");
-  for (const auto& [keys, says] : {std::pair{"--keys half", "its key is not the partner's"},
-                                   std::pair{"--insecure", "it has other keys, or none where there should be some"}}) {
+  for (const auto& [keys, says] :
+       {std::pair{"--keys half", "its key is not the partner's"},
+        std::pair{"--insecure", "its keys are not those expected, or it has none although they are required"}}) {
     EXPECT_EQ(end_of(fluid(keys, "stranger"), 4), 1) << keys;
     EXPECT_THAT(text("stranger"), HasSubstr(says)) << keys;
     EXPECT_THAT(text("stranger"), HasSubstr("are both sides given --keys of one \"blockweir keys\"?")) << keys;

@@ -212,8 +212,10 @@ TEST(Codec, APanelThatRunsBackwardsIsNamed) {
 TEST(Hello, EveryDifferenceIsNamedWithBothValues) {
   const Hello ours{.role = "solid", .scene_digest = "aa", .window_s = 0.01};
   const Hello theirs{.role = "hydrostatic", .scene_digest = "bb", .window_s = 0.02};
-  EXPECT_EQ(channel::compare(ours, theirs),
-            "scene digest: solid has aa, hydrostatic has bb; window_s: solid has 0.01, hydrostatic has 0.02");
+  EXPECT_EQ(
+      channel::compare(ours, theirs),
+      "scene digest: solid has aa, hydrostatic has bb; window_s: solid has 0.01, hydrostatic has 0.02; the two have "
+      "read different scenes: give both the same scene file and the same --set");
   EXPECT_EQ(channel::compare(ours, ours), "");
 }
 
