@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/hydrostatics.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
@@ -50,6 +51,8 @@ void CrackEnds::look(std::size_t k, const End& end, const std::vector<std::vecto
   constexpr double widths = 4;  // of a crack that carries open water: it ends so far from an acute corner
   if (end.pressure_pa <= driest_.pressure_pa || (end.upstream ? on_another_[k].mouth : on_another_[k].end)) return;
   const double near_m = widths * scene_.water.open_crack_width_m;
+  // A toe at the tailwater's level settles by less.
+  if (end.pressure_pa <= scene::unit_weight_of_water(scene_) * near_m) return;
   const bool reached = std::any_of(open_water.begin(), open_water.end(), [&](const WetInterval& wet) {
     const auto& outline = outlines[at(wet.block)];
     const Point& from = outline[at(wet.edge)];

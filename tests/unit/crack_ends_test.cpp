@@ -33,6 +33,8 @@ TEST(CrackEnds, AreToldOfWhereNoWaterReachesThem) {
   CrackEnds ends(scene, cracks);
   ends.look(0, {true, Point(0, 0), 9810}, outlines, water);
   EXPECT_EQ(ends.warning(), "");
+  ends.look(1, {false, Point(12, -8e-6), 0.08}, outlines, water);  // a toe that has settled below the tailwater
+  EXPECT_EQ(ends.warning(), "");
   ends.look(1, {true, Point(8, 0), 9810}, outlines, water);
   EXPECT_THAT(ends.warning(), testing::AllOf(testing::HasSubstr("upstream end of joint \"dry\" at (8, 0) m"),
                                              testing::HasSubstr("9810 Pa, all the same"),
