@@ -68,12 +68,11 @@ TEST_P(BendingWithSound, SwingsAsTheWaveEquationHasIt) {
 }
 
 /// With sound of 1e5 m/s the water is as good as incompressible; at 500 m/s the wall is 1.3 % slower.
-INSTANTIATE_TEST_SUITE_P(
-    Walls, BendingWithSound,
-    testing::Values(Case{{}, 1e5}, Case{{.schedule = "improved", .mesh_size_m = 8}, 500},
-                    Case{{.integrator = "generalized-alpha", .mesh_size_m = 8}, 1440},
-                    Case{{.integrator = "shi", .mesh_size_m = 8, .step_s = 0.001, .duration_s = 1.2}, 1440},
-                    Case{{.mesh_size_m = 8, .density_kg_per_m3 = 300}, 1440}));
+INSTANTIATE_TEST_SUITE_P(Walls, BendingWithSound,
+                         testing::Values(Case{{}, 1e5}, Case{{.schedule = "improved"}, 500},
+                                         Case{{.integrator = "generalized-alpha"}, 1440},
+                                         Case{{.integrator = "shi", .step_s = 0.001, .duration_s = 1.2}, 1440},
+                                         Case{{.density_kg_per_m3 = 300}, 1440}));
 
 /// Where the water is far heavier than the wall, and steps do not resolve the wall's higher modes.
 TEST(LightWallsWithSound, GainNoEnergy) {
