@@ -13,6 +13,8 @@ struct NewmarkWeights {
   double gamma = 1;
   double alpha_m = 0;
   double alpha_f = 0;
+
+  bool operator==(const NewmarkWeights&) const = default;
 };
 
 /// `spectral_radius`: of generalized-alpha (Chung and Hulbert 1993), 0 to 1.

@@ -19,7 +19,7 @@ void ForceSweeps::begin(const Eigen::VectorXd& displacement, std::size_t rows, b
   rows_.clear();
   rows_.reserve(rows);
   entries_.clear();
-  displacement_.setZero(displacement.size() + RowBatches::most_unknowns);
+  displacement_.setZero(displacement.size() + most_unknowns);
   displacement_.head(displacement.size()) = displacement;
 }
 

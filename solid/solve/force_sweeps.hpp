@@ -44,9 +44,7 @@ class ForceSweeps {
   [[nodiscard]] double residual() const;
   [[nodiscard]] Eigen::Vector2d apart(const Row& row) const;
 
-  [[nodiscard]] auto displacement() const {
-    return displacement_.head(displacement_.size() - RowBatches::most_unknowns);
-  }
+  [[nodiscard]] auto displacement() const { return displacement_.head(displacement_.size() - most_unknowns); }
   [[nodiscard]] std::vector<Row>& rows() { return rows_; }
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 

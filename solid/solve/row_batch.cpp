@@ -59,8 +59,8 @@ template <int first, int second>
   const Four shear = b.shear + by * (b.shear - b.shear_before);
   Four gap = b.gap - (b.gap_by_normal * normal + b.gap_by_shear * shear);
   Four slip = b.slip - (b.gap_by_shear * normal + b.slip_by_shear * shear);
-  Four moved_first[6];
-  Four moved_second[6];
+  Four moved_first[most_unknowns];
+  Four moved_second[most_unknowns];
   look<first>(b.ends[0], of_first, displacement, moved_first, gap, slip);
   look<second>(b.ends[1], of_second, displacement, moved_second, gap, slip);
   const auto found = b.forces.at(gap, slip);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Four rows of sweeps that share no block: none feels what the others' forces move, so that a processor finds all four
-// in the time of one.
+// Four rows of sweeps that share no unknown: none feels what the others' forces move, so that a processor finds all
+// four in the time of one.
 #pragma once
 
 #include <array>
@@ -11,12 +11,13 @@
 namespace blockweir::solid {
 
 constexpr int lanes = 4;
+constexpr int most_unknowns = 6;  ///< of an end: those of a block
 using Four = double __attribute__((vector_size(lanes * sizeof(double))));
 
 /// What one end of each lane's row meets: a block's displacements, of a lane without a row those of no block.
 struct BatchEnd {
   std::array<int, lanes> first{};
-  int count = 0;                ///< of unknowns
+  int count = 0;                ///< of unknowns, at most most_unknowns
   std::size_t first_entry = 0;  ///< as of ForceRow::End
 };
 

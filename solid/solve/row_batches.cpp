@@ -17,18 +17,20 @@ std::pair<int, int> counts(const ForceRow& row) {
   return {row.ends[0].count, row.ends[1].count};
 }
 
-/// Rows by colour: none shares a block with another of its colour. In each, ends of the same numbers of unknowns follow
-/// each other.
+/// Rows by colour: none shares an unknown with another of its colour. In each, ends of the same numbers of unknowns
+/// follow each other.
 std::vector<std::vector<int>> coloured(const std::vector<ForceRow>& rows, std::size_t unknowns,
                                        std::vector<int>& left_alone) {
   std::vector<std::vector<int>> by_colour;
-  std::vector<std::uint64_t> used(unknowns);  // colours of the rows at the block that begins there
+  std::vector<std::uint64_t> used(unknowns);  // colours of the rows at each
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto& ends = rows[k].ends;
     std::uint64_t taken = 0;
-    for (const auto& end : ends) taken |= end.count > 0 ? used[at(end.first)] : 0;
+    const bool many = std::max(ends[0].count, ends[1].count) > most_unknowns;
+    for (const auto& end : ends) {
+      for (int i = 0; i < end.count && !many; ++i) taken |= used[at(end.first + i)];
+    }
     const int colour = std::countr_one(taken);
-    const bool many = std::max(ends[0].count, ends[1].count) > RowBatches::most_unknowns;
     if (many || colour == colours) {
       left_alone.push_back(static_cast<int>(k));
       continue;
@@ -36,7 +38,7 @@ std::vector<std::vector<int>> coloured(const std::vector<ForceRow>& rows, std::s
     if (at(colour) == by_colour.size()) by_colour.emplace_back();
     by_colour[at(colour)].push_back(static_cast<int>(k));
     for (const auto& end : ends) {
-      if (end.count > 0) used[at(end.first)] |= std::uint64_t{1} << colour;
+      for (int i = 0; i < end.count; ++i) used[at(end.first + i)] |= std::uint64_t{1} << colour;
     }
   }
   for (std::vector<int>& colour : by_colour) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of sweeps in batches of four. The graph of contacts is coloured: rows of one colour share no block, and colours
-// follow each other.
+// Rows of sweeps in batches of four. The graph of contacts is coloured: rows of one colour share no unknown, and
+// colours follow each other.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,12 +14,10 @@ namespace blockweir::solid {
 
 class RowBatches {
  public:
-  static constexpr int most_unknowns = 6;  ///< of an end: those of a block
-
   /// Rows of blocks that move by themselves; `entries` as the rows have them. Ends that do not move get the
   /// displacements from `nowhere` on, which stay zero.
   void choose(const std::vector<ForceRow>& rows, const std::vector<double>& entries, Eigen::Index nowhere);
-  /// Rows of which an end has more unknowns.
+  /// Rows of which an end has more than most_unknowns.
   [[nodiscard]] const std::vector<int>& left_alone() const { return left_alone_; }
 
   /// Gaps, slips, forces and rules as the rows have them.

@@ -9,18 +9,13 @@ namespace blockweir::solid {
 
 /// a1 = d/(beta dt^2) - v/(beta dt) - (1/(2 beta) - 1) a,  v1 = v + dt ((1 - gamma) a + gamma a1);
 /// balance (1 - alpha_f) F1 + alpha_f F0 = M ((1 - alpha_m) a1 + alpha_m a0).
-struct Newmark {
-  double beta = 0.5;  ///< Shi's scheme: 1/2, 1
-  double gamma = 1;
-  double alpha_m = 0;
-  double alpha_f = 0;
+struct Newmark : scene::NewmarkWeights {
   bool damps = true;  ///< false if velocities are meaningless: quasi-static steps and the search for equilibrium
 
   bool operator==(const Newmark&) const = default;
 
   static Newmark of(scene::Integrator integrator, double spectral_radius) {
-    const scene::NewmarkWeights w = scene::newmark_weights(integrator, spectral_radius);
-    return {w.beta, w.gamma, w.alpha_m, w.alpha_f};
+    return {scene::newmark_weights(integrator, spectral_radius)};
   }
 
   /// Factor of the mass in the step's matrix; the balance is divided by (1 - alpha_f).

@@ -44,12 +44,35 @@ ForceSweeps tangle(unsigned seed, int padding) {
 TEST(RowBatches, EndWithForcesThatFulfilTheirRules) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     ForceSweeps together = tangle(seed, 0);
-    ForceSweeps alone = tangle(seed, RowBatches::most_unknowns);  // too many unknowns for batches
+    ForceSweeps alone = tangle(seed, most_unknowns);  // too many unknowns for batches
     together.settle(20000, 1e-13);
     alone.settle(20000, 1e-13);
     EXPECT_LE(together.residual(), 1e-11) << seed;
     EXPECT_LE(alone.residual(), 1e-11) << seed;
   }
+}
+
+/// Bodies that push the same water move each other: a row may move from the middle of one body on.
+TEST(RowBatches, DoNotHoldRowsThatShareSomeUnknowns) {
+  std::mt19937 draw(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  ForceSweeps sweeps;
+  sweeps.begin(Eigen::VectorXd::Constant(9, -1), 8);
+  for (Eigen::Index k = 0; k < 8; ++k) {
+    ForceSweeps::Row& row = sweeps.add_row();
+    row.rule.friction = 0.3;
+    row.rule.compliance = {0.1, 0.1};
+    row.apart = {-1, uniform(draw)};
+    const Eigen::Matrix2Xd motions = Eigen::Matrix2Xd::NullaryExpr(2, 5, [&] { return uniform(draw) / 2; });
+    sweeps.add_end(false, k % 5, motions, Eigen::MatrixX2d(motions.transpose()));
+  }
+  sweeps.apply_forces();
+  EXPECT_LT(sweeps.settle(20000, 1e-13), 20000);
+  EXPECT_LE(sweeps.residual(), 1e-11);
+  const Eigen::VectorXd settled = sweeps.displacement();
+  sweeps.displace(Eigen::VectorXd::Constant(9, -1));
+  sweeps.apply_forces();
+  EXPECT_LE((sweeps.displacement() - settled).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 /// Each row is in a batch once, and none of a batch shares a block: momentum balances after any sweep.

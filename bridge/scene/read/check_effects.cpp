@@ -13,6 +13,7 @@
 #include "bridge/scene/quantity_table.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "bridge/scene/water_answers.hpp"
 
 namespace blockweir::scene {
 namespace {
@@ -62,6 +63,10 @@ constexpr IdleKey idle_keys[] = {
      "may_overtop = true in [water]"},
     {"water", "uplift_in_shaking", [](const Scene& s) { return !dry(s) && (!s.base_motion || !still_pools(s.fluid)); },
      "[base_motion], and model = \"hydrostatic\" or \"reservoir\" in [fluid]"},
+    {"coupling", "load_in_window", answers_ahead,
+     "schedule = \"parallel\", or compressible = false: water with sound that looks a window ahead has the pressures "
+     "of "
+     "the window's end"},
     {"output", "reservoir", [](const Scene& s) { return s.output.reservoir && (dry(s) || !still_pools(s.fluid)); },
      "[water], and model = \"hydrostatic\" or \"reservoir\" in [fluid]"},
 };

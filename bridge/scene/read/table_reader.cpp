@@ -117,6 +117,7 @@ bool TableReader::number(const char* key, double& into, const Range& range, bool
   const toml::node* node = ask(key, required, range.words);
   if (node == nullptr) return false;
   const auto value = finite_number(*node);
+  if (!value && node->is_number()) return wrong(key, *node, "a finite number");  // inf may be within the range
   if (!value || !range.holds(*value)) return wrong(key, *node, range.words);
   into = *value;
   return true;
