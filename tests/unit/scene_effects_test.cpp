@@ -15,10 +15,7 @@ using testing::IsEmpty;
 
 namespace {
 
-const std::string beside_the_crack = R"([[joints]]
-name = "foot"
-between = ["ground", "top"]
-)";
+const std::string beside_the_crack = "[[joints]]\nname = \"foot\"\nbetween = [\"ground\", \"top\"]\n";
 
 /// The sample with lines before its first [[support]], which stands in line 31.
 std::string before_supports(const std::string& lines) {
@@ -294,8 +291,8 @@ TEST(SceneEffects, FullUpliftOfACrackThatFallsIsAWarning) {
     return scene;
   };
   EXPECT_THAT(warnings(falling("1.95")), IsEmpty());
-  EXPECT_THAT(warnings(falling("1")),
-              testing::Contains(HasSubstr("its end lies 1 m lower, where water at rest presses by as much more")));
+  const auto warned = HasSubstr("its end lies 1 m lower, where water at rest presses by as much more");
+  EXPECT_THAT(warnings(falling("1")), testing::Contains(warned));
 }
 
 }  // namespace
