@@ -40,6 +40,8 @@ WetEdges::WetEdges(const std::vector<std::vector<Point>>& outlines, double level
       const double length = span.norm();
       edges_.push_back({static_cast<int>(k), static_cast<int>(e), from, span / length, length, low, high, surface});
       const auto [bottom_m, top_m] = std::minmax({from.y(), from.y() + span.y()});
+      if (heights_.size() % group == 0) groups_.push_back({bottom_m, top_m});
+      groups_.back() = {std::min(groups_.back().bottom_m, bottom_m), std::max(groups_.back().top_m, top_m)};
       heights_.push_back({bottom_m, top_m});
     }
   }
@@ -70,8 +72,13 @@ void WetEdges::add_near(const Piece& boundary, double near_m, std::vector<std::p
   const Point way = boundary.from - start;
   const double length = way.norm();
   const auto [bottom_m, top_m] = std::minmax({start.y(), boundary.from.y()});
+  const Heights near{bottom_m - 2 * near_m, top_m + 2 * near_m};
   for (std::size_t i = 0; i < edges_.size(); ++i) {
-    if (heights_[i].bottom_m > top_m + 2 * near_m || heights_[i].top_m < bottom_m - 2 * near_m) continue;
+    if (i % group == 0) {
+      while (i < edges_.size() && near.beyond(groups_[i / group])) i += group;
+      if (i >= edges_.size()) break;
+    }
+    if (near.beyond(heights_[i])) continue;
     const Sunken& edge = edges_[i];
     const double cosine = edge.along.dot(way) / length;
     if (cosine <= 0.99) continue;

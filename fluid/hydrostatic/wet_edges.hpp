@@ -43,7 +43,10 @@ class WetEdges {
   struct Heights {
     double bottom_m;
     double top_m;
+
+    [[nodiscard]] bool beyond(const Heights& h) const { return bottom_m > h.top_m || top_m < h.bottom_m; }
   };
+  static constexpr std::size_t group = 16;
   struct Part {
     std::size_t sunken;
     double s_from;
@@ -55,6 +58,7 @@ class WetEdges {
 
   std::vector<Sunken> edges_;
   std::vector<Heights> heights_;  ///< of the edges; what a search looks at first lies close together
+  std::vector<Heights> groups_;   ///< of `group` edges after each other, which lie close together, too
   std::vector<Part> parts_;
   double level_m_;
   double growth_m_;

@@ -33,19 +33,8 @@ std::vector<Mode> modes_of(const std::vector<int>& unknowns) {
   return modes;
 }
 
-/// Ground: what has no unknowns, and the bed.
-Eigen::VectorXd flux_of_ground(const PressureEquation& equation, const process::FaceMotion& moves, int axis) {
-  const auto of_ground = [&](const BoundarySide& side) {
-    using Kind = BoundarySide::Kind;
-    if (side.kind == Kind::face) return moves({side.block, side.edge, (side.s_from + side.s_to) / 2}).unknown.empty();
-    return side.kind == Kind::bed;
-  };
-  return equation.flux(of_ground, [axis](const Point&) { return Point(Point::Unit(axis)); });
-}
-
 /// nodes x modes. An unknown of a motion may have none.
-Eigen::SparseMatrix<double> flux_of(const std::vector<Mode>& modes, const FaceFlux& faces,
-                                    const PressureEquation& equation, const process::FaceMotion& moves) {
+Eigen::SparseMatrix<double> flux_of(const std::vector<Mode>& modes, const FaceFlux& faces) {
   Eigen::SparseMatrix<double> flux(faces.g.rows(), static_cast<Eigen::Index>(modes.size()));
   std::size_t next = 0;  // of the faces' unknowns
   for (std::size_t k = 0; k < modes.size(); ++k) {
@@ -53,9 +42,8 @@ Eigen::SparseMatrix<double> flux_of(const std::vector<Mode>& modes, const FaceFl
     const auto [motion, axis] = modes[k];
     flux.startVec(column);
     if (motion < 0) {
-      const Eigen::VectorXd ground = flux_of_ground(equation, moves, axis);
-      for (Eigen::Index i = 0; i < ground.size(); ++i) {
-        if (ground[i] != 0) flux.insertBack(i, column) = ground[i];
+      for (Eigen::Index i = 0; i < faces.ground.rows(); ++i) {
+        if (faces.ground(i, axis) != 0) flux.insertBack(i, column) = faces.ground(i, axis);
       }
     } else if (next < faces.unknown.size() && faces.unknown[next] == 3 * motion + axis) {
       using Entries = Eigen::SparseMatrix<double>::InnerIterator;
@@ -89,7 +77,7 @@ WaterAnswer answer_of(const WaterMesh& mesh, const PressureEquation& equation, c
   }
   const FaceFlux faces = flux_on_faces(mesh, moves);
   answer.modes = modes_of(faces.unknown);
-  answer.flux = flux_of(answer.modes, faces, equation, moves);
+  answer.flux = flux_of(answer.modes, faces);
   const Eigen::Index count = answer.flux.cols();
   answer.pressure.resize(static_cast<Eigen::Index>(2 * answer.panels.size()), count);
   Eigen::MatrixXd work(count, count);  // the water's force on i by a unit of j

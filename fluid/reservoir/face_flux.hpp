@@ -14,6 +14,8 @@ namespace blockweir::reservoir {
 struct FaceFlux {
   std::vector<int> unknown;
   Eigen::SparseMatrix<double> g;
+  Eigen::MatrixX2d ground;  ///< the same for unit accelerations of the ground along x and y: of the bed, and of faces
+                            ///< that no unknown moves
 };
 FaceFlux flux_on_faces(const WaterMesh& mesh, const process::FaceMotion& moves);
 
