@@ -50,7 +50,9 @@ std::string set_up(zmq::socket_t& socket, const Options& options) {
   if (options.keys.empty()) return {};
   if (!is_tcp(options.endpoint)) {
     throw std::invalid_argument(
-        fmt::format("--keys are for tcp://HOST:PORT; {} has none to keep out", options.endpoint));
+        fmt::format("--keys: found endpoint {}, which only this machine reaches; expected tcp://HOST:PORT, whose "
+                    "connections keys encrypt; leave --keys out",
+                    options.endpoint));
   }
   const Keys keys = read_keys(options.keys);
   secure(socket, keys, listens);

@@ -187,7 +187,7 @@ class Crew {
     if (counter_.stopped()) return;
     if (last == none) {
       throw std::runtime_error(fmt::format(
-          "a process for \"{}\" ended before it had begun; its words stand above; see whether memory is short",
+          "a process for \"{}\" ended before it had begun; its message stands above; see whether memory is short",
           work_.name));
     }
     if (last < work_.items.size() && !answered_[last]) {

@@ -28,7 +28,9 @@ struct CaseOptions {
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   ::execv(program.c_str(), arguments.data());
-  throw std::runtime_error(fmt::format("cannot start {}: {}", program.string(), std::strerror(errno)));
+  throw std::runtime_error(
+      fmt::format("cannot start {}: {}; expected it beside this program; build or install blockweir with OpenFOAM",
+                  program.string(), std::strerror(errno)));
 }
 
 }  // namespace

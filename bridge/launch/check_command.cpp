@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
-#include "bridge/launch/scene_parts.hpp"
+#include "bridge/launch/scene_file_check.hpp"
 #include "bridge/results/counted.hpp"
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/check.hpp"
@@ -29,14 +29,14 @@ int check(const CheckOptions& options) {
   const std::filesystem::path& path = options.scene;
   const auto& overrides = options.overrides;
   const scene::ReadScene read = scene::read(path, overrides);
-  SceneParts parts = check_parts(read, path, overrides);
+  SceneFileCheck found = check_scene_file(read, path, overrides);
   std::vector<scene::Diagnostic> warnings = read.warnings;
-  std::move(parts.warnings.begin(), parts.warnings.end(), std::back_inserter(warnings));
+  std::move(found.warnings.begin(), found.warnings.end(), std::back_inserter(warnings));
   for (const auto& note : read.notes) fmt::print(stderr, "{}", results::for_stderr(note.text() + "\n"));
   if (!options.strict) {
     for (const auto& warning : warnings) fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));
   }
-  parts.wrong.report();
+  found.wrong.report();
   if (options.strict) scene::refuse_warnings(warnings);
   const scene::Scene& s = read.scene;
   const auto touching = scene::touching_pairs(s, scene::rounding_ratio * scene::structure_size_m(s.blocks));
@@ -48,7 +48,7 @@ int check(const CheckOptions& options) {
       warnings.empty() ? "" : fmt::format(", with {} warning{}", warnings.size(), warnings.size() == 1 ? "" : "s"),
       counted(s.blocks.size(), "block"), counted(touching.size(), "joint"), named,
       counted(s.variants.size(), "variant"), counted(read.load_cases.size(), "load case"),
-      counted(parts.studies, "study", "studies"), s.analysis.duration_s, s.analysis.step_s);
+      counted(found.studies, "study", "studies"), s.analysis.duration_s, s.analysis.step_s);
   const std::string figures = fmt::format(
       "structure of {:.4g} m: failure_displacement_m = {:.3g}, rest_speed_m_per_s = {:.3g}, penetration_tolerance_m = "
       "{:.3g}{}\n",

@@ -3,7 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/run_and_report.hpp"
-#include "bridge/launch/scene_parts.hpp"
+#include "bridge/launch/scene_file_check.hpp"
 
 namespace blockweir::launch {
 
@@ -22,7 +22,7 @@ Work run_command(CLI::App& app) {
   app.add_flag("--trace", options->trace, "record when each side computes and waits, for \"blockweir trace\"");
   app.add_flag("--quiet", options->quiet, "show no progress");
   return [options] {
-    require_sound_parts(options->scene);
+    require_sound_file(options->scene);
     return run_and_report([&] { return process::run(*options); });
   };
 }

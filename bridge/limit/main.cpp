@@ -15,8 +15,9 @@ namespace {
 using namespace blockweir;
 using nlohmann::json;
 
-std::unique_ptr<schedule::FluidSide> still_water(const scene::Scene& of, const std::filesystem::path& folder) {
-  return of.fluid == scene::FluidModel::reservoir ? reservoir::make(of, folder) : hydrostatic::make(of, folder);
+std::unique_ptr<schedule::FluidSide> still_water(const scene::Scene& scene, const std::filesystem::path& folder) {
+  return scene.fluid == scene::FluidModel::reservoir ? reservoir::make(scene, folder)
+                                                     : hydrostatic::make(scene, folder);
 }
 
 /// Of one line of settings, a list of "key=value".

@@ -144,7 +144,9 @@ auto analysed(const OT::ThresholdEvent& event, const OT::Distribution& joint) {
     if (k > steps + 1) break;
     starts = on_slopes(event, joint, k <= steps ? along_axes(joint, k * step) : joint.getSample(draws));
   }
-  throw std::runtime_error("the search for the design point reached a point at which no variable changes the level");
+  throw std::runtime_error(
+      "the search for the design point reached a point at which no variable changes the level; "
+      "see subset sampling, which needs no such point");
 }
 
 /// beta with P = Phi(-beta), below 0 where the means fail.

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nothing that no answer has written is lost.
+/// Refuses a folder whose files are not of an earlier answer: they would be overwritten.
 void require_own(const fs::path& folder) {
   std::error_code unreadable;
   if (!fs::exists(folder, unreadable) || fs::is_empty(folder, unreadable)) return;
@@ -35,7 +35,7 @@ class Echo {
  public:
   Echo(fs::path log, bool quiet) : log_(std::move(log)), quiet_(quiet) {}
 
-  void tell() {
+  void print_new_lines() {
     if (quiet_) return;
     if (!stream_.is_open()) stream_.open(log_);
     for (std::string line; std::getline(stream_, line);) {
@@ -66,7 +66,7 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
   Command command = limit_command(folder, question, file);
   if (options.moment_s) command.words.insert(command.words.end(), {"--moment", fmt::format("{}", *options.moment_s)});
   const Supervised supervised = supervise({command}, folder, grace_s, [&echo] {
-    echo.tell();
+    echo.print_new_lines();
     return true;
   });
   if (supervised.asked_to_stop) throw Stopped();
@@ -87,8 +87,8 @@ fs::path answer_folder(const std::string& question, const AskOptions& options) {
 
 Asked ask(const std::string& question, const AskOptions& options) {
   scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
-  for (const auto* told : {&read.notes, &read.warnings}) {
-    for (const auto& line : *told) {
+  for (const auto* messages : {&read.notes, &read.warnings}) {
+    for (const auto& line : *messages) {
       if (!options.quiet) fmt::print(stderr, "{}", results::for_stderr(line.text() + "\n"));
     }
   }

@@ -234,6 +234,7 @@ bool Supervised::all_fine() const {
 
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
                      const std::function<bool()>& tick, double longest_s) {
+  constexpr double apart_grace_s = 1;  // to end by themselves: not connected, they cannot notice another's end
   const auto begin = Clock::now();
   const StopSignals signals;
   const Reaper reaper;
@@ -275,7 +276,8 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
     if (trouble == Clock::time_point::max()) continue;
     children.wake();
     const double waited = seconds_since(trouble);
-    if (sent < 1 && waited > grace_s) children.signal(SIGTERM), sent = 1;
+    if (sent < 1 && waited > (in_touch ? grace_s : std::min(grace_s, apart_grace_s)))
+      children.signal(SIGTERM), sent = 1;
     if (sent < 2 && waited > 2 * grace_s) children.signal(SIGKILL), sent = 2;
   }
   Reaper::reap(grace_s);

@@ -19,9 +19,9 @@ std::size_t count(const std::vector<double>& levels, const std::function<bool(do
   return static_cast<std::size_t>(std::count_if(levels.begin(), levels.end(), holds));
 }
 
-Share independent(std::size_t with, std::size_t without_answer, std::size_t of) {
+Share independent(std::size_t with, std::size_t without_answer, std::size_t total) {
   using Trials = boost::math::binomial_distribution<>;
-  const auto trials = static_cast<double>(of);
+  const auto trials = static_cast<double>(total);
   const auto least = static_cast<double>(with);
   const auto most = static_cast<double>(with + without_answer);
   return {.value = least / trials,

@@ -42,7 +42,9 @@ ResultFile::ResultFile(std::filesystem::path path, Begin begin)
 void ResultFile::cut_to(std::uintmax_t size) {
   if (std::filesystem::file_size(path_) < size) {
     throw std::runtime_error(
-        fmt::format("{} is shorter than it was at the checkpoint: has it been changed since?", path_.string()));
+        fmt::format("{} is shorter than it was at the checkpoint; expected the file as the run left it; put it back, "
+                    "or run the scene anew",
+                    path_.string()));
   }
   std::filesystem::resize_file(path_, size);
   size_ = size;

@@ -18,8 +18,10 @@ FluidTurn::FluidTurn(FluidSide& fluid, checkpoint::Checkpoints& checkpoints, std
 const wire::Load* FluidTurn::answer(const wire::Motion& motion) {
   require_turn(motion.window, window_, "the solid process");
   if (motion.time_s < load_.time_s) {
-    throw channel::PartnerFault(fmt::format("the solid process went from {} s back to {} s in window {}", load_.time_s,
-                                            motion.time_s, window_));
+    throw channel::PartnerFault(
+        fmt::format("the solid process went from {} s back to {} s in window {}; expected times that do not "
+                    "decrease; start both sides anew",
+                    load_.time_s, motion.time_s, window_));
   }
   if (motion.order != wire::Order::compute) checkpoints_.write(window_, checkpoint::pack(load_, fluid_.state()));
   ++window_;

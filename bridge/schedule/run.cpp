@@ -8,19 +8,19 @@
 namespace blockweir::schedule {
 namespace {
 
-/// Tells the partner about errors in `work`, including errors in its own messages; not that it has
-/// left.
-template <class Work, class Tell>
-void guarded(Work work, Tell tell) {
+/// Notifies the partner of errors in `work`, including errors in the partner's own messages, but not of a partner that
+/// has left.
+template <class Work, class Notify>
+void guarded(Work work, Notify notify) {
   try {
     work();
   } catch (const channel::PartnerFault& fault) {
-    tell(fault.what());
+    notify(fault.what());
     throw;
   } catch (const channel::PeerError&) {
     throw;
   } catch (const std::exception& error) {
-    tell(error.what());
+    notify(error.what());
     throw;
   }
 }

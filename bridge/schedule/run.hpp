@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs one side to the end of the run. If it throws, the other side is told before the exception continues.
+// Runs one side to the end of the run. If it throws, the other side is notified before the exception continues.
 #pragma once
 
 #include "bridge/schedule/exchange.hpp"

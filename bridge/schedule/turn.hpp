@@ -10,7 +10,8 @@ namespace blockweir::schedule {
 
 inline void require_turn(std::uint64_t got, std::uint64_t due, const std::string& sender) {
   if (got == due) return;
-  throw channel::PartnerFault(fmt::format("{} sent window {} where window {} was due", sender, got, due));
+  throw channel::PartnerFault(
+      fmt::format("{} sent window {} where window {} was due; start both sides anew", sender, got, due));
 }
 
 }  // namespace blockweir::schedule

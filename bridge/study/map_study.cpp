@@ -42,10 +42,10 @@ json judged(const Attempt& attempt) {
 
 /// From the least to the largest of what the cells of a row took.
 std::string work(const std::vector<json>& cells) {
-  const auto range = [&](const char* of, const char* format) -> std::string {
+  const auto range = [&](const char* key, const char* format) -> std::string {
     std::vector<double> values;
     for (const json& cell : cells) {
-      if (cell.contains("iterations")) values.push_back(cell[of]);
+      if (cell.contains("iterations")) values.push_back(cell[key]);
     }
     if (values.empty()) return "none";
     const auto [least, most] = std::minmax_element(values.begin(), values.end());

@@ -16,10 +16,10 @@ namespace {
 
 /// 95 % confidence interval of Clopper and Pearson. Runs without an answer widen it: all or none of them have this
 /// outcome.
-std::array<double, 2> interval_of(std::size_t with, std::size_t without_answer, std::size_t of) {
+std::array<double, 2> interval_of(std::size_t with, std::size_t without_answer, std::size_t total) {
   using Trials = boost::math::binomial_distribution<>;
   constexpr double tail = 0.025;
-  const auto trials = static_cast<double>(of);
+  const auto trials = static_cast<double>(total);
   return {Trials::find_lower_bound_on_p(trials, static_cast<double>(with), tail),
           Trials::find_upper_bound_on_p(trials, static_cast<double>(with + without_answer), tail)};
 }

@@ -4,7 +4,7 @@
 // seeps into air returns nothing.
 #pragma once
 
-#include <Eigen/Sparse>
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "fluid/joints/filling_factor.hpp"

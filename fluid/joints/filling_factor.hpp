@@ -2,7 +2,8 @@
 // A factorization for the filling equations, kept from window to window.
 #pragma once
 
-#include <Eigen/SparseLU>
+#include <Eigen/SparseCore>
+#include <memory>
 #include <string>
 
 namespace blockweir::joints {
@@ -10,10 +11,12 @@ namespace blockweir::joints {
 /// Usable as long as the matrix changes little.
 class FillingFactor {
  public:
+  FillingFactor();
+  ~FillingFactor();
   [[nodiscard]] bool fits(const Eigen::SparseMatrix<double>& matrix) const;
   /// False if the matrix is singular.
   bool make(const Eigen::SparseMatrix<double>& matrix);
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) { return factor_.solve(right); }
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);
   void keep(bool keeps) { keeps_ = keeps; }
@@ -24,8 +27,9 @@ class FillingFactor {
  private:
   bool keeps_ = true;
   long kept_ = 0;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor_;
-  Eigen::SparseMatrix<double> of_;
+  struct Factor;
+  std::unique_ptr<Factor> factor_;
+  Eigen::SparseMatrix<double> matrix_;  ///< of factor_
   bool made_ = false;
   long count_ = 0;
 };

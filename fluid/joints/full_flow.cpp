@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/joints/full_flow.hpp"
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <stdexcept>
 
@@ -15,6 +16,12 @@ std::array<double, 2> apertures(const Channel& channel) {
 }
 
 }  // namespace
+
+struct FullFlow::Factor : Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> {};
+
+FullFlow::FullFlow() : factor_(std::make_unique<Factor>()) {}
+
+FullFlow::~FullFlow() = default;
 
 std::vector<bool> fed_nodes(const Network& network) {
   std::vector<std::vector<int>> beside(network.nodes.size());
@@ -104,10 +111,12 @@ Eigen::VectorXd FullFlow::inflow(const Eigen::VectorXd& x) const {
 }
 
 void FullFlow::factorize(bool anew) {
-  if (anew) factor_.analyzePattern(matrix_);
-  factor_.factorize(matrix_);
-  if (factor_.info() != Eigen::Success) {
-    throw std::runtime_error("the flow through the joints has no solution: its matrix cannot be factorized");
+  if (anew) factor_->analyzePattern(matrix_);
+  factor_->factorize(matrix_);
+  if (factor_->info() != Eigen::Success) {
+    throw std::runtime_error(
+        "no flow through the joints was found: the matrix of their channels has no factors; look for "
+        "apertures in [joint_flow] and joints in wrong units");
   }
   factored_ = matrix_;
   ++factorizations_;
@@ -133,7 +142,7 @@ bool FullFlow::refine(Eigen::VectorXd& x) const {
   constexpr double good = 1e-12;
   double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most; ++i) {
-    const Eigen::VectorXd change = factor_.solve(inflow(x));
+    const Eigen::VectorXd change = factor_->solve(inflow(x));
     const double now = change.lpNorm<Eigen::Infinity>();
     const double size = x.lpNorm<Eigen::Infinity>();
     if (i > 0 && now > 0.3 * before) return before <= good * size;

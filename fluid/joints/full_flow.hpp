@@ -2,7 +2,8 @@
 // Steady flow through joints that are full of water and have fixed apertures: linear, symmetric equations.
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ std::vector<bool> fed_nodes(const Network& network);
 
 class FullFlow {
  public:
+  FullFlow();
+  ~FullFlow();
+
   /// Nodal pressures, negative where water would hang; 0 at nodes that are not fed. A factorization can serve other
   /// networks with the same nodes and channels and slightly different apertures.
   std::vector<double> pressures(const Network& network, const std::vector<bool>& fed, const WaterProperties& water);
@@ -45,7 +49,8 @@ class FullFlow {
   Eigen::SparseMatrix<double> matrix_;
   Eigen::SparseMatrix<double> factored_;  ///< matrix of factor_
   std::vector<Link> links_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+  struct Factor;
+  std::unique_ptr<Factor> factor_;
   std::vector<int> pattern_;  ///< unknown of each node, -1: none; the symbolic analysis is for this pattern
   long factorizations_ = 0;
   long used_again_ = 0;

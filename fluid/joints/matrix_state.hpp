@@ -2,7 +2,7 @@
 // Converts a sparse matrix to bytes and back, so that a factorization can be restored.
 #pragma once
 
-#include <Eigen/Sparse>
+#include <Eigen/SparseCore>
 #include <string>
 #include <vector>
 

@@ -148,7 +148,9 @@ void NetworkFlow::step(const Network& network, double step_s, const std::vector<
       continue;
     }
     share /= 2;
-    if (share < shortest) throw std::runtime_error("no flow through the joints was found; take shorter windows");
+    if (share < shortest)
+      throw std::runtime_error(
+          "no flow through the joints was found, even in shares of a window; lower [coupling] window_s");
   }
   filling.flow = std::move(flow);
   std::vector<double> stored_per_s;

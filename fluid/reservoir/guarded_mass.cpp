@@ -24,7 +24,7 @@ void GuardedMass::add(const WaterAnswer& answer, double share) {
   }
 }
 
-void GuardedMass::tell(wire::Load& load) const {
+void GuardedMass::write(wire::Load& load) const {
   load.added_mass.own() = own_;
   load.coupled.clear();
   load.added_mass_between.clear();

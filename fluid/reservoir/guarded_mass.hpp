@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The added mass of all motions with all others, as the solid's guard is told it.
+// The added mass of all motions with all others, as the solid's guard receives it.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ class GuardedMass {
 
   /// Adds `share` of the added mass of one body of water; a block may touch several.
   void add(const WaterAnswer& answer, double share);
-  void tell(wire::Load& load) const;
+  void write(wire::Load& load) const;
 
  private:
   std::vector<std::array<double, 6>> own_;  ///< as wire::Load has it

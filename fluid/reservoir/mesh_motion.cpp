@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/reservoir/mesh_motion.hpp"
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -70,11 +71,21 @@ class NearestPoint {
 
 }  // namespace
 
+struct MeshMotion::Factors : Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> {
+  using SimplicialLDLT::SimplicialLDLT;
+};
+
 MeshMotion::MeshMotion(const WaterMesh& mesh, const hydrostatic::WaterBody& body, const Banks& banks)
     : mesh_(mesh),
       faces_(faces_of(body)),
       known_(known_points(body, banks)),
       same_place_m_(20 * reservoir::same_place_m(body)) {}
+
+MeshMotion::~MeshMotion() = default;
+
+MeshMotion::MeshMotion(MeshMotion&& other) noexcept = default;
+
+MeshMotion& MeshMotion::operator=(MeshMotion&& other) noexcept = default;
 
 std::optional<WaterMesh> MeshMotion::moved(const hydrostatic::WaterBody& body, const Banks& banks,
                                            const FarEnds& ends) {
@@ -194,7 +205,7 @@ void MeshMotion::factorize() {
   matrix.setFromTriplets(inside.begin(), inside.end());
   to_boundary_.resize(count, static_cast<Eigen::Index>(boundary_.size()));
   to_boundary_.setFromTriplets(across.begin(), across.end());
-  factors_ = std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(matrix);
+  factors_ = std::make_unique<Factors>(matrix);
 }
 
 /// Where the points of the rings are now. Those that are no end of a face, as at far ends, are at a corner of the

@@ -7,7 +7,7 @@
 // displacement since then: where nodes are depends on where the boundary is, and on nothing between.
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <memory>
 #include <optional>
 
@@ -19,6 +19,9 @@ class MeshMotion {
  public:
   /// `mesh` as mesh_water made it of the same body and banks.
   MeshMotion(const WaterMesh& mesh, const hydrostatic::WaterBody& body, const Banks& banks);
+  ~MeshMotion();
+  MeshMotion(MeshMotion&& other) noexcept;
+  MeshMotion& operator=(MeshMotion&& other) noexcept;
 
   /// The mesh where body and banks are now. None where other faces are wet, where the boundary is not that of the mesh
   /// moved, or where a triangle would be stretched or compressed too much.
@@ -56,7 +59,8 @@ class MeshMotion {
   std::vector<OnBoundary> boundary_;
   std::vector<int> inner_;  ///< corners of triangles that are not on the boundary
   Eigen::SparseMatrix<double> to_boundary_;
-  std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factors_;
+  struct Factors;
+  std::unique_ptr<Factors> factors_;
 };
 
 }  // namespace blockweir::reservoir

@@ -16,6 +16,8 @@ constexpr double sdirk2 = 1 - 1 / std::numbers::sqrt2;  ///< b over the window
 
 }  // namespace
 
+struct PressureEquation::Factors : ManySides::Factors {};
+
 PressureEquation::PressureEquation(const WaterMesh& mesh, const WaterPhysics& physics, const std::vector<bool>& ground,
                                    double window_s)
     : mesh_(mesh),
@@ -25,12 +27,15 @@ PressureEquation::PressureEquation(const WaterMesh& mesh, const WaterPhysics& ph
       remembers_(physics.remembers()),
       theta_(physics.theta),
       window_s_(window_s),
-      unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))) {
+      unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))),
+      factors_(std::make_unique<Factors>()) {
   if (!remembers_) stiffness_.emplace(mesh, unknowns_);
   const Eigen::SparseMatrix<double> first = matrix();
-  factors_.analyzePattern(first);
+  factors_->analyzePattern(first);
   factorize(first);
 }
+
+PressureEquation::~PressureEquation() = default;
 
 void PressureEquation::update(double window_s) {
   window_s_ = window_s;
@@ -45,9 +50,11 @@ Eigen::SparseMatrix<double> PressureEquation::matrix() {
 }
 
 void PressureEquation::factorize(const Eigen::SparseMatrix<double>& matrix) {
-  factors_.factorize(matrix);
-  if (factors_.info() != Eigen::Success) {
-    throw std::runtime_error("the reservoir's equation is singular: has its water a surface?");
+  factors_->factorize(matrix);
+  if (factors_->info() != Eigen::Success) {
+    throw std::runtime_error(
+        "the pressures of the reservoir are not determined; expected a free surface on each body of "
+        "water; lower its level, or move its wall off");
   }
 }
 
@@ -76,7 +83,7 @@ PressureState PressureEquation::rest() const {
 void PressureEquation::step(PressureState& state, const Eigen::VectorXd& flux) const {
   const Eigen::VectorXd f = -density_ * at_unknowns(flux);
   if (!remembers_) {
-    state.p = at_nodes(factors_.solve(f));
+    state.p = at_nodes(factors_->solve(f));
     return;
   }
   const double b = theta_.value_or(sdirk2) * window_s_;
@@ -88,7 +95,7 @@ void PressureEquation::step(PressureState& state, const Eigen::VectorXd& flux) c
   const auto finish = [&](const Eigen::VectorXd& p_from, const Eigen::VectorXd& v_from) {
     const Eigen::VectorXd damped = matrices_.C.selfadjointView<Eigen::Lower>() * p_from;
     const Eigen::VectorXd inert = matrices_.M.selfadjointView<Eigen::Lower>() * (p_from / b + v_from);
-    p = factors_.solve(f + (damped + inert) / b);
+    p = factors_->solve(f + (damped + inert) / b);
     v = (p - p_from) / b;
   };
   finish(p0, v0);
@@ -125,7 +132,7 @@ void PressureEquation::solve(const Eigen::SparseMatrix<double>& flux, const Take
   }
   std::vector<int> unknowns(wanted.size());
   std::transform(wanted.begin(), wanted.end(), unknowns.begin(), [&](int node) { return unknowns_.of_node[at(node)]; });
-  const ManySides factors(factors_, unknowns);
+  const ManySides factors(*factors_, unknowns);
   ManySides::Rows x(unknowns_.count, ManySides::width);
   Eigen::MatrixXd p = Eigen::MatrixXd::Zero(flux.rows(), ManySides::width);
   for (Eigen::Index first = 0; first < flux.cols(); first += ManySides::width) {

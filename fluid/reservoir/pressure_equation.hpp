@@ -2,8 +2,9 @@
 // Pressure of linear water beside boundaries that accelerate, by finite elements.
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "fluid/reservoir/water_matrices.hpp"
@@ -32,6 +33,7 @@ class PressureEquation {
   /// has no surface.
   PressureEquation(const WaterMesh& mesh, const WaterPhysics& physics, const std::vector<bool>& ground,
                    double window_s);
+  ~PressureEquation();
 
   /// The mesh's nodes have moved, or windows are of another length: factors anew, in the order that they have.
   void update(double window_s);
@@ -68,7 +70,8 @@ class PressureEquation {
   Unknowns unknowns_;
   std::optional<StiffnessMatrix> stiffness_;  ///< of water that does not remember
   WaterMatrices matrices_;                    ///< of water that does
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+  struct Factors;
+  std::unique_ptr<Factors> factors_;
 };
 
 }  // namespace blockweir::reservoir

@@ -76,7 +76,7 @@ void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load
   for (const AnsweringWater& water : waters_) water.add_panels(load);
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
   copy_panels(still_load_, still_load_.cracks_from, still_load_.block.size(), load);
-  guarded_.tell(load);
+  guarded_.write(load);
   load.holds_until_s = moves() || pictures_ ? to_s : still_load_.holds_until_s;
 }
 

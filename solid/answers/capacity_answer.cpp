@@ -3,7 +3,7 @@
 // readers.
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
-#include "solid/answers/answer_parts.hpp"
+#include "solid/answers/answer_entries.hpp"
 #include "solid/capacity/static_level.hpp"
 #include "solid/limit/limit_level.hpp"
 

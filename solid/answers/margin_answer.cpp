@@ -6,7 +6,7 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
-#include "solid/answers/answer_parts.hpp"
+#include "solid/answers/answer_entries.hpp"
 #include "solid/answers/crushed_corners.hpp"
 #include "solid/capacity/situation.hpp"
 #include "solid/limit/limit_strength.hpp"

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "bridge/process/answers.hpp"
-#include "solid/answers/answer_parts.hpp"
+#include "solid/answers/answer_entries.hpp"
 #include "solid/capacity/situation.hpp"
 #include "solid/capacity/static_blocks.hpp"
 #include "solid/modes/natural_modes.hpp"
@@ -145,7 +145,8 @@ json modes_answer(const scene::Scene& given, const FluidMaker& make_fluid, const
   }
   if (answer["dry"].empty()) {
     throw std::runtime_error(
-        "nothing swings: the blocks are rigid, and all that holds them is; expected blocks that strain, or bolts");
+        "nothing swings: found rigid blocks on rigid supports; expected blocks that strain, or bolts; state "
+        "youngs_modulus_pa without rigid, or a [[bolt]]");
   }
   answer["warnings"] = warnings_of(blocks, answer["dry"]);
   return answer;

@@ -10,10 +10,10 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
-#include "solid/answers/answer_parts.hpp"
+#include "solid/answers/additional_water_loads.hpp"
+#include "solid/answers/answer_entries.hpp"
 #include "solid/answers/contradiction.hpp"
 #include "solid/answers/crushed_corners.hpp"
-#include "solid/answers/reservoir_parts.hpp"
 #include "solid/answers/safety_reserves.hpp"
 #include "solid/answers/water_by_kind.hpp"
 #include "solid/capacity/situation.hpp"
@@ -84,7 +84,7 @@ void add_loads(Situation& now, const FluidMaker& make_fluid, json& answer) {
   solid::SearchBudget effort("loads on joints");
   solid::StaticBlocks blocks(now.scene, now.water_if_any(), effort);
   const auto parts =
-      now.water ? solid::reservoir_parts(now.scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
+      now.water ? solid::additional_water_loads(now.scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
   json rows = json::array();
   for (const solid::JointRow& row : solid::loads_on_joints(blocks.solid(), blocks.pressures(now.level_m), parts)) {
     rows.push_back({{"name", row.name},
@@ -109,7 +109,7 @@ void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStreng
   solid::StaticBlocks blocks(scene, now.water_if_any(), effort);
   if (!blocks.begin(now.level_m)) return;
   const auto parts =
-      now.water ? solid::reservoir_parts(scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
+      now.water ? solid::additional_water_loads(scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
   const std::vector<solid::JointRow> table = solid::joint_table(blocks.solid(), blocks.pressures(now.level_m), parts);
   answer["joints"] = table_json(table);
   answer["bolts"] = bolts_json(blocks.solid());
@@ -191,7 +191,7 @@ const char* outcome(const Attempt<StaticStrength>& blocks) {
 json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   Situation now(scene, make_fluid);
   const limit::LimitAnalysis structure(scene);
-  solid::tell_limit_analysis(structure);
+  solid::announce_limit_analysis(structure);
   const limit::Wrenches stated = statics::stated_loads_of(scene, scene.analysis.duration_s);
   const limit::Wrenches dead = now.dead();
   const auto by_limit =

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "bridge/statics/loads.hpp"
-#include "solid/answers/answer_parts.hpp"
+#include "solid/answers/answer_entries.hpp"
 #include "solid/watch/edge_tension.hpp"
 
 namespace blockweir::solid {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/answers/water_by_kind.hpp"
 
-#include "solid/answers/reservoir_parts.hpp"
+#include "solid/answers/additional_water_loads.hpp"
 #include "solid/capacity/still_water.hpp"
 
 namespace blockweir::solid {

@@ -72,9 +72,9 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   [[nodiscard]] double unsettled(const Held& held) const override {
-    const auto moves_by = [&](const Progress& p, const auto& of) {
-      if (closed(p.violation(of.state))) return 0.0;
-      return (of.force - of.multiplier).cwiseAbs().maxCoeff();
+    const auto moves_by = [&](const Progress& p, const auto& constraint) {
+      if (closed(p.violation(constraint.state))) return 0.0;
+      return (constraint.force - constraint.multiplier).cwiseAbs().maxCoeff();
     };
     double most = largest(held.contact_ids.size(), [&](std::size_t i) {
       const int k = held.contact_ids[i];
@@ -156,24 +156,25 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   template <class ContactOrSupport>
-  [[nodiscard]] bool settled(const Progress& p, const ContactOrSupport& of) const {
-    const double violation = p.violation(of.state);
+  [[nodiscard]] bool settled(const Progress& p, const ContactOrSupport& constraint) const {
+    const double violation = p.violation(constraint.state);
     if (p.turning) return false;
     if (closed(violation)) return true;
     return violation <= settings_.penetration_tolerance_m &&
-           (of.force - of.multiplier).cwiseAbs().maxCoeff() <= settings_.force_tolerance_n + p.round_off;
+           (constraint.force - constraint.multiplier).cwiseAbs().maxCoeff() <=
+               settings_.force_tolerance_n + p.round_off;
   }
 
   /// Gaps of round-off size would add up in the multipliers of redundant contacts: they are left out.
   template <class ContactOrSupport>
-  void update(Progress& progress, ContactOrSupport& of) const {
-    const double violation = progress.violation(of.state);
+  void update(Progress& progress, ContactOrSupport& constraint) const {
+    const double violation = progress.violation(constraint.state);
     if (!progress.turning && violation <= settings_.position_round_off_m) return;
     // The large penalties of held joints leave redundant contacts what a few round-offs make of their gaps: larger ones
     // would only make more force of that.
     const bool shrinks = !settings_.joints_held || violation > 4 * settings_.position_round_off_m;
-    if (!settings_.friction_lags && shrinks) raise_if_slow(progress, of.penalty, violation);
-    of.multiplier = of.force;
+    if (!settings_.friction_lags && shrinks) raise_if_slow(progress, constraint.penalty, violation);
+    constraint.multiplier = constraint.force;
   }
 
   /// While friction lags, all by as much and less at a time: a contact whose penalty stands out has a range of slips so
@@ -184,8 +185,8 @@ class AugmentedLagrangian final : public Formulation {
     constexpr double rise = 3;
     double worst = 0;
     double worst_before = 0;
-    const auto look = [&](Progress& p, const auto& of) {
-      const double violation = p.violation(of.state);
+    const auto look = [&](Progress& p, const auto& constraint) {
+      const double violation = p.violation(constraint.state);
       worst = std::max(worst, violation);
       worst_before = std::max(worst_before, std::exchange(p.last_violation, violation));
     };

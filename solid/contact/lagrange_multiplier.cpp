@@ -72,8 +72,8 @@ class LagrangeMultiplier final : public Formulation, private ForceConstraints {
 
   bool sweep(const Held& held) override {
     bool settled = true;
-    const auto within = [this](const Progress& p, const auto& of) {
-      return !p.turning && p.violation(of.state) <= settings_.penetration_tolerance_m;
+    const auto within = [this](const Progress& p, const auto& constraint) {
+      return !p.turning && p.violation(constraint.state) <= settings_.penetration_tolerance_m;
     };
     for (const int k : held.contact_ids) {
       ContactPoint& c = held.contacts[at(k)];

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "solid/expect/formula_parts.hpp"
-#include "solid/expect/quantity_parts.hpp"
+#include "solid/expect/formula_tables.hpp"
+#include "solid/expect/quantity_tables.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
@@ -28,10 +28,10 @@ struct Slider {
 }  // namespace
 
 /// The block's way over that which the water's force F in every window gives it by m a = F_x - tan(phi) (W - F_y).
-double slip_over_balance(const Outcome& o, const std::string& of) {
+double slip_over_balance(const Outcome& o, const std::string& subject) {
   const scene::Scene& scene = o.solid.scene();
-  const std::size_t b = block_index(o.solid, of);
-  const double friction = std::tan(joint_named(scene, of).law.friction_angle_deg * std::numbers::pi / 180);
+  const std::size_t b = block_index(o.solid, subject);
+  const double friction = std::tan(joint_named(scene, subject).law.friction_angle_deg * std::numbers::pi / 180);
   const double mass = o.solid.blocks()[b].mass_per_m();
   const Course& course = o.series.of(b);
   Slider slider;

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "solid/expect/formula_parts.hpp"
+#include "solid/expect/formula_tables.hpp"
 #include "solid/expect/point_figures.hpp"
 
 namespace blockweir::solid::expect {

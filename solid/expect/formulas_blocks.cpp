@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blocks under their own weight.
 #include "bridge/geometry/polygon.hpp"
-#include "solid/expect/formula_parts.hpp"
+#include "solid/expect/formula_tables.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
@@ -14,8 +14,8 @@ double weight_of_all(const Scene& s, const std::string&) {
 }
 
 /// On a level joint: weights of all that can move and lies higher than it, whatever is beside it.
-double weight_above(const Scene& s, const std::string& of) {
-  const double level = plane_joint(s, of).mouth.y();
+double weight_above(const Scene& s, const std::string& subject) {
+  const double level = plane_joint(s, subject).mouth.y();
   double sum = 0;
   for (const auto& block : s.blocks) {
     if (!block.fixed && geometry::centroid(block.vertices).y() > level) sum += weight(s, block);
@@ -24,15 +24,15 @@ double weight_above(const Scene& s, const std::string& of) {
 }
 
 /// -rho g h/2
-double own_weight_stress(const Scene& s, const std::string& of) {
-  const scene::Block& b = block_named(s, of);
+double own_weight_stress(const Scene& s, const std::string& subject) {
+  const scene::Block& b = block_named(s, subject);
   return -material_of(s, b).density_kg_per_m3 * s.analysis.gravity_m_per_s2 * height(b) / 2;
 }
 
 /// rho g h^2/(2 E)
-double own_weight_shortening(const Scene& s, const std::string& of) {
-  const scene::Block& b = block_named(s, of);
-  return -own_weight_stress(s, of) * height(b) / material_of(s, b).youngs_modulus_pa;
+double own_weight_shortening(const Scene& s, const std::string& subject) {
+  const scene::Block& b = block_named(s, subject);
+  return -own_weight_stress(s, subject) * height(b) / material_of(s, b).youngs_modulus_pa;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/hydrostatics.hpp"
-#include "solid/expect/formula_parts.hpp"
+#include "solid/expect/formula_tables.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
@@ -33,13 +33,13 @@ double rising_root(const std::function<double(double)>& f) {
   return (low + high) / 2;
 }
 
-double plane_crack_sliding(const Scene& s, const std::string& of) {
-  const PlaneJoint p = plane_joint(s, of);
+double plane_crack_sliding(const Scene& s, const std::string& subject) {
+  const PlaneJoint p = plane_joint(s, subject);
   return rising_root([&](double z) { return excess_shear(s, p, z); });
 }
 
-double plane_crack_acceleration(const Scene& s, const std::string& of) {
-  const PlaneJoint p = plane_joint(s, of);
+double plane_crack_acceleration(const Scene& s, const std::string& subject) {
+  const PlaneJoint p = plane_joint(s, subject);
   const double head = s.water.upstream_level_m->at(0) - p.mouth.y();
   return excess_shear(s, p, head) / (p.weight / s.analysis.gravity_m_per_s2);
 }
@@ -58,14 +58,14 @@ Eigen::Vector2d given_uplift(const Scene& s, const scene::Block& block, double t
   return sum;
 }
 
-double monolith_sliding(const Scene& s, const std::string& of) {
-  const PlaneJoint p = plane_joint(s, of);
+double monolith_sliding(const Scene& s, const std::string& subject) {
+  const PlaneJoint p = plane_joint(s, subject);
   const double lift = given_uplift(s, *p.upper, 0)[0];
   return rising_root([&](double head) { return excess_shear(s, p, head) + lift * p.friction; });
 }
 
-double monolith_overturning(const Scene& s, const std::string& of) {
-  const PlaneJoint p = plane_joint(s, of);
+double monolith_overturning(const Scene& s, const std::string& subject) {
+  const PlaneJoint p = plane_joint(s, subject);
   double toe = -1e300;
   for (const Point& v : p.upper->vertices) toe = std::max(toe, v.x());
   const double moment_of_lift = given_uplift(s, *p.upper, toe)[1];
@@ -75,8 +75,8 @@ double monolith_overturning(const Scene& s, const std::string& of) {
 
 /// Head at which a crack with the reservoir's pressure in it runs through a level joint under an upright face:
 /// W d = rho g h^3/6 + rho g h B^2/2, d the weight's way to the toe and B the joint's length.
-double cracked_through(const Scene& s, const std::string& of) {
-  const PlaneJoint p = plane_joint(s, of);
+double cracked_through(const Scene& s, const std::string& subject) {
+  const PlaneJoint p = plane_joint(s, subject);
   const double arm = p.mouth.x() + p.length - geometry::centroid(p.upper->vertices).x();
   return rising_root([&](double head) {
     return unit_weight_of_water(s) * head * (head * head / 6 + p.length * p.length / 2) - p.weight * arm;
@@ -93,17 +93,17 @@ double hydrostatic_force(const Scene& s, const std::string&) {
 }
 
 /// About the origin at the wall's foot; with the lumped rule in N elements under water it is (1 - 1/N^2) of that.
-double hydrostatic_moment(const Scene& s, const std::string& of) {
+double hydrostatic_moment(const Scene& s, const std::string& subject) {
   const double exact = unit_weight_of_water(s) * std::pow(depth(s), 3) / 6;
   if (s.water.nodal_rule == scene::NodalRule::consistent) return -exact;
-  const double n = s.water.elements_per_face * depth(s) / height(block_named(s, of));
+  const double n = s.water.elements_per_face * depth(s) / height(block_named(s, subject));
   return -exact * (1 - 1 / (n * n));
 }
 
 /// P0 + rho g z at the mouth of a joint.
-double mouth_pressure(const Scene& s, const std::string& of) {
+double mouth_pressure(const Scene& s, const std::string& subject) {
   const double level = s.water.upstream_level_m->at(s.analysis.duration_s);
-  return scene::on_wet_faces(s, level).pressure(plane_joint(s, of).mouth.y());
+  return scene::on_wet_faces(s, level).pressure(plane_joint(s, subject).mouth.y());
 }
 
 }  // namespace

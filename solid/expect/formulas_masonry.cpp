@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "solid/expect/formula_parts.hpp"
+#include "solid/expect/formula_tables.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
@@ -87,9 +87,9 @@ class HalfArch {
 
 /// The least thickness with which the arch stands under its own weight [m]. With joints at every angle a half circle
 /// needs 0.1075 of its mean radius (Milankovitch 1907).
-double arch_thickness(const Scene& s, const std::string& of) {
-  const auto arch = std::find_if(s.arches.begin(), s.arches.end(), [&](const auto& a) { return a.name == of; });
-  if (arch == s.arches.end()) throw std::runtime_error("[[expect]] of = \"" + of + "\" names no arch");
+double arch_thickness(const Scene& s, const std::string& subject) {
+  const auto arch = std::find_if(s.arches.begin(), s.arches.end(), [&](const auto& a) { return a.name == subject; });
+  if (arch == s.arches.end()) throw std::runtime_error("[[expect]] of = \"" + subject + "\" names no arch");
   if (s.analysis.gravity_tilt_deg != 0)
     throw std::runtime_error("arch-thickness is for gravity that is not tilted; set gravity_tilt_deg = 0");
   double falls = 0;

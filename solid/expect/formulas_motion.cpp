@@ -4,14 +4,14 @@
 #include <numbers>
 
 #include "bridge/geometry/polygon.hpp"
-#include "solid/expect/formula_parts.hpp"
+#include "solid/expect/formula_tables.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
 
 /// s = g (sin a - cos a tan phi) t^2/2 for the joint's dip.
-double incline_displacement(const Scene& s, const std::string& of) {
-  const PlaneJoint p = plane_joint(s, of);
+double incline_displacement(const Scene& s, const std::string& subject) {
+  const PlaneJoint p = plane_joint(s, subject);
   const double t = s.analysis.duration_s;
   return s.analysis.gravity_m_per_s2 * (std::sin(p.dip) - std::cos(p.dip) * p.friction) * t * t / 2;
 }
@@ -36,9 +36,9 @@ double pushed_displacement(const Scene& s, const std::string&) {
 
 /// A rigid block on the joint's plane while the base moves: g (1 + a_y/g) and -a_x act along and across it, and it
 /// slides, down or up, while friction cannot hold it. Midpoint rule in a million steps.
-double shaken_incline_displacement(const Scene& s, const std::string& of) {
+double shaken_incline_displacement(const Scene& s, const std::string& subject) {
   constexpr int steps = 1'000'000;
-  const PlaneJoint p = plane_joint(s, of);
+  const PlaneJoint p = plane_joint(s, subject);
   const scene::BaseMotion base = s.base_motion.value_or(scene::BaseMotion{});
   const double dt = s.analysis.duration_s / steps;
   double speed = 0;  // downwards

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bridge/geometry/polygon.hpp"
-#include "solid/expect/formula_parts.hpp"
+#include "solid/expect/formula_tables.hpp"
 
 namespace blockweir::solid::expect {
 namespace {

@@ -8,17 +8,18 @@
 #include <map>
 
 #include "bridge/geometry/polygon.hpp"
-#include "solid/expect/formula_parts.hpp"
-#include "solid/expect/quantity_parts.hpp"
+#include "solid/expect/formula_tables.hpp"
+#include "solid/expect/quantity_tables.hpp"
 #include "solid/watch/schedule_stability.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
 
-std::string mode(const Outcome& o, const std::string& of) {
+std::string mode(const Outcome& o, const std::string& subject) {
   const auto& failures = o.failure.failures();
   const auto found = std::find_if(failures.begin(), failures.end(), [&](const Failure& f) {
-    return of.empty() || std::count(f.blocks.begin(), f.blocks.end(), static_cast<int>(block_index(o.solid, of))) > 0;
+    return subject.empty() ||
+           std::count(f.blocks.begin(), f.blocks.end(), static_cast<int>(block_index(o.solid, subject))) > 0;
   });
   if (found != failures.end()) return found->mode;
   return o.failure.moving() ? "moving" : "stands";
@@ -29,8 +30,8 @@ std::string mode(const Outcome& o, const std::string& of) {
 /// and r: T = N tan(phi) then has its resultant within the base. Otherwise it topples if r < tan(a), with q = 0.75 (sin
 /// a - r cos a)/(1 + r^2) its angular acceleration times h/2g, and T/N = (sin a - q)/(cos a + r q) at its toe: beyond
 /// tan(phi) the toe slips, too.
-std::string slide_or_topple(const scene::Scene& scene, const std::string& of) {
-  const PlaneJoint p = plane_joint(scene, of);
+std::string slide_or_topple(const scene::Scene& scene, const std::string& subject) {
+  const PlaneJoint p = plane_joint(scene, subject);
   const double r = p.length * p.length / geometry::signed_area(p.upper->vertices);
   const double held = p.friction + p.cohesion / (p.weight * std::cos(p.dip));
   if (std::tan(p.dip) <= held && r >= std::tan(p.dip)) return "stands";
@@ -41,16 +42,16 @@ std::string slide_or_topple(const scene::Scene& scene, const std::string& of) {
   return shear_per_normal <= p.friction ? "overturning" : "sliding and overturning";
 }
 
-std::string stability(const Outcome& o, const std::string& /*of*/) {
+std::string stability(const Outcome& o, const std::string& /*subject*/) {
   return o.interface_energy.growth() ? "grows" : "stable";
 }
 
-std::string schedule_stability(const scene::Scene& scene, const std::string& of) {
-  return schedule_growth(oscillator_of(scene, of)) > least_growth ? "grows" : "stable";
+std::string schedule_stability(const scene::Scene& scene, const std::string& subject) {
+  return schedule_growth(oscillator_of(scene, subject)) > least_growth ? "grows" : "stable";
 }
 
 /// What holds of every fall, whatever its path.
-std::string invariants(const Outcome& o, const std::string& /*of*/) {
+std::string invariants(const Outcome& o, const std::string& /*subject*/) {
   constexpr double most_energy = 1e-5;   // made, of what the run had, or a fall by the model's size has
   constexpr double most_overlap = 1e-4;  // of the model's size
   const double fall_j = o.solid.model().weight_n_per_m * o.solid.size_m();

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "solid/expect/point_figures.hpp"
-#include "solid/expect/quantity_parts.hpp"
+#include "solid/expect/quantity_tables.hpp"
 
 namespace blockweir::solid::expect {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "solid/expect/quantity_parts.hpp"
+#include "solid/expect/quantity_tables.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
@@ -34,7 +34,7 @@ std::vector<std::size_t> groups_that_touch(const Outcome& o) {
 
 /// Along axis 0 (x) or 1 (y), of the group with the most blocks.
 template <int Axis>
-double extent(const Outcome& o, const std::string& /*of*/) {
+double extent(const Outcome& o, const std::string& /*subject*/) {
   const std::vector<std::size_t> groups = groups_that_touch(o);
   std::vector<int> blocks(groups.size() + 1);
   for (const std::size_t g : groups) ++blocks[g];

@@ -8,14 +8,14 @@
 #include <numbers>
 #include <span>
 
-#include "solid/expect/quantity_parts.hpp"
+#include "solid/expect/quantity_tables.hpp"
 #include "solid/watch/dominant_eigenvalue.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
 
-const Course& course_of(const Outcome& o, const std::string& of) {
-  return o.series.of(block_index(o.solid, of));
+const Course& course_of(const Outcome& o, const std::string& subject) {
+  return o.series.of(block_index(o.solid, subject));
 }
 
 /// Of the displacements in x and y the one that swings more.
@@ -67,10 +67,10 @@ struct Recurrence {
 
 /// Of the recurrence of lowest order that the signal follows: one oscillator under a one-step scheme follows one of
 /// order two, or three where the scheme remembers accelerations.
-std::complex<double> dominant_root(const Outcome& o, const std::string& of) {
+std::complex<double> dominant_root(const Outcome& o, const std::string& subject) {
   constexpr double followed = 1e-9;
   constexpr double still = 1e-13;  // of the model: round-off
-  const std::span<const Sample> course = equally_spaced(course_of(o, of));
+  const std::span<const Sample> course = equally_spaced(course_of(o, subject));
   if (course.size() < 8) throw NoFigure("no oscillation: the run has fewer than 8 steps");
   Eigen::VectorXd u = signal_of(course);
   if (u.maxCoeff() - u.minCoeff() <= still * o.solid.size_m())
@@ -81,31 +81,31 @@ std::complex<double> dominant_root(const Outcome& o, const std::string& of) {
   return two.misfit < followed ? two.largest_root() : Recurrence(u, 3).largest_root();
 }
 
-double step_of(const Outcome& o, const std::string& of) {
-  const std::span<const Sample> course = equally_spaced(course_of(o, of));
+double step_of(const Outcome& o, const std::string& subject) {
+  const std::span<const Sample> course = equally_spaced(course_of(o, subject));
   return (course.back().time_s - course.front().time_s) / static_cast<double>(course.size() - 1);
 }
 
 /// The same, of a run that holds a whole period of it.
-std::complex<double> oscillation_root(const Outcome& o, const std::string& of) {
-  const std::complex<double> root = dominant_root(o, of);
+std::complex<double> oscillation_root(const Outcome& o, const std::string& subject) {
+  const std::complex<double> root = dominant_root(o, subject);
   const double angle = std::abs(std::arg(root));
   if (angle == 0) throw NoFigure("no oscillation: the motion dies out or grows without one");
-  const double steps = static_cast<double>(equally_spaced(course_of(o, of)).size() - 1);
+  const double steps = static_cast<double>(equally_spaced(course_of(o, subject)).size() - 1);
   if (steps * angle < 2 * std::numbers::pi) throw NoFigure("no whole period: the run ends before it");
   return root;
 }
 
-double decay_per_step(const Outcome& o, const std::string& of) {
-  return std::abs(dominant_root(o, of));
+double decay_per_step(const Outcome& o, const std::string& subject) {
+  return std::abs(dominant_root(o, subject));
 }
 
-double oscillation_period(const Outcome& o, const std::string& of) {
-  return 2 * std::numbers::pi / std::abs(std::arg(oscillation_root(o, of))) * step_of(o, of);
+double oscillation_period(const Outcome& o, const std::string& subject) {
+  return 2 * std::numbers::pi / std::abs(std::arg(oscillation_root(o, subject))) * step_of(o, subject);
 }
 
-double oscillation_damping(const Outcome& o, const std::string& of) {
-  const std::complex<double> s = std::log(oscillation_root(o, of));
+double oscillation_damping(const Outcome& o, const std::string& subject) {
+  const std::complex<double> s = std::log(oscillation_root(o, subject));
   return -s.real() / std::abs(s);
 }
 
@@ -139,10 +139,10 @@ std::vector<Swing> swings(const Course& course, Eigen::Index unknown) {
 
 /// Largest speed after the first return of the vertical velocity over the largest before; 0 for a block that comes to
 /// rest without one.
-double rebound_ratio(const Outcome& o, const std::string& of) {
+double rebound_ratio(const Outcome& o, const std::string& subject) {
   constexpr double all_but_rest = 0.999;
   constexpr double settled = 1e-6;  // of the speed, by which the last step changes it
-  const Course& course = course_of(o, of);
+  const Course& course = course_of(o, subject);
   const auto all = swings(course, 1);
   if (all.empty() || (all.size() < 2 && !all[0].past(all_but_rest)))
     throw NoFigure("no rebound: the run ends before it");
@@ -155,8 +155,8 @@ double rebound_ratio(const Outcome& o, const std::string& of) {
 }
 
 /// Four times the time from release to the fastest spin, which is at the impact.
-double rocking_period(const Outcome& o, const std::string& of) {
-  const auto all = swings(course_of(o, of), 2);
+double rocking_period(const Outcome& o, const std::string& subject) {
+  const auto all = swings(course_of(o, subject), 2);
   if (all.empty() || (all.size() < 2 && !all[0].past(slower_after_impact))) {
     throw NoFigure("no impact: the run ends before it");
   }
@@ -165,8 +165,8 @@ double rocking_period(const Outcome& o, const std::string& of) {
 
 /// Spin after over spin before the first impact: a swing back is as fast at its end, the second impact, as the first
 /// left it.
-double impact_ratio(const Outcome& o, const std::string& of) {
-  const auto all = swings(course_of(o, of), 2);
+double impact_ratio(const Outcome& o, const std::string& subject) {
+  const auto all = swings(course_of(o, subject), 2);
   if (all.size() < 2 || (all.size() < 3 && !all[1].past(slower_after_impact))) {
     throw NoFigure("no second impact: the run ends before the block has swung back");
   }
@@ -174,8 +174,8 @@ double impact_ratio(const Outcome& o, const std::string& of) {
 }
 
 /// Mean speed of the centroid over the last tenth of the run.
-double late_speed(const Outcome& o, const std::string& of) {
-  const Course& course = course_of(o, of);
+double late_speed(const Outcome& o, const std::string& subject) {
+  const Course& course = course_of(o, subject);
   double sum = 0;
   int count = 0;
   for (const Sample& s : course) {
@@ -188,12 +188,12 @@ double late_speed(const Outcome& o, const std::string& of) {
 
 /// Distance from the first pressure's face to the block, over the time when the front passed it: where the straight
 /// line of its late displacements meets zero, which ripples behind the front do not shift.
-double wave_speed(const Outcome& o, const std::string& of) {
+double wave_speed(const Outcome& o, const std::string& subject) {
   const auto& loads = o.solid.scene().face_pressures;
   if (loads.empty()) throw NoFigure("no wave: the scene has no [[face_pressure]]");
   const Point from = (loads.front().from_m + loads.front().to_m) / 2;
-  const double distance = (o.solid.blocks()[block_index(o.solid, of)].centroid - from).norm();
-  const Course& course = course_of(o, of);
+  const double distance = (o.solid.blocks()[block_index(o.solid, subject)].centroid - from).norm();
+  const Course& course = course_of(o, subject);
   const auto late = static_cast<Eigen::Index>(course.size() / 4);
   if (late < 3) throw NoFigure("no front: the run has too few steps");
   Eigen::MatrixXd times(late, 2);
@@ -212,10 +212,10 @@ double wave_speed(const Outcome& o, const std::string& of) {
 }
 
 /// Largest change of the moment of momentum about the centroid, over its first value.
-double angular_momentum_error(const Outcome& o, const std::string& of) {
-  const Inertia& inertia = o.solid.blocks()[block_index(o.solid, of)].inertia;
+double angular_momentum_error(const Outcome& o, const std::string& subject) {
+  const Inertia& inertia = o.solid.blocks()[block_index(o.solid, subject)].inertia;
   const auto momentum = [&](const Sample& s) { return (inertia * s.velocity)[2]; };
-  const Course& course = course_of(o, of);
+  const Course& course = course_of(o, subject);
   const double first = momentum(course.front());
   if (first == 0) throw NoFigure("no angular momentum to keep: the block does not spin at first");
   double largest = 0;

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "bridge/geometry/polygon.hpp"
-#include "solid/expect/quantity_parts.hpp"
+#include "solid/expect/quantity_tables.hpp"
 
 namespace blockweir::solid::expect {
 namespace {
@@ -19,20 +19,20 @@ double of_first_failure(const Outcome& o, const std::string&) {
 }
 
 /// Against the base.
-double displacement(const Outcome& o, const std::string& of) {
-  const std::size_t b = block_index(o.solid, of);
+double displacement(const Outcome& o, const std::string& subject) {
+  const std::size_t b = block_index(o.solid, subject);
   return (o.last.blocks[b].centroid_m - o.first.blocks[b].centroid_m - o.last.base_displacement_m).norm();
 }
 
-double acceleration(const Outcome& o, const std::string& of) {
+double acceleration(const Outcome& o, const std::string& subject) {
   constexpr double still = 1e-9;  // of the model
-  if (displacement(o, of) <= still * o.solid.size_m()) throw NoFigure("no motion: the block stays where it is");
-  return o.acceleration.of(block_index(o.solid, of));
+  if (displacement(o, subject) <= still * o.solid.size_m()) throw NoFigure("no motion: the block stays where it is");
+  return o.acceleration.of(block_index(o.solid, subject));
 }
 
 /// Vertical force of all contacts on a block, upwards on its neighbours.
-double reaction(const Outcome& o, const std::string& of) {
-  const auto b = static_cast<int>(block_index(o.solid, of));
+double reaction(const Outcome& o, const std::string& subject) {
+  const auto b = static_cast<int>(block_index(o.solid, subject));
   double sum = 0;
   for (const ContactRow& c : o.last.contacts) {
     const Point tangent(-c.normal.y(), c.normal.x());
@@ -44,10 +44,11 @@ double reaction(const Outcome& o, const std::string& of) {
 }
 
 /// Sum of the normal forces on a joint of that name.
-double joint_force(const Outcome& o, const std::string& of) {
+double joint_force(const Outcome& o, const std::string& subject) {
   const auto& joints = o.solid.scene().joints;
-  const auto joint = std::find_if(joints.begin(), joints.end(), [&](const scene::Joint& j) { return j.name == of; });
-  if (joint == joints.end()) throw std::runtime_error("[[expect]] of = \"" + of + "\" names no joint");
+  const auto joint =
+      std::find_if(joints.begin(), joints.end(), [&](const scene::Joint& j) { return j.name == subject; });
+  if (joint == joints.end()) throw std::runtime_error("[[expect]] of = \"" + subject + "\" names no joint");
   double sum = 0;
   for (const ContactRow& c : o.last.contacts) {
     if (c.joint == joint - joints.begin()) sum += c.normal_force_n_per_m;
@@ -55,32 +56,32 @@ double joint_force(const Outcome& o, const std::string& of) {
   return sum;
 }
 
-double stress_yy(const Outcome& o, const std::string& of) {
-  return o.last.blocks[block_index(o.solid, of)].stress_yy_pa;
+double stress_yy(const Outcome& o, const std::string& subject) {
+  return o.last.blocks[block_index(o.solid, subject)].stress_yy_pa;
 }
 
 /// Loss of height between the block's lowest and highest vertex, from its strain: positions would lose digits.
-double shortening(const Outcome& o, const std::string& of) {
-  const std::size_t b = block_index(o.solid, of);
+double shortening(const Outcome& o, const std::string& subject) {
+  const std::size_t b = block_index(o.solid, subject);
   const auto& vertices = o.solid.blocks()[b].vertices;
   const auto by_height = [](const Point& p, const Point& q) { return p.y() < q.y(); };
   const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end(), by_height);
   return -o.solid.states()[b].displacement[4] * (high->y() - low->y());
 }
 
-double water_force_x(const Outcome& o, const std::string& of) {
-  return o.last.blocks[block_index(o.solid, of)].water_force_n_per_m.x();
+double water_force_x(const Outcome& o, const std::string& subject) {
+  return o.last.blocks[block_index(o.solid, subject)].water_force_n_per_m.x();
 }
-double water_moment(const Outcome& o, const std::string& of) {
-  return o.last.blocks[block_index(o.solid, of)].water_moment_n;
+double water_moment(const Outcome& o, const std::string& subject) {
+  return o.last.blocks[block_index(o.solid, subject)].water_moment_n;
 }
 double penetration(const Outcome& o, const std::string&) {
   return o.largest_penetration_m;
 }
 
 /// Largest water pressure on the block.
-double water_pressure(const Outcome& o, const std::string& of) {
-  const auto b = static_cast<int>(block_index(o.solid, of));
+double water_pressure(const Outcome& o, const std::string& subject) {
+  const auto b = static_cast<int>(block_index(o.solid, subject));
   double largest = 0;
   for (const PanelRow& p : o.last.panels) {
     if (p.block == b) largest = std::max({largest, p.pressure_from_pa, p.pressure_to_pa});
@@ -88,11 +89,11 @@ double water_pressure(const Outcome& o, const std::string& of) {
   return largest;
 }
 
-double stress_xx(const Outcome& o, const std::string& of) {
-  return o.last.blocks[block_index(o.solid, of)].stress_xx_pa;
+double stress_xx(const Outcome& o, const std::string& subject) {
+  return o.last.blocks[block_index(o.solid, subject)].stress_xx_pa;
 }
-double stress_xy(const Outcome& o, const std::string& of) {
-  return o.last.blocks[block_index(o.solid, of)].stress_xy_pa;
+double stress_xy(const Outcome& o, const std::string& subject) {
+  return o.last.blocks[block_index(o.solid, subject)].stress_xy_pa;
 }
 double kinetic_energy(const Outcome& o, const std::string&) {
   return energy_of(o.solid).kinetic;
@@ -102,8 +103,8 @@ double energy_gain(const Outcome& o, const std::string&) {
 }
 
 /// Change of the block's area by more than its strain says.
-double area_error(const Outcome& o, const std::string& of) {
-  const std::size_t b = block_index(o.solid, of);
+double area_error(const Outcome& o, const std::string& subject) {
+  const std::size_t b = block_index(o.solid, subject);
   const auto strain = o.solid.states()[b].displacement.tail<3>();
   const double strained = (1 + strain[0]) * (1 + strain[1]) - strain[2] * strain[2] / 4;
   return std::abs(geometry::signed_area(o.last.blocks[b].vertices_m) / (o.solid.blocks()[b].area * strained) - 1);
@@ -116,11 +117,11 @@ const BoltRow& bolt_named(const Outcome& o, const std::string& name) {
   }
   throw std::runtime_error("[[expect]] of = \"" + name + "\" names no bolt");
 }
-double bolt_force_now(const Outcome& o, const std::string& of) {
-  return bolt_named(o, of).force_n_per_m;
+double bolt_force_now(const Outcome& o, const std::string& subject) {
+  return bolt_named(o, subject).force_n_per_m;
 }
-double bolt_elongation(const Outcome& o, const std::string& of) {
-  return bolt_named(o, of).elongation_m;
+double bolt_elongation(const Outcome& o, const std::string& subject) {
+  return bolt_named(o, subject).elongation_m;
 }
 
 /// Are two blocks in contact, and at one end of their joint only: within `reach` of one point?
@@ -136,18 +137,18 @@ bool is_hinge(const Outcome& o, const std::string& a, const std::string& b, doub
 }
 
 /// Joints of an arch, springings included, that bear at one end only.
-double hinges(const Outcome& o, const std::string& of) {
+double hinges(const Outcome& o, const std::string& subject) {
   if (o.failure.failures().empty()) throw NoFigure("no mechanism: the arch stands");
   const scene::Scene& s = o.solid.scene();
-  const auto arch = std::find_if(s.arches.begin(), s.arches.end(), [&](const auto& a) { return a.name == of; });
-  if (arch == s.arches.end()) throw std::runtime_error("[[expect]] of = \"" + of + "\" names no arch");
+  const auto arch = std::find_if(s.arches.begin(), s.arches.end(), [&](const auto& a) { return a.name == subject; });
+  if (arch == s.arches.end()) throw std::runtime_error("[[expect]] of = \"" + subject + "\" names no arch");
   std::vector<std::string> ring;
-  for (int i = 1; i <= arch->voussoirs; ++i) ring.push_back(of + std::to_string(i));
+  for (int i = 1; i <= arch->voussoirs; ++i) ring.push_back(subject + std::to_string(i));
   const auto is_block = [&](const std::string& name) {
     return std::any_of(s.blocks.begin(), s.blocks.end(), [&](const auto& b) { return b.name == name; });
   };
-  if (is_block(of + "-left")) ring.insert(ring.begin(), of + "-left");
-  if (is_block(of + "-right")) ring.push_back(of + "-right");
+  if (is_block(subject + "-left")) ring.insert(ring.begin(), subject + "-left");
+  if (is_block(subject + "-right")) ring.push_back(subject + "-right");
   double count = 0;
   for (std::size_t i = 1; i < ring.size(); ++i) count += is_hinge(o, ring[i - 1], ring[i], arch->thickness_m / 2);
   return count;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/expect/time_series.hpp"
 
-#include "solid/expect/quantity_parts.hpp"
+#include "solid/expect/quantity_tables.hpp"
 
 namespace blockweir::solid::expect {
 

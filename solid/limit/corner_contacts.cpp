@@ -126,7 +126,7 @@ bool known(const std::vector<CornerContact>& contacts, const CornerContact& one,
 }  // namespace
 
 std::vector<CornerContact> corner_contacts(const scene::Block& block, const std::vector<Neighbour>& body,
-                                           const Neighbour& of, double touching_m) {
+                                           const Neighbour& neighbour, double touching_m) {
   std::vector<CornerContact> contacts;
   const auto add = [&](const Point& p, const Outline& outline, std::size_t edge, double sign, bool kink) {
     const Point along = direction(outline, edge);
@@ -134,7 +134,7 @@ std::vector<CornerContact> corner_contacts(const scene::Block& block, const std:
     if (!known(contacts, found, touching_m)) contacts.push_back(found);
   };
   const Outline& own = block.vertices;
-  const Outline& others = of.block->vertices;
+  const Outline& others = neighbour.block->vertices;
   for (const Point& p : own) {
     for (std::size_t e = 0; e < others.size(); ++e) {
       const std::optional<double> room = room_bounded_by(others, e, block, body, p, touching_m);

@@ -25,8 +25,8 @@ struct Neighbour {
 /// Contacts of corners with edges, or with a reflex corner of a body, which holds a corner by both its edges. No
 /// contact where a face along the edge reaches the corner, since the face holds it. Two convex corners give no contact:
 /// they may pass on either side. `body`: a block, or all ground blocks together, since two of them can form a reflex
-/// corner. Returns the contacts that involve `of`, a block of the body.
+/// corner. Returns the contacts that involve `neighbour`, a block of the body.
 std::vector<CornerContact> corner_contacts(const scene::Block& block, const std::vector<Neighbour>& body,
-                                           const Neighbour& of, double touching_m);
+                                           const Neighbour& neighbour, double touching_m);
 
 }  // namespace blockweir::solid::limit

@@ -30,7 +30,10 @@ class ShiftedSolve {
   [[nodiscard]] Eigen::Index cols() const { return K_.cols(); }
   void set_shift(double shift) {
     factors_.compute(K_ - shift * M_);
-    if (factors_.info() != Eigen::Success) throw std::runtime_error("the natural modes: the stiffness has no factors");
+    if (factors_.info() != Eigen::Success)
+      throw std::runtime_error(
+          "no natural modes were found: the stiffness matrix has no factors; look for moduli and "
+          "densities in wrong units");
   }
   void perform_op(const double* x, double* y) const {
     Eigen::VectorXd::Map(y, rows()) = factors_.solve(Eigen::VectorXd::Map(x, rows()));
@@ -53,7 +56,8 @@ SymmetricModes lowest_of(const Sparse& K, const Sparse& M, int count, double typ
   solver.init();
   solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-11, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful) {
-    throw std::runtime_error("the natural modes were not found: the iteration has not converged");
+    throw std::runtime_error(
+        "no natural modes were found: the iteration did not converge; look for moduli and densities in wrong units");
   }
   return {solver.eigenvalues(), solver.eigenvectors()};
 }

@@ -39,7 +39,7 @@ class Reports {
   Reports(int fd, double duration_s) : fd_(fd), duration_s_(duration_s) {}
 
   /// Where the fluid waits for what is solved, from now on; null: nowhere.
-  void tell(channel::Channel* fluid) { fluid_ = fluid; }
+  void set_fluid(channel::Channel* fluid) { fluid_ = fluid; }
 
   /// Throws channel::Interrupted once the process has been asked to stop: there is nothing to keep yet.
   void settling(long solutions) {
@@ -205,7 +205,7 @@ class SolidRun {
       name = fmt::format("external fluid \"{}\"", channel::printable(theirs.role));
       channel_->call_partner(name);
     }
-    reports_.tell(&*channel_);
+    reports_.set_fluid(&*channel_);
     schedule::RemoteFluid there(*channel_, name);
     exchange_with(&there);
   }

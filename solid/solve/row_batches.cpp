@@ -56,30 +56,30 @@ void RowBatches::choose(const std::vector<ForceRow>& rows, const std::vector<dou
   left_alone_.clear();
   for (const std::vector<int>& colour : coloured(rows, at(nowhere), left_alone_)) {
     for (std::size_t from = 0; from < colour.size();) {
-      std::array<int, lanes> of = {-1, -1, -1, -1};
+      std::array<int, lanes> numbers = {-1, -1, -1, -1};
       const auto like = counts(rows[at(colour[from])]);
-      for (std::size_t lane = 0; lane < of.size() && from < colour.size(); ++lane, ++from) {
+      for (std::size_t lane = 0; lane < numbers.size() && from < colour.size(); ++lane, ++from) {
         if (counts(rows[at(colour[from])]) != like) break;
-        of[lane] = colour[from];
+        numbers[lane] = colour[from];
       }
-      add_batch(of, rows, entries, static_cast<int>(nowhere));
+      add_batch(numbers, rows, entries, static_cast<int>(nowhere));
     }
   }
 }
 
-void RowBatches::add_batch(const std::array<int, lanes>& of, const std::vector<ForceRow>& rows,
+void RowBatches::add_batch(const std::array<int, lanes>& numbers, const std::vector<ForceRow>& rows,
                            const std::vector<double>& entries, int nowhere) {
   RowBatch& batch = batches_.emplace_back();
-  batch.row = of;
+  batch.row = numbers;
   for (const std::size_t e : {0, 1}) {
     BatchEnd& end = batch.ends[e];
     end.first.fill(nowhere);
     end.first_entry = entries_.size();
-    end.count = rows[at(of[0])].ends[e].count;
+    end.count = rows[at(numbers[0])].ends[e].count;
     entries_.resize(entries_.size() + at(4 * end.count));
     for (int lane = 0; lane < lanes && end.count > 0; ++lane) {
-      if (of[at(lane)] < 0) continue;
-      const ForceRow::End& from = rows[at(of[at(lane)])].ends[e];
+      if (numbers[at(lane)] < 0) continue;
+      const ForceRow::End& from = rows[at(numbers[at(lane)])].ends[e];
       end.first[at(lane)] = from.first;
       for (int i = 0; i < 4 * from.count; ++i) {
         entries_[end.first_entry + at(i)].of[lane] = entries[from.first_entry + at(i)];
@@ -97,17 +97,17 @@ void RowBatches::begin(const std::vector<ForceRow>& rows) {
     for (int lane = 0; lane < lanes; ++lane) {
       if (batch.row[at(lane)] < 0) continue;
       const ForceRow& row = rows[at(batch.row[at(lane)])];
-      const PointForces<double>::Law of = law_of(row.rule, row.flexibility);
-      law.friction[lane] = of.friction;
-      law.cohesion[lane] = of.cohesion;
-      law.least_normal[lane] = of.least_normal;
-      law.most_normal[lane] = of.most_normal;
-      law.opens[lane] = of.opens;
-      law.opening[0][lane] = of.opening[0];
-      law.opening[1][lane] = of.opening[1];
-      law.gap_by_normal[lane] = of.gap_by_normal;
-      law.gap_by_shear[lane] = of.gap_by_shear;
-      law.slip_by_shear[lane] = of.slip_by_shear;
+      const PointForces<double>::Law rule = law_of(row.rule, row.flexibility);
+      law.friction[lane] = rule.friction;
+      law.cohesion[lane] = rule.cohesion;
+      law.least_normal[lane] = rule.least_normal;
+      law.most_normal[lane] = rule.most_normal;
+      law.opens[lane] = rule.opens;
+      law.opening[0][lane] = rule.opening[0];
+      law.opening[1][lane] = rule.opening[1];
+      law.gap_by_normal[lane] = rule.gap_by_normal;
+      law.gap_by_shear[lane] = rule.gap_by_shear;
+      law.slip_by_shear[lane] = rule.slip_by_shear;
       batch.gap[lane] = row.apart[0];
       batch.slip[lane] = row.apart[1];
       batch.normal[lane] = row.force[0];

@@ -31,7 +31,7 @@ class RowBatches {
   void give_back(std::vector<ForceRow>& rows) const;
 
  private:
-  void add_batch(const std::array<int, lanes>& of, const std::vector<ForceRow>& rows,
+  void add_batch(const std::array<int, lanes>& numbers, const std::vector<ForceRow>& rows,
                  const std::vector<double>& entries, int nowhere);
 
   std::vector<RowBatch> batches_;

@@ -47,13 +47,13 @@ class SparseMatrix {
 
   /// Makes the next solve factorize again.
   void forget_factors() {
-    cholesky_.of = {};
-    lu_.of = {};
-    large_lu_.of = {};
+    cholesky_.matrix = {};
+    lu_.matrix = {};
+    large_lu_.matrix = {};
   }
 
   /// From a matrix with this pattern: the factors become those that gave `kept`, to the bit.
-  [[nodiscard]] KeptFactors kept() const { return {cholesky_.of, large() ? large_lu_.of : lu_.of}; }
+  [[nodiscard]] KeptFactors kept() const { return {cholesky_.matrix, large() ? large_lu_.matrix : lu_.matrix}; }
   void restore(const KeptFactors& kept) {
     restore(cholesky_, kept.cholesky);
     large() ? restore(large_lu_, kept.lu) : restore(lu_, kept.lu);
@@ -92,24 +92,25 @@ class SparseMatrix {
   struct Factors {
     Solver solver;
     bool analysed = false;
-    KeptFactors::Matrix of;
+    KeptFactors::Matrix matrix;  ///< that they were made of
     WoodburyCorrection beside;
   };
 
   template <class Solver>
   bool solve_with(Factors<Solver>& factors, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
-    const bool same = factors.of.made() && std::equal(factors.of.values.begin(), factors.of.values.end(), k.valuePtr());
-    reused_ = same || (factors.of.made() && serves(factors, f, d));
+    const bool same =
+        factors.matrix.made() && std::equal(factors.matrix.values.begin(), factors.matrix.values.end(), k.valuePtr());
+    reused_ = same || (factors.matrix.made() && serves(factors, f, d));
     if (reused_) {
       if (same) d = by_factors(factors, f);
       return d.allFinite();
     }
     factorize(factors);
     if (factors.solver.info() != Eigen::Success) {
-      factors.of.values.clear();
+      factors.matrix.values.clear();
       return false;
     }
-    factors.of.values.assign(k.valuePtr(), k.valuePtr() + k.nonZeros());
+    factors.matrix.values.assign(k.valuePtr(), k.valuePtr() + k.nonZeros());
     d = by_factors(factors, f);
     return factors.solver.info() == Eigen::Success && d.allFinite();
   }
@@ -125,21 +126,24 @@ class SparseMatrix {
   }
 
   template <class Solver>
-  void restore(Factors<Solver>& factors, const KeptFactors::Matrix& of) {
-    factors.of = of;
-    if (!of.made()) return;
-    if (std::ssize(of.values) != k.nonZeros()) throw std::runtime_error("a checkpoint with factors of another matrix");
-    std::copy(of.values.begin(), of.values.end(), k.valuePtr());
+  void restore(Factors<Solver>& factors, const KeptFactors::Matrix& matrix) {
+    factors.matrix = matrix;
+    if (!matrix.made()) return;
+    if (std::ssize(matrix.values) != k.nonZeros())
+      throw std::runtime_error(
+          "the checkpoint holds factors of another matrix; resume with the scene of the run that wrote it, or begin a "
+          "new run");
+    std::copy(matrix.values.begin(), matrix.values.end(), k.valuePtr());
     factorize(factors);
   }
 
   /// By refinement, unless that has just failed.
   template <class Solver>
   bool serves(Factors<Solver>& factors, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
-    if (factors.of.pause.skips()) return false;
+    if (factors.matrix.pause.skips()) return false;
     const Stopwatch watch(times_.refinement);
     const bool served = refine(factors, f, d);
-    served ? factors.of.pause.succeeded() : factors.of.pause.failed();
+    served ? factors.matrix.pause.succeeded() : factors.matrix.pause.failed();
     return served;
   }
 

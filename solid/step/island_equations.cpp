@@ -36,10 +36,10 @@ double unbalanced_at_nodes(const IslandEquations& s) {
 }  // namespace
 
 IslandEquations::IslandEquations(StepWorkspace& step, const WaterInertia& water, const std::vector<int>& numbers,
-                                 Island of, std::unique_ptr<Unknowns> its)
+                                 Island given_island, std::unique_ptr<Unknowns> given_unknowns)
     : StepPart(step),
-      island(std::move(of)),
-      unknowns(std::move(its)),
+      island(std::move(given_island)),
+      unknowns(std::move(given_unknowns)),
       residual(unknowns->total),
       correction(unknowns->total),
       water_(water),

@@ -24,8 +24,8 @@ constexpr double sum_round_off = 1e-13;  ///< relative, of a sum of some tens of
 class IslandEquations : StepPart {
  public:
   /// `numbers`: for each of the model's blocks, its index within its island.
-  IslandEquations(StepWorkspace& step, const WaterInertia& water, const std::vector<int>& numbers, Island of,
-                  std::unique_ptr<Unknowns> its);
+  IslandEquations(StepWorkspace& step, const WaterInertia& water, const std::vector<int>& numbers, Island given_island,
+                  std::unique_ptr<Unknowns> given_unknowns);
 
   Island island;
   std::vector<int> bolts;

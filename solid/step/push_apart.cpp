@@ -7,7 +7,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "solid/contact/outline.hpp"
-#include "solid/solve/least_push.hpp"
+#include "solid/solve/overlap_projection.hpp"
 
 namespace blockweir::solid {
 
@@ -152,7 +152,7 @@ void PushApart::push_once(const IslandEquations& s) {
       o.ends[second ? 1 : 0] = {number(b), (second ? -1 : 1) * Eigen::Vector3d(n.x(), n.y(), turns)};
     }
   }
-  LeastPush push(mass, overlaps);
+  OverlapProjection push(mass, overlaps);
 
   push.solve(lasting_m(s));
   // What sticks does so where it has been pushed to.

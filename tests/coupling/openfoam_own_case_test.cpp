@@ -14,8 +14,8 @@ class OwnCase : public OpenFoam {
     OpenFoam::SetUp();
     fs::copy(cases + "own-openfoam-case", folder / "scene", fs::copy_options::recursive);
   }
-  [[nodiscard]] std::string contents(const std::string& of) const {
-    EXPECT_EQ(shell("sh -c 'find " + of + " -type f | sort | xargs sha256sum'"), 0);
+  [[nodiscard]] std::string contents(const std::string& name) const {
+    EXPECT_EQ(shell("sh -c 'find " + name + " -type f | sort | xargs sha256sum'"), 0);
     return text("out");
   }
   void change(const std::string& command) const { ASSERT_EQ(shell("sh -c \"" + command + "\""), 0) << text("out"); }
@@ -46,8 +46,8 @@ TEST_F(OwnCase, IsWrittenByTheCommandCase) {
 /// Neither by a copy nor by a case that the scene has written.
 TEST_F(OwnCase, IsNotOverwritten) {
   const std::string before = contents("scene/basin");
-  for (const std::string& of : {std::string("scene"), cases + "cracked-dam-upper-openfoam"}) {
-    EXPECT_EQ(shell(programs + "/blockweir case " + of + " --out scene/basin"), 2);
+  for (const std::string& name : {std::string("scene"), cases + "cracked-dam-upper-openfoam"}) {
+    EXPECT_EQ(shell(programs + "/blockweir case " + name + " --out scene/basin"), 2);
     EXPECT_THAT(text("out"), HasSubstr("scene/basin: not empty and not a case that blockweir has written; choose"));
     EXPECT_EQ(contents("scene/basin"), before);
   }

@@ -134,10 +134,10 @@ TEST_F(Processes, AFolderOfAFormerRunIsAsGoodAsNew) {
   const auto run = [&](const std::string& scene_and_out) {
     EXPECT_EQ(shell(programs + "/blockweir run " + cases + scene_and_out), 0) << text("out");
   };
-  const auto names = [&](const char* of) {
+  const auto names = [&](const char* name) {
     std::set<std::string> all;
-    for (const auto& entry : fs::recursive_directory_iterator(folder / of)) {
-      all.insert(entry.path().lexically_relative(folder / of));
+    for (const auto& entry : fs::recursive_directory_iterator(folder / name)) {
+      all.insert(entry.path().lexically_relative(folder / name));
     }
     return all;
   };

@@ -43,8 +43,8 @@ columns = 12
 upstream_level_m = 2
 )";
   }
-  [[nodiscard]] nlohmann::json summary(const std::string& of) const {
-    return nlohmann::json::parse(text(of + "/summary.json"));
+  [[nodiscard]] nlohmann::json summary(const std::string& run_name) const {
+    return nlohmann::json::parse(text(run_name + "/summary.json"));
   }
   [[nodiscard]] static double mean_wait_s(const nlohmann::json& summary) {
     return summary["profile_s"]["fluid_wait"].get<double>() / summary["counts"]["exchanges"].get<double>();

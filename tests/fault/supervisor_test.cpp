@@ -51,6 +51,15 @@ TEST_F(Supervisor, OneAsideIsWaitedForAndItsFailureIsNobodyElses) {
   EXPECT_EQ(text("aside"), "done\n");
 }
 
+TEST_F(Supervisor, NotConnectedYetTheOthersAreEndedASecondAfterAFailure) {
+  const auto begin = std::chrono::steady_clock::now();
+  const process::Supervised both = process::supervise(
+      {in_shell("fluid", "exit 1"), in_shell("solid", "exec sleep 250")}, folder, 100, [] { return false; });
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(100));  // the grace of connected ones
+  EXPECT_EQ(both.ends.front().name, "fluid");
+  EXPECT_TRUE(both.ends.back().by_us);
+}
+
 TEST_F(Supervisor, OneAsideIsKilledOnceTheOthersHaveEndedBadly) {
   process::Command aside = in_shell("aside", "exec sleep 250");
   aside.aside = true;

@@ -28,43 +28,44 @@ std::string expecting(const std::string& lines) {
          lines;
 }
 
-/// What `of` names, by subject.
-const std::map<Subject, std::string> parts = {
+/// What `of` names in this scene, by subject.
+const std::map<Subject, std::string> subject_names = {
     {Subject::none, ""},       {Subject::block, "top"}, {Subject::block_if_any, ""}, {Subject::block_only, "top"},
     {Subject::joint, "crack"}, {Subject::bolt, "bar"},  {Subject::arch, "ring"}};
 
-std::string entry(const QuantityEntry& answer, const std::string& of) {
+std::string entry(const QuantityEntry& answer, const std::string& subject) {
   return fmt::format("quantity = \"{}\"\n{}of = \"{}\"\n{}", answer.name,
-                     answer.word ? "word = \"stands\"\n" : "value = 1\n", of, answer.at_point ? "at_m = [0, 4]\n" : "");
+                     answer.word ? "word = \"stands\"\n" : "value = 1\n", subject,
+                     answer.at_point ? "at_m = [0, 4]\n" : "");
 }
 
-/// Whether a part of this name is such a subject.
-bool suits(Subject subject, const std::string& of) {
+/// Whether what has this name is such a subject.
+bool suits(Subject subject, const std::string& name) {
   switch (subject) {
     case Subject::block:
-      return of == "top" || of == "crack";
+      return name == "top" || name == "crack";
     case Subject::block_if_any:
-      return of.empty() || of == "top" || of == "crack";
+      return name.empty() || name == "top" || name == "crack";
     case Subject::none:
-      return of.empty();
+      return name.empty();
     default:
-      return of == parts.at(subject);
+      return name == subject_names.at(subject);
   }
 }
 
 TEST(SceneAnswers, EachQuantityIsOfWhatItsRowSays) {
   for (const QuantityEntry& answer : quantities()) {
     if (answer.needs == Need::column) continue;
-    for (const char* of : {"", "top", "crack", "bar", "ring"}) {
-      if (answer.at_point && of != std::string("top")) continue;  // the point is looked for in a block
-      const auto found = errors(expecting(entry(answer, of)));
-      if (suits(answer.of, of)) {
-        EXPECT_THAT(found, IsEmpty()) << answer.name << " of " << of;
+    for (const char* subject : {"", "top", "crack", "bar", "ring"}) {
+      if (answer.at_point && subject != std::string("top")) continue;  // the point is looked for in a block
+      const auto found = errors(expecting(entry(answer, subject)));
+      if (suits(answer.of, subject)) {
+        EXPECT_THAT(found, IsEmpty()) << answer.name << " of " << subject;
       } else {
         EXPECT_THAT(found, Contains(AllOf(
                                testing::StartsWith("s.toml:"),
                                HasSubstr(answer.of == Subject::none ? "of in [[expect]] has no effect" : answer.name))))
-            << answer.name << " of " << of;
+            << answer.name << " of " << subject;
       }
     }
   }
@@ -78,20 +79,20 @@ std::vector<std::string> law_of(const QuantityEntry& answer) {
 
 TEST(SceneAnswers, EachFormulaIsOfWhatItsRowSays) {
   for (const QuantityEntry& answer : formulas()) {
-    for (const char* of : {"", "top", "crack", "bar", "ring"}) {
-      if (answer.at_point && of != std::string("top")) continue;
+    for (const char* subject : {"", "top", "crack", "bar", "ring"}) {
+      if (answer.at_point && subject != std::string("top")) continue;
       const auto found = errors(expecting(fmt::format("quantity = \"{}\"\nformula = \"{}\"\nof = \"{}\"\n{}",
                                                       answer.word       ? "mode"
                                                       : answer.at_point ? "point_stress_xx_pa"
                                                                         : "largest_penetration_m",
-                                                      answer.name, of, answer.at_point ? "at_m = [0, 4]\n" : "")),
+                                                      answer.name, subject, answer.at_point ? "at_m = [0, 4]\n" : "")),
                                 law_of(answer));
       if (answer.needs == Need::column) {
         EXPECT_THAT(found, Contains(HasSubstr("needs [fluid.column]")));
-      } else if (suits(answer.of, of) || (answer.of == Subject::none && of == std::string())) {
-        EXPECT_THAT(found, IsEmpty()) << answer.name << " of " << of;
+      } else if (suits(answer.of, subject) || (answer.of == Subject::none && subject == std::string())) {
+        EXPECT_THAT(found, IsEmpty()) << answer.name << " of " << subject;
       } else {
-        EXPECT_THAT(found, Not(IsEmpty())) << answer.name << " of " << of;
+        EXPECT_THAT(found, Not(IsEmpty())) << answer.name << " of " << subject;
       }
     }
   }

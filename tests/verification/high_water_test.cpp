@@ -44,8 +44,8 @@ vertices_m = [[0, 0], [{}, 0], [{}, {}], [0, {}]]
                     friction_deg, up, down, -wall - height, width, -wall - height, width, width, width, height, height);
     SCOPED_TRACE(fmt::format("seed {}\n{}", seed, text));
     const scene::Scene scene = scene::read_text(text, "parapet").scene;
-    const auto answer = process::safety_answer(scene, [](const scene::Scene& of, const std::filesystem::path&) {
-      return std::make_unique<hydrostatic::HydrostaticModel>(of);
+    const auto answer = process::safety_answer(scene, [](const scene::Scene& risen, const std::filesystem::path&) {
+      return std::make_unique<hydrostatic::HydrostaticModel>(risen);
     });
     const auto thrust = [&](double level) {  // on one side, up to the parapet's crest
       const double dry = std::max(0.0, level - height);

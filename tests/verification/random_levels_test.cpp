@@ -6,7 +6,7 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
-#include "solid/answers/answer_parts.hpp"
+#include "solid/answers/answer_entries.hpp"
 #include "solid/capacity/static_level.hpp"
 #include "tests/verification/random_trials.hpp"
 

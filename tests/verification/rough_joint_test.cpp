@@ -12,7 +12,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "bridge/statics/loads.hpp"
 #include "solid/capacity/static_strength.hpp"
-#include "solid/expect/formula_parts.hpp"
+#include "solid/expect/formula_tables.hpp"
 #include "solid/limit/limit_strength.hpp"
 #include "solid/step/solid.hpp"
 

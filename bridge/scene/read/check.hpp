@@ -21,6 +21,6 @@ void check_overlaps(const Scene& scene, Problems& problems);
 /// support holds a point of it in y; a bolt connects it to the ground or to a held block; its material is lighter than
 /// the scene's water; it shares a boundary with a held block, or lies vertically above a part of one. Without gravity
 /// no block falls.
-void check_held(const Scene& scene, Problems& problems);
+void check_unsupported(const Scene& scene, Problems& problems);
 
 }  // namespace blockweir::scene

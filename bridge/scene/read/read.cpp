@@ -108,7 +108,7 @@ void read_sections(Reading& reading, ReadScene& result) {
   resolve_lengths(reading);
   check_overlaps(reading.scene, reading.problems);
   // A wrong block or support would be followed by an error for each block that it holds.
-  if (structure_sound) check_held(reading.scene, reading.problems);
+  if (structure_sound) check_unsupported(reading.scene, reading.problems);
   if (reading.problems.count() == before) check_cracks(reading);
   if (reading.problems.count() == before) check_joint_flow(reading);
   if (reading.problems.count() == before) check_viscous_boundaries(reading);

@@ -51,8 +51,8 @@ std::optional<wire::Motion> Partner::receive(std::uint64_t window) {
       return;
     }
     if (motion.window != window) {
-      throw std::runtime_error(
-          fmt::format("the solid process sent window {} where window {} was due", motion.window, window));
+      throw std::runtime_error(fmt::format(
+          "the solid process sent window {} where window {} was due; start both sides anew", motion.window, window));
     }
   });
   Foam::Pstream::scatter(ended);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/expect/formula_parts.hpp"
+#include "solid/expect/formula_tables.hpp"
 
 #include <fmt/format.h>
 

@@ -94,7 +94,7 @@ std::vector<Block> upright(const Scene& scene) {
 
 }  // namespace
 
-void check_held(const Scene& scene, Problems& problems) {
+void check_unsupported(const Scene& scene, Problems& problems) {
   if (scene.analysis.gravity_m_per_s2 == 0) return;
   const std::vector<Block> blocks = scene.analysis.gravity_tilt_deg == 0 ? scene.blocks : upright(scene);
   BlockIndex open(blocks);  // those not yet held

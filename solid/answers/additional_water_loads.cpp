@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/answers/reservoir_parts.hpp"
+#include "solid/answers/additional_water_loads.hpp"
 
 #include "bridge/statics/loads.hpp"
 #include "solid/capacity/still_water.hpp"
@@ -19,8 +19,8 @@ std::string added_water_name(const scene::Scene& scene) {
   return std::string("added water (") + scene::name_of(scene.water.added_water) + ")";
 }
 
-std::vector<WaterPart> reservoir_parts(const scene::Scene& scene, const process::FluidMaker& make_fluid,
-                                       double level_m) {
+std::vector<WaterPart> additional_water_loads(const scene::Scene& scene, const process::FluidMaker& make_fluid,
+                                              double level_m) {
   std::vector<WaterPart> parts;
   if (!scene.water.ice && scene.water.earthquake_coefficient == 0) return parts;
   const statics::Wrenches all = open_water(scene, make_fluid, level_m);

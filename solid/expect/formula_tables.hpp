@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Common parts of the formulas: their tables, and what they read from a scene.
+// Tables of the formulas, and what they read from a scene.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace blockweir::solid::expect {
 using scene::Point;
 using scene::Scene;
 
-/// By name. A formula gets the scene and the name in `of`.
+/// By name. A formula gets the scene and the name of its subject, `of` in the scene.
 using Formulas = std::map<std::string, double (*)(const Scene&, const std::string&)>;
 const Formulas& block_formulas();     ///< blocks under their own weight
 const Formulas& dam_formulas();       ///< limit equilibrium and water pressures

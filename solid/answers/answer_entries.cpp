@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/answers/answer_parts.hpp"
+#include "solid/answers/answer_entries.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit
   return {{"text", words.text}, {"mode", words.mode}, {"joints", words.joints}, {"blocks", moving}};
 }
 
-void tell_limit_analysis(const limit::LimitAnalysis& structure) {
+void announce_limit_analysis(const limit::LimitAnalysis& structure) {
   constexpr std::size_t many = 300;
   if (structure.faces().size() <= many) return;
   fmt::print(stderr, "limit analysis: {} blocks, {} faces between them; then the blocks' own search\n",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of all displacements of rigid bodies that leave no overlap those that move least mass: 0 <= gap _|_ push >= 0.
+// Projects the positions of rigid bodies onto those without overlap, in the metric of their masses: the complementarity
+// problem 0 <= gap _|_ push >= 0.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,10 +20,10 @@ struct Overlap {
   std::array<End, 2> ends;
 };
 
-class LeastPush {
+class OverlapProjection {
  public:
   /// `mass` of each body against (x, y, turn).
-  LeastPush(const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps);
+  OverlapProjection(const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps);
 
   /// Projected Gauss-Seidel there and back with Nesterov's acceleration, begun anew where it turns back (O'Donoghue and
   /// Candes 2015). Ends when every gap is within half of tolerance_m of its target, or after a bounded

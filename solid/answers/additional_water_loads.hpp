@@ -11,8 +11,8 @@
 namespace blockweir::solid {
 
 /// Each load is the difference it makes to the forces of open water at this level. Throws as StillWater does.
-std::vector<WaterPart> reservoir_parts(const scene::Scene& scene, const process::FluidMaker& make_fluid,
-                                       double level_m);
+std::vector<WaterPart> additional_water_loads(const scene::Scene& scene, const process::FluidMaker& make_fluid,
+                                              double level_m);
 
 /// The name in tables of the added water pressure in the scene's earthquake, after its source.
 std::string added_water_name(const scene::Scene& scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts that the answers of `level` and `safety` share.
+// Entries that the answers of `level` and `safety` share.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -39,7 +39,7 @@ inline constexpr const char* yields_note =
 bool yields_above_prestress(const scene::Scene& scene);
 
 /// Prints a line of progress if the linear programs will take long.
-void tell_limit_analysis(const limit::LimitAnalysis& structure);
+void announce_limit_analysis(const limit::LimitAnalysis& structure);
 /// Adds "upper_bound", and "limit_analysis_note" on what the user has left open.
 void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohmann::json& answer);
 

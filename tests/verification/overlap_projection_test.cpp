@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_solve
 // What overlaps is pushed apart, and no farther.
-#include "solid/solve/least_push.hpp"
+#include "solid/solve/overlap_projection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,22 +17,23 @@ Overlap between(int left_body, int right_body, double gap) {
   return {gap, {Overlap::End{right_body, right}, Overlap::End{left_body, -right}}};
 }
 
-TEST(LeastPush, OfTwoBodiesTheLightOneMovesFarther) {
-  LeastPush push({{3, 3, 1}, {1, 1, 1}}, {between(0, 1, -0.4)});
+TEST(OverlapProjection, OfTwoBodiesTheLightOneMovesFarther) {
+  OverlapProjection push({{3, 3, 1}, {1, 1, 1}}, {between(0, 1, -0.4)});
   push.solve(tolerance_m);
   EXPECT_NEAR(push.moved(0).x(), -0.1, 1e-7);
   EXPECT_NEAR(push.moved(1).x(), 0.3, 1e-7);
   EXPECT_LE(push.deepest(), 1e-7);
 }
 
-TEST(LeastPush, WhatDoesNotOverlapStays) {
-  LeastPush push({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {between(0, 1, -0.4), between(1, 2, 0.5)});
+TEST(OverlapProjection, WhatDoesNotOverlapStays) {
+  OverlapProjection push({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {between(0, 1, -0.4), between(1, 2, 0.5)});
   push.solve(tolerance_m);
   EXPECT_TRUE(push.moved(2).isZero(0));
 }
 
-TEST(LeastPush, WhatIsPushedPushesOn) {
-  LeastPush push({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {between(-1, 0, -0.4), between(0, 1, 0.1), between(1, 2, 0)});
+TEST(OverlapProjection, WhatIsPushedPushesOn) {
+  OverlapProjection push({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}},
+                         {between(-1, 0, -0.4), between(0, 1, 0.1), between(1, 2, 0)});
   push.solve(tolerance_m);
   EXPECT_NEAR(push.moved(0).x(), 0.4, 1e-6);
   EXPECT_NEAR(push.moved(1).x(), 0.3, 1e-6);
@@ -40,7 +41,7 @@ TEST(LeastPush, WhatIsPushedPushesOn) {
 }
 
 /// Against pushes that are made one after another until none is left to make.
-TEST(LeastPush, RandomPilesHaveNoOverlapLeftAndNoLessMassIsMoved) {
+TEST(OverlapProjection, RandomPilesHaveNoOverlapLeftAndNoLessMassIsMoved) {
   std::mt19937 random(7);
   std::normal_distribution<double> any;
   for (int pile = 0; pile < 50; ++pile) {
@@ -52,7 +53,7 @@ TEST(LeastPush, RandomPilesHaveNoOverlapLeftAndNoLessMassIsMoved) {
       const Eigen::Vector3d up(0.3 * any(random), 1, 0.3 * any(random));
       overlaps.push_back({-0.01 * std::abs(any(random)), {Overlap::End{b, up}, Overlap::End{b - 1, -up}}});
     }
-    LeastPush push(mass, overlaps);
+    OverlapProjection push(mass, overlaps);
     push.solve(tolerance_m);
     EXPECT_LE(push.deepest(), 1e-7) << pile;  // of overlaps of 1e-2: springs as stiff leave no more
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/solve/least_push.hpp"
+#include "solid/solve/overlap_projection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace blockweir::solid {
 
-LeastPush::LeastPush(const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps)
+OverlapProjection::OverlapProjection(const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps)
     : moved_(mass.size() + 1, Eigen::Vector3d::Zero()) {
   constexpr double far = 10;  // times the deepest overlap: what is pushed moves by some of that
   double reach_m = 0;
@@ -31,18 +31,18 @@ LeastPush::LeastPush(const std::vector<Eigen::Vector3d>& mass, const std::vector
   }
 }
 
-double LeastPush::gap(const Row& row) const {
+double OverlapProjection::gap(const Row& row) const {
   return row.gap + row.opens[0].dot(moved_[at(row.body[0])]) + row.opens[1].dot(moved_[at(row.body[1])]);
 }
 
-double LeastPush::deepest() const {
+double OverlapProjection::deepest() const {
   double deepest = 0;
   for (const Row& row : rows_) deepest = std::max(deepest, -gap(row));
   return deepest;
 }
 
 /// The push that leaves half of the tolerance.
-void LeastPush::visit(Row& row, double tolerance_m, Progress& progress) {
+void OverlapProjection::visit(Row& row, double tolerance_m, Progress& progress) {
   const double left = gap(row);
   const double found = std::max(0.0, row.push - (left + tolerance_m / 2) / row.flexibility);
   const double more = found - row.push;
@@ -58,7 +58,7 @@ void LeastPush::visit(Row& row, double tolerance_m, Progress& progress) {
 
 /// Far from all that overlaps nothing is to be pushed. Half of what is near is pushed by none: that is looked at in
 /// every fifth sweep, and before the last.
-void LeastPush::choose_rows(double tolerance_m) {
+void OverlapProjection::choose_rows(double tolerance_m) {
   constexpr int between = 5;
   saw_all_ = sweeps_++ % between == 0 || last_m_ <= tolerance_m / 2;
   if (!saw_all_) return;
@@ -72,7 +72,7 @@ void LeastPush::choose_rows(double tolerance_m) {
 }
 
 /// All pushes, and what they displace, by so much of what the last sweeps have changed.
-void LeastPush::go_on(double beyond) {
+void OverlapProjection::go_on(double beyond) {
   for (const std::size_t i : acting_) {
     Row& row = rows_[i];
     const double now = row.push;
@@ -86,7 +86,7 @@ void LeastPush::go_on(double beyond) {
   }
 }
 
-void LeastPush::solve(double tolerance_m) {
+void OverlapProjection::solve(double tolerance_m) {
   constexpr int most_sweeps = 100;  // each there and back
   moved_before_ = moved_;
   touched_.assign(moved_.size(), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/launch/scene_parts.hpp"
+#include "bridge/launch/scene_file_check.hpp"
 
 #include <fmt/format.h>
 
@@ -28,8 +28,8 @@ void add_warnings(const scene::ReadScene& read, const std::string& whose, int li
   }
 }
 
-/// Whether the text has the word of a part anywhere: large scenes, which rarely have one, are not read twice.
-bool may_hold_parts(const std::filesystem::path& path) {
+/// Whether the text has the name of such a table anywhere: large scenes, which rarely have one, are not read twice.
+bool may_hold_variants_or_studies(const std::filesystem::path& path) {
   const std::filesystem::path file = scene::scene_file(path);
   std::error_code failed;
   if (!std::filesystem::is_regular_file(file, failed)) return false;
@@ -42,11 +42,11 @@ bool may_hold_parts(const std::filesystem::path& path) {
 
 }  // namespace
 
-SceneParts check_parts(const scene::ReadScene& read, const std::filesystem::path& path,
-                       const std::vector<std::string>& overrides) {
-  SceneParts parts;
-  std::vector<scene::Diagnostic>& warnings = parts.warnings;
-  scene::CollectedErrors& wrong = parts.wrong;
+SceneFileCheck check_scene_file(const scene::ReadScene& read, const std::filesystem::path& path,
+                                const std::vector<std::string>& overrides) {
+  SceneFileCheck found;
+  std::vector<scene::Diagnostic>& warnings = found.warnings;
+  scene::CollectedErrors& wrong = found.wrong;
   for (const scene::Variant& variant : read.scene.variants) {
     wrong.from([&] {
       add_warnings(read, fmt::format("variant \"{}\"", variant.name), variant.line,
@@ -61,17 +61,17 @@ SceneParts check_parts(const scene::ReadScene& read, const std::filesystem::path
       for (auto& missed : study::missed_joints(load_case, set.scene)) warnings.push_back(std::move(missed));
     });
   }
-  wrong.from([&] { parts.studies += study::study_tasks(path, overrides).size(); });
-  wrong.from([&] { parts.studies += study::open_study_tasks(path, overrides, /*jobs=*/1).size(); });
+  wrong.from([&] { found.studies += study::study_tasks(path, overrides).size(); });
+  wrong.from([&] { found.studies += study::open_study_tasks(path, overrides, /*jobs=*/1).size(); });
   wrong.from([&] { study::bench_settings(path, overrides); });
   wrong.from([&] {
     for (auto& warning : study::refused_draws(path, read, overrides)) warnings.push_back(std::move(warning));
   });
-  return parts;
+  return found;
 }
 
-void require_sound_parts(const std::filesystem::path& path) {
-  if (!may_hold_parts(path)) return;
+void require_sound_file(const std::filesystem::path& path) {
+  if (!may_hold_variants_or_studies(path)) return;
   const auto read = [&]() -> std::optional<scene::ReadScene> {
     try {
       return scene::read(path);
@@ -79,7 +79,7 @@ void require_sound_parts(const std::filesystem::path& path) {
       return std::nullopt;
     }
   }();
-  if (read) check_parts(*read, path, {}).wrong.report();
+  if (read) check_scene_file(*read, path, {}).wrong.report();
 }
 
 }  // namespace blockweir::launch
