@@ -49,6 +49,9 @@ struct Channel::Line {
     }
     open_at_endpoint(socket, options);
   }
+  ~Line() {
+    if (listens) remove_socket_file(options.endpoint);
+  }
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
 
