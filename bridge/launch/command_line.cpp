@@ -59,7 +59,8 @@ void refuse_impossible_out(const CLI::App& command) {
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   }
   const std::string word = unknown->substr(0, unknown->find('='));
-  const std::string near = scene::nearest(word, known);
+  std::string near = scene::nearest(word, known);
+  if (near.size() < 3 || word.size() < 3 || near[2] != word[2]) near.clear();  // --variant is no slip of --strict
   const bool sets = std::find(known.begin(), known.end(), "--set") != known.end();
   throw std::invalid_argument(fmt::format("{0} has no option \"{1}\"{2}; blockweir {0} --help lists them{3}",
                                           command.get_name(), word,

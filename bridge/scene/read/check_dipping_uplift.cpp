@@ -20,7 +20,6 @@ constexpr double much = 0.1;  // of the head at the ends
 struct Dip {
   Point at_m = Point::Zero();
   double depth_m = 0;
-  double along = 0;  ///< 0 at the mouth, 1 at the end
 };
 
 Dip deepest(const Crack& crack) {
@@ -33,7 +32,7 @@ Dip deepest(const Crack& crack) {
       station_m += (piece.to_m - piece.from_m).norm();
       const double along = station_m / crack.length_m;
       const double depth = from + along * (to - from) - piece.to_m.y();
-      if (depth > dip.depth_m) dip = {piece.to_m, depth, along};
+      if (depth > dip.depth_m) dip = {piece.to_m, depth};
     }
   }
   return dip;
@@ -82,17 +81,13 @@ void check_dipping_uplift(const Reading& reading) {
         "add the rest as [[face_pressure]], or know that it is missing");
   }
   if (linear.crack == nullptr) return;
-  const double unit_kn = unit_weight_of_water(scene) / 1e3;
-  const double mouth = mouth_head_m(*linear.crack);
-  const double counted = mouth + linear.dip.along * (end_head_m(*linear.crack) - mouth);
   reading.problems.warning(
       reading.problems.at(linear.crack->known.line),
-      fmt::format("joint \"{}\" dips: at ({:.4g}, {:.4g}) m it lies {:.4g} m lower than uplift = \"{}\" reckons, which "
-                  "interpolates the pressure between its ends; without a drain {:.4g} kPa are counted there at the "
-                  "highest level, and a linear head gives {:.4g} kPa{}",
-                  name_of(scene, *linear.crack), linear.dip.at_m.x(), linear.dip.at_m.y(), linear.dip.depth_m,
-                  named(linear.crack->law).name, unit_kn * counted, unit_kn * (counted + linear.dip.depth_m),
-                  linear.others()),
+      fmt::format(
+          "joint \"{}\" dips: at ({:.4g}, {:.4g}) m it lies {:.4g} m lower than uplift = \"{}\" reckons, which "
+          "interpolates the pressure between the joint's ends; {:.4g} kPa of water pressure are left out there{}",
+          name_of(scene, *linear.crack), linear.dip.at_m.x(), linear.dip.at_m.y(), linear.dip.depth_m,
+          named(linear.crack->law).name, unit_weight_of_water(scene) * linear.dip.depth_m / 1e3, linear.others()),
       "a joint that lies less than a tenth of the head below the line between its ends",
       "state uplift = \"flow\" for it, which follows the bend, or add the rest as [[face_pressure]]");
 }
