@@ -68,16 +68,22 @@ bool PassingCorners::entered(const std::vector<Placement>& placements, const std
 bool PassingCorners::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
                              const std::vector<int>& island) {
   bool any = false;
+  for (const ContactPoint* c : of(island)) any = note_entered(placements, contacts, *c) || any;
+  return any;
+}
+
+std::vector<const ContactPoint*> PassingCorners::of(const std::vector<int>& island) const {
+  std::vector<const ContactPoint*> all;
   for (const int b : island) {
     auto of_b = std::lower_bound(passing_of_.begin(), passing_of_.end(), std::pair(b, 0));
     for (; of_b != passing_of_.end() && of_b->first == b; ++of_b) {
       const ContactPoint& c = passing_[at(of_b->second)];
       const int other = c.vertex_block == b ? c.edge_block : c.vertex_block;
-      if (other < b && std::binary_search(island.begin(), island.end(), other)) continue;  // looked at with that one
-      any = note_entered(placements, contacts, c) || any;
+      const bool seen_with_other = other < b && std::binary_search(island.begin(), island.end(), other);
+      if (!seen_with_other) all.push_back(&c);
     }
   }
-  return any;
+  return all;
 }
 
 bool PassingCorners::note_entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,

@@ -37,6 +37,8 @@ class PassingCorners {
   [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
                              const std::vector<int>& island);
   [[nodiscard]] bool turned_on(const std::vector<Placement>& placements);
+  /// Of the blocks of an island, by increasing number, with each other and with other blocks; each once.
+  [[nodiscard]] std::vector<const ContactPoint*> of(const std::vector<int>& island) const;
   void forget_entered() { entered_.clear(), turned_on_.clear(); }
 
   template <class Archive>

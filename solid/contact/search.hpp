@@ -57,6 +57,10 @@ class ContactSearch {
   /// Has it turned two faces onto each other at corners of which one was left out for the other? If so, the next search
   /// from the same start keeps both.
   [[nodiscard]] bool turned_on(const std::vector<Placement>& placements) { return passing_.turned_on(placements); }
+  /// Corners near each other that are no contact: an island's, as the last search found them.
+  [[nodiscard]] std::vector<const ContactPoint*> passing(const std::vector<int>& island) const {
+    return passing_.of(island);
+  }
   /// The step is made: the next one begins with none that have.
   void forget_entered() { passing_.forget_entered(); }
 

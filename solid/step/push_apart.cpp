@@ -25,10 +25,31 @@ PushApart::Meeting PushApart::meeting_now(const ContactPoint& c) const {
   const Point vertex = state_.place(c);
   const double s = edge.t.dot(vertex - from);
   const bool beside = std::max(-s, s - edge.length) > 2e-7 * model_.size_m;
-  const std::size_t end = s < 0 ? at(c.edge) : next(at(c.edge), model_.parts.outlines[at(c.edge_block)].size());
-  Meeting meeting = beside ? meeting_of(corner_now(c.vertex_block, at(c.vertex)), corner_now(c.edge_block, end))
+  Meeting meeting = beside ? meeting_of(corner_now(c.vertex_block, at(c.vertex)), corner_now(c.edge_block, near_end(c)))
                            : Meeting{c.vertex_block, c.edge_block, vertex, edge.n, edge.n.dot(vertex - from)};
   meeting.gap -= c.gap_at_start + model_.laws[c.law].dilation_m(c.slip_m) + formulation_->gap_under_force_m(c);
+  return meeting;
+}
+
+/// The vertex of the edge's block that the contact's vertex is nearer to.
+std::size_t PushApart::near_end(const ContactPoint& c) const {
+  const EdgeFrame edge = frame_now(c);
+  const double s = edge.t.dot(state_.place(c) - state_.placements[at(c.edge_part)].position(c.edge_from));
+  return s < edge.length / 2 ? at(c.edge) : next(at(c.edge), model_.parts.outlines[at(c.edge_block)].size());
+}
+
+/// Nearly: what pushes move is less.
+bool PushApart::corners_touch(const ContactPoint& c) const {
+  constexpr double near = 1e-4;
+  const OutlineSide& end = model_.parts.outlines[at(c.edge_block)][near_end(c)];
+  const Point corner = state_.placements[at(end.part)].position(model_.parts.vertex(end));
+  return (corner - state_.place(c)).norm() < near * model_.size_m;
+}
+
+/// Corners that slide on one face, as two tips on the ground, may be pushed into each other by what parts them from it.
+PushApart::Meeting PushApart::passing_now(const ContactPoint& c) const {
+  Meeting meeting = meeting_of(corner_now(c.vertex_block, at(c.vertex)), corner_now(c.edge_block, near_end(c)));
+  meeting.gap += model_.give_under_weight_m();
   return meeting;
 }
 
@@ -64,6 +85,7 @@ PushApart::Meeting PushApart::meeting_of(const Corner& vertex, const Corner& end
 void PushApart::meet(const IslandEquations& s) {
   meetings_.clear();
   for (const int k : s.island.contacts) meetings_.push_back(meeting_now(state_.contacts[at(k)]));
+  for (const ContactPoint* c : passing_) meetings_.push_back(passing_now(*c));
 }
 
 /// What may last of an island's overlaps: more where many blocks fall, as most of their pushes went into the rest.
@@ -83,12 +105,14 @@ bool PushApart::push(const IslandEquations& s) {
     return false;
   const auto overlaps = [&](const Meeting& m) { return m.gap < -lasting; };
   int pushes = 0;
+  passing_ = state_.search.passing(s.island.blocks);
+  std::erase_if(passing_, [this](const ContactPoint* c) { return !corners_touch(*c); });
   meet(s);
   for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) {
     push_once(s);
     meet(s);
   }
-  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+  for (std::size_t i = 0; i < s.island.contacts.size(); ++i) {
     ContactPoint& c = state_.contacts[at(s.island.contacts[i])];
     const double gap = meetings_[i].gap;
     c.overlap_m = std::min(0.0, gap);

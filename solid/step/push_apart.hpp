@@ -31,15 +31,19 @@ class PushApart : StepPart {
   };
 
   void meet(const IslandEquations& island);
+  [[nodiscard]] bool corners_touch(const ContactPoint& c) const;
+  [[nodiscard]] Meeting passing_now(const ContactPoint& c) const;
   [[nodiscard]] double lasting_m(const IslandEquations& island) const;
   void push_once(const IslandEquations& island);
   [[nodiscard]] EdgeFrame frame_now(const ContactPoint& c) const;
+  [[nodiscard]] std::size_t near_end(const ContactPoint& c) const;
   [[nodiscard]] Meeting meeting_now(const ContactPoint& c) const;
   [[nodiscard]] Corner corner_now(int block, std::size_t vertex) const;
   [[nodiscard]] Meeting meeting_of(const Corner& vertex, const Corner& end) const;
   void displace(std::size_t block, const Eigen::Vector3d& by);
 
-  std::vector<Meeting> meetings_;  ///< of the island's contacts, as its blocks are now
+  std::vector<const ContactPoint*> passing_;  ///< corners of the island that no contact parts
+  std::vector<Meeting> meetings_;             ///< of the island's contacts, then of these, as its blocks are now
 };
 
 }  // namespace blockweir::solid

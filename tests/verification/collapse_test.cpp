@@ -82,6 +82,11 @@ TEST(Collapse, FacesThatComeOntoEachOtherAtTheirCornersPressAtBoth) {
   for (const unsigned seed : {36U, 51U}) EXPECT_LE(watched(random_collapse(seed)).overlap_m, 1e-6) << "seed " << seed;
 }
 
+/// No contact parts them: on the ground each seems to pass the other.
+TEST(Collapse, TipsThatSlideOnTheSameGroundDoNotGoIntoEachOther) {
+  EXPECT_LE(watched(test::collapse(test::heap(60, 1), 1.6, 0, 20)).overlap_m, 1e-7) << "2.2e-6 m before";
+}
+
 TEST(Collapse, SweepsTakeOverSoonWhereNewtonsMethodLeadsAway) {
   solid::Solid wall(test::collapse(test::wall(10, 2, 1), 0.01, 20, 30));
   wall.advance(0, 0.01, {});
