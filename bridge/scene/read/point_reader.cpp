@@ -27,7 +27,7 @@ const toml::node& wrong_part(const toml::node& node) {
   const toml::array* pair = node.as_array();
   if (pair == nullptr || pair->size() != 2) return node;
   for (const toml::node& number : *pair) {
-    if (number.is_number() && !finite_number(number)) return number;
+    if (number.is_floating_point() && !finite_number(number)) return number;
   }
   return node;
 }
