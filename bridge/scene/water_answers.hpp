@@ -8,7 +8,7 @@ namespace blockweir::scene {
 
 /// Does water with sound compute its pressures a window ahead? Blocks and water then make each window as one step of
 /// the integrator (fluid/reservoir/window_ahead.hpp). The parallel schedule does not know enough for that, and in
-/// several steps a window the blocks would feel another added mass than the water has.
+/// several steps a window the blocks would feel another added mass than the water has: the reader refuses both.
 inline bool answers_ahead(const Scene& scene) {
   constexpr double round_off = 1e-9;
   return scene.fluid == FluidModel::reservoir && scene.analysis.kind == AnalysisKind::dynamic &&
@@ -16,11 +16,9 @@ inline bool answers_ahead(const Scene& scene) {
          scene.coupling.added_mass_guard && scene.analysis.step_s >= scene.coupling.window_s * (1 - round_off);
 }
 
-/// Do bending and strain cause pressure, beside rigid motion? In a reservoir they do. But the pressures of sound depend
-/// on the past, and where they come a window late, faces that bend would make them grow.
+/// Do bending and strain cause pressure, beside rigid motion? In a reservoir they do.
 inline bool answers_bending(const Scene& scene) {
-  return scene.fluid == FluidModel::reservoir && scene.analysis.kind == AnalysisKind::dynamic &&
-         (!scene.reservoir.compressible || answers_ahead(scene));
+  return scene.fluid == FluidModel::reservoir && scene.analysis.kind == AnalysisKind::dynamic;
 }
 
 /// By how much the velocities told are ahead of the blocks, where the water answers ahead [s]: v + (1 - gamma) T a.

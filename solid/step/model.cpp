@@ -84,7 +84,7 @@ double Model::typical_width_m() const {
   return *middle;
 }
 
-double Model::give_under_weight_m() const {
+double Model::find_give() const {
   constexpr double share = 4;    // of a column's shortening, rho g L^2/E
   constexpr double most = 1e-2;  // of a block's width
   const bool springs = scene.contact.formulation == scene::ContactFormulation::penalty;
@@ -116,6 +116,7 @@ double Model::settling_time_s() const {
 void Model::make_rigid(const std::vector<ContactPoint>& contacts) {
   const std::vector<bool> rigid = rigid_blocks(scene, blocks, contacts);
   for (std::size_t b = 0; b < blocks.size(); ++b) parts.blocks[b].rigid = rigid[b];
+  give_under_weight_m = find_give();
 }
 
 }  // namespace blockweir::solid

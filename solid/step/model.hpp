@@ -34,15 +34,15 @@ struct Model {
   double size_m = 0;          ///< half the height of the moving blocks, at least half their width
   double weight_n_per_m = 0;  ///< of all moving blocks
   Newmark scheme;             ///< the scene's integrator
+  /// Estimate of how far corners move relative to each other by block strain or contact springs, under their weight and
+  /// as much again from water and wedging [m]; at most a hundredth of a block's width. Known once blocks are rigid.
+  double give_under_weight_m = 0;
 
   [[nodiscard]] std::size_t described() const { return scene.blocks.size(); }  ///< number of the scene's blocks
   [[nodiscard]] bool is(scene::AnalysisKind kind) const { return scene.analysis.kind == kind; }
   [[nodiscard]] FormulationSettings contact_settings() const;
   /// Median over the moving blocks of the smaller side of each one's bounding box [m].
   [[nodiscard]] double typical_width_m() const;
-  /// Estimate of how far corners move relative to each other by block strain or contact springs, under their weight and
-  /// as much again from water and wedging [m]; at most a hundredth of a block's width.
-  [[nodiscard]] double give_under_weight_m() const;
   /// A step much longer than every elastic period, so that inertia only regularizes: 2 M/dt^2 is 1e-4 of the elastic
   /// modulus [s].
   [[nodiscard]] double pseudo_step_s() const;
@@ -50,6 +50,9 @@ struct Model {
   [[nodiscard]] double settling_time_s() const;
   /// Makes blocks rigid as the scene requests, judged by the initial contacts.
   void make_rigid(const std::vector<ContactPoint>& contacts);
+
+ private:
+  [[nodiscard]] double find_give() const;
 };
 
 }  // namespace blockweir::solid

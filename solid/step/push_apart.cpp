@@ -49,7 +49,7 @@ bool PushApart::corners_touch(const ContactPoint& c) const {
 /// Corners that slide on one face, as two tips on the ground, may be pushed into each other by what parts them from it.
 PushApart::Meeting PushApart::passing_now(const ContactPoint& c) const {
   Meeting meeting = meeting_of(corner_now(c.vertex_block, at(c.vertex)), corner_now(c.edge_block, near_end(c)));
-  meeting.gap += model_.give_under_weight_m();
+  meeting.gap += model_.give_under_weight_m;
   return meeting;
 }
 

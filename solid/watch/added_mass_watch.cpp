@@ -41,9 +41,9 @@ void require_stable(const Block& block, double ratio, double largest, bool guard
                   found, largest));
 }
 
-/// The reservoir's added mass is no estimate; with sound it is that of one window, which counts where it looks ahead.
+/// The reservoir's added mass is no estimate; with sound it is that of the window that it looks ahead.
 bool is_exact(const scene::Scene& scene) {
-  return scene.fluid == scene::FluidModel::reservoir && (!scene.reservoir.compressible || scene::answers_ahead(scene));
+  return scene.fluid == scene::FluidModel::reservoir;
 }
 
 Eigen::Matrix3d symmetric(const std::array<double, 6>& m) {

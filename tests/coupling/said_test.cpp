@@ -208,29 +208,5 @@ TEST_F(Said, WaterThatStandsAboveTheCrestIsLeftOutWithAWord) {
   EXPECT_THAT(warnings("8.5 --set water.downstream_level_m=8.5"), Not(HasSubstr("crest")));
 }
 
-TEST_F(Said, AMeshBeforeWaterWithSoundLacksItsBendingWhereThatWouldComeLate) {
-  const std::string wall =
-      R"(analysis = { duration_s = 0.01, step_s = 0.001, gravity_m_per_s2 = 0, start = "unstressed" }
-water = { upstream_level_m = 4 }
-fluid = { model = "reservoir", reservoir = { element_ratio = 0.5, compressible = true } }
-material.m = { youngs_modulus_pa = 25e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
-block = [ { name = "rock", material = "m", fixed = true, vertices_m = [[-6, -1], [2, -1], [2, 0], [-6, 0]] },
-          { name = "wall", material = "m", mesh_size_m = 2, vertices_m = [[0, 0], [2, 0], [2, 4], [0, 4]] } ]
-)";
-  const auto warnings_with = [&](const std::string& coupling) {
-    scene(wall + coupling);
-    EXPECT_EQ(shell("rm -rf o; " + programs + "/blockweir run s.toml --out o"), 0) << text("out");
-    return summary()["warnings"].dump();
-  };
-  EXPECT_THAT(warnings_with("coupling.schedule = \"parallel\""),
-              AllOf(HasSubstr("on the parallel schedule water with sound feels its mean motion, not its bending"),
-                    HasSubstr("0.3 to 1.1 % low")));
-  EXPECT_THAT(warnings_with("coupling.window_s = 0.002"), HasSubstr("with steps shorter than a window water with"));
-  EXPECT_THAT(warnings_with("coupling.added_mass_guard = false\ncoupling.added_mass_limit = 100"),
-              HasSubstr("without the added-mass guard water with"));
-  EXPECT_THAT(warnings_with("coupling.schedule = \"improved\""), Not(HasSubstr("bending")));
-  EXPECT_THAT(warnings_with(""), Not(HasSubstr("bending")));
-}
-
 }  // namespace
 }  // namespace blockweir::test

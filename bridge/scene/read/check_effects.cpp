@@ -64,9 +64,7 @@ constexpr IdleKey idle_keys[] = {
     {"water", "uplift_in_shaking", [](const Scene& s) { return !dry(s) && (!s.base_motion || !still_pools(s.fluid)); },
      "[base_motion], and model = \"hydrostatic\" or \"reservoir\" in [fluid]"},
     {"coupling", "load_in_window", answers_ahead,
-     "schedule = \"parallel\", or compressible = false: water with sound that looks a window ahead has the pressures "
-     "of "
-     "the window's end"},
+     "compressible = false: water with sound looks a window ahead, and has the pressures of the window's end"},
     {"output", "reservoir", [](const Scene& s) { return s.output.reservoir && (dry(s) || !still_pools(s.fluid)); },
      "[water], and model = \"hydrostatic\" or \"reservoir\" in [fluid]"},
 };

@@ -176,7 +176,7 @@ void check_sound_windows(const Reading& reading) {
       fmt::format("sound runs {:.3g} m in a window, {:.3g} of the longest element's {:.3g} m", way_m, way_m / element_m,
                   element_m),
       fmt::format("at most {:g} of it", most),
-      fmt::format("shorten window_s in [coupling] to {:.2g} s", most * element_m / r.sound_speed_m_per_s));
+      fmt::format("shorten step_s in [analysis] to {:.2g} s", most * element_m / r.sound_speed_m_per_s));
 }
 
 /// Warns of reservoirs so long that their mesh would take minutes without a better answer.
@@ -203,49 +203,45 @@ void check_far_walls(const Reading& reading) {
   look("downstream_wall_m", scene.reservoir.downstream_wall_m, model.high.x());
 }
 
-/// Sound or surface waves whose pressures act a window late damp what swings, or drive it.
+bool nothing_moves(const Scene& scene) {
+  return std::all_of(scene.blocks.begin(), scene.blocks.end(), [](const Block& block) { return block.fixed; });
+}
+
+/// Surface waves whose pressures act a window late damp what swings, or drive it.
 void check_waves_held(const Reading& reading) {
   const Scene& scene = reading.scene;
-  const bool sound = scene.reservoir.compressible;
-  if ((!sound && !scene.reservoir.surface_waves) || scene.coupling.load_in_window != LoadInWindow::held) return;
-  if (answers_ahead(scene)) return;
-  const bool nothing_moves =
-      std::all_of(scene.blocks.begin(), scene.blocks.end(), [](const Block& block) { return block.fixed; });
-  const toml::node* stated = reading.file["fluid"]["reservoir"][sound ? "compressible" : "surface"].node();
-  if (stated == nullptr || (!sound && nothing_moves)) return;
+  const toml::node* stated = reading.file["fluid"]["reservoir"]["surface"].node();
+  const bool held = scene.coupling.load_in_window == LoadInWindow::held && !answers_ahead(scene);
+  if (!scene.reservoir.surface_waves || !held || stated == nullptr || nothing_moves(scene)) return;
   reading.problems.warning(reading.problems.at(stated->source()),
-                           fmt::format("{} in the water, and its pressures are held in each window: what swings loses "
-                                       "or gains energy by a share that falls only with the window's length",
-                                       sound ? "sound runs" : "waves run"),
+                           "waves run in the water, and its pressures are held in each window: what swings loses or "
+                           "gains energy by a share that falls only with the window's length",
                            "schedule = \"improved\", or load_in_window = \"linear\", in [coupling]",
                            "state one of both, and halve window_s to see what is left");
 }
 
-/// Where the water does not look ahead, its sound answers the mean motion of a mesh alone.
-void check_meshes_before_sound(const Reading& reading) {
+/// Where the water cannot look a window ahead, its sound makes what swings grow.
+void check_sound_answers_ahead(const Reading& reading) {
   const Scene& scene = reading.scene;
   const toml::node* stated = reading.file["fluid"]["reservoir"]["compressible"].node();
-  const bool answers = scene.analysis.kind != AnalysisKind::dynamic || answers_ahead(scene);
-  if (!scene.reservoir.compressible || stated == nullptr || answers) return;
-  const auto meshed = std::find_if(scene.blocks.begin(), scene.blocks.end(),
-                                   [](const Block& b) { return !b.fixed && b.mesh_size_m > 0; });
-  if (meshed == scene.blocks.end()) return;
-  std::string where = "with steps shorter than a window";
+  const bool idle = scene.fluid != FluidModel::reservoir || scene.analysis.kind != AnalysisKind::dynamic;
+  if (idle || !scene.reservoir.compressible || stated == nullptr || nothing_moves(scene) || answers_ahead(scene))
+    return;
+  std::string where =
+      fmt::format("steps of {:g} s in windows of {:g} s", scene.analysis.step_s, scene.coupling.window_s);
   std::string expected = "window_s as long as step_s, or left out";
   if (scene.coupling.schedule == Schedule::parallel) {
-    where = "on the parallel schedule";
+    where = "the parallel schedule";
     expected = "schedule = \"serial\" or \"improved\"";
   } else if (!scene.coupling.added_mass_guard) {
-    where = "without the added-mass guard";
-    expected = "added_mass_guard = true";
+    where = "no added-mass guard";
+    expected = "added_mass_guard = true, or left out";
   }
-  reading.problems.warning(
-      reading.problems.at(stated->source()),
-      fmt::format("block \"{}\" has a mesh, and {} water with sound feels its mean motion, not its "
-                  "bending: the first natural frequency is 0.3 to 1.1 % low, and higher modes "
-                  "that nothing damps grow",
-                  meshed->name, where),
-      expected + ", in [coupling]", "state it, or compare with a run of half the steps");
+  reading.problems.error(reading.problems.at(stated->source()),
+                         fmt::format("sound in the water beside blocks that move, with {}: its pressures would come a "
+                                     "window late, and what swings would gain energy without an end",
+                                     where),
+                         expected + ", in [coupling]", "state it, or compressible = false");
 }
 
 }  // namespace
@@ -256,7 +252,7 @@ void check_reservoir(const Reading& reading) {
   check_drains(reading);
   check_piezometers(reading);
   check_waves_held(reading);
-  check_meshes_before_sound(reading);
+  check_sound_answers_ahead(reading);
   check_sound_windows(reading);
   check_far_walls(reading);
 }
