@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <set>
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/read/check.hpp"
@@ -18,7 +17,6 @@ namespace {
 using Pair = std::pair<int, int>;
 
 constexpr double straight = 1e-5;  // of the size: by how much points may be beside a line
-
 /// Where a straight joint lies in the scene's outline.
 struct Line {
   double angle = 0;   ///< rad, from just above -pi/2 to just above pi/2
@@ -273,14 +271,14 @@ Surfaces::Surfaces(const Solid& solid) {
 }
 
 std::vector<std::string> bent_joints(const Solid& solid) {
-  const std::map<Pair, std::vector<Point>> points = joint_points(solid);
+  const auto points = joint_points(solid);
   const double tolerance_m = straight * solid.size_m();
-  const std::vector<Pair> pairs = that_touch(points, tolerance_m);
+  const auto pairs = that_touch(points, tolerance_m);
   const Connections connections(solid, pairs);
   std::vector<std::string> names;
   for (const Pair& pair : pairs) {
-    const bool bends = !line_through(points.at(pair), Point::Zero(), tolerance_m);
-    if (bends && connections.parted_by({pair}).count > 0) names.push_back(name_of(solid, {pair}));
+    if (line_through(points.at(pair), Point::Zero(), tolerance_m)) continue;
+    if (connections.parted_by({pair}).count > 0) names.push_back(name_of(solid, {pair}));
   }
   return names;
 }
