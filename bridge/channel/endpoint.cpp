@@ -40,6 +40,12 @@ bool is_tcp(const std::string& endpoint) {
   return endpoint.compare(0, tcp.size(), tcp) == 0;
 }
 
+void remove_socket_file(const std::string& endpoint) {
+  std::error_code ignored;
+  const std::string ipc = "ipc://";
+  if (endpoint.compare(0, ipc.size(), ipc) == 0) std::filesystem::remove(endpoint.substr(ipc.size()), ignored);
+}
+
 void check_endpoint(const std::string& endpoint, bool listens, bool may_come) {
   const std::string ipc = "ipc://";
   const auto text = [&](const std::string& why) { return fmt::format("endpoint {}: {}", endpoint, why); };

@@ -13,4 +13,7 @@ namespace blockweir::channel {
 /// PeerError for an ipc path where a live process listens or a file is, and removes a stale ipc file.
 void check_endpoint(const std::string& endpoint, bool listens, bool may_come);
 
+/// Removes the file of an ipc endpoint, which ZeroMQ leaves behind.
+void remove_socket_file(const std::string& endpoint);
+
 }  // namespace blockweir::channel

@@ -43,6 +43,31 @@ void refuse_impossible_out(const CLI::App& command) {
   }
 }
 
+/// Of words that a command does not take: the option that was meant, or what is too much.
+[[noreturn]] void refuse_extras(const CLI::App& app) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  const std::vector<std::string> extras = app.remaining(/*recurse=*/true);
+  const auto is_option = [](const std::string& word) { return word.size() > 1 && word.front() == '-'; };
+  const auto unknown = std::find_if(extras.begin(), extras.end(), is_option);
+  if (unknown == extras.end()) {
+    throw std::invalid_argument(fmt::format("{0} does not take \"{1}\"; expected what blockweir {0} --help lists",
+                                            command.get_name(), extras.empty() ? "" : extras.front()));
+  }
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  const std::string word = unknown->substr(0, unknown->find('='));
+  std::string near = scene::nearest(word, known);
+  if (near.size() < 3 || word.size() < 3 || near[2] != word[2]) near.clear();  // --variant is no slip of --strict
+  const bool sets = std::find(known.begin(), known.end(), "--set") != known.end();
+  throw std::invalid_argument(fmt::format("{0} has no option \"{1}\"{2}; blockweir {0} --help lists them{3}",
+                                          command.get_name(), word,
+                                          near.empty() ? "" : fmt::format(", did you mean \"{}\"?", near),
+                                          sets ? ", and --set SECTION.KEY=VALUE sets a key of the scene" : ""));
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -53,6 +78,8 @@ int run_command_line(int argc, char** argv) {
   refuse_unknown_command(argc, argv);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    refuse_extras(app);
   } catch (const CLI::ParseError& error) {
     std::ostringstream help;
     std::ostringstream wrong;

@@ -114,6 +114,24 @@ Picture picture_of(const std::vector<Side>& sides, const std::filesystem::path& 
                       ticks, -static_cast<double>(sides.size()) + 0.4, curves, data)};
 }
 
+/// Time that the solid waits while the water's process does nothing: messages, and processes that get no processor.
+/// Empty where that is little.
+std::string hint_of_waiting(const json& summary) {
+  constexpr double much = 0.25;  // of the wall time
+  const json& profile = summary["profile_s"];
+  if (!profile.contains("fluid_wait")) return {};
+  double idle_s = profile.value("wait_for_fluid", 0.0);
+  for (const auto& [phase, seconds] : profile.items()) {
+    if (phase.starts_with("fluid_") && phase != "fluid_wait") idle_s -= seconds.get<double>();
+  }
+  const double share = idle_s / summary["wall_time_s"].get<double>();
+  if (share < much) return {};
+  return fmt::format(
+      "{:.0f} % of the time both processes waited, for messages or for a processor; where processors are few try "
+      "--inproc (still water or a reservoir), or fewer --jobs\n",
+      100 * share);
+}
+
 }  // namespace
 
 std::string profile_tree(const json& summary) {
@@ -127,6 +145,7 @@ std::string profile_tree(const json& summary) {
     text += row("  ", side.name, sum(side));
     for (const Part& part : side.parts) text += row("     ", part.words, part.seconds);
   }
+  text += hint_of_waiting(summary);
   for (const json& skip : summary.value("skips", json::array())) {
     text += fmt::format("skipped {}\n", skip.get<std::string>());
   }

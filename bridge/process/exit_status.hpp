@@ -43,12 +43,15 @@ int exit_status(const char* program, Work work) noexcept {
   const auto say = [program](const std::exception& error) {
     std::fputs(results::for_stderr(std::string(program) + ": " + error.what() + "\n").c_str(), stderr);
   };
+  const auto say_output_is_lost = [program] {
+    std::fputs(program, stderr);
+    std::fputs(": standard output cannot be written: is the disk full?\n", stderr);
+  };
   try {
     const int status = work();
     if (output_is_written()) return status;
     if (reader_is_gone()) return status == 0 ? closed_pipe : status;
-    std::fputs(program, stderr);
-    std::fputs(": standard output cannot be written: is the disk full?\n", stderr);
+    say_output_is_lost();
     return status == 0 ? 1 : status;
   } catch (const scene::SceneError& error) {
     std::fputs(results::for_stderr(std::string(error.what()) + "\n").c_str(), stderr);
@@ -65,7 +68,11 @@ int exit_status(const char* program, Work work) noexcept {
     return 1;
   } catch (const std::system_error& error) {
     if (error.code().value() == EPIPE && reader_is_gone()) return closed_pipe;
-    say(error);
+    if (std::ferror(stdout) != 0) {  // fmt would speak of a file
+      say_output_is_lost();
+    } else {
+      say(error);
+    }
     return 1;
   } catch (const std::exception& error) {
     say(error);

@@ -18,6 +18,19 @@ bool is_full(const fs::path& folder) {
   return !unknown && space.available < 4096;
 }
 
+/// What the loader, or ZeroMQ with its threads, says where memory is short.
+bool lacks_memory(const std::string& line) {
+  const auto has = [&](const char* words) { return line.find(words) != std::string::npos; };
+  return has("failed to map segment") || has("cannot allocate") || has("Cannot allocate memory") ||
+         has("Resource temporarily unavailable");
+}
+
+std::string text_without_memory(const ChildEnd& end) {
+  return fmt::format(
+      "not enough memory for the {} process to start (\"{}\"); free some, or raise the limit (ulimit -v)", end.name,
+      end.last_line);
+}
+
 bool is_echo(const ChildEnd& end) {
   return end.last_line.find("see its own message for the cause") != std::string::npos;
 }
@@ -54,7 +67,7 @@ std::string end_of_external(const ChildEnd& end) {
 
 }  // namespace
 
-std::string failure_cause(const Supervised& supervised, const fs::path& folder) {
+std::string failure_cause(const Supervised& supervised, const fs::path& folder, double patience_s) {
   if (supervised.interrupted) {
     return has_frames(folder) ? "stopped on request; the results so far stand"
                               : "stopped on request before its first frame";
@@ -63,12 +76,14 @@ std::string failure_cause(const Supervised& supervised, const fs::path& folder) 
   for (const ChildEnd& end : supervised.ends) {
     // A process that was killed says nothing itself.
     if (end.exit_code > 128 && !end.by_us) {
+      if (!end.external && lacks_memory(end.last_line)) return text_without_memory(end);
       return fmt::format("the {} was ended by signal {}", name_of(end), end.exit_code - 128);
     }
   }
   for (const ChildEnd& end : supervised.ends) {
     if (end.stopped) {
-      return fmt::format("the {} was stopped (SIGSTOP) and answered no more for [coupling] timeout_s", name_of(end));
+      return fmt::format("the {} was stopped (SIGSTOP) and answered no more{}", name_of(end),
+                         patience_s > 0 ? fmt::format(" for {:.4g} s, timeout_s of [coupling]", patience_s) : "");
     }
   }
   const ChildEnd* cause = cause_of(supervised);
@@ -78,6 +93,7 @@ std::string failure_cause(const Supervised& supervised, const fs::path& folder) 
                        folder.string());
   }
   if (cause->external) return end_of_external(*cause);
+  if (lacks_memory(cause->last_line)) return text_without_memory(*cause);
   if (!cause->last_line.empty()) return cause->last_line;
   return fmt::format("the {0} process ended with {1}, and {0}.log does not say why: is the disk full?", cause->name,
                      cause->exit_code);

@@ -196,7 +196,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   ::close(pipe_ends[1]);
 
   result.asked_to_stop = supervised.asked_to_stop;
-  result.trouble = failure_cause(supervised, folder);
+  result.trouble = failure_cause(supervised, folder, scene.coupling.timeout_s);
   result.refused = !result.trouble.empty() && is_refusal(supervised);
   const std::uint64_t last = resumable_window(folder, scene);
   const bool refused_to_resume = result.refused && first > 0 && last == first;  // as where a checkpoint is damaged

@@ -50,6 +50,9 @@ std::string blocks_text(const json& found) {
   text += fmt::format("\n        {} of \"{}\"", found["mode"].get<std::string>(), fmt::join(shown, "\", \""));
   if (blocks.size() > most) text += fmt::format(" and {} more", blocks.size() - most);
   const std::string joint = found["joint"];
+  if (const std::string bears = found.value("turns_on", ""); !bears.empty()) {
+    return text + fmt::format(" on joint \"{}\"; joint \"{}\" opens", bears, joint);
+  }
   return joint.empty() ? text : text + fmt::format(" on joint \"{}\"", joint);
 }
 
@@ -96,6 +99,7 @@ std::string level_report(const json& answer) {
                         answer["added_water_pressure"].get<std::string>());
   }
   text += difference_text(answer["difference"]);
+  if (answer["looked_at"].is_string()) text += fmt::format("levels  {}\n", answer["looked_at"].get<std::string>());
   for (const json& warning : answer["warnings"]) text += fmt::format("WARNING {}\n", warning.get<std::string>());
   return text;
 }

@@ -148,7 +148,7 @@ json safety_answers(const process::AskOptions& options, Pictures* pictures) {
     }
     cases.push_back(std::move(found));
   };
-  answer({.name = "as it stands"}, options.out, options.quiet);
+  answer({.name = "scene as written"}, options.out, options.quiet);
   for (const scene::LoadCase& load_case : read.load_cases) {
     answer(load_case, options.out / results::file_name(load_case.name), /*quiet=*/true);
   }

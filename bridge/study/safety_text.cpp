@@ -105,7 +105,7 @@ std::string sums_text(const json& joints, const char* last) {
     };
     text += fmt::format("\nforces on what stands on {}, moments about ({:.4g}, {:.4g}) m\n",
                         j["name"].get<std::string>(), coordinate(0), coordinate(1));
-    text += fmt::format(fmt::runtime(row), "", "x kN/m", "y kN/m", "moment kN");
+    text += fmt::format(fmt::runtime(row), "", "x kN/m", "y kN/m", "moment kNm/m");
     const auto add = [&](const std::string& name, double x, double y, double moment) {
       text += fmt::format(fmt::runtime(row), name, fmt::format("{:.2f}", x / 1e3), fmt::format("{:.2f}", y / 1e3),
                           fmt::format("{:.2f}", moment / 1e3));
@@ -124,6 +124,22 @@ std::string sums_text(const json& joints, const char* last) {
   return text;
 }
 
+constexpr const char* joints_legend =
+    "\nper metre of dam: N normal force without U, T shear, U uplift, M moment of N about\n"
+    "the joint's middle (> 0: N acts downstream); sliding: strength over T; residual:\n"
+    "without the bond; result.: its distance from the downstream end over the length\n";
+
+/// Joints that divide the structure and have no row.
+std::string bent_joints_text(const json& answer) {
+  const auto names = answer.value("bent_joints", std::vector<std::string>());
+  if (names.empty()) return {};
+  return fmt::format(
+      "no row for joint{} \"{}\", {}: several planes have no single sliding factor, nor resultant; the factor of the "
+      "load case counts {}\n",
+      names.size() > 1 ? "s" : "", fmt::join(names, "\", \""), names.size() > 1 ? "which bend" : "which bends",
+      names.size() > 1 ? "them" : "it");
+}
+
 /// Forces of a metre of thickness.
 std::string joints_text(const json& answer) {
   const json& joints = answer["joints"];
@@ -132,7 +148,7 @@ std::string joints_text(const json& answer) {
                        answer["why_no_joints"].get<std::string>()) +
            sums_text(answer["loads_on_joints"], "sum");
   }
-  if (joints.empty()) return {};
+  if (joints.empty()) return bent_joints_text(answer);
   constexpr const char* forces = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n";
   constexpr const char* stresses = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n";
   std::string text = fmt::format("\njoints that run through, {}{}\n", answer["name"].get<std::string>(),
@@ -140,7 +156,7 @@ std::string joints_text(const json& answer) {
                                      ? fmt::format(", with {:.4g} times the strength, as it does not stand",
                                                    answer["joints_with_strength_times"].get<double>())
                                      : "");
-  text += fmt::format(fmt::runtime(forces), "joint", "N kN/m", "T kN/m", "U kN/m", "M kN", "sliding", "residual");
+  text += fmt::format(fmt::runtime(forces), "joint", "N kN/m", "T kN/m", "U kN/m", "M kNm/m", "sliding", "residual");
   for (const json& j : joints) {
     text += fmt::format(fmt::runtime(forces), beside(j["name"], 20), scaled(j["normal_n_per_m"], "{:.1f}", 1e-3),
                         scaled(j["shear_n_per_m"], "{:.1f}", 1e-3), scaled(j["uplift_n_per_m"], "{:.1f}", 1e-3),
@@ -155,6 +171,7 @@ std::string joints_text(const json& answer) {
                         scaled(j["bonded_length_m"], "{:.3f}"), scaled(j["heel_stress_pa"], "{:.1f}", 1e-3),
                         scaled(j["toe_stress_pa"], "{:.1f}", 1e-3));
   }
+  text += bent_joints_text(answer);
   constexpr std::size_t most = 4;  // of a mesh of joints the file has the rest
   return joints.size() > most ? text : text + sums_text(joints, "sum, which the joint bears");
 }
@@ -163,8 +180,9 @@ std::string joints_text(const json& answer) {
 
 std::string safety_text(const json& cases) {
   std::string text = factors_text(cases);
-  for (const json& c : cases) text += joints_text(c);
-  return text;
+  std::string joints;
+  for (const json& c : cases) joints += joints_text(c);
+  return joints.empty() ? text : text + joints_legend + joints;
 }
 
 }  // namespace blockweir::study

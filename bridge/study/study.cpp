@@ -62,10 +62,12 @@ struct Tasks {
     std::erase_if(answered, [&](const auto& task) { return task.name != name; });
     std::erase_if(open, [&](const auto& task) { return task.name != name; });
     if (!answered.empty() || !open.empty()) return;
-    const std::string near = scene::nearest(name, names);
-    throw std::invalid_argument(fmt::format("the scene has no study \"{}\"; it has {}{}", name,
-                                            names.empty() ? "none" : scene::one_of(names),
-                                            near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
+    const std::string meant = scene::did_you_mean(name, names);
+    throw std::invalid_argument(fmt::format("the scene has no study \"{}\"; expected {}; {}", name,
+                                            names.empty() ? "a scene with a [[study]]" : scene::one_of(names),
+                                            !meant.empty()  ? meant
+                                            : names.empty() ? "add one, or leave --name out"
+                                                            : "name one of these, or leave --name out"));
   }
 };
 

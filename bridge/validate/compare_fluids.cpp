@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <map>
+#include <set>
 
 #include "bridge/process/run.hpp"
 #include "bridge/results/csv.hpp"
@@ -75,22 +77,28 @@ std::map<std::string, std::vector<double>> columns_of(const fs::path& file) {
   return columns;
 }
 
-/// Of each block that moves: largest size of the water's force along x, and half of its range.
+/// Of each block that moves: largest size of the water's force along x, and half of its range. Blocks with the largest
+/// forces come first.
 json peaks(const fs::path& run) {
   const std::string ending = ".water_force_x_n_per_m";
-  json list = json::array();
+  std::multimap<double, json, std::greater<>> blocks;
   for (const auto& [name, values] : columns_of(run / "history.csv")) {
     if (!name.ends_with(ending) || values.empty()) continue;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const std::string block = name.substr(0, name.size() - ending.size());
-    for (const auto& [what, got] : {std::pair{"largest", std::max(std::abs(*low), std::abs(*high))},
-                                    std::pair{"half the range of", (*high - *low) / 2}}) {
-      list.push_back({{"name", fmt::format("{} water_force_x_n_per_m on {}", what, block)},
+    const double largest = std::max(std::abs(*low), std::abs(*high));
+    json both = json::array();
+    for (const auto& [what, got] :
+         {std::pair{"largest", largest}, std::pair{"half the range of", (*high - *low) / 2}}) {
+      both.push_back({{"name", fmt::format("{} water_force_x_n_per_m on {}", what, block)},
                       {"expected", nullptr},
                       {"got", got},
                       {"relative_error", nullptr}});
     }
+    blocks.emplace(largest, both);
   }
+  json list = json::array();
+  for (const auto& [largest, both] : blocks) list.insert(list.end(), both.begin(), both.end());
   return list;
 }
 
@@ -113,7 +121,13 @@ class FluidTable {
   void add(const fs::path& scene) {
     fmt::print("{}\n", case_name(scene));
     first_ = json::array();
+    shown_.clear();
+    left_out_ = 0;
     for (const std::string& fluid : options_.fluids) add(scene, fluid);
+    if (left_out_ > 0) {
+      fmt::print("  {} more block{} with less of the water's force {} in the file of --json\n", left_out_,
+                 left_out_ == 1 ? "" : "s", left_out_ == 1 ? "is" : "are");
+    }
   }
   [[nodiscard]] const json& rows() const { return rows_; }
   [[nodiscard]] bool sound() const { return sound_; }
@@ -149,12 +163,16 @@ class FluidTable {
     fmt::print("{}", table_line("  " + fluid,
                                 fmt::format("{:>16} {:>9} {:>9.3g}", "", "", summary["wall_time_s"].get<double>())));
     json all = figures(summary);
-    for (json& peak : peaks(run)) all.push_back(std::move(peak));
+    const json forces = peaks(run);
+    if (first_.empty()) choose(all, forces);
+    all.insert(all.end(), forces.begin(), forces.end());
     for (const json& f : all) {
       const bool stated = f["relative_error"].is_number();
       const json off = stated ? f["relative_error"] : off_first(f, first_);
-      print_figure(f["name"].get<std::string>(), results::figure(f["got"]),
-                   off.is_number() ? fmt::format("{:.2e}{}", off.get<double>(), stated ? "" : "*") : "");
+      if (shown_.contains(f["name"])) {
+        print_figure(f["name"].get<std::string>(), results::figure(f["got"]),
+                     off.is_number() ? fmt::format("{:.2e}{}", off.get<double>(), stated ? "" : "*") : "");
+      }
       rows_.push_back({{"case", case_name(scene)},
                        {"fluid", fluid},
                        {"name", f["name"]},
@@ -168,8 +186,20 @@ class FluidTable {
     if (first_.empty()) first_ = all;
   }
 
+  /// What is printed of each model: all figures, and the forces of the blocks that the first model's water presses
+  /// most.
+  void choose(const json& all, const json& forces) {
+    constexpr std::size_t most = 3;
+    for (const json& f : all) shown_.insert(f["name"].get<std::string>());
+    const std::size_t blocks = forces.size() / 2;
+    for (std::size_t i = 0; i < 2 * std::min(most, blocks); ++i) shown_.insert(forces[i]["name"].get<std::string>());
+    left_out_ = blocks - std::min(most, blocks);
+  }
+
   const CompareOptions& options_;
   const TemporaryFolder& scratch_;
+  std::set<std::string> shown_;
+  std::size_t left_out_ = 0;
   json first_ = json::array();  ///< figures of the first model
   json rows_ = json::array();
   bool sound_ = true;
@@ -183,6 +213,11 @@ int compare_fluids(const CompareOptions& options) {
         "--fluids: found no scene beside it; expected one or more; name those in which fluids are to be compared");
   }
   for (const std::string& fluid : options.fluids) entry_of(fluid);
+  if (options.fluids.size() < 2) {
+    throw std::invalid_argument(fmt::format(
+        "--fluids: found \"{}\" alone; expected two models or more, with commas between; add another, as {}",
+        options.fluids.front(), options.fluids.front() == "hydrostatic" ? "reservoir" : "hydrostatic"));
+  }
   if (!options.json.empty()) results::require_writable_file("--json", options.json);
   if (!options.out.empty()) results::make_folder(options.out);
   const TemporaryFolder scratch;

@@ -79,6 +79,7 @@ json blocks_json(const scene::Scene& scene, const Attempt<StaticLevel>& by_block
   for (const int b : failure.blocks) names.push_back(scene.blocks[at(b)].name);
   answer.update({{"mode", failure.mode},
                  {"joint", failure.joint},
+                 {"turns_on", failure.turns_on},
                  {"blocks", names},
                  {"head_m", failure.head_m + (found.level_m - failure.level_m)}});
   return answer;
@@ -180,6 +181,15 @@ struct Levels {
   }
 };
 
+/// Where the search ended, for a structure that no level of it brings down; null where one does.
+json highest_json(const scene::Scene& scene, double full_m, const json& answer) {
+  if (answer["outcome"] == "fails" || answer["outcome"] == "does not stand empty") return nullptr;
+  return scene.water.may_overtop
+             ? fmt::format("looked at up to {:.6g} m, as high above the crest as the crest is above the base", full_m)
+             : fmt::format("looked at up to the crest, {:.6g} m; may_overtop = true in [water] goes on to higher ones",
+                           full_m);
+}
+
 json difference_json(const Levels& levels) {
   const std::string reason = levels.reason();
   json answer = {{"reason", reason}, {"agree", reason == the_two_agree}};
@@ -217,6 +227,7 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   solid::add_what_limit_analysis_takes(structure, answer["limit_analysis"]);
   if (strains) answer["rigid_blocks"] = blocks_json(scene, levels.rigid);
   answer["difference"] = difference_json(levels);
+  answer["looked_at"] = highest_json(scene, water.range().full_m, answer);
   solid::add_water_in_an_earthquake(scene, answer);
   answer["warnings"] = water.warnings();
   solid::add_motion_left_out(scene, answer);

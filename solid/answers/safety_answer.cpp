@@ -22,6 +22,7 @@
 #include "solid/limit/determinacy.hpp"
 #include "solid/limit/limit_strength.hpp"
 #include "solid/watch/joint_table.hpp"
+#include "solid/watch/surfaces.hpp"
 #include "solid/watch/uplift_in_tension.hpp"
 
 namespace blockweir::process {
@@ -112,6 +113,7 @@ void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStreng
       now.water ? solid::additional_water_loads(scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
   const std::vector<solid::JointRow> table = solid::joint_table(blocks.solid(), blocks.pressures(now.level_m), parts);
   answer["joints"] = table_json(table);
+  answer["bent_joints"] = solid::bent_joints(blocks.solid());
   answer["bolts"] = bolts_json(blocks.solid());
   if (!stands) answer["joints_with_strength_times"] = 1 / reduction;
   for (std::string& warning : solid::uplift_warnings(scene, now.level_m, table))
@@ -229,6 +231,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   }
   solid::add_water_in_an_earthquake(scene, answer);
   answer["joints"] = json::array();
+  answer["bent_joints"] = json::array();
   answer["bolts"] = json::array();
   answer["water"] = now.water ? solid::water_by_kind(scene, make_fluid, now.level_m) : json::array();
   answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();

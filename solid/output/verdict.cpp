@@ -10,6 +10,7 @@
 #include "bridge/scene/loose_blocks.hpp"
 #include "solid/output/rest_text.hpp"
 #include "solid/watch/joint_name.hpp"
+#include "solid/watch/surfaces.hpp"
 
 namespace blockweir::solid::output {
 namespace {
@@ -30,6 +31,8 @@ std::string named(const Solid& solid, const std::vector<int>& blocks) {
 std::string failure_text(const Solid& solid, const Failure& f) {
   const bool one = f.blocks.size() == 1;
   std::string text = fmt::format("{} {} by {}", named(solid, f.blocks), one ? "fails" : "fail together", f.mode);
+  // As limit analysis says it: on what bears, and what opens.
+  if (!f.turns_on.empty()) return text + fmt::format(" on joint \"{}\"; joint \"{}\" opens", f.turns_on, f.joint);
   const bool leaves = f.mode == "lifting" || f.mode == "falling";
   if (!f.joint.empty()) text += fmt::format(" {} joint \"{}\"", leaves ? "off" : "on", f.joint);
   return text;
@@ -79,6 +82,7 @@ json failure(const expect::Outcome& o) {
                 {"time_s", first.time_s},
                 {"mode", first.mode},
                 {"joint", first.joint},
+                {"turns_on", first.turns_on},
                 {"blocks", names},
                 {"text", failure_text(o.solid, first) + others_text(names.size() - first.blocks.size())}};
   std::string text = doubt(o.solid, first);
@@ -91,6 +95,14 @@ json failure(const expect::Outcome& o) {
         "drawn{}",
         text.empty() ? "" : "; ", farthest_m,
         is_small ? ": if that is acceptable, state a larger failure_displacement_m" : "");
+  }
+  constexpr double far_ratio = 10;  // of the structure: no ground is there
+  if (const double farthest_m = o.failure.farthest_failed_m();
+      farthest_m > far_ratio * o.solid.size_m() && !o.failure.rests_again()) {
+    text += fmt::format(
+        "{}blocks that failed have left the model, and were {:.3g} m from where they were drawn when the run ended: "
+        "stop_at_failure = true, or a shorter duration_s, ends it sooner",
+        text.empty() ? "" : "; ", farthest_m);
   }
   if (!text.empty()) found["doubt"] = text;
   return found;
@@ -154,6 +166,12 @@ json margin(const expect::Outcome& o) {
       found["overturning"]["held_by"] = m->held_by;
       text += ": held by " + m->held_by;
     }
+  }
+  if (const std::vector<std::string> bent = bent_joints(o.solid); bent.size() == 1) {
+    text += fmt::format("; joint \"{}\" bends and has neither: safety finds its margin", bent.front());
+  } else if (!bent.empty()) {
+    text += fmt::format("; joint \"{}\" and {} more bend and have neither: safety finds their margin", bent.front(),
+                        bent.size() - 1);
   }
   const ContactRow* slipped = nullptr;
   for (const ContactRow& c : o.last.contacts) {

@@ -10,6 +10,7 @@
 
 #include "bridge/channel/endpoint.hpp"
 #include "bridge/channel/handshake.hpp"
+#include "bridge/channel/keys.hpp"
 #include "bridge/process/fluid_name.hpp"
 #include "bridge/process/sides.hpp"
 #include "bridge/results/folder.hpp"
@@ -250,8 +251,10 @@ FluidReport run_process(SolidProcess process) {
   const auto start = Clock::now();
   const scene::Scene scene = scene::read(process.scene, process.overrides).scene;
   require_line(scene, process);
-  if (!process.line.endpoint.empty()) {
-    channel::check_endpoint(process.line.endpoint, /*listens=*/false, /*may_come=*/true);
+  const channel::Options& line = process.line;
+  if (!line.endpoint.empty()) {  // before a folder is made that nothing would be written to
+    if (!line.keys.empty()) channel::read_keys(line.keys);
+    channel::check_endpoint(line.endpoint, /*listens=*/true, /*may_come=*/line.insecure || !line.keys.empty());
   }
   channel::catch_stop_signals();
   results::make_folder(process.folder);

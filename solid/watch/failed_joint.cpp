@@ -58,7 +58,12 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
     for (const LeftJoint& other : left) borne[i] += is_one_surface(left[i], other) ? other.normal : 0;
   }
   const double most = left.empty() ? 0 : *std::max_element(borne.begin(), borne.end());
+  const auto name_of = [&](const LeftJoint& joint) {
+    const std::string set = joint_set(solid, joint.inside, joint.outside);
+    return set.empty() ? joint_name(solid, joint.inside, joint.outside) : set;
+  };
   FailedJoint failed;
+  bool opens = false;
   double farthest = std::numeric_limits<double>::infinity();  // downstream of the pool, m
   for (std::size_t i = 0; i < left.size(); ++i) {
     const LeftJoint& joint = left[i];
@@ -70,10 +75,14 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
     if (!untouched) x = from_downstream ? -joint.trace.end().x() : joint.trace.mouth().x();
     if (x >= farthest) continue;
     farthest = x;
-    const std::string set = joint_set(solid, joint.inside, joint.outside);
-    failed = {set.empty() ? joint_name(solid, joint.inside, joint.outside) : set, std::nullopt};
+    failed = {.name = name_of(joint)};
+    opens = !pressed;
     if (!untouched) failed.line = {joint.trace.mouth(), joint.trace.end()};
   }
+  if (!opens || whole <= 0) return failed;
+  const std::string bearing = name_of(*std::max_element(
+      left.begin(), left.end(), [](const LeftJoint& a, const LeftJoint& b) { return a.normal < b.normal; }));
+  if (bearing != failed.name) failed.turns_on = bearing;
   return failed;
 }
 

@@ -13,6 +13,7 @@ namespace blockweir::solid {
 /// The joint on which a body separates from the others.
 struct FailedJoint {
   std::string name;
+  std::string turns_on;                   ///< the joint that bears while the named one opens; empty if that bears
   std::optional<geometry::Segment> line;  ///< m, from upstream, as drawn; none if the blocks did not touch
 };
 

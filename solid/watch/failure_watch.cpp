@@ -255,6 +255,7 @@ Failure FailureWatch::describe(std::size_t b) const {
   const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns, last.levels.reversed());
   if (joint.name.empty()) return failure;
   failure.joint = joint.name;
+  failure.turns_on = joint.turns_on;
   failure.mode = mode.word();
   if (!joint.line) return failure;
   failure.head_m = failure.level_m - (downstream ? joint.line->to : joint.line->from).y();

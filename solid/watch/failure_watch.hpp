@@ -45,11 +45,12 @@ struct Failure {
   double travel_m = 0;       ///< when the failure was certain
   std::string mode;          ///< "sliding", "overturning", "sliding and overturning", "lifting" or "falling"
   std::string joint;         ///< on which the body moves; empty if it falls freely
+  std::string turns_on;      ///< the joint that bears while `joint` opens; empty if that bears
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive(blocks, time_s, level_m, downstream, falls, head_m, bound, level_uncertainty_m, window_rise_m, travel_m,
-            mode, joint);
+            mode, joint, turns_on);
   }
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <set>
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/read/check.hpp"
@@ -18,7 +17,6 @@ namespace {
 using Pair = std::pair<int, int>;
 
 constexpr double straight = 1e-5;  // of the size: by how much points may be beside a line
-
 /// Where a straight joint lies in the scene's outline.
 struct Line {
   double angle = 0;   ///< rad, from just above -pi/2 to just above pi/2
@@ -235,15 +233,21 @@ std::string name_of(const Solid& solid, const std::set<Pair>& joints) {
   return fmt::format("{} and {} more in one line", own, joints.size() - 1);
 }
 
+/// Pairs of blocks with a face in common: corners that touch in a point hold nothing together.
+std::vector<Pair> that_touch(const std::map<Pair, std::vector<Point>>& points, double tolerance_m) {
+  std::vector<Pair> pairs;
+  for (const auto& [pair, at_points] : points) {
+    if (!is_point(at_points, tolerance_m)) pairs.push_back(pair);
+  }
+  return pairs;
+}
+
 }  // namespace
 
 Surfaces::Surfaces(const Solid& solid) {
   const std::map<Pair, std::vector<Point>> points = joint_points(solid);
   const double tolerance_m = straight * solid.size_m();
-  std::vector<Pair> pairs;  // corners that touch in a point hold nothing together
-  for (const auto& [pair, at_points] : points) {
-    if (!is_point(at_points, tolerance_m)) pairs.push_back(pair);
-  }
+  const std::vector<Pair> pairs = that_touch(points, tolerance_m);
   const Connections connections(solid, pairs);
   std::vector<std::set<Pair>> candidates;
   for (const std::set<Pair>& line : in_one_line(solid, points)) {
@@ -264,6 +268,19 @@ Surfaces::Surfaces(const Solid& solid) {
     for (const Pair& pair : joints) of_pair_[pair].push_back(static_cast<int>(names_.size()));
     names_.push_back(name_of(solid, joints));
   }
+}
+
+std::vector<std::string> bent_joints(const Solid& solid) {
+  const auto points = joint_points(solid);
+  const double tolerance_m = straight * solid.size_m();
+  const auto pairs = that_touch(points, tolerance_m);
+  const Connections connections(solid, pairs);
+  std::vector<std::string> names;
+  for (const Pair& pair : pairs) {
+    if (line_through(points.at(pair), Point::Zero(), tolerance_m)) continue;
+    if (connections.parted_by({pair}).count > 0) names.push_back(name_of(solid, {pair}));
+  }
+  return names;
 }
 
 std::vector<std::set<Pair>> Surfaces::joints() const {

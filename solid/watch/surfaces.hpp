@@ -40,4 +40,8 @@ class Surfaces {
   std::map<std::pair<int, int>, std::vector<int>> of_pair_;
 };
 
+/// Names of the joints that divide the structure and are no surface, because they bend: one sliding factor, or one
+/// resultant, does not belong to several planes.
+std::vector<std::string> bent_joints(const Solid& solid);
+
 }  // namespace blockweir::solid

@@ -48,6 +48,8 @@ TEST_F(Answers, ADamThatNoLevelFailsOrThatDoesNotStandEmptyIsAnAnswer) {
                              "joints.joint.cohesion_pa=1e6 --set joints.joint.tension_strength_pa=5e5";
   ASSERT_EQ(ask("level " + stands), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("stands at every level up to"));
+  EXPECT_THAT(text("out"), HasSubstr("looked at up to the crest, "));
+  EXPECT_THAT(text("out"), HasSubstr("may_overtop = true in [water] goes on to higher ones"));
   ASSERT_EQ(ask("level " + cases + "cracked-dam-upper --set joint.friction_angle_deg=10"), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("LIMIT   does not stand even with an empty reservoir"));
 }

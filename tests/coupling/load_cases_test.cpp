@@ -23,7 +23,7 @@ TEST_F(LoadCases, LoadCasesHaveTheirFactorsAndSayWhetherTheyAreEnough) {
   ASSERT_EQ(ask("safety s.toml --out o --json a.json"), 1) << "'weak' has not what it requires; " << text("out");
   const json load_cases = answer("a.json")["load_cases"];
   ASSERT_EQ(load_cases.size(), 3U);
-  EXPECT_EQ(load_cases[0]["name"], "as it stands");
+  EXPECT_EQ(load_cases[0]["name"], "scene as written");
   EXPECT_TRUE(load_cases[0]["satisfied"].is_null());
   EXPECT_EQ(load_cases[2]["satisfied"], true);
   for (const json& c : load_cases) {

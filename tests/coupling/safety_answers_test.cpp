@@ -23,7 +23,7 @@ TEST_F(Answers, TellAFactorBelowOneOfWhatFails) {
 TEST_F(Answers, AFactorThatIsNotThereHasItsReason) {
   write("s.toml", block_on_rock(3, "friction_angle_deg = 50\n"));
   ASSERT_EQ(ask("safety s.toml --set joint.friction_angle_deg=0"), 0) << text("out");
-  EXPECT_THAT(text("out"), HasSubstr("as it stands: no factor: no shear strength of the joints would hold"));
+  EXPECT_THAT(text("out"), HasSubstr("scene as written: no factor: no shear strength of the joints would hold"));
 }
 
 /// A wall on a joint that dips to level rock at its toe: 1.2611 at 4.9 m by a linear program written for it alone.
@@ -90,7 +90,7 @@ TEST_F(Answers, IceAndTheEarthquakesWaterHaveSumsOfTheirOwnAndTheLoadsThatGrowAr
       text("out"),
       HasSubstr(
           "times [silt] and the inertia of [earthquake], by limit analysis; held as stated: weight and water and"));
-  EXPECT_THAT(text("out"), HasSubstr("as it stands: tailwater at 1 m"));
+  EXPECT_THAT(text("out"), HasSubstr("scene as written: tailwater at 1 m"));
   EXPECT_THAT(text("out"), HasSubstr("moments about (3.5, 0) m"));
 }
 

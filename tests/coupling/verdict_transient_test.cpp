@@ -85,5 +85,33 @@ columns = 1
   EXPECT_THAT(failure["text"].get<std::string>(), HasSubstr(" more"));
 }
 
+/// Free fall from the ground's edge: g t2/2 after it.
+TEST_F(Verdicts, OfABlockThatFallsOutOfTheModelIsSaidHowFarItHasFallenAndWhatEndsTheRunSooner) {
+  const auto doubt_at = [&](double duration_s) {
+    const json summary = run(fmt::format(R"(
+analysis = {{ duration_s = {}, step_s = 0.01 }}
+joint = {{ friction_angle_deg = 5 }}
+material.stone = {{ youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }}
+water = {{ upstream_level_m = 0.9 }}
+[[block]]
+name = "ground"
+material = "stone"
+fixed = true
+vertices_m = [[-2, -0.5], [1.1, -0.5], [1.1, 0], [-2, 0]]
+[[block]]
+name = "wall"
+material = "stone"
+rigid = true
+vertices_m = [[0, 0], [1, 0], [1, 1], [0, 1]]
+)",
+                                         duration_s));
+    EXPECT_EQ(summary["outcome"], "fails");
+    return summary["failure"].value("doubt", "");
+  };
+  EXPECT_THAT(doubt_at(1), testing::Not(HasSubstr("left the model")));
+  EXPECT_THAT(doubt_at(4), testing::AllOf(HasSubstr("blocks that failed have left the model"),
+                                          HasSubstr("stop_at_failure = true, or a shorter duration_s")));
+}
+
 }  // namespace
 }  // namespace blockweir::test

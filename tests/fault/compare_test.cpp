@@ -111,6 +111,44 @@ TEST_F(Compare, RefusesAFluidThatIsNone) {
   EXPECT_THAT(text("out"), testing::HasSubstr("found no scene beside it"));
 }
 
+TEST_F(Compare, RefusesOneFluidAlone) {
+  EXPECT_EQ(shell(programs + "/blockweir compare " + cases + "reservoir-slide --fluids reservoir"), 2);
+  EXPECT_THAT(text("out"), testing::HasSubstr("--fluids: found \"reservoir\" alone; expected two models or more"));
+}
+
+/// Of a wall of many bricks only those that the water presses most have rows; the file has all.
+TEST_F(Compare, PrintsTheBlocksThatTheWaterPressesMost) {
+  std::ofstream(folder / "wall.toml") << R"(
+analysis = { duration_s = 0.02, step_s = 0.01 }
+joint = { friction_angle_deg = 35 }
+material.brick = { youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 1900 }
+water = { upstream_level_m = 0.5 }
+[[block]]
+name = "ground"
+material = "brick"
+fixed = true
+vertices_m = [[-6, -2], [20, -2], [20, 0], [-6, 0]]
+[[wall]]
+name = "w"
+material = "brick"
+brick_length_m = 0.6
+brick_height_m = 0.12
+rows = 6
+columns = 1
+)";
+  EXPECT_EQ(shell(programs + "/blockweir compare wall.toml --fluids hydrostatic,reservoir --json all.json"), 0)
+      << text("out");
+  const auto count = [&](const std::string& file, const std::string& words) {
+    const std::string all = text(file);
+    int found = 0;
+    for (auto at = all.find(words); at != std::string::npos; at = all.find(words, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("out", "largest water_force_x_n_per_m on"), 6) << text("out");
+  EXPECT_THAT(text("out"), testing::HasSubstr("more blocks with less of the water's force are in the file of --json"));
+  EXPECT_GE(count("all.json", "largest water_force_x_n_per_m on"), 12);
+}
+
 TEST_F(Compare, EndsAtCtrlC) {
   const pid_t compare = start_compare();
   ASSERT_TRUE(run_under_way("[analysis]"));

@@ -117,6 +117,8 @@ TEST_F(Faults, ATakenEndpointIsRefused) {
   EXPECT_THAT(text("out"), HasSubstr("another process listens there already"));
   EXPECT_EQ(end_of(first, 20), 1);
   EXPECT_THAT(text("first"), HasSubstr("no connection with "));
+  EXPECT_FALSE(fs::exists(folder / "line")) << "the socket's file";
+  EXPECT_FALSE(fs::exists(folder / "b")) << "a folder of nothing";
 }
 
 TEST_F(Faults, ABadSceneEndsWithStatusTwoAndWritesNothing) {
@@ -239,9 +241,11 @@ TEST_F(Faults, AWrongPortIsSaidWithinTheTimeOut) {
   const std::string scene = cases + "monolith-slides --set coupling.timeout_s=1 --endpoint ";
   EXPECT_EQ(shell(programs + "/blockweir-hydrostatic " + scene + "tcp://127.0.0.1:9"), 1);
   EXPECT_THAT(text("out"), HasSubstr("tcp://127.0.0.1:9"));
-  for (const std::string wrong : {"tcp://127.0.0.1:notaport", "tcp://", "nonsense", "tcp://127.0.0.1:99999"}) {
+  for (const std::string wrong :
+       {"tcp://127.0.0.1:notaport", "tcp://", "nonsense", "tcp://127.0.0.1:99999", "tcp://0.0.0.0:5599"}) {
     EXPECT_NE(shell(programs + "/blockweir-solid " + scene + wrong + " --out o"), 0) << wrong;
     EXPECT_THAT(text("out"), HasSubstr(wrong)) << text("out");
+    EXPECT_FALSE(fs::exists(folder / "o"));
   }
 }
 

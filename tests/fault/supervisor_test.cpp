@@ -23,7 +23,7 @@ class Supervisor : public Processes {
     const auto first =
         in_shell("solid", "while [ ! -e begun ]; do sleep 0.01; done; echo \"the last word\" >&2; exit 1");
     return process::failure_cause(
-        process::supervise({first, in_shell("fluid", line)}, folder, 0.2, [] { return true; }), folder);
+        process::supervise({first, in_shell("fluid", line)}, folder, 0.2, [] { return true; }), folder, 7);
   }
   [[nodiscard]] process::Command in_shell(const std::string& name, const std::string& line) const {
     return {name, {"sh", "-c", "cd " + folder.string() + " && " + line}};
@@ -79,14 +79,21 @@ TEST_F(Supervisor, OneThatHangsAndIsKilledIsNotTheCause) {
 TEST_F(Supervisor, OneThatIsStoppedIsTheCauseAndWokenToLeaveInOrder) {
   EXPECT_EQ(
       trouble_with("trap 'echo left >order; exit 1' TERM; touch begun; kill -STOP $$; while :; do sleep 0.01; done"),
-      "the fluid process was stopped (SIGSTOP) and answered no more for [coupling] timeout_s");
+      "the fluid process was stopped (SIGSTOP) and answered no more for 7 s, timeout_s of [coupling]");
   EXPECT_EQ(text("order"), "left\n");
 }
 
 TEST_F(Supervisor, OneThatHasStartedAStoppedProcessIsTheCauseToo) {
   EXPECT_EQ(trouble_with("(touch begun; kill -STOP $(exec sh -c 'echo $PPID')); sleep 250"),
-            "the fluid process was stopped (SIGSTOP) and answered no more for [coupling] timeout_s");
+            "the fluid process was stopped (SIGSTOP) and answered no more for 7 s, timeout_s of [coupling]");
   EXPECT_FALSE(orphan());
+}
+
+TEST_F(Supervisor, OneThatHasNoMemoryToStartIsToldAsThat) {
+  const std::string said = "error while loading shared libraries: lib.so.0: failed to map segment from shared object";
+  EXPECT_THAT(trouble_with("touch begun; echo '" + said + "' >&2; kill -ABRT $$"),
+              testing::AllOf(testing::StartsWith("not enough memory for the fluid process to start"),
+                             testing::HasSubstr("ulimit -v")));
 }
 
 TEST_F(Supervisor, OneThatIsKilledByAnotherIsTheCause) {

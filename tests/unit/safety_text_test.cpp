@@ -89,4 +89,22 @@ TEST(SafetyText, ALoadOfWhichNothingIsBorneHasItsLine) {
                               "held as stated is too much by itself: weight and the earthquake's added water\n"));
 }
 
+/// A table that a stranger reads has its symbols explained, and moments are kNm of a metre.
+TEST(SafetyText, ALegendSaysOnceWhatTheColumnsAreAndALineWhichJointHasNoRow) {
+  json first = load_case("first");
+  first["joints"].push_back(joint("base", 1e6));
+  json second = first;
+  second["name"] = "second";
+  second["bent_joints"] = {"wedge plane"};
+  const std::string text = blockweir::study::safety_text(json::array({first, second}));
+  const auto legend = text.find("M moment of N about");
+  EXPECT_NE(legend, std::string::npos) << text;
+  EXPECT_EQ(text.find("M moment of N about", legend + 1), std::string::npos);
+  for (const char* unit : {"M kNm/m", "moment kNm/m"}) EXPECT_THAT(text, HasSubstr(unit));
+  const std::string line = "no row for joint \"wedge plane\", which bends";
+  EXPECT_GT(text.find(line), text.find("joints that run through, second")) << text;
+  second["joints"] = json::array();
+  EXPECT_THAT(blockweir::study::safety_text(json::array({second})), HasSubstr(line));
+}
+
 }  // namespace

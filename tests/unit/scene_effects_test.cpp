@@ -279,16 +279,4 @@ TEST(SceneEffects, ARecordThatEndsInTheMidstOfTheRunIsAWarning) {
   }
 }
 
-TEST(SceneEffects, FullUpliftOfACrackThatFallsIsAWarning) {
-  const auto falling = [](const std::string& y) {
-    std::string scene = with("[3, 2], [0, 2]]", "[3, " + y + "], [0, 2]]");
-    scene.replace(scene.find("[[0, 2], [3, 2]"), 15, "[[0, 2], [3, " + y + "]");
-    scene.replace(scene.find("cohesion_pa = 1e5"), 17, "uplift = \"full\"");
-    return scene;
-  };
-  EXPECT_THAT(warnings(falling("1.95")), IsEmpty());
-  const auto warned = HasSubstr("its end lies 1 m lower, where water at rest presses by as much more");
-  EXPECT_THAT(warnings(falling("1")), testing::Contains(warned));
-}
-
 }  // namespace

@@ -24,6 +24,22 @@ TEST(SceneKeys, ASyntaxErrorNamesItsLine) {
   expect_error(with("step_s = 0.01", "step_s = 0.01.2"), 5, {"a syntax error", "expected TOML"});
 }
 
+TEST(SceneKeys, ADecimalCommaIsToldAsOne) {
+  expect_error(with("poissons_ratio = 0.2", "poissons_ratio = 0,2"), 10, {"write 0.2 with a decimal point"});
+  expect_error(with("poissons_ratio = 0.2", "poissons_ratio = \"0,2\""), 10, {"write 0.2 with a decimal point"});
+  const auto set = errors(text, {"joint.friction_angle_deg=30,5"});
+  ASSERT_THAT(set, SizeIs(1));
+  EXPECT_THAT(set[0], HasSubstr("write 30.5 with a decimal point"));
+  expect_error(with("[3, 4], [0, 4]]\n[[joints]]", "[3, 4,5], [0, 4]]\n[[joints]]"), 26, {"2.5, not 2,5"});
+}
+
+TEST(SceneKeys, ACornerThatIsNoNumberIsToldAsThat) {
+  for (const char* number : {"nan", "inf"}) {
+    expect_error(with("[3, 4], [0, 4]]\n[[joints]]", std::string("[3, ") + number + "], [0, 4]]\n[[joints]]"), 26,
+                 {std::string("is ") + number, "expected a finite number"});
+  }
+}
+
 TEST(SceneKeys, AnUnknownKeyNamesTheNearest) {
   expect_error(with("max_iterations", "max_iteration"), 7,
                {"unknown key \"max_iteration\" in [contact]", "did you mean \"max_iterations\"?"});
@@ -97,7 +113,7 @@ TEST(SceneKeys, ANumberThatIsNotFiniteIsRefused) {
                  {"step_s in [analysis] is", "expected a finite number"});
   }
   expect_error(with("pressure_pa = 1000", "pressure_pa = nan"), 43, {"pressure_pa in [[face_pressure]] is nan"});
-  expect_error(with("point_m = [0, 4]", "point_m = [0, inf]"), 37, {"a pair of numbers"});
+  expect_error(with("point_m = [0, 4]", "point_m = [0, inf]"), 37, {"is inf", "expected a finite number"});
   expect_error(with("point_m = [0, 4]", "point_m = [0, 9007199254740993]"), 37, {"a pair of numbers"});
 }
 

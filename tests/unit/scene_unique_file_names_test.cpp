@@ -43,8 +43,8 @@ TEST_F(OwnFilesOfScenes, AreRefusedWhereTwoNamesWouldShareThem) {
 }
 
 TEST_F(OwnFilesOfScenes, AreRefusedUnderANameThatIsTheProgramsOwn) {
-  EXPECT_THAT(error(with(table("load_case", "as it stands"))),
-              HasSubstr("s.toml:57: error: a load case is called \"as it stands\", which is the program's own"));
+  EXPECT_THAT(error(with(table("load_case", "scene as written"))),
+              HasSubstr("s.toml:57: error: a load case is called \"scene as written\", which is the program's own"));
   EXPECT_THAT(error(with(table("study", "orders"))), HasSubstr("which is the program's own"));
 }
 

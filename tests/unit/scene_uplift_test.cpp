@@ -60,6 +60,22 @@ TEST(SceneUplift, HalfADrainOrNoneIsRefused) {
   expect_error(crack("uplift = 'drained'\ndrain_m = 1\ndrain_efficiency = 60"), 32, {"a number from 0 to 1"});
 }
 
+/// A load case cannot leave out what the file says, and it says what it can do.
+TEST(SceneUplift, AnotherLawOfALoadCaseThatMeetsADrainNamesTheDrainsEfficiency) {
+  const std::string drained = crack("uplift = 'drained'\ndrain_m = 1\ndrain_efficiency = 0.5");
+  const auto found = sample::errors(drained, {"joints.crack.uplift=triangular"});
+  ASSERT_THAT(found, testing::SizeIs(1));
+  EXPECT_THAT(found[0], testing::HasSubstr("set drain_efficiency=0 in place of uplift"));
+  EXPECT_THAT(sample::errors(drained, {"joints.crack.drain_efficiency=0"}), testing::IsEmpty());
+  const auto idle = sample::errors(crack("uplift = 'triangular'"), {"joints.crack.drain_efficiency=0"});
+  ASSERT_THAT(idle, testing::SizeIs(1));
+  EXPECT_THAT(idle[0], testing::HasSubstr("state that law, or leave drain_efficiency out"));
+  const std::string known = crack("uplift = 'heads'\npiezometers_m = [[1, 2.8]]\npiezometers_level_m = 3");
+  const auto heads = sample::errors(known, {"joints.crack.uplift=full"});
+  ASSERT_THAT(heads, testing::SizeIs(1));
+  EXPECT_THAT(heads[0], testing::HasSubstr("set them with uplift=heads in the load cases that need them"));
+}
+
 TEST(SceneUplift, PiezometersNeedTheirLevelAndRisingStations) {
   expect_error(crack("uplift = 'heads'"), 30, {"without piezometers"});
   expect_error(crack("uplift = 'heads'\npiezometers_m = [[1, 2.8]]"), 31, {"by half", "piezometers_level_m"});

@@ -46,5 +46,31 @@ TEST(FailureModes, WhatTopplesFromOneCornerOverturns) {
   }
 }
 
+/// On ground in two blocks: the heel's joint opens, and the toe's bears, which limit analysis names, too.
+TEST(FailureModes, WhatTurnsOverItsToeIsSaidToTurnOnTheJointThatBears) {
+  auto scene = empty_scene();
+  scene.analysis.rigid = scene::Rigid::all;
+  scene.analysis.gravity_tilt_deg = 25;
+  scene.analysis.step_s = 2e-3;
+  scene.analysis.failure_displacement_m = 0.01;
+  scene.default_joint.friction_angle_deg = scene.default_joint.residual_friction_angle_deg = 60;
+  add(scene, {{-5, -1}, {1, -1}, {1, 0}, {-5, 0}}, true);
+  add(scene, {{1, -1}, {9, -1}, {9, 0}, {1, 0}}, true);
+  add(scene, {{0, 0}, {2, 0}, {2, 6}, {0, 6}});
+  scene.joints = {{.name = "heel", .between = {0, 2}, .law = scene.default_joint},
+                  {.name = "toe", .between = {1, 2}, .law = scene.default_joint}};
+  Solid solid(scene);
+  FailureWatch watch(solid);
+  watch.look(0, {});
+  for (int n = 0; watch.failures().empty() && n < 1000; ++n) {
+    solid.advance(n * scene.analysis.step_s, (n + 1) * scene.analysis.step_s, {});
+    watch.look(solid.time_s(), {});
+  }
+  ASSERT_FALSE(watch.failures().empty());
+  EXPECT_EQ(watch.failures().front().mode, "overturning");
+  EXPECT_EQ(watch.failures().front().joint, "heel");
+  EXPECT_EQ(watch.failures().front().turns_on, "toe");
+}
+
 }  // namespace
 }  // namespace blockweir::solid

@@ -94,6 +94,8 @@ TEST(Margins, TellNoFactorOfABaseWithItsToeInTheGround) {
   auto keyed = scene;
   keyed.blocks[1].vertices = {{0, 0}, {10, 0}, {10, 3}, {4, 14}, {0, 14}};
   EXPECT_FALSE(margins_of(keyed).any_surface());
+  EXPECT_EQ(bent_joints(Solid(keyed)).size(), 1U);  // a line says that it has no row
+  EXPECT_TRUE(bent_joints(Solid(dam_on({{-20, -5}, {30, -5}, {30, 0}, {-20, 0}}, {10, 0}))).empty());
 }
 
 /// A broad dam, and a slender one beside it on the same level ground, whose resultant is the nearer to an end.

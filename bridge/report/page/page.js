@@ -8,7 +8,7 @@ function writeHead() {
   document.getElementById('note').textContent = report.note;
 }
 
-/// The first answer is the scene as it stands.
+/// The first answer is the scene as written.
 const loadCases = () => report.safety.trouble ? [] : report.safety.slice(1);
 const fallsShort = c => c.satisfied !== null && !c.satisfied;
 
@@ -122,8 +122,6 @@ function writeVerdict() {
   lines.push(...loadCasesInWords(), ...reliabilityInWords(report.reliability));
   for (const line of lines) chapter('verdict').append(paragraph(line.charAt(0).toUpperCase() + line.slice(1)));
   for (const warning of allWarnings()) chapter('verdict').append(paragraph(warning, 'bad'));
-  const skips = (s.skips || []).length;
-  if (skips > 0) chapter('verdict').append(paragraph(`${skips} kinds of work were skipped on which the result does not depend; "blockweir profile" lists them.`, 'quiet'));
 }
 
 function writeSection() {
@@ -146,7 +144,7 @@ function drawn(metres) {
 function sumsTable(joint) {
   const row = (name, s) => [name, kilo(s('x_n_per_m')), kilo(s('y_n_per_m')), kilo(s('moment_n'))];
   const sum = key => joint.sums.reduce((total, s) => total + s[key], 0);
-  return [table([`on ${joint.name}`, 'x kN/m', 'y kN/m', 'moment kN'], [...joint.sums.map(s => row(s.name, key => s[key])), row('sum', sum)]),
+  return [table([`on ${joint.name}`, 'x kN/m', 'y kN/m', 'moment kNm/m'], [...joint.sums.map(s => row(s.name, key => s[key])), row('sum', sum)]),
     paragraph(`Moments about (${drawn(joint.downstream_end_m[0])}, ${drawn(joint.downstream_end_m[1])}) m, counter-clockwise positive.`, 'quiet')];
 }
 
@@ -205,8 +203,10 @@ function writeCases() {
     together.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));
     if (c.set.length > 0) together.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
     if (is(scaled)) together.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength.`, 'quiet'));
-    together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'M kN', 'sliding factor', 'residual', 'resultant', 'crack m', 'bonded m', 'heel kPa', 'toe kPa'],
+    together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'M kNm/m', 'sliding factor', 'residual', 'resultant', 'crack m', 'bonded m', 'heel kPa', 'toe kPa'],
       c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.moment_n), number(j.sliding_factor, 4), number(j.residual_sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), fixed(j.bonded_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
+    const bent = c.bent_joints || [];
+    if (bent.length > 0) to.append(paragraph(`No row has ${bent.map(name => `"${name}"`).join(', ')}: a joint that bends has no single sliding factor nor resultant. The factor of the load case counts it.`, 'quiet'));
     if (c.joints.length <= 4) c.joints.forEach(joint => to.append(...sumsTable(joint)));  // of a mesh of joints the file has the rest
   }
 }
@@ -226,6 +226,7 @@ function writeLevel() {
   if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 6), fixed(found.formula.head_m, 6), '-', found.formula.joint]);
   to.append(table(['found by', 'level m', 'head m', 'mode', 'joint'], rows),
     paragraph(found.difference.agree ? 'Blocks and limit analysis agree.' : 'Blocks and limit analysis differ' + (is(found.difference.level_m) ? ` by ${number(found.difference.level_m, 3)} m` : '') + `. Reason: ${found.difference.reason}.`));
+  if (found.looked_at) to.append(paragraph(`Levels are ${found.looked_at}.`, 'quiet'));
   to.append(...warningsAbove(onceEach([['', warningsOf(found)]]).length));
   if (found.limit_analysis.limit_analysis_note) to.append(paragraph(`Limit analysis: ${found.limit_analysis.limit_analysis_note}.`, 'quiet'));
   const mechanism = found.limit_analysis.mechanism;
@@ -265,6 +266,8 @@ function writeAgain() {
     paragraph('Save the scene below as a file. These commands give the figures of this report again:'),
     ...(report.home ? [paragraph(`Save it in ${report.home}, in which the command of [fluid.external] starts; or run the copy in the run's folder, which knows that.`)] : []),
     element('pre', {}, report.commands.join('\n')), element('h3', {}, 'The scene as it was run'), element('pre', {}, report.scene));
+  const skips = (report.summary.skips || []).length;
+  if (skips > 0) chapter('again').append(paragraph(`${skips} kinds of work were skipped on which the result does not depend; "blockweir profile" lists them.`, 'quiet'));
 }
 
 function writeReliability() {

@@ -84,15 +84,16 @@ class Sheet {
   }
 }
 
-/// Labels all loads, or only those whose size the legend does not have.
+/// Labels all loads where they are few, or only those whose size the legend does not have.
 function drawLoads(state, sheet, whole) {
   const {acting} = state;
+  const few = acting.filter(load => load.in_view).length <= 4;  // more labels crowd each other and the joints' names
   for (const load of acting) {
     for (const outline of load.diagrams) sheet.put(element('polygon', {points: sheet.scale.points(outline), fill: load.colour, 'fill-opacity': 0.25, stroke: load.colour, 'stroke-width': 0.8}));
     if (!load.in_view) continue;  // the legend has it
     sheet.arrow(load.arrow, load.colour);
     const alike = acting.filter(other => other.kind === load.kind).length;
-    const shown = whole || state.legend.every(row => row.label !== load.label);
+    const shown = (whole && few) || state.legend.every(row => row.label !== load.label);
     if (shown && alike <= 12) sheet.label(load.arrow[0], load.label, load.colour);  // of a mesh of joints the legend must do
   }
 }

@@ -99,15 +99,6 @@ void check_materials(const Reading& reading) {
   }
 }
 
-/// Highest value of a level over the run; for sines an upper bound.
-double highest(const TimeTable& level, double duration_s) {
-  double high = std::max(level.rows_at(0), level.rows_at(duration_s));
-  for (std::size_t i = 0; i < level.time_s.size(); ++i) {
-    if (level.time_s[i] >= 0 && level.time_s[i] <= duration_s) high = std::max(high, level.value[i]);
-  }
-  return high + (level.sine ? std::abs(level.sine->amplitude) : 0);
-}
-
 /// Uplift where the water is a stranger's: what he sends is all that presses.
 void check_strange_uplift(const Reading& reading) {
   const Scene& scene = reading.scene;
@@ -205,31 +196,6 @@ void check_base_motion(const Reading& reading) {
       "a fixed block, whose motion the levels follow", "state form = \"inertia\", or add the ground");
 }
 
-/// Uplift is by the pressure at a crack's mouth: full of water, one that dips has more below.
-void check_dipping_uplift(const Reading& reading) {
-  constexpr double much = 0.1;  // of the head at the mouth
-  const Scene& scene = reading.scene;
-  if (!still_pools(scene.fluid) || !scene.water.upstream_level_m) return;
-  const double level = highest(*scene.water.upstream_level_m, scene.analysis.duration_s);
-  const double touching_m = 0.5e-6 * structure_size_m(scene.blocks);
-  for (const Joint& joint : scene.joints) {
-    if (joint.law.uplift != Uplift::full) continue;
-    const auto trace = trace_joint(scene.blocks[at(joint.between[0])], scene.blocks[at(joint.between[1])], touching_m);
-    if (trace.pieces.empty()) continue;
-    const double head = level - trace.mouth().y();
-    const double fall = trace.mouth().y() - trace.end().y();
-    if (head <= 0 || fall <= much * head) continue;
-    reading.problems.warning(
-        reading.problems.at(0),
-        fmt::format(
-            "uplift = \"full\" in joint \"{}\" is the pressure at its mouth all along, a head of {:.4g} m; its end "
-            "lies {:.4g} m lower, where water at rest presses by as much more",
-            joint.name, head, fall),
-        "a joint that falls by less than a tenth of the head",
-        "add the rest as [[face_pressure]], or know that it is missing");
-  }
-}
-
 void check_anything_happens(const Reading& reading) {
   const Scene& scene = reading.scene;
   const auto fixed = [](const Block& block) { return block.fixed; };
@@ -248,13 +214,20 @@ void check_anything_happens(const Reading& reading) {
 
 }  // namespace
 
+double highest(const TimeTable& level, double duration_s) {
+  double high = std::max(level.rows_at(0), level.rows_at(duration_s));
+  for (std::size_t i = 0; i < level.time_s.size(); ++i) {
+    if (level.time_s[i] >= 0 && level.time_s[i] <= duration_s) high = std::max(high, level.value[i]);
+  }
+  return high + (level.sine ? std::abs(level.sine->amplitude) : 0);
+}
+
 void check_effects(const Reading& reading) {
   check_idle_keys(reading);
   check_materials(reading);
   check_reach_of_water(reading);
   check_strange_uplift(reading);
   check_base_motion(reading);
-  check_dipping_uplift(reading);
   check_anything_happens(reading);
 }
 

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "bridge/scene/read/check.hpp"
+#include "bridge/scene/read/decimal_comma.hpp"
 #include "bridge/scene/read/digest.hpp"
 #include "bridge/scene/read/encoding.hpp"
 #include "bridge/scene/read/entry.hpp"
@@ -54,6 +55,13 @@ std::string text_of(const std::filesystem::path& file) {
   return text;
 }
 
+std::string line_of(const std::string& text, int line) {
+  std::istringstream lines(text);
+  std::string found;
+  for (int i = 0; i < line && std::getline(lines, found); ++i) continue;
+  return found;
+}
+
 toml::table parse(const std::string& text, const std::string& name) {
   if (const auto foreign = foreign_text(text)) {
     refuse(name, foreign->line, foreign->found, "text in UTF-8",
@@ -66,8 +74,11 @@ toml::table parse(const std::string& text, const std::string& name) {
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
-    refuse(name, static_cast<int>(error.source().begin.line), fmt::format("a syntax error: {}", error.description()),
-           "TOML (toml.io)", "correct the line; texts stand in quotes, lists in [ ], sections on lines of their own");
+    const int line = static_cast<int>(error.source().begin.line);
+    const std::string decimal = remedy_of_decimal_comma_in(line_of(text, line));
+    refuse(name, line, fmt::format("a syntax error: {}", error.description()), "TOML (toml.io)",
+           !decimal.empty() ? decimal
+                            : "correct the line; texts stand in quotes, lists in [ ], sections on lines of their own");
   }
 }
 
@@ -117,6 +128,7 @@ void read_sections(Reading& reading, ReadScene& result) {
     return check_ranges(reading.file, size_m, reading.problems);
   }
   check_effects(reading);
+  check_dipping_uplift(reading);
   check_reservoir(reading);
   check_surface(reading);
   check_drift(reading);
@@ -197,8 +209,12 @@ ReadScene read_variant(const std::filesystem::path& path, const std::string& nam
     all.insert(all.end(), overrides.begin(), overrides.end());
     return read_entry(path, {fmt::format("[[variant]] \"{}\"", name), variant.line, variant.set}, all);
   }
+  const std::string meant = did_you_mean(name, names);
   refuse(scene.file.string(), 0, fmt::format("there is no variant \"{}\"", name),
-         names.empty() ? "a scene with a [[variant]]" : one_of(names), did_you_mean(name, names));
+         names.empty() ? "a scene with a [[variant]]" : one_of(names),
+         !meant.empty()  ? meant
+         : names.empty() ? "leave --variant out, or add one"
+                         : "name one of these, or leave --variant out");
 }
 
 }  // namespace blockweir::scene

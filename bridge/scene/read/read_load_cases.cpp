@@ -10,7 +10,7 @@ namespace blockweir::scene {
 std::vector<LoadCase> read_load_cases(Reading& reading) {
   std::vector<LoadCase> all;
   UniqueFileNames files("load case");
-  files.reserve("as it stands");
+  files.reserve("scene as written");
   reading.each("load_case", [&](TableReader& table) {
     LoadCase load_case{.line = table.place().line};
     table.text("name", load_case.name, true);

@@ -13,8 +13,12 @@ namespace {
 
 const Range share{[](double s) { return s >= 0 && s <= 1; }, "a number from 0 to 1"};
 
+bool takes_drains(Uplift law) {
+  return law == Uplift::drained || law == Uplift::cracked;
+}
+
 /// Keys that are not stated follow the drain of [joint], where that has one.
-void read_drain(TableReader& table, Reading& reading, KnownHeads& known) {
+void read_drain(TableReader& table, Reading& reading, Uplift law, KnownHeads& known) {
   Drain drain = known.drain.value_or(Drain{});
   table.number("drain_m", drain.station_m, positive());
   table.number("drain_efficiency", drain.efficiency, share);
@@ -22,7 +26,7 @@ void read_drain(TableReader& table, Reading& reading, KnownHeads& known) {
   const bool at = table.has("drain_m");
   const bool efficiency = table.has("drain_efficiency");
   const bool head = table.has("drain_head_m");
-  if (!at && !efficiency && !head) return;
+  if (!takes_drains(law) || (!at && !efficiency && !head)) return;
   if (!known.drain && (!at || (!efficiency && !head))) {
     return reading.problems.error(table.place(efficiency ? "drain_efficiency"
                                               : head     ? "drain_head_m"
@@ -60,19 +64,27 @@ void read_piezometers(TableReader& table, Reading& reading, KnownHeads& known) {
                          "add the other key");
 }
 
-/// Of keys that the law does not take.
+/// Of keys that the law does not take. A load case, or --set, that changes the law cannot leave out what the file says.
 void refuse_idle(TableReader& table, Reading& reading, const JointLaw& law) {
-  const bool drains = law.uplift == Uplift::drained || law.uplift == Uplift::cracked;
-  const auto refuse_first = [&](std::initializer_list<const char*> keys, const char* laws) {
+  const bool law_is_set = table.has("uplift") && table.place("uplift").line == 0;
+  const auto refuse_first = [&](std::initializer_list<const char*> keys, const char* laws, const char* instead) {
     const auto key = std::find_if(keys.begin(), keys.end(), [&](const char* k) { return table.has(k); });
     if (key == keys.end()) return;
     reading.problems.error(
         table.place(*key),
         fmt::format("{} in {} has no effect: its uplift is \"{}\"", *key, table.name(), named(law.uplift).name),
-        fmt::format("uplift = {}", laws), fmt::format("state that law, or leave {} out", *key));
+        fmt::format("uplift = {}", laws),
+        law_is_set && table.place(*key).line > 0 ? instead : fmt::format("state that law, or leave {} out", *key));
   };
-  if (!drains) refuse_first({"drain_m", "drain_efficiency", "drain_head_m"}, "\"drained\" or \"cracked\"");
-  if (law.uplift != Uplift::heads) refuse_first({"piezometers_m", "piezometers_level_m"}, "\"heads\"");
+  if (!takes_drains(law.uplift)) {
+    refuse_first({"drain_m", "drain_efficiency", "drain_head_m"}, "\"drained\" or \"cracked\"",
+                 "set drain_efficiency=0 in place of uplift: without a drain that works both are linear");
+  }
+  if (law.uplift != Uplift::heads) {
+    refuse_first(
+        {"piezometers_m", "piezometers_level_m"}, "\"heads\"",
+        "take the piezometers out of the file, and set them with uplift=heads in the load cases that need them");
+  }
 }
 
 void require(TableReader& table, Reading& reading, const JointLaw& law) {
@@ -110,7 +122,7 @@ void read_uplift(TableReader& table, JointLaw& law, Reading& reading) {
   if (law.uplift != followed) law.known_heads = {};  // drains and piezometers are those of another law
   if (table.has("uplift")) law.known_heads.line = table.place("uplift").line;
   KnownHeads& known = law.known_heads;
-  read_drain(table, reading, known);
+  read_drain(table, reading, law.uplift, known);
   read_piezometers(table, reading, known);
   refuse_idle(table, reading, law);
   require(table, reading, law);

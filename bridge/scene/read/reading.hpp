@@ -140,8 +140,12 @@ void resolve_lengths(Reading& reading);
 void check_viscous_boundaries(const Reading& reading);
 /// Warns of loads that displace a viscous boundary permanently.
 void check_drift(const Reading& reading);
+/// Highest value of a level over the run; for sines an upper bound.
+double highest(const TimeTable& level, double duration_s);
 /// Warns of keys without effect in a valid scene.
 void check_effects(const Reading& reading);
+/// Warns of uplift laws that leave a part of the pressure out where a crack dips, in a valid scene.
+void check_dipping_uplift(const Reading& reading);
 /// Warns of reservoir loads that do not act as stated, in a valid scene.
 void check_reservoir(const Reading& reading);
 /// Reports a pool of model = "reservoir" that is shut in as the scene draws it.

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "bridge/scene/read/decimal_comma.hpp"
 #include "bridge/scene/read/key_advice.hpp"
 #include "bridge/scene/read/nearest.hpp"
 
@@ -98,10 +99,12 @@ const toml::node* TableKeys::ask(const char* key, bool required, const std::stri
 }
 
 bool TableKeys::wrong(const char* key, const toml::node& node, const std::string& expected, const std::string& remedy) {
+  const std::string decimal = remedy_of_decimal_comma(node.value_or(std::string()));
   const bool quoted = is_quoted_value(node) && expected.find("text") == std::string::npos;
   problems_.error(problems_.at(node.source()),
                   fmt::format("{} in {} is {}{}", key, name_, quoted ? "the text " : "", shown(node)), expected,
-                  quoted           ? "take off the quotes"
+                  !decimal.empty() ? decimal
+                  : quoted         ? "take off the quotes"
                   : remedy.empty() ? fmt::format("correct {}", key)
                                    : remedy);
   return false;

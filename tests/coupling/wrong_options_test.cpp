@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: nlohmann_json::nlohmann_json fmt::fmt
+// Words of a command line that no command takes: the answer names what was meant, or what there is.
+#include "tests/processes.hpp"
+
+namespace blockweir::test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST_F(Processes, WrongOptionsNameTheNearestOneAndHowAKeyIsSet) {
+  const std::string blockweir = programs + "/blockweir ";
+  const std::string scene = cases + "monolith-slides";
+  EXPECT_EQ(shell(blockweir + "run " + scene + " --step 3"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("run has no option \"--step\", did you mean \"--set\"?"));
+  EXPECT_THAT(text("out"), HasSubstr("--set SECTION.KEY=VALUE sets a key of the scene"));
+  EXPECT_EQ(shell(blockweir + "compare a b --zzzzzz=1"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("compare has no option \"--zzzzzz\"; blockweir compare --help lists them"));
+  EXPECT_EQ(shell(blockweir + "check " + scene + " another"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("check does not take \"another\""));
+}
+
+TEST_F(Processes, NamesThatASceneDoesNotHaveAreAnsweredWithThoseThatItHas) {
+  const std::string blockweir = programs + "/blockweir ";
+  EXPECT_EQ(shell(blockweir + "run " + cases + "breach --variant nope"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("leave --variant out"));
+  EXPECT_EQ(shell(blockweir + "run " + cases + "cracked-dam-upper --variant nope"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("name one of these, or leave --variant out"));
+  std::ofstream(folder / "s.toml") << text(cases + "monolith-slides/scene.toml")
+                                   << "\n[[study]]\nname = 'friction'\nkind = 'map'\nx_key = "
+                                      "'joint.friction_angle_deg'\nx_values = [25, 30]\n";
+  EXPECT_EQ(shell(blockweir + "study s.toml --name x"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("no study \"x\"; expected one of friction; name one of these"));
+}
+
+}  // namespace
+}  // namespace blockweir::test
