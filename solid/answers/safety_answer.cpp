@@ -188,6 +188,21 @@ const char* outcome(const Attempt<StaticStrength>& blocks) {
   return stands ? "stands" : "fails";
 }
 
+/// The factor of the stated loads, beside weight and water, at which the structure fails.
+void add_load_factor(const limit::LimitAnalysis& structure, const limit::Wrenches& dead, const limit::Wrenches& stated,
+                     json& answer) {
+  const auto loads = solid::attempt([&] { return structure.largest_factor(dead, stated); });
+  if (!loads.value) return;
+  if (loads.value->bearing == Bearing::fails_at_a_factor) {
+    answer["load_factor"] = {{"factor", loads.value->factor},
+                             {"gap", loads.value->gap},
+                             {"mechanism", solid::mechanism_json(structure, loads.value->mechanism)}};
+  } else if (loads.value->bearing == Bearing::bears_none &&
+             std::any_of(stated.begin(), stated.end(), [](const auto& load) { return !load.isZero(); })) {
+    answer["load_factor"] = {{"factor", nullptr}};  // what does not grow is too much already
+  }
+}
+
 }  // namespace
 
 json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
@@ -220,15 +235,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   if (by_limit.value && by_limit.value->bearing != Bearing::bears_any) {
     answer["mechanism"] = solid::mechanism_json(structure, by_limit.value->mechanism);
   }
-  const auto loads = solid::attempt([&] { return structure.largest_factor(dead, stated); });
-  if (loads.value && loads.value->bearing == Bearing::fails_at_a_factor) {
-    answer["load_factor"] = {{"factor", loads.value->factor},
-                             {"gap", loads.value->gap},
-                             {"mechanism", solid::mechanism_json(structure, loads.value->mechanism)}};
-  } else if (loads.value && loads.value->bearing == Bearing::bears_none &&
-             std::any_of(stated.begin(), stated.end(), [](const auto& load) { return !load.isZero(); })) {
-    answer["load_factor"] = {{"factor", nullptr}};  // what does not grow is too much already
-  }
+  add_load_factor(structure, dead, stated, answer);
   solid::add_water_in_an_earthquake(scene, answer);
   answer["joints"] = json::array();
   answer["bent_joints"] = json::array();
