@@ -10,15 +10,10 @@
 namespace blockweir::solid {
 namespace {
 
-/// What does not strain resists at a contact by its inertia alone, and a pile of it as weakly: between such blocks a
-/// contact counts as so much stiffer, or sweep after sweep would be taken to share a load in the pile. Not while
-/// friction lags, where stiff contacts have ranges of slip that Newton's method passes by. Where many stand, penalties
-/// that close gaps at once leave friction where it was: softer ones let the load slip first, and multipliers undo it.
-double rigid_stiffness_ratio(const FormulationSettings& settings, std::size_t contacts) {
-  constexpr std::size_t many = 60;
-  if (settings.friction_lags) return 1;
-  return contacts > many && !settings.falls ? 1e5 : 1e3;
-}
+// What does not strain resists at a contact by its inertia alone, and a pile of it as weakly: between such blocks a
+// contact counts as so much stiffer, or sweep after sweep would be taken to share a load in the pile. Not while
+// friction lags, where stiff contacts have ranges of slip that Newton's method passes by.
+constexpr double rigid_stiffness_ratio = 1e3;
 
 /// By which iterates judge: only forces that have converged open a bond (bonds.cpp).
 Strength iterated_strength(const JointLaws& laws, const ContactPoint& c, double normal) {
@@ -61,7 +56,7 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     const double turning = axis.dot(perpendicular(placement.vector(X)));
     return quotient(Eigen::Vector3d(axis.x(), axis.y(), turning), k.topLeftCorner<3, 3>());
   };
-  const double stiffer = rigid_stiffness_ratio(settings_, held.contact_ids.size());
+  const bool pile_stiffens = !settings_.friction_lags;
   const auto strainless = [&](int block) { return frozen[at(block)] || trial.blocks[at(block)].rigid; };
   progress_.make_room(held.contacts.size(), held.supports.size());
   before_.make_room(held.contacts.size(), held.supports.size());
@@ -80,7 +75,8 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     const Point n = edge.n;
     progress.stiffness =
         1 / (flexibility(c.vertex_part, n, c.vertex_at) + flexibility(c.edge_part, n, edge_point(c, c.anchor)));
-    if (strainless(c.vertex_part) && strainless(c.edge_part)) progress.stiffness *= stiffer;
+    if (pile_stiffens && strainless(c.vertex_part) && strainless(c.edge_part))
+      progress.stiffness *= rigid_stiffness_ratio;
     progress.slip_force = c.multiplier.y();
     begin_contact(trial, frozen, k, c);
   });

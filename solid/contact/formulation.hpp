@@ -33,7 +33,6 @@ struct FormulationSettings {
   bool joints_held = false;                 ///< every contact in touch sticks, whatever its law says
   bool friction_lags = false;               ///< shear is bounded by what lag_friction found, whatever acts now
   bool states_stand = false;                ///< contacts without a bond to lose keep their states, whatever acts now
-  bool falls = false;                       ///< a block is falling as the step begins
   bool swept = false;                       ///< overlap at the start of the step is not closed in it
   double lasting_overlap_m = 0;             ///< what overlaps by more as a step begins is not closed in it; 0: all is
 };

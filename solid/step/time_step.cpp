@@ -104,7 +104,6 @@ void TimeStep::begin_contacts(const StepMode& mode) {
   const double share_of_fall = std::min(1e-8 * model_.size_m, lasting_overlap * trial_.fall_m());
   formulation_->settings().lasting_overlap_m =
       mode.in_motion() ? std::max(model_.scene.contact.penetration_tolerance_m, share_of_fall) : 0;
-  formulation_->settings().falls = trial_.falls();
   for (IslandEquations& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
     const Held held = s.held();
     formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, held);
