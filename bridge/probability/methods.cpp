@@ -146,7 +146,7 @@ auto analysed(const OT::ThresholdEvent& event, const OT::Distribution& joint) {
   }
   throw std::runtime_error(
       "the search for the design point reached a point at which no variable changes the level; "
-      "see subset sampling, which needs no such point");
+      "expected one at which they do; state methods = [\"subset\"], which needs no such point");
 }
 
 /// beta with P = Phi(-beta), below 0 where the means fail.

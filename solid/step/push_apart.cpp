@@ -105,7 +105,9 @@ bool PushApart::push(const IslandEquations& s) {
     return false;
   const auto overlaps = [&](const Meeting& m) { return m.gap < -lasting; };
   int pushes = 0;
-  passing_ = state_.search.passing(s.island.blocks);
+  passing_.clear();
+  // What stands keeps its corners where they are.
+  if (trial_.falls()) passing_ = state_.search.passing(s.island.blocks);
   std::erase_if(passing_, [this](const ContactPoint* c) { return !corners_touch(*c); });
   meet(s);
   for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) {

@@ -26,9 +26,10 @@ TEST_F(Processes, NamesThatASceneDoesNotHaveAreAnsweredWithThoseThatItHas) {
   EXPECT_THAT(text("out"), HasSubstr("leave --variant out"));
   EXPECT_EQ(shell(blockweir + "run " + cases + "cracked-dam-upper --variant nope"), 2);
   EXPECT_THAT(text("out"), HasSubstr("name one of these, or leave --variant out"));
-  std::ofstream(folder / "s.toml") << text(cases + "monolith-slides/scene.toml")
-                                   << "\n[[study]]\nname = 'friction'\nkind = 'map'\nx_key = "
-                                      "'joint.friction_angle_deg'\nx_values = [25, 30]\n";
+  std::ofstream(folder / "s.toml")
+      << text(cases + "monolith-slides/scene.toml")
+      << "\n[[study]]\nname = 'friction'\nkind = 'map'\nx_key = "
+         "'joint.friction_angle_deg'\nx_values = [25, 30]\ny_key = 'water.upstream_level_m'\ny_values = [5, 6]\n";
   EXPECT_EQ(shell(blockweir + "study s.toml --name x"), 2);
   EXPECT_THAT(text("out"), HasSubstr("no study \"x\"; expected one of friction; name one of these"));
 }

@@ -88,7 +88,8 @@ TEST_F(Strangers, UnfitKeysAreRefused) {
   EXPECT_EQ(shell(run + port_here + " --keys k"), 2);
   EXPECT_THAT(text("out"), HasSubstr("k/own-secret: no such file; expected one side's folder"));
   EXPECT_EQ(shell(run + "ipc://" + (folder / "line").string() + " --keys k/solid"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("--keys are for tcp://HOST:PORT"));
+  EXPECT_THAT(text("out"), testing::AllOf(HasSubstr("which only this machine reaches; expected tcp://HOST:PORT"),
+                                          HasSubstr("leave --keys out")));
   fs::permissions(folder / "k/solid/own-secret", fs::perms(0640));
   EXPECT_EQ(shell(run + port_here + " --keys k/solid"), 2);
   EXPECT_THAT(text("out"), HasSubstr("others may read this secret; \"chmod 600 "));
