@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "bridge/process/failure_cause.hpp"
@@ -18,17 +19,6 @@ namespace blockweir::process {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Refuses a folder whose files are not of an earlier answer: they would be overwritten.
-void require_own(const fs::path& folder) {
-  std::error_code unreadable;
-  if (!fs::exists(folder, unreadable) || fs::is_empty(folder, unreadable)) return;
-  if (fs::exists(scene_of(folder), unreadable) && fs::exists(folder / "limit.log", unreadable)) return;
-  throw std::invalid_argument(
-      fmt::format("--out {}: found a folder that holds something else; expected a new one, or that "
-                  "of an earlier answer; choose another folder",
-                  folder.string()));
-}
 
 /// Prints the progress lines in blockweir-limit's log.
 class Echo {
@@ -55,7 +45,6 @@ class Echo {
 nlohmann::json answer_in(const fs::path& folder, const std::string& question, const scene::Scene& scene,
                          const AskOptions& options) {
   constexpr double grace_s = 5;
-  const results::FolderLock lock(folder);
   const fs::path file = folder / (question + ".json");
   fs::remove(file);
   for (const char* picture : {"mechanism.png", "mechanism-loads.png", "modes.png"}) fs::remove(folder / picture);
@@ -79,6 +68,20 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
 
 }  // namespace
 
+void make_answer_folder(const fs::path& folder) {
+  std::error_code none;
+  const bool holds_nothing = std::all_of(fs::directory_iterator(folder, none), {}, [](const auto& entry) {
+    return entry.path().filename() == results::FolderLock::file;
+  });
+  if (!holds_nothing && (!fs::exists(scene_of(folder), none) || !fs::exists(folder / "limit.log", none))) {
+    throw std::invalid_argument(
+        fmt::format("--out {}: found a folder that holds something else; expected a new one, or that "
+                    "of an earlier answer; choose another folder",
+                    folder.string()));
+  }
+  results::make_folder(folder);
+}
+
 fs::path answer_folder(const std::string& question, const AskOptions& options) {
   if (!options.out.empty()) return options.out;
   const std::string variant = options.variant.empty() ? "" : "-" + results::file_name(options.variant);
@@ -93,8 +96,8 @@ Asked ask(const std::string& question, const AskOptions& options) {
     }
   }
   Asked asked{.folder = answer_folder(question, options), .scene = std::move(read.scene)};
-  require_own(asked.folder);
-  results::make_folder(asked.folder);
+  make_answer_folder(asked.folder);
+  const results::FolderLock lock(asked.folder);  // where another holds it nothing is touched
   try {
     asked.answer = answer_in(asked.folder, question, asked.scene, options);
   } catch (...) {  // nothing half-written stays

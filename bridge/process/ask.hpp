@@ -28,6 +28,9 @@ struct Asked {
   nlohmann::json answer;
 };
 
+/// Refuses a folder whose files are not of an earlier answer: they would be overwritten. Makes one that is not there.
+void make_answer_folder(const std::filesystem::path& folder);
+
 /// `out`, or its default folder.
 std::filesystem::path answer_folder(const std::string& question, const AskOptions& options);
 

@@ -37,7 +37,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
     descriptor_ = -1;
     if (!held) return;  // a file system without locks
     const pid_t holder = holder_of(path);
-    if (holder == ::getppid()) return;
+    if (holder == ::getppid() || holder == ::getpid()) return;
     throw std::invalid_argument(fmt::format(
         "{}: another run writes there, that of process {}{}; choose another --out, or wait until it has ended",
         folder.string(), holder, ::kill(holder, 0) == 0 ? "" : ", which has ended and left others running"));

@@ -10,7 +10,7 @@ class FolderLock {
  public:
   /// Locks an existing folder for the lifetime of this object, and of child processes started meanwhile. The lock of a
   /// killed process ends. Throws std::invalid_argument, with one line that names folder and process, if another process
-  /// holds it; a lock that our launcher holds for us is accepted.
+  /// holds it; a lock that our launcher holds for us is accepted, and one that we hold already.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -12,6 +12,7 @@
 #include "bridge/process/programs.hpp"
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
+#include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/collected_errors.hpp"
@@ -128,6 +129,8 @@ json safety_answers(const process::AskOptions& options, Pictures* pictures) {
     wrong.from([&] { load_case_scene(load_case, options.scene, options.overrides); });
   }
   wrong.report();
+  process::make_answer_folder(options.out);
+  const results::FolderLock until_the_last_case(options.out);
   json cases = json::array();
   Pictures own;
   const auto answer = [&](const scene::LoadCase& load_case, const fs::path& out, bool quiet) {

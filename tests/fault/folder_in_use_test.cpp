@@ -55,6 +55,24 @@ TEST_F(FolderInUse, WhatAKilledLauncherHasLeftRunningKeepsIt) {
   EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out mine"), 0) << text("out");
 }
 
+/// Of which one is at work, with earlier answers.
+TEST_F(FolderInUse, AnAnswersFolderIsLeftAsItIs) {
+  ASSERT_EQ(shell(programs + "/blockweir level " + cases + "monolith-slides --out mine"), 0) << text("out");
+  const std::string before = text("mine/level.json");
+  const pid_t keeper = start("bash -c 'exec 9>mine/.lock; flock 9; echo $$ >&9; echo ready >&2; sleep 250'", "child");
+  for (int wait = 0; wait < 400 && text("child").empty(); ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  for (const char* question : {"safety ", "level "}) {
+    EXPECT_EQ(shell(programs + "/blockweir " + question + cases + "incline --out mine"), 2);
+    EXPECT_THAT(text("out"), HasSubstr("mine: another run writes there, that of process"));
+  }
+  for (const char* file : {"mine/.lock", "mine/scene.toml", "mine/limit.log"}) {
+    EXPECT_TRUE(fs::exists(folder / file)) << file;
+  }
+  EXPECT_EQ(text("mine/level.json"), before);
+  kill(keeper, SIGKILL);
+}
+
 TEST_F(FolderInUse, ARunThatIsCompleteHasNothingToResume) {
   EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out o"), 0) << text("out");
   const std::string outcome = nlohmann::json::parse(text("o/summary.json"))["outcome"];
