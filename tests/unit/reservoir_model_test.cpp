@@ -188,8 +188,19 @@ TEST(ReservoirModel, SoundThatCannotLookAheadIsAnErrorBesideWhatMoves) {
               testing::HasSubstr("with steps of 0.001 s in windows of 0.002 s"));
   EXPECT_THAT(error("added_mass_guard = false\nadded_mass_limit = 100\n"),
               testing::HasSubstr("expected added_mass_guard = true"));
+  EXPECT_THAT(error("longest_window_s = 0.1\n"), testing::HasSubstr("sound runs in the water: while blocks rest"));
   for (const char* fine : {"", "schedule = \"improved\"\n"}) EXPECT_EQ(error(fine), "");
   EXPECT_EQ(error("", ", kind = \"static\""), "") << "nothing swings";
+}
+
+TEST(ReservoirModel, WindowsThatGrowBesideWaterThatMovesAreAnError) {
+  const auto read = [](const std::string& kind, const std::string& more) {
+    return scene::read_text(wall_before(kind, "[coupling]\nlongest_window_s = 0.1\n" + more), "grows");
+  };
+  const std::string shaken = "[base_motion]\nacceleration_x_m_per_s2 = { sine = 1, frequency_hz = 2 }\n";
+  EXPECT_THROW(read("surface = \"waves\"", ""), std::exception);
+  EXPECT_THROW(read("surface = \"level\"", shaken), std::exception);
+  EXPECT_NO_THROW(read("surface = \"level\"", ""));
 }
 
 /// 5 m deep, longest elements of a quarter of that: sound takes 1440 m/s.

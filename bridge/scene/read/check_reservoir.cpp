@@ -244,6 +244,25 @@ void check_sound_answers_ahead(const Reading& reading) {
                          expected + ", in [coupling]", "state it, or compressible = false");
 }
 
+/// Windows grow while blocks rest, whatever the water does.
+void check_windows_grow(const Reading& reading) {
+  const Scene& scene = reading.scene;
+  const toml::node* stated = reading.file["coupling"]["longest_window_s"].node();
+  const bool grow = scene.coupling.longest_window_s > scene.coupling.window_s;
+  if (stated == nullptr || !grow || scene.fluid != FluidModel::reservoir) return;
+  const char* what = scene.reservoir.compressible    ? "sound runs in the water"
+                     : scene.reservoir.surface_waves ? "waves run in the water"
+                     : scene.base_motion             ? "the ground shakes"
+                                                     : nullptr;
+  if (what == nullptr) return;
+  reading.problems.error(
+      reading.problems.at(stated->source()),
+      fmt::format("longest_window_s is {:g} s, and {}: while blocks rest windows would grow, and miss "
+                  "what its pressures do",
+                  scene.coupling.longest_window_s, what),
+      fmt::format("no more than window_s, {:g} s", scene.coupling.window_s), "leave it out");
+}
+
 }  // namespace
 
 void check_reservoir(const Reading& reading) {
@@ -253,6 +272,7 @@ void check_reservoir(const Reading& reading) {
   check_piezometers(reading);
   check_waves_held(reading);
   check_sound_answers_ahead(reading);
+  check_windows_grow(reading);
   check_sound_windows(reading);
   check_far_walls(reading);
 }
