@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -85,6 +86,25 @@ TEST(Collapse, FacesThatComeOntoEachOtherAtTheirCornersPressAtBoth) {
 /// No contact parts them: on the ground each seems to pass the other.
 TEST(Collapse, TipsThatSlideOnTheSameGroundDoNotGoIntoEachOther) {
   EXPECT_LE(watched(test::collapse(test::heap(60, 1), 1.6, 0, 20)).overlap_m, 1e-7) << "2.2e-6 m before";
+}
+
+/// Two tips under a tenth of a radian seemed to lie on each other's undersides, and went through each other.
+TEST(Collapse, WedgesHoweverSharpDoNotGoIntoEachOther) {
+  for (const double angle_deg : {1.0, 3.0, 5.0, 8.0}) {
+    const double length_m = 0.3 / std::tan(angle_deg * std::numbers::pi / 180);
+    const auto wedge = [&](const char* name, double tip_m, double end_m) {
+      return fmt::format(
+          "[[block]]\nname = \"{}\"\nmaterial = \"stone\"\nvertices_m = [[{}, 0], [{}, 0], [{}, 0.3]]\n"
+          "initial_velocity_m_per_s = [{}, 0]\n",
+          name, tip_m, end_m, end_m, tip_m < 0 ? 8 : -8);
+    };
+    const std::string floor =
+        "[[block]]\nname = \"floor\"\nmaterial = \"stone\"\nfixed = true\nvertices_m = [[-60, -1], [60, -1], [60, 0], "
+        "[-60, 0]]\n";
+    const std::string left = wedge("a", -0.025, -0.025 - length_m);
+    const std::string right = wedge("b", 0.025, 0.025 + length_m);
+    EXPECT_LE(watched(test::collapse(floor + left + right, 0.3, 0, 5)).overlap_m, 1e-7) << angle_deg;
+  }
 }
 
 TEST(Collapse, SweepsTakeOverSoonWhereNewtonsMethodLeadsAway) {
