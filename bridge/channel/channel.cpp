@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <thread>
 #include <tuple>
@@ -29,6 +28,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double poll_slice_s = 0.2;  // how late a stop signal may be seen that arrived just before a poll
 constexpr double spin_s = 1e-3;       // answers on some ten thousand panels come within this: no sleep, no wake-up
+
 template <class Message>
 constexpr bool is_of_a_window = std::is_same_v<Message, wire::Motion> || std::is_same_v<Message, wire::Load>;
 

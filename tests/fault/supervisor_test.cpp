@@ -79,13 +79,14 @@ TEST_F(Supervisor, OneThatHangsAndIsKilledIsNotTheCause) {
 TEST_F(Supervisor, OneThatIsStoppedIsTheCauseAndWokenToLeaveInOrder) {
   EXPECT_EQ(
       trouble_with("trap 'echo left >order; exit 1' TERM; touch begun; kill -STOP $$; while :; do sleep 0.01; done"),
-      "the fluid process was stopped (SIGSTOP) and answered no more for 7 s, timeout_s of [coupling]");
+      "the fluid process was stopped (SIGSTOP) and answered no more; timeout_s of [coupling], 7 s, sets the patience");
   EXPECT_EQ(text("order"), "left\n");
 }
 
 TEST_F(Supervisor, OneThatHasStartedAStoppedProcessIsTheCauseToo) {
-  EXPECT_EQ(trouble_with("(touch begun; kill -STOP $(exec sh -c 'echo $PPID')); sleep 250"),
-            "the fluid process was stopped (SIGSTOP) and answered no more for 7 s, timeout_s of [coupling]");
+  EXPECT_EQ(
+      trouble_with("(touch begun; kill -STOP $(exec sh -c 'echo $PPID')); sleep 250"),
+      "the fluid process was stopped (SIGSTOP) and answered no more; timeout_s of [coupling], 7 s, sets the patience");
   EXPECT_FALSE(orphan());
 }
 
