@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/crest.hpp"
 #include "bridge/scene/hydrostatics.hpp"
 #include "bridge/wire/panels.hpp"
 
@@ -91,43 +92,12 @@ void add_westergaard(const std::vector<WetFace>& faces, double weight_times_coef
   }
 }
 
-struct CrestEdge {
-  int block;
-  int edge;
-  double left_m;
-  double right_m;
-};
-
-/// The level edges on the highest point of what can move.
-std::vector<CrestEdge> crest_edges(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines,
-                                   double& crest_m) {
-  crest_m = -std::numeric_limits<double>::infinity();
-  for (std::size_t b = 0; b < outlines.size(); ++b) {
-    if (scene.blocks[b].fixed) continue;
-    for (const Point& p : outlines[b]) crest_m = std::max(crest_m, p.y());
-  }
-  std::vector<CrestEdge> edges;
-  for (std::size_t b = 0; b < outlines.size(); ++b) {
-    const auto& outline = outlines[b];
-    for (std::size_t e = 0; e < outline.size(); ++e) {
-      const Point& right = outline[e];  // what lies under an edge lies on its left
-      const Point& left = outline[(e + 1) % outline.size()];
-      const double width = right.x() - left.x();
-      const double level = 1e-3 * width;
-      if (scene.blocks[b].fixed || width <= 0 || crest_m - std::min(left.y(), right.y()) > level) continue;
-      edges.push_back({static_cast<int>(b), static_cast<int>(e), left.x(), right.x()});
-    }
-  }
-  return edges;
-}
-
 void add_crest(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines,
                const std::vector<WaterBody>& bodies, wire::Load& load) {
-  double crest_m = 0;
-  const std::vector<CrestEdge> edges = crest_edges(scene, outlines, crest_m);
+  const auto [crest_m, edges] = scene::crest_of(scene.blocks, outlines);
   const double level_m = bodies.front().surface.from_m.y();
   if (edges.empty() || level_m <= crest_m) return;
-  const auto is_wet = [&](const CrestEdge& edge) {
+  const auto is_wet = [&](const scene::CrestEdge& edge) {
     return std::any_of(bodies.begin(), bodies.end(), [&](const WaterBody& body) {
       const auto& wet = body.wet->intervals;
       return std::any_of(wet.begin(), wet.end(),
@@ -136,7 +106,7 @@ void add_crest(const scene::Scene& scene, const std::vector<std::vector<Point>>&
   };
   double left = std::numeric_limits<double>::infinity();
   double right = -left;
-  for (const CrestEdge& edge : edges) {
+  for (const scene::CrestEdge& edge : edges) {
     if (is_wet(edge)) return;  // water between two pools presses there already, by the same law
     left = std::min(left, edge.left_m);
     right = std::max(right, edge.right_m);
@@ -144,7 +114,7 @@ void add_crest(const scene::Scene& scene, const std::vector<std::vector<Point>>&
   const double head = scene::in_joints(scene, level_m).pressure(crest_m);
   const bool falls = scene.water.crest_pressure == scene::CrestPressure::triangular;
   const auto pressure = [&](double x) { return falls ? head * (right - x) / (right - left) : head; };
-  for (const CrestEdge& edge : edges) {
+  for (const scene::CrestEdge& edge : edges) {
     wire::add_panel(load, edge.block, edge.edge, 0, 1, pressure(edge.right_m), pressure(edge.left_m));
   }
 }

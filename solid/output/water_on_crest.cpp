@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "bridge/scene/crest.hpp"
 #include "bridge/scene/hydrostatics.hpp"
 #include "bridge/scene/structure_size.hpp"
 
@@ -15,15 +16,6 @@ namespace blockweir::solid::output {
 namespace {
 
 constexpr double none = -std::numeric_limits<double>::infinity();
-
-double crest_m(const scene::Scene& scene) {
-  double crest = none;
-  for (const scene::Block& block : scene.blocks) {
-    if (block.fixed) continue;
-    for (const Point& p : block.vertices) crest = std::max(crest, p.y());
-  }
-  return crest;
-}
 
 /// A level above the crest, and its height above the crest or the other pool.
 struct Nappe {
@@ -52,15 +44,24 @@ Nappe highest_nappe(const scene::Water& water, double crest, double end_s) {
   return highest;
 }
 
-std::string warning(const scene::Scene& scene, double crest, const Nappe& nappe) {
+std::string warning(const scene::Scene& scene, const scene::Crest& crest, const Nappe& nappe) {
   constexpr double seen = 1e-3;  // of the structure
+  if (!std::isfinite(crest.height_m) || !(nappe.head_m > seen * scene::structure_size_m(scene.blocks))) return {};
+  const std::string rose =
+      fmt::format("the water rose to {:.5g} m, {:.3g} m above the ", nappe.level_m, nappe.level_m - crest.height_m);
+  if (crest.edges.empty()) {
+    return rose +
+           "structure's highest point, which is on no level crest: faces up to that point bear the whole head of "
+           "the pool that stands before them, those that slope gently, too, and crest_pressure has no effect; "
+           "where that water flows, it presses less; draw the crest level to have crest_pressure decide";
+  }
   if (scene.water.crest_pressure != scene::CrestPressure::none) return {};
-  if (!std::isfinite(crest) || !(nappe.head_m > seen * scene::structure_size_m(scene.blocks))) return {};
-  return fmt::format(
-      "the water rose to {:.5g} m, {:.3g} m above the crest; unless both pools are above the crest, the weight of the "
-      "water on it is left out, and where they are, that of the water above the lower pool; that weight, up to {:.3g} "
-      "kPa, would hold the structure down; state crest_pressure in [water] to include it",
-      nappe.level_m, nappe.level_m - crest, scene::unit_weight_of_water(scene) * nappe.head_m / 1000);
+  return rose +
+         fmt::format(
+             "crest; unless both pools are above the crest, the weight of the water on it is left out, and where "
+             "they are, that of the water above the lower pool; that weight, up to {:.3g} kPa, would hold the "
+             "structure down; state crest_pressure in [water] to include it",
+             scene::unit_weight_of_water(scene) * nappe.head_m / 1000);
 }
 
 }  // namespace
@@ -70,14 +71,14 @@ std::string water_on_crest_warning(const expect::Outcome& o) {
   if (!scene::still_pools(scene.fluid)) return {};
   const auto& failures = o.failure.failures();
   const double end_s = failures.empty() ? o.last.time_s : failures.front().time_s;
-  const double crest = crest_m(scene);
-  return warning(scene, crest, highest_nappe(scene.water, crest, end_s));
+  const scene::Crest crest = scene::crest_of(scene.blocks);
+  return warning(scene, crest, highest_nappe(scene.water, crest.height_m, end_s));
 }
 
 std::string water_on_crest_warning(const scene::Scene& scene, double level_m) {
-  const double crest = crest_m(scene);
+  const scene::Crest crest = scene::crest_of(scene.blocks);
   const auto& down = scene.water.downstream_level_m;
-  const double other = down ? std::max(crest, down->at(scene.analysis.duration_s)) : crest;
+  const double other = down ? std::max(crest.height_m, down->at(scene.analysis.duration_s)) : crest.height_m;
   return warning(scene, crest, {level_m, level_m - other});
 }
 
