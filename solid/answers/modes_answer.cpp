@@ -2,6 +2,7 @@
 // Natural modes of a scene's structure at rest, without water and with it.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -19,15 +20,13 @@ using nlohmann::json;
 using solid::NaturalMode;
 using solid::Structure;
 
-/// Frequency of a shear wave across the structure, in its order of magnitude.
+/// Frequency of a wave across the structure, in its order of magnitude.
 double typical_omega(const solid::Solid& blocks) {
-  double fastest = 0;
+  double lightest = std::numeric_limits<double>::infinity();
   for (const solid::Block& block : blocks.blocks()) {
-    if (block.fixed || block.area <= 0) continue;
-    const double density = block.mass_per_m() / block.area;
-    fastest = std::max(fastest, std::sqrt(block.elasticity(2, 2) / density));
+    if (!block.fixed && block.area > 0) lightest = std::min(lightest, block.mass_per_m() / block.area);
   }
-  return fastest / blocks.size_m();
+  return std::sqrt(solid::largest_modulus(blocks) / lightest) / blocks.size_m();
 }
 
 /// Outlines of what moves, each point with its displacement.

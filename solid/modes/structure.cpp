@@ -9,7 +9,7 @@
 namespace blockweir::solid {
 namespace {
 
-/// Of springs that hold, over the largest elastic modulus: frequencies change by some 1e-6.
+/// Of springs that hold, over the largest stiffness of what gives way: frequencies change by some 1e-6.
 constexpr double stiffer = 1e5;
 
 std::vector<int> moving_parts(const Solid& solid) {
@@ -39,12 +39,6 @@ Unknowns unknowns_of(const Solid& solid, const std::vector<int>& parts) {
   return unknowns;
 }
 
-double largest_modulus(const Solid& solid) {
-  double largest = 0;
-  for (const Block& block : solid.blocks()) largest = std::max(largest, block.elasticity.diagonal().maxCoeff());
-  return largest;
-}
-
 Eigen::SparseMatrix<double> summed(const std::vector<Eigen::Triplet<double>>& entries, int size) {
   Eigen::SparseMatrix<double> sum(size, size);
   sum.setFromTriplets(entries.begin(), entries.end());
@@ -64,6 +58,19 @@ Eigen::Matrix2d along(const Point& direction, double k) {
 }
 
 }  // namespace
+
+double largest_modulus(const Solid& solid) {
+  double largest = 0;
+  double of_rigid = 0;
+  for (const Block& block : solid.blocks()) {
+    if (block.fixed) continue;
+    const bool gives_way = !block.rigid || !solid.model().boundary.empty();
+    double& most = gives_way ? largest : of_rigid;
+    most = std::max(most, block.elasticity.diagonal().maxCoeff());
+  }
+  for (const Bolt& bolt : solid.bolts()) largest = std::max(largest, bolt.acting.slope_n_per_m2);
+  return largest > 0 ? largest : of_rigid;
+}
 
 Structure::Structure(const Solid& solid)
     : solid_(solid),

@@ -10,6 +10,10 @@
 
 namespace blockweir::solid {
 
+/// The largest stiffness of what gives way: moving blocks that strain, bolts, the ground beyond [Pa, N/m2 for a metre].
+/// Of rigid blocks only where nothing else does, as their modulus has no effect then.
+double largest_modulus(const Solid& solid);
+
 /// M q'' + K q = 0 for small motions q of a solid at rest. Sticking contacts hold in both directions, slipping ones in
 /// the normal direction, open ones not at all; the springs are far stiffer than the blocks. Bolts have their present
 /// stiffness. Weight adds no stiffness.

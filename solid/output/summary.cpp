@@ -64,7 +64,7 @@ void add_warnings(const expect::Outcome& outcome, json& warnings) {
   for (const std::string& warning :
        {outcome.energy.warning(outcome.solid), residual_warning(scene, outcome.solid.counts()),
         outcome.edge_tension.warning(), new_contacts_warning(outcome), water_on_crest_warning(outcome),
-        outcome.added_mass.warning(scene)}) {
+        outcome.added_mass.warning(scene), outcome.interface_energy.warning()}) {
     if (!warning.empty()) warnings.push_back(warning);
   }
 }

@@ -61,6 +61,7 @@ void InterfaceEnergy::look(const std::vector<Panel>& panels, const wire::Motion&
 }
 
 void InterfaceEnergy::judge(double kinetic) {
+  most_kinetic_ = std::max(most_kinetic_, kinetic);
   if (growth_) return;
   const double made = now_.made - mark_.made;
   const double given = std::abs(now_.given - mark_.given);
@@ -73,6 +74,17 @@ void InterfaceEnergy::judge(double kinetic) {
   mark_ = now_;
   scale_ = std::max({least_, largest_kinetic_, again ? made : 0});
   largest_kinetic_ = 0;
+}
+
+std::string InterfaceEnergy::warning() const {
+  constexpr double small = 0.25;
+  const double moved_with = std::max(most_kinetic_, least_);
+  if (growth_ || now_.made <= small * moved_with) return {};
+  return fmt::format(
+      "the exchange between blocks and water added {:.3g} J per metre, {:.3g} times the largest kinetic energy: "
+      "pressures that lag behind the blocks push those that swing in the water, such as floating ones, ever farther; "
+      "take [coupling] schedule = \"improved\" or load_in_window = \"linear\", or shorten step_s",
+      now_.made, now_.made / moved_with);
 }
 
 std::string InterfaceEnergy::trouble(double ratio) const {

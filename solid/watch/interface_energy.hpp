@@ -43,12 +43,16 @@ class InterfaceEnergy {
   [[nodiscard]] const std::optional<Growth>& growth() const { return growth_; }
   [[nodiscard]] bool looked() const { return windows_ > 0; }
   [[nodiscard]] double made_j_per_m() const { return now_.made; }
+  /// Of a growth too slow to be reported as an instability: what the exchange has produced is no longer small beside
+  /// the largest kinetic energy. Empty if it is.
+  [[nodiscard]] std::string warning() const;
   /// Message: the window, the reason, the remedy; `ratio`: added mass over block mass.
   [[nodiscard]] std::string trouble(double ratio) const;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(forces_, sent_, solid_work_, windows_, now_, mark_, largest_kinetic_, scale_, times_, suspect_, growth_);
+    archive(forces_, sent_, solid_work_, windows_, now_, mark_, largest_kinetic_, most_kinetic_, scale_, times_,
+            suspect_, growth_);
   }
 
  private:
@@ -73,6 +77,7 @@ class InterfaceEnergy {
   State now_;
   State mark_;                  ///< start of the present sum
   double largest_kinetic_ = 0;  ///< since mark_
+  double most_kinetic_ = 0;     ///< of the run
   double scale_ = 0;            ///< largest before mark_
   int times_ = 0;               ///< consecutive detections
   State suspect_;               ///< the first of them

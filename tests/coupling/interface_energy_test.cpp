@@ -60,5 +60,31 @@ TEST_F(InterfaceEnergy, LighterWaterAndGuardedWaterDoNotGrow) {
   EXPECT_FALSE(energy()["grows"].get<bool>());
 }
 
+/// Pressures of a window's start push a box that floats ever farther, by 0.25 % a window: too little to end the run.
+TEST_F(InterfaceEnergy, ABoxThatSwingsEverFartherIsWarnedOfAndOneThatDoesNotIsNot) {
+  std::ofstream(folder / "s.toml") << R"(
+analysis = { duration_s = 8, step_s = 0.02, start = "unstressed", rigid = "all" }
+joint = { friction_angle_deg = 30 }
+water = { upstream_level_m = 0, downstream_level_m = 0, may_overtop = true }
+material.wood = { youngs_modulus_pa = 1e10, poissons_ratio = 0.2, density_kg_per_m3 = 500 }
+[[block]]
+name = "bed"
+material = "wood"
+vertices_m = [[-4, -2.5], [4, -2.5], [4, -2], [-4, -2]]
+fixed = true
+[[block]]
+name = "box"
+material = "wood"
+vertices_m = [[-0.5, -0.19], [0.5, -0.19], [0.5, 0.21], [-0.5, 0.21]]
+)";
+  const auto warnings = [&](const char* more) {
+    EXPECT_EQ(shell(programs + "/blockweir run s.toml --inproc --out r --quiet" + more), 0) << text("out");
+    return nlohmann::json::parse(text("r/summary.json"))["warnings"].dump();
+  };
+  EXPECT_THAT(warnings(""), HasSubstr("times the largest kinetic energy: pressures that lag behind the blocks push"));
+  EXPECT_THAT(warnings(" --set coupling.schedule=improved"), testing::Not(HasSubstr("the exchange between")));
+  EXPECT_THAT(warnings(" --set coupling.load_in_window=linear"), testing::Not(HasSubstr("the exchange between")));
+}
+
 }  // namespace
 }  // namespace blockweir::test
