@@ -75,6 +75,26 @@ void add_stretch_of_anchors(Situation& now, const StaticStrength& found, nlohman
                   now.scene.analysis.failure_displacement_m, stiff.analysis.failure_displacement_m, factor));
 }
 
+void add_rigid_blocks(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
+                      std::optional<double> jumps_below, nlohmann::json& answer) {
+  constexpr double share = 0.95;  // friction that is not determined jumps by less from one analysis to the next
+  if (structure.is_exact() || !strains(now.scene) || found.bearing == Bearing::bears_none) return;
+  const scene::Scene rigid = with_rigid_blocks(now.scene);
+  const double weaker = share * (found.bearing == Bearing::fails_at_a_factor ? found.factor : 1);
+  const auto without = attempt([&] {
+    if (stands(with_reduced_strength(rigid, weaker), now.water_if_any(), now.level_m)) return StaticStrength{};
+    return static_strength(rigid, now.water_if_any(), now.level_m, weaker, jumps_below);
+  });
+  if (!without.value || without.value->bearing != Bearing::fails_at_a_factor) return;
+  const double factor = without.value->factor;
+  const std::string text = fmt::format(
+      "the same blocks without strain have a factor of {:.4g}: what holds them beyond is how strain presses them "
+      "against each other, by Poisson's ratio for one, which equilibrium does not ask for; the lower counts",
+      factor);
+  answer["with_rigid_blocks"] = {{"factor", factor}, {"text", text}};
+  answer["warnings"].push_back(text);
+}
+
 void add_cracked_joints(const Solid& blocks, Situation& now, nlohmann::json& answer) {
   EdgeTension edge;
   edge.look(blocks, std::numeric_limits<double>::quiet_NaN(), now.level_m);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a factor on strength does not show: closeness to overturning, anchors that are activated only by motion, and
-// bonds that hold although the joint is in tension.
+// What a factor on strength does not show: closeness to overturning, anchors that are activated only by motion, bonds
+// that hold although the joint is in tension, and what strain alone holds.
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "solid/capacity/situation.hpp"
 #include "solid/capacity/static_strength.hpp"
@@ -20,6 +21,12 @@ void add_water_factor(const limit::LimitAnalysis& structure, Situation& now, con
 /// Anchors stretch as blocks move, and motion up to [analysis] failure_displacement_m is not failure. Warns if the
 /// factor differs when a tenth of that motion is allowed.
 void add_stretch_of_anchors(Situation& now, const StaticStrength& found, nlohmann::json& answer);
+
+/// Strain presses blocks against each other, by Poisson's ratio and by settling, and where equilibrium does not
+/// determine friction that may hold a structure that falls otherwise. Adds "with_rigid_blocks" {"factor", "text"} and a
+/// warning with that text if the same blocks without strain fail with a strength that is larger by a twentieth.
+void add_rigid_blocks(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
+                      std::optional<double> jumps_below, nlohmann::json& answer);
 
 /// Warns of joints in tension that their bond holds. If their cohesion counts, adds "with_cracked_joint": the factor by
 /// limit analysis with cohesion on the compressed part of such joints only.
