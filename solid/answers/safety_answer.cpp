@@ -163,7 +163,9 @@ void add_friction_history(const limit::LimitAnalysis& structure, const StaticStr
                           const limit::LimitStrength& bound, json& answer) {
   const std::optional<double> below = jumps_below(structure, bound);
   if (!below || !blocks.stopped.empty()) return;
+  constexpr double next_to_nothing = 1e-3;
   if (blocks.bearing != Bearing::fails_at_a_factor || (blocks.factor > *below && !blocks.creeps)) return;
+  if (blocks.factor > bound.factor * (1 - next_to_nothing)) return;
   if (limit::each_joint_divides(structure.scene(), structure.faces())) {
     answer["friction_history"] = fmt::format(
         "the bond of a joint breaks from its most stressed end on, which the blocks follow, down to {:.4g}; limit "

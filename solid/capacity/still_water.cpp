@@ -30,10 +30,10 @@ scene::Scene filled(scene::Scene scene, const limit::LevelRange& range) {
   }
   scene::Water& water = scene.water;
   if (water.downstream_level_m && !water.upstream_level_m) {
-    throw std::invalid_argument(
-        "[water] has a downstream_level_m alone; expected an upstream_level_m: it is the upstream pool that rises "
-        "here, "
-        "the left one; mirror the scene, or state both levels");
+    throw std::invalid_argument(fmt::format(
+        "[water] has a downstream_level_m alone; expected an upstream_level_m, of the pool on the left, too: level and "
+        "the factor of safety take both; for a side that is dry state upstream_level_m = {:.6g}, or mirror the scene",
+        range.empty_m));
   }
   if (scene.fluid == scene::FluidModel::none && water.nodal_rule == scene::NodalRule::consistent) {
     water.elements_per_face = 1;
