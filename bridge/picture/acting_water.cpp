@@ -23,14 +23,28 @@ constexpr int from_upstream = 0;
 constexpr int from_downstream = 1;
 constexpr int on_the_crest = 2;
 
-/// The highest point of what can move.
-double crest_m(const scene::Scene& scene) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const scene::Block& block : scene.blocks) {
-    for (const Point& p : block.vertices) highest = block.fixed ? highest : std::max(highest, p.y());
+/// The highest line of what can move.
+struct Crest {
+  explicit Crest(const scene::Scene& scene) {
+    const double near_m = 1e-6 * scene::structure_size_m(scene.blocks);
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    for (const scene::Block& block : scene.blocks) {
+      for (const Point& p : block.vertices) height_m = block.fixed ? height_m : std::max(height_m, p.y());
+    }
+    for (const scene::Block& block : scene.blocks) {
+      for (const Point& p : block.vertices) {
+        if (block.fixed || p.y() < height_m - near_m) continue;
+        left = std::min(left, p.x());
+        right = std::max(right, p.x());
+      }
+    }
+    middle_m = (left + right) / 2;
   }
-  return highest;
-}
+
+  double height_m = -std::numeric_limits<double>::infinity();
+  double middle_m = 0;
+};
 
 /// Names of the joints in which water presses on a block.
 class JointNames {
@@ -85,17 +99,23 @@ std::vector<Panel> panels_of(const scene::Scene& scene, const json& panels) {
   return all;
 }
 
+/// The pools part at the middle of the crest, as for the water's own model. A face that looks down may hang over that
+/// line: its pool is in front of it.
+int side_of(const Panel& p, const Crest& crest) {
+  constexpr double level = 1e-3;  // of a crest's width
+  const bool crowns =
+      p.inwards.y() < -0.5 && crest.height_m - std::min(p.from.y(), p.to.y()) <= level * (p.to - p.from).norm();
+  if (crowns) return on_the_crest;
+  const bool overhangs = p.inwards.y() > 1e-9;
+  const bool beyond = (p.from.x() + p.to.x()) / 2 > crest.middle_m;
+  return (overhangs ? p.inwards.x() < 0 : beyond) ? from_downstream : from_upstream;
+}
+
 /// Of the pressures of open water, those from upstream, from downstream and on the crest.
 std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels) {
   std::map<int, Pressing> parts;
-  const double crest = crest_m(scene);
-  const auto side = [&](const Panel& p) {
-    constexpr double level = 1e-3;  // of a crest's width
-    const bool crowns =
-        p.inwards.y() < -0.5 && crest - std::min(p.from.y(), p.to.y()) <= level * (p.to - p.from).norm();
-    return crowns ? on_the_crest : p.inwards.x() < -1e-9 ? from_downstream : from_upstream;
-  };
-  for (const Panel& p : panels_of(scene, panels)) p.add_to(parts[side(p)]);
+  const Crest crest(scene);
+  for (const Panel& p : panels_of(scene, panels)) p.add_to(parts[side_of(p, crest)]);
   return parts;
 }
 

@@ -112,6 +112,29 @@ TEST(SectionState, WaterOnTheCrestHasALabelOfItsOwn) {
   EXPECT_TRUE(std::any_of(state["legend"].begin(), state["legend"].end(), in_legend)) << state["legend"].dump();
 }
 
+/// Beyond the toe, on rock that can move: flat, rising away from the dam, and a sill that looks upstream.
+TEST(SectionState, TailwaterOnRockBeyondTheToeIsWaterDownstream) {
+  json beyond = water;
+  for (const json& panel :
+       {json{5, 0, 3, 0, 10000, 10000, 1}, json{7, 0.5, 5, 0, 5000, 10000, 1}, json{7, 1, 7, 0.5, 0, 5000, 1}}) {
+    beyond[0]["panels"].push_back(panel);
+  }
+  const scene::Scene scene = scene::read_text(scene::sample::text + more, "s.toml").scene;
+  const json state = section_state(scene, beyond, 0, json::array());
+  EXPECT_NEAR(load(state, "water upstream")["force"][0].get<double>(), 20000, 1e-9);
+  EXPECT_NEAR(load(state, "water upstream")["force"][1].get<double>(), 0, 1e-9);
+  EXPECT_NEAR(load(state, "water downstream")["force"][1].get<double>(), -20000 - 15000, 1e-9);
+}
+
+/// The upstream face of a crest that leans far over it looks down.
+TEST(SectionState, WaterUnderAnOverhangIsThatOfThePoolInFrontOfIt) {
+  json under = water;
+  under[0]["panels"] = {{2, 3, 2.5, 2, 10000, 20000, 1}};
+  const scene::Scene scene = scene::read_text(scene::sample::text + more, "s.toml").scene;
+  const json state = section_state(scene, under, 0, json::array());
+  EXPECT_NEAR(load(state, "water upstream")["force"][0].get<double>(), 15000, 1e-9);
+}
+
 /// An earthquake takes from the tailwater's pressure: that pulls, on a face that looks downstream.
 TEST(SectionState, AddedWaterOfTheTailwaterStandsDownstream) {
   json both = water;
