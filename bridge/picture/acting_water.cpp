@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/picture/acting_loads.hpp"
@@ -83,6 +85,8 @@ struct Panel {
         to(p[2], p[3]),
         inwards(Point(from.y() - to.y(), to.x() - from.x()).normalized()),
         pressure_pa{p[4], p[5]} {}
+  [[nodiscard]] Point middle() const { return (from + to) / 2; }
+  [[nodiscard]] Point force() const { return (pressure_pa[0] + pressure_pa[1]) / 2 * (to - from).norm() * inwards; }
   void add_to(Pressing& pressing) const { pressing.add(from, to, pressure_pa[0] * inwards, pressure_pa[1] * inwards); }
 
   int block;
@@ -107,7 +111,7 @@ int side_of(const Panel& p, const Crest& crest) {
       p.inwards.y() < -0.5 && crest.height_m - std::min(p.from.y(), p.to.y()) <= level * (p.to - p.from).norm();
   if (crowns) return on_the_crest;
   const bool overhangs = p.inwards.y() > 1e-9;
-  const bool beyond = (p.from.x() + p.to.x()) / 2 > crest.middle_m;
+  const bool beyond = p.middle().x() > crest.middle_m;
   return (overhangs ? p.inwards.x() < 0 : beyond) ? from_downstream : from_upstream;
 }
 
@@ -119,15 +123,65 @@ std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels) 
   return parts;
 }
 
-/// A resultant for each named joint, and one for all that stands on other joints of a block. Of both sides of a joint
-/// the upper block's counts.
+/// Finds the panel on the other face of a joint.
+class Faces {
+ public:
+  Faces(const scene::Scene& scene, const std::vector<Panel>& panels)
+      : panels_(panels), near_m_(1e-6 * scene::structure_size_m(scene.blocks)) {
+    for (std::size_t i = 0; i < panels.size(); ++i) by_x_.emplace(panels[i].middle().x(), i);
+  }
+  /// Null where none is known, as where the run did not store the blocks.
+  [[nodiscard]] const Panel* opposite(const Panel& panel) const {
+    const Point middle = panel.middle();
+    const auto end = by_x_.upper_bound(middle.x() + near_m_);
+    for (auto it = by_x_.lower_bound(middle.x() - near_m_); it != end; ++it) {
+      const Panel& other = panels_[it->second];
+      if (other.block != panel.block && (other.middle() - middle).norm() <= near_m_) return &other;
+    }
+    return nullptr;
+  }
+
+ private:
+  const std::vector<Panel>& panels_;
+  double near_m_;
+  std::multimap<double, std::size_t> by_x_{};
+};
+
+/// What presses on the structure in joints: on ground all of it; between two blocks that can move, on the upper one. A
+/// bent joint has one upper block, which its upright legs press, too.
+std::vector<Panel> uplifting(const scene::Scene& scene, const json& json_panels) {
+  const std::vector<Panel> all(json_panels.begin(), json_panels.end());
+  const Faces faces(scene, all);
+  const auto is_fixed = [&](const Panel& p) { return p.block != unknown_block && scene.blocks[at(p.block)].fixed; };
+  std::map<std::pair<int, int>, Point> on_block_from;  // force, and its size
+  std::vector<const Panel*> opposite;
+  for (const Panel& p : all) {
+    opposite.push_back(faces.opposite(p));
+    if (opposite.back() == nullptr) continue;
+    const Point force = p.force();
+    on_block_from.try_emplace({p.block, opposite.back()->block}, Point::Zero()).first->second +=
+        Point(force.y(), force.norm());
+  }
+  std::vector<Panel> kept;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    constexpr double round_off = 1e-9;
+    if (is_fixed(all[i])) continue;
+    bool counts = all[i].inwards.y() > 0;
+    if (const Panel* other = opposite[i]) {
+      const Point& upwards = on_block_from.at({all[i].block, other->block});
+      counts = is_fixed(*other) || upwards.x() > round_off * upwards.y();
+    }
+    if (counts) kept.push_back(all[i]);
+  }
+  return kept;
+}
+
+/// A resultant for each named joint, and one for all that stands on other joints of a block.
 void put_uplift(const scene::Scene& scene, const json& panels, json& list) {
   constexpr std::size_t most_named = 12;  // of a mesh of joints no picture can name each
   const JointNames names(scene);
   std::map<std::string, Pressing> parts;
-  for (const Panel& p : panels_of(scene, panels)) {
-    if (p.inwards.y() > 0) p.add_to(parts[names.uplift_at(p.block, (p.from + p.to) / 2)]);
-  }
+  for (const Panel& p : uplifting(scene, panels)) p.add_to(parts[names.uplift_at(p.block, p.middle())]);
   for (const auto& [name, pressing] : parts) {
     pressing.put(parts.size() <= most_named ? name : std::string("uplift"), "uplift", list);
   }
