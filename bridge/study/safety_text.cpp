@@ -58,6 +58,8 @@ std::string factors_text(const json& cases) {
       add_line("no answer: ", c["why_no_factor"]);
     else if (c["factor"].is_null() && c.contains("why_no_factor"))
       add_line("no factor: ", c["why_no_factor"]);
+    const std::string no_limit = c.value("why_no_limit_analysis_factor", "");
+    if (!no_limit.empty() && no_limit != c.value("why_no_factor", "")) add_line("no limit: ", no_limit);
     if (c.contains("mechanism")) add_line("mechanism: ", c["mechanism"]["text"]);
     if (c.contains("friction_history")) add_line("factor: ", c["friction_history"]);
     if (c.contains("stopped")) add_line("a lower bound, ", c["stopped"]);

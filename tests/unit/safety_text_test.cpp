@@ -55,6 +55,18 @@ json load_case(const std::string& name) {
           {"joints", json::array()}};
 }
 
+TEST(SafetyText, AFactorOfLimitAnalysisThatIsMissingHasItsReason) {
+  json without = load_case("usual");
+  without["limit_analysis_factor"] = nullptr;
+  without["why_no_limit_analysis_factor"] = "the simplex method came to no end";
+  EXPECT_THAT(blockweir::study::safety_text(json::array({without})),
+              HasSubstr("usual: no limit: the simplex method came to no end\n"));
+  without["factor"] = nullptr;
+  without["why_no_factor"] = without["why_no_limit_analysis_factor"];
+  EXPECT_THAT(blockweir::study::safety_text(json::array({without})), Not(HasSubstr("no limit: ")))
+      << "the same is said once";
+}
+
 TEST(SafetyText, NamesAreWholeAndRowsFitATerminal) {
   std::mt19937 random(3);
   for (int trial = 0; trial < 200; ++trial) {

@@ -125,5 +125,47 @@ TEST(SafetyWithoutAnswer, LoadsBeyondAllSenseAreAReasonAndNoCrash) {
   }
 }
 
+/// Where friction is just large enough for blocks to wedge each other, no linear program has an optimum: the forces
+/// grow without limit. Limit analysis had no factor of this dam.
+TEST(SafetyWithoutAnswer, BlocksThatJamHaveAFactorByLimitAnalysis) {
+  const json answer = process::safety_answer(scene::read_text(R"(title = "a dam of blocks on stepped rock"
+analysis = { duration_s = 1, rigid = "all", kind = "static" }
+water = { upstream_level_m = 14.69, downstream_level_m = 3.99 }
+joint = { friction_angle_deg = 45, uplift = "full" }
+material.concrete = { youngs_modulus_pa = 25e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
+[[block]]
+name = "rock"
+material = "concrete"
+fixed = true
+vertices_m = [[-30, -10], [50, -10], [50, 0], [17.25, 0], [7.24, 0], [7.24, -2.84], [0, -2.84], [-30, -2.84]]
+[[block]]
+name = "heel"
+material = "concrete"
+vertices_m = [[0, -2.84], [7.24, -2.84], [7.24, 0], [7.24, 6.24], [0, 6.24]]
+[[block]]
+name = "toe"
+material = "concrete"
+vertices_m = [[7.24, 0], [17.25, 0], [10.56, 6.24], [7.24, 6.24]]
+[[block]]
+name = "middle"
+material = "concrete"
+vertices_m = [[0, 6.24], [7.24, 6.24], [10.56, 6.24], [6.37, 10.25], [0, 10.25]]
+[[block]]
+name = "crest"
+material = "concrete"
+vertices_m = [[0, 10.25], [4.57, 10.25], [4.57, 15.41], [0, 15.41]]
+[[block]]
+name = "back"
+material = "concrete"
+vertices_m = [[4.57, 10.25], [6.37, 10.25], [4.57, 15.41]]
+)",
+                                                              "jams.toml")
+                                                 .scene,
+                                             hydrostatic::make);
+  EXPECT_NEAR(answer["limit_analysis_factor"].get<double>(), 0.99913, 1e-5) << answer.dump(1);
+  EXPECT_LT(answer["gap"].get<double>(), 1e-8);
+  EXPECT_THAT(answer["limit_analysis_note"].get<std::string>(), HasSubstr("blocks wedge each other"));
+}
+
 }  // namespace
 }  // namespace blockweir::test

@@ -187,6 +187,7 @@ function writeCases() {
   tellEach(c => (c.friction_history ? [c.friction_history] : []), (who, text) => `${upper(who)}: ${text}.`, 'quiet');
   tellEach(c => (c.limit_analysis_note ? [c.limit_analysis_note] : []), (who, text) => `${upper(who)}, limit analysis: ${text}.`, 'quiet');
   tellEach(c => (!is(c.factor) && c.why_no_factor ? [c.why_no_factor] : []), (who, text) => `${upper(who)}: no factor, as ${text}.`, 'quiet');
+  tellEach(c => (c.why_no_limit_analysis_factor && c.why_no_limit_analysis_factor !== c.why_no_factor ? [c.why_no_limit_analysis_factor] : []), (who, text) => `${upper(who)}: no factor by limit analysis, as ${text}.`, 'quiet');
   tellEach(c => (c.mechanism ? [c.mechanism.text] : []), (who, text) => `Mechanism of ${who}, by limit analysis: ${text}.`, 'quiet');
   for (const c of report.safety.filter(c => c.load_factor)) {
     const grown = c.load_factor;
