@@ -50,11 +50,20 @@ function placesIn(texts) {
   return places;
 }
 
-/// Texts that differ in figures alone, as one: the first, and at how many more points it holds.
+/// A figure that texts give differently, from its least to its largest: whichever is worse, it is seen.
+function rangeOf(found) {
+  const byValue = [...new Set(found)].sort((a, b) => Number(a) - Number(b));
+  return byValue.length > 1 ? `${byValue[0]} to ${byValue[byValue.length - 1]}` : byValue[0];
+}
+
+/// Texts that differ in figures alone, as one: the first, with the ranges of figures, and at how many more points it holds.
 function merged(texts) {
+  const parts = /\((?:-?[\d.]+(?:e[-+]?\d+)?), (?:-?[\d.]+(?:e[-+]?\d+)?)\)|"[^"]*"|-?\d+(?:\.\d+)?(?:e[-+]?\d+)?/g;
+  const figures = texts.map(text => text.match(parts) || []);
+  let i = -1;
+  const text = texts[0].replace(parts, part => (++i, '("'.includes(part[0]) ? part : rangeOf(figures.map(of => of[i]))));
   const more = placesIn(texts).length - placesIn(texts.slice(0, 1)).length;
-  const others = new Set(texts.map(text => text.replace(placeInText, '()'))).size > 1 ? ', with other figures' : '';
-  return texts[0] + (more > 0 ? ` (and at ${more} more point${more > 1 ? 's' : ''}${others})` : others ? ` (${texts.length - 1} more${others})` : '');
+  return text + (more > 0 ? ` (and at ${more} more point${more > 1 ? 's' : ''})` : '');
 }
 
 /// Every text once, with those that it holds for: [who, texts] each.
@@ -95,6 +104,13 @@ function allWarnings() {
 /// Chapter 1 has the text of each.
 const warningsAbove = count => (count > 0 ? [paragraph(`${count} warning${count > 1 ? 's' : ''} of this chapter: see chapter 1.`, 'bad')] : []);
 
+/// What governs comes first: a joint that bends has no sliding factor, and limit analysis finds that it is the weakest.
+function marginsInWords({margin, limit_analysis: limit}) {
+  const lines = [margin && margin.text ? margin.text + '.' : '', limit ? 'Factor by limit analysis: ' + limit.text + '.' : ''].filter(Boolean);
+  const governs = limit && is(limit.factor) && margin && is(margin.sliding_factor) && limit.factor < 0.99 * margin.sliding_factor;
+  return governs ? [lines[1], 'Of joints that run straight through the structure: ' + lines[0]] : lines;
+}
+
 function writeVerdict() {
   const s = report.summary;
   const words = {fails: 'The structure FAILS', stands: 'The structure STANDS', moving: 'UNDECIDED: something still moves at the end', stopped: 'STOPPED'};
@@ -113,8 +129,7 @@ function writeVerdict() {
     if (f.doubt) lines.push(f.doubt);
   }
   if (s.moving) lines.push(s.moving.text);
-  if (s.margin && s.margin.text) lines.push(s.margin.text + '.');
-  if (s.limit_analysis) lines.push('Factor by limit analysis: ' + s.limit_analysis.text + '.');
+  lines.push(...marginsInWords(s));
   if (s.stopped) lines.push(`After ${number(report.frames[report.frames.length - 1].t)} of ${number(report.duration_s)} s it was stopped: ${s.stopped.replace(/\.$/, '')}.`);
   if (s.loose) lines.push(s.loose.text + '.');
   if (s.breach) lines.push(`After ${number(s.breach.time_s)} s: ${s.breach.text}.`);
