@@ -67,6 +67,18 @@ TEST(SafetyText, AFactorOfLimitAnalysisThatIsMissingHasItsReason) {
       << "the same is said once";
 }
 
+TEST(SafetyText, RoundOffIsZero) {
+  json strained = load_case("usual");
+  strained["joints"].push_back(joint("base", 1e5));
+  json& row = strained["joints"][0];
+  row["downstream_end_m"] = {17, -1.03e-05};
+  row["heel_stress_pa"] = -1e-9;
+  row["sums"][0]["x_n_per_m"] = -1e-9;
+  const std::string text = blockweir::study::safety_text(json::array({strained}));
+  EXPECT_THAT(text, HasSubstr("moments about (17, 0) m"));
+  EXPECT_THAT(text, testing::Not(testing::ContainsRegex("-0\\.0* ")));
+}
+
 TEST(SafetyText, NamesAreWholeAndRowsFitATerminal) {
   std::mt19937 random(3);
   for (int trial = 0; trial < 200; ++trial) {
