@@ -36,6 +36,16 @@ TEST_F(Answers, TheLevelsOfBothWaysAreSaidToAgree) {
   EXPECT_THAT(text("out"), HasSubstr("\nagree   blocks and limit analysis agree\n"));
 }
 
+TEST_F(Answers, ALevelOfASceneWithoutWaterSaysWhatItAssumes) {
+  const std::string asked = "level " + cases + "incline --out o";
+  ASSERT_EQ(ask(asked), 0) << text("out");
+  EXPECT_THAT(text("out"),
+              HasSubstr("\nwater   the scene has no [water]: assumed is a reservoir of 1000 kg/m3 upstream "
+                        "without tailwater, and no uplift, as no joint states one\n"));
+  ASSERT_EQ(ask("level " + cases + "monolith-slides --out p"), 0) << text("out");
+  EXPECT_THAT(text("out"), Not(HasSubstr("assumed is")));
+}
+
 /// As `run` does: what is wrong with the scene is said all the same.
 TEST_F(Answers, QuietLeavesTheProgressOut) {
   for (const char* question : {"level ", "safety "}) {

@@ -243,6 +243,7 @@ function writeLevel() {
   to.append(table(['found by', 'level m', 'head m', 'mode', 'joint'], rows),
     paragraph(found.difference.agree ? 'Blocks and limit analysis agree.' : 'Blocks and limit analysis differ' + (is(found.difference.level_m) ? ` by ${number(found.difference.level_m, 3)} m` : '') + `. Reason: ${found.difference.reason}.`));
   if (found.looked_at) to.append(paragraph(`Levels are ${found.looked_at}.`, 'quiet'));
+  if (found.assumed) to.append(paragraph(`Water: ${found.assumed}.`, 'quiet'));
   to.append(...warningsAbove(onceEach([['', warningsOf(found)]]).length));
   if (found.limit_analysis.limit_analysis_note) to.append(paragraph(`Limit analysis: ${found.limit_analysis.limit_analysis_note}.`, 'quiet'));
   const mechanism = found.limit_analysis.mechanism;
