@@ -10,6 +10,7 @@ Work level_command(CLI::App& app) {
   const auto options = std::make_shared<study::LevelOptions>();
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--out", options->out, "folder for the answer and its picture (default: runs/CASE-level)");
+  app.add_flag("--quiet", options->no_progress, "show no progress");
   app.add_option("--json", options->json, "also write the answer to this file, as JSON");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");

@@ -11,6 +11,7 @@ Work safety_command(CLI::App& app) {
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option("--out", options->out,
                  "folder for the answers, one within it for each load case (default: runs/CASE-safety)");
+  app.add_flag("--quiet", options->no_progress, "show no progress");
   app.add_option("--json", options->json, "also write the answer to this file, as JSON");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");

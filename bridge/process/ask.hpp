@@ -18,7 +18,8 @@ struct AskOptions {
   std::filesystem::path out{};  ///< folder for the answer; empty: runs/CASE-QUESTION, or runs/CASE-VARIANT-QUESTION
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
-  bool quiet = false;                ///< prints no notes and warnings of the reader
+  bool quiet = false;                ///< prints neither progress nor notes and warnings of the reader
+  bool no_progress = false;          ///< prints no progress
   std::optional<double> moment_s{};  ///< time whose loads and levels count; default: the run's end
 };
 

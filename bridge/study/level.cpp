@@ -94,6 +94,7 @@ std::string level_report(const json& answer) {
                         formula["head_m"].get<double>(), formula["joint"].get<std::string>(),
                         formula["name"].get<std::string>());
   }
+  if (answer["assumed"].is_string()) text += fmt::format("water   {}\n", answer["assumed"].get<std::string>());
   if (answer.contains("added_water_pressure")) {
     text += fmt::format("water   added pressure in the earthquake after {}\n",
                         answer["added_water_pressure"].get<std::string>());

@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/geometry/place_text.hpp"
+
 namespace blockweir::study {
 namespace {
 
+using geometry::without_signed_zero;
 using nlohmann::json;
 
 std::string scaled(const json& value, const char* format, double scale = 1) {
-  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>() * scale) : "-";
+  return value.is_number() ? without_signed_zero(fmt::format(fmt::runtime(format), value.get<double>() * scale)) : "-";
 }
 
 /// The loads that the factor multiplies, and those that stay constant.
@@ -58,6 +61,8 @@ std::string factors_text(const json& cases) {
       add_line("no answer: ", c["why_no_factor"]);
     else if (c["factor"].is_null() && c.contains("why_no_factor"))
       add_line("no factor: ", c["why_no_factor"]);
+    const std::string no_limit = c.value("why_no_limit_analysis_factor", "");
+    if (!no_limit.empty() && no_limit != c.value("why_no_factor", "")) add_line("no limit: ", no_limit);
     if (c.contains("mechanism")) add_line("mechanism: ", c["mechanism"]["text"]);
     if (c.contains("friction_history")) add_line("factor: ", c["friction_history"]);
     if (c.contains("stopped")) add_line("a lower bound, ", c["stopped"]);
@@ -98,17 +103,14 @@ std::string sums_text(const json& joints, const char* last) {
   constexpr const char* row = "{:<32.32} {:>12} {:>12} {:>14}\n";
   std::string text;
   for (const json& j : joints) {
-    const auto coordinate = [&](std::size_t i) {
-      constexpr double rounding = 1e-9;
-      const double x = j["downstream_end_m"][i];
-      return std::abs(x) < rounding * j["length_m"].get<double>() ? 0 : x;
-    };
-    text += fmt::format("\nforces on what stands on {}, moments about ({:.4g}, {:.4g}) m\n",
-                        j["name"].get<std::string>(), coordinate(0), coordinate(1));
+    const json& about = j["downstream_end_m"];
+    text += fmt::format(
+        "\nforces on what stands on {}, moments about {} m\n", j["name"].get<std::string>(),
+        geometry::place_text(geometry::Point(about[0].get<double>(), about[1].get<double>()), j["length_m"]));
     text += fmt::format(fmt::runtime(row), "", "x kN/m", "y kN/m", "moment kNm/m");
     const auto add = [&](const std::string& name, double x, double y, double moment) {
-      text += fmt::format(fmt::runtime(row), name, fmt::format("{:.2f}", x / 1e3), fmt::format("{:.2f}", y / 1e3),
-                          fmt::format("{:.2f}", moment / 1e3));
+      text += fmt::format(fmt::runtime(row), name, scaled(x, "{:.2f}", 1e-3), scaled(y, "{:.2f}", 1e-3),
+                          scaled(moment, "{:.2f}", 1e-3));
     };
     double x = 0;
     double y = 0;

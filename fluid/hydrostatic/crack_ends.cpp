@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "bridge/geometry/place_text.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/hydrostatics.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
@@ -68,10 +70,11 @@ std::string CrackEnds::warning() const {
   if (driest_.pressure_pa <= 0) return {};
   const char* pool = driest_.upstream ? "upstream" : "downstream";
   return fmt::format(
-      "no open water reaches the {0} end of joint \"{1}\" at ({2:.4g}, {3:.4g}) m, which has the pressure of the {0} "
-      "pool there, {4:.4g} Pa, all the same; expected a joint that ends in that pool; where its ground is dry state "
+      "no open water reaches the {0} end of joint \"{1}\" at {2} m, which has the pressure of the {0} "
+      "pool there, {3:.4g} Pa, all the same; expected a joint that ends in that pool; where its ground is dry state "
       "uplift = \"none\" for it in [[joints]]",
-      pool, names_[crack_], driest_.place.x(), driest_.place.y(), driest_.pressure_pa);
+      pool, names_[crack_], geometry::place_text(driest_.place, scene::structure_size_m(scene_.blocks)),
+      driest_.pressure_pa);
 }
 
 }  // namespace blockweir::hydrostatic

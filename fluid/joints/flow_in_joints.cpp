@@ -7,8 +7,10 @@
 #include <cmath>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "bridge/geometry/place_text.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/hydrostatics.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::joints {
 namespace {
@@ -76,10 +78,10 @@ void FlowInJoints::note_dry_mouths(const std::vector<std::vector<Point>>& outlin
     const bool below = p.y() < level_m - scene_.water.open_crack_width_m;  // false where there is no pool
     if (joints_.network().nodes[i].kind != NodeKind::seeps || !below) continue;
     dry_mouth_ = fmt::format(
-        "a joint with uplift = \"flow\" ends in air at ({:.4g}, {:.4g}) m, below the {} level, {:.4g} m: no open water "
+        "a joint with uplift = \"flow\" ends in air at {} m, below the {} level, {:.4g} m: no open water "
         "reaches it; expected ground that lets the pool come there; state another uplift where it is to have the "
         "pool's pressure all the same",
-        p.x(), p.y(), upstream ? "upstream" : "downstream", level_m);
+        geometry::place_text(p, scene::structure_size_m(scene_.blocks)), upstream ? "upstream" : "downstream", level_m);
     return;
   }
 }

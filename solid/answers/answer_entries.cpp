@@ -28,12 +28,17 @@ void announce_limit_analysis(const limit::LimitAnalysis& structure) {
   std::fflush(stderr);
 }
 
+void add_note(const char* note, nlohmann::json& answer) {
+  const std::string others = answer.value("limit_analysis_note", "");
+  answer["limit_analysis_note"] = others.empty() ? note : others + "; " + note;
+}
+
 void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohmann::json& answer) {
   answer["upper_bound"] = !structure.is_exact();
   if (structure.holds_any_force()) {
-    answer["limit_analysis_note"] = anchors_note;
+    add_note(anchors_note, answer);
   } else if (yields_above_prestress(structure.scene())) {
-    answer["limit_analysis_note"] = yields_note;
+    add_note(yields_note, answer);
   }
 }
 

@@ -35,6 +35,14 @@ inline constexpr const char* anchors_note =
 /// For bolts that yield above their prestress.
 inline constexpr const char* yields_note =
     "limit analysis takes anchors at their yield force, which the blocks' anchors reach only as they stretch";
+
+/// For a factor at which blocks wedge each other.
+inline constexpr const char* jams_note =
+    "blocks wedge each other at this bound: with a little more friction they would bear any load, by forces that grow "
+    "without limit; real joints slip without opening so much, and the blocks' factor shows what they bear";
+/// Adds to the notes on limit analysis.
+void add_note(const char* note, nlohmann::json& answer);
+
 /// Whether a bolt yields above its prestress.
 bool yields_above_prestress(const scene::Scene& scene);
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/geometry/place_text.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -34,8 +36,8 @@ std::string crushed_in(const LimitAnalysis& structure, const limit::Twists& mech
     const limit::Point jump = structure.jump(face, mechanism, face.from_m);
     const double opens = jump.dot(face.normal) - face.friction / reduction * std::abs(jump.dot(face.along()));
     if (opens > -least) continue;
-    return fmt::format("the corner between blocks \"{}\" and \"{}\" at ({:.4g}, {:.4g}) m", blocks[at(face.a)].name,
-                       blocks[at(face.b)].name, face.from_m.x(), face.from_m.y());
+    return fmt::format("the corner between blocks \"{}\" and \"{}\" at {} m", blocks[at(face.a)].name,
+                       blocks[at(face.b)].name, geometry::place_text(face.from_m, scene::structure_size_m(blocks)));
   }
   return "a corner in a kink";
 }

@@ -190,6 +190,17 @@ json highest_json(const scene::Scene& scene, double full_m, const json& answer) 
                            full_m);
 }
 
+/// The water of a scene that states none; null where it does.
+json assumed_json(const scene::Scene& scene) {
+  if (scene.fluid != scene::FluidModel::none) return nullptr;
+  const bool uplift = scene.default_joint.uplift != scene::Uplift::none ||
+                      std::any_of(scene.joints.begin(), scene.joints.end(),
+                                  [](const scene::Joint& joint) { return joint.law.uplift != scene::Uplift::none; });
+  return fmt::format("the scene has no [water]: assumed is a reservoir of {:.4g} kg/m3 upstream without tailwater, {}",
+                     scene.water.density_kg_per_m3,
+                     uplift ? "with the uplift of its joints" : "and no uplift, as no joint states one");
+}
+
 json difference_json(const Levels& levels) {
   const std::string reason = levels.reason();
   json answer = {{"reason", reason}, {"agree", reason == the_two_agree}};
@@ -228,6 +239,7 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   if (strains) answer["rigid_blocks"] = blocks_json(scene, levels.rigid);
   answer["difference"] = difference_json(levels);
   answer["looked_at"] = highest_json(scene, water.range().full_m, answer);
+  answer["assumed"] = assumed_json(scene);
   solid::add_water_in_an_earthquake(scene, answer);
   answer["warnings"] = water.warnings();
   solid::add_motion_left_out(scene, answer);

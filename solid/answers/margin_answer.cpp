@@ -51,6 +51,7 @@ json margin_of(solid::Situation& now, const limit::LimitAnalysis& structure, con
     answer["holds_nothing"] = !any;
     if (!any && !answer.contains("mechanism")) answer["mechanism"] = solid::mechanism_json(structure, found.mechanism);
   }
+  if (found.jams) solid::add_note(solid::jams_note, answer);
   solid::add_strength_with_crushed_corners(structure, loads, found, answer);
   return answer;
 }

@@ -234,6 +234,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   if (blocks.value && !blocks.value->stopped.empty()) answer["stopped"] = blocks.value->stopped;
   solid::add_what_limit_analysis_takes(structure, answer);
   if (has_limit) answer["gap"] = by_limit.value->gap;
+  if (has_limit && by_limit.value->jams) solid::add_note(solid::jams_note, answer);
   if (by_limit.value && by_limit.value->bearing != Bearing::bears_any) {
     answer["mechanism"] = solid::mechanism_json(structure, by_limit.value->mechanism);
   }

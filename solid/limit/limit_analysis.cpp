@@ -18,6 +18,9 @@ namespace blockweir::solid::limit {
 namespace {
 
 constexpr double largest_factor_told = 1e6;  // a factor beyond is none
+/// Over the weight, of all normal forces together where a shortage is asked for. Blocks that jam bear whatever presses
+/// them once friction is just large enough, by forces that grow without limit there: no program has an optimum near it.
+constexpr double largest_normal = 1e5;
 
 bool any_moves(const scene::Scene& scene) {
   return std::any_of(scene.blocks.begin(), scene.blocks.end(), [](const auto& block) { return !block.fixed; });
@@ -34,8 +37,9 @@ std::vector<Face> held_by(const scene::Scene& scene, Kinks kinks) {
 /// Balance and strength, forces in units of the weight and moments in that times the size.
 class LimitAnalysis::Program {
  public:
-  Program(const LimitAnalysis& structure, const Wrenches& dead, double reduction)
+  Program(const LimitAnalysis& structure, const Wrenches& dead, double reduction, double most_normal = infinite)
       : structure_(structure), rows_(dead.size(), 0) {
+    if (std::isfinite(most_normal)) all_normal_ = lp_.add_upper_bound(most_normal);
     for (std::size_t b = 0; b < dead.size(); ++b) {
       if (structure.scene_.blocks[b].fixed) continue;
       const Wrench load = scaled(dead[b]);
@@ -84,6 +88,8 @@ class LimitAnalysis::Program {
     }
     return twists;
   }
+  /// What the shortage falls by for a unit more of all normal forces together.
+  [[nodiscard]] double price_of_normal() const { return all_normal_ ? lp_.dual(*all_normal_) : 0; }
   /// Adds tangents to faces with curved friction whose forces exceed it; true if there were any.
   bool add_tangents(std::vector<Face>& faces, double reduction) const {
     const double weight = structure_.weight_n_per_m_;
@@ -175,6 +181,7 @@ class LimitAnalysis::Program {
       for (const Strength& s : strengths) {
         entries.insert(entries.end(), {{s.forth, -s.friction / reduction}, {s.back, -s.friction / reduction}});
       }
+      if (all_normal_) entries.emplace_back(*all_normal_, 1);
       forces.normal.push_back(lp_.add_variable(-tension, infinite, entries));
     }
     LinearProgram::Entries shear = on_both(face.along(), face.from_m);
@@ -192,8 +199,9 @@ class LimitAnalysis::Program {
   const LimitAnalysis& structure_;
   std::vector<int> rows_;  ///< first of the three of each block; 0: it is fixed
   std::vector<Strength> strengths_;
-  std::vector<Forces> forces_;   ///< by face
-  std::optional<int> shortage_;  ///< variable
+  std::vector<Forces> forces_;     ///< by face
+  std::optional<int> shortage_;    ///< variable
+  std::optional<int> all_normal_;  ///< row
   LinearProgram lp_;
 };
 
@@ -245,14 +253,15 @@ bool LimitAnalysis::bears(const Wrenches& loads) const {
 }
 
 std::optional<Shortage> LimitAnalysis::shortage(const Wrenches& loads, double reduction) const {
-  Program program(*this, loads, reduction);
+  Program program(*this, loads, reduction, largest_normal);
   const int ratio = program.add_shortage(/*price=*/1);
   if (!program.solve()) return std::nullopt;
   if (program.add_tangents(faces_, reduction)) return shortage(loads, reduction);
   Shortage found{.ratio = program.value(ratio),
                  .per_reduction = program.priced_strength() / (reduction * reduction),
                  .mechanism = program.mechanism()};
-  if (found.ratio > 0) normalize(found.mechanism);
+  if (found.ratio <= 0) return found;
+  found.jam_power = program.price_of_normal() * largest_normal * weight_n_per_m_ / normalize(found.mechanism);
   return found;
 }
 

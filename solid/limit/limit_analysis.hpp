@@ -31,6 +31,9 @@ struct Shortage {
   double ratio = 0;
   double per_reduction = 0;  ///< derivative with respect to the reduction
   Twists mechanism;          ///< as above; zero if nothing is lacking
+  /// N/m m/s: what the limit of all normal forces together adds to the mechanism's resistance. Not zero: blocks jam,
+  /// and forces that grow without limit would bear the loads.
+  double jam_power = 0;
 };
 
 /// Corners in a kink of another block: they carry any force at a point (hold), or are crushed and carry none.
@@ -70,8 +73,8 @@ class LimitAnalysis {
  private:
   class Program;
   [[nodiscard]] Point velocity(int block, const Twists& mechanism, const Point& place) const;
-  /// Scales the mechanism so that its fastest vertex has velocity 1.
-  void normalize(Twists& mechanism) const;
+  /// Returns by how much it was too fast.
+  double normalize(Twists& mechanism) const;
 
   const scene::Scene& scene_;
   std::vector<Point> centroids_;

@@ -78,8 +78,11 @@ LimitStrength limit_strength(const LimitAnalysis& structure, const Wrenches& loa
     powers += loads[b].head<2>().norm() * found.mechanism[b].head<2>().norm();
     powers += std::abs(loads[b][2] * found.mechanism[b][2]);
   }
+  const double jam_power = bracket.shortage.jam_power;
+  found.jams = jam_power > 0;
   found.gap =
-      std::abs(power(loads, found.mechanism) - structure.resistance(found.mechanism, bracket.short_of)) / powers;
+      std::abs(power(loads, found.mechanism) - structure.resistance(found.mechanism, bracket.short_of) - jam_power) /
+      powers;
   return found;
 }
 

@@ -10,8 +10,9 @@ namespace blockweir::solid::limit {
 struct LimitStrength {
   Bearing bearing = Bearing::bears_none;  ///< any: no joint needs shear strength; none: no shear strength is enough
   double factor = 0;
-  Twists mechanism;  ///< also if it bears none; empty if it bears any
-  double gap = 0;    ///< (power of loads - resistance) over the sum of |load * velocity|
+  Twists mechanism;   ///< also if it bears none; empty if it bears any
+  bool jams = false;  ///< blocks wedge each other: a little more strength, and forces of any size bear the loads
+  double gap = 0;     ///< (power of loads - resistance) over the sum of |load * velocity|
 };
 
 LimitStrength limit_strength(const LimitAnalysis& structure, const Wrenches& loads);

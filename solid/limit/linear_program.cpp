@@ -20,7 +20,7 @@ constexpr double round_off = 1e-10;
 std::string why_not(int code, int status) {
   if (code == GLP_EITLIM || code == GLP_ETMLIM) return "came to no end";
   if (code != 0) return fmt::format("broke down (GLPK's code {})", code);
-  if (status == GLP_UNBND) return "found nothing that bounds the objective";
+  if (status == GLP_UNBND) return "found nothing that bounds the objective, as where blocks jam,";
   return "found forces that do not balance within round-off, since loads and strengths are too many decades apart,";
 }
 

@@ -55,15 +55,16 @@ Point LimitAnalysis::jump(const Face& face, const Twists& mechanism, const Point
   return velocity(face.b, mechanism, place) - velocity(face.a, mechanism, place);
 }
 
-void LimitAnalysis::normalize(Twists& mechanism) const {
+double LimitAnalysis::normalize(Twists& mechanism) const {
   double fastest = 0;
   for (std::size_t b = 0; b < mechanism.size(); ++b) {
     for (const Point& vertex : scene_.blocks[b].vertices) {
       fastest = std::max(fastest, velocity_at(mechanism[b], vertex, centroids_[b]).norm());
     }
   }
-  if (fastest == 0) return;
+  if (fastest == 0) return 1;
   for (Twist& twist : mechanism) twist /= fastest;
+  return fastest;
 }
 
 }  // namespace blockweir::solid::limit

@@ -36,6 +36,27 @@ TEST_F(Answers, TheLevelsOfBothWaysAreSaidToAgree) {
   EXPECT_THAT(text("out"), HasSubstr("\nagree   blocks and limit analysis agree\n"));
 }
 
+TEST_F(Answers, ALevelOfASceneWithoutWaterSaysWhatItAssumes) {
+  const std::string asked = "level " + cases + "incline --out o";
+  ASSERT_EQ(ask(asked), 0) << text("out");
+  EXPECT_THAT(text("out"),
+              HasSubstr("\nwater   the scene has no [water]: assumed is a reservoir of 1000 kg/m3 upstream "
+                        "without tailwater, and no uplift, as no joint states one\n"));
+  ASSERT_EQ(ask("level " + cases + "monolith-slides --out p"), 0) << text("out");
+  EXPECT_THAT(text("out"), Not(HasSubstr("assumed is")));
+}
+
+/// As `run` does: what is wrong with the scene is said all the same.
+TEST_F(Answers, QuietLeavesTheProgressOut) {
+  for (const char* question : {"level ", "safety "}) {
+    const std::string asked = question + cases + "monolith-slides --quiet --out o --set analysis.duration_s=1e8";
+    ASSERT_EQ(ask(asked + " --set analysis.step_s=1"), 0) << text("out");
+    EXPECT_THAT(text("out"), HasSubstr("duration_s in [analysis] is 1e+08 s, which is unusual"));
+    EXPECT_THAT(text("out"), Not(HasSubstr("linear systems solved")));
+    fs::remove_all(folder / "o");
+  }
+}
+
 TEST_F(Answers, TheScenesOwnFillingHasNoPartInTheLevel) {
   ASSERT_EQ(ask("level " + cases + "monolith-slides --json a.json --set water.upstream_level_m=1"), 0) << text("out");
   ASSERT_EQ(ask("level " + cases + "monolith-slides --json b.json --set water.upstream_level_m=7 --out b"), 0);

@@ -126,6 +126,9 @@ TEST_F(Report, HasTheWarningsOfEveryLoadCaseOnceAtTheVerdict) {
 name = "glued"
 set = ["joints.base.cohesion_pa=60e3", "water.upstream_level_m=4.5"]
 [[load_case]]
+name = "glued and fuller"
+set = ["joints.base.cohesion_pa=60e3", "water.upstream_level_m=4.9"]
+[[load_case]]
 name = "full of silt"
 set = ["silt.level_m=5", "silt.submerged_density_kg_per_m3=400", "silt.pressure_coefficient=0.4", "water.density_kg_per_m3=2100"]
 )";
@@ -134,6 +137,8 @@ set = ["silt.level_m=5", "silt.submerged_density_kg_per_m3=400", "silt.pressure_
   ASSERT_TRUE(seen.is_object()) << text("out") << text("browser.log");
   const std::string said = seen["verdict"];
   EXPECT_THAT(said, HasSubstr("Warning, load case \"glued\": joint \"base\" has no tension_strength_pa"));
+  EXPECT_THAT(said, testing::ContainsRegex("joint \"base\" is in tension over [0-9.]+ to 82.4 % of its length"))
+      << "the worst of the load cases is seen";
   EXPECT_THAT(said, HasSubstr("Warning, load case \"full of silt\": "));
   EXPECT_THAT(said, HasSubstr("density_kg_per_m3 in [water] is 2100 kg/m3, which is unusual"));
   EXPECT_THAT(seen["joints"].get<std::string>(), HasSubstr("of this chapter: see chapter 1"));
@@ -154,6 +159,41 @@ TEST_F(Report, WhatStandsWithALoadCaseThatMissesItsFactorIsNoPlainYes) {
   EXPECT_THAT(seen["verdict"].get<std::string>(),
               HasSubstr("The structure STANDS, but 1 of its load cases does not reach the required factor"));
   EXPECT_EQ(seen["outcome_class"], "outcome short");
+}
+
+/// A joint that bends has no sliding factor, and may govern all the same.
+TEST_F(Report, TheVerdictBeginsWithTheJointThatGoverns) {
+  std::ofstream(folder / "bent.toml") << R"(analysis = { duration_s = 1, rigid = "all", kind = "static" }
+water = { upstream_level_m = 17 }
+joint = { friction_angle_deg = 45, uplift = "triangular" }
+material.concrete = { youngs_modulus_pa = 25e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
+[[block]]
+name = "rock"
+material = "concrete"
+fixed = true
+vertices_m = [[-30, -10], [50, -10], [50, -1], [17, -1], [8, 0], [-30, 0]]
+[[block]]
+name = "foot"
+material = "concrete"
+vertices_m = [[0, 0], [8, 0], [17, -1], [10.5, 8], [0, 8]]
+[[block]]
+name = "head"
+material = "concrete"
+vertices_m = [[0, 8], [10.5, 8], [3, 20], [0, 20]]
+[[joints]]
+name = "base"
+between = ["rock", "foot"]
+[[joints]]
+name = "lift"
+between = ["head", "foot"]
+)";
+  ASSERT_EQ(shell(programs + "/blockweir report bent.toml --out bent.html"), 0) << text("out");
+  const nlohmann::json seen = opened("bent.html");
+  ASSERT_TRUE(seen.is_object()) << text("out") << text("browser.log");
+  EXPECT_THAT(
+      seen["verdict"].get<std::string>(),
+      testing::ContainsRegex("STANDS *\n? *Factor by limit analysis: .*slide on joint \"base\".*Of joints that run "
+                             "straight through the structure: .*on joint \"lift\""));
 }
 
 TEST_F(Report, OfARunThatIsThereTakesItsResults) {

@@ -60,7 +60,7 @@ TEST(LinearProgram, AnObjectiveThatNothingBoundsIsAnError) {
     } catch (const std::runtime_error& error) {
       EXPECT_THAT(error.what(),
                   testing::AllOf(HasSubstr("limit analysis: the simplex method found nothing that bounds "
-                                           "the objective on a linear program of "),
+                                           "the objective, as where blocks jam, on a linear program of "),
                                  HasSubstr("rows and"), HasSubstr("expected an optimum"), HasSubstr("wrong units")));
     }
   }

@@ -55,6 +55,30 @@ json load_case(const std::string& name) {
           {"joints", json::array()}};
 }
 
+TEST(SafetyText, AFactorOfLimitAnalysisThatIsMissingHasItsReason) {
+  json without = load_case("usual");
+  without["limit_analysis_factor"] = nullptr;
+  without["why_no_limit_analysis_factor"] = "the simplex method came to no end";
+  EXPECT_THAT(blockweir::study::safety_text(json::array({without})),
+              HasSubstr("usual: no limit: the simplex method came to no end\n"));
+  without["factor"] = nullptr;
+  without["why_no_factor"] = without["why_no_limit_analysis_factor"];
+  EXPECT_THAT(blockweir::study::safety_text(json::array({without})), Not(HasSubstr("no limit: ")))
+      << "the same is said once";
+}
+
+TEST(SafetyText, RoundOffIsZero) {
+  json strained = load_case("usual");
+  strained["joints"].push_back(joint("base", 1e5));
+  json& row = strained["joints"][0];
+  row["downstream_end_m"] = {17, -1.03e-05};
+  row["heel_stress_pa"] = -1e-9;
+  row["sums"][0]["x_n_per_m"] = -1e-9;
+  const std::string text = blockweir::study::safety_text(json::array({strained}));
+  EXPECT_THAT(text, HasSubstr("moments about (17, 0) m"));
+  EXPECT_THAT(text, testing::Not(testing::ContainsRegex("-0\\.0* ")));
+}
+
 TEST(SafetyText, NamesAreWholeAndRowsFitATerminal) {
   std::mt19937 random(3);
   for (int trial = 0; trial < 200; ++trial) {

@@ -86,6 +86,11 @@ TEST(SceneMagnitudes, EachRowWarnsBelowAndAboveItsRangeAndNotInIt) {
 TEST(SceneMagnitudes, EachLawOfAJointIsLookedAt) {
   expect_warning(with("cohesion_pa = 1e5", "cohesion_pa = 300"), 30,
                  {"cohesion_pa in [[joints]] \"crack\" is 300 Pa, which is unusual", "if it is in kPa, write 300e3"});
+  expect_warning(
+      with("cohesion_pa = 1e5", "cohesion_pa = 100e6"), 30,
+      {"cohesion_pa in [[joints]] \"crack\" is 1e+08 Pa, which is unusual", "5e+07 Pa", "joints of dams have"});
+  EXPECT_THAT(warnings(with("cohesion_pa = 1e5", "cohesion_pa = 1e9")), Not(Contains(HasSubstr("unusual"))))
+      << "blocks may be glued together";
   expect_warning(with("friction_angle_deg = 30", "friction_angle_deg = 0.6"), 13,
                  {"friction_angle_deg in [joint] is 0.6 deg, which is unusual", "expected 2 to 80 deg",
                   "if it is in radians, write 34.38"});

@@ -80,6 +80,9 @@ TEST(SceneOverride, AWrongOneIsAnErrorOfTheArgument) {
   expect_refusal("analysis.step_s=fast", {"step_s in [analysis] is 'fast'"});
   expect_refusal("analysis.step_s=", {"step_s in [analysis] is ''"});
   expect_refusal("analysis.step_s=1\nx=1", {"U+000A in the text of step_s"});
+  expect_refusal("may_overtop=true", {"unknown key \"may_overtop\"", "belongs elsewhere: write water.may_overtop"});
+  expect_refusal("analysis.may_overtop=true", {"in [analysis]", "belongs elsewhere: write water.may_overtop"});
+  expect_refusal("mesh_size_m=1", {"belongs elsewhere: write block.NAME.mesh_size_m"});
   expect_refusal("analyssi.step_s=1", {"unknown section \"analyssi\"", "did you mean \"analysis\"?"});
   expect_refusal("analysis.step_s.x=1", {"\"step_s\" has no keys"});
   expect_refusal("block.tpo.fixed=true", {"no [[block]] is \"tpo\"", "did you mean \"top\"?"});

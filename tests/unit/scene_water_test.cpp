@@ -102,6 +102,11 @@ TEST(SceneWater, ALevelAboveTheStructureIsRefusedUnlessMeant) {
   expect_error(with("[water]", "[water]\ndownstream_level_m = 5"), 45, {"downstream_level_m reaches 5 m"});
 }
 
+/// 3.1 + 9 * 0.1 is 4.000000000000001.
+TEST(SceneWater, ALevelAtTheCrestIsNotAboveItByRoundOff) {
+  EXPECT_THAT(errors(with("[2, 3]", "[2, 4.000000000001]")), IsEmpty());
+}
+
 TEST(SceneWater, ALevelBetweenTheRowsOrAfterTheRunIsJudgedByTheTimeOfTheRun) {
   EXPECT_THAT(errors(with("[2, 3]", "[4, 7]")), IsEmpty());
   expect_error(with("[2, 3]", "[4, 7.1]"), 45, {"reaches 4.05 m"});

@@ -112,6 +112,46 @@ TEST(SectionState, WaterOnTheCrestHasALabelOfItsOwn) {
   EXPECT_TRUE(std::any_of(state["legend"].begin(), state["legend"].end(), in_legend)) << state["legend"].dump();
 }
 
+/// Beyond the toe, on rock that can move: flat, rising away from the dam, and a sill that looks upstream.
+TEST(SectionState, TailwaterOnRockBeyondTheToeIsWaterDownstream) {
+  json beyond = water;
+  for (const json& panel :
+       {json{5, 0, 3, 0, 10000, 10000, 1}, json{7, 0.5, 5, 0, 5000, 10000, 1}, json{7, 1, 7, 0.5, 0, 5000, 1}}) {
+    beyond[0]["panels"].push_back(panel);
+  }
+  const scene::Scene scene = scene::read_text(scene::sample::text + more, "s.toml").scene;
+  const json state = section_state(scene, beyond, 0, json::array());
+  EXPECT_NEAR(load(state, "water upstream")["force"][0].get<double>(), 20000, 1e-9);
+  EXPECT_NEAR(load(state, "water upstream")["force"][1].get<double>(), 0, 1e-9);
+  EXPECT_NEAR(load(state, "water downstream")["force"][1].get<double>(), -20000 - 15000, 1e-9);
+}
+
+/// The upstream face of a crest that leans far over it looks down.
+TEST(SectionState, WaterUnderAnOverhangIsThatOfThePoolInFrontOfIt) {
+  json under = water;
+  under[0]["panels"] = {{2, 3, 2.5, 2, 10000, 20000, 1}};
+  const scene::Scene scene = scene::read_text(scene::sample::text + more, "s.toml").scene;
+  const json state = section_state(scene, under, 0, json::array());
+  EXPECT_NEAR(load(state, "water upstream")["force"][0].get<double>(), 15000, 1e-9);
+}
+
+/// Of a joint with a step between two blocks that can move, the upper block has all that presses it.
+TEST(SectionState, UpliftHasTheUprightLegOfABentJoint) {
+  json bent = water;
+  bent[3]["panels"] = json::parse(R"J([[0, 1, 2, 1, 5000, 5000, 2], [2, 1, 2, 2, 5000, 4000, 2],
+    [2, 2, 3, 2, 4000, 4000, 2], [2, 1, 0, 1, 5000, 5000, 1], [2, 2, 2, 1, 4000, 5000, 1], [3, 2, 2, 2, 4000, 4000, 1],
+    [3, 0, 3, 1, 900, 900, 0], [3, 1, 3, 0, 900, 900, 1]])J");
+  const scene::Scene scene = scene::read_text(scene::sample::text + more, "s.toml").scene;
+  const json state = section_state(scene, bent, 0, json::array());
+  json force = {0, 0};
+  for (const json& one : state["acting"]) {
+    if (one["kind"] != "uplift") continue;
+    for (const int axis : {0, 1}) force[axis] = force[axis].get<double>() + one["force"][axis].get<double>();
+  }
+  EXPECT_NEAR(force[1].get<double>(), 10000 + 4000, 1e-9);
+  EXPECT_NEAR(force[0].get<double>(), -4500 + 900, 1e-9) << "the step, and a face against the ground";
+}
+
 /// An earthquake takes from the tailwater's pressure: that pulls, on a face that looks downstream.
 TEST(SectionState, AddedWaterOfTheTailwaterStandsDownstream) {
   json both = water;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "bridge/process/answers.hpp"
@@ -123,6 +124,61 @@ TEST(SafetyWithoutAnswer, LoadsBeyondAllSenseAreAReasonAndNoCrash) {
     }
     EXPECT_THAT(why, HasSubstr("times the structure's weight"));
   }
+}
+
+/// Five blocks on stepped rock; outlines in their order.
+scene::Scene dam_of_blocks(const std::string& head, const std::array<const char*, 6>& outlines) {
+  std::string text =
+      "title = \"a dam of blocks on stepped rock\"\n" + head +
+      "material.concrete = { youngs_modulus_pa = 25e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }\n";
+  const std::array<const char*, 6> names = {"rock", "heel", "toe", "middle", "crest", "back"};
+  for (std::size_t b = 0; b < names.size(); ++b) {
+    text += fmt::format("[[block]]\nname = \"{}\"\nmaterial = \"concrete\"\nfixed = {}\nvertices_m = [{}]\n", names[b],
+                        b == 0, outlines[b]);
+  }
+  return scene::read_text(text, "blocks.toml").scene;
+}
+
+/// Where friction is just large enough for blocks to wedge each other, no linear program has an optimum: the forces
+/// grow without limit. Limit analysis had no factor of this dam.
+TEST(SafetyWithoutAnswer, BlocksThatJamHaveAFactorByLimitAnalysis) {
+  const scene::Scene scene = dam_of_blocks(
+      R"(analysis = { duration_s = 1, rigid = "all", kind = "static" }
+water = { upstream_level_m = 14.69, downstream_level_m = 3.99 }
+joint = { friction_angle_deg = 45, uplift = "full" }
+)",
+      {"[-30, -10], [50, -10], [50, 0], [17.25, 0], [7.24, 0], [7.24, -2.84], "
+       "[0, -2.84], [-30, -2.84]",
+       "[0, -2.84], [7.24, -2.84], [7.24, 0], [7.24, 6.24], [0, 6.24]",
+       "[7.24, 0], [17.25, 0], [10.56, 6.24], [7.24, 6.24]",
+       "[0, 6.24], [7.24, 6.24], [10.56, 6.24], [6.37, 10.25], [0, 10.25]",
+       "[0, 10.25], [4.57, 10.25], [4.57, 15.41], [0, 15.41]", "[4.57, 10.25], [6.37, 10.25], [4.57, 15.41]"});
+  const json answer = process::safety_answer(scene, hydrostatic::make);
+  EXPECT_NEAR(answer["limit_analysis_factor"].get<double>(), 0.99913, 1e-5) << answer.dump(1);
+  EXPECT_LT(answer["gap"].get<double>(), 1e-8);
+  EXPECT_THAT(answer["limit_analysis_note"].get<std::string>(), HasSubstr("blocks wedge each other"));
+}
+
+/// Both take the flow as steady, and say the same where there is none.
+TEST(SafetyWithoutAnswer, AFlowThatDoesNotSettleHasOneReasonForLevelAndFactor) {
+  scene::Scene scene = dam_of_blocks(
+      R"(analysis = { duration_s = 1, kind = "static" }
+water = { upstream_level_m = 6, downstream_level_m = 4.21 }
+joint = { friction_angle_deg = 20, uplift = "flow" }
+)",
+      {"[-30, -10], [50, -10], [50, 1], [26, 1], [26, 0], [14.27, 0], [8.44, 0], [8.44, -1.88], [0, -1.88], [-30, "
+       "-1.88]",
+       "[0, -1.88], [8.44, -1.88], [8.44, 0], [8.44, 5.69], [0, 5.69]",
+       "[8.44, 0], [14.27, 0], [9.05, 5.69], [8.44, 5.69]",
+       "[0, 5.69], [8.44, 5.69], [9.05, 5.69], [7.44, 12.97], [0, 12.97]",
+       "[0, 12.97], [4.33, 12.97], [4.33, 19.14], [0, 19.14]", "[4.33, 12.97], [7.44, 12.97], [4.33, 19.14]"});
+  const json factor = process::safety_answer(scene, hydrostatic::make);
+  const json level = process::level_answer(scene, hydrostatic::make);
+  EXPECT_EQ(factor["outcome"], "not found");
+  EXPECT_EQ(level["outcome"], "not found");
+  EXPECT_EQ(factor["why_no_factor"], level["reason"]);
+  EXPECT_THAT(level["reason"].get<std::string>(),
+              HasSubstr("\"blockweir run\" follows it with kind = \"transient\" in [joint_flow]"));
 }
 
 }  // namespace

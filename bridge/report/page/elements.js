@@ -11,7 +11,7 @@ function element(name, attributes, ...children) {
 
 const is = Number.isFinite;
 const number = (value, digits) => (is(value) ? Number(value.toPrecision(digits || 5)).toString() : '-');
-const fixed = (value, decimals) => (is(value) ? value.toFixed(decimals) : '-');
+const fixed = (value, decimals) => (is(value) ? value.toFixed(decimals).replace(/^-(?=[0.]*$)/, '') : '-');  // no sign of a zero
 const kilo = (value, decimals) => fixed(is(value) ? value / 1000 : NaN, decimals === undefined ? 1 : decimals);
 
 const measure = document.createElement('canvas').getContext('2d');

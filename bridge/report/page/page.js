@@ -50,11 +50,20 @@ function placesIn(texts) {
   return places;
 }
 
-/// Texts that differ in figures alone, as one: the first, and at how many more points it holds.
+/// A figure that texts give differently, from its least to its largest: whichever is worse, it is seen.
+function rangeOf(found) {
+  const byValue = [...new Set(found)].sort((a, b) => Number(a) - Number(b));
+  return byValue.length > 1 ? `${byValue[0]} to ${byValue[byValue.length - 1]}` : byValue[0];
+}
+
+/// Texts that differ in figures alone, as one: the first, with the ranges of figures, and at how many more points it holds.
 function merged(texts) {
+  const parts = /\((?:-?[\d.]+(?:e[-+]?\d+)?), (?:-?[\d.]+(?:e[-+]?\d+)?)\)|"[^"]*"|-?\d+(?:\.\d+)?(?:e[-+]?\d+)?/g;
+  const figures = texts.map(text => text.match(parts) || []);
+  let i = -1;
+  const text = texts[0].replace(parts, part => (++i, '("'.includes(part[0]) ? part : rangeOf(figures.map(of => of[i]))));
   const more = placesIn(texts).length - placesIn(texts.slice(0, 1)).length;
-  const others = new Set(texts.map(text => text.replace(placeInText, '()'))).size > 1 ? ', with other figures' : '';
-  return texts[0] + (more > 0 ? ` (and at ${more} more point${more > 1 ? 's' : ''}${others})` : others ? ` (${texts.length - 1} more${others})` : '');
+  return text + (more > 0 ? ` (and at ${more} more point${more > 1 ? 's' : ''})` : '');
 }
 
 /// Every text once, with those that it holds for: [who, texts] each.
@@ -95,6 +104,13 @@ function allWarnings() {
 /// Chapter 1 has the text of each.
 const warningsAbove = count => (count > 0 ? [paragraph(`${count} warning${count > 1 ? 's' : ''} of this chapter: see chapter 1.`, 'bad')] : []);
 
+/// What governs comes first: a joint that bends has no sliding factor, and limit analysis finds that it is the weakest.
+function marginsInWords({margin, limit_analysis: limit}) {
+  const lines = [margin && margin.text ? margin.text + '.' : '', limit ? 'Factor by limit analysis: ' + limit.text + '.' : ''].filter(Boolean);
+  const governs = limit && is(limit.factor) && margin && is(margin.sliding_factor) && limit.factor < 0.99 * margin.sliding_factor;
+  return governs ? [lines[1], 'Of joints that run straight through the structure: ' + lines[0]] : lines;
+}
+
 function writeVerdict() {
   const s = report.summary;
   const words = {fails: 'The structure FAILS', stands: 'The structure STANDS', moving: 'UNDECIDED: something still moves at the end', stopped: 'STOPPED'};
@@ -108,13 +124,12 @@ function writeVerdict() {
     lines.push(f.text + '.');
     if (is(f.level_m)) {
       lines.push(`It begins at a level of ${f.level_is_bound ? (f.level_falls ? 'at least ' : 'at most ') : ''}${number(f.level_m, 6)} m${f.level_falls ? ` of the ${f.pool} pool, which falls` : f.pool === 'downstream' ? ' of the downstream pool' : ''}` + (is(f.head_m) ? (f.head_m < 0 ? `, ${number(-f.head_m, 6)} m below the joint that failed` : `, a head of ${number(f.head_m, 6)} m above the joint that failed`) : '') +
-        `, after ${number(f.time_s)} s` + (is(f.level_uncertainty_m) ? `. The speed of filling moves this level by some ${number(f.level_uncertainty_m, 2)} m.` : '.'));
+        `, after ${number(f.time_s)} s` + (is(f.level_uncertainty_m) && !f.level_is_constant ? `. The speed of filling moves this level by some ${number(f.level_uncertainty_m, 2)} m.` : '.'));
     } else lines.push(`It begins after ${number(f.time_s)} s.`);
     if (f.doubt) lines.push(f.doubt);
   }
   if (s.moving) lines.push(s.moving.text);
-  if (s.margin && s.margin.text) lines.push(s.margin.text + '.');
-  if (s.limit_analysis) lines.push('Factor by limit analysis: ' + s.limit_analysis.text + '.');
+  lines.push(...marginsInWords(s));
   if (s.stopped) lines.push(`After ${number(report.frames[report.frames.length - 1].t)} of ${number(report.duration_s)} s it was stopped: ${s.stopped.replace(/\.$/, '')}.`);
   if (s.loose) lines.push(s.loose.text + '.');
   if (s.breach) lines.push(`After ${number(s.breach.time_s)} s: ${s.breach.text}.`);
@@ -187,6 +202,7 @@ function writeCases() {
   tellEach(c => (c.friction_history ? [c.friction_history] : []), (who, text) => `${upper(who)}: ${text}.`, 'quiet');
   tellEach(c => (c.limit_analysis_note ? [c.limit_analysis_note] : []), (who, text) => `${upper(who)}, limit analysis: ${text}.`, 'quiet');
   tellEach(c => (!is(c.factor) && c.why_no_factor ? [c.why_no_factor] : []), (who, text) => `${upper(who)}: no factor, as ${text}.`, 'quiet');
+  tellEach(c => (c.why_no_limit_analysis_factor && c.why_no_limit_analysis_factor !== c.why_no_factor ? [c.why_no_limit_analysis_factor] : []), (who, text) => `${upper(who)}: no factor by limit analysis, as ${text}.`, 'quiet');
   tellEach(c => (c.mechanism ? [c.mechanism.text] : []), (who, text) => `Mechanism of ${who}, by limit analysis: ${text}.`, 'quiet');
   for (const c of report.safety.filter(c => c.load_factor)) {
     const grown = c.load_factor;
@@ -227,6 +243,7 @@ function writeLevel() {
   to.append(table(['found by', 'level m', 'head m', 'mode', 'joint'], rows),
     paragraph(found.difference.agree ? 'Blocks and limit analysis agree.' : 'Blocks and limit analysis differ' + (is(found.difference.level_m) ? ` by ${number(found.difference.level_m, 3)} m` : '') + `. Reason: ${found.difference.reason}.`));
   if (found.looked_at) to.append(paragraph(`Levels are ${found.looked_at}.`, 'quiet'));
+  if (found.assumed) to.append(paragraph(`Water: ${found.assumed}.`, 'quiet'));
   to.append(...warningsAbove(onceEach([['', warningsOf(found)]]).length));
   if (found.limit_analysis.limit_analysis_note) to.append(paragraph(`Limit analysis: ${found.limit_analysis.limit_analysis_note}.`, 'quiet'));
   const mechanism = found.limit_analysis.mechanism;

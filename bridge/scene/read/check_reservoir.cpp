@@ -10,6 +10,7 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/cracks.hpp"
 #include "bridge/scene/read/reading.hpp"
+#include "bridge/scene/structure_size.hpp"
 #include "bridge/scene/upstream_faces.hpp"
 #include "bridge/scene/water_answers.hpp"
 
@@ -71,15 +72,16 @@ void check_silt(const Reading& reading) {
   for (const Block& block : scene.blocks) {
     if (!block.fixed) crest_m = std::max(crest_m, geometry::bounds_of(block.vertices).high.y());
   }
+  const double round_off_m = 1e-9 * structure_size_m(scene.blocks);
   const auto& water = scene.water.upstream_level_m;
-  if (*level_m <= crest_m && water && *level_m > highest_of(*water, scene.analysis.duration_s)) {
+  if (*level_m <= crest_m && water && *level_m > highest_of(*water, scene.analysis.duration_s) + round_off_m) {
     reading.problems.warning(reading.problems.at(level->source()),
                              fmt::format("level_m in [silt] is {:.6g} m, above the highest reservoir, {:.6g} m",
                                          *level_m, highest_of(*water, scene.analysis.duration_s)),
                              "silt up to the water's level, whose weight is that under water",
                              "exchange the two, or lower the silt");
   }
-  if (*level_m <= crest_m) return;
+  if (*level_m <= crest_m + round_off_m) return;
   reading.problems.warning(reading.problems.at(level->source()),
                            fmt::format("level_m in [silt] is {:.6g} m, above the crest at {:.6g} m", *level_m, crest_m),
                            "silt up to the highest point of what can move",

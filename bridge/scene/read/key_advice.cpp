@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "bridge/scene/read/key_homes.hpp"
 #include "bridge/scene/read/nearest.hpp"
 
 namespace blockweir::scene {
@@ -60,6 +61,7 @@ std::string same_quantity(const Quantity& found, const std::vector<std::string>&
 }  // namespace
 
 KeyAdvice key_advice(std::string_view word, const std::vector<std::string>& keys) {
+  if (const std::string home = home_advice(word); !home.empty()) return {one_of(keys), home};
   const std::string twin = same_quantity(split(word), keys);
   if (twin.empty()) return {one_of(keys), did_you_mean(word, keys)};
   const std::string unit = spelled(split(twin).unit);

@@ -16,6 +16,8 @@ namespace blockweir::scene {
 namespace {
 
 constexpr bool grows_with_size = true;
+constexpr bool may_glue = true;
+constexpr const char* bonds = "joints of dams have 0 to 3e6, sound rock up to 5e7; 5e8 and more glues blocks together";
 constexpr const char* law_sections[] = {"joint", "joints[]", "cut[]", "joint_set[]"};
 
 constexpr Unit percent = {"percent", 0.01};
@@ -44,8 +46,8 @@ constexpr Magnitude table_of_magnitudes[] = {
     {"joint", "friction_angle_deg", "deg", 2, 80, {radians}},
     {"joint", "residual_friction_angle_deg", "deg", 2, 80, {radians}},
     {"joint", "dilation_angle_deg", "deg", 0.5, 45, {radians}},
-    {"joint", "cohesion_pa", "Pa", 1000, 1e12, {kilopascals, megapascals}, "", grows_with_size},
-    {"joint", "tension_strength_pa", "Pa", 1000, 1e12, {megapascals, kilopascals}, "", grows_with_size},
+    {"joint", "cohesion_pa", "Pa", 1000, 5e7, {kilopascals, megapascals}, bonds, grows_with_size, may_glue},
+    {"joint", "tension_strength_pa", "Pa", 1000, 5e7, {megapascals, kilopascals}, bonds, grows_with_size, may_glue},
     {"joint", "roughness", "", 0.5, 20, {}, "JRC is 2 for smooth joints, 20 for the roughest"},
     {"joint", "wall_strength_pa", "Pa", 1e6, 5e8, {megapascals, kilopascals}},
     {"water", "density_kg_per_m3", "kg/m3", 500, 2000, {tonnes, {"kN/m3", 1000 / 9.81}}},
@@ -96,7 +98,8 @@ void check_row(const Magnitude& row, double least, const toml::table& file, Prob
       const toml::node* node = table.get(row.key);
       const auto value = node == nullptr || !node->is_number() ? std::nullopt : node->value<double>();
       const double size = std::abs(value.value_or(0));  // a tilt may be to either side
-      if (size == 0 || (size >= least && size <= row.most)) return;
+      const bool glues = row.may_glue && size >= 5e8 && size <= 1e12;
+      if (size == 0 || glues || (size >= least && size <= row.most)) return;
       problems.warning(problems.at(node->source()),
                        fmt::format("{} in {} is {:.6g}{}, which is unusual", row.key, name, *value, unit),
                        fmt::format("{:.3g} to {:.3g}{}", least, row.most, unit), likely_meaning(row, *value));

@@ -28,6 +28,7 @@ struct Magnitude {
   Unit units[3];                 ///< in which an unusual value may have been given, the likeliest first
   const char* remark = "";       ///< further advice
   bool grows_with_size = false;  ///< structures of L < 10 m: `least` is scaled by L/10 m, as models have lower stresses
+  bool may_glue = false;         ///< 5e8 to 1e12 is usual, too: what holds blocks together whatever comes
 };
 
 std::span<const Magnitude> magnitudes();

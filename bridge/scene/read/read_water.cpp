@@ -48,13 +48,14 @@ void check_level(TableReader& table, Reading& reading, const char* key, const st
   const auto model = heights(reading.scene.blocks);
   if (!level || !model || !sound) return;
   const auto [low, high] = extremes(*level, reading.scene.analysis.duration_s);
-  if (high > model->crest_m && !reading.scene.water.may_overtop) {
+  const double round_off_m = 1e-9 * (model->crest_m - model->bottom_m);  // of a ramp up to the crest
+  if (high > model->crest_m + round_off_m && !reading.scene.water.may_overtop) {
     reading.problems.error(
         table.place(key),
         fmt::format("{} reaches {:.6g} m, above the structure's highest vertex at {:.6g} m", key, high, model->crest_m),
         "a level within the structure", "lower the level, or set may_overtop = true in [water] if that is meant");
   }
-  if (low < model->bottom_m) {
+  if (low < model->bottom_m - round_off_m) {
     reading.problems.error(
         table.place(key),
         fmt::format("{} falls to {:.6g} m, below the model's lowest vertex at {:.6g} m", key, low, model->bottom_m),

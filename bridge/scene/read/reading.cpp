@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "bridge/scene/read/key_homes.hpp"
 #include "bridge/scene/read/nearest.hpp"
 
 namespace blockweir::scene {
@@ -99,9 +100,10 @@ void reject_unknown_sections(Reading& reading) {
     const auto& known = reading.sections;
     if (reading.problems.full()) return;
     if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+    const std::string home = home_advice(word);
     reading.problems.error(reading.problems.at(key.source()),
                            fmt::format("unknown {} \"{}\"", node.is_value() ? "key" : "section", word), one_of(known),
-                           did_you_mean(word, known));
+                           home.empty() ? did_you_mean(word, known) : home);
   }
 }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/geometry/place_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace blockweir::geometry {
+
+std::string place_text(const Point& place, double size_m) {
+  constexpr double round_off = 1e-5;
+  const auto told = [&](double x) { return std::abs(x) < round_off * size_m ? 0 : x; };
+  return fmt::format("({:.4g}, {:.4g})", told(place.x()), told(place.y()));
+}
+
+std::string without_signed_zero(std::string number) {
+  const bool zero =
+      number.starts_with('-') && number.size() > 1 && number.find_first_not_of("-0.") == std::string::npos;
+  return zero ? number.substr(1) : number;
+}
+
+}  // namespace blockweir::geometry
