@@ -52,6 +52,12 @@ std::string reservoir(const Bounds& view, const scene::Scene& scene, double leve
 
 }  // namespace
 
+std::string mechanism_title(const json& mechanism) {
+  const std::string title = gnuplot_title(mechanism["text"], 900);
+  const std::string caption = mechanism.value("caption", "");
+  return caption.empty() ? title : title + ".\"\\n\"." + gnuplot_text(caption);
+}
+
 Bounds mechanism_view(const scene::Scene& scene, const json& mechanism) {
   const std::map<std::string, Eigen::Vector3d> motions = motions_of(mechanism);
   const Bounds structure = pictured_structure(scene);
@@ -73,7 +79,7 @@ void draw_mechanism(const scene::Scene& scene, const json& mechanism, const std:
       "set title {}\nset size ratio -1\n"
       "unset key\nset tics out nomirror\nset xlabel 'x (m)'\nset ylabel 'elevation (m)'\nset xrange [{}:{}]\n"
       "set yrange [{}:{}]\n",
-      gnuplot_title(mechanism["text"], 900), view.low.x(), view.high.x(), view.low.y(), view.high.y());
+      mechanism_title(mechanism), view.low.x(), view.high.x(), view.low.y(), view.high.y());
   const std::map<std::string, Eigen::Vector3d> motions = motions_of(mechanism);
   const double by = drawn_ratio * pictured_structure(scene).size();
   int number = 0;

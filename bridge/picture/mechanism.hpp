@@ -11,6 +11,9 @@
 
 namespace blockweir::picture {
 
+/// Of its picture, for gnuplot: what moves, and that dilation lifts it.
+std::string mechanism_title(const nlohmann::json& mechanism);
+
 /// What the drawing shows: the structure without its wide rock, all blocks that move, and a third of their size around
 /// them.
 [[nodiscard]] geometry::Bounds mechanism_view(const scene::Scene& scene, const nlohmann::json& mechanism);

@@ -74,6 +74,7 @@ std::string report(const RunResult& result) {
     const std::string_view word = "stopped ";
     text += fmt::format("STOPPED {}{}\n", why.starts_with(word) ? why.substr(word.size()) : why,
                         result.advice.empty() ? "" : "; " + result.advice);
+    if (s.contains("reached")) text += fmt::format("        {}\n", s["reached"]["text"].get<std::string>());
     if (s.contains("failure") && s["failure"].is_object()) text += failure_text(s["failure"], "FAILED  before that: ");
   }
   if (s.contains("limit_analysis")) {

@@ -21,6 +21,7 @@
 #include "bridge/process/previous_run.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/process/progress.hpp"
+#include "bridge/process/reached.hpp"
 #include "bridge/process/supervisor.hpp"
 #include "bridge/process/temporary_folder.hpp"
 #include "bridge/results/file_name.hpp"
@@ -103,6 +104,9 @@ void complete_summary(const fs::path& folder, const std::string& fluid, RunResul
     summary["outcome"] = "stopped";
     summary["stopped"] = result.trouble;
   }
+  if (!summary.contains("simulated_s")) {
+    if (const json last = reached(folder); last.is_object()) summary["reached"] = last;
+  }
   summary["wall_time_s"] = wall_s;
   if (margin != nullptr) margin->add_to(summary);
   merge_report(report_of(folder), fluid, summary);
@@ -110,6 +114,7 @@ void complete_summary(const fs::path& folder, const std::string& fluid, RunResul
     results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
   } catch (const std::exception&) {
     if (result.trouble.empty()) throw;  // else the first trouble is the one to read
+    result.advice += std::string(result.advice.empty() ? "" : "; ") + "summary.json could not be written, either";
   }
 }
 

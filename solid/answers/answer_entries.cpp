@@ -17,7 +17,9 @@ nlohmann::json mechanism_json(const limit::LimitAnalysis& structure, const limit
                       {"velocity_y", mechanism[b].y()},
                       {"spin_per_m", mechanism[b].z()}});
   }
-  return {{"text", words.text}, {"mode", words.mode}, {"joints", words.joints}, {"blocks", moving}};
+  nlohmann::json answer = {{"text", words.text}, {"mode", words.mode}, {"joints", words.joints}, {"blocks", moving}};
+  if (words.dilates) answer["caption"] = "joints open by tan(phi) times their slip, which lifts what slides";
+  return answer;
 }
 
 void announce_limit_analysis(const limit::LimitAnalysis& structure) {

@@ -45,6 +45,7 @@ struct Parting {
   std::vector<const Face*> faces;
   bool slips = false;
   bool turns = false;
+  bool dilates = false;
 };
 
 Parting parting_of(const LimitAnalysis& structure, const Twists& mechanism) {
@@ -56,7 +57,10 @@ Parting parting_of(const LimitAnalysis& structure, const Twists& mechanism) {
     parting.faces.push_back(&face);
     const bool turned = (at_to - at_from).norm() > seen;
     parting.turns = parting.turns || turned;
-    parting.slips = parting.slips || std::abs(face.along().dot(at_from)) > seen;
+    const bool slips = std::abs(face.along().dot(at_from)) > seen;
+    parting.slips = parting.slips || slips;
+    const double opening = std::min(face.normal.dot(at_from), face.normal.dot(at_to));
+    parting.dilates = parting.dilates || (slips && face.friction > 0 && opening > seen);
   }
   return parting;
 }
@@ -113,6 +117,7 @@ MechanismDescription words_of(const LimitAnalysis& structure, const Twists& mech
   if (!parting.faces.empty()) words.mouth_m = upstream_end(*parting.faces.front());
   const Motion motion = motion_of(parting);
   words.mode = motion.mode;
+  words.dilates = parting.dilates;
   const bool one = names.size() == 1;
   words.text = fmt::format("{} {} {}", one ? "block" : "blocks", listed(names), one ? motion.of_one : motion.of_more);
   if (words.joints.empty()) return words;

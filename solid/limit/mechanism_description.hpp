@@ -17,6 +17,7 @@ struct MechanismDescription {
   std::vector<std::string> joints;  ///< joints that open or slip; first the one that starts farthest upstream
   std::optional<Point> mouth_m;     ///< where that one starts
   std::string text;                 ///< the description as a sentence
+  bool dilates = false;             ///< some joint that slips opens all along, by the associated rule
 };
 
 MechanismDescription words_of(const LimitAnalysis& structure, const Twists& mechanism);

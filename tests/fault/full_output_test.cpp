@@ -2,6 +2,7 @@
 // links: bridge_results nlohmann_json::nlohmann_json
 // Standard output, or a file of results, that takes nothing: one error, and a status that is not 0.
 #include "bridge/results/result_file.hpp"
+#include "tests/coupling/masonry_wall.hpp"
 #include "tests/processes.hpp"
 
 namespace blockweir::test {
@@ -49,6 +50,17 @@ TEST_F(FullOutput, RunResumeAndReportSayWhatADiskDidNotTakeAndWhatToDo) {
   on_full_disk(100, "report r --out page.html", "page.html");
   EXPECT_FALSE(fs::exists(folder / "page.html"));
   EXPECT_FALSE(fs::exists(folder / "page.html.new"));
+}
+
+/// Without a summary the terminal says how far it came.
+TEST_F(FullOutput, ARunThatCannotWriteItsSummarySaysHowFarItCame) {
+  std::ofstream(folder / "s.toml") << "analysis = { duration_s = 1 }\nwater = { upstream_level_m = 2 }\n"
+                                   << "joint = { friction_angle_deg = 30 }\n"
+                                   << masonry_wall;
+  const std::string run = programs + "/blockweir run s.toml --quiet --out r; echo status \\$?";
+  EXPECT_EQ(shell("sh -c \"trap '' XFSZ; ulimit -f 2; " + run + "\" 2>&1 | cat"), 0);
+  EXPECT_THAT(text("out"),
+              testing::AllOf(HasSubstr("\n        it came to 0 s, at a level of 2 m\n"), HasSubstr("status 1")));
 }
 
 TEST_F(FullOutput, AStatusOfItsOwnStays) {

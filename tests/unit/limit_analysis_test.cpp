@@ -71,6 +71,7 @@ TEST(LimitAnalysis, ABlockSlidesOrTurnsWhicheverComesFirst) {
     EXPECT_LT(found.gap, 1e-10);
     const MechanismDescription words = words_of(LimitAnalysis(scene), found.mechanism);
     EXPECT_EQ(words.mode, mu < breadth / height ? "sliding" : "overturning") << words.text;
+    EXPECT_EQ(words.dilates, mu < breadth / height) << "what slides rises by the associated rule";
   }
 }
 

@@ -37,6 +37,12 @@ TEST(MechanismView, ShowsTheDamAndAThirdOfItsSizeAround) {
   EXPECT_NEAR(view.high.y(), 20 + 20.0 / 3, 1e-9);
 }
 
+TEST(MechanismView, WhatDilationLiftsHasACaption) {
+  EXPECT_EQ(mechanism_title({{"text", "block slides"}}), "'block slides'");
+  EXPECT_EQ(mechanism_title({{"text", "block slides"}, {"caption", "joints open"}}),
+            "'block slides'.\"\\n\".'joints open'");
+}
+
 TEST(MechanismView, ShowsTheRockWhereItMoves) {
   const geometry::Bounds view = mechanism_view(dam_on_rock(), mechanism_of("rock"));
   EXPECT_LT(view.low.x(), -100);

@@ -136,5 +136,5 @@ function mechanismFigure(report, mechanism, level) {
       element('polygon', {points, fill: 'none', stroke: '#30343a', 'stroke-dasharray': '4 3'}));
   }
   inside.append(...shapes, ...levelShapes(report, {upstream: level}, scale));
-  return element('figure', {class: 'mechanism'}, svg, element('figcaption', {}, `Mechanism: ${mechanism.text}. Displacements are drawn large.`));
+  return element('figure', {class: 'mechanism'}, svg, element('figcaption', {}, `Mechanism: ${mechanism.text}.${mechanism.caption ? ` By limit analysis ${mechanism.caption}.` : ''} Displacements are drawn large.`));
 }
