@@ -8,10 +8,10 @@
 
 namespace blockweir::results {
 
-void* function_in(const std::string& library, const std::string& name) {
+void* symbol_of(const std::string& library, const std::string& name) {
   void* const opened = ::dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL);
-  void* const function = opened != nullptr ? ::dlsym(opened, name.c_str()) : nullptr;
-  if (function != nullptr) return function;
+  void* const symbol = opened != nullptr ? ::dlsym(opened, name.c_str()) : nullptr;
+  if (symbol != nullptr) return symbol;
   throw std::runtime_error(fmt::format(
       "cannot open a part of blockweir: {}; build or install all of it, and the packages that it needs", ::dlerror()));
 }

@@ -6,7 +6,8 @@
 
 namespace blockweir::results {
 
-/// A function with C linkage in `library`, which is opened and stays so. Throws std::runtime_error if it cannot be.
-[[nodiscard]] void* function_in(const std::string& library, const std::string& name);
+/// A function or object with C linkage in `library`, which is opened and stays so. Throws std::runtime_error if it
+/// cannot be, or has none of this name.
+[[nodiscard]] void* symbol_of(const std::string& library, const std::string& name);
 
 }  // namespace blockweir::results

@@ -13,7 +13,7 @@ namespace {
 
 /// Opened with the first frame: a process that writes none does without VTK.
 std::string xml_of(const Grid& grid, const std::string& path) {
-  static const auto write = reinterpret_cast<XmlFunction*>(results::function_in(xml_library, xml_function));
+  static const auto write = reinterpret_cast<XmlFunction*>(results::symbol_of(xml_library, xml_function));
   std::string text;
   if (!write(grid, text)) results::cannot_write(path);
   return text;

@@ -15,7 +15,7 @@ namespace {
 
 std::string refusal(const char* library, const char* name) {
   try {
-    (void)function_in(library, name);
+    (void)symbol_of(library, name);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -29,10 +29,10 @@ TEST(SharedLibrary, ThatIsMissingGivesOneLineThatNamesIt) {
   EXPECT_THAT(line, testing::Not(testing::HasSubstr("\n")));
 }
 
-TEST(SharedLibrary, WithoutTheFunctionGivesOneLineThatNamesBoth) {
-  const std::string line = refusal(vtk::xml_library, "no_such_function");
+TEST(SharedLibrary, WithoutTheSymbolGivesOneLineThatNamesBoth) {
+  const std::string line = refusal(vtk::xml_library, "no_such_symbol");
   EXPECT_THAT(line, testing::HasSubstr(vtk::xml_library));
-  EXPECT_THAT(line, testing::HasSubstr("no_such_function"));
+  EXPECT_THAT(line, testing::HasSubstr("no_such_symbol"));
 }
 
 TEST(SharedLibrary, IsFoundFromAProgramOfTheBuild) {
