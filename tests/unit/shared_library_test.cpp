@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: bridge_results bridge_vtk
+// links: solid_solve
 // Parts of blockweir that a program opens when it needs them: where they are, and what is said if they are not.
 #include "bridge/results/shared_library.hpp"
 
@@ -8,10 +8,10 @@
 
 #include <stdexcept>
 
-#include "bridge/vtk/xml.hpp"
-
 namespace blockweir::results {
 namespace {
+
+constexpr const char* sparse_library = "libblockweir_sparse.so";
 
 std::string refusal(const char* library, const char* name) {
   try {
@@ -30,13 +30,13 @@ TEST(SharedLibrary, ThatIsMissingGivesOneLineThatNamesIt) {
 }
 
 TEST(SharedLibrary, WithoutTheSymbolGivesOneLineThatNamesBoth) {
-  const std::string line = refusal(vtk::xml_library, "no_such_symbol");
-  EXPECT_THAT(line, testing::HasSubstr(vtk::xml_library));
+  const std::string line = refusal(sparse_library, "no_such_symbol");
+  EXPECT_THAT(line, testing::HasSubstr(sparse_library));
   EXPECT_THAT(line, testing::HasSubstr("no_such_symbol"));
 }
 
 TEST(SharedLibrary, IsFoundFromAProgramOfTheBuild) {
-  EXPECT_EQ(refusal(vtk::xml_library, vtk::xml_function), "");
+  EXPECT_EQ(refusal(sparse_library, "blockweir_sparse_solvers"), "");
 }
 
 }  // namespace
