@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "bridge/results/closed_file.hpp"
@@ -15,11 +14,9 @@ class Collection {
  public:
   /// The collection is `folder`/`name`; its VTK files are in `folder`/frames.
   Collection(std::filesystem::path folder, const std::string& name);
-  ~Collection();
-  Collection(const Collection&) = delete;
-  Collection& operator=(const Collection&) = delete;
 
-  /// Writes `grid` as frames/`file` and adds it to the list. Throws std::runtime_error if the file cannot be written.
+  /// Writes `grid` as frames/`file` and adds it to the list. Throws std::runtime_error if the file cannot be written,
+  /// or if VTK is not there.
   void add(const Grid& grid, const std::string& file, double time_s, const char* part, int part_number = 0);
   /// Adds an existing file to the list again, for a time at which nothing has changed.
   void repeat(const std::string& file, double time_s, const char* part, int part_number = 0);
@@ -32,11 +29,9 @@ class Collection {
   }
 
  private:
-  struct Writer;
   std::filesystem::path folder_;
   std::string entries_;
   results::ClosedFile list_;
-  std::unique_ptr<Writer> writer_;
 };
 
 }  // namespace blockweir::vtk

@@ -2,7 +2,6 @@
 #include "fluid/hydrostatic/reservoir_output.hpp"
 
 #include <fmt/format.h>
-#include <vtkCellType.h>
 
 #include <algorithm>
 
@@ -25,13 +24,13 @@ double depth(const PoolSection& pool) {
   return pool.water.level_m - lowest;
 }
 
-void add(const ReservoirMesh& mesh, const scene::Hydrostatics& water, vtk::Grid& grid, vtkDoubleArray* pressure) {
-  std::vector<vtkIdType> ids;
+void add(const ReservoirMesh& mesh, const scene::Hydrostatics& water, vtk::Grid& grid, vtk::Array& pressure) {
+  std::vector<vtk::Id> ids;
   for (const Point& p : mesh.node) {
     ids.push_back(grid.point(p));
-    pressure->InsertNextValue(water.pressure(std::min(p.y(), water.level_m)));
+    pressure.add(water.pressure(std::min(p.y(), water.level_m)));
   }
-  for (const auto& t : mesh.triangle) grid.cell(VTK_TRIANGLE, {ids[t[0]], ids[t[1]], ids[t[2]]});
+  for (const auto& t : mesh.triangle) grid.cell(vtk::Cell::triangle, {ids[t[0]], ids[t[1]], ids[t[2]]});
 }
 
 }  // namespace
@@ -92,7 +91,7 @@ void RecordedModel::write(double time_s) {
   } else {
     const Stopwatch watch(meshing_s_);
     vtk::Grid grid;
-    auto* pressure = grid.point_data("pressure_pa", 1);
+    vtk::Array& pressure = grid.point_data("pressure_pa", 1);
     for (const PoolSection& pool : model_.sections()) {
       const double near_m = 1e-6 * depth(pool);
       add(mesh_reservoir(pool.region, pool.interface, depth(pool) / elements_per_depth_, near_m), pool.water, grid,

@@ -2,7 +2,6 @@
 #include "fluid/joints/flow_output.hpp"
 
 #include <fmt/format.h>
-#include <vtkCellType.h>
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/results/is_due.hpp"
@@ -28,25 +27,25 @@ void FlowOutput::record(double time_s, const FlowInJoints& flow) {
 
 void FlowOutput::add_frame(double time_s, const FlowInJoints& flow) {
   vtk::Grid grid;
-  auto* pressure = grid.point_data("pressure_pa", 1);
-  auto* saturation = grid.point_data("saturation", 1);
-  auto* aperture = grid.point_data("aperture_m", 1);
-  auto* discharge = grid.cell_data("flow_m2_per_s", 1);
+  vtk::Array& pressure = grid.point_data("pressure_pa", 1);
+  vtk::Array& saturation = grid.point_data("saturation", 1);
+  vtk::Array& aperture = grid.point_data("aperture_m", 1);
+  vtk::Array& discharge = grid.cell_data("flow_m2_per_s", 1);
   const JointNetwork& joints = flow.joints();
   const auto& channels = joints.network().channels;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const Stretch& stretch = joints.stretches()[joints.parts()[c].stretch];
-    std::vector<vtkIdType> ids;
+    std::vector<vtk::Id> ids;
     for (const int end : {0, 1}) {
       const int node = end == 0 ? channels[c].from : channels[c].to;
       const double p = flow.filling().pressure_pa[at(node)];
       ids.push_back(grid.point(stretch.place(end == 0 ? joints.parts()[c].from : joints.parts()[c].to)));
-      pressure->InsertNextValue(p);
-      saturation->InsertNextValue(flow.filling().saturation[at(node)]);
-      aperture->InsertNextValue(channels[c].aperture(end, p));
+      pressure.add(p);
+      saturation.add(flow.filling().saturation[at(node)]);
+      aperture.add(channels[c].aperture(end, p));
     }
-    grid.cell(VTK_LINE, ids);
-    discharge->InsertNextValue(std::abs(flow.filling().flow[c]));
+    grid.cell(vtk::Cell::line, ids);
+    discharge.add(std::abs(flow.filling().flow[c]));
   }
   frames_.add(grid, fmt::format("flow_{:06d}.vtu", frame_++), time_s, "joints");
   frames_.save();

@@ -2,7 +2,6 @@
 #include "fluid/reservoir/reservoir_output.hpp"
 
 #include <fmt/format.h>
-#include <vtkCellType.h>
 
 #include <algorithm>
 
@@ -35,21 +34,21 @@ void ReservoirOutput::add(const AnsweringWater& water, Picture& picture) const {
   const auto higher = [](const Point& a, const Point& b) { return a.y() < b.y(); };
   const double level_m = std::max_element(mesh.node.begin(), mesh.node.end(), higher)->y();
   const scene::Hydrostatics still = scene::on_wet_faces(scene_, level_m);
-  std::vector<vtkIdType> ids(mesh.node.size(), -1);
+  std::vector<vtk::Id> ids(mesh.node.size(), -1);
   const auto point = [&](int node) {
-    vtkIdType& id = ids[at(node)];
+    vtk::Id& id = ids[at(node)];
     if (id >= 0) return id;
     id = picture.grid.point(mesh.node[at(node)]);
-    picture.pressure->InsertNextValue(still.pressure(mesh.node[at(node)].y()) + added[node]);
-    picture.added->InsertNextValue(added[node]);
+    picture.pressure.add(still.pressure(mesh.node[at(node)].y()) + added[node]);
+    picture.added.add(added[node]);
     return id;
   };
   for (const QuadraticTriangle& t : mesh.triangle) {
     const double x = (mesh.node[at(t[0])] + mesh.node[at(t[1])] + mesh.node[at(t[2])]).x() / 3;
     if (absorbs(mesh.ends.left, x, -1) || absorbs(mesh.ends.right, x, 1)) continue;
-    std::vector<vtkIdType> corners;
+    std::vector<vtk::Id> corners;
     for (const int node : t) corners.push_back(point(node));
-    picture.grid.cell(VTK_QUADRATIC_TRIANGLE, corners);
+    picture.grid.cell(vtk::Cell::quadratic_triangle, corners);
   }
 }
 

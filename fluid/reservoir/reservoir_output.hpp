@@ -25,8 +25,8 @@ class ReservoirOutput {
  private:
   struct Picture {
     vtk::Grid grid;
-    vtkDoubleArray* pressure = grid.point_data("pressure_pa", 1);
-    vtkDoubleArray* added = grid.point_data("added_pressure_pa", 1);
+    vtk::Array& pressure = grid.point_data("pressure_pa", 1);
+    vtk::Array& added = grid.point_data("added_pressure_pa", 1);
   };
   void add(const AnsweringWater& water, Picture& picture) const;
 

@@ -5,6 +5,7 @@
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
 #include "solid/solve/linear_system.hpp"
+#include "solid/solve/sparse_solvers.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -50,8 +51,9 @@ std::unique_ptr<LinearSystem> make_dense_system(const Unknowns& unknowns) {
 std::unique_ptr<LinearSystem> make_linear_system(const Unknowns& unknowns,
                                                  const std::vector<std::pair<int, int>>& couples) {
   constexpr int largest_dense = 72;  // unknowns: 12 deformable blocks
-  if (unknowns.shared()) return make_nodal_system(unknowns, couples);
-  return unknowns.total <= largest_dense ? make_dense_system(unknowns) : make_sparse_system(unknowns, couples);
+  if (unknowns.shared()) return sparse_solvers().make_nodal_system(unknowns, couples);
+  if (unknowns.total <= largest_dense) return make_dense_system(unknowns);
+  return sparse_solvers().make_sparse_system(unknowns, couples);
 }
 
 }  // namespace blockweir::solid

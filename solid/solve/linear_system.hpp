@@ -71,9 +71,5 @@ std::unique_ptr<LinearSystem> make_linear_system(const Unknowns& unknowns,
                                                  const std::vector<std::pair<int, int>>& couples);
 
 std::unique_ptr<LinearSystem> make_dense_system(const Unknowns& unknowns);
-std::unique_ptr<LinearSystem> make_sparse_system(const Unknowns& unknowns,
-                                                 const std::vector<std::pair<int, int>>& couples);
-std::unique_ptr<LinearSystem> make_nodal_system(const Unknowns& unknowns,
-                                                const std::vector<std::pair<int, int>>& couples);
 
 }  // namespace blockweir::solid

@@ -2,7 +2,8 @@
 #include "solid/solve/saddle_point.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/UmfPackSupport>
+
+#include "solid/solve/sparse_solvers.hpp"
 
 namespace blockweir::solid {
 void SaddlePoint::set_zero() {
@@ -57,9 +58,7 @@ bool SaddlePoint::solve(const Eigen::VectorXd& r, Eigen::VectorXd& d, Eigen::Vec
   if (f.size() <= largest_dense) {
     x = Eigen::MatrixXd(K).partialPivLu().solve(f);
   } else {
-    const Eigen::UmfPackLU<Eigen::SparseMatrix<double>> lu(K);
-    if (lu.info() != Eigen::Success) return false;
-    x = lu.solve(f);
+    if (!sparse_solvers().solve_once(K, f, x)) return false;
   }
   d = x.head(u_.total);
   forces = x.tail(count);

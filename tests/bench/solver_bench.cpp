@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_step
+// links: solid_step solid_suitesparse
 // What solves a step's linear system soonest: dense LU, sparse Cholesky (from nothing, on a known pattern with the four
 // threads that CHOLMOD asks for and with one, with kept factors) or conjugate gradients preconditioned by the blocks'
 // own 3x3 or 6x6 matrices (from nothing, and from a solution whose right-hand side was 1 % off), by the number of
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "solid/solve/one_thread.hpp"
+#include "solid/solve/sparse/one_thread.hpp"
 #include "solid/step/newmark.hpp"
 #include "solid/step/solid.hpp"
 #include "tests/large_scenes.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: solid_solve
+// links: solid_solve solid_suitesparse
 // Factors that are kept serve their own matrix to the bit, one nearby to its residual, and no other.
-#include "solid/solve/sparse_matrix.hpp"
+#include "solid/solve/sparse/sparse_matrix.hpp"
 
 #include <gtest/gtest.h>
 

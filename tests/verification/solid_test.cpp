@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "bridge/geometry/polygon.hpp"
+#include "solid/solve/sparse_solvers.hpp"
 #include "tests/verification/scenes.hpp"
 
 namespace blockweir::solid {
@@ -256,7 +257,7 @@ TEST(Solid, SparseAndDenseSolversGiveTheSameCorrection) {
   const std::vector<std::pair<int, int>> couples = {{0, 1}, {1, 2}};
   const Unknowns unknowns({6, 3, 6});
   auto dense = make_dense_system(unknowns);
-  auto sparse = make_sparse_system(unknowns, couples);
+  auto sparse = sparse_solvers().make_sparse_system(unknowns, couples);
   for (const auto& system : {dense.get(), sparse.get()}) {
     system->set_zero();
     for (int b = 0; b < 3; ++b) system->add(b, b, 10 * Matrix6::Identity() + Matrix6::Ones());

@@ -17,7 +17,7 @@
 #include "bridge/results/stopwatch.hpp"
 #include "solid/solve/linear_system.hpp"
 #include "solid/solve/low_rank.hpp"
-#include "solid/solve/one_thread.hpp"
+#include "solid/solve/sparse/one_thread.hpp"
 
 namespace blockweir::solid {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/vtk/sequential.hpp"
+#include "bridge/vtk/library/sequential.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // Islands with meshed blocks: a sparse matrix of nodes and blocks, with a pattern fixed by meshes and contacts.
 #include <algorithm>
 
-#include "solid/solve/linear_system.hpp"
-#include "solid/solve/sparse_matrix.hpp"
+#include "solid/solve/sparse/sparse_matrix.hpp"
+#include "solid/solve/sparse/systems.hpp"
 
 namespace blockweir::solid {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "bridge/scene/at.hpp"
-#include "solid/solve/linear_system.hpp"
-#include "solid/solve/sparse_matrix.hpp"
+#include "solid/solve/sparse/sparse_matrix.hpp"
+#include "solid/solve/sparse/systems.hpp"
 
 namespace blockweir::solid {
 namespace {
