@@ -3,6 +3,12 @@
 // Triangles of a block: they fill its outline, and know where they lie on it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <random>
+#include <vector>
+
 #include "bridge/geometry/mesh.hpp"
 
 namespace blockweir::geometry {
@@ -67,6 +73,24 @@ TEST(BlockMesh, NoAngleIsBelowTwentyDegreesWhereTheOutlineHasNone) {
     }
   }
   EXPECT_GT(least, 20);
+}
+
+/// CGAL orders by address: what a scene's text had taken and left of the memory changed the mesh.
+TEST(BlockMesh, DoesNotDependOnWhatWasAllocatedBefore) {
+  const std::vector<Point> section = {{0, 0}, {24, 0}, {6.5, 26}, {5.5, 31}, {1.5, 31}, {1.5, 18}};
+  const Mesh first = triangulate(section, 4);
+  for (unsigned seed = 1; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    std::vector<std::unique_ptr<char[]>> taken(2000);
+    for (auto& part : taken) part = std::make_unique<char[]>(16 + random() % 8000);
+    std::shuffle(taken.begin(), taken.end(), random);
+    for (auto& part : taken) {
+      if (random() % 3 > 0) part.reset();
+    }
+    const Mesh again = triangulate(section, 4);
+    EXPECT_EQ(again.triangles, first.triangles) << seed;
+    EXPECT_EQ(again.nodes, first.nodes) << seed;
+  }
 }
 
 }  // namespace
