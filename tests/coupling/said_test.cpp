@@ -146,6 +146,7 @@ TEST_F(Said, ADryRunSaysNothingOfALevel) {
 TEST_F(Said, ARockingBlockThatHasNotSwungBackHasNoImpactRatio) {
   for (const auto& [duration, period, ratio] :
        {std::tuple{"0.6", false, false}, {"1.33", true, false}, {"2.2", true, true}}) {
+    fs::remove_all(folder / "o");
     ASSERT_EQ(
         shell(programs + "/blockweir run " + cases + "rocking --quiet --out o --set analysis.duration_s=" + duration),
         0);
@@ -162,6 +163,7 @@ TEST_F(Said, ARockingBlockThatHasNotSwungBackHasNoImpactRatio) {
 
 TEST_F(Said, FiguresThatARunDoesNotHoldSayWhy) {
   const auto why = [&](const std::string& run, const std::string& expect) {
+    fs::remove_all(folder / "o");
     EXPECT_EQ(shell(programs + "/blockweir run " + run + " --quiet --out o --set \"expect=[" + expect + "]\""), 0)
         << text("out");
     return summary()["checks"][0].value("why_none", "a figure");
