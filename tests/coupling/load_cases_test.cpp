@@ -104,11 +104,15 @@ TEST_F(LoadCases, ALoadCaseIsJudgedByTheCohesionOfWhatIsNotInTension) {
 TEST_F(LoadCases, ALoadCaseThatChangesNothingIsWarnedOf) {
   write("s.toml", text(cases + "monolith-slides/scene.toml") +
                       "\n[[load_case]]\nname = 'idle'\nset = ['material.concrete.poissons_ratio=0.2']\n"
+                      "[[load_case]]\nname = 'own name'\nset = ['load_case.idle.name=other']\n"
                       "[[load_case]]\nname = 'light'\nset = ['material.concrete.density_kg_per_m3=2.4']\n");
-  const std::string idle = "[[load_case]] \"idle\" changes nothing: the scene has material.concrete.poissons_ratio=0.2";
+  const std::string idle =
+      "[[load_case]] \"idle\" changes nothing: with material.concrete.poissons_ratio=0.2 the "
+      "scene is the same";
   ASSERT_EQ(ask("safety s.toml"), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("idle: WARNING " + idle));
   ASSERT_EQ(shell(programs + "/blockweir check s.toml"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("with load_case.idle.name=other the scene is the same"));
   EXPECT_THAT(text("out"),
               testing::AllOf(HasSubstr("warning: " + idle), Not(HasSubstr("\"light\" changes nothing")),
                              HasSubstr("[[load_case]] \"light\" sets material"), HasSubstr("if it is in t/m3")));
