@@ -30,8 +30,9 @@ class OpenFoam : public Processes {
     return set("fluid.model=openfoam") + set("fluid.cells_in_depth=" + std::to_string(in_depth));
   }
 
-  /// Exit status of `blockweir run SCENE --out OUT` with more words behind it.
+  /// Exit status of `blockweir run SCENE --out OUT` with more words behind it; an earlier OUT is removed.
   [[nodiscard]] int run(const std::string& scene, const std::string& out, const std::string& more) const {
+    fs::remove_all(folder / out);
     return shell(programs + "/blockweir run " + scene + " --quiet --out " + out + more);
   }
 

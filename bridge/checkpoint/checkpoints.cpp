@@ -32,6 +32,14 @@ fs::path file_of(const fs::path& run, const std::string& role, std::uint64_t win
   return folder_in(run) / fmt::format("{}-{}", role, window);
 }
 
+/// All checkpoints of a run are of one scene: those before this one help no more.
+[[noreturn]] void refuse_changed_scene(const fs::path& file, const std::string& had, const std::string& has) {
+  throw std::runtime_error(fmt::format(
+      "{}: the scene was changed since: it has digest {} now, expected {}; put scene.toml of the run back as "
+      "it was, or begin a new run in another folder",
+      file.string(), has, had));
+}
+
 }  // namespace
 
 Checkpoints::Checkpoints(const fs::path& folder, std::string role, std::string scene_digest, double every_s)
@@ -89,7 +97,7 @@ std::string Checkpoints::read(std::uint64_t window) const {
   }
   if (version != format) refuse(fmt::format("format {}, this blockweir reads {}", version, format));
   if (role != role_ || number != window) refuse(fmt::format("holds window {} of {}", number, role));
-  if (digest != digest_) refuse(fmt::format("of a scene with digest {}, this one has {}", digest, digest_));
+  if (digest != digest_) refuse_changed_scene(path, digest, digest_);
   if (size != state.size()) refuse(fmt::format("{} bytes, {} expected", state.size(), size));
   if (sum != checksum(state)) refuse("its content has changed since it was written");
   return state;

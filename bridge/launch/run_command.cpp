@@ -10,10 +10,12 @@ namespace blockweir::launch {
 Work run_command(CLI::App& app) {
   const auto options = std::make_shared<process::RunOptions>();
   options->margin = true;
+  options->keeps_others = true;
   app.add_option("scene", options->scene, "scene file or case folder")->required();
   app.add_option(
       "--out", options->out,
-      "folder for the results (default: runs/CASE, or runs/CASE-2, -3, ... where that holds an earlier run)");
+      "folder for the results; no run of another scene in it is overwritten, nor one to resume (default: runs/CASE, or "
+      "runs/CASE-2, -3, ... where that holds an earlier run)");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
   app.add_option("--set", options->overrides, "set a key of the scene, e.g. analysis.step_s=0.001");
   app.add_flag("--inproc", options->inproc,

@@ -23,11 +23,6 @@ namespace {
 
 constexpr std::size_t most_names = 150;  // more would cover each other
 
-void require_picture(const std::filesystem::path& file) {
-  if (file.extension() == ".png" || file.extension() == ".svg") return;
-  throw std::invalid_argument(fmt::format("--out {}: expected a name that ends in .png or .svg", file.string()));
-}
-
 std::string style_of(const scene::Block& block) {
   constexpr const char* colours[] = {"#c9c9c4", "#d9c8a9", "#b7c7b0", "#c6b7cc", "#b5c4d4", "#dcbdb2"};
   return fmt::format("fc rgb '{}' fillstyle solid border lc rgb '#303030' lw 1",
@@ -58,8 +53,7 @@ void draw(const scene::Scene& scene, const std::filesystem::path& out) {
 }  // namespace
 
 void cut(const CutOptions& options) {
-  require_picture(options.out);
-  results::require_writable_file("--out", options.out);
+  results::require_writable_file("--out", options.out, {".png", ".svg"});
   const scene::ReadScene read = scene::read(options.scene, options.overrides);
   for (const auto& note : read.notes) fmt::print(stderr, "{}", results::for_stderr(note.text() + "\n"));
   const scene::Scene& scene = read.scene;

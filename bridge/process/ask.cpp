@@ -60,7 +60,14 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
   });
   if (supervised.asked_to_stop) throw Stopped();
   const std::string trouble = failure_cause(supervised, folder);
-  if (!trouble.empty() && supervised.ends.front().exit_code == 2) throw std::invalid_argument(trouble);
+  const int status = supervised.ends.front().exit_code;
+  if (!trouble.empty() && status == 2) throw std::invalid_argument(trouble);
+  if (status > 128) {
+    throw std::runtime_error(
+        fmt::format("{}: no answer: {}; the system ends a program by signal 9 where memory runs short: free some, and "
+                    "ask again",
+                    options.scene.string(), trouble));
+  }
   if (!trouble.empty()) throw std::runtime_error(trouble);
   std::ifstream stream(file);
   return nlohmann::json::parse(stream);

@@ -1,16 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/process/previous_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 
 #include "bridge/checkpoint/checkpoints.hpp"
 #include "bridge/process/programs.hpp"
 #include "bridge/results/folder_lock.hpp"
+#include "bridge/results/shell_word.hpp"
 #include "bridge/scene/fluid_models.hpp"
+#include "bridge/scene/read/digest.hpp"
 
 namespace blockweir::process {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// Of the scene that a run in this folder had.
+std::string digest_of(const fs::path& folder) {
+  std::ifstream stream(scene_of(folder), std::ios::binary);
+  return scene::digest(std::string{std::istreambuf_iterator<char>(stream), {}});
+}
+
+bool can_be_resumed(const fs::path& folder) {
+  return !checkpoint::windows(folder, "solid").empty() && !ends_there_again(folder);
+}
+
+/// Nothing is lost of a run that was refused at its start.
+bool has_results(const fs::path& folder) {
+  return has_frames(folder) || summary_of(folder).value("outcome", "stopped") != "stopped";
+}
+
+}  // namespace
 
 bool is_run(const fs::path& folder) {
   std::error_code unreadable;
@@ -29,6 +56,32 @@ bool is_anothers(const fs::path& folder) {
     return entry.path().filename() != results::FolderLock::file;  // of a run that was killed as it began
   };
   return std::any_of(begin(contents), end(contents), counts) && !is_run(folder);
+}
+
+json summary_of(const fs::path& folder) {
+  std::ifstream stream(folder / "summary.json");
+  json summary = stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
+  return summary.is_object() ? summary : json::object();
+}
+
+bool ends_there_again(const fs::path& folder) {
+  return summary_of(folder).value("ends_here_again", false);
+}
+
+void refuse_to_lose(const fs::path& folder, const scene::Scene& scene) {
+  if (!is_run(folder)) return;
+  const std::string digest = digest_of(folder);
+  const bool resumable = can_be_resumed(folder);
+  const bool of_another = digest != scene.digest;
+  if (!resumable && !(of_another && has_results(folder))) return;
+  const std::string word = results::shell_word(folder.string());
+  throw std::invalid_argument(fmt::format(
+      "{}: found a run of {}{}; expected a new folder, or that of a complete run of this scene; choose another folder, "
+      "or remove that run (rm -r {})",
+      folder.string(),
+      of_another ? fmt::format("another scene, of digest {} where this one has {}", digest, scene.digest)
+                 : "this scene",
+      resumable ? fmt::format(", which was stopped and goes on with \"blockweir resume {}\"", word) : "", word));
 }
 
 void forget_checkpoints(const fs::path& folder) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "bridge/scene/scene.hpp"
 
@@ -16,6 +17,16 @@ namespace blockweir::process {
 
 /// Whether the folder contains files that no run has written. Something that is no folder is refused by make_folder.
 [[nodiscard]] bool is_anothers(const std::filesystem::path& folder);
+
+/// Throws std::invalid_argument if `folder` holds results that a run of `scene` there would lose: those of another
+/// scene, or of a run that can be resumed.
+void refuse_to_lose(const std::filesystem::path& folder, const scene::Scene& scene);
+
+/// Whether the solid of that run failed in a way that a resumed run would repeat.
+[[nodiscard]] bool ends_there_again(const std::filesystem::path& folder);
+
+/// Its summary.json; no object where there is none that can be read.
+[[nodiscard]] nlohmann::json summary_of(const std::filesystem::path& folder);
 
 void forget_checkpoints(const std::filesystem::path& folder);
 

@@ -73,7 +73,7 @@ std::string report(const RunResult& result) {
     const std::string why = s.value("stopped", "");
     const std::string_view word = "stopped ";
     text += fmt::format("STOPPED {}{}\n", why.starts_with(word) ? why.substr(word.size()) : why,
-                        result.advice.empty() ? "" : "; " + result.advice);
+                        result.advice.empty() || !result.kept ? "" : "; " + result.advice);
     if (s.contains("reached")) text += fmt::format("        {}\n", s["reached"]["text"].get<std::string>());
     if (s.contains("failure") && s["failure"].is_object()) text += failure_text(s["failure"], "FAILED  before that: ");
   }
@@ -92,17 +92,17 @@ std::string report(const RunResult& result) {
     text += fmt::format("WARNING {}\n", warning.get<std::string>());
   }
   for (const json& check : s.value("checks", json::array())) text += check_text(check);
-  if (const std::size_t skips = s.value("skips", json::array()).size(); skips > 0) {
+  if (const std::size_t skips = s.value("skips", json::array()).size(); skips > 0 && result.kept) {
     text += fmt::format("skipped {} of work that the result does not need; \"blockweir profile {}\" lists them\n",
                         results::counted(skips, "kind"), results::shell_word(result.folder.string()));
   }
   const json simulated = s.value("simulated_s", json());
   text += fmt::format("time    {} s of wall time{}\n", number(s["wall_time_s"]),
                       simulated.is_null() ? "" : fmt::format(" for {} s simulated", number(simulated)));
+  if (!result.kept) return text;
   const std::string folder = result.folder.string();
   if (!result.in_place_of.empty()) {
-    text += fmt::format("        {} holds an earlier run and was kept; --out {} would write over it\n",
-                        result.in_place_of.string(), results::shell_word(result.in_place_of.string()));
+    text += fmt::format("        {} holds an earlier run, which was kept\n", result.in_place_of.string());
   }
   text += fmt::format("results {} {}\n", folder,
                       has_frames(result.folder)

@@ -75,11 +75,6 @@ void require_path_of_openfoam(const scene::Scene& scene, const fs::path& folder)
                   folder.string(), full[at] == '"' || full[at] == '\'' ? "quote" : "blank", full));
 }
 
-json read_json(const fs::path& path) {
-  std::ifstream stream(path);
-  return stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
-}
-
 /// The last checkpoint that all processes of the run have; 0: none. Still water needs none, except with flow through
 /// joints and for its own VTK files.
 std::uint64_t resumable_window(const fs::path& folder, const scene::Scene& scene) {
@@ -98,8 +93,7 @@ std::uint64_t resumable_window(const fs::path& folder, const scene::Scene& scene
 void complete_summary(const fs::path& folder, const std::string& fluid, RunResult& result, const LimitMargin* margin,
                       double wall_s) {
   json& summary = result.summary;
-  summary = read_json(folder / "summary.json");
-  if (!summary.is_object()) summary = json::object();
+  summary = summary_of(folder);
   if (!result.trouble.empty()) {
     summary["outcome"] = "stopped";
     summary["stopped"] = result.trouble;
@@ -125,16 +119,9 @@ bool is_refusal(const Supervised& supervised) {
          });
 }
 
-/// Whether the solid failed in a way that a resumed run would repeat.
-bool ends_there_again(const fs::path& folder) {
-  const json summary = read_json(folder / "summary.json");
-  return summary.is_object() && summary.value("ends_here_again", false);
-}
-
 /// A finished run has no checkpoint, and needs none.
 void refuse_finished(const fs::path& folder) {
-  const json summary = read_json(folder / "summary.json");
-  const std::string outcome = summary.is_object() ? summary.value("outcome", "stopped") : "stopped";
+  const std::string outcome = summary_of(folder).value("outcome", "stopped");
   if (outcome == "stopped") return;
   throw std::invalid_argument(
       fmt::format("{}: found a run that is complete, its outcome is \"{}\"; nothing is left to resume; \"blockweir run "
@@ -143,8 +130,7 @@ void refuse_finished(const fs::path& folder) {
 }
 
 [[noreturn]] void refuse_without_checkpoint(const scene::Scene& scene, const fs::path& folder) {
-  const json summary = read_json(folder / "summary.json");
-  const std::string why = summary.is_object() ? summary.value("stopped", "") : "";
+  const std::string why = summary_of(folder).value("stopped", "");
   throw std::invalid_argument(fmt::format("{}: no checkpoint that all its processes have{}; {}", folder.string(),
                                           why.empty() ? "" : fmt::format(", the run ended with \"{}\"", why),
                                           lacks_checkpoint(scene, folder) ? no_checkpoint_of_external
@@ -231,6 +217,7 @@ RunResult run(const RunOptions& options) {
   require_path_of_openfoam(read.scene, folder);
   results::make_folder(folder);
   const results::FolderLock lock(folder);
+  if (options.keeps_others) refuse_to_lose(folder, read.scene);
   forget_previous_run(folder, read.scene);
   results::replace_file(scene_of(folder), read.scene.text);
   RunResult result = go(read.scene, folder, 0, options);

@@ -17,9 +17,10 @@ struct RunOptions {
   bool inproc = false;  ///< still water or a reservoir within the solid's process
   bool strict = false;  ///< warnings of the reader are errors
   bool quiet = false;
-  bool trace = false;    ///< all sides record when they wait and send, in the run's folder "trace"
-  bool margin = false;   ///< adds the result of limit analysis to the summary, computed during the run
-  double longest_s = 0;  ///< limit of wall time, after which the run is ended as hanging; 0: none
+  bool trace = false;         ///< all sides record when they wait and send, in the run's folder "trace"
+  bool margin = false;        ///< adds the result of limit analysis to the summary, computed during the run
+  bool keeps_others = false;  ///< refuses an `out` with results that would be lost, see refuse_to_lose()
+  double longest_s = 0;       ///< limit of wall time, after which the run is ended as hanging; 0: none
 };
 
 struct ResumeOptions {
@@ -33,6 +34,7 @@ struct RunResult {
   int exit_code = 0;  ///< 0 done, 1 the run failed, 130 stopped by Ctrl-C
   std::filesystem::path folder;
   std::filesystem::path in_place_of{};  ///< the default folder, if an earlier run occupied it
+  bool kept = true;                     ///< false: the folder is removed after the report, which names it nowhere then
   nlohmann::json summary{};
   std::string trouble{};       ///< one line, if it failed
   std::string advice{};        ///< how it may be continued, if it can; needs the folder to last

@@ -29,7 +29,7 @@ bool all_answered(const json& answer) {
 }  // namespace
 
 int print_reliability(const ReliabilityOptions& options) {
-  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  if (!options.json.empty()) results::require_writable_file("--json", options.json, {".json"});
   const scene::ReadScene read = scene::read(options.scene, options.overrides);
   for (const auto& warning : read.warnings) fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));
   if (read.randomness.variables.empty()) {

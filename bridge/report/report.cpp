@@ -16,6 +16,7 @@
 #include "bridge/reliability/reliability_answer.hpp"
 #include "bridge/report/report_page.hpp"
 #include "bridge/results/folder.hpp"
+#include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/shell_word.hpp"
 #include "bridge/scene/read/read.hpp"
@@ -49,10 +50,9 @@ bool may_write_here() {
   return ::access(fs::exists(runs) ? runs.c_str() : ".", W_OK) == 0;
 }
 
-json summary_of(const fs::path& run) {
-  std::ifstream stream(run / "summary.json");
-  json summary = stream ? json::parse(stream, nullptr, /*allow_exceptions=*/false) : json();
-  if (summary.is_object()) return summary;
+json sound_summary(const fs::path& run) {
+  json summary = process::summary_of(run);
+  if (!summary.empty()) return summary;
   throw std::invalid_argument(
       fmt::format("{}: found a run without a summary.json; expected one that has ended; blockweir resume {} may end it",
                   run.string(), results::shell_word(run.string())));
@@ -100,7 +100,7 @@ picture::ReportParts parts_of(const fs::path& run, const std::string& program, c
   const scene::ReadScene read = scene::read(process::scene_of(run));
   picture::ReportParts parts{.scene = read.scene, .run = run, .program = program};
   parts.reliability = reliability_of(run, read, kept);
-  parts.summary = summary_of(run);
+  parts.summary = sound_summary(run);
   fmt::print(stderr, "asking for the level of failure and the factors of safety\n");
   const process::TemporaryFolder scratch;
   process::AskOptions question{.scene = process::scene_of(run), .out = scratch.path() / "level", .quiet = true};
@@ -123,7 +123,7 @@ picture::ReportParts parts_of(const fs::path& run, const std::string& program, c
 }  // namespace
 
 int write_report(const ReportOptions& options) {
-  if (!options.out.empty()) results::require_writable_file("--out", options.out);
+  if (!options.out.empty()) results::require_writable_file("--out", options.out, {".html", ".htm"});
   constexpr double page_mb = 2;
   const fs::path run_folder = options.run.empty() ? fs::path(".") : options.run;
   results::require_room(!options.out.empty()              ? options.out
@@ -136,11 +136,13 @@ int write_report(const ReportOptions& options) {
   if (!process::is_run(options.source)) {
     fs::path folder = options.run;
     if (folder.empty() && !options.out.empty() && !may_write_here()) folder = scratch.emplace().path() / "run";
-    const process::RunResult made = process::run({.scene = options.source,
-                                                  .out = folder,
-                                                  .variant = options.variant,
-                                                  .overrides = options.overrides,
-                                                  .margin = true});
+    process::RunResult made = process::run({.scene = options.source,
+                                            .out = folder,
+                                            .variant = options.variant,
+                                            .overrides = options.overrides,
+                                            .margin = true,
+                                            .keeps_others = true});
+    made.kept = !scratch;
     fmt::print("{}", process::report(made));
     if (made.exit_code != 0) return made.exit_code;
     if (made.asked_to_stop) throw process::Stopped();
@@ -155,6 +157,7 @@ int write_report(const ReportOptions& options) {
                     "the scene",
                     options.source.string()));
   }
+  results::FolderLock::refuse_in_use(run);
   const fs::path out = options.out.empty() ? run / "report.html" : options.out;
   results::replace_file(out, picture::report_page(picture::report_data(parts_of(run, options.program, kept))));
   fmt::print("report  {}\n", out.string());

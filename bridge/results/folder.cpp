@@ -2,8 +2,10 @@
 #include "bridge/results/folder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <stdexcept>
 #include <string>
@@ -45,13 +47,18 @@ void make_folder(const fs::path& folder) {
   refuse_folder(folder, found);
 }
 
-void require_writable_file(const char* option, const fs::path& file) {
+void require_writable_file(const char* option, const fs::path& file, const std::vector<std::string>& endings) {
   std::error_code error;
   const std::string found =
       fs::is_directory(file, error) ? "this is a folder" : obstacle(fs::absolute(file).parent_path());
-  if (found.empty()) return;
-  throw std::invalid_argument(
-      fmt::format("{} {}: {}; expected a file that can be written; choose another", option, file.string(), found));
+  if (!found.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{} {}: {}; expected a file that can be written; choose another", option, file.string(), found));
+  }
+  const bool is_device = fs::exists(file, error) && !fs::is_regular_file(file, error);
+  if (is_device || std::find(endings.begin(), endings.end(), file.extension()) != endings.end()) return;
+  throw std::invalid_argument(fmt::format("{} {}: expected a name that ends in {}; choose such a name", option,
+                                          file.string(), fmt::join(endings, " or ")));
 }
 
 void require_room(const fs::path& place, double mb) {

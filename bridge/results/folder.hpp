@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace blockweir::results {
 
@@ -10,8 +12,10 @@ namespace blockweir::results {
 /// or written, and leaves nothing behind then.
 void make_folder(const std::filesystem::path& folder);
 
-/// Throws std::invalid_argument with one line for the user if `file`, given as `option`, cannot be written.
-void require_writable_file(const char* option, const std::filesystem::path& file);
+/// Throws std::invalid_argument with one line for the user if `file`, given as `option`, cannot be written, or if its
+/// name has none of these endings: it may be a scene, which would be overwritten. A device or a pipe may have any name.
+void require_writable_file(const char* option, const std::filesystem::path& file,
+                           const std::vector<std::string>& endings);
 
 /// Throws std::runtime_error with one line for the user if less than `mb` are free on the disk that holds `place`, or
 /// will hold it. To be asked before work whose result is to be kept there.

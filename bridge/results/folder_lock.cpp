@@ -24,7 +24,23 @@ pid_t holder_of(const std::filesystem::path& path) {
   return holder;
 }
 
+/// The lock on `folder` is held by another process.
+[[noreturn]] void refuse(const std::filesystem::path& folder, pid_t holder, const char* remedy) {
+  throw std::invalid_argument(
+      fmt::format("{}: another run writes there, that of process {}{}; {}", folder.string(), holder,
+                  ::kill(holder, 0) == 0 ? "" : ", which has ended and left others running", remedy));
+}
+
 }  // namespace
+
+void FolderLock::refuse_in_use(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / file;
+  const int lock = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (lock < 0) return;
+  const bool held = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(lock);
+  if (held) refuse(folder, holder_of(path), "wait until it has ended");
+}
 
 FolderLock::FolderLock(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / file;
@@ -38,9 +54,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
     if (!held) return;  // a file system without locks
     const pid_t holder = holder_of(path);
     if (holder == ::getppid() || holder == ::getpid()) return;
-    throw std::invalid_argument(fmt::format(
-        "{}: another run writes there, that of process {}{}; choose another --out, or wait until it has ended",
-        folder.string(), holder, ::kill(holder, 0) == 0 ? "" : ", which has ended and left others running"));
+    refuse(folder, holder, "choose another --out, or wait until it has ended");
   }
   const std::string text = fmt::format("{}\n", ::getpid());
   // Where the disk is full we have it all the same.

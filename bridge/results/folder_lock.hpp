@@ -19,6 +19,10 @@ class FolderLock {
   /// The lock file in the folder, with the number of the process that holds the lock; the file stays.
   static constexpr const char* file = ".lock";
 
+  /// Throws std::invalid_argument, with one line for the user, if another process writes to `folder`: for one who
+  /// reads.
+  static void refuse_in_use(const std::filesystem::path& folder);
+
  private:
   int descriptor_ = -1;
 };

@@ -108,7 +108,7 @@ std::string level_report(const json& answer) {
 }  // namespace
 
 int print_level(const LevelOptions& options) {
-  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  if (!options.json.empty()) results::require_writable_file("--json", options.json, {".json"});
   const process::Asked asked = process::ask("level", options);
   const json& limit = asked.answer["limit_analysis"];
   fmt::print("{}", results::for_stdout(level_report(asked.answer)));

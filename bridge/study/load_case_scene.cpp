@@ -29,8 +29,8 @@ std::optional<scene::Diagnostic> idle_load_case(const scene::LoadCase& load_case
   return scene::Diagnostic{scene::Diagnostic::Severity::warning,
                            with.file.string(),
                            load_case.line,
-                           fmt::format("[[load_case]] \"{}\" changes nothing: the scene has {} anyway", load_case.name,
-                                       fmt::join(load_case.set, " and ")),
+                           fmt::format("[[load_case]] \"{}\" changes nothing: with {} the scene is the same",
+                                       load_case.name, fmt::join(load_case.set, " and ")),
                            "a set that makes another scene of it",
                            "correct it, or leave the load case out"};
 }

@@ -55,12 +55,11 @@ std::string work(const std::vector<json>& cells) {
                      range("wall_time_s", "{:.2g} to {:.2g}"));
 }
 
-std::string difference(const json& cell) {
+std::string difference(const json& cell, bool by_formula) {
   if (cell.contains("reason")) return cell["reason"];
-  if (cell["got"].is_string())
-    return fmt::format("{}, but {} by the formula", cell["got"].get<std::string>(),
-                       cell["expected"].get<std::string>());
-  return fmt::format("{}, but {} by the formula", cell["got"].dump(), cell["expected"].dump());
+  const auto shown = [](const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); };
+  return fmt::format("{}, {} {}{}", shown(cell["got"]), by_formula ? "but" : "expected", shown(cell["expected"]),
+                     by_formula ? " by the formula" : "");
 }
 
 StudyResult draw_map(const scene::MapStudy& study, StudyRuns& runs) {
@@ -79,7 +78,8 @@ StudyResult draw_map(const scene::MapStudy& study, StudyRuns& runs) {
       const std::string verdict = cell["verdict"];
       result.text += fmt::format(" {}{}", letter(cell["shown"]), verdict == "wrong" ? '!' : ' ');
       if (verdict != "right")
-        differences += fmt::format("  {}: {}, {}: {}\n", verdict, settings[0], settings[1], difference(cell));
+        differences += fmt::format("  {}: {}, {}: {}\n", verdict, settings[0], settings[1],
+                                   difference(cell, !study.expected.formula.empty()));
       cells.push_back(std::move(cell));
     }
     result.text += "   " + work(cells) + "\n";

@@ -44,7 +44,7 @@ std::string modes_report(const json& answer) {
 }  // namespace
 
 int print_modes(const ModesOptions& options) {
-  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  if (!options.json.empty()) results::require_writable_file("--json", options.json, {".json"});
   const process::Asked asked = process::ask("modes", options);
   fmt::print("{}", results::for_stdout(modes_report(asked.answer)));
   const auto picture = asked.folder / "modes.png";

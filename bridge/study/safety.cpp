@@ -159,7 +159,7 @@ json safety_answers(const process::AskOptions& options, Pictures* pictures) {
 }
 
 int print_safety(const SafetyOptions& options) {
-  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  if (!options.json.empty()) results::require_writable_file("--json", options.json, {".json"});
   process::AskOptions question = options;
   question.out = process::answer_folder("safety", options);
   const fs::path& folder = question.out;

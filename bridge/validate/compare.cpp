@@ -100,7 +100,7 @@ bool add_rows(const std::string& name, const char* formulation, const std::strin
 
 int compare(const CompareOptions& options) {
   if (!options.fluids.empty()) return compare_fluids(options);
-  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  if (!options.json.empty()) results::require_writable_file("--json", options.json, {".json"});
   if (!options.out.empty()) results::make_folder(options.out);
   const TemporaryFolder scratch;
   json rows = json::array();

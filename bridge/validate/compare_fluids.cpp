@@ -218,7 +218,7 @@ int compare_fluids(const CompareOptions& options) {
         "--fluids: found \"{}\" alone; expected two models or more, with commas between; add another, as {}",
         options.fluids.front(), options.fluids.front() == "hydrostatic" ? "reservoir" : "hydrostatic"));
   }
-  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  if (!options.json.empty()) results::require_writable_file("--json", options.json, {".json"});
   if (!options.out.empty()) results::make_folder(options.out);
   const TemporaryFolder scratch;
   FluidTable table(options, scratch);

@@ -128,7 +128,7 @@ int validate(const ValidateOptions& options) {
       labels.push_back(fmt::format("{}, {}", case_name(path), task.name));
     }
   }
-  if (!options.json.empty()) results::require_writable_file("--json", options.json);
+  if (!options.json.empty()) results::require_writable_file("--json", options.json, {".json"});
   const auto engine = make_engine(options.engine, "runs/validate");
   Table table;
   try {

@@ -99,6 +99,15 @@ void add_loads(Situation& now, const FluidMaker& make_fluid, json& answer) {
       "on the structure; below is what acts on all that stands on each joint";
 }
 
+/// Strength over shear is that of the scene's own strength, of which `rows` have `1 / reduction` times.
+void take_stated_strength(double reduction, std::vector<solid::JointRow>& rows) {
+  for (solid::JointRow& row : rows) {
+    for (std::optional<double>* factor : {&row.sliding_factor, &row.residual_sliding_factor}) {
+      if (*factor) **factor *= reduction;
+    }
+  }
+}
+
 /// Joint forces of the structure as stated; if it fails, with the strength at which it would just stand.
 void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStrength& found, json& answer) {
   constexpr double just_stands = 1 - 1e-6;
@@ -111,7 +120,8 @@ void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStreng
   if (!blocks.begin(now.level_m)) return;
   const auto parts =
       now.water ? solid::additional_water_loads(scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
-  const std::vector<solid::JointRow> table = solid::joint_table(blocks.solid(), blocks.pressures(now.level_m), parts);
+  std::vector<solid::JointRow> table = solid::joint_table(blocks.solid(), blocks.pressures(now.level_m), parts);
+  take_stated_strength(reduction, table);
   answer["joints"] = table_json(table);
   answer["bent_joints"] = solid::bent_joints(blocks.solid());
   answer["bolts"] = bolts_json(blocks.solid());

@@ -11,6 +11,7 @@ using testing::HasSubstr;
 class InterfaceEnergy : public Processes {
  protected:
   [[nodiscard]] int run(const std::string& more) const {
+    fs::remove_all(folder / "r");
     return shell(programs + "/blockweir run " + cases + "piston-column --out r --quiet" + more);
   }
   [[nodiscard]] nlohmann::json energy() const {

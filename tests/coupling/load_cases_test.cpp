@@ -31,9 +31,17 @@ TEST_F(LoadCases, LoadCasesHaveTheirFactorsAndSayWhetherTheyAreEnough) {
     EXPECT_NEAR(c["factor"].get<double>() / limit, 1, 1e-5) << c["name"];
     ASSERT_EQ(c["joints"].size(), 1U) << c.dump();
   }
-  // Rigid or not, one block on one joint has the factor that its sums give.
+  // Rigid or not, one block on one joint has the factor that its sums give, also where it does not stand.
+  EXPECT_EQ(load_cases[1]["outcome"], "fails");
+  EXPECT_TRUE(load_cases[1].contains("joints_with_strength_times"));
+  EXPECT_THAT(text("out"), HasSubstr("as it does not stand (sliding and residual: with the strength as stated)"));
+  for (const json& c : load_cases) {
+    for (const char* strength : {"sliding_factor", "residual_sliding_factor"}) {
+      const double of_sums = c["joints"][0][strength];
+      EXPECT_NEAR(of_sums / c["limit_analysis_factor"].get<double>(), 1, 1e-5) << c["name"] << ' ' << strength;
+    }
+  }
   const json& joint = load_cases[2]["joints"][0];
-  EXPECT_NEAR(joint["sliding_factor"].get<double>() / load_cases[2]["limit_analysis_factor"].get<double>(), 1, 1e-5);
   EXPECT_TRUE(fs::exists(folder / "o/low-water/safety.json"));
   // On a level base the sums by hand are the joint's forces.
   double right = 0;
@@ -96,11 +104,15 @@ TEST_F(LoadCases, ALoadCaseIsJudgedByTheCohesionOfWhatIsNotInTension) {
 TEST_F(LoadCases, ALoadCaseThatChangesNothingIsWarnedOf) {
   write("s.toml", text(cases + "monolith-slides/scene.toml") +
                       "\n[[load_case]]\nname = 'idle'\nset = ['material.concrete.poissons_ratio=0.2']\n"
+                      "[[load_case]]\nname = 'own name'\nset = ['load_case.idle.name=other']\n"
                       "[[load_case]]\nname = 'light'\nset = ['material.concrete.density_kg_per_m3=2.4']\n");
-  const std::string idle = "[[load_case]] \"idle\" changes nothing: the scene has material.concrete.poissons_ratio=0.2";
+  const std::string idle =
+      "[[load_case]] \"idle\" changes nothing: with material.concrete.poissons_ratio=0.2 the "
+      "scene is the same";
   ASSERT_EQ(ask("safety s.toml"), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("idle: WARNING " + idle));
   ASSERT_EQ(shell(programs + "/blockweir check s.toml"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("with load_case.idle.name=other the scene is the same"));
   EXPECT_THAT(text("out"),
               testing::AllOf(HasSubstr("warning: " + idle), Not(HasSubstr("\"light\" changes nothing")),
                              HasSubstr("[[load_case]] \"light\" sets material"), HasSubstr("if it is in t/m3")));

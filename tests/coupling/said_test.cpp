@@ -146,6 +146,7 @@ TEST_F(Said, ADryRunSaysNothingOfALevel) {
 TEST_F(Said, ARockingBlockThatHasNotSwungBackHasNoImpactRatio) {
   for (const auto& [duration, period, ratio] :
        {std::tuple{"0.6", false, false}, {"1.33", true, false}, {"2.2", true, true}}) {
+    fs::remove_all(folder / "o");
     ASSERT_EQ(
         shell(programs + "/blockweir run " + cases + "rocking --quiet --out o --set analysis.duration_s=" + duration),
         0);
@@ -162,6 +163,7 @@ TEST_F(Said, ARockingBlockThatHasNotSwungBackHasNoImpactRatio) {
 
 TEST_F(Said, FiguresThatARunDoesNotHoldSayWhy) {
   const auto why = [&](const std::string& run, const std::string& expect) {
+    fs::remove_all(folder / "o");
     EXPECT_EQ(shell(programs + "/blockweir run " + run + " --quiet --out o --set \"expect=[" + expect + "]\""), 0)
         << text("out");
     return summary()["checks"][0].value("why_none", "a figure");
@@ -193,6 +195,7 @@ TEST_F(Said, FiguresThatARunDoesNotHoldSayWhy) {
 
 TEST_F(Said, WaterThatStandsAboveTheCrestIsLeftOutWithAWord) {
   const auto warnings = [&](const std::string& level) {
+    fs::remove_all(folder / "o");
     EXPECT_EQ(shell(programs + "/blockweir run " + cases +
                     "monolith-slides --inproc --quiet --out o --set expect=[] --set analysis.duration_s=0.1 --set "
                     "joint.friction_angle_deg=60 --set water.may_overtop=true --set water.upstream_level_m=" +

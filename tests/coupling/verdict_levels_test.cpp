@@ -62,6 +62,7 @@ TEST_F(Verdicts, TheDoubtOfAWallThatTurnsOverReachesItsStaticLevel) {
     const std::string fill =
         fmt::format(" --set analysis.duration_s={} --set 'water.upstream_level_m={{from={}, rate_per_s={}, to=9.8}}'",
                     (9.8 - from) / rate, from, rate);
+    fs::remove_all(folder / "w");
     ASSERT_EQ(shell(programs + "/blockweir run " + cases + "brick-dam --inproc --out w" + fill +
                     " --set analysis.stop_at_failure=true --set output.frame_every_s=100 --set expect=[]"),
               0)

@@ -21,6 +21,7 @@ class Verdicts : public Processes {
   /// Runs the scene in one process; its summary.
   [[nodiscard]] nlohmann::json run(const std::string& scene, const std::string& options = "") const {
     std::ofstream(folder / "scene.toml") << scene;
+    fs::remove_all(folder / "r");
     EXPECT_EQ(shell(programs + "/blockweir run scene.toml --inproc --out r " + options), 0) << text("out");
     return nlohmann::json::parse(text("r/summary.json"), nullptr, false);
   }

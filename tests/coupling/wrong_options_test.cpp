@@ -34,5 +34,21 @@ TEST_F(Processes, NamesThatASceneDoesNotHaveAreAnsweredWithThoseThatItHas) {
   EXPECT_THAT(text("out"), HasSubstr("no study \"x\"; expected one of friction; name one of these"));
 }
 
+/// A slip of the hand must not cost a scene.
+TEST_F(Processes, AFileThatIsNoneOfItsKindIsNotWritten) {
+  std::ofstream(folder / "w.toml") << "title = 'mine'\n";
+  const std::string scene = cases + "monolith-slides ";
+  for (const std::string& command :
+       {"report " + scene + "--out", "cut " + scene + "--out", "level " + scene + "--json",
+        "safety " + scene + "--json", "modes " + scene + "--json", "reliability " + scene + "--json",
+        "validate " + scene + "--json", "compare " + scene + "--json",
+        "compare " + scene + "--fluids reservoir,hydrostatic --json"}) {
+    EXPECT_EQ(shell(programs + "/blockweir " + command + " w.toml"), 2) << command << text("out");
+    EXPECT_THAT(text("out"), HasSubstr("w.toml: expected a name that ends in .")) << command;
+    EXPECT_EQ(text("w.toml"), "title = 'mine'\n") << command;
+  }
+  EXPECT_FALSE(fs::exists(folder / "runs"));
+}
+
 }  // namespace
 }  // namespace blockweir::test

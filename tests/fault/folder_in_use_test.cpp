@@ -39,7 +39,46 @@ TEST_F(FolderInUse, AKilledRunLetsGoOfItOnceItsProcessesHaveEnded) {
   EXPECT_EQ(end_of(first, 5), 128 + SIGKILL);
   for (int wait = 0; wait < 400 && orphan(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_TRUE(fs::exists(folder / "o" / results::FolderLock::file));
-  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out o"), 0) << text("out");
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("o: found a run of another scene"));  // it is free, and worth keeping
+}
+
+/// What took hours is not lost by a name used twice.
+TEST_F(FolderInUse, ARunThatWouldBeLostIsKeptWithAWordOnWhatToDo) {
+  const std::string run = programs + "/blockweir run " + cases + "incline --quiet --out o";
+  ASSERT_EQ(shell(run), 0) << text("out");
+  const std::string before = text("o/history.csv");
+  EXPECT_EQ(shell(run + " --set joint.friction_angle_deg=12"), 2);
+  EXPECT_THAT(text("out"), testing::ContainsRegex("o: found a run of another scene, of digest [0-9a-f]+ where this one "
+                                                  "has [0-9a-f]+; expected a new folder"));
+  EXPECT_THAT(text("out"), HasSubstr("choose another folder, or remove that run (rm -r o)"));
+  EXPECT_EQ(text("o/history.csv"), before);
+  EXPECT_EQ(shell(run), 0) << "it is complete, and of the same scene; " << text("out");
+  fs::create_directory(folder / "o/checkpoint");
+  std::ofstream(folder / "o/checkpoint/solid-7") << "of a run that was killed\n";
+  EXPECT_EQ(shell(run), 2);
+  EXPECT_THAT(text("out"), HasSubstr("o: found a run of this scene, which was stopped and goes on with \"blockweir "
+                                     "resume o\"; expected a new folder"));
+  EXPECT_TRUE(fs::exists(folder / "o/checkpoint/solid-7"));
+}
+
+TEST_F(FolderInUse, AReportOfARunThatStillWritesIsRefused) {
+  const pid_t first = start(long_run + " --quiet", "first");
+  ASSERT_TRUE(under_way("o"));
+  EXPECT_EQ(shell(programs + "/blockweir report o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr(fmt::format(
+                               "o: another run writes there, that of process {}; wait until it has ended", first)));
+  kill(first, SIGINT);
+  EXPECT_EQ(end_of(first, 20), 130) << text("first");
+}
+
+TEST_F(FolderInUse, AKilledLimitProcessIsToldWithItsSceneAndARemedy) {
+  const pid_t level = start(programs + "/blockweir level " + cases + "brick-dam --out l", "first");
+  for (int wait = 0; wait < 200 && !signal_child(level, "limit", "KILL"); ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(end_of(level, 20), 1);
+  EXPECT_THAT(text("first"), HasSubstr("brick-dam: no answer: the limit process was ended by signal 9; the system ends "
+                                       "a program by signal 9 where memory runs short: free some, and ask again"));
 }
 
 TEST_F(FolderInUse, WhatAKilledLauncherHasLeftRunningKeepsIt) {

@@ -60,7 +60,8 @@ TEST_F(Files, WhatIsNotAsItWasWrittenIsRefused) {
   checkpoints.write(7, "state\nof the solid");
   EXPECT_THAT(refusal(checkpoints, 8), HasSubstr("no such checkpoint"));
   EXPECT_THAT(refusal(Checkpoints(folder, "solid", "abd", 0), 7),
-              HasSubstr("of a scene with digest abc, this one has abd"));
+              HasSubstr("solid-7: the scene was changed since: it has digest abd now, expected abc; put scene.toml of "
+                        "the run back as it was, or begin a new run in another folder"));
   const fs::path file = folder / "checkpoint/solid-7";
   std::string whole;
   std::ifstream stream(file);

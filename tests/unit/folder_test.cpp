@@ -63,12 +63,25 @@ TEST_F(Folder, WhatThisUserMayNotWriteInIsRefused) {
 }
 
 TEST_F(Folder, AFileThatIsAFolderOrInNoneIsRefused) {
-  require_writable_file("--json", folder / "table.json");
-  EXPECT_EQ(refusal([&] { require_writable_file("--json", folder); }),
+  require_writable_file("--json", folder / "table.json", {".json"});
+  EXPECT_EQ(refusal([&] { require_writable_file("--json", folder, {".json"}); }),
             "--json " + folder.string() + ": this is a folder; expected a file that can be written; choose another");
-  EXPECT_EQ(refusal([&] { require_writable_file("--json", folder / "no/table.json"); }),
+  EXPECT_EQ(refusal([&] { require_writable_file("--json", folder / "no/table.json", {".json"}); }),
             "--json " + (folder / "no/table.json").string() + ": " + (folder / "no").string() +
                 " is no folder; expected a file that can be written; choose another");
+}
+
+/// Else a scene, or a record, would be overwritten by a slip of the hand.
+TEST_F(Folder, AFileOfAnotherKindOfNameIsRefused) {
+  std::ofstream(folder / "w.toml") << "title = \"mine\"\n";
+  for (const char* name : {"w.toml", "new.toml", "record.csv", "none"}) {
+    const fs::path file = folder / name;
+    EXPECT_EQ(refusal([&] {
+                require_writable_file("--out", file, {".html", ".htm"});
+              }),
+              "--out " + file.string() + ": expected a name that ends in .html or .htm; choose such a name");
+  }
+  require_writable_file("--json", "/dev/null", {".json"});
 }
 
 }  // namespace

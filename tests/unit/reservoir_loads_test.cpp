@@ -149,7 +149,8 @@ TEST(ReservoirLoads, IceOnAFaceThatLeansIsWarnedOfWithWhatItHolds) {
     const std::string ice = "[water]\nupstream_level_m = 12\n[ice]\nthrust_n_per_m = 150e3\nthickness_m = 0.5\n";
     return testing::PrintToString(read_text(dam(foot_x, ice), "s.toml").scene.warnings);
   };
-  EXPECT_THAT(warned(-4), HasSubstr("20 % of its thrust presses down"));
+  EXPECT_THAT(warned(-4), testing::AllOf(HasSubstr("20 % of its thrust presses down"),
+                                         HasSubstr("state its thrust as a [[point_load]] on the block")));
   EXPECT_THAT(warned(-0.5), testing::Not(HasSubstr("[ice]")));
 }
 

@@ -39,6 +39,16 @@ TEST(RunReport, ALevelUnderTheJointThatFailedIsBelowIt) {
                                              HasSubstr(R"("blockweir profile 'it'\''s so'" lists them)")));
 }
 
+/// As of `report SCENE --out FILE` where nothing else can be written: nobody could open what the lines name.
+TEST(RunReport, AFolderThatIsRemovedAfterwardsIsNotNamed) {
+  RunResult result{.exit_code = 1, .folder = "temporary", .kept = false, .advice = "\"blockweir resume temporary\""};
+  result.summary = {{"outcome", "stopped"}, {"stopped", "the disk is full"}, {"wall_time_s", 1}, {"skips", {"one"}}};
+  EXPECT_THAT(report(result), testing::AllOf(HasSubstr("STOPPED the disk is full\n"), HasSubstr("time    1 s"),
+                                             testing::Not(HasSubstr("temporary"))));
+  result.kept = true;
+  EXPECT_THAT(report(result), HasSubstr("results temporary"));
+}
+
 TEST(RunReport, SaysWhatWasDoneToTheGroundsRecord) {
   RunResult result{.exit_code = 0, .folder = "f"};
   result.summary = {{"outcome", "stopped"}, {"wall_time_s", 1}, {"base_motion", {{"text", "baseline linear; x"}}}};

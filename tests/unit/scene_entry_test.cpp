@@ -37,7 +37,9 @@ TEST_F(SceneEntries, AWrongKeyOfAVariantIsToldAtItsLine) {
 
 TEST_F(SceneEntries, ASettingThatNamesNoKeyIsToldAtItsLine) {
   EXPECT_THAT(error_of_variant(with_variant("'nokey'")),
-              testing::HasSubstr("s.toml:56: error: [[variant]] \"v\" sets nokey: this names no key"));
+              testing::HasSubstr("s.toml:56: error: [[variant]] \"v\" sets nokey: this gives no value"));
+  EXPECT_THAT(error_of_variant(with_variant("'=3'")),
+              testing::HasSubstr("s.toml:56: error: [[variant]] \"v\" sets =3: this names no key"));
 }
 
 TEST_F(SceneEntries, TheRemedyOfWhatAVariantSetsDoesNotSpeakOfTheCommandLine) {

@@ -43,7 +43,8 @@ TEST(SceneOutline, FewerThanThreeVerticesAreRefused) {
 }
 
 TEST(SceneOutline, AVertexThatIsNoPointNamesItsLine) {
-  expect_error(scene_of({ground, {"a", "[0, 0],\n[1, 0],\n[1, \"x\"]"}}), 17, {"a pair of numbers [x, y] in metres"});
+  expect_error(scene_of({ground, {"a", "[0, 0],\n[1, 0],\n[1, \"x\"]"}}), 17,
+               {"y of point 3 of vertices_m in [[block]] \"a\" is 'x'; expected a finite number"});
   expect_error(scene_of({ground, {"a", "[0, 0],\n[1e8, 0],\n[1, 1]"}}), 16, {"within 1e7"});
 }
 

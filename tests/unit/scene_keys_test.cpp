@@ -97,6 +97,8 @@ TEST(SceneKeys, AWrongTypeIsNamed) {
   expect_error(with("name = \"crack\"", "name = 7", with("of = \"crack\"\n", "")), 28, {"is 7", "a text"});
   expect_error(with("point_m = [0, 4]", "point_m = [0, 4, 1]"), 37, {"is a list of 3", "a pair of numbers"});
   expect_error(with("point_m = [0, 4]", "point_m = 4"), 37, {"is 4", "a pair of numbers"});
+  expect_error(with("point_m = [0, 4]", "point_m = [0, \"4\"]"), 37,
+               {"y of point_m in [[point_load]] is the text '4'; expected a finite number; take off the quotes"});
   expect_error(with("title = \"sample\"", "title = 3"), 1, {"title is not a text"});
   expect_error(with("between = [\"base\", \"top\"]", "between = [\"base\"]"), 29, {"a list of 2 names"});
 }
@@ -114,7 +116,8 @@ TEST(SceneKeys, ANumberThatIsNotFiniteIsRefused) {
   }
   expect_error(with("pressure_pa = 1000", "pressure_pa = nan"), 43, {"pressure_pa in [[face_pressure]] is nan"});
   expect_error(with("point_m = [0, 4]", "point_m = [0, inf]"), 37, {"is inf", "expected a finite number"});
-  expect_error(with("point_m = [0, 4]", "point_m = [0, 9007199254740993]"), 37, {"a pair of numbers"});
+  expect_error(with("point_m = [0, 4]", "point_m = [0, 9007199254740993]"), 37,
+               {"y of point_m in [[point_load]] is 9007199254740993; expected a number within 1e7, in metres"});
 }
 
 TEST(SceneKeys, NumbersOutOfRangeAreRefused) {

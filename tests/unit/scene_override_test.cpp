@@ -94,7 +94,7 @@ TEST(SceneOverride, AWrongOneIsAnErrorOfTheArgument) {
   expect_refusal("block.top.material=concret", {"names no material: \"concret\"", "did you mean \"concrete\"?"});
   expect_refusal("block.top.vertices_m=[[0, 2], [3, 4], [3, 2], [0, 4]]", {"block \"top\" crosses itself at (1.5, 3)"});
   expect_refusal("water.upstream_level_m=9", {"upstream_level_m reaches 9 m"});
-  expect_refusal("analysis.step_s", {"this names no key", "section.key=value"});
+  expect_refusal("analysis.step_s", {"this gives no value", "section.key=value"});
   expect_refusal("=1", {"this names no key"});
   expect_refusal("analysis..step_s=1", {"this names no key"});
   expect_refusal("", {"this names no key"});

@@ -74,6 +74,17 @@ TEST(SceneSection, NamesThatSetCannotTellApartAreRefusedWithBothLines) {
   EXPECT_THAT(errors(head + section + set + set), testing::Contains(HasSubstr("\"bedding\", as that of line 20")));
 }
 
+/// What makes blocks is named, as no line of the file has their names.
+TEST(SceneSection, ABlockWithTheNameOfAPieceIsRefusedWithWhatMakesThat) {
+  const std::string block =
+      "[[block]]\nname = \"s1\"\nmaterial = \"rock\"\nfixed = true\nvertices_m = [[90, 0], [91, 0], [91, 1]]\n";
+  const int line = static_cast<int>(std::count(head.begin(), head.end(), '\n')) + 1;
+  EXPECT_THAT(
+      errors(head + section + block),
+      testing::Contains(HasSubstr("a second block is called \"s1\", as one that [section] of line " +
+                                  std::to_string(line) + " makes; expected names that differ; rename the block")));
+}
+
 /// As lines on one layer of a drawing, in the scene of a run.
 TEST(SceneSection, DrawnCutsOfOneNameAreSetTogether) {
   const std::string cut = "[[cut]]\nname = \"lift\"\ndrawn = true\npoints_m = ";

@@ -218,7 +218,7 @@ function writeCases() {
     to.append(together);
     together.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));
     if (c.set.length > 0) together.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
-    if (is(scaled)) together.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength.`, 'quiet'));
+    if (is(scaled)) together.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength; the sliding factors are with the strength as stated.`, 'quiet'));
     together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'M kNm/m', 'sliding factor', 'residual', 'resultant', 'crack m', 'bonded m', 'heel kPa', 'toe kPa'],
       c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.moment_n), number(j.sliding_factor, 4), number(j.residual_sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), fixed(j.bonded_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
     const bent = c.bent_joints || [];

@@ -26,7 +26,8 @@ void warn_of_leaning_ice(const Reading& reading, double downward) {
       fmt::format(
           "[ice] presses square to a face that leans: {:.3g} % of its thrust presses down and holds the structure",
           100 * downward),
-      "ice that acts level, as guidelines have it", "state its thrust as a [[load]] on the block in place of [ice]");
+      "ice that acts level, as guidelines have it",
+      "state its thrust as a [[point_load]] on the block in place of [ice]");
 }
 
 /// Faces take the pressure of the sheet beside them; the part of the thrust beside no face is lost.

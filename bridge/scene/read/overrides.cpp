@@ -184,7 +184,8 @@ void apply_overrides(toml::table& file, const std::vector<std::string>& override
   for (const std::string& argument : overrides) {
     const Override o = split(file, argument);
     if (!well_formed(o)) {
-      problems.error({o.argument, 0}, "this names no key", "section.key=value",
+      const bool has_no_value = !argument.empty() && argument.find('=') == std::string::npos;
+      problems.error({o.argument, 0}, has_no_value ? "this gives no value" : "this names no key", "section.key=value",
                      "write for example --set analysis.step_s=0.001 or --set block.top.fixed=true");
       continue;
     }

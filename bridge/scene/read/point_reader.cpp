@@ -22,16 +22,6 @@ std::optional<Point> point_of(const toml::node& node) {
   return Point(*x, *y);
 }
 
-/// Of what is no point: the number of a pair that is nan or inf, or all of it.
-const toml::node& wrong_part(const toml::node& node) {
-  const toml::array* pair = node.as_array();
-  if (pair == nullptr || pair->size() != 2) return node;
-  for (const toml::node& number : *pair) {
-    if (number.is_floating_point() && !finite_number(number)) return number;
-  }
-  return node;
-}
-
 }  // namespace
 
 bool TableReader::stress(const char* key, std::optional<Eigen::Vector3d>& into) {
@@ -73,13 +63,19 @@ bool TableReader::vector(const char* key, Eigen::Vector2d& into) {
   return true;
 }
 
-bool TableReader::wrong_point(const char* key, const toml::node& node, const char* words) {
+bool TableReader::wrong_point(const std::string& key, const toml::node& node, const char* words) {
   const toml::array* list = node.as_array();
-  const toml::node& part = wrong_part(node);
-  if (&part != &node) return wrong(key, part, "a finite number");
+  for (std::size_t i = 0; list != nullptr && list->size() == 2 && i < 2; ++i) {
+    const auto number = finite_number((*list)[i]);
+    if (number && std::abs(*number) <= farthest_m) continue;
+    const std::string part = (i == 0 ? "x of " : "y of ") + key;
+    const bool is_far = number || (*list)[i].is_integer();
+    return wrong(part.c_str(), (*list)[i], is_far ? "a number within 1e7, in metres" : "a finite number");
+  }
   const bool long_list = list != nullptr && list->size() > 2 &&
                          std::all_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_number(); });
-  return wrong(key, node, words, long_list ? "a point has two numbers; decimals have a point: 2.5, not 2,5" : "");
+  return wrong(key.c_str(), node, words,
+               long_list ? "a point has two numbers; decimals have a point: 2.5, not 2,5" : "");
 }
 
 bool TableReader::points(const char* key, std::vector<Point>& into, std::size_t least) {
@@ -106,7 +102,10 @@ bool TableReader::points_of(const char* key, const toml::node& node, std::vector
   std::vector<Point> read;
   for (const auto& entry : *list) {
     const auto p = point_of(entry);
-    if (!p) return wrong_point(key, entry, "a pair of numbers [x, y] in metres, within 1e7");
+    if (!p) {
+      return wrong_point(fmt::format("point {} of {}", read.size() + 1, key), entry,
+                         "a pair of numbers [x, y] in metres, within 1e7");
+    }
     read.push_back(*p);
   }
   into = std::move(read);

@@ -7,6 +7,7 @@
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/at.hpp"
 #include "bridge/scene/read/mesh_size.hpp"
 #include "bridge/scene/read/reading.hpp"
 
@@ -67,6 +68,30 @@ void read_block(TableReader& table, Reading& reading) {
   add_block(reading, table.place("name"), std::move(block));
 }
 
+/// The table of that line which makes blocks of its own; empty if there is none.
+std::string maker_at(const Reading& reading, int line) {
+  const auto is_there = [&](const toml::node& node) { return reading.problems.at(node.source()).line == line; };
+  for (const char* name : {"section", "arch", "wall", "heap"}) {
+    const toml::node* made = reading.file.get(name);
+    if (made == nullptr) continue;
+    if (made->is_table() && is_there(*made)) return fmt::format("[{}]", name);
+    const toml::array* list = made->as_array();
+    if (list != nullptr && std::any_of(list->begin(), list->end(), is_there)) return fmt::format("[[{}]]", name);
+  }
+  return {};
+}
+
+/// A name that a block of the scene has already.
+void refuse_name(Reading& reading, const Place& place, const std::string& name) {
+  const Block& first = reading.scene.blocks[at(reading.blocks.find(name))];
+  const std::string maker = maker_at(reading, first.line);
+  if (maker.empty()) return refuse_second(reading, place, "block", name, {"block"});
+  reading.problems.error(
+      place, fmt::format("a second block is called \"{}\", as one that {} of line {} makes", name, maker, first.line),
+      "names that differ",
+      maker == "[section]" ? "rename the block, or set name_prefix in [section]" : "rename one of them");
+}
+
 }  // namespace
 
 void mend_outline(std::vector<Point>& outline, const std::string& whose, Problems& problems,
@@ -82,9 +107,7 @@ void mend_outline(std::vector<Point>& outline, const std::string& whose, Problem
 }
 
 void add_block(Reading& reading, const Place& place, Block block) {
-  if (!reading.blocks.add(block.name) && !block.name.empty()) {
-    refuse_second(reading, place, "block", block.name, {"block"});
-  }
+  if (!reading.blocks.add(block.name) && !block.name.empty()) refuse_name(reading, place, block.name);
   reading.scene.blocks.push_back(std::move(block));
 }
 

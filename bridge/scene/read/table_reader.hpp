@@ -114,7 +114,7 @@ class TableReader : public TableKeys {
   }
 
  private:
-  bool wrong_point(const char* key, const toml::node& node, const char* words);
+  bool wrong_point(const std::string& key, const toml::node& node, const char* words);
   bool points_of(const char* key, const toml::node& node, std::vector<Point>& into, std::size_t least);
   bool rows(const char* key, TimeTable& into);
   bool ramp(TimeTable& into, double duration_s);
