@@ -153,12 +153,13 @@ std::string joints_text(const json& answer) {
   if (joints.empty()) return bent_joints_text(answer);
   constexpr const char* forces = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n";
   constexpr const char* stresses = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n";
-  std::string text = fmt::format("\njoints that run through, {}{}\n", answer["name"].get<std::string>(),
-                                 answer.contains("joints_with_strength_times")
-                                     ? fmt::format(", with {:.4g} times the strength, as it does not stand (sliding and "
-                                                   "residual: with the strength as stated)",
-                                                   answer["joints_with_strength_times"].get<double>())
-                                     : "");
+  std::string text =
+      fmt::format("\njoints that run through, {}{}\n", answer["name"].get<std::string>(),
+                  answer.contains("joints_with_strength_times")
+                      ? fmt::format(", with {:.4g} times the strength, as it does not stand (sliding and "
+                                    "residual: with the strength as stated)",
+                                    answer["joints_with_strength_times"].get<double>())
+                      : "");
   text += fmt::format(fmt::runtime(forces), "joint", "N kN/m", "T kN/m", "U kN/m", "M kNm/m", "sliding", "residual");
   for (const json& j : joints) {
     text += fmt::format(fmt::runtime(forces), beside(j["name"], 20), scaled(j["normal_n_per_m"], "{:.1f}", 1e-3),

@@ -35,6 +35,7 @@ class ExternalFluid : public Processes {
  protected:
   /// Of `blockweir run` of the upper dam into the folder "run", with a fluid of these words.
   [[nodiscard]] int run(const std::string& words, const std::string& more = "") const {
+    fs::remove_all(folder / "run");
     return shell("env PYTHONPATH=" + kit + "python " + programs + "/blockweir run " + dam + more + " --out run" +
                  command(words));
   }

@@ -42,6 +42,7 @@ class GranularColumn : public Processes {
         "--set 'block.right gate.vertices_m=[[2.8, 0.01], [3.3, 0.01], [3.3, {3}], [2.8, {3}]]' "
         "--set 'expect=[{{quantity=\"{4}\", value=1, tolerance=1e3}}]'",
         stones, seed, options, std::max(8.0, 0.4 * std::ceil(stones / 7.0)), name);  // as high as the stones are drawn
+    fs::remove_all(folder / "run");
     const pid_t run = start(programs + "/blockweir run " + cases + "granular-column" + set + " --out run", "out");
     const int status = end_of(run, 3600);
     EXPECT_TRUE(status == 0 || status == 1) << set << text("out");  // 1: not the figures of the case as it stands

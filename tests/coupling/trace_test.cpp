@@ -56,6 +56,7 @@ class Trace : public Processes {
 TEST_F(Trace, OfARunParsesNestsAndHasOneClock) {
   for (const char* schedule : {"serial", "parallel", "improved"}) {
     SCOPED_TRACE(schedule);
+    fs::remove_all(folder / "run");
     ASSERT_EQ(shell(programs + "/blockweir run " + cases +
                     "cracked-dam-upper --trace --out run --set coupling.schedule=" + schedule +
                     " --set analysis.duration_s=1"),
@@ -98,6 +99,7 @@ TEST_F(Trace, HasTheFluidsOfStrangers) {
   for (const std::string& fluid :
        {"\"env\",\"PYTHONPATH=" + kit + "\",\"/usr/bin/python3\",\"" + kit + "upper_dam.py\"",
         "\"" + programs + "/kit_upper_dam_c\""}) {
+    fs::remove_all(folder / "run");
     ASSERT_EQ(shell(run + fluid + "]'"), 0) << text("out");
     ASSERT_EQ(shell(programs + "/blockweir trace run"), 0) << text("out");
     const json trace = json::parse(text("run/trace.json"));
