@@ -44,6 +44,12 @@ std::string others_text(std::size_t count) {
   return fmt::format(", and {} more block{} after it", count, count == 1 ? "" : "s");
 }
 
+/// Of the pool that the failure is told by.
+bool level_is_constant(const scene::Scene& scene, const Failure& f) {
+  const auto& level = f.downstream ? scene.water.downstream_level_m : scene.water.upstream_level_m;
+  return level && level->constant_until(0) >= scene.analysis.duration_s;
+}
+
 /// Limits of the level's accuracy; empty if it is that of slow filling to a thousandth of the head.
 std::string doubt(const Solid& solid, const Failure& f) {
   if (std::isnan(f.level_m)) return {};
@@ -59,6 +65,10 @@ std::string doubt(const Solid& solid, const Failure& f) {
   }
   if (solid.scene().base_motion) {
     return fmt::format("the ground shakes: this level is good to {:.2g} m", f.level_uncertainty_m);
+  }
+  if (level_is_constant(solid.scene(), f)) {
+    return "the level is constant: another load brings the failure, or the motion after the start; kind = \"static\" "
+           "shows whether it stands at rest under this level";
   }
   return fmt::format(
       "this level depends on the speed of filling: while the structure is shaken it is good to {:.2g} m; the static "
@@ -78,6 +88,7 @@ json failure(const expect::Outcome& o) {
                 {"level_falls", first.falls},
                 {"head_m", first.head_m},
                 {"level_is_bound", first.bound},
+                {"level_is_constant", level_is_constant(o.solid.scene(), first)},
                 {"level_uncertainty_m", first.level_uncertainty_m},
                 {"time_s", first.time_s},
                 {"mode", first.mode},

@@ -42,6 +42,18 @@ TEST_F(Verdicts, AQuickFillingSaysThatItsLevelDependsOnTheSpeed) {
               summary["failure"]["level_uncertainty_m"].get<double>() + 1e-3 * level);
 }
 
+TEST_F(Verdicts, OfAConstantLevelNoSpeedOfFillingIsSaid) {
+  Monolith dam{.height_m = 10, .youngs_modulus_pa = 30e6};
+  dam.level = fmt::format("{}", 0.9 * dam.sliding_level());
+  const std::string push =
+      "[[point_load]]\nblock = \"dam\"\npoint_m = [0, 8]\nforce_x_n_per_m = { table = [[0, 0], [1, 4e5]] }\n";
+  const auto summary = run(dam.scene() + push);
+  ASSERT_EQ(summary["outcome"], "fails") << text("out");
+  EXPECT_EQ(summary["failure"]["level_is_constant"], true);
+  EXPECT_THAT(summary["failure"]["doubt"].get<std::string>(),
+              testing::AllOf(HasSubstr("the level is constant"), testing::Not(HasSubstr("speed of filling"))));
+}
+
 /// Filled by 0.05 m/s the wall of 70 bricks turns over at 8.369 m; held at single levels it stands at 8.3 m, not
 /// at 8.4.
 TEST_F(Verdicts, TheDoubtOfAWallThatTurnsOverReachesItsStaticLevel) {
