@@ -35,7 +35,7 @@ inline constexpr const char* anchors_note =
 /// For bolts that yield above their prestress.
 inline constexpr const char* yields_note =
     "limit analysis takes anchors at their yield force, which the blocks' anchors reach only as they stretch";
-/// Whether a bolt yields above its prestress.
+/// Whether a bolt yields above its prestress, by more than a hundredth.
 bool yields_above_prestress(const scene::Scene& scene);
 
 /// Prints a line of progress if the linear programs will take long.

@@ -29,6 +29,7 @@ FailureWatch::FailureWatch(const Solid& solid)
     : solid_(solid),
       watched_(solid.described()),
       stands_(watched_.size(), true),
+      unknown_(watched_.size()),
       guided_(watched_.size()),
       loads_stay_(scene::loads_are_constant(solid.scene())),
       loose_(scene::loose_blocks(solid.scene())) {
@@ -81,11 +82,11 @@ bool FailureWatch::sets_out(std::size_t b) const {
   return solid_.states()[b].acceleration.head<2>().norm() >= begins;
 }
 
-/// It has not come far, at no more than twice the speed at which it strained when it last stood: contacts of
-/// many blocks that slip a little as the load grows seem to let a motion, which has not begun.
+/// One of many blocks whose contacts slip a little as the load grows, and seem to let a motion: it has not begun while
+/// the block has not come far, at no more than twice the speed at which it strained when it last stood.
 bool FailureWatch::creeps(std::size_t b) const {
   constexpr double near = 0.2;  // of a failure
-  return !solid_.scene().base_motion && speed(b) <= watched_[b].strains &&
+  return unknown_[b] && !solid_.scene().base_motion && speed(b) <= watched_[b].strains &&
          travel(b) <= near * solid_.scene().analysis.failure_displacement_m;
 }
 
@@ -111,9 +112,10 @@ void FailureWatch::judge() {
     at_rest_ = at_rest && std::find(moves.begin(), moves.end(), true) == moves.end();
     return;
   }
-  const std::vector<bool> held = only_strain(solid_, moves);
+  const Mobility can_move = mobility(solid_, moves);
+  unknown_ = can_move.unknown;
   for (std::size_t b = 0; b < moves.size(); ++b) {
-    stands_[b] = stands_[b] || held[b];
+    stands_[b] = stands_[b] || can_move.only_strains[b];
     at_rest_ = at_rest_ && stands_[b];
   }
 }
@@ -139,7 +141,9 @@ void FailureWatch::look(double time_s, const Levels& levels) {
       block.acceleration.setZero();
       if (passed_s > 0) block.acceleration = (velocity - block.velocity) / passed_s;
       block.strains = slow_[b] ? 0 : 2 * speed(b);
+      block.crept = 0;
     } else if (creeps(b)) {
+      block.crept = block.strains;
       block.time_s = time_s;
       block.levels = block.last = levels;
       block.next_s = -1;
@@ -195,7 +199,7 @@ double FailureWatch::farthest_failed_m() const {
 std::optional<Moving> FailureWatch::moving() const {
   std::vector<bool> free(watched_.size());
   for (std::size_t b = 0; b < free.size(); ++b) free[b] = !solid_.blocks()[b].fixed && !guided_[b];
-  const std::vector<bool> held = only_strain(solid_, free);
+  const std::vector<bool> held = mobility(solid_, free).only_strains;
   std::optional<Moving> fastest;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const Watched& block = watched_[b];

@@ -102,6 +102,7 @@ class FailureWatch {
     Levels last;         ///< when its contacts last allowed no rigid motion
     int stood = 0;       ///< consecutive evaluations at rest
     double strains = 0;  ///< twice its speed when it last stood, if it strained then [m/s]
+    double crept = 0;    ///< the same if it moved slower than that since, and counted as standing
     Vector6 displacement = Vector6::Zero();
     Point acceleration = Point::Zero();  ///< of its centroid at that time
     Vector6 seen = Vector6::Zero();      ///< displacement at the last evaluation
@@ -110,7 +111,8 @@ class FailureWatch {
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(time_s, levels, next, next_s, last, stood, strains, displacement, acceleration, seen, velocity, failed);
+      archive(time_s, levels, next, next_s, last, stood, strains, crept, displacement, acceleration, seen, velocity,
+              failed);
     }
   };
   void judge();
@@ -128,8 +130,9 @@ class FailureWatch {
 
   const Solid& solid_;
   std::vector<Watched> watched_;
-  std::vector<bool> slow_;    ///< at the last evaluation
-  std::vector<bool> stands_;  ///< slow, or without a possible rigid motion
+  std::vector<bool> slow_;     ///< at the last evaluation
+  std::vector<bool> stands_;   ///< slow, or without a possible rigid motion
+  std::vector<bool> unknown_;  ///< whether it has one was not checked, at the last evaluation
   bool at_rest_ = true;
   bool begun_ = false;
   bool rings_ = false;        ///< velocities along constrained directions may flip from step to step

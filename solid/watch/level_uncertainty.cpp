@@ -34,7 +34,7 @@ void FailureWatch::add_uncertainty(const Watched& last, Failure& failure) const 
   // v/a); rotation starts more slowly than that.
   const double passed_s = solid_.time_s() - last.time_s;
   const double growth = 6 * failure.travel_m / std::pow(passed_s, 3);
-  const double seen_m_per_s = std::max(scene.analysis.rest_speed_m_per_s, last.strains);
+  const double seen_m_per_s = std::max(scene.analysis.rest_speed_m_per_s, last.crept);
   const double unseen_s = std::min(passed_s, 2 * std::sqrt(2 * seen_m_per_s / growth));
   const double rate = last.next_s > last.time_s ? failure.window_rise_m / (last.next_s - last.time_s) : 0;
   // Effect of inertia when the body was last at rest, as a rise of the level: rho g head dh.
