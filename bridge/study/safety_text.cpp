@@ -66,14 +66,19 @@ std::string factors_text(const json& cases) {
     if (c.contains("mechanism")) add_line("mechanism: ", c["mechanism"]["text"]);
     if (c.contains("friction_history")) add_line("factor: ", c["friction_history"]);
     if (c.contains("stopped")) add_line("a lower bound, ", c["stopped"]);
-    if (c.contains("water_factor")) {
+    const auto is_told = [&](const char* key) {  // of what fails an upper bound above 1 would read as if it stood
+      if (!c.contains(key)) return false;
+      const json& factor = c[key]["factor"];
+      return c["outcome"] != "fails" || !factor.is_number() || factor < 1;
+    };
+    if (is_told("water_factor")) {
       const json& factor = c["water_factor"]["factor"];
       add_line("it bears ", factor.is_null()
                                 ? "nothing of what the water presses, by limit analysis: what acts beside it is "
                                   "too much by itself"
                                 : scaled(factor, "{:.5g} times what the water presses, by limit analysis"));
     }
-    if (c.contains("load_factor")) {
+    if (is_told("load_factor")) {
       add_line("it bears ", load_factor_text(c["load_factor"]));
     }
     if (c.contains("with_cracked_joint") && c["satisfied"] == false) {

@@ -46,7 +46,8 @@ void add_what_limit_analysis_takes(const limit::LimitAnalysis& structure, nlohma
 
 bool yields_above_prestress(const scene::Scene& scene) {
   return std::any_of(scene.bolts.begin(), scene.bolts.end(), [](const scene::Bolt& bolt) {
-    return bolt.yield_n_per_m && *bolt.yield_n_per_m > bolt.prestress_n_per_m;
+    constexpr double matters = 1.01;
+    return bolt.yield_n_per_m && *bolt.yield_n_per_m > matters * bolt.prestress_n_per_m;
   });
 }
 

@@ -43,7 +43,7 @@ inline constexpr const char* jams_note =
 /// Adds to the notes on limit analysis.
 void add_note(const char* note, nlohmann::json& answer);
 
-/// Whether a bolt yields above its prestress.
+/// Whether a bolt yields above its prestress, by more than a hundredth.
 bool yields_above_prestress(const scene::Scene& scene);
 
 /// Prints a line of progress if the linear programs will take long.

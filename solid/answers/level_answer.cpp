@@ -174,6 +174,17 @@ struct Levels {
     if (lower && solid::has_bonds(scene)) {
       return "history of joint forces: bonds break one after the other, and limit analysis lets all act at once";
     }
+    const auto any_joint = [this](auto has) {
+      const auto of = [&](const scene::Joint& joint) { return has(joint.law); };
+      return has(scene.default_joint) || std::any_of(scene.joints.begin(), scene.joints.end(), of);
+    };
+    if (lower && any_joint([](const auto& law) { return law.has_flow(); })) {
+      return "joints with uplift = \"flow\" that open and fill: limit analysis takes joints as they are drawn";
+    }
+    if (lower && any_joint([](const auto& law) { return law.bends(); })) {
+      return "rough joints, whose friction falls with the stress: the blocks take the stress at each end of a joint, "
+             "limit analysis its mean over the joint";
+    }
     if (lower) {
       return "friction without dilation: limit analysis takes joints to open as they slip, and is an upper bound";
     }

@@ -49,7 +49,8 @@ void add_water_factor(const limit::LimitAnalysis& structure, Situation& now, con
   constexpr double scarce = 1.1;
   const bool strong = strength.bearing == Bearing::bears_any ||
                       (strength.bearing == Bearing::fails_at_a_factor && strength.factor > scarce);
-  if (factor < 1 || factor >= scarce) return;
+  const bool fails = answer.value("outcome", "") == "fails";  // no more is to be said of how near its end is
+  if (fails || factor < 1 || factor >= scarce) return;
   answer["warnings"].push_back(
       fmt::format("near its end: {:.5g} times what the water presses, its uplift included, brings it down, by limit "
                   "analysis; {}look at the resultants and at `level`",

@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/constant_loads.hpp"
 #include "bridge/scene/loose_blocks.hpp"
+#include "solid/output/level_doubt.hpp"
 #include "solid/output/rest_text.hpp"
 #include "solid/watch/joint_name.hpp"
 #include "solid/watch/surfaces.hpp"
@@ -44,38 +46,6 @@ std::string others_text(std::size_t count) {
   return fmt::format(", and {} more block{} after it", count, count == 1 ? "" : "s");
 }
 
-/// Of the pool that the failure is told by.
-bool level_is_constant(const scene::Scene& scene, const Failure& f) {
-  const auto& level = f.downstream ? scene.water.downstream_level_m : scene.water.upstream_level_m;
-  return level && level->constant_until(0) >= scene.analysis.duration_s;
-}
-
-/// Limits of the level's accuracy; empty if it is that of slow filling to a thousandth of the head.
-std::string doubt(const Solid& solid, const Failure& f) {
-  if (std::isnan(f.level_m)) return {};
-  if (f.bound && solid.scene().analysis.kind == scene::AnalysisKind::at_rest) {
-    return "a static analysis looks at one level: try lower ones, or let the level rise in a dynamic analysis";
-  }
-  if (f.bound) return fmt::format("it moves from the start: begin with a {} level", f.falls ? "higher" : "lower");
-  constexpr double exact = 1e-3;  // of the head
-  if (!(f.level_uncertainty_m > exact * std::abs(f.head_m))) return {};
-  if (f.window_rise_m > f.level_uncertainty_m / 2) {
-    return fmt::format("this level is accurate to {:.2g} m, its {} in one window: {} more slowly or shorten window_s",
-                       f.level_uncertainty_m, f.falls ? "fall" : "rise", f.falls ? "empty" : "fill");
-  }
-  if (solid.scene().base_motion) {
-    return fmt::format("the ground shakes: this level is good to {:.2g} m", f.level_uncertainty_m);
-  }
-  if (level_is_constant(solid.scene(), f)) {
-    return "the level is constant: another load brings the failure, or the motion after the start; kind = \"static\" "
-           "shows whether it stands at rest under this level";
-  }
-  return fmt::format(
-      "this level depends on the speed of filling: while the structure is shaken it is good to {:.2g} m; the static "
-      "level is found by filling more slowly, or with kind = \"static\" at single levels",
-      f.level_uncertainty_m);
-}
-
 json failure(const expect::Outcome& o) {
   const Failure& first = o.failure.failures().front();
   json names = json::array();
@@ -88,7 +58,7 @@ json failure(const expect::Outcome& o) {
                 {"level_falls", first.falls},
                 {"head_m", first.head_m},
                 {"level_is_bound", first.bound},
-                {"level_is_constant", level_is_constant(o.solid.scene(), first)},
+                {"level_is_constant", scene::level_is_constant(o.solid.scene(), first.downstream)},
                 {"level_uncertainty_m", first.level_uncertainty_m},
                 {"time_s", first.time_s},
                 {"mode", first.mode},
@@ -96,7 +66,7 @@ json failure(const expect::Outcome& o) {
                 {"turns_on", first.turns_on},
                 {"blocks", names},
                 {"text", failure_text(o.solid, first) + others_text(names.size() - first.blocks.size())}};
-  std::string text = doubt(o.solid, first);
+  std::string text = level_doubt(o.solid.scene(), first);
   if (o.solid.scene().analysis.kind == scene::AnalysisKind::dynamic && o.failure.rests_again()) {
     constexpr double small_ratio = 0.05;  // of the structure: what moves farther has fallen
     const double farthest_m = o.failure.farthest_failed_m();

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/hydrostatics.hpp"
+#include "bridge/scene/constant_loads.hpp"
 #include "bridge/scene/loose_blocks.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/watch/energy_debt.hpp"
@@ -23,24 +23,15 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int a_spell =
     10;  ///< consecutive evaluations after which a straining block counts as at rest: sliding ones stick at times
 
-/// Rotation about a toe requires moments: a column of height h and breadth b, whose middle is accelerated by a, resists
-/// with m a (2/3) (h^2 + b^2)/h, and a rise dh of the level gives rho g head dh head/2.
-double turning_lever(const Solid& solid, const Failure& failure) {
-  Eigen::AlignedBox2d box;
-  for (const int b : failure.blocks) {
-    for (const Point& X : solid.blocks()[at(b)].vertices) box.extend(solid.placements()[at(b)].position(X));
-  }
-  const double lever = 4.0 / 3 * box.sizes().squaredNorm() / (box.sizes().y() * failure.head_m);
-  return std::max(1.0, lever);
-}
-
 }  // namespace
 
 FailureWatch::FailureWatch(const Solid& solid)
     : solid_(solid),
       watched_(solid.described()),
       stands_(watched_.size(), true),
+      unknown_(watched_.size()),
       guided_(watched_.size()),
+      loads_stay_(scene::loads_are_constant(solid.scene())),
       loose_(scene::loose_blocks(solid.scene())) {
   for (const int b : loose_) watched_[at(b)].failed = true;
   std::map<std::size_t, int> supports;
@@ -91,6 +82,14 @@ bool FailureWatch::sets_out(std::size_t b) const {
   return solid_.states()[b].acceleration.head<2>().norm() >= begins;
 }
 
+/// One of many blocks whose contacts slip a little as the load grows, and seem to let a motion: it has not begun while
+/// the block has not come far, at no more than twice the speed at which it strained when it last stood.
+bool FailureWatch::creeps(std::size_t b) const {
+  constexpr double near = 0.2;  // of a failure
+  return unknown_[b] && !solid_.scene().base_motion && speed(b) <= watched_[b].strains &&
+         travel(b) <= near * solid_.scene().analysis.failure_displacement_m;
+}
+
 /// Which blocks stand.
 void FailureWatch::judge() {
   constexpr double straining = 100;  // times the speed of rest: still counts as at rest
@@ -113,9 +112,10 @@ void FailureWatch::judge() {
     at_rest_ = at_rest && std::find(moves.begin(), moves.end(), true) == moves.end();
     return;
   }
-  const std::vector<bool> held = only_strain(solid_, moves);
+  const Mobility can_move = mobility(solid_, moves);
+  unknown_ = can_move.unknown;
   for (std::size_t b = 0; b < moves.size(); ++b) {
-    stands_[b] = stands_[b] || held[b];
+    stands_[b] = stands_[b] || can_move.only_strains[b];
     at_rest_ = at_rest_ && stands_[b];
   }
 }
@@ -140,6 +140,13 @@ void FailureWatch::look(double time_s, const Levels& levels) {
       block.displacement = displacement;
       block.acceleration.setZero();
       if (passed_s > 0) block.acceleration = (velocity - block.velocity) / passed_s;
+      block.strains = slow_[b] ? 0 : 2 * speed(b);
+      block.crept = 0;
+    } else if (creeps(b)) {
+      block.crept = block.strains;
+      block.time_s = time_s;
+      block.levels = block.last = levels;
+      block.next_s = -1;
     } else {
       if (block.next_s < 0) block.next = levels, block.next_s = time_s;
       if (stands_[b]) block.last = levels;
@@ -192,7 +199,7 @@ double FailureWatch::farthest_failed_m() const {
 std::optional<Moving> FailureWatch::moving() const {
   std::vector<bool> free(watched_.size());
   for (std::size_t b = 0; b < free.size(); ++b) free[b] = !solid_.blocks()[b].fixed && !guided_[b];
-  const std::vector<bool> held = only_strain(solid_, free);
+  const std::vector<bool> held = mobility(solid_, free).only_strains;
   std::optional<Moving> fastest;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const Watched& block = watched_[b];
@@ -245,7 +252,7 @@ Failure FailureWatch::describe(std::size_t b) const {
                   .downstream = downstream,
                   .falls = last.next_s >= 0 && last.next.of(downstream) < last.levels.of(downstream),
                   .head_m = nan,
-                  .bound = !in_time || last.time_s == 0,
+                  .bound = !in_time || last.time_s == 0 || loads_stay_,
                   .level_uncertainty_m = nan,
                   .window_rise_m = nan,
                   .travel_m = travel(b),
@@ -253,38 +260,17 @@ Failure FailureWatch::describe(std::size_t b) const {
   if (all_is_dry(failure.level_m)) failure.level_m = nan;
   const Mode mode = mode_of(moved, body, pairs);
   const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns, last.levels.reversed());
-  if (joint.name.empty()) return failure;
+  if (joint.name.empty()) {
+    if (failure.bound) failure.level_m = nan;  // nothing has ever held it, whatever the level
+    return failure;
+  }
   failure.joint = joint.name;
   failure.turns_on = joint.turns_on;
   failure.mode = mode.word();
   if (!joint.line) return failure;
   failure.head_m = failure.level_m - (downstream ? joint.line->to : joint.line->from).y();
-  if (!failure.bound) add_uncertainty(last, failure);
+  if (!failure.bound && !scene::level_is_constant(solid_.scene(), downstream)) add_uncertainty(last, failure);
   return failure;
-}
-
-void FailureWatch::add_uncertainty(const Watched& last, Failure& failure) const {
-  const scene::Scene& scene = solid_.scene();
-  // On the improved schedule the level that acts is that of the window's middle.
-  const double windows = scene.coupling.schedule == scene::Schedule::improved ? 1.5 : 1;
-  if (last.next_s > 0) {
-    failure.window_rise_m = windows * std::abs(last.next.of(failure.downstream) - last.levels.of(failure.downstream));
-  }
-  // A force that grows linearly with time moves a body by a t^3/6 and brings it to the rest speed after sqrt(2 v/a);
-  // rotation starts more slowly than that.
-  const double passed_s = solid_.time_s() - last.time_s;
-  const double growth = 6 * failure.travel_m / std::pow(passed_s, 3);
-  const double unseen_s = std::min(passed_s, 2 * std::sqrt(2 * scene.analysis.rest_speed_m_per_s / growth));
-  const double rate = last.next_s > last.time_s ? failure.window_rise_m / (last.next_s - last.time_s) : 0;
-  // Effect of inertia when the body was last at rest, as a rise of the level: rho g head dh.
-  Point inertia = Point::Zero();
-  for (const int k : failure.blocks) inertia += solid_.blocks()[at(k)].mass_per_m() * watched_[at(k)].acceleration;
-  const double per_m = scene::unit_weight_of_water(scene) * failure.head_m;
-  const bool turns = failure.mode.find("overturning") != std::string::npos;
-  const double lever = turns ? turning_lever(solid_, failure) : 1;
-  const double held_back_m = per_m > 0 ? lever * inertia.norm() / per_m : 0;
-  const double stuck_m = std::abs(last.last.of(failure.downstream) - last.levels.of(failure.downstream));
-  failure.level_uncertainty_m = failure.window_rise_m + rate * unseen_s + std::max(stuck_m, held_back_m);
 }
 
 }  // namespace blockweir::solid

@@ -37,9 +37,11 @@ struct Failure {
   bool downstream = false;  ///< it is the downstream pool's level
   bool falls = false;       ///< the level was falling
   double head_m = 0;        ///< level above the end of the failed joint on its side; NaN without a pool
-  bool bound = false;       ///< it was never at rest: the failure level is at most this, or at least if the level falls
+  /// It was never at rest, or nothing changes: the failure level is at most this, or at least if the level falls.
+  bool bound = false;
   /// Uncertainty of level_m: rise of the level in a window, while the body was too slow to be detected, and while it
-  /// stuck intermittently or inertia carried it (fast filling, oscillation). NaN as above, and for a bound.
+  /// stuck intermittently or inertia carried it (fast filling, oscillation). NaN as above, for a bound, and for a
+  /// constant level.
   double level_uncertainty_m = 0;
   double window_rise_m = 0;  ///< the first part of it
   double travel_m = 0;       ///< when the failure was certain
@@ -99,6 +101,8 @@ class FailureWatch {
     double next_s = -1;  ///< time of next; negative before
     Levels last;         ///< when its contacts last allowed no rigid motion
     int stood = 0;       ///< consecutive evaluations at rest
+    double strains = 0;  ///< twice its speed when it last stood, if it strained then [m/s]
+    double crept = 0;    ///< the same if it moved slower than that since, and counted as standing
     Vector6 displacement = Vector6::Zero();
     Point acceleration = Point::Zero();  ///< of its centroid at that time
     Vector6 seen = Vector6::Zero();      ///< displacement at the last evaluation
@@ -107,7 +111,8 @@ class FailureWatch {
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(time_s, levels, next, next_s, last, stood, displacement, acceleration, seen, velocity, failed);
+      archive(time_s, levels, next, next_s, last, stood, strains, crept, displacement, acceleration, seen, velocity,
+              failed);
     }
   };
   void judge();
@@ -115,6 +120,7 @@ class FailureWatch {
   [[nodiscard]] double speed(std::size_t block) const;
   [[nodiscard]] double travel(std::size_t block) const;
   [[nodiscard]] bool sets_out(std::size_t block) const;
+  [[nodiscard]] bool creeps(std::size_t block) const;
   [[nodiscard]] bool all_is_dry(double level_m) const;
   /// Whether the downstream pool's level counts for a body that was last at rest at `last`: if only that level changed
   /// afterwards; otherwise the higher pool's.
@@ -124,13 +130,15 @@ class FailureWatch {
 
   const Solid& solid_;
   std::vector<Watched> watched_;
-  std::vector<bool> slow_;    ///< at the last evaluation
-  std::vector<bool> stands_;  ///< slow, or without a possible rigid motion
+  std::vector<bool> slow_;     ///< at the last evaluation
+  std::vector<bool> stands_;   ///< slow, or without a possible rigid motion
+  std::vector<bool> unknown_;  ///< whether it has one was not checked, at the last evaluation
   bool at_rest_ = true;
   bool begun_ = false;
   bool rings_ = false;        ///< velocities along constrained directions may flip from step to step
   double seen_s_ = 0;         ///< time of the last evaluation
   std::vector<bool> guided_;  ///< by supports at two points, or ground: its motion is not a failure
+  bool loads_stay_ = false;   ///< nothing that acts changes with time: what fails would fail from the start
   std::vector<int> loose_;
   std::vector<Failure> failures_;
 };

@@ -263,9 +263,9 @@ void rename(std::vector<Hold>& holds, Bodies& bodies) {
 
 }  // namespace
 
-std::vector<bool> only_strain(const Solid& solid, const std::vector<bool>& moves) {
-  std::vector<bool> held(moves.size(), false);
-  if (std::find(moves.begin(), moves.end(), true) == moves.end()) return held;
+Mobility mobility(const Solid& solid, const std::vector<bool>& moves) {
+  Mobility found{std::vector<bool>(moves.size(), false), std::vector<bool>(moves.size(), false)};
+  if (std::find(moves.begin(), moves.end(), true) == moves.end()) return found;
   Bodies bodies(moves.size());
   const int standing = bodies.standing();
   std::vector<Hold> holds = holds_of(solid, moves);
@@ -275,18 +275,24 @@ std::vector<bool> only_strain(const Solid& solid, const std::vector<bool>& moves
   }
   if (!solid.bolts().empty()) leave_out_bolts(solid, standing, holds);
   while (join_pairs(holds, bodies)) rename(holds, bodies);
+  std::set<int> unknown;
   for (const std::vector<Hold>& group : groups_of(holds, moves.size(), bodies.of(standing))) {
     std::set<int> together;
     for (const Hold& h : group) together.insert({h.of, h.on});
-    if (together.size() > most_bodies + 1) continue;
+    if (together.size() > most_bodies + 1) {
+      unknown.merge(together);
+      continue;
+    }
     for (const auto& [body, is_held] : held_bodies(group, bodies.of(standing))) {
       if (is_held) bodies.join(body, standing);
     }
   }
   for (std::size_t b = 0; b < moves.size(); ++b) {
-    held[b] = moves[b] && bodies.of(static_cast<int>(b)) == bodies.of(standing);
+    const int body = bodies.of(static_cast<int>(b));
+    found.only_strains[b] = moves[b] && body == bodies.of(standing);
+    found.unknown[b] = moves[b] && body != bodies.of(standing) && unknown.contains(body);
   }
-  return held;
+  return found;
 }
 
 }  // namespace blockweir::solid

@@ -12,10 +12,13 @@
 
 namespace blockweir::solid {
 
-/// Of the blocks marked in `moves`, those without a possible rigid motion, given their contacts; the others
-/// count as standing. A contact that slipped within the window counts as slipping, whatever its state at the
-/// window's end. Mechanisms of many bodies that no smaller group decides (most_bodies) count as possible without
-/// a check.
-std::vector<bool> only_strain(const Solid& solid, const std::vector<bool>& moves);
+struct Mobility {
+  std::vector<bool> only_strains;  ///< no rigid motion is possible: it counts as standing
+  std::vector<bool> unknown;  ///< of a mechanism of many bodies (most_bodies), which is not checked: counts as possible
+};
+
+/// Of the blocks marked in `moves`, given their contacts; the others count as standing. A contact that slipped within
+/// the window counts as slipping, whatever its state at the window's end.
+Mobility mobility(const Solid& solid, const std::vector<bool>& moves);
 
 }  // namespace blockweir::solid

@@ -42,6 +42,50 @@ TEST_F(Verdicts, AQuickFillingSaysThatItsLevelDependsOnTheSpeed) {
               summary["failure"]["level_uncertainty_m"].get<double>() + 1e-3 * level);
 }
 
+/// 85 blocks that slip a little on one another as the level rises seem free to move long before they do. `blockweir
+/// level` finds 14.3062 m.
+TEST_F(Verdicts, AJointedDamFailsWhereItsMotionBeginsNotWhereItsJointsSlipALittle) {
+  const std::string dam = R"([analysis]
+duration_s = 3.2
+stop_at_failure = true
+[material.m]
+youngs_modulus_pa = 5e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2300
+[joint]
+friction_angle_deg = 35
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-40, -8], [60, -8], [60, 0], [-40, 0]]
+[section]
+material = "m"
+outline_m = [[0, 0], [11, 0], [3, 16], [0, 16]]
+[[joint_set]]
+name = "beds"
+dip_deg = 5
+spacing_m = 1.4
+offset_m = 0.6
+friction_angle_deg = 24
+[[joint_set]]
+name = "cross"
+dip_deg = 85
+spacing_m = 1.3
+offset_m = 0.3
+friction_angle_deg = 32
+)";
+  for (const char* level : {"{ table = [[0, 13], [3, 14.6]] }", "{ from = 13, rate_per_s = 1, to = 15.5 }"}) {
+    const auto summary = run(dam + "[water]\nupstream_level_m = " + level + "\n");
+    ASSERT_EQ(summary["outcome"], "fails") << text("out");
+    const auto& failure = summary["failure"];
+    const auto uncertain = failure["level_uncertainty_m"].get<double>();
+    EXPECT_NEAR(failure["level_m"].get<double>(), 14.3062, uncertain);
+    EXPECT_NEAR(failure["level_m"].get<double>(), 14.3062, 0.1) << uncertain;
+    EXPECT_THAT(failure["doubt"].get<std::string>(), HasSubstr("\"blockweir level SCENE\" finds the static level"));
+  }
+}
+
 TEST_F(Verdicts, OfAConstantLevelNoSpeedOfFillingIsSaid) {
   Monolith dam{.height_m = 10, .youngs_modulus_pa = 30e6};
   dam.level = fmt::format("{}", 0.9 * dam.sliding_level());

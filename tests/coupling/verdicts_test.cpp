@@ -54,6 +54,20 @@ TEST_F(Verdicts, WhatMovesFromTheStartFailsBelowItsFirstLevel) {
   EXPECT_TRUE(summary["failure"]["level_uncertainty_m"].is_null());
 }
 
+TEST_F(Verdicts, OfADamDrawnAboveItsGroundNoLevelIsSaid) {
+  std::string scene = Monolith{.analysis = "duration_s = 1", .level = "10"}.scene();
+  for (const auto& [drawn, above] : {std::pair{"[[0, 0], [12, 0],", "[[0, 1], [12, 1],"},
+                                     std::pair{"[[joints]]\nname = \"base\"\nbetween = [\"ground\", \"dam\"]\n", ""}}) {
+    scene.replace(scene.find(drawn), std::string(drawn).size(), above);
+  }
+  const auto summary = run(scene);
+  ASSERT_EQ(summary["outcome"], "fails") << text("out");
+  const auto& failure = summary["failure"];
+  EXPECT_EQ(failure["mode"], "falling");
+  EXPECT_TRUE(failure["level_m"].is_null());
+  EXPECT_THAT(failure["doubt"].get<std::string>(), HasSubstr("nothing holds it where it is drawn"));
+}
+
 TEST_F(Verdicts, AStaticAnalysisThatFailsSaysThatItsLevelIsABound) {
   Monolith dam{.analysis = "kind = \"static\"\nduration_s = 1"};
   dam.level = fmt::format("{}", 1.1 * dam.sliding_level());

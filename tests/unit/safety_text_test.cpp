@@ -113,6 +113,15 @@ TEST(SafetyText, ALoadOfWhichNothingIsBorneHasItsLine) {
                               "held as stated is too much by itself: weight and the earthquake's added water\n"));
 }
 
+TEST(SafetyText, OfALoadCaseThatFailsNoFactorAboveOneOnItsLoadsIsSaid) {
+  json normal = load_case("normal");
+  normal["water_factor"] = {{"factor", 1.0553}};
+  normal["load_factor"] = {{"factor", 5.38}, {"loads", {"[silt]"}}, {"constant", {"weight"}}};
+  EXPECT_THAT(blockweir::study::safety_text(json::array({normal})), HasSubstr("it bears 1.0553 times"));
+  normal["outcome"] = "fails";
+  EXPECT_THAT(blockweir::study::safety_text(json::array({normal})), testing::Not(HasSubstr("it bears")));
+}
+
 /// A table that a stranger reads has its symbols explained, and moments are kNm of a metre.
 TEST(SafetyText, ALegendSaysOnceWhatTheColumnsAreAndALineWhichJointHasNoRow) {
   json first = load_case("first");

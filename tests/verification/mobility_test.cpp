@@ -35,7 +35,7 @@ TEST(Mobility, WhatSticksOnlyStrainsHoweverManyBlocksAreOnEachOther) {
   Solid solid(scene);
   solid.settle({});
   const std::vector<bool> moves = {false, true, true, true, true, true};
-  EXPECT_EQ(only_strain(solid, moves), moves);
+  EXPECT_EQ(mobility(solid, moves).only_strains, moves);
 }
 
 /// A push at the height of the upper box's middle, times its weight: it slides beyond tan(friction), the column turns
@@ -50,7 +50,7 @@ TEST(Mobility, WhatSlidesOrTurnsHasAMotionOfItsOwnAndSoHasWhatItCarries) {
     Solid solid(scene);
     solid.settle({});
     run(solid, 0.05);
-    const std::vector<bool> held = only_strain(solid, {false, true, true, true, true, true});
+    const std::vector<bool> held = mobility(solid, {false, true, true, true, true, true}).only_strains;
     EXPECT_TRUE(held[1]);
     EXPECT_EQ(held[2], push < 2.0 / 3);
     EXPECT_FALSE(held[3]);
@@ -84,7 +84,7 @@ TEST(Mobility, BlocksThatHoldEachOtherAcrossAGapAreHeldTogether) {
   Solid solid(scene);
   solid.settle({});
   run(solid, 0.05);
-  const std::vector<bool> held = only_strain(solid, {false, true, true});
+  const std::vector<bool> held = mobility(solid, {false, true, true}).only_strains;
   EXPECT_TRUE(held[1]);
   EXPECT_TRUE(held[2]);
 }
@@ -106,7 +106,7 @@ TEST(Mobility, WhatTurnsOnACornerIsNotHeldByTheTwoContactsThere) {
   solid.settle({});
   run(solid, 0.3);
   ASSERT_LT(solid.states()[1].displacement[2], -0.01);
-  EXPECT_FALSE(only_strain(solid, {false, true})[1]);
+  EXPECT_FALSE(mobility(solid, {false, true}).only_strains[1]);
 }
 
 TEST(Surfaces, OfAWallAreItsBedJointsAndNoneOfItsHeadJoints) {

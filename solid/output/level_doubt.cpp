@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/output/level_doubt.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bridge/scene/constant_loads.hpp"
+
+namespace blockweir::solid::output {
+namespace {
+
+/// What answers the level at rest: "level" raises the upstream pool.
+std::string at_rest_text(const Failure& f) {
+  return f.falls || f.downstream ? "kind = \"static\" at single levels finds the static level"
+                                 : "\"blockweir level SCENE\" finds the static level";
+}
+
+/// Of a level that was too high, or too low, from the start.
+std::string bound_doubt(const scene::Scene& scene, const Failure& f) {
+  if (scene.analysis.kind == scene::AnalysisKind::at_rest) {
+    return "a static analysis looks at one level: try lower ones, or let the level rise in a dynamic analysis";
+  }
+  if (scene.base_motion) return "it moves from the start, while the ground shakes: a lower level may not hold it";
+  if (scene::level_is_constant(scene, f.downstream)) {
+    return "it moves from the start, under a level that does not change: " + at_rest_text(f);
+  }
+  return fmt::format("it moves from the start: begin with a {} level", f.falls ? "higher" : "lower");
+}
+
+}  // namespace
+
+std::string level_doubt(const scene::Scene& scene, const Failure& f) {
+  if (f.bound && f.joint.empty()) return "it falls from the start: nothing holds it where it is drawn";
+  if (std::isnan(f.level_m)) return {};
+  if (f.bound) return bound_doubt(scene, f);
+  if (scene::level_is_constant(scene, f.downstream)) {
+    if (scene.base_motion) return {};
+    return "the level is constant: another load brings the failure; kind = \"static\" shows whether it stands at rest "
+           "under this level";
+  }
+  constexpr double exact = 1e-3;  // of the head
+  if (!(f.level_uncertainty_m > exact * std::abs(f.head_m))) return {};
+  if (f.window_rise_m > f.level_uncertainty_m / 2) {
+    return fmt::format("this level is accurate to {:.2g} m, its {} in one window: {} more slowly or shorten window_s",
+                       f.level_uncertainty_m, f.falls ? "fall" : "rise", f.falls ? "empty" : "fill");
+  }
+  if (scene.base_motion) return fmt::format("the ground shakes: this level is good to {:.2g} m", f.level_uncertainty_m);
+  return fmt::format("this level depends on the speed of {}: while the structure is shaken it is good to {:.2g} m; {}",
+                     f.falls ? "emptying" : "filling", f.level_uncertainty_m, at_rest_text(f));
+}
+
+}  // namespace blockweir::solid::output
