@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "bridge/geometry/place_text.hpp"
+#include "bridge/study/safety.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -39,6 +40,54 @@ std::string beside(const std::string& name, std::size_t column) {
   return name.size() <= column ? name : name + "\n" + std::string(column, ' ');
 }
 
+/// What is told of a case below the table. `first`: what it has said of all is not said again.
+std::string lines_of(const json& c, const json& first) {
+  std::string text;
+  const auto add_line = [&](const char* what, const json& why) {
+    text += fmt::format("{}: {}{}\n", c["name"].get<std::string>(), what, why.get<std::string>());
+  };
+  if (c["tailwater_m"].is_number()) add_line("tailwater at ", scaled(c["tailwater_m"], "{:.5g} m"));
+  if (c["outcome"] == "not found" && !c.contains("stopped"))
+    add_line("no answer: ", c["why_no_factor"]);
+  else if (c["factor"].is_null() && c.contains("why_no_factor"))
+    add_line("no factor: ", c["why_no_factor"]);
+  const std::string no_limit = c.value("why_no_limit_analysis_factor", "");
+  if (!no_limit.empty() && no_limit != c.value("why_no_factor", "")) add_line("no limit: ", no_limit);
+  if (c.contains("mechanism")) add_line("mechanism: ", c["mechanism"]["text"]);
+  if (c.contains("friction_history")) add_line("factor: ", c["friction_history"]);
+  if (c.contains("stopped")) add_line("a lower bound, ", c["stopped"]);
+  const auto is_told = [&](const char* key) {  // of what fails an upper bound above 1 would read as if it stood
+    if (!c.contains(key)) return false;
+    const json& factor = c[key]["factor"];
+    return c["outcome"] != "fails" || !factor.is_number() || factor < 1;
+  };
+  if (is_told("water_factor")) {
+    const json& factor = c["water_factor"]["factor"];
+    add_line("it bears ", factor.is_null()
+                              ? "nothing of what the water presses, by limit analysis: what acts beside it is "
+                                "too much by itself"
+                              : scaled(factor, "{:.5g} times what the water presses, by limit analysis"));
+  }
+  if (is_told("load_factor")) add_line("it bears ", load_factor_text(c["load_factor"]));
+  if (c.contains("with_cracked_joint")) {
+    const json& cracked = c["with_cracked_joint"];
+    if (c["satisfied"] == false || cracked["factor"] == deciding_factor(c))
+      add_line(c["satisfied"] == false ? "not enough: " : "the factor that decides: ", cracked["text"]);
+  }
+  if (c.contains("limit_analysis_note")) add_line("limit: ", c["limit_analysis_note"]);
+  const auto add_warnings = [&](const char* key, bool all) {
+    for (const json& warning : c[key]) {
+      if (all || std::find(first[key].begin(), first[key].end(), warning) == first[key].end())
+        add_line("WARNING ", warning);
+    }
+  };
+  add_warnings("scene_warnings", false);  // those of the scene itself were printed when it was read
+  add_warnings("warnings", &c == &first);
+  if (c.contains("added_water_pressure"))
+    add_line("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);
+  return text;
+}
+
 std::string factors_text(const json& cases) {
   constexpr const char* row = "{:<22} {:<7.7} {:<9} {:>7} {:>7} {:>7} {:>8} {:>6}\n";
   std::string text = fmt::format(fmt::runtime(row), "LOAD CASE", "class", "outcome", "level m", "factor", "limit",
@@ -52,52 +101,7 @@ std::string factors_text(const json& cases) {
                         : enough.get<bool>() ? "yes"
                                              : "NO");
   }
-  for (const json& c : cases) {
-    const auto add_line = [&](const char* what, const json& why) {
-      text += fmt::format("{}: {}{}\n", c["name"].get<std::string>(), what, why.get<std::string>());
-    };
-    if (c["tailwater_m"].is_number()) add_line("tailwater at ", scaled(c["tailwater_m"], "{:.5g} m"));
-    if (c["outcome"] == "not found" && !c.contains("stopped"))
-      add_line("no answer: ", c["why_no_factor"]);
-    else if (c["factor"].is_null() && c.contains("why_no_factor"))
-      add_line("no factor: ", c["why_no_factor"]);
-    const std::string no_limit = c.value("why_no_limit_analysis_factor", "");
-    if (!no_limit.empty() && no_limit != c.value("why_no_factor", "")) add_line("no limit: ", no_limit);
-    if (c.contains("mechanism")) add_line("mechanism: ", c["mechanism"]["text"]);
-    if (c.contains("friction_history")) add_line("factor: ", c["friction_history"]);
-    if (c.contains("stopped")) add_line("a lower bound, ", c["stopped"]);
-    const auto is_told = [&](const char* key) {  // of what fails an upper bound above 1 would read as if it stood
-      if (!c.contains(key)) return false;
-      const json& factor = c[key]["factor"];
-      return c["outcome"] != "fails" || !factor.is_number() || factor < 1;
-    };
-    if (is_told("water_factor")) {
-      const json& factor = c["water_factor"]["factor"];
-      add_line("it bears ", factor.is_null()
-                                ? "nothing of what the water presses, by limit analysis: what acts beside it is "
-                                  "too much by itself"
-                                : scaled(factor, "{:.5g} times what the water presses, by limit analysis"));
-    }
-    if (is_told("load_factor")) {
-      add_line("it bears ", load_factor_text(c["load_factor"]));
-    }
-    if (c.contains("with_cracked_joint") && c["satisfied"] == false) {
-      add_line("not enough: ", c["with_cracked_joint"]["text"]);
-    }
-    if (c.contains("limit_analysis_note")) add_line("limit: ", c["limit_analysis_note"]);
-    for (const json& warning : c["scene_warnings"]) {  // warnings of the scene itself were printed when it was read
-      const json& shown = cases[0]["scene_warnings"];
-      if (std::find(shown.begin(), shown.end(), warning) == shown.end()) add_line("WARNING ", warning);
-    }
-    for (const json& warning : c["warnings"]) {  // what the first has said of all is not said again
-      const json& shown = cases[0]["warnings"];
-      if (&c == &cases[0] || std::find(shown.begin(), shown.end(), warning) == shown.end())
-        add_line("WARNING ", warning);
-    }
-    if (c.contains("added_water_pressure")) {
-      add_line("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);
-    }
-  }
+  for (const json& c : cases) text += lines_of(c, cases[0]);
   return text +
          "factor: c and tan(phi) of all joints divided by it, the blocks just stand\n"
          "limit:  the same by limit analysis, an upper bound\n";
