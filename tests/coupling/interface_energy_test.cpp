@@ -79,6 +79,7 @@ material = "wood"
 vertices_m = [[-0.5, -0.19], [0.5, -0.19], [0.5, 0.21], [-0.5, 0.21]]
 )";
   const auto warnings = [&](const char* more) {
+    fs::remove_all(folder / "r");
     EXPECT_EQ(shell(programs + "/blockweir run s.toml --inproc --out r --quiet" + more), 0) << text("out");
     return nlohmann::json::parse(text("r/summary.json"))["warnings"].dump();
   };

@@ -69,6 +69,7 @@ TEST_F(Skips, StillWaterKeepsItsPressuresWhileNothingMoves) {
   EXPECT_THAT(line_of_same("water.skip_unchanged=false", all_said, "fluid_unchanged"),
               HasSubstr(" windows: neither a level nor a block had moved, saved about "));
   const auto meshes = [&](const char* more) {
+    fs::remove_all(folder / "o");
     EXPECT_EQ(shell(run_of(all_said) + " --quiet --set output.reservoir=true --out o" + more), 0) << text("out");
     return nlohmann::json::parse(text("o/summary.json"))["counts"]["fluid_meshes"].get<long>();
   };
@@ -111,6 +112,7 @@ TEST_F(Skips, SearchesChangeNoBitOfARun) {
 TEST_F(Skips, WhatIsNotDrawnChangesNoRow) {
   ASSERT_EQ(shell(run_of(in_steps) + " --quiet --out few"), 0) << text("out");
   for (const char* drawn : {"output.frame_every_s=0.01", "output.reservoir=true"}) {
+    fs::remove_all(folder / "all");
     ASSERT_EQ(shell(run_of(in_steps) + " --quiet --out all --set " + drawn), 0) << text("out");
     EXPECT_EQ(text("few/history.csv"), text("all/history.csv")) << drawn;
   }
