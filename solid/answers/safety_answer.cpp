@@ -21,6 +21,7 @@
 #include "solid/capacity/static_strength.hpp"
 #include "solid/limit/determinacy.hpp"
 #include "solid/limit/limit_strength.hpp"
+#include "solid/output/water_on_crest.hpp"
 #include "solid/watch/joint_table.hpp"
 #include "solid/watch/surfaces.hpp"
 #include "solid/watch/uplift_in_tension.hpp"
@@ -200,6 +201,14 @@ const char* outcome(const Attempt<StaticStrength>& blocks) {
   return stands ? "stands" : "fails";
 }
 
+json warnings_of_water(Situation& now) {
+  if (!now.water) return json::array();
+  json warnings = now.water->warnings();
+  const std::string crest = solid::output::water_on_crest_warning(now.scene, now.level_m);
+  if (!crest.empty()) warnings.push_back(crest);
+  return warnings;
+}
+
 /// The factor of the stated loads, beside weight and water, at which the structure fails.
 void add_load_factor(const limit::LimitAnalysis& structure, const limit::Wrenches& dead, const limit::Wrenches& stated,
                      json& answer) {
@@ -254,7 +263,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["bent_joints"] = json::array();
   answer["bolts"] = json::array();
   answer["water"] = now.water ? solid::water_by_kind(scene, make_fluid, now.level_m) : json::array();
-  answer["warnings"] = now.water ? json(now.water->warnings()) : json::array();
+  answer["warnings"] = warnings_of_water(now);
   solid::add_motion_left_out(scene, answer);
   if (by_limit.value && blocks.value) {
     solid::add_contradiction(*blocks.value, *by_limit.value, answer);

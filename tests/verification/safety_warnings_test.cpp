@@ -22,7 +22,7 @@ using testing::Not;
 /// A wall of this outline on rock, before water of this depth.
 json safety_of(const std::string& outline, const std::string& joint, double level_m, const std::string& more = "") {
   const std::string text = fmt::format(R"(analysis = {{ kind = "quasi-static", duration_s = 1, rigid = "all" }}
-water = {{ upstream_level_m = {:.17g} }}
+water = {{ upstream_level_m = {:.17g}, may_overtop = true }}
 joint = {{ {} }}
 material.m = {{ youngs_modulus_pa = 50e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }}
 [[block]]
@@ -136,6 +136,14 @@ stiffness_n_per_m2 = 2e7
   EXPECT_THAT(warnings(stretched), HasSubstr("anchors that stretch while blocks move"));
   const std::string weak = anchor + "prestress_n_per_m = 1e5\nyield_n_per_m = 1e5\n";
   EXPECT_THAT(warnings(safety_of(outline, joint, 8, weak)), Not(HasSubstr("stretch")));
+}
+
+TEST(SafetyWarnings, WaterOnTheCrestIsSaidToBeLeftOut) {
+  const std::string joint = "friction_angle_deg = 60";
+  EXPECT_THAT(warnings(safety_of("[0, 0], [6, 0], [6, 4], [0, 4]", joint, 4.5)),
+              HasSubstr("the water on it is left out"));
+  EXPECT_THAT(warnings(safety_of("[0, 0], [6, 0], [6, 4.1], [0, 4]", joint, 4.5)), HasSubstr("on no level crest"));
+  EXPECT_THAT(warnings(safety_of("[0, 0], [6, 0], [6, 4], [0, 4]", joint, 3.9)), Not(HasSubstr("crest")));
 }
 
 }  // namespace
