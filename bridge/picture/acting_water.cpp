@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "bridge/picture/acting_loads.hpp"
 #include "bridge/picture/pressing.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/crest.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/structure_size.hpp"
 
@@ -24,29 +24,6 @@ using scene::Point;
 constexpr int from_upstream = 0;
 constexpr int from_downstream = 1;
 constexpr int on_the_crest = 2;
-
-/// The highest line of what can move.
-struct Crest {
-  explicit Crest(const scene::Scene& scene) {
-    const double near_m = 1e-6 * scene::structure_size_m(scene.blocks);
-    double left = std::numeric_limits<double>::infinity();
-    double right = -left;
-    for (const scene::Block& block : scene.blocks) {
-      for (const Point& p : block.vertices) height_m = block.fixed ? height_m : std::max(height_m, p.y());
-    }
-    for (const scene::Block& block : scene.blocks) {
-      for (const Point& p : block.vertices) {
-        if (block.fixed || p.y() < height_m - near_m) continue;
-        left = std::min(left, p.x());
-        right = std::max(right, p.x());
-      }
-    }
-    middle_m = (left + right) / 2;
-  }
-
-  double height_m = -std::numeric_limits<double>::infinity();
-  double middle_m = 0;
-};
 
 /// Names of the joints in which water presses on a block.
 class JointNames {
@@ -105,20 +82,18 @@ std::vector<Panel> panels_of(const scene::Scene& scene, const json& panels) {
 
 /// The pools part at the middle of the crest, as for the water's own model. A face that looks down may hang over that
 /// line: its pool is in front of it.
-int side_of(const Panel& p, const Crest& crest) {
-  constexpr double level = 1e-3;  // of a crest's width
-  const bool crowns =
-      p.inwards.y() < -0.5 && crest.height_m - std::min(p.from.y(), p.to.y()) <= level * (p.to - p.from).norm();
+int side_of(const Panel& p, const scene::Crest& crest) {
+  const bool crowns = p.inwards.y() < -0.5 && std::min(p.from.y(), p.to.y()) >= crest.low_m;
   if (crowns) return on_the_crest;
   const bool overhangs = p.inwards.y() > 1e-9;
-  const bool beyond = p.middle().x() > crest.middle_m;
+  const bool beyond = p.middle().x() > (crest.left_m + crest.right_m) / 2;
   return (overhangs ? p.inwards.x() < 0 : beyond) ? from_downstream : from_upstream;
 }
 
 /// Of the pressures of open water, those from upstream, from downstream and on the crest.
 std::map<int, Pressing> parts_of(const scene::Scene& scene, const json& panels) {
   std::map<int, Pressing> parts;
-  const Crest crest(scene);
+  const scene::Crest crest = scene::crest_of(scene.blocks);
   for (const Panel& p : panels_of(scene, panels)) p.add_to(parts[side_of(p, crest)]);
   return parts;
 }

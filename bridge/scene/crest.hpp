@@ -15,13 +15,17 @@ struct CrestEdge {
   double right_m;
 };
 
+/// Points count as high as the highest one but for 0.002 of the height of all blocks, by which the still water tells
+/// the crest, too.
 struct Crest {
-  double height_m;               ///< of the highest point; minus infinity if nothing can move
-  std::vector<CrestEdge> edges;  ///< none where the structure ends in a point, or in an edge that slopes
+  double height_m;  ///< of the highest point; minus infinity if nothing can move
+  double low_m;     ///< from which on a point is as high
+  double left_m;    ///< of those points the extent
+  double right_m;
+  std::vector<CrestEdge> edges;  ///< both ends as high; none where the structure ends in a point, or slopes there
 };
 
-/// `outlines`: of all blocks, where they are [m]. An edge is level if both of its ends are as high as the highest point
-/// but for 0.002 of the height of all blocks, by which the still water tells the crest, too.
+/// `outlines`: of all blocks, where they are [m].
 Crest crest_of(const std::vector<Block>& blocks, const std::vector<std::vector<Point>>& outlines);
 
 /// Of the blocks as they are drawn.

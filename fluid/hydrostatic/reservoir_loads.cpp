@@ -94,9 +94,9 @@ void add_westergaard(const std::vector<WetFace>& faces, double weight_times_coef
 
 void add_crest(const scene::Scene& scene, const std::vector<std::vector<Point>>& outlines,
                const std::vector<WaterBody>& bodies, wire::Load& load) {
-  const auto [crest_m, edges] = scene::crest_of(scene.blocks, outlines);
+  const scene::Crest crest = scene::crest_of(scene.blocks, outlines);
   const double level_m = bodies.front().surface.from_m.y();
-  if (edges.empty() || level_m <= crest_m) return;
+  if (crest.edges.empty() || level_m <= crest.height_m) return;
   const auto is_wet = [&](const scene::CrestEdge& edge) {
     return std::any_of(bodies.begin(), bodies.end(), [&](const WaterBody& body) {
       const auto& wet = body.wet->intervals;
@@ -104,17 +104,14 @@ void add_crest(const scene::Scene& scene, const std::vector<std::vector<Point>>&
                          [&](const WetInterval& w) { return w.block == edge.block && w.edge == edge.edge; });
     });
   };
-  double left = std::numeric_limits<double>::infinity();
-  double right = -left;
-  for (const scene::CrestEdge& edge : edges) {
-    if (is_wet(edge)) return;  // water between two pools presses there already, by the same law
-    left = std::min(left, edge.left_m);
-    right = std::max(right, edge.right_m);
-  }
-  const double head = scene::in_joints(scene, level_m).pressure(crest_m);
+  // Water between two pools presses there already, by the same law.
+  if (std::any_of(crest.edges.begin(), crest.edges.end(), is_wet)) return;
+  const double head = scene::in_joints(scene, level_m).pressure(crest.height_m);
   const bool falls = scene.water.crest_pressure == scene::CrestPressure::triangular;
-  const auto pressure = [&](double x) { return falls ? head * (right - x) / (right - left) : head; };
-  for (const scene::CrestEdge& edge : edges) {
+  const auto pressure = [&](double x) {
+    return falls ? head * (crest.right_m - x) / (crest.right_m - crest.left_m) : head;
+  };
+  for (const scene::CrestEdge& edge : crest.edges) {
     wire::add_panel(load, edge.block, edge.edge, 0, 1, pressure(edge.right_m), pressure(edge.left_m));
   }
 }

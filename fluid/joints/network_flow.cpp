@@ -91,8 +91,7 @@ void NetworkFlow::steady(const Network& network, Filling& filling) {
   Eigen::VectorXd u = equations.unknowns(filling);
   if (!equations.solve(u, factor_) && !settle(network, equations, filling, u)) {
     throw std::runtime_error(
-        "no steady flow through the joints was found: it comes to no end as it opens and closes them; \"blockweir "
-        "run\" "
+        "no steady flow through the joints was found: it opens and closes them without an end; \"blockweir run\" "
         "follows it with kind = \"transient\" in [joint_flow]; level and safety take the flow as steady: ask for "
         "another "
         "level, or state another uplift");
