@@ -2,10 +2,9 @@
 // Finds blocks by their bounding boxes, so that checks of pairs stay fast for many blocks.
 #pragma once
 
-#include <memory>
 #include <vector>
 
-#include "bridge/geometry/outline.hpp"
+#include "bridge/geometry/box_index.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::scene {
@@ -13,18 +12,26 @@ namespace blockweir::scene {
 class BlockIndex {
  public:
   /// Blocks without vertices are left out.
-  explicit BlockIndex(const std::vector<Block>& blocks);
-  ~BlockIndex();
+  explicit BlockIndex(const std::vector<Block>& blocks) : boxes_(boxes_of(blocks)) {}
 
   /// Blocks whose bounding boxes touch or overlap `bounds`.
-  [[nodiscard]] std::vector<std::size_t> meeting(const geometry::Bounds& bounds) const;
+  [[nodiscard]] std::vector<std::size_t> meeting(const geometry::Bounds& bounds) const {
+    return boxes_.meeting(bounds);
+  }
 
   /// Removes a block from the index.
-  void forget(std::size_t i, const Block& block);
+  void forget(std::size_t i, const Block& block) { boxes_.forget({geometry::bounds_of(block.vertices), i}); }
 
  private:
-  struct Tree;  ///< of Boost.Geometry, which takes seconds to compile
-  std::unique_ptr<Tree> tree_;
+  static std::vector<geometry::BoxIndex::Entry> boxes_of(const std::vector<Block>& blocks) {
+    std::vector<geometry::BoxIndex::Entry> boxes;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      if (!blocks[i].vertices.empty()) boxes.emplace_back(geometry::bounds_of(blocks[i].vertices), i);
+    }
+    return boxes;
+  }
+
+  geometry::BoxIndex boxes_;
 };
 
 }  // namespace blockweir::scene

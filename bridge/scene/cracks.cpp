@@ -3,9 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <functional>
 #include <queue>
@@ -94,21 +91,14 @@ struct Continuation {
 
 /// Joins the straightest continuation as long as there is one.
 void join(std::vector<Crack>& cracks, double touching_m) {
-  using Corner = boost::geometry::model::d2::point_xy<double>;
-  using Mouth = std::pair<Corner, std::size_t>;
-  const auto corner = [](const Point& p) { return Corner(p.x(), p.y()); };
-  std::vector<Mouth> all;
-  for (std::size_t i = 0; i < cracks.size(); ++i) {
-    all.emplace_back(corner(cracks[i].parts.front().trace.mouth()), i);
-  }
-  const boost::geometry::index::rtree<Mouth, boost::geometry::index::linear<16>> mouths(all);
+  std::vector<Point> all;
+  for (const Crack& crack : cracks) all.push_back(crack.parts.front().trace.mouth());
+  const geometry::BoxIndex mouths(all);
   std::priority_queue<Continuation> open;
   const auto look_on_from = [&](std::size_t before) {
     const Point& end = cracks[before].parts.back().trace.end();
     const Point margin = Point::Constant(2 * touching_m);
-    const boost::geometry::model::box<Corner> near(corner(end - margin), corner(end + margin));
-    for (auto found = mouths.qbegin(boost::geometry::index::intersects(near)); found != mouths.qend(); ++found) {
-      const std::size_t after = found->second;
+    for (const std::size_t after : mouths.meeting({end - margin, end + margin})) {
       if (after == before || cracks[after].parts.empty()) continue;
       const double straight = straightness(cracks[before], cracks[after], touching_m);
       if (straight > 0) open.push({straight, before, after, cracks[before].parts.size()});

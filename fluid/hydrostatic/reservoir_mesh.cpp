@@ -9,18 +9,15 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <deque>
 
+#include "bridge/geometry/box_index.hpp"
 #include "bridge/geometry/polygon.hpp"
 
 namespace blockweir::hydrostatic {
 namespace {
 
-namespace bg = boost::geometry;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
 using FaceBase =
@@ -28,10 +25,6 @@ using FaceBase =
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::Exact_predicates_tag>;
-
-using Corner = bg::model::d2::point_xy<double>;
-using Box = bg::model::box<Corner>;
-using NodeTree = bg::index::rtree<std::pair<Corner, std::size_t>, bg::index::quadratic<16>>;
 
 constexpr double same_point = 1e-3;  // of the distance at which interface and boundary are one
 
@@ -48,12 +41,7 @@ Point from_cgal(const Kernel::Point_2& p) {
 class BoundaryChains {
  public:
   BoundaryChains(const std::vector<InterfaceElement>& interface, double size_m, double near_m)
-      : size_(size_m), near_(near_m) {
-    for (const InterfaceElement& element : interface) nodes_.insert(nodes_.end(), element.begin(), element.end());
-    std::vector<std::pair<Corner, std::size_t>> entries;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) entries.emplace_back(Corner(nodes_[i].x(), nodes_[i].y()), i);
-    tree_ = NodeTree(entries);
-  }
+      : size_(size_m), near_(near_m), nodes_(nodes_of(interface)), index_(nodes_) {}
 
   [[nodiscard]] std::vector<Point> chain(const Point& a, const Point& b) const {
     const double length = (b - a).norm();
@@ -82,14 +70,17 @@ class BoundaryChains {
   }
 
  private:
+  static std::vector<Point> nodes_of(const std::vector<InterfaceElement>& interface) {
+    std::vector<Point> nodes;
+    for (const InterfaceElement& element : interface) nodes.insert(nodes.end(), element.begin(), element.end());
+    return nodes;
+  }
   [[nodiscard]] std::vector<Point> near(const Point& a, const Point& b) const {
-    const Point low = a.cwiseMin(b) - Point(near_, near_);
-    const Point high = a.cwiseMax(b) + Point(near_, near_);
-    std::vector<std::pair<Corner, std::size_t>> found;
-    tree_.query(bg::index::intersects(Box({low.x(), low.y()}, {high.x(), high.y()})), std::back_inserter(found));
+    const Point margin(near_, near_);
     std::vector<Point> points;
-    points.reserve(found.size());
-    for (const auto& [corner, i] : found) points.push_back(nodes_[i]);
+    for (const std::size_t i : index_.meeting({a.cwiseMin(b) - margin, a.cwiseMax(b) + margin})) {
+      points.push_back(nodes_[i]);
+    }
     return points;
   }
   /// The points strictly between the chain's last one and `to`.
@@ -102,7 +93,7 @@ class BoundaryChains {
   double size_;
   double near_;
   std::vector<Point> nodes_;
-  NodeTree tree_;
+  geometry::BoxIndex index_;
 };
 
 /// Clipping leaves duplicate corners and corners on straight lines; they must not split an interface element.
@@ -146,35 +137,28 @@ bool inside(Triangulation::Face_handle face) {
 }
 
 /// Nodes of a lattice of equilateral triangles that lie in the region and not too near its boundary.
-std::vector<Kernel::Point_2> lattice(const Triangulation& boundary, const NodeTree& boundary_nodes, const Box& extent,
-                                     double size_m) {
+std::vector<Kernel::Point_2> lattice(const Triangulation& boundary, const geometry::BoxIndex& boundary_nodes,
+                                     const geometry::Bounds& extent, double size_m) {
   std::vector<Kernel::Point_2> points;
   const double row_height = size_m * std::sqrt(3.0) / 2;
   Triangulation::Face_handle hint;
   int row = 0;
-  for (double y = extent.min_corner().y() + row_height / 2; y < extent.max_corner().y(); y += row_height, ++row) {
-    for (double x = extent.min_corner().x() + size_m * (row % 2 == 0 ? 0.5 : 1); x < extent.max_corner().x();
-         x += size_m) {
+  for (double y = extent.low.y() + row_height / 2; y < extent.high.y(); y += row_height, ++row) {
+    for (double x = extent.low.x() + size_m * (row % 2 == 0 ? 0.5 : 1); x < extent.high.x(); x += size_m) {
       hint = boundary.locate({x, y}, hint);
       if (boundary.is_infinite(hint) || !inside(hint)) continue;
       const double keep = 0.6 * size_m;
-      if (boundary_nodes.qbegin(bg::index::intersects(Box({x - keep, y - keep}, {x + keep, y + keep}))) !=
-          boundary_nodes.qend()) {
-        continue;
-      }
+      if (boundary_nodes.any_meets({{x - keep, y - keep}, {x + keep, y + keep}})) continue;
       points.emplace_back(x, y);
     }
   }
   return points;
 }
 
-Box box_of(const std::vector<Ring>& region) {
-  Box box;
-  bg::assign_inverse(box);
-  for (const Ring& ring : region) {
-    for (const Point& p : ring) bg::expand(box, Corner(p.x(), p.y()));
-  }
-  return box;
+geometry::Bounds bounds_of(const std::vector<Ring>& region) {
+  Ring points;
+  for (const Ring& ring : region) points.insert(points.end(), ring.begin(), ring.end());
+  return geometry::bounds_of(points);
 }
 
 ReservoirMesh extract(Triangulation& mesh) {
@@ -208,7 +192,7 @@ ReservoirMesh mesh_reservoir(const std::vector<Ring>& region, const std::vector<
   const double size = std::max(size_m, std::sqrt(area / most_nodes));
 
   Triangulation mesh;
-  std::vector<std::pair<Corner, std::size_t>> boundary_nodes;
+  Ring boundary_nodes;
   const BoundaryChains chains(interface, size, near_m);
   for (const Ring& given : region) {
     const Ring ring = without_straight_corners(given, same_point * near_m);
@@ -221,11 +205,11 @@ ReservoirMesh mesh_reservoir(const std::vector<Ring>& region, const std::vector<
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const Point& next = nodes[(i + 1) % nodes.size()];
       if (next != nodes[i]) mesh.insert_constraint(to_cgal(nodes[i]), to_cgal(next));
-      boundary_nodes.emplace_back(Corner(next.x(), next.y()), boundary_nodes.size());
+      boundary_nodes.push_back(next);
     }
   }
   mark_inside(mesh);
-  const auto points = lattice(mesh, NodeTree(boundary_nodes), box_of(region), size);
+  const auto points = lattice(mesh, geometry::BoxIndex(boundary_nodes), bounds_of(region), size);
   mesh.insert(points.begin(), points.end());
   mark_inside(mesh);
   return extract(mesh);

@@ -2,24 +2,18 @@
 #include "fluid/reservoir/carry_over.hpp"
 
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 
+#include "bridge/geometry/box_index.hpp"
 #include "bridge/scene/at.hpp"
 
 namespace blockweir::reservoir {
 namespace {
-
-namespace bg = boost::geometry;
-using RtreePoint = bg::model::point<double, 2, bg::cs::cartesian>;
-using Box = bg::model::box<RtreePoint>;
 
 /// A triangle of one of the meshes left.
 struct Place {
   std::size_t water;
   std::size_t triangle;
 };
-using Entry = std::pair<Box, Place>;
 
 /// Barycentric coordinates of x.
 Eigen::Vector3d barycentric(const std::array<Point, 3>& corner, const Point& x) {
@@ -39,22 +33,16 @@ Eigen::Matrix<double, 6, 1> shape(const Eigen::Vector3d& l) {
 
 class OldMeshes {
  public:
-  explicit OldMeshes(const std::vector<AnsweringWater>& waters) : waters_(waters) {
-    std::vector<Entry> entries;
-    for (std::size_t w = 0; w < waters.size(); ++w) {
-      for (std::size_t t = 0; t < waters[w].mesh().triangle.size(); ++t) entries.emplace_back(box({w, t}), Place{w, t});
-    }
-    triangles_ = bg::index::rtree<Entry, bg::index::quadratic<16>>(entries);
-  }
+  explicit OldMeshes(const std::vector<AnsweringWater>& waters)
+      : waters_(waters), places_(all_of(waters)), triangles_(boxes()) {}
 
   /// The triangle that x lies in, or is nearest to, and the shape functions there.
   [[nodiscard]] std::pair<Place, Eigen::Matrix<double, 6, 1>> find(const Point& x) const {
-    std::vector<Entry> near;
-    triangles_.query(bg::index::nearest(RtreePoint(x.x(), x.y()), 12), std::back_inserter(near));
     Place best{};
     Eigen::Vector3d at_best(0, 0, 0);
     double least = -std::numeric_limits<double>::infinity();
-    for (const auto& [box, place] : near) {
+    for (const std::size_t near : triangles_.nearest(x, 12)) {
+      const Place& place = places_[near];
       const Eigen::Vector3d l = barycentric(corners(place), x);
       if (l.minCoeff() > least) least = l.minCoeff(), best = place, at_best = l;
     }
@@ -69,15 +57,22 @@ class OldMeshes {
     return {mesh.node[at(t[0])], mesh.node[at(t[1])], mesh.node[at(t[2])]};
   }
 
-  [[nodiscard]] Box box(const Place& place) const {
-    const auto [a, b, c] = corners(place);
-    const Point low = a.cwiseMin(b).cwiseMin(c);
-    const Point high = a.cwiseMax(b).cwiseMax(c);
-    return {{low.x(), low.y()}, {high.x(), high.y()}};
+  static std::vector<Place> all_of(const std::vector<AnsweringWater>& waters) {
+    std::vector<Place> all;
+    for (std::size_t w = 0; w < waters.size(); ++w) {
+      for (std::size_t t = 0; t < waters[w].mesh().triangle.size(); ++t) all.push_back({w, t});
+    }
+    return all;
+  }
+  [[nodiscard]] std::vector<geometry::BoxIndex::Entry> boxes() const {
+    std::vector<geometry::BoxIndex::Entry> boxes;
+    for (const Place& place : places_) boxes.emplace_back(geometry::bounds_of(corners(place)), boxes.size());
+    return boxes;
   }
 
   const std::vector<AnsweringWater>& waters_;
-  bg::index::rtree<Entry, bg::index::quadratic<16>> triangles_;
+  std::vector<Place> places_;
+  geometry::BoxIndex triangles_;
 };
 
 }  // namespace

@@ -3,12 +3,11 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <map>
 #include <numeric>
 
+#include "bridge/geometry/box_index.hpp"
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/at.hpp"
 
@@ -41,16 +40,8 @@ double area_of(const std::vector<Ring>& rings) {
 /// Which of many points is the nearest.
 class NearestPoint {
  public:
-  explicit NearestPoint(const std::vector<Point>& points) : points_(points) {
-    std::vector<Entry> entries;
-    for (std::size_t i = 0; i < points.size(); ++i) entries.emplace_back(place(points[i]), i);
-    tree_ = Tree(entries);
-  }
-  [[nodiscard]] std::size_t to(const Point& x) const {
-    std::vector<Entry> found;
-    tree_.query(boost::geometry::index::nearest(place(x), 1), std::back_inserter(found));
-    return found.front().second;
-  }
+  explicit NearestPoint(const std::vector<Point>& points) : points_(points), index_(points) {}
+  [[nodiscard]] std::size_t to(const Point& x) const { return index_.nearest(x, 1).front(); }
   /// The nearest if it is no farther than `reach_m`.
   [[nodiscard]] std::optional<std::size_t> within(double reach_m, const Point& x) const {
     if (points_.empty()) return {};
@@ -60,13 +51,8 @@ class NearestPoint {
   }
 
  private:
-  using Place = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
-  using Entry = std::pair<Place, std::size_t>;
-  using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>>;
-  static Place place(const Point& p) { return {p.x(), p.y()}; }
-
   const std::vector<Point>& points_;
-  Tree tree_;
+  geometry::BoxIndex index_;
 };
 
 }  // namespace

@@ -16,8 +16,8 @@
 
 #include "bridge/results/stopwatch.hpp"
 #include "solid/solve/linear_system.hpp"
-#include "solid/solve/low_rank.hpp"
 #include "solid/solve/sparse/one_thread.hpp"
+#include "solid/solve/sparse/woodbury_correction.hpp"
 
 namespace blockweir::solid {
 
@@ -167,7 +167,7 @@ class SparseMatrix {
     d = by_factors(factors, f);
     for (double last = std::numeric_limits<double>::infinity();;) {
       Eigen::VectorXd left = f - k * d;
-      if (!beside_.none()) left -= beside_.times(d);
+      if (!beside_.none()) left -= product(beside_, d);
       const double size = left.norm();
       if (size <= enough) return d.allFinite();
       if (!(size <= fast * last)) return false;
