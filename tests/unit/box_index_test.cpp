@@ -55,10 +55,11 @@ TEST_P(ABoxIndex, OfPointsFindsTheNearest) {
   std::vector<Point> points;
   for (const auto& [box, number] : boxes_) points.push_back(box.low);
   const BoxIndex index(points);
-  for (const auto& [box, number] : boxes_) {
-    const auto closer = [&](const Point& a, const Point& b) { return (a - box.high).norm() < (b - box.high).norm(); };
+  for (const BoxIndex::Entry& entry : boxes_) {
+    const Point& from = entry.first.high;
+    const auto closer = [&](const Point& a, const Point& b) { return (a - from).norm() < (b - from).norm(); };
     const auto nearest = std::min_element(points.begin(), points.end(), closer) - points.begin();
-    EXPECT_THAT(index.nearest(box.high, 1), testing::ElementsAre(nearest));
+    EXPECT_THAT(index.nearest(from, 1), testing::ElementsAre(nearest));
   }
   EXPECT_EQ(index.nearest({0, 0}, 500).size(), points.size());
 }

@@ -10,20 +10,22 @@ namespace {
 
 constexpr std::size_t longest = 1000;  // std::regex recurses over a text
 
-std::string remedy_of(const std::string& text, const char* pattern) {
+std::string remedy_of(const std::string& text, const std::regex& pattern) {
   std::smatch found;
-  if (text.size() > longest || !std::regex_search(text, found, std::regex(pattern))) return {};
+  if (text.size() > longest || !std::regex_search(text, found, pattern)) return {};
   return fmt::format("write {}.{} with a decimal point", found[1].str(), found[2].str());
 }
 
 }  // namespace
 
 std::string remedy_of_decimal_comma(const std::string& value) {
-  return remedy_of(value, R"(^([-+]?[0-9]+),([0-9]+)$)");
+  static const std::regex whole(R"(^([-+]?[0-9]+),([0-9]+)$)");
+  return remedy_of(value, whole);
 }
 
 std::string remedy_of_decimal_comma_in(const std::string& line) {
-  return remedy_of(line, R"(=\s*([-+]?[0-9]+),([0-9]+)\s*($|[,}#]))");
+  static const std::regex after_equals(R"(=\s*([-+]?[0-9]+),([0-9]+)\s*($|[,}#]))");
+  return remedy_of(line, after_equals);
 }
 
 }  // namespace blockweir::scene
