@@ -32,7 +32,7 @@ Panel panel_between(const Block& block, int index, const Point& from, const Poin
 
 }  // namespace
 
-Loads::Loads(const scene::Scene& scene, const Parts& parts) : parts_(parts), scene_(scene), base_(scene) {
+Loads::Loads(const scene::Scene& scene, const MovingParts& parts) : parts_(parts), scene_(scene), base_(scene) {
   for (const Block& block : parts.blocks) {
     constant_.emplace_back(Vector6::Zero());
     constant_.back().head<2>() = block.mass_per_m() * scene.analysis.gravity();

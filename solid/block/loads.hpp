@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "solid/block/base_motion.hpp"
-#include "solid/block/parts.hpp"
+#include "solid/block/moving_parts.hpp"
 
 namespace blockweir::solid {
 
 class Loads {
  public:
-  Loads(const scene::Scene& scene, const Parts& parts);
+  Loads(const scene::Scene& scene, const MovingParts& parts);
 
   /// Weight and initial stress of a part.
   [[nodiscard]] const Vector6& constant(std::size_t part) const { return constant_[part]; }
@@ -39,7 +39,7 @@ class Loads {
   void add_bodies(const scene::TimeSpan& step, std::vector<Vector6>& forces) const;
   void add_base(const scene::TimeSpan& step, std::vector<Vector6>& forces) const;
 
-  const Parts& parts_;
+  const MovingParts& parts_;
   const scene::Scene& scene_;
   std::vector<Vector6> constant_;  ///< weight and initial stress
   std::vector<PointForce> points_;

@@ -38,7 +38,7 @@ Matrix26 shape_at(const Point& material) {
 
 }  // namespace
 
-ViscousBoundary::ViscousBoundary(const scene::Scene& scene, const Parts& parts) {
+ViscousBoundary::ViscousBoundary(const scene::Scene& scene, const MovingParts& parts) {
   if (scene.viscous_faces.empty()) return;
   drag_.assign(parts.blocks.size(), Matrix6::Zero());
   hold_ = drag_;
@@ -57,7 +57,7 @@ ViscousBoundary::ViscousBoundary(const scene::Scene& scene, const Parts& parts) 
 }
 
 /// A face as far as it lies on each of the outline's sides.
-void ViscousBoundary::add(const scene::Scene& scene, const Parts& parts, const scene::ViscousFace& face,
+void ViscousBoundary::add(const scene::Scene& scene, const MovingParts& parts, const scene::ViscousFace& face,
                           double lowest_m, double surface_m) {
   const scene::Block& described = scene.blocks[at(face.block)];
   const scene::Material& beyond = scene.materials[at(face.material)];
@@ -81,8 +81,8 @@ void ViscousBoundary::add(const scene::Scene& scene, const Parts& parts, const s
 }
 
 /// Two points of Gauss: exact for what dashpots do along a straight side.
-void ViscousBoundary::add_side(const Parts& parts, const OutlineSide& side, double from, double to, BoundaryPoint like,
-                               double lowest_m, double surface_m) {
+void ViscousBoundary::add_side(const MovingParts& parts, const OutlineSide& side, double from, double to,
+                               BoundaryPoint like, double lowest_m, double surface_m) {
   const Point& a = parts.vertex(side);
   const Point& b = parts.end(side);
   for (const double sign : {-1.0, 1.0}) {

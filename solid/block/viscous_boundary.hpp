@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "solid/block/base_motion.hpp"
-#include "solid/block/parts.hpp"
+#include "solid/block/moving_parts.hpp"
 
 namespace blockweir::solid {
 
 class ViscousBoundary {
  public:
   ViscousBoundary() = default;
-  ViscousBoundary(const scene::Scene& scene, const Parts& parts);
+  ViscousBoundary(const scene::Scene& scene, const MovingParts& parts);
 
   [[nodiscard]] bool empty() const { return points_.empty(); }
   /// Damping matrix of a part: the integral of T^T Z T over its faces as drawn.
@@ -43,9 +43,9 @@ class ViscousBoundary {
     double lateral = 0;   ///< horizontal over vertical stress in a rising pressure wave
     [[nodiscard]] Eigen::Matrix2d resistance() const;
   };
-  void add(const scene::Scene& scene, const Parts& parts, const scene::ViscousFace& face, double lowest_m,
+  void add(const scene::Scene& scene, const MovingParts& parts, const scene::ViscousFace& face, double lowest_m,
            double surface_m);
-  void add_side(const Parts& parts, const OutlineSide& side, double from, double to, BoundaryPoint like,
+  void add_side(const MovingParts& parts, const OutlineSide& side, double from, double to, BoundaryPoint like,
                 double lowest_m, double surface_m);
   [[nodiscard]] static Point traction(const BoundaryPoint& p, const BaseMotion& base, const scene::TimeSpan& step,
                                       bool mean);

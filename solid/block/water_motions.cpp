@@ -6,7 +6,7 @@
 
 namespace blockweir::solid {
 
-WaterMotions::WaterMotions(const scene::Scene& scene, const Parts& parts)
+WaterMotions::WaterMotions(const scene::Scene& scene, const MovingParts& parts)
     : parts_(parts), blocks_(scene.blocks.size()) {
   if (!scene::answers_bending(scene)) return;
   for (std::size_t b = 0; b < blocks_; ++b) {

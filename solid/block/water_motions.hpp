@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solid/block/motion.hpp"
-#include "solid/block/parts.hpp"
+#include "solid/block/moving_parts.hpp"
 
 namespace blockweir::solid {
 
@@ -20,7 +20,7 @@ struct MotionShare {
 class WaterMotions {
  public:
   /// The parts must outlive it. Mesh corners are included only if the fluid responds to bending.
-  WaterMotions(const scene::Scene& scene, const Parts& parts);
+  WaterMotions(const scene::Scene& scene, const MovingParts& parts);
 
   [[nodiscard]] std::size_t count() const { return 2 * blocks_ + corners_.size(); }
   /// For u0, v0, r0 of a block without a mesh, and for all strains and corners.
@@ -41,7 +41,7 @@ class WaterMotions {
   [[nodiscard]] std::size_t motion_of_corner(std::size_t corner) const { return 2 * blocks_ + corner; }
 
  private:
-  const Parts& parts_;
+  const MovingParts& parts_;
   std::size_t blocks_;  ///< of the scene
   std::vector<Corner> corners_;
 };

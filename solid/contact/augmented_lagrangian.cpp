@@ -55,43 +55,43 @@ class AugmentedLagrangian final : public Formulation {
 
   /// One sweep (8): where any is not settled all multipliers are updated, for what a contact's penalty is left to carry
   /// stretches the row of blocks behind it. Penalties that are low, or whose gap did not shrink fourfold, are raised.
-  bool sweep(const Held& held) override {
-    if (all_settled(held)) return true;
-    if (settings_.friction_lags) raise_together(held);
-    for_each(held.contact_ids.size(), [&](std::size_t i) {
-      const int k = held.contact_ids[i];
-      ContactPoint& c = held.contacts[at(k)];
+  bool sweep(const IslandContacts& island) override {
+    if (all_settled(island)) return true;
+    if (settings_.friction_lags) raise_together(island);
+    for_each(island.contact_ids.size(), [&](std::size_t i) {
+      const int k = island.contact_ids[i];
+      ContactPoint& c = island.contacts[at(k)];
       if (c.state == ContactState::open) {
         c.multiplier.setZero();  // no force is left to remember
       } else {
         update(progress_.contact(k), c);
       }
     });
-    for (const int k : held.support_ids) update(progress_.support(k), held.supports[at(k)]);
+    for (const int k : island.support_ids) update(progress_.support(k), island.supports[at(k)]);
     return false;
   }
 
-  [[nodiscard]] double unsettled(const Held& held) const override {
+  [[nodiscard]] double unsettled(const IslandContacts& island) const override {
     const auto moves_by = [&](const Progress& p, const auto& constraint) {
       if (closed(p.violation(constraint.state))) return 0.0;
       return (constraint.force - constraint.multiplier).cwiseAbs().maxCoeff();
     };
-    double most = largest(held.contact_ids.size(), [&](std::size_t i) {
-      const int k = held.contact_ids[i];
-      return moves_by(progress_.contact(k), held.contacts[at(k)]);
+    double most = largest(island.contact_ids.size(), [&](std::size_t i) {
+      const int k = island.contact_ids[i];
+      return moves_by(progress_.contact(k), island.contacts[at(k)]);
     });
-    for (const int k : held.support_ids) {
-      most = std::max(most, moves_by(progress_.support(k), held.supports[at(k)]));
+    for (const int k : island.support_ids) {
+      most = std::max(most, moves_by(progress_.support(k), island.supports[at(k)]));
     }
     return most;
   }
 
   /// What a sweep has left in multipliers for gaps of round-off size to take, bounds that have moved since, and
   /// penalties that were higher then would make other forces of the same gaps.
-  void keep_forces(const Trial& trial, const Held& held) override {
-    for_each(held.contact_ids.size(), [&](std::size_t i) {
-      const int k = held.contact_ids[i];
-      ContactPoint& c = held.contacts[at(k)];
+  void keep_forces(const Trial& trial, const IslandContacts& island) override {
+    for_each(island.contact_ids.size(), [&](std::size_t i) {
+      const int k = island.contact_ids[i];
+      ContactPoint& c = island.contacts[at(k)];
       Progress& progress = progress_.follow(trial, k, c, edge_frame(trial, c));
       progress.slip_force = c.force.y();
       c.multiplier = c.force;
@@ -137,17 +137,17 @@ class AugmentedLagrangian final : public Formulation {
     return before > 0 ? penalty - before : 0;
   }
 
-  [[nodiscard]] bool all_settled(const Held& held) const {
+  [[nodiscard]] bool all_settled(const IslandContacts& island) const {
     const auto contact_settled = [&](std::size_t i) {
-      const int k = held.contact_ids[i];
-      const ContactPoint& c = held.contacts[at(k)];
+      const int k = island.contact_ids[i];
+      const ContactPoint& c = island.contacts[at(k)];
       // Only an open contact that a negative multiplier held open may still have to close.
       if (c.state == ContactState::open) return c.multiplier.x() >= 0 || progress_.contact(k).separation.x() >= 0;
       return settled(progress_.contact(k), c);
     };
-    const auto support_settled = [&](int k) { return settled(progress_.support(k), held.supports[at(k)]); };
-    return all_of(held.contact_ids.size(), contact_settled) &&
-           std::all_of(held.support_ids.begin(), held.support_ids.end(), support_settled);
+    const auto support_settled = [&](int k) { return settled(progress_.support(k), island.supports[at(k)]); };
+    return all_of(island.contact_ids.size(), contact_settled) &&
+           std::all_of(island.support_ids.begin(), island.support_ids.end(), support_settled);
   }
 
   /// As far as coordinates know.
@@ -180,7 +180,7 @@ class AugmentedLagrangian final : public Formulation {
   /// While friction lags, all by as much and less at a time: a contact whose penalty stands out has a range of slips so
   /// narrow that Newton's method passes it by, and forces that redundant contacts leave open would follow their bounds
   /// in leaps.
-  void raise_together(const Held& held) {
+  void raise_together(const IslandContacts& island) {
     constexpr double slow = 1.5;
     constexpr double rise = 3;
     double worst = 0;
@@ -190,14 +190,14 @@ class AugmentedLagrangian final : public Formulation {
       worst = std::max(worst, violation);
       worst_before = std::max(worst_before, std::exchange(p.last_violation, violation));
     };
-    for (const int k : held.contact_ids) look(progress_.contact(k), held.contacts[at(k)]);
-    for (const int k : held.support_ids) look(progress_.support(k), held.supports[at(k)]);
+    for (const int k : island.contact_ids) look(progress_.contact(k), island.contacts[at(k)]);
+    for (const int k : island.support_ids) look(progress_.support(k), island.supports[at(k)]);
     if (slow * worst <= worst_before) return;
     const auto raise = [&](const Progress& p, double& penalty) {
       penalty = std::min(rise * penalty, largest_penalty_ratio * p.stiffness);
     };
-    for (const int k : held.contact_ids) raise(progress_.contact(k), held.contacts[at(k)].penalty);
-    for (const int k : held.support_ids) raise(progress_.support(k), held.supports[at(k)].penalty);
+    for (const int k : island.contact_ids) raise(progress_.contact(k), island.contacts[at(k)].penalty);
+    for (const int k : island.support_ids) raise(progress_.support(k), island.supports[at(k)].penalty);
   }
 
   /// Where the scene starts it lower than steps choose by themselves it rises with each sweep: up to there it costs no

@@ -14,7 +14,7 @@ Point end_of(const Trial& trial, const Bolt& bolt, std::size_t end, const Point&
 
 }  // namespace
 
-Bolt make_bolt(const scene::Bolt& described, const Parts& parts) {
+Bolt make_bolt(const scene::Bolt& described, const MovingParts& parts) {
   Bolt bolt{.described = &described, .material = {described.from_m, described.to_m}};
   bolt.drawn_length_m = (described.to_m - described.from_m).norm();
   for (std::size_t end = 0; end < 2; ++end) {

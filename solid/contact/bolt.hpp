@@ -3,7 +3,7 @@
 // it does not take compression.
 #pragma once
 
-#include "solid/block/parts.hpp"
+#include "solid/block/moving_parts.hpp"
 #include "solid/contact/force_rule.hpp"
 #include "solid/contact/trial.hpp"
 
@@ -40,7 +40,7 @@ struct Bolt {
   }
 };
 
-Bolt make_bolt(const scene::Bolt& described, const Parts& parts);
+Bolt make_bolt(const scene::Bolt& described, const MovingParts& parts);
 
 /// prestress + stiffness (elongation - plastic elongation), cut off at yield, and at zero where compression is not
 /// taken.

@@ -3,7 +3,7 @@
 
 namespace blockweir::solid {
 
-CurrentOutlines::CurrentOutlines(const Parts& parts, double size_m)
+CurrentOutlines::CurrentOutlines(const MovingParts& parts, double size_m)
     : parts_(parts), corners_(parts.outlines.size()), coincidence_(1e-7 * size_m), give_(2 * coincidence_) {
   for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bridge/scene/at.hpp"
-#include "solid/block/parts.hpp"
+#include "solid/block/moving_parts.hpp"
 #include "solid/contact/contact_point.hpp"
 #include "solid/contact/outline.hpp"
 
@@ -21,12 +21,12 @@ constexpr double closing = 2 * most_turn_in_step;  ///< rad by which a face may 
 
 class CurrentOutlines {
  public:
-  CurrentOutlines(const Parts& parts, double size_m);
+  CurrentOutlines(const MovingParts& parts, double size_m);
 
   /// Of one block.
   void move(std::size_t block, const std::vector<Placement>& placements);
 
-  [[nodiscard]] const Parts& parts() const { return parts_; }
+  [[nodiscard]] const MovingParts& parts() const { return parts_; }
   [[nodiscard]] const std::vector<std::vector<Point>>& all() const { return corners_; }
   [[nodiscard]] const std::vector<Point>& of(int block) const { return corners_[at(block)]; }
   [[nodiscard]] const Point& vertex_of(const ContactPoint& c) const {
@@ -58,7 +58,7 @@ class CurrentOutlines {
  private:
   [[nodiscard]] Point normal_of(const ContactPoint& c) const;
 
-  const Parts& parts_;
+  const MovingParts& parts_;
   std::vector<std::vector<Point>> corners_;
   double coincidence_;  ///< m
   double give_;         ///< m

@@ -38,7 +38,7 @@ std::unique_ptr<Formulation> make_formulation(scene::ContactFormulation which, c
 }
 
 void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-                        const Held& held) {
+                        const IslandContacts& island) {
   // Rayleigh quotient of the block's matrix along a point's motion, turns and strains taken as what they move at the
   // radius, which makes metres of all: no mode that the point can excite is stiffer by much. (Its inverse counterpart
   // 1/(n W n) sees the softest mode, and sweeps then stall in the stiff ones.)
@@ -58,11 +58,11 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
   };
   const bool pile_stiffens = !settings_.friction_lags;
   const auto strainless = [&](int block) { return frozen[at(block)] || trial.blocks[at(block)].rigid; };
-  progress_.make_room(held.contacts.size(), held.supports.size());
-  before_.make_room(held.contacts.size(), held.supports.size());
-  for_each(held.contact_ids.size(), [&](std::size_t i) {
-    const int k = held.contact_ids[i];
-    ContactPoint& c = held.contacts[at(k)];
+  progress_.make_room(island.contacts.size(), island.supports.size());
+  before_.make_room(island.contacts.size(), island.supports.size());
+  for_each(island.contact_ids.size(), [&](std::size_t i) {
+    const int k = island.contact_ids[i];
+    ContactPoint& c = island.contacts[at(k)];
     before_.note(k, c);
     c.let_go = c.state == ContactState::open;
     Progress& progress = progress_.contact(k) = {};
@@ -80,8 +80,8 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     progress.slip_force = c.multiplier.y();
     begin_contact(trial, frozen, k, c);
   });
-  for (const int k : held.support_ids) {
-    Support& s = held.supports[at(k)];
+  for (const int k : island.support_ids) {
+    Support& s = island.supports[at(k)];
     before_.note(k, s);
     Progress& progress = progress_.support(k) = {};
     progress.stiffness =
@@ -170,14 +170,14 @@ JointForce Formulation::judge(int index, ContactPoint& c, const Eigen::Vector2d&
   return force;
 }
 
-bool Formulation::accept(const Trial& trial, const Held& held) const {
+bool Formulation::accept(const Trial& trial, const IslandContacts& island) const {
   std::atomic<bool> any_slips = false;
-  for_each(held.contact_ids.size(), [&](std::size_t i) {
-    const auto k = at(held.contact_ids[i]);
-    ContactPoint& c = held.contacts[k];
-    const double slip = progress_.contact(held.contact_ids[i]).separation.y() - c.elastic_slip;
+  for_each(island.contact_ids.size(), [&](std::size_t i) {
+    const auto k = at(island.contact_ids[i]);
+    ContactPoint& c = island.contacts[k];
+    const double slip = progress_.contact(island.contact_ids[i]).separation.y() - c.elastic_slip;
     // Closed in the step to come, what is left would become a velocity.
-    if (c.state == ContactState::stick && progress_.contact(held.contact_ids[i]).swept)
+    if (c.state == ContactState::stick && progress_.contact(island.contact_ids[i]).swept)
       c.anchor += slip / edge_frame(trial, c).length;
     if (c.state != ContactState::slip) return;
     any_slips.store(true, std::memory_order_relaxed);

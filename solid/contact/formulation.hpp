@@ -44,10 +44,10 @@ class Formulation {
   /// A step of an island; `matrix[b]` is block b's own matrix in it (inertia and elasticity). Frozen blocks do not
   /// move.
   virtual void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-                     const Held& held);
+                     const IslandContacts& island);
 
   /// Contacts begin with the forces that they ended the step before with, to the last digit.
-  virtual void keep_forces(const Trial& /*trial*/, const Held& /*held*/) {}
+  virtual void keep_forces(const Trial& /*trial*/, const IslandContacts& /*island*/) {}
 
   /// Admissible force of contact `index` at the trial positions, with its linearization; sets the contact's state. May
   /// be asked for several contacts at a time.
@@ -56,11 +56,11 @@ class Formulation {
 
   /// Called in equilibrium: true when contacts and supports are within tolerance; else their memory was updated and
   /// equilibrium is to be found again.
-  virtual bool sweep(const Held& held) = 0;
+  virtual bool sweep(const IslandContacts& island) = 0;
 
   /// Distance of the forces from those of a converged sweep [N per metre]; equilibrium need not be found much more
   /// accurately before that.
-  [[nodiscard]] virtual double unsettled(const Held& /*held*/) const { return 0; }
+  [[nodiscard]] virtual double unsettled(const IslandContacts& /*island*/) const { return 0; }
 
   /// Where shear can be bounded by normal forces that lag; else null.
   [[nodiscard]] virtual LaggedFriction* lagged_friction() { return nullptr; }
@@ -81,9 +81,9 @@ class Formulation {
   [[nodiscard]] virtual bool holds_exactly() const { return true; }
 
   /// Undoes the step: contacts and supports get back their memory of its start.
-  void undo(const Held& held) const { before_.restore(held); }
+  void undo(const IslandContacts& island) const { before_.restore(island); }
   /// Slip, dilation and anchors of an accepted step; does any contact slip?
-  bool accept(const Trial& trial, const Held& held) const;
+  bool accept(const Trial& trial, const IslandContacts& island) const;
 
   /// As the step began.
   [[nodiscard]] const MemoryBefore& before() const { return before_; }

@@ -24,16 +24,17 @@ double InteriorPoint::shear_bound(const ContactPoint& c, const Point& p) const {
 }
 
 void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-                          const Held& held) {
-  Formulation::begin(trial, matrix, frozen, held);
+                          const IslandContacts& island) {
+  Formulation::begin(trial, matrix, frozen, island);
   points_.assign(progress_.contacts(), {});
   lagged_.bounds.begin(progress_.contacts());
   scale_n_ = settings_.force_tolerance_n;
-  for (const int k : held.contact_ids) scale_n_ = std::max(scale_n_, held.contacts[at(k)].force.cwiseAbs().maxCoeff());
+  for (const int k : island.contact_ids)
+    scale_n_ = std::max(scale_n_, island.contacts[at(k)].force.cwiseAbs().maxCoeff());
   const bool forces_known = change_n_ < scale_n_;
   const double change = std::min(change_n_, scale_n_);
-  for (const int k : held.contact_ids) {
-    const ContactPoint& c = held.contacts[at(k)];
+  for (const int k : island.contact_ids) {
+    const ContactPoint& c = island.contacts[at(k)];
     Point& p = points_[at(k)];
     const double motion = change / progress_.contact(k).stiffness;
     const double product = change * motion;
@@ -85,10 +86,10 @@ Interaction InteriorPoint::support(const Trial& trial, int index, Support& s) {
   return action;
 }
 
-double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
+double InteriorPoint::find_changes(const Trial& trial, const IslandContacts& island) {
   double fraction = 1;
-  for (const int k : held.contact_ids) {
-    const ContactPoint& c = held.contacts[at(k)];
+  for (const int k : island.contact_ids) {
+    const ContactPoint& c = island.contacts[at(k)];
     Point& p = points_[at(k)];
     const Eigen::Vector2d moved = progress_.follow(trial, k, c, edge_frame(trial, c)).separation - p.separation;
     const Eigen::Vector2d force = p.force - p.stiffness.cwiseProduct(moved);
@@ -99,49 +100,49 @@ double InteriorPoint::find_changes(const Trial& trial, const Held& held) {
     p.forward.follow(most + force.y() - p.forward.force, product_);
     p.backward.follow(most - force.y() - p.backward.force, product_);
   }
-  for_pairs(held, [&](const Pair& pair) { fraction = std::min(fraction, pair.positive_fraction(most_lost)); });
+  for_pairs(island, [&](const Pair& pair) { fraction = std::min(fraction, pair.positive_fraction(most_lost)); });
   return fraction;
 }
 
-double InteriorPoint::mean_product(const Held& held, double fraction) {
+double InteriorPoint::mean_product(const IslandContacts& island, double fraction) {
   double sum = 0;
   double count = 0;
-  for_pairs(held, [&](const Pair& pair) {
+  for_pairs(island, [&](const Pair& pair) {
     sum += (pair.force + fraction * pair.force_change) * (pair.motion + fraction * pair.motion_change);
     ++count;
   });
   return sum / std::max(1.0, count);
 }
 
-void InteriorPoint::predict(const Trial& trial, const Held& held) {
-  const double fraction = find_changes(trial, held);
-  const double now = mean_product(held, 0);
-  const double share = std::max(0.0, mean_product(held, fraction)) / now;
+void InteriorPoint::predict(const Trial& trial, const IslandContacts& island) {
+  const double fraction = find_changes(trial, island);
+  const double now = mean_product(island, 0);
+  const double share = std::max(0.0, mean_product(island, fraction)) / now;
   product_ = std::max(share * share * share, fraction_ > 0.5 ? 0 : 0.3) * now;
-  for_pairs(held, [fraction](Pair& pair) {
+  for_pairs(island, [fraction](Pair& pair) {
     pair.product_change = fraction * fraction * pair.force_change * pair.motion_change;
   });
 }
 
-double InteriorPoint::follow_correction(const Trial& trial, const Held& held) {
+double InteriorPoint::follow_correction(const Trial& trial, const IslandContacts& island) {
   constexpr double least = 0.5;
-  const double fraction = std::max(least, find_changes(trial, held));
-  for (const int k : held.contact_ids) points_[at(k)].shear += fraction * points_[at(k)].shear_change;
-  for_pairs(held, [fraction](Pair& pair) {
+  const double fraction = std::max(least, find_changes(trial, island));
+  for (const int k : island.contact_ids) points_[at(k)].shear += fraction * points_[at(k)].shear_change;
+  for_pairs(island, [fraction](Pair& pair) {
     const double own = std::min(fraction, pair.positive_fraction(most_lost));
     pair.force += own * pair.force_change;
     pair.motion += own * pair.motion_change;
     pair.product_change = 0;
   });
-  const auto allowed = [&](int k) { return shear_bound(held.contacts[at(k)], points_[at(k)]); };
-  lagged_.bounds.follow(held.contact_ids, allowed, [](int /*k*/) { return 0.0; });
+  const auto allowed = [&](int k) { return shear_bound(island.contacts[at(k)], points_[at(k)]); };
+  lagged_.bounds.follow(island.contact_ids, allowed, [](int /*k*/) { return 0.0; });
   product_ = 0;
   return fraction_ = fraction;
 }
 
-void InteriorPoint::hand_over(const Held& held) const {
-  for (const int k : held.contact_ids) {
-    ContactPoint& c = held.contacts[at(k)];
+void InteriorPoint::hand_over(const IslandContacts& island) const {
+  for (const int k : island.contact_ids) {
+    ContactPoint& c = island.contacts[at(k)];
     const Point& p = points_[at(k)];
     const double stiffness = progress_.contact(k).stiffness;
     c.multiplier.setZero();

@@ -22,24 +22,24 @@ class InteriorPoint final : public Formulation {
 
   /// Forces that act now, the largest of them, set the scale.
   void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-             const Held& held) override;
+             const IslandContacts& island) override;
 
   /// Newton's method on the products: the force is the one after a correction without displacement.
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override;
   Interaction support(const Trial& trial, int index, Support& s) override;
-  bool sweep(const Held& /*held*/) override { return true; }
+  bool sweep(const IslandContacts& /*island*/) override { return true; }
 
   [[nodiscard]] double scale_n() const { return scale_n_; }  ///< [N per metre]
 
   /// Once the blocks have moved by a whole correction that aims at products of zero: what the next one, with the same
   /// matrix, is to aim at instead (Mehrotra 1992, SIAM J. Optim. 2).
-  void predict(const Trial& trial, const Held& held);
+  void predict(const Trial& trial, const IslandContacts& island);
   /// Call after a whole correction of the blocks: the fraction of it that leaves all variables positive, at least half,
   /// which the forces follow. The few pairs that half would make negative stop before, and the next correction removes
   /// their error: otherwise a brick that hardly anything holds sideways delays thousands of contacts.
-  double follow_correction(const Trial& trial, const Held& held);
+  double follow_correction(const Trial& trial, const IslandContacts& island);
   /// Forces and states, for the augmented Lagrangian to begin with.
-  void hand_over(const Held& held) const;
+  void hand_over(const IslandContacts& island) const;
 
  private:
   /// A force and the motion that it resists; one of them tends to zero.
@@ -85,13 +85,13 @@ class InteriorPoint final : public Formulation {
   [[nodiscard]] double shear_bound(const ContactPoint& c, const Point& p) const;
 
   /// By a whole correction; returns the fraction of it that leaves all positive.
-  double find_changes(const Trial& trial, const Held& held);
+  double find_changes(const Trial& trial, const IslandContacts& island);
   /// After that fraction of the changes.
-  [[nodiscard]] double mean_product(const Held& held, double fraction);
+  [[nodiscard]] double mean_product(const IslandContacts& island, double fraction);
 
   template <class Work>
-  void for_pairs(const Held& held, const Work& work) {
-    for (const int k : held.contact_ids) {
+  void for_pairs(const IslandContacts& island, const Work& work) {
+    for (const int k : island.contact_ids) {
       Point& p = points_[static_cast<std::size_t>(k)];
       work(p.normal);
       if (!p.has_friction) continue;

@@ -5,14 +5,14 @@
 
 namespace blockweir::solid {
 
-void LaggedFriction::begin(const Held& held) {
-  bounds.begin(held.contacts.size());
-  for (const int k : held.contact_ids) bounds.set(k, shear_bound(held.contacts[at(k)]));
+void LaggedFriction::begin(const IslandContacts& island) {
+  bounds.begin(island.contacts.size());
+  for (const int k : island.contact_ids) bounds.set(k, shear_bound(island.contacts[at(k)]));
 }
 
-bool LaggedFriction::follow(const Held& held, const StepProgress& progress, double tolerance_n) {
+bool LaggedFriction::follow(const IslandContacts& island, const StepProgress& progress, double tolerance_n) {
   return bounds.follow(
-      held.contact_ids, [&](int k) { return shear_bound(held.contacts[at(k)]); },
+      island.contact_ids, [&](int k) { return shear_bound(island.contacts[at(k)]); },
       [&](int k) { return tolerance_n + progress.contact(k).round_off; });
 }
 

@@ -2,7 +2,7 @@
 // Friction whose bounds lag behind the normal forces of contacts.
 #pragma once
 
-#include "solid/contact/held.hpp"
+#include "solid/contact/island_contacts.hpp"
 #include "solid/contact/joint_laws.hpp"
 #include "solid/contact/lagged_bounds.hpp"
 #include "solid/contact/step_progress.hpp"
@@ -17,10 +17,10 @@ class LaggedFriction {
   LaggedBounds bounds;
 
   /// Bounds of shear by the normal forces of now, until the next call of this or the following.
-  void begin(const Held& held);
+  void begin(const IslandContacts& island);
   /// Bounds of shear nearer to what the normal forces of now allow: true when they were there, but for `tolerance_n` [N
   /// per metre] and round-off.
-  bool follow(const Held& held, const StepProgress& progress, double tolerance_n);
+  bool follow(const IslandContacts& island, const StepProgress& progress, double tolerance_n);
 
  private:
   [[nodiscard]] double shear_bound(const ContactPoint& c) const;

@@ -20,10 +20,10 @@ class LagrangeMultiplier final : public Formulation, private ForceConstraints {
   LagrangeMultiplier(const JointLaws& laws, const FormulationSettings& settings) : Formulation(laws, settings) {}
 
   void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-             const Held& held) override {
-    of_contacts_.resize(held.contacts.size());
-    of_supports_.resize(held.supports.size());
-    Formulation::begin(trial, matrix, frozen, held);
+             const IslandContacts& island) override {
+    of_contacts_.resize(island.contacts.size());
+    of_supports_.resize(island.supports.size());
+    Formulation::begin(trial, matrix, frozen, island);
   }
 
   [[nodiscard]] const ForceConstraints* force_constraints() const override { return this; }
@@ -70,17 +70,17 @@ class LagrangeMultiplier final : public Formulation, private ForceConstraints {
     return action;
   }
 
-  bool sweep(const Held& held) override {
+  bool sweep(const IslandContacts& island) override {
     bool settled = true;
     const auto within = [this](const Progress& p, const auto& constraint) {
       return !p.turning && p.violation(constraint.state) <= settings_.penetration_tolerance_m;
     };
-    for (const int k : held.contact_ids) {
-      ContactPoint& c = held.contacts[at(k)];
+    for (const int k : island.contact_ids) {
+      ContactPoint& c = island.contacts[at(k)];
       if (c.state == ContactState::open) c.multiplier.setZero();
       settled = settled && within(progress_.contact(k), c);
     }
-    for (const int k : held.support_ids) settled = settled && within(progress_.support(k), held.supports[at(k)]);
+    for (const int k : island.support_ids) settled = settled && within(progress_.support(k), island.supports[at(k)]);
     return settled;
   }
 

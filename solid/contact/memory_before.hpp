@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bridge/scene/at.hpp"
-#include "solid/contact/held.hpp"
+#include "solid/contact/island_contacts.hpp"
 
 namespace blockweir::solid {
 
@@ -18,8 +18,8 @@ class MemoryBefore {
   [[nodiscard]] const ContactMemory& contact(int index) const { return contacts_[at(index)]; }
   [[nodiscard]] const Support& support(int index) const { return supports_[at(index)]; }
   /// Has any contact closed, opened, begun or ceased to slip, or turned its slip round since?
-  [[nodiscard]] bool differs(const Held& held) const;
-  void restore(const Held& held) const;
+  [[nodiscard]] bool differs(const IslandContacts& island) const;
+  void restore(const IslandContacts& island) const;
 
  private:
   std::vector<ContactMemory> contacts_;

@@ -42,7 +42,7 @@ bool PassingCorners::within(const std::vector<Point>& vertices, std::size_t v, c
 /// Where the block is now, in `corners`.
 const std::vector<Point>& PassingCorners::outline(const std::vector<Placement>& placements, int block,
                                                   std::vector<Point>& corners) const {
-  const Parts& parts = outlines_.parts();
+  const MovingParts& parts = outlines_.parts();
   corners.clear();
   for (const OutlineSide& side : parts.outlines[at(block)]) {
     corners.push_back(placements[at(side.part)].position(parts.vertex(side)));

@@ -18,9 +18,9 @@ class Penalty final : public Formulation {
         spring_(settings.contact_stiffness.value_or(stiffness_over_modulus * settings.largest_modulus_pa)) {}
 
   void begin(const Trial& trial, const std::vector<Matrix6>& matrix, const std::vector<bool>& frozen,
-             const Held& held) override {
-    dashpots_.resize(held.contacts.size());
-    Formulation::begin(trial, matrix, frozen, held);
+             const IslandContacts& island) override {
+    dashpots_.resize(island.contacts.size());
+    Formulation::begin(trial, matrix, frozen, island);
   }
 
   Interaction contact(const Trial& trial, int index, ContactPoint& c) override {
@@ -80,10 +80,10 @@ class Penalty final : public Formulation {
   }
   [[nodiscard]] double gap_under_force_m(const ContactPoint& c) const override { return -c.force.x() / spring_; }
 
-  bool sweep(const Held& held) override {
-    for (const int k : held.contact_ids) {
+  bool sweep(const IslandContacts& island) override {
+    for (const int k : island.contact_ids) {
       if (progress_.contact(k).turning) return false;
-      held.contacts[at(k)].multiplier = held.contacts[at(k)].force;
+      island.contacts[at(k)].multiplier = island.contacts[at(k)].force;
     }
     return true;
   }

@@ -32,7 +32,7 @@ double overlap(const Point& vertex, const Point& end, const Point& a, const Poin
 
 }  // namespace
 
-ContactSearch::ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m,
+ContactSearch::ContactSearch(const MovingParts& parts, const JointLaws& laws, double size_m, double reach_m,
                              double farthest_reach_m)
     : parts_(parts), laws_(laws), outlines_(parts, size_m), pairs_(reach_m, farthest_reach_m, parts.outlines.size()) {
   if (laws.any_plane()) find_planes();
@@ -73,7 +73,7 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
     vertices_on_edges(b, a);
   }
   inherit(placements, contacts);
-  CornerMeetings meetings(outlines_, openings_, passing_, found_);
+  CandidateFilter meetings(outlines_, openings_, passing_, found_);
   meetings.count_from_passing();
   meetings.drop_edges_seen_from_within();
   meetings.keep_one_of_each();

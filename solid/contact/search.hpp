@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solid/contact/corner_meetings.hpp"
+#include "solid/contact/candidate_filter.hpp"
 #include "solid/contact/current_outlines.hpp"
 #include "solid/contact/joint_laws.hpp"
 #include "solid/contact/joint_openings.hpp"
@@ -23,7 +23,8 @@ class ContactSearch {
   static constexpr double reach_per_move = NearPairs::reach_per_move;
   static constexpr double most_turn = most_turn_in_step;
   /// The reach begins with `reach_m` and grows with what blocks move, up to `farthest_reach_m`.
-  ContactSearch(const Parts& parts, const JointLaws& laws, double size_m, double reach_m, double farthest_reach_m);
+  ContactSearch(const MovingParts& parts, const JointLaws& laws, double size_m, double reach_m,
+                double farthest_reach_m);
   ContactSearch(const ContactSearch&) = delete;
   ContactSearch& operator=(const ContactSearch&) = delete;
 
@@ -79,7 +80,7 @@ class ContactSearch {
   [[nodiscard]] Point apart(const std::vector<Placement>& placements, const ContactPoint& c) const;
   void inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old);
 
-  const Parts& parts_;
+  const MovingParts& parts_;
   const JointLaws& laws_;
   CurrentOutlines outlines_;
   JointOpenings openings_{laws_, outlines_};

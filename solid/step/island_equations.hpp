@@ -29,7 +29,7 @@ class IslandEquations : StepPart {
 
   Island island;
   std::vector<int> bolts;
-  std::vector<int> couplings;  ///< indices into Parts::couplings
+  std::vector<int> couplings;  ///< indices into MovingParts::couplings
   std::unique_ptr<Unknowns> unknowns;
   Incidence incidence;           ///< of the actions
   Found found = Found::nothing;  ///< in this step
@@ -70,7 +70,9 @@ class IslandEquations : StepPart {
   [[nodiscard]] bool moves_as_one() const { return unknowns->shared() || !pulls.empty(); }
   /// Does nothing touch or hold its blocks?
   [[nodiscard]] bool is_free() const { return island.is_free() && bolts.empty(); }
-  [[nodiscard]] Held held() { return {island.contacts, state_.contacts, island.supports, state_.supports}; }
+  [[nodiscard]] IslandContacts island_contacts() {
+    return {island.contacts, state_.contacts, island.supports, state_.supports};
+  }
   [[nodiscard]] int local(int block) const { return numbers_[static_cast<std::size_t>(block)]; }
   /// Whether the island contains the block.
   [[nodiscard]] bool has(int block) const {

@@ -17,9 +17,9 @@
 namespace blockweir::solid {
 
 bool LaggingFriction::find(IslandEquations& s, const StepMode& mode) {
-  const Held held = s.held();
+  const IslandContacts contacts = s.island_contacts();
   constexpr int few_solutions = 3;
-  formulation_->lagged_friction()->begin(held);
+  formulation_->lagged_friction()->begin(contacts);
   // A step after one whose friction lagged begins with its states, or nearly so.
   const bool goes_on = state_.whole_law.after_failure();
   if (!goes_on || !restore_unless(step_, s, mode, [&] { return minimize(s, few_solutions); })) {
@@ -30,12 +30,12 @@ bool LaggingFriction::find(IslandEquations& s, const StepMode& mode) {
     if (mode.settles && reached == Approach::nothing) return false;
   }
   for (int sweep = 0; sweep < model_.scene.contact.max_iterations; ++sweep) {
-    const bool bounds_stand = formulation_->lagged_friction()->follow(held, formulation_->progress(),
+    const bool bounds_stand = formulation_->lagged_friction()->follow(contacts, formulation_->progress(),
                                                                       formulation_->settings().force_tolerance_n);
     if (!minimize(s, model_.scene.contact.max_iterations)) return false;
     const Stopwatch watch(profile_.sweeps);
     ++counts_.sweeps;
-    const bool settled = formulation_->sweep(held) && bounds_stand;
+    const bool settled = formulation_->sweep(contacts) && bounds_stand;
     if (settled && !break_bonds(model_.laws, formulation_->settings().force_tolerance_n, model_.blocks,
                                 s.island.contacts, state_.contacts))
       return true;
@@ -52,10 +52,10 @@ LaggingFriction::Approach LaggingFriction::approach(IslandEquations& s, double c
   constexpr int most_solutions = 200;
   constexpr double near = 1e-5;  // of what was unbalanced
   constexpr int patience = 8;
-  const Held held = s.held();
+  const IslandContacts contacts = s.island_contacts();
   std::unique_ptr<Formulation> other = std::make_unique<InteriorPoint>(model_.laws, formulation_->settings(), change_n);
   auto& method = static_cast<InteriorPoint&>(*other);
-  method.begin(trial_.now(), trial_.matrix, trial_.frozen, held);
+  method.begin(trial_.now(), trial_.matrix, trial_.frozen, contacts);
   double first = method.scale_n();
   const TradePlaces stands_in(formulation_, other);
   Eigen::VectorXd way = Eigen::VectorXd::Zero(s.unknowns->total);
@@ -75,19 +75,19 @@ LaggingFriction::Approach LaggingFriction::approach(IslandEquations& s, double c
       reached = left <= tolerance ? Approach::states : left <= near * first ? Approach::near : Approach::nothing;
       if (reached != Approach::nothing) {
         best = way;
-        method.hand_over(held);
+        method.hand_over(contacts);
       }
     }
     const bool done = reached == Approach::states || (reached == Approach::near && since >= patience);
     if (done || !(left <= 1e6 * first) || !s.solve_linearized()) break;
     s.move(1);
-    method.predict(trial_.now(), held);
+    method.predict(trial_.now(), contacts);
     s.move(-1);
     s.unbalanced();
     if (!s.solve(true)) break;
     ++counts_.iterations;
     s.move(1);
-    const double fraction = method.follow_correction(trial_.now(), held);
+    const double fraction = method.follow_correction(trial_.now(), contacts);
     s.move(fraction - 1);
     way += fraction * s.correction;
   }

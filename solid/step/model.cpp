@@ -47,7 +47,7 @@ double largest_modulus(const scene::Scene& scene) {
 
 Model::Model(const scene::Scene& described)
     : scene(described),
-      parts(make_parts(scene)),
+      parts(make_moving_parts(scene)),
       blocks(parts.blocks),
       laws(scene),
       loads(scene, parts),

@@ -7,7 +7,7 @@
 #include "bridge/scene/scene.hpp"
 #include "solid/block/base_motion.hpp"
 #include "solid/block/loads.hpp"
-#include "solid/block/parts.hpp"
+#include "solid/block/moving_parts.hpp"
 #include "solid/block/viscous_boundary.hpp"
 #include "solid/block/water_motions.hpp"
 #include "solid/contact/contact_point.hpp"
@@ -24,7 +24,7 @@ struct Model {
   Model& operator=(const Model&) = delete;
 
   const scene::Scene& scene;
-  Parts parts;
+  MovingParts parts;
   const std::vector<Block>& blocks;  ///< of the parts: the scene's blocks, then the triangles of meshes
   JointLaws laws;
   Loads loads;

@@ -82,7 +82,7 @@ bool Newton::find(IslandEquations& s, const StepMode& mode) {
   const int most = turn(unknowns, mode);
   const double tolerance = formulation_->settings().force_tolerance_n;
   constexpr double close = 0.3;  // of what multipliers will still move: they need no closer equilibrium
-  const Held held = s.held();
+  const IslandContacts contacts = s.island_contacts();
   int in_a_row = 0;  // solves since the last sweep
   double first = 0;  // unbalanced as they began
   Circle circle;
@@ -95,7 +95,7 @@ bool Newton::find(IslandEquations& s, const StepMode& mode) {
       if (iteration == 0 && formulation_->force_constraints() == nullptr) require_numbers(step_, s);
       return false;
     }
-    if (left <= tolerance || left <= close * formulation_->unsettled(held)) {
+    if (left <= tolerance || left <= close * formulation_->unsettled(contacts)) {
       if (update_multipliers(s)) return true;
       circle = {};
       in_a_row = 0;
@@ -126,7 +126,7 @@ double Newton::unbalanced_in_these_states(IslandEquations& s, const StepMode& mo
 bool Newton::update_multipliers(IslandEquations& s) {
   const Stopwatch watch(profile_.sweeps);
   ++counts_.sweeps;
-  return formulation_->sweep(s.held()) &&
+  return formulation_->sweep(s.island_contacts()) &&
          (formulation_->settings().joints_held || !break_bonds(model_.laws, formulation_->settings().force_tolerance_n,
                                                                model_.blocks, s.island.contacts, state_.contacts));
 }

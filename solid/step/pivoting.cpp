@@ -68,10 +68,10 @@ bool Pivoting::find(IslandEquations& s, const StepMode& mode) {
   constexpr int most_rounds = 10;
   if (!fits(s, mode)) return false;
   ++counts_.pivoted_islands;
-  const Held held = s.held();
-  formulation_->undo(held);
+  const IslandContacts contacts = s.island_contacts();
+  formulation_->undo(contacts);
   for (const int b : s.island.blocks) trial_.predict(at(b));
-  formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, held);
+  formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, contacts);
   std::vector<double> penalty;
   for (const int k : s.island.contacts) penalty.push_back(state_.contacts[at(k)].penalty);
   Released released;

@@ -27,7 +27,7 @@ bool restore_unless(StepWorkspace& step, IslandEquations& s, const StepMode& mod
     const auto b = at(s.island.blocks[i]);
     step.trial.go_to(b, increments[i]);
   }
-  if (mode.friction_lags) step.formulation->lagged_friction()->begin(s.held());
+  if (mode.friction_lags) step.formulation->lagged_friction()->begin(s.island_contacts());
   return false;
 }
 

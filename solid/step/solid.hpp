@@ -38,7 +38,7 @@ class Solid {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const scene::Scene& scene() const { return model_.scene; }
-  [[nodiscard]] const Parts& parts() const { return model_.parts; }
+  [[nodiscard]] const MovingParts& parts() const { return model_.parts; }
   /// The scene's blocks in its order, then the triangles of meshes; states and placements have the same order. A block
   /// with a mesh has the mean motion of its triangles.
   [[nodiscard]] const std::vector<Block>& blocks() const { return model_.blocks; }

@@ -17,7 +17,7 @@ namespace {
 constexpr double widest_rounding = 2 * scene::rounding_ratio;
 constexpr double deepest_rounding = 2 * widest_rounding;
 
-std::vector<Support> make_supports(const scene::Scene& scene, const Parts& parts) {
+std::vector<Support> make_supports(const scene::Scene& scene, const MovingParts& parts) {
   std::vector<Support> supports;
   for (const auto& described : scene.supports) {
     const Anchor anchor = parts.anchor(described.block, described.point_m);

@@ -9,7 +9,7 @@
 #include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/step/angular_momentum.hpp"
-#include "solid/step/held_velocities.hpp"
+#include "solid/step/constrained_velocities.hpp"
 #include "solid/step/mesh_motion.hpp"
 #include "solid/step/push_apart.hpp"
 #include "solid/step/step_energy.hpp"
@@ -43,7 +43,7 @@ void settle_velocities(StepWorkspace& step, IslandEquations& s, double dt, bool 
   for (const int block : s.island.blocks) {
     if (base_leads) before.push_back(step.state.blocks[at(block)].velocity);
   }
-  HeldVelocities(step).settle(s, dt);
+  ConstrainedVelocities(step).settle(s, dt);
   const StepEnergy energy(step);
   for (std::size_t k = 0; k < before.size(); ++k) energy.give_by_base(at(s.island.blocks[k]), before[k]);
   if (led) step.state.energy.give(kinetic_energy(step, s) - kinetic);
@@ -73,7 +73,7 @@ bool StepEnd::accept(const Stretch& stretch, const StepMode& mode) {
     }
     if (formulation_->holds_exactly()) settle_velocities(step_, island, dt, led, mode.settles);
     if (!mode.settles) AngularMomentum(step_).restore(island);
-    any_slips = formulation_->accept(trial_.now(), island.held()) || any_slips;
+    any_slips = formulation_->accept(trial_.now(), island.island_contacts()) || any_slips;
   }
   for (Bolt& bolt : state_.bolts) solid::accept(trial_.now(), model_.base.displacement(end_s), bolt);
   for_each(model_.blocks.size(), [&](std::size_t b) {
@@ -113,7 +113,7 @@ bool StepEnd::affords_motion(double dt) {
     accept_motion(island, dt);
     energy.balance(island, dt);
     water_.pass_on(island, dt);
-    if (formulation_->holds_exactly()) HeldVelocities(step_).settle(island, dt);
+    if (formulation_->holds_exactly()) ConstrainedVelocities(step_).settle(island, dt);
     affords = affords && energy.affords(island);
   }
   state_.blocks = blocks;

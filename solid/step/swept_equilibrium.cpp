@@ -29,12 +29,12 @@ constexpr double most_at_first = 400;  // of the first step that is swept: what 
 Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   if (s.is_free() && fly(s)) return Found::by_newton_after_sweeps;
   ++counts_.swept_islands;
-  const Held held = s.held();
-  formulation_->undo(held);
+  const IslandContacts contacts = s.island_contacts();
+  formulation_->undo(contacts);
   start_again(s);
   {
     const Temporarily swept(formulation_->settings().swept, true);
-    formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, held);
+    formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, contacts);
   }
   const bool few = s.unknowns->total <= few_unknowns;
   const bool begins = !state_.whole_law.after_failure();
@@ -93,7 +93,7 @@ bool SweptEquilibrium::finish(IslandEquations& s, const StepMode& mode) {
   const double softer = s.unknowns->total <= few_unknowns ? 1 : 1e-3;
   for (const int k : s.island.contacts) state_.contacts[at(k)].penalty *= softer;
   for (const int k : s.island.supports) state_.supports[at(k)].penalty *= softer;
-  formulation_->keep_forces(trial_.now(), s.held());
+  formulation_->keep_forces(trial_.now(), s.island_contacts());
   return find_by_newton(step_, s, mode);
 }
 

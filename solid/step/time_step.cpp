@@ -50,7 +50,7 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
   const bool seen = has_seen(outcome == Outcome::made, moved, mode);
   if (outcome != Outcome::made || !seen) {
     if (!seen && (any_swept() || any_found(Found::by_newton_after_sweeps))) tried_ = state_.contacts;
-    for (IslandEquations& s : islands_) formulation_->undo(s.held());
+    for (IslandEquations& s : islands_) formulation_->undo(s.island_contacts());
     state_.contacts_stand = seen;
     return seen ? outcome : attempt_again(stretch, mode);
   }
@@ -105,9 +105,9 @@ void TimeStep::begin_contacts(const StepMode& mode) {
   formulation_->settings().lasting_overlap_m =
       mode.in_motion() ? std::max(model_.scene.contact.penetration_tolerance_m, share_of_fall) : 0;
   for (IslandEquations& s : islands_) {  // those asleep, too: a softened step lowers the penalties of all alike
-    const Held held = s.held();
-    formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, held);
-    if (s.unknowns->total > large_island) formulation_->keep_forces(trial_.at_start(), held);
+    const IslandContacts contacts = s.island_contacts();
+    formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, contacts);
+    if (s.unknowns->total > large_island) formulation_->keep_forces(trial_.at_start(), contacts);
   }
 }
 
@@ -167,7 +167,7 @@ void TimeStep::begin_anew() {
 
 bool TimeStep::contacts_change() {
   return std::any_of(islands_.begin(), islands_.end(),
-                     [this](IslandEquations& s) { return formulation_->before().differs(s.held()); });
+                     [this](IslandEquations& s) { return formulation_->before().differs(s.island_contacts()); });
 }
 
 /// False where contacts are those of the step before.

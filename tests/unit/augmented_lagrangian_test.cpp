@@ -35,7 +35,7 @@ class AugmentedLagrangian : public testing::Test {
     for (std::size_t k = 0; k < contacts.size(); ++k) ids.push_back(static_cast<int>(k));
   }
 
-  Held held() { return {ids, contacts, {}, supports}; }
+  IslandContacts island() { return {ids, contacts, {}, supports}; }
 
   void sink(double depth_m) {
     increment[1][1] = -depth_m;
@@ -47,7 +47,7 @@ class AugmentedLagrangian : public testing::Test {
                                                    .position_round_off_m = round_off_m,
                                                    .closed_round_offs = 1,
                                                    .joints_held = joints_held});
-    method->begin(trial, {Matrix6::Identity(), 1e9 * Matrix6::Identity()}, {true, false}, held());
+    method->begin(trial, {Matrix6::Identity(), 1e9 * Matrix6::Identity()}, {true, false}, island());
     return method;
   }
 
@@ -59,13 +59,13 @@ class AugmentedLagrangian : public testing::Test {
     const double before = contacts[0].penalty;
     for (int sweep = 0; sweep < 2; ++sweep) {
       for (const int k : ids) method->contact(trial, k, contacts[static_cast<std::size_t>(k)]);
-      EXPECT_FALSE(method->sweep(held()));
+      EXPECT_FALSE(method->sweep(island()));
     }
     return contacts[0].penalty / before;
   }
 
   const scene::Scene scene = block_on_ground();
-  const Parts parts = make_parts(scene);
+  const MovingParts parts = make_moving_parts(scene);
   const JointLaws laws{scene};
   std::vector<Placement> start;
   std::vector<Placement> placement;
@@ -102,7 +102,7 @@ TEST_F(AugmentedLagrangian, AStepBeginsWithTheForcesThatTheOneBeforeEndedWith) {
     c.separation = {0, round_off_m / 3};
     c.gap = c.separation.y();
     const auto method = begun(false);
-    method->keep_forces(trial, held());
+    method->keep_forces(trial, island());
     method->contact(trial, 0, c);
     EXPECT_NEAR(c.force.x(), normal, 1e-9);
     EXPECT_NEAR(c.force.y(), shear, 1e-9);

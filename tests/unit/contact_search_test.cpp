@@ -20,7 +20,7 @@ scene::Scene two_slabs() {
 }
 
 std::vector<ContactPoint> contacts_within(double reach_m, const scene::Scene& scene = two_slabs(), double size_m = 1) {
-  const Parts parts = make_parts(scene);
+  const MovingParts parts = make_moving_parts(scene);
   const JointLaws laws(scene);
   std::vector<Placement> placements;
   for (const Block& block : parts.blocks) placements.emplace_back(block.centroid, Vector6::Zero());
@@ -91,7 +91,7 @@ TEST(ContactSearch, LetsCornersPassThatSlideOverEachOther) {
 
 TEST(ContactSearch, LooksFartherOnceBlocksHaveMovedFarther) {
   const scene::Scene scene = two_slabs();
-  const Parts parts = make_parts(scene);
+  const MovingParts parts = make_moving_parts(scene);
   const JointLaws laws(scene);
   std::vector<Placement> placements;
   for (const Block& block : parts.blocks) placements.emplace_back(block.centroid, Vector6::Zero());
@@ -135,7 +135,7 @@ TEST(ContactSearch, AToeThatIsPushedPastTheEndOfItsBaseStaysBonded) {
   scene::Scene scene = two_slabs();
   scene.blocks[0].vertices = {{-1, -1}, {2, -1}, {2, 0.04}, {1, 0.04}, {0, 0}, {-1, 0}};
   scene.blocks[1].vertices = {{0, 0}, {1, 0.04}, {0.5, 1}, {0, 1}};
-  const Parts parts = make_parts(scene);
+  const MovingParts parts = make_moving_parts(scene);
   const JointLaws laws(scene);
   std::vector<Placement> placements;
   for (const Block& block : parts.blocks) placements.emplace_back(block.centroid, Vector6::Zero());
@@ -194,7 +194,7 @@ class PassingCorners : public testing::Test {
     return scene;
   }
   scene::Scene scene_;
-  Parts parts_ = make_parts(scene_);
+  MovingParts parts_ = make_moving_parts(scene_);
   JointLaws laws_{scene_};
   ContactSearch search_{parts_, laws_, 1, 0.1, 0.1};
   std::vector<Placement> placements_{{parts_.blocks[0].centroid, Vector6::Zero()},

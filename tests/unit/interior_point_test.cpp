@@ -42,24 +42,24 @@ class Found {
     std::vector<int> ids(contacts.size());
     for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = static_cast<int>(k);
     std::vector<Support> supports;
-    const Held held{ids, contacts, {}, supports};
-    method_.begin(trial(), {Matrix6::Identity(), inertia * Matrix6::Identity()}, {true, false}, held);
+    const IslandContacts island{ids, contacts, {}, supports};
+    method_.begin(trial(), {Matrix6::Identity(), inertia * Matrix6::Identity()}, {true, false}, island);
     for (corrections = 0; corrections < most_corrections; ++corrections) {
       Eigen::Vector3d left = residual(load);
       converged = left.cwiseAbs().maxCoeff() <= 1e-8 * weight;
       if (converged) break;
       const Eigen::Vector3d aimed_at_zero = matrix_.lu().solve(left);
       move(aimed_at_zero);
-      method_.predict(trial(), held);
+      method_.predict(trial(), island);
       move(-aimed_at_zero);
       left = residual(load);
       const Eigen::Vector3d correction = matrix_.lu().solve(left);
       move(correction);
-      fraction = method_.follow_correction(trial(), held);
+      fraction = method_.follow_correction(trial(), island);
       all_within = all_within && fraction > 0 && fraction <= 1;
       move((fraction - 1) * correction);
     }
-    method_.hand_over(held);
+    method_.hand_over(island);
   }
 
   /// Of all contacts, on the block: along the ground and upward [N per metre].
@@ -99,7 +99,7 @@ class Found {
   }
 
   const scene::Scene scene_ = block_on_ground();
-  const Parts parts_ = make_parts(scene_);
+  const MovingParts parts_ = make_moving_parts(scene_);
   const JointLaws laws_{scene_};
   InteriorPoint method_{laws_, {}};
   std::vector<Placement> start_;

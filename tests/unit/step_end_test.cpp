@@ -3,7 +3,7 @@
 // What follows once a step's equilibrium is found: velocities, energy, overlaps.
 #include <gtest/gtest.h>
 
-#include "solid/step/held_velocities.hpp"
+#include "solid/step/constrained_velocities.hpp"
 #include "solid/step/newton.hpp"
 #include "solid/step/push_apart.hpp"
 #include "solid/step/step_energy.hpp"
@@ -20,22 +20,22 @@ scene::Scene lifted_stone() {
   return scene;
 }
 
-TEST(HeldVelocities, OfAStoneThatStandsBecomeTheStepsMean) {
+TEST(ConstrainedVelocities, OfAStoneThatStandsBecomeTheStepsMean) {
   Sample sample(stones());
   sample.begin(dt);
   ASSERT_TRUE(Newton(sample.step).find(sample.island(), sample.mode));
   sample.island().found = Found::by_newton;
   sample.state.blocks[1].velocity[1] = -0.5;
-  HeldVelocities(sample.step).settle(sample.island(), dt);
+  ConstrainedVelocities(sample.step).settle(sample.island(), dt);
   EXPECT_NEAR(sample.state.blocks[1].velocity[1], 0, 1e-4);
 }
 
-TEST(HeldVelocities, OfAStoneInTheAirStay) {
+TEST(ConstrainedVelocities, OfAStoneInTheAirStay) {
   Sample sample(lifted_stone());
   sample.begin(dt);
   ASSERT_TRUE(Newton(sample.step).find(sample.island(), sample.mode));
   sample.state.blocks[1].velocity[1] = -0.5;
-  HeldVelocities(sample.step).settle(sample.island(), dt);
+  ConstrainedVelocities(sample.step).settle(sample.island(), dt);
   EXPECT_EQ(sample.state.blocks[1].velocity[1], -0.5);
 }
 

@@ -44,7 +44,7 @@ struct Sample {
     model.loads.evaluate(dt, {}, state.placements, step.trial.external);
     step.trial.begin();
     for (IslandEquations& s : islands) {
-      step.formulation->begin(step.trial.at_start(), step.trial.matrix, step.trial.frozen, s.held());
+      step.formulation->begin(step.trial.at_start(), step.trial.matrix, step.trial.frozen, s.island_contacts());
     }
   }
   IslandEquations& island() { return *islands.begin(); }

@@ -30,7 +30,7 @@ struct Anchor {
   Point material;  ///< m, relative to the part's centroid
 };
 
-struct Parts {
+struct MovingParts {
   std::vector<Block> blocks;                       ///< the scene's blocks in its order; then all triangles
   std::vector<std::vector<OutlineSide>> outlines;  ///< of the scene's blocks
   std::vector<std::vector<int>> triangles;         ///< of the scene's blocks; empty without a mesh
@@ -55,6 +55,6 @@ struct Parts {
 /// Triangles have linear displacements. Their strains are smoothed over the domains of sides, each a third of the
 /// adjacent triangles (edge-based smoothed finite elements, Liu, Nguyen-Thoi and Lam 2009); unsmoothed triangles would
 /// be too stiff in bending.
-Parts make_parts(const scene::Scene& scene);
+MovingParts make_moving_parts(const scene::Scene& scene);
 
 }  // namespace blockweir::solid

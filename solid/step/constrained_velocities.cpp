@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/step/held_velocities.hpp"
+#include "solid/step/constrained_velocities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace blockweir::solid {
 
-void HeldVelocities::settle(IslandEquations& s, double dt) {
+void ConstrainedVelocities::settle(IslandEquations& s, double dt) {
   if (s.is_free()) return;
   if (s.found == Found::by_sweeps) return settle_by_impulses(s, dt);
   std::vector<Vector6> before;
@@ -22,7 +22,7 @@ void HeldVelocities::settle(IslandEquations& s, double dt) {
 }
 
 /// False if friction cannot provide the impulses.
-bool HeldVelocities::settle_solved(IslandEquations& s, double dt) {
+bool ConstrainedVelocities::settle_solved(IslandEquations& s, double dt) {
   constexpr double unheard_m_per_s = 1e-9;
   const auto rests = [this](int b) {
     return trial_.increment[at(b)].isZero(0) && state_.blocks[at(b)].velocity.isZero(0);
@@ -57,7 +57,7 @@ bool HeldVelocities::settle_solved(IslandEquations& s, double dt) {
 }
 
 /// `missing`: of each action, weighted by what holds. False where there is no solution.
-bool HeldVelocities::project(IslandEquations& s, const std::vector<Eigen::Vector2d>& missing) {
+bool ConstrainedVelocities::project(IslandEquations& s, const std::vector<Eigen::Vector2d>& missing) {
   s.set_block_matrices();
   s.residual.setZero();
   for (std::size_t k = 0; k < s.actions.size(); ++k) {
@@ -82,8 +82,8 @@ bool HeldVelocities::project(IslandEquations& s, const std::vector<Eigen::Vector
 
 /// The force of the step gives a landing block between zero and twice the impulse that stops it, depending on the time
 /// of contact in the step; the velocity correction provides the rest. Friction is bounded by the total.
-bool HeldVelocities::friction_has(const IslandEquations& s, const std::vector<Eigen::Vector2d>& missing,
-                                  double dt) const {
+bool ConstrainedVelocities::friction_has(const IslandEquations& s, const std::vector<Eigen::Vector2d>& missing,
+                                         double dt) const {
   constexpr double least = 1e-2;  // of the normal impulse: less is how blocks ring by their strains
   const Trial now = trial_.now();
   for (std::size_t k = 0; k < s.island.contacts.size(); ++k) {
@@ -110,7 +110,7 @@ bool HeldVelocities::friction_has(const IslandEquations& s, const std::vector<Ei
 }
 
 /// As sweeps have them, of an island that was solved.
-void HeldVelocities::set_rows(IslandEquations& s) {
+void ConstrainedVelocities::set_rows(IslandEquations& s) {
   const Trial now = trial_.now();
   SweepRows rows(step_);
   s.residual.setZero();
@@ -130,7 +130,7 @@ void HeldVelocities::set_rows(IslandEquations& s) {
 }
 
 /// What an action's end on a moving base adds to its gap and slip in a second, beyond the step's mean.
-Eigen::Vector2d HeldVelocities::rate_of_fixed(const Interaction& action, double dt) const {
+Eigen::Vector2d ConstrainedVelocities::rate_of_fixed(const Interaction& action, double dt) const {
   Eigen::Vector2d rate = Eigen::Vector2d::Zero();
   for (const bool second : {false, true}) {
     const int block = action.block(second);
@@ -144,7 +144,7 @@ Eigen::Vector2d HeldVelocities::rate_of_fixed(const Interaction& action, double 
 
 /// Velocities in constrained directions become those of the constraint. A contact's total impulse in the step is
 /// bounded by its friction (Moreau 1999): that of its force, and that of the correction.
-void HeldVelocities::settle_by_impulses(IslandEquations& s, double dt) {
+void ConstrainedVelocities::settle_by_impulses(IslandEquations& s, double dt) {
   const bool falls = trial_.falls();
   const bool many_fall = s.unknowns->total > few_unknowns && falls;
   const double unheard_m_per_s = std::max(1e-9, (many_fall ? 1e-4 : 1e-6) * trial_.fall_m() / dt);
@@ -186,7 +186,7 @@ void HeldVelocities::settle_by_impulses(IslandEquations& s, double dt) {
 
 /// The gap and slip rates of a closed contact become zero, as far as it can press and friction has the impulse. A
 /// dilating contact opens as it slips, and its friction does no work in that.
-void HeldVelocities::rule_of_contact(ForceSweeps::Row& row, double opening, double dt) const {
+void ConstrainedVelocities::rule_of_contact(ForceSweeps::Row& row, double opening, double dt) const {
   const bool held = !row.rule.opens || !row.force.isZero(0);
   ForceRule rule{.opens = false};
   if (opening != 0 || !held) {
@@ -205,18 +205,18 @@ void HeldVelocities::rule_of_contact(ForceSweeps::Row& row, double opening, doub
 }
 
 /// Of the step's matrix: what sweeps of velocities have in place of forces.
-double HeldVelocities::impulse_per_force(double dt) const {
+double ConstrainedVelocities::impulse_per_force(double dt) const {
   return trial_.scheme.mass_factor(dt) * dt;
 }
 
-double HeldVelocities::opening_slope(const IslandEquations& s, std::size_t action) const {
+double ConstrainedVelocities::opening_slope(const IslandEquations& s, std::size_t action) const {
   if (action >= s.island.contacts.size()) return 0;
   const int k = s.island.contacts[action];
   return -formulation_->progress().dilation_slope(state_.contacts[at(k)], formulation_->progress().contact(k));
 }
 
 /// Where velocities become the step's mean, what a moving base has beyond its own.
-Eigen::Vector2d HeldVelocities::led_rate(const IslandEquations& s, std::size_t action, double dt) const {
+Eigen::Vector2d ConstrainedVelocities::led_rate(const IslandEquations& s, std::size_t action, double dt) const {
   const std::size_t contacts = s.island.contacts.size();
   if (action < contacts) return Eigen::Vector2d::Zero();
   const BaseMotion& base = model_.base;

@@ -17,10 +17,10 @@ struct FoundContacts {
   std::vector<char> inherited;  ///< has it the memory of a contact of the step before?
 };
 
-class CornerMeetings {
+class CandidateFilter {
  public:
-  CornerMeetings(const CurrentOutlines& outlines, const JointOpenings& openings, PassingCorners& passing,
-                 FoundContacts& found)
+  CandidateFilter(const CurrentOutlines& outlines, const JointOpenings& openings, PassingCorners& passing,
+                  FoundContacts& found)
       : outlines_(outlines), openings_(openings), passing_(passing), found_(found) {}
 
   /// Corners that have passed each other slightly behind the line of their faces keep that offset: closed at once, they

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/contact/corner_meetings.hpp"
+#include "solid/contact/candidate_filter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace blockweir::solid {
 
-void CornerMeetings::drop_edges_seen_from_within() {
+void CandidateFilter::drop_edges_seen_from_within() {
   const auto same_vertex = [](const ContactPoint& a, const ContactPoint& b) {
     return a.vertex_block == b.vertex_block && a.vertex == b.vertex && a.edge_block == b.edge_block;
   };
@@ -30,7 +30,7 @@ void CornerMeetings::drop_edges_seen_from_within() {
 }
 
 /// Is the vertex in the edge's block, or through the edge and out of that again?
-bool CornerMeetings::overlaps_at(const ContactPoint& c) const {
+bool CandidateFilter::overlaps_at(const ContactPoint& c) const {
   const auto& vertices = outlines_.of(c.vertex_block);
   const auto& edges = outlines_.of(c.edge_block);
   return encloses(edges, outlines_.vertex_of(c)) ||
@@ -38,7 +38,7 @@ bool CornerMeetings::overlaps_at(const ContactPoint& c) const {
 }
 
 /// The vertex of the edge's block that the contact's vertex lies at, or -1.
-int CornerMeetings::met_vertex(const ContactPoint& c) const {
+int CandidateFilter::met_vertex(const ContactPoint& c) const {
   const auto& E = outlines_.of(c.edge_block);
   const auto convex = [&](std::size_t w) {  // or straight: a node on a face
     const Point in = (E[w] - E[previous(w, E.size())]).normalized();
@@ -61,7 +61,7 @@ int CornerMeetings::met_vertex(const ContactPoint& c) const {
 
 /// Can two corners pass each other: is the vertex on the outer side of the edge that goes on from this one at a corner?
 /// Then it is in the block of neither, and may leave along both.
-bool CornerMeetings::may_pass(const ContactPoint& c) const {
+bool CandidateFilter::may_pass(const ContactPoint& c) const {
   const auto& E = outlines_.of(c.edge_block);
   const auto e = static_cast<std::size_t>(c.edge);
   const auto goes_on = [&](std::size_t edge, std::size_t corner) {
@@ -75,7 +75,7 @@ bool CornerMeetings::may_pass(const ContactPoint& c) const {
 
 /// Do the vertices of two mirrored contacts bound what two faces have in common, or will have once these have turned
 /// onto each other? Then they are two contacts, its ends, however far the faces still are from each other.
-bool CornerMeetings::bound_overlap(const ContactPoint& a, const ContactPoint& b) const {
+bool CandidateFilter::bound_overlap(const ContactPoint& a, const ContactPoint& b) const {
   const auto along = [this](const ContactPoint& c) {
     return Point(outlines_.edge_of(c).second - outlines_.edge_of(c).first).normalized();
   };
@@ -87,7 +87,7 @@ bool CornerMeetings::bound_overlap(const ContactPoint& a, const ContactPoint& b)
   return over_its_edge(a) && over_its_edge(b) && along(a).dot(along(b)) < -std::cos(parallel_tolerance + closing);
 }
 
-void CornerMeetings::count_from_passing() {
+void CandidateFilter::count_from_passing() {
   for (std::size_t i = 0; i < found_.all.size(); ++i) {
     ContactPoint& c = found_.all[i];
     if (found_.inherited[i] != 0 || c.gap >= -outlines_.coincidence_m() || c.gap <= -outlines_.give_m()) continue;
@@ -98,14 +98,14 @@ void CornerMeetings::count_from_passing() {
 }
 
 /// Is the vertex's block on the outer side of the edge, but for what blocks strain?
-bool CornerMeetings::faces_outside(const ContactPoint& c) const {
+bool CandidateFilter::faces_outside(const ContactPoint& c) const {
   constexpr double strained = 1e-3;  // rad
   const auto [from, to] = outlines_.edge_of(c);
   const Point t = (to - from).normalized();
   return faces(outlines_.of(c.vertex_block), at(c.vertex), Point(t.y(), -t.x()), strained);
 }
 
-void CornerMeetings::keep_one_of_each() {
+void CandidateFilter::keep_one_of_each() {
   std::vector<std::size_t> kept_for(found_.all.size());  // by each: itself, or what it was dropped for
   for (std::size_t i = 0; i < kept_for.size(); ++i) kept_for[i] = i;
   std::vector<std::size_t> mirrored_out;
@@ -164,7 +164,7 @@ void CornerMeetings::keep_one_of_each() {
 
 /// Corners that touch in a point, as those of bricks that slide over others, press only once one has entered. By which
 /// edge is seen then. Faces that share no more than blocks give way by catch on each other no longer than that.
-void CornerMeetings::let_pass(std::vector<std::size_t>& kept_for) {
+void CandidateFilter::let_pass(std::vector<std::size_t>& kept_for) {
   const auto kept = [&](std::size_t i) {
     while (kept_for[i] != i) i = kept_for[i];
     return i;
@@ -183,7 +183,7 @@ void CornerMeetings::let_pass(std::vector<std::size_t>& kept_for) {
 
 /// By itself, whatever else describes its meeting. Faces askew to the way that they pass along lie over each other by
 /// their distance times a cotangent. Behind the edge counts from the edge itself: steps would add up.
-bool CornerMeetings::passes_alone(const ContactPoint& c) const {
+bool CandidateFilter::passes_alone(const ContactPoint& c) const {
   constexpr double steepest = 10;
   const bool open = c.state == ContactState::open && c.length <= std::max(outlines_.give_m(), steepest * c.gap);
   const bool catches = c.length > 0 && c.length <= outlines_.give_m();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solid/block/parts.hpp"
+#include "solid/block/moving_parts.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -21,7 +21,7 @@ std::vector<OutlineSide> whole(int block, std::size_t edges) {
 
 /// Energy of the domain of a side: 1/2 (A1 + A2)/3 e . D e with e = (A1 e1 + A2 e2)/(A1 + A2). Terms in one triangle's
 /// strain alone go to its own stiffness.
-void couple(Parts& parts, int i, int j) {
+void couple(MovingParts& parts, int i, int j) {
   Block& a = parts.blocks[at(i)];
   Block& b = parts.blocks[at(j)];
   const double share = 1 / (3 * (a.area + b.area));
@@ -30,7 +30,7 @@ void couple(Parts& parts, int i, int j) {
   parts.couplings.push_back({i, j, share * a.area * b.area * a.elasticity});
 }
 
-void smooth(Parts& parts, const geometry::Mesh& mesh, int first, const Retardation& retardation) {
+void smooth(MovingParts& parts, const geometry::Mesh& mesh, int first, const Retardation& retardation) {
   std::map<std::pair<int, int>, int> side_of;  // (low node, high node): the triangle that was met first
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     parts.blocks[at(first + t)].stiffness.setZero();
@@ -47,7 +47,7 @@ void smooth(Parts& parts, const geometry::Mesh& mesh, int first, const Retardati
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) parts.blocks[at(first) + t].retardation = retardation;
 }
 
-void add_mesh(Parts& parts, const scene::Block& described, const scene::Material& material, scene::Plane plane,
+void add_mesh(MovingParts& parts, const scene::Block& described, const scene::Material& material, scene::Plane plane,
               int block) {
   const geometry::Mesh mesh = geometry::triangulate(described.vertices, described.mesh_size_m);
   const int first = static_cast<int>(parts.blocks.size());
@@ -69,9 +69,9 @@ void add_mesh(Parts& parts, const scene::Block& described, const scene::Material
 
 }  // namespace
 
-Parts make_parts(const scene::Scene& scene) {
+MovingParts make_moving_parts(const scene::Scene& scene) {
   const auto material = [&](const scene::Block& block) { return scene.materials[at(block.material)]; };
-  Parts parts;
+  MovingParts parts;
   for (const scene::Block& block : scene.blocks) {
     parts.blocks.push_back(make_block(block, material(block), scene.analysis.plane));
   }
@@ -88,7 +88,7 @@ Parts make_parts(const scene::Scene& scene) {
   return parts;
 }
 
-Anchor Parts::anchor(int block, const Point& point) const {
+Anchor MovingParts::anchor(int block, const Point& point) const {
   if (triangles[at(block)].empty()) return {block, point - blocks[at(block)].centroid};
   Anchor nearest;
   double least = std::numeric_limits<double>::infinity();
@@ -107,7 +107,7 @@ Anchor Parts::anchor(int block, const Point& point) const {
   return nearest;
 }
 
-void Parts::split(const Panel& panel, std::vector<Panel>& panels) const {
+void MovingParts::split(const Panel& panel, std::vector<Panel>& panels) const {
   if (triangles[at(panel.block)].empty()) {
     panels.push_back(panel);
     return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds the blocks of an island.
+// The contacts and supports of an island, which hold its blocks.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace blockweir::solid {
 
-/// The contacts and supports of an island: their indices, and all of them.
-struct Held {
+/// Their indices, and the contacts and supports of all islands.
+struct IslandContacts {
   std::span<const int> contact_ids;
   std::vector<ContactPoint>& contacts;
   std::span<const int> support_ids;

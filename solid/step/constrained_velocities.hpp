@@ -9,9 +9,9 @@
 
 namespace blockweir::solid {
 
-class HeldVelocities : StepPart {
+class ConstrainedVelocities : StepPart {
  public:
-  explicit HeldVelocities(StepWorkspace& step) : StepPart(step) {}
+  explicit ConstrainedVelocities(StepWorkspace& step) : StepPart(step) {}
 
   /// Velocities in constrained directions (closed contacts, for sticking ones also tangentially, supports) become
   /// those of the constraint; the change of the velocities is the smallest in the metric of the step's matrix. If that
