@@ -9,6 +9,7 @@
 
 #include "bridge/statics/loads.hpp"
 #include "solid/answers/answer_entries.hpp"
+#include "solid/limit/determinacy.hpp"
 #include "solid/watch/edge_tension.hpp"
 
 namespace blockweir::solid {
@@ -28,6 +29,27 @@ scene::Scene with_cracked_joints(scene::Scene scene, const std::vector<CrackedJo
     }
     joint->law.cohesion_pa *= 1 - c.cracked;
   }
+  return scene;
+}
+
+bool slip_destroys(const scene::JointLaw& law) {
+  return law.cohesion_pa > 0 && !law.keeps_cohesion;
+}
+
+bool any_bond_may_go(const scene::Scene& scene) {
+  return slip_destroys(scene.default_joint) || std::any_of(scene.joints.begin(), scene.joints.end(),
+                                                           [](const auto& joint) { return slip_destroys(joint.law); });
+}
+
+/// What stays once all such bonds are lost.
+scene::Scene without_bonds(scene::Scene scene) {
+  const auto lose = [](scene::JointLaw& law) {
+    if (!slip_destroys(law)) return;
+    law.cohesion_pa = law.tension_strength_pa = 0;
+    law.friction_angle_deg = law.residual_friction_angle_deg;
+  };
+  lose(scene.default_joint);
+  for (scene::Joint& joint : scene.joints) lose(joint.law);
   return scene;
 }
 
@@ -93,6 +115,25 @@ void add_rigid_blocks(const limit::LimitAnalysis& structure, Situation& now, con
       "against each other, by Poisson's ratio for one, which equilibrium does not ask for; the lower counts",
       factor);
   answer["with_rigid_blocks"] = {{"factor", factor}, {"text", text}};
+  answer["warnings"].push_back(text);
+}
+
+void add_brittle_bonds(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
+                       const limit::Wrenches& loads, nlohmann::json& answer) {
+  constexpr double share = 0.95;
+  if (found.bearing != Bearing::fails_at_a_factor || !any_bond_may_go(now.scene)) return;
+  if (limit::each_joint_divides(now.scene, structure.faces())) return;
+  const auto without =
+      attempt([&] { return limit::limit_strength(limit::LimitAnalysis(without_bonds(now.scene)), loads); });
+  if (!without.value || without.value->bearing == Bearing::bears_any) return;
+  const double factor = without.value->bearing == Bearing::bears_none ? 0 : without.value->factor;
+  if (factor > share * found.factor) return;
+  const std::string text = fmt::format(
+      "bonds of joints break one after the other, and equilibrium does not say which is the first: the blocks' "
+      "factor of {:.4g} may change with the order in which they are listed; without bonds it is {:.4g}, by limit "
+      "analysis. `keeps_cohesion = true` states bonds that slip does not destroy",
+      found.factor, factor);
+  answer["without_bonds"] = {{"factor", factor}, {"text", text}};
   answer["warnings"].push_back(text);
 }
 

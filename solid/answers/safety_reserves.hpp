@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a factor on strength does not show: closeness to overturning, anchors that are activated only by motion, bonds
-// that hold although the joint is in tension, and what strain alone holds.
+// that hold although the joint is in tension or break one after the other, and what strain alone holds.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -27,6 +27,12 @@ void add_stretch_of_anchors(Situation& now, const StaticStrength& found, nlohman
 /// warning with that text if the same blocks without strain fail with a strength that is larger by a twentieth.
 void add_rigid_blocks(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
                       std::optional<double> jumps_below, nlohmann::json& answer);
+
+/// Where joints close loops and slip destroys their bonds, the one that breaks first decides.
+/// Adds "without_bonds" {"factor", "text"}, by limit analysis with residual friction alone, and a warning with that
+/// text if the blocks' factor is larger by a twentieth.
+void add_brittle_bonds(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
+                       const limit::Wrenches& loads, nlohmann::json& answer);
 
 /// Warns of joints in tension that their bond holds. If their cohesion counts, adds "with_cracked_joint": the factor by
 /// limit analysis with cohesion on the compressed part of such joints only.
