@@ -73,10 +73,10 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
     vertices_on_edges(b, a);
   }
   inherit(placements, contacts);
-  CandidateFilter meetings(outlines_, openings_, passing_, found_);
-  meetings.count_from_passing();
-  meetings.drop_edges_seen_from_within();
-  meetings.keep_one_of_each();
+  CandidateFilter filter(outlines_, openings_, passing_, found_);
+  filter.count_from_passing();
+  filter.drop_edges_seen_from_within();
+  filter.keep_one_of_each();
   passing_.end_search();
   contacts.swap(found_.all);
 }
