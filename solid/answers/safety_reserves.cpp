@@ -130,7 +130,7 @@ void add_brittle_bonds(const limit::LimitAnalysis& structure, Situation& now, co
   if (factor > share * found.factor) return;
   const std::string text = fmt::format(
       "bonds of joints break one after the other, and equilibrium does not say which is the first: the blocks' "
-      "factor of {:.4g} may change with the order in which they are listed; without bonds it is {:.4g}, by limit "
+      "factor of {:.4g} may change by much where the scene changes by little; without bonds it is {:.4g}, by limit "
       "analysis. `keeps_cohesion = true` states bonds that slip does not destroy",
       found.factor, factor);
   answer["without_bonds"] = {{"factor", factor}, {"text", text}};
