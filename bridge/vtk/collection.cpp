@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <future>
+
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/shared_library.hpp"
 #include "bridge/vtk/xml.hpp"
@@ -11,11 +13,18 @@ namespace blockweir::vtk {
 
 namespace {
 
-/// Opened with the first frame: a process that writes none does without VTK.
+/// Opening VTK takes longer than many a window: the first call begins it beside other work. A process without
+/// collections does without VTK.
+const std::shared_future<XmlFunction*>& writer() {
+  static const auto opened = std::async(std::launch::async, [] {
+                               return reinterpret_cast<XmlFunction*>(results::symbol_of(xml_library, xml_function));
+                             }).share();
+  return opened;
+}
+
 std::string xml_of(const Grid& grid, const std::string& path) {
-  static const auto write = reinterpret_cast<XmlFunction*>(results::symbol_of(xml_library, xml_function));
   std::string text;
-  if (!write(grid, text)) results::cannot_write(path);
+  if (!writer().get()(grid, text)) results::cannot_write(path);
   return text;
 }
 
@@ -26,6 +35,7 @@ Collection::Collection(std::filesystem::path folder, const std::string& name)
       list_(folder_ / name, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n",
             "  </Collection>\n</VTKFile>\n") {
   std::filesystem::create_directories(folder_ / "frames");
+  writer();
 }
 
 void Collection::add(const Grid& grid, const std::string& file, double time_s, const char* part, int part_number) {
