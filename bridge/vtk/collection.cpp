@@ -3,44 +3,25 @@
 
 #include <fmt/format.h>
 
-#include <future>
-
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/shared_library.hpp"
-#include "bridge/vtk/xml.hpp"
 
 namespace blockweir::vtk {
-
-namespace {
-
-/// Opening VTK takes longer than many a window: the first call begins it beside other work. A process without
-/// collections does without VTK.
-const std::shared_future<XmlFunction*>& writer() {
-  static const auto opened = std::async(std::launch::async, [] {
-                               return reinterpret_cast<XmlFunction*>(results::symbol_of(xml_library, xml_function));
-                             }).share();
-  return opened;
-}
-
-std::string xml_of(const Grid& grid, const std::string& path) {
-  std::string text;
-  if (!writer().get()(grid, text)) results::cannot_write(path);
-  return text;
-}
-
-}  // namespace
 
 Collection::Collection(std::filesystem::path folder, const std::string& name)
     : folder_(std::move(folder)),
       list_(folder_ / name, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n",
-            "  </Collection>\n</VTKFile>\n") {
+            "  </Collection>\n</VTKFile>\n"),
+      xml_(std::async(std::launch::async,
+                      [] { return reinterpret_cast<XmlFunction*>(results::symbol_of(xml_library, xml_function)); })) {
   std::filesystem::create_directories(folder_ / "frames");
-  writer();
 }
 
 void Collection::add(const Grid& grid, const std::string& file, double time_s, const char* part, int part_number) {
   const std::string path = (folder_ / "frames" / file).string();
-  results::write_file(path, xml_of(grid, path));
+  std::string text;
+  if (!xml_.get()(grid, text)) results::cannot_write(path);
+  results::write_file(path, text);
   repeat(file, time_s, part, part_number);
 }
 

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <string>
 
 #include "bridge/results/closed_file.hpp"
 #include "bridge/vtk/grid.hpp"
+#include "bridge/vtk/xml.hpp"
 
 namespace blockweir::vtk {
 
@@ -32,6 +34,8 @@ class Collection {
   std::filesystem::path folder_;
   std::string entries_;
   results::ClosedFile list_;
+  /// Opening VTK takes longer than many a window: it is done beside other work, and is over before the program ends.
+  std::shared_future<XmlFunction*> xml_;
 };
 
 }  // namespace blockweir::vtk
