@@ -11,9 +11,13 @@ namespace blockweir::solid {
 
 bool SweepRows::begin(IslandEquations& s) {
   const bool as_one = s.moves_as_one();
-  if (as_one) {
+  const bool stands = !by_unit_force_.empty() && !s.unknowns->shared();  // what turns in a step is the matrix of a mesh
+  if (as_one && stands) {
+    s.correction = s.system().solve_again(s.residual);
+  } else if (as_one) {
     s.set_block_matrices();
     if (!s.solve(/*symmetric=*/true)) return false;
+    by_unit_force_.assign(at(s.unknowns->total), {});
   } else {
     s.compliance.resize(s.island.blocks.size());
     for_each(s.island.blocks.size(), [&](std::size_t k) {
@@ -61,12 +65,15 @@ void SweepRows::add(IslandEquations& s, const Ruled& ruled, const Interaction& a
 /// Unknowns of all the blocks that move with this one.
 void SweepRows::add_end_of_all(IslandEquations& s, bool second, int k, const Matrix26& shape) {
   Eigen::Matrix2Xd motions = Eigen::Matrix2Xd::Zero(2, s.unknowns->total);
-  Eigen::MatrixX2d responses(s.unknowns->total, 2);
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    Eigen::VectorXd pull = Eigen::VectorXd::Zero(s.unknowns->total);
-    s.unknowns->add(k, shape.row(axis).transpose(), pull);
-    motions.row(axis) = pull.transpose();
-    responses.col(axis) = s.system().solve_again(pull);
+  Eigen::MatrixX2d responses = Eigen::MatrixX2d::Zero(s.unknowns->total, 2);
+  Matrix26 own;  // by the block's own unknowns
+  for (const Eigen::Index axis : {0, 1}) own.row(axis) = s.unknowns->mapped(k, shape.row(axis).transpose()).transpose();
+  Eigen::Index i = 0;
+  for (const int unknown : s.unknowns->of(k)) {
+    const Eigen::Vector2d by_unknown = own.col(i++);
+    if (by_unknown.isZero(0)) continue;
+    motions.col(unknown) = by_unknown;
+    responses.noalias() += by_unit_force(s, unknown) * by_unknown.transpose();
   }
   Eigen::Index first = 0;
   Eigen::Index last = s.unknowns->total - 1;
@@ -74,6 +81,13 @@ void SweepRows::add_end_of_all(IslandEquations& s, bool second, int k, const Mat
   while (last > first && responses.row(last).isZero(0)) --last;
   const Eigen::Index count = last - first + 1;
   s.sweeps.add_end(second, first, motions.middleCols(first, count), responses.middleRows(first, count));
+}
+
+/// Displacements of all that moves as one by a unit force on one unknown: many contacts pull at the same.
+const Eigen::VectorXd& SweepRows::by_unit_force(IslandEquations& s, int unknown) {
+  Eigen::VectorXd& moved = by_unit_force_[at(unknown)];
+  if (moved.size() == 0) moved = s.system().solve_again(Eigen::VectorXd::Unit(s.unknowns->total, unknown));
+  return moved;
 }
 
 }  // namespace blockweir::solid

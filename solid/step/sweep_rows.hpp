@@ -11,12 +11,15 @@ class SweepRows : StepPart {
   explicit SweepRows(StepWorkspace& step) : StepPart(step) {}
 
   /// No rows yet; displacements are those by the island's residual, each block by itself. False where a mesh has no
-  /// solution.
+  /// solution. Again in the same step, only the residual may be another.
   bool begin(IslandEquations& island);
   void add(IslandEquations& island, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force);
 
  private:
   void add_end_of_all(IslandEquations& island, bool second, int block, const Matrix26& shape);
+  const Eigen::VectorXd& by_unit_force(IslandEquations& island, int unknown);
+
+  std::vector<Eigen::VectorXd> by_unit_force_;  ///< of unknowns that move others, those asked for
 };
 
 }  // namespace blockweir::solid

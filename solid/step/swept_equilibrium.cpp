@@ -11,7 +11,6 @@
 #include "solid/contact/bonds.hpp"
 #include "solid/step/equilibrium.hpp"
 #include "solid/step/restore_unless.hpp"
-#include "solid/step/sweep_rows.hpp"
 #include "solid/step/temporarily.hpp"
 
 namespace blockweir::solid {
@@ -43,8 +42,9 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   constexpr int most_rounds = 20;  // bonds break a few at a time
   double left_m = 0;
   bool broken = false;
+  SweepRows rows(step_);
   for (int round = 1;; ++round) {
-    if (!linearize(s, round == 1)) return Found::nothing;
+    if (!linearize(s, rows, round == 1)) return Found::nothing;
     const double visits = most_visits / static_cast<double>(s.sweeps.rows().size());
     const double most =
         begins && trial_.first_force.empty() ? most_at_first : std::clamp(visits, least_sweeps, most_sweeps);
@@ -123,11 +123,10 @@ void SweptEquilibrium::start_again(const IslandEquations& s) {
 }
 
 /// Gaps and slips about the trial, and what forces do to them.
-bool SweptEquilibrium::linearize(IslandEquations& s, bool first_round) {
+bool SweptEquilibrium::linearize(IslandEquations& s, SweepRows& rows, bool first_round) {
   const Stopwatch watch(profile_.assembly);
   s.balance_alone();
   s.find_residual({});
-  SweepRows rows(step_);
   if (!rows.begin(s)) return false;
   const Trial now = trial_.now();
   for (const int k : s.island.contacts) {

@@ -5,6 +5,7 @@
 
 #include "solid/step/island_equations.hpp"
 #include "solid/step/step_mode.hpp"
+#include "solid/step/sweep_rows.hpp"
 
 namespace blockweir::solid {
 
@@ -20,7 +21,7 @@ class SweptEquilibrium : StepPart {
   double sweep(IslandEquations& island, int most, double enough_m);
   bool finish(IslandEquations& island, const StepMode& mode);
   void start_again(const IslandEquations& island);
-  bool linearize(IslandEquations& island, bool first_round);
+  bool linearize(IslandEquations& island, SweepRows& rows, bool first_round);
   void take_forces(IslandEquations& island);
 };
 
