@@ -49,7 +49,8 @@ std::vector<WetFace> faces_that(Looks looks, const scene::Scene& scene, const st
     const Point span = outline[(at(wet.edge) + 1) % outline.size()] - a;
     const double down = looks == Looks::upstream ? -span.y() : span.y();
     if (down <= 1e-9 * span.norm()) continue;
-    faces.push_back({&wet, a + wet.s_from * span, a + wet.s_to * span, down / span.norm()});
+    const WetFace face{&wet, a + wet.s_from * span, a + wet.s_to * span, down / span.norm()};
+    if (face.bottom() < face.top()) faces.push_back(face);
   }
   return faces;
 }
@@ -63,13 +64,15 @@ void add_ice(const std::vector<WetFace>& faces, const scene::Ice& ice, double le
   }
 }
 
-/// Linear pressures with the force and the moment of factor sqrt(z) between the depths.
+/// Linear pressures with the force and the moment of factor sqrt(z) between the depths a^2 and b^2: their integrals
+/// over (b - a)(b + a) and its square, divided out, as a face may be as thin as a rounding.
 std::pair<double, double> of_same_force_and_moment(double factor, double z_from, double z_to) {
-  const double dz = z_to - z_from;
-  const double root = 2.0 / 3 * (std::pow(z_to, 1.5) - std::pow(z_from, 1.5));
-  const double moment = 2.0 / 5 * (std::pow(z_to, 2.5) - std::pow(z_from, 2.5)) - z_from * root;
-  const double mean = factor * root / dz;
-  const double lever = factor * moment / (dz * dz);
+  const double a = std::sqrt(z_from);
+  const double b = std::sqrt(z_to);
+  if (a + b == 0) return {0, 0};
+  const double mean = factor * 2 / 3 * (a * a + a * b + b * b) / (a + b);
+  const double lever =
+      factor * 2 / 15 * (3 * b * b * b + 6 * a * b * b + 4 * a * a * b + 2 * a * a * a) / ((a + b) * (a + b));
   return {4 * mean - 6 * lever, 6 * lever - 2 * mean};
 }
 

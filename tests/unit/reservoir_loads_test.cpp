@@ -88,6 +88,40 @@ TEST(ReservoirLoads, NoPanelEndsBeyondItsEdgeAtAnyLevel) {
   }
 }
 
+/// The heel of a slab below a dam that has moved by a hair, wet over less than a rounding of its height.
+TEST(ReservoirLoads, AFaceThatHardlyLooksUpstreamHasAFinitePressure) {
+  std::string text = dam(0, R"([[block]]
+name = "slab"
+material = "m"
+vertices_m = [[0, -4], [42, -4], [42, 0], [0, 0]]
+[water]
+upstream_level_m = 13.7
+[earthquake]
+horizontal_coefficient = 0.1
+)");
+  const std::string level_rock = "[60, 0], ";
+  text.insert(text.find(level_rock) + level_rock.size(), "[42, 0], [42, -4], [0, -4], [0, 0], ");
+  const auto scene = read_text(text, "s.toml");
+  hydrostatic::HydrostaticModel water(scene.scene);
+  wire::Motion moved;
+  moved.displacement.assign(3, {});
+  moved.velocity.assign(3, {});
+  for (double turn = 1e-10; turn < 1e-4; turn *= 1.7) {
+    for (double hair_m = 1e-10; hair_m < 1e-2; hair_m *= 3.1) {
+      moved.displacement.own()[1] = {hair_m, -21 * turn, 0, 0, 0, 0};
+      moved.displacement.own()[2] = {0, 0, turn, 0, 0, 0};
+      wire::Load load;
+      water.advance(moved, 0, load);
+      for (std::size_t i = 0; i < load.block.size(); ++i) {
+        ASSERT_TRUE(std::isfinite(load.pressure_from_pa[i])) << turn << ' ' << hair_m;
+        ASSERT_TRUE(std::isfinite(load.pressure_to_pa[i])) << turn << ' ' << hair_m;
+        ASSERT_GE(load.s_from[i], 0) << turn << ' ' << hair_m;
+        ASSERT_LE(load.s_to[i], 1) << turn << ' ' << hair_m;
+      }
+    }
+  }
+}
+
 TEST(ReservoirLoads, WestergaardsPressureHasHisForceAndMoment) {
   const double weight = 9810;
   const double h = 16;
