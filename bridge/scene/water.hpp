@@ -56,6 +56,10 @@ struct Water {
   AddedWater added_water = AddedWater::westergaard;
   ShakenUplift uplift_in_shaking = ShakenUplift::held;
   bool skip_unchanged = true;  ///< still water keeps its pressures while no level and no block has moved
+
+  /// Whether a pseudo-static earthquake adds to the water's pressure.
+  [[nodiscard]] bool is_shaken() const { return earthquake_coefficient != 0 || earthquake_vertical_coefficient != 0; }
+  void leave_out_earthquake() { earthquake_coefficient = earthquake_vertical_coefficient = 0; }
   bool operator==(const Water&) const = default;
 };
 

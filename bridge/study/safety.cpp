@@ -48,7 +48,7 @@ std::vector<std::string> constant_loads(const scene::Scene& scene) {
   if (!scene.bolts.empty()) all.emplace_back("bolts");
   if (scene.fluid != scene::FluidModel::none) all.emplace_back("water");
   if (scene.water.ice) all.emplace_back("ice");
-  if (scene.water.earthquake_coefficient != 0) all.emplace_back("the earthquake's added water");
+  if (scene.water.is_shaken()) all.emplace_back("the earthquake's added water");
   return all;
 }
 

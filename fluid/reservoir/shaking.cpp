@@ -4,7 +4,7 @@
 namespace blockweir::reservoir {
 
 bool Shaking::is_steady() const {
-  return scene_.water.earthquake_coefficient != 0 && scene_.water.added_water == scene::AddedWater::reservoir;
+  return scene_.water.is_shaken() && scene_.water.added_water == scene::AddedWater::reservoir;
 }
 
 Point Shaking::steady_acceleration() const {

@@ -22,7 +22,7 @@ std::string added_water_name(const scene::Scene& scene) {
 std::vector<WaterPart> additional_water_loads(const scene::Scene& scene, const process::FluidMaker& make_fluid,
                                               double level_m) {
   std::vector<WaterPart> parts;
-  if (!scene.water.ice && scene.water.earthquake_coefficient == 0) return parts;
+  if (!scene.water.ice && !scene.water.is_shaken()) return parts;
   const statics::Wrenches all = open_water(scene, make_fluid, level_m);
   const auto add = [&](const std::string& name, const scene::Scene& without) {
     parts.push_back({name, statics::combined(all, -1, open_water(without, make_fluid, level_m))});
@@ -31,8 +31,8 @@ std::vector<WaterPart> additional_water_loads(const scene::Scene& scene, const p
   without.water.ice.reset();
   if (scene.water.ice) add("ice", without);
   without = scene;
-  without.water.earthquake_coefficient = 0;
-  if (scene.water.earthquake_coefficient != 0) add(added_water_name(scene), without);
+  without.water.leave_out_earthquake();
+  if (scene.water.is_shaken()) add(added_water_name(scene), without);
   return parts;
 }
 

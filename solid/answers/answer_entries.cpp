@@ -52,7 +52,7 @@ bool yields_above_prestress(const scene::Scene& scene) {
 }
 
 void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answer) {
-  if (scene.water.earthquake_coefficient != 0) {
+  if (scene.water.is_shaken()) {
     answer["added_water_pressure"] = scene::name_of(scene.water.added_water);
   }
 }

@@ -35,9 +35,8 @@ json water_by_kind(const scene::Scene& scene, const process::FluidMaker& make_fl
   StillWater water(scene, make_fluid);
   const wire::Load& load = water.at(level_m);
   scene::Scene without = scene;  // ice and then the earthquake's water are added behind the pressures at rest
-  without.water.earthquake_coefficient = 0;
-  const std::size_t with_ice =
-      scene.water.earthquake_coefficient == 0 ? load.cracks_from : open_panels(without, make_fluid, level_m);
+  without.water.leave_out_earthquake();
+  const std::size_t with_ice = scene.water.is_shaken() ? open_panels(without, make_fluid, level_m) : load.cracks_from;
   without.water.ice.reset();
   const std::size_t at_rest = scene.water.ice ? open_panels(without, make_fluid, level_m) : with_ice;
   json kinds = json::array();

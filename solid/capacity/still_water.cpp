@@ -38,7 +38,7 @@ scene::Scene filled(scene::Scene scene, const limit::LevelRange& range) {
   if (scene.fluid == scene::FluidModel::none && water.nodal_rule == scene::NodalRule::consistent) {
     water.elements_per_face = 1;
   }
-  const bool answers = water.earthquake_coefficient != 0 && water.added_water == scene::AddedWater::reservoir;
+  const bool answers = water.is_shaken() && water.added_water == scene::AddedWater::reservoir;
   scene.fluid = answers ? scene::FluidModel::reservoir : scene::FluidModel::hydrostatic;
   if (water.downstream_level_m) {
     water.downstream_level_m = scene::TimeTable::constant(water.downstream_level_m->at(scene.analysis.duration_s));

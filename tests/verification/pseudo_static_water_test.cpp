@@ -23,7 +23,7 @@ nlohmann::json safety_of(double height_m, double width_m, double level_m, double
 material.m = {{ youngs_modulus_pa = 25e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }}
 joint = {{ friction_angle_deg = 40 }}
 water = {{ upstream_level_m = {} }}
-earthquake = {{ horizontal_coefficient = {} }}
+earthquake.horizontal_coefficient = {}
 {}
 [[block]]
 name = "rock"
@@ -61,6 +61,18 @@ TEST(PseudoStaticWater, TheFactorOnStrengthHasTheForceOfLinearWater) {
     EXPECT_EQ(formula["added_water_pressure"], "Westergaard");
     const double by_formula = strength / (still + k * weight + k * 9810 * 7 / 12 * level * level);
     EXPECT_NEAR(formula["limit_analysis_factor"].get<double>() / by_formula, 1, 1e-6) << i;
+  }
+}
+
+/// Water on ground that goes up weighs as much more as the dam does, whether the ground also goes to one side or not.
+TEST(PseudoStaticWater, AVerticalEarthquakeAlonePressesByWaterToo) {
+  for (const double k_v : {-0.3, -0.1, 0.2}) {
+    const auto vertical = fmt::format("fluid = {{ model = \"reservoir\" }}\nearthquake.vertical_coefficient = {}", k_v);
+    const auto answer = safety_of(12, 20, 11, 0, vertical.c_str());
+    EXPECT_EQ(answer["added_water_pressure"], "finite elements");
+    const double factor = 2400 * 12 * 20 * std::tan(40 * std::acos(-1.0) / 180) / (1000.0 * 11 * 11 / 2);
+    EXPECT_NEAR(answer["limit_analysis_factor"].get<double>() / factor, 1, 1e-4) << k_v;
+    EXPECT_NEAR(answer["factor"].get<double>() / factor, 1, 1e-4) << k_v;
   }
 }
 
