@@ -92,7 +92,7 @@ void each_table(const toml::table& file, std::string section,
   }
 }
 
-/// What no calculation with doubles bears, or no matter has.
+/// What no calculation with doubles bears, or no matter has. Numbers without a unit have ranges of their own.
 struct Bounds {
   double least;
   double most;
@@ -100,9 +100,9 @@ struct Bounds {
 
 Bounds bounds_of(const Magnitude& row) {
   constexpr double beyond = 1e6;  // the usual
-  const std::string key = row.key;
-  const bool has_to_be_there = key.starts_with("density") || key.starts_with("youngs_modulus");
-  return {has_to_be_there ? row.least / beyond : 0, beyond * (row.may_glue ? most_of_glue : row.most)};
+  if (*row.unit == '\0') return {0, std::numeric_limits<double>::infinity()};
+  const bool is_of_matter = std::string(row.section) == "material.*" || std::string(row.key).starts_with("density");
+  return {is_of_matter ? row.least / beyond : 0, beyond * (row.may_glue ? most_of_glue : row.most)};
 }
 
 void check_row(const Magnitude& row, double least, const toml::table& file, Problems& problems) {
@@ -115,6 +115,7 @@ void check_row(const Magnitude& row, double least, const toml::table& file, Prob
       const double size = std::abs(value.value_or(0));  // a tilt may be to either side
       const bool glues = row.may_glue && size >= 5e8 && size <= most_of_glue;
       if (size == 0 || glues || (size >= least && size <= row.most)) return;
+      if (std::isinf(size)) return;  // an error already
       if (size < bounds.least || size > bounds.most) {
         return problems.error(problems.at(node->source()),
                               fmt::format("{} in {} is {:.6g}{}", row.key, name, *value, unit),
