@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "bridge/picture/gnuplot_program.hpp"
+#include "bridge/picture/stop_message.hpp"
 #include "bridge/results/result_file.hpp"
 
 namespace blockweir::picture {
@@ -71,6 +72,7 @@ void draw(const std::vector<Picture>& pictures, bool show_progress) {
     }
   }
   program.end();
+  const TooLateToStop some_are_in_place;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const std::string& file = pictures[i].file.string();
     const std::string picture = drawn[i].text();

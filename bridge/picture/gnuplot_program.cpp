@@ -30,6 +30,7 @@ constexpr int no_program = 127;
                                  pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(no_program);  // gone before we said so
+  ::setpgid(0, 0);                                 // Ctrl-C reaches us alone
   for (const MemoryFile& output : outputs) ::fcntl(output.number(), F_SETFD, 0);
   ::fcntl(script.number(), F_SETFD, 0);
   ::dup2(::open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);

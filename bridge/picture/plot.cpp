@@ -11,10 +11,13 @@
 #include "bridge/picture/plot_series.hpp"
 #include "bridge/picture/plot_snapshots.hpp"
 #include "bridge/picture/plot_spectrum.hpp"
+#include "bridge/picture/stop_message.hpp"
 
 namespace blockweir::picture {
 
 void plot(const PlotOptions& options) {
+  const StopMessage stopped("blockweir: stopped on request while it drew " + options.run.string() +
+                            "; no picture was changed; the same command draws them anew");
   std::ifstream stream(options.run / "summary.json");
   auto summary = stream ? nlohmann::json::parse(stream, nullptr, /*allow_exceptions=*/false) : nlohmann::json::object();
   if (!summary.is_object()) summary = nlohmann::json::object();

@@ -43,12 +43,19 @@ std::string water_in(const scene::JointLaw& law) {
   return text;
 }
 
+/// The part of a joint that has cohesion or tension strength, in words where it has no length.
+json bonded_part(const scene::JointLaw& law) {
+  if (!law.is_bonded()) return "none";
+  return law.bonded_length_m ? json(*law.bonded_length_m) : json("all");
+}
+
 json law(const std::string& name, const scene::JointLaw& law) {
   return {{"name", name},
           {"friction", law.friction_angle_deg},
           {"residual", law.residual_friction_angle_deg},
           {"cohesion", law.cohesion_pa},
           {"tension", law.tension_strength_pa},
+          {"bonded", bonded_part(law)},
           {"uplift", water_in(law)}};
 }
 

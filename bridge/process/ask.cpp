@@ -26,19 +26,21 @@ class Echo {
   Echo(fs::path log, bool quiet) : log_(std::move(log)), quiet_(quiet) {}
 
   void print_new_lines() {
-    if (quiet_) return;
     if (!stream_.is_open()) stream_.open(log_);
     for (std::string line; std::getline(stream_, line);) {
-      if (line.ends_with("linear systems solved") || line.starts_with("limit analysis: "))
-        fmt::print(stderr, "{}", results::for_stderr(line + "\n"));
+      if (!line.ends_with("linear systems solved") && !line.starts_with("limit analysis: ")) continue;
+      if (!quiet_) fmt::print(stderr, "{}", results::for_stderr(line + "\n"));
+      last_ = std::move(line);
     }
     stream_.clear();  // more may come
   }
+  [[nodiscard]] const std::string& last() const { return last_; }
 
  private:
   fs::path log_;
   bool quiet_;
   std::ifstream stream_;
+  std::string last_;
 };
 
 /// Has blockweir-limit answer into `folder`, which holds nothing of an earlier answer then.
@@ -58,7 +60,7 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
     echo.print_new_lines();
     return true;
   });
-  if (supervised.asked_to_stop) throw Stopped();
+  if (supervised.asked_to_stop) throw Stopped(echo.last());
   const std::string trouble = failure_cause(supervised, folder);
   const int status = supervised.ends.front().exit_code;
   if (!trouble.empty() && status == 2) throw std::invalid_argument(trouble);

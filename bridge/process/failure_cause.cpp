@@ -31,8 +31,10 @@ std::string text_without_memory(const ChildEnd& end) {
       end.last_line);
 }
 
+/// Whether it only tells of the other process, which has said the same or more itself.
 bool is_echo(const ChildEnd& end) {
-  return end.last_line.find("see its own message for the cause") != std::string::npos;
+  const auto has = [&](const char* words) { return end.last_line.find(words) != std::string::npos; };
+  return has("see its own message for the cause") || has(" process stopped in window ");
 }
 
 /// Whether `end` says more about the failure than the present cause.

@@ -13,6 +13,7 @@
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/shell_word.hpp"
 #include "bridge/scene/fluid_models.hpp"
+#include "bridge/scene/read/differences.hpp"
 #include "bridge/scene/read/digest.hpp"
 
 namespace blockweir::process {
@@ -23,9 +24,9 @@ using nlohmann::json;
 namespace {
 
 /// Of the scene that a run in this folder had.
-std::string digest_of(const fs::path& folder) {
+std::string scene_text_of(const fs::path& folder) {
   std::ifstream stream(scene_of(folder), std::ios::binary);
-  return scene::digest(std::string{std::istreambuf_iterator<char>(stream), {}});
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 bool can_be_resumed(const fs::path& folder) {
@@ -68,19 +69,18 @@ bool ends_there_again(const fs::path& folder) {
   return summary_of(folder).value("ends_here_again", false);
 }
 
-void refuse_to_lose(const fs::path& folder, const scene::Scene& scene) {
+void refuse_to_lose(const fs::path& folder, const scene::Scene& scene, const std::vector<std::string>& overrides) {
   if (!is_run(folder)) return;
-  const std::string digest = digest_of(folder);
+  const std::string before = scene_text_of(folder);
   const bool resumable = can_be_resumed(folder);
-  const bool of_another = digest != scene.digest;
+  const bool of_another = scene::digest(before) != scene.digest;
   if (!resumable && !(of_another && has_results(folder))) return;
   const std::string word = results::shell_word(folder.string());
   throw std::invalid_argument(fmt::format(
       "{}: found a run of {}{}; expected a new folder, or that of a complete run of this scene; choose another folder, "
       "or remove that run (rm -r {})",
       folder.string(),
-      of_another ? fmt::format("another scene, of digest {} where this one has {}", digest, scene.digest)
-                 : "this scene",
+      of_another ? "another scene: " + scene::differences_text(before, scene.text, overrides) : "this scene",
       resumable ? fmt::format(", which was stopped and goes on with \"blockweir resume {}\"", word) : "", word));
 }
 

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "bridge/scene/scene.hpp"
 
@@ -19,8 +21,10 @@ namespace blockweir::process {
 [[nodiscard]] bool is_anothers(const std::filesystem::path& folder);
 
 /// Throws std::invalid_argument if `folder` holds results that a run of `scene` there would lose: those of another
-/// scene, or of a run that can be resumed.
-void refuse_to_lose(const std::filesystem::path& folder, const scene::Scene& scene);
+/// scene, or of a run that can be resumed. The message tells keys that differ, and which of them `overrides` (--set)
+/// state.
+void refuse_to_lose(const std::filesystem::path& folder, const scene::Scene& scene,
+                    const std::vector<std::string>& overrides);
 
 /// Whether the solid of that run failed in a way that a resumed run would repeat.
 [[nodiscard]] bool ends_there_again(const std::filesystem::path& folder);

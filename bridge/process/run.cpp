@@ -217,7 +217,7 @@ RunResult run(const RunOptions& options) {
   require_path_of_openfoam(read.scene, folder);
   results::make_folder(folder);
   const results::FolderLock lock(folder);
-  if (options.keeps_others) refuse_to_lose(folder, read.scene);
+  if (options.keeps_others) refuse_to_lose(folder, read.scene, options.overrides);
   forget_previous_run(folder, read.scene);
   results::replace_file(scene_of(folder), read.scene.text);
   RunResult result = go(read.scene, folder, 0, options);

@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/results/figure.hpp"
 #include "bridge/study/open_study.hpp"
 
 namespace blockweir::study {
@@ -17,7 +18,7 @@ using scene::CriticalValue;
 struct Bracket {
   double low;
   double high;
-  [[nodiscard]] double middle() const { return (low + high) / 2; }
+  [[nodiscard]] double middle() const { return results::without_rounding_error((low + high) / 2); }
   [[nodiscard]] double width() const { return std::abs(high - low) / std::max(std::abs(low), std::abs(high)); }
 };
 

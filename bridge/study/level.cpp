@@ -56,14 +56,15 @@ std::string blocks_text(const json& found) {
   return joint.empty() ? text : text + fmt::format(" on joint \"{}\"", joint);
 }
 
-std::string limit_text(const json& found) {
+/// `reason`: why it differs from the blocks; a note that says the same is left out.
+std::string limit_text(const json& found, const std::string& reason) {
   std::string text = level_text(found);
   if (found.contains("load_factor")) {
     text += fmt::format("\n        it bears {:.6g} times the reservoir's forces at the highest",
                         found["load_factor"].get<double>());
   }
-  if (found.contains("limit_analysis_note")) {
-    text += "\n        " + found["limit_analysis_note"].get<std::string>();
+  if (const std::string note = found.value("limit_analysis_note", ""); reason.find(note) == std::string::npos) {
+    text += "\n        " + note;
   }
   if (found.contains("mechanism")) text += "\n        " + found["mechanism"]["text"].get<std::string>();
   if (found.contains("gap")) {
@@ -87,7 +88,7 @@ std::string difference_text(const json& difference) {
 std::string level_report(const json& answer) {
   std::string text = fmt::format("BLOCKS  {}\n", blocks_text(answer));
   if (answer.contains("rigid_blocks")) text += fmt::format("RIGID   {}\n", level_text(answer["rigid_blocks"]));
-  text += fmt::format("LIMIT   {}\n", limit_text(answer["limit_analysis"]));
+  text += fmt::format("LIMIT   {}\n", limit_text(answer["limit_analysis"], answer["difference"]["reason"]));
   if (answer.contains("formula")) {
     const json& formula = answer["formula"];
     text += fmt::format("FORMULA {:.9g} m, {:.9g} m above joint \"{}\" ({})\n", formula["level_m"].get<double>(),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/results/figure.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::study {
@@ -76,7 +77,7 @@ StudyResult find_limit(const scene::LimitStudy& study, StudyRuns& runs) {
   constexpr int most_halvings = 60;
   const auto width = [&] { return std::abs(high - low) / std::max(std::abs(low), std::abs(high)); };
   for (int i = 0; i < most_halvings && width() > study.width; ++i) {
-    const double middle = (low + high) / 2;
+    const double middle = results::without_rounding_error((low + high) / 2);
     (has_outcome(middle) == at_low ? low : high) = middle;
   }
   const double got = (low + high) / 2;

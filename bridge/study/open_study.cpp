@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "bridge/results/csv.hpp"
+#include "bridge/results/figure.hpp"
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder_lock.hpp"
 #include "bridge/results/result_file.hpp"
@@ -30,6 +31,7 @@ constexpr std::array table_columns = {
 
 std::string cell(const json& value) {
   if (value.is_null()) return "";
+  if (value.is_number_float()) return fmt::format("{}", results::without_rounding_error(value));
   return value.is_string() ? results::csv_cell(value.get<std::string>()) : value.dump();
 }
 

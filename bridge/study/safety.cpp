@@ -103,6 +103,7 @@ json answer_of(const scene::LoadCase& load_case, const process::AskOptions& opti
   answer["scene_warnings"] = asked.scene.warnings;
   answer["class"] = load_case.kind;
   answer["set"] = load_case.set;
+  answer["silt_ice_and_earthquake"] = scene::silt_ice_and_earthquake(asked.scene.text);
   answer["required"] = load_case.required_factor ? json(*load_case.required_factor) : json();
   answer["source"] = load_case.source;
   answer["satisfied"] = satisfied(answer, load_case.required_factor);

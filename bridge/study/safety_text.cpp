@@ -74,7 +74,8 @@ std::string lines_of(const json& c, const json& first) {
     if (c["satisfied"] == false || cracked["factor"] == deciding_factor(c))
       add_line(c["satisfied"] == false ? "not enough: " : "the factor that decides: ", cracked["text"]);
   }
-  if (c.contains("limit_analysis_note")) add_line("limit: ", c["limit_analysis_note"]);
+  const bool noted = &c != &first && c.value("limit_analysis_note", "") == first.value("limit_analysis_note", "");
+  if (c.contains("limit_analysis_note") && !noted) add_line("limit: ", c["limit_analysis_note"]);
   const auto add_warnings = [&](const char* key, bool all) {
     for (const json& warning : c[key]) {
       if (all || std::find(first[key].begin(), first[key].end(), warning) == first[key].end())

@@ -3,10 +3,24 @@
 
 #include <fmt/format.h>
 
+#include <set>
+#include <sstream>
+
+#include "bridge/results/counted.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/shared_library.hpp"
 
 namespace blockweir::vtk {
+
+namespace {
+
+/// Of an entry of the list.
+std::string attribute(const std::string& entry, const std::string& name) {
+  const std::size_t begin = entry.find(name + "=\"") + name.size() + 2;
+  return entry.substr(begin, entry.find('"', begin) - begin);
+}
+
+}  // namespace
 
 Collection::Collection(std::filesystem::path folder, const std::string& name)
     : folder_(std::move(folder)),
@@ -26,12 +40,40 @@ void Collection::add(const Grid& grid, const std::string& file, double time_s, c
 }
 
 void Collection::repeat(const std::string& file, double time_s, const char* part, int part_number) {
-  entries_ += fmt::format("    <DataSet timestep=\"{:.9g}\" part=\"{}\" name=\"{}\" file=\"frames/{}\"/>\n", time_s,
-                          part_number, part, file);
+  const std::string entry =
+      fmt::format("    <DataSet timestep=\"{:.9g}\" part=\"{}\" name=\"{}\" file=\"frames/{}\"/>\n", time_s,
+                  part_number, part, file);
+  entries_ += entry;
+  listed_ += entry;
+}
+
+void Collection::look_for_files() {
+  listed_.clear();
+  lost_.clear();
+  std::set<std::string> missing;
+  std::string from_s;
+  std::string to_s;
+  std::istringstream entries(entries_);
+  for (std::string entry; std::getline(entries, entry);) {
+    const std::string file = attribute(entry, "file");
+    if (std::filesystem::exists(folder_ / file)) {
+      listed_ += entry + "\n";
+      continue;
+    }
+    to_s = attribute(entry, "timestep");
+    if (missing.empty()) from_s = to_s;
+    missing.insert(file);
+  }
+  if (missing.empty()) return;
+  lost_ = fmt::format(
+      "frames/ lacks {} that the run had written, of times from {} to {} s: {} to {}; the lists for ParaView leave "
+      "them out, and all numbers of the run are right; for those moments put the files back before a resume, or run "
+      "the scene anew",
+      results::counted(missing.size(), "file"), from_s, to_s, *missing.begin(), *missing.rbegin());
 }
 
 void Collection::save() {
-  list_.put(entries_);
+  list_.put(listed_);
 }
 
 }  // namespace blockweir::vtk

@@ -24,15 +24,27 @@ class Collection {
   void repeat(const std::string& file, double time_s, const char* part, int part_number = 0);
   /// Writes the list. Throws std::runtime_error if it cannot be written; the previous one then remains.
   void save();
+  [[nodiscard]] bool has(const std::string& file) const { return std::filesystem::exists(folder_ / "frames" / file); }
+  /// A warning of files that a resumed run does not find again, which the list leaves out; empty if all are there.
+  [[nodiscard]] const std::string& lost() const { return lost_; }
 
   template <class Archive>
-  void serialize(Archive& archive) {
+  void save(Archive& archive) const {
     archive(entries_);
+  }
+  template <class Archive>
+  void load(Archive& archive) {
+    archive(entries_);
+    look_for_files();
   }
 
  private:
+  void look_for_files();
+
   std::filesystem::path folder_;
-  std::string entries_;
+  std::string entries_;  ///< of all that was written
+  std::string listed_;   ///< of all that is there
+  std::string lost_;
   results::ClosedFile list_;
   /// Opening VTK takes longer than many a window: it is done beside other work, and is over before the program ends.
   std::shared_future<XmlFunction*> xml_;

@@ -93,8 +93,7 @@ void NetworkFlow::steady(const Network& network, Filling& filling) {
     throw std::runtime_error(
         "no steady flow through the joints was found: it opens and closes them without an end; \"blockweir run\" "
         "follows it with kind = \"transient\" in [joint_flow]; level and safety take the flow as steady: ask for "
-        "another "
-        "level, or state another uplift");
+        "another level, or state another uplift");
   }
   equations.take(u, filling);
   filling.flow = equations.flows(filling);
@@ -113,7 +112,7 @@ bool NetworkFlow::settle(const Network& network, FillingEquations& equations, Fi
   constexpr double first_s = 1e-3;
   constexpr double last_s = 1e12;
   for (double step_s = first_s; step_s < last_s; step_s *= 4) {
-    step(network, step_s, {}, filling, stored_m2);
+    if (!try_step(network, step_s, {}, filling, stored_m2)) return false;
     u = equations.unknowns(filling);
     if (equations.solve(u, factor_)) return true;
   }
@@ -134,6 +133,14 @@ void NetworkFlow::restore(const std::string& state) {
 
 void NetworkFlow::step(const Network& network, double step_s, const std::vector<double>& yield_m2_per_pa,
                        Filling& filling, std::vector<double>& stored_m2) {
+  if (!try_step(network, step_s, yield_m2_per_pa, filling, stored_m2)) {
+    throw std::runtime_error(
+        "no flow through the joints was found, even in shares of a window; lower [coupling] window_s");
+  }
+}
+
+bool NetworkFlow::try_step(const Network& network, double step_s, const std::vector<double>& yield_m2_per_pa,
+                           Filling& filling, std::vector<double>& stored_m2) {
   const std::vector<bool> all(network.nodes.size(), true);  // what no pool feeds any more drains slowly
   constexpr double shortest = 1.0 / 1024;
   double share = 1;  // of the step; a sudden change takes shorter ones
@@ -152,14 +159,13 @@ void NetworkFlow::step(const Network& network, double step_s, const std::vector<
       continue;
     }
     share /= 2;
-    if (share < shortest)
-      throw std::runtime_error(
-          "no flow through the joints was found, even in shares of a window; lower [coupling] window_s");
+    if (share < shortest) return false;
   }
   filling.flow = std::move(flow);
   std::vector<double> stored_per_s;
   for (std::size_t i = 0; i < stored_m2.size(); ++i) stored_per_s.push_back((stored_m2[i] - stored_before[i]) / step_s);
   filling.to_air = running_out(network, filling.flow, stored_per_s);
+  return true;
 }
 
 std::vector<double> NetworkFlow::stored(const Network& network, const Filling& filling) const {

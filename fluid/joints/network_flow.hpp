@@ -39,6 +39,9 @@ class NetworkFlow {
   void restore(const std::string& state);
 
  private:
+  /// As step(), but false if no flow is found.
+  [[nodiscard]] bool try_step(const Network& network, double step_s, const std::vector<double>& yield_m2_per_pa,
+                              Filling& filling, std::vector<double>& stored_m2);
   [[nodiscard]] bool settle(const Network& network, FillingEquations& equations, Filling& filling, Eigen::VectorXd& u);
   void fill(const Network& network, const std::vector<bool>& fed, Filling& filling);
 

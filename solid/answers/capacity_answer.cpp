@@ -25,10 +25,14 @@ json capacity_json(Filled outcome, double level_m, const limit::LevelRange& rang
           {"full_m", range.full_m}};
 }
 
+/// Forces of weight and loads.
+limit::Wrenches dead_of(const scene::Scene& scene) {
+  return limit::combined(statics::weights_of(scene), 1, statics::stated_loads_of(scene, scene.analysis.duration_s));
+}
+
 json by_limit_analysis(const scene::Scene& scene, StillWater& water) {
   const limit::LimitAnalysis structure(scene);
-  const limit::Wrenches dead =
-      limit::combined(statics::weights_of(scene), 1, statics::stated_loads_of(scene, scene.analysis.duration_s));
+  const limit::Wrenches dead = dead_of(scene);
   const auto water_at = [&](double level_m) { return statics::water_forces(scene, water.at(level_m)); };
   const limit::LimitLevel found = limit_level(structure, dead, water_at, water.range());
   json answer = capacity_json(found.outcome, found.level_m, water.range());
@@ -42,7 +46,13 @@ json by_limit_analysis(const scene::Scene& scene, StillWater& water) {
 }
 
 json by_the_blocks(const scene::Scene& scene, StillWater& water) {
-  const solid::StaticLevel found = solid::static_level(scene, water);
+  constexpr double exact = 1e-10;
+  const auto bears_empty = solid::attempt([&] {
+    const limit::Wrenches tailwater = statics::water_forces(scene, water.at(water.range().empty_m));
+    return limit::LimitAnalysis(scene).bears(limit::combined(dead_of(scene), 1, tailwater));
+  });
+  const bool falls = bears_empty.value && !*bears_empty.value;
+  const solid::StaticLevel found = solid::static_level(scene, water, exact, {.falls_as_drawn = falls});
   json answer = capacity_json(found.outcome, found.level_m, water.range());
   if (found.outcome != Filled::fails || !found.failure) return answer;
   answer["mode"] = found.failure->mode;

@@ -236,11 +236,18 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
                 .any_force = structure.holds_any_force(),
                 .empty_m = water.range().empty_m,
                 .limit = solid::attempt([&] { return limit_level(structure, dead, water_at, water.range()); })};
+  solid::LevelClues clues;
+  if (levels.limit.value) {
+    clues.falls_as_drawn = levels.limit.value->outcome == Filled::does_not_stand_empty;
+    if (levels.limit.value->outcome == Filled::fails) clues.limit_m = levels.limit.value->level_m;
+  }
   const bool strains = solid::strains(scene);
   if (strains) {
-    levels.rigid = solid::attempt([&] { return solid::static_level(solid::with_rigid_blocks(scene), water); });
+    const scene::Scene rigid = solid::with_rigid_blocks(scene);
+    levels.rigid = solid::attempt([&] { return solid::static_level(rigid, water, exact, clues); });
   }
-  levels.blocks = solid::attempt([&] { return solid::static_level(scene, water, exact, levels.rigid_level()); });
+  clues.suspect_m = levels.rigid_level();
+  levels.blocks = solid::attempt([&] { return solid::static_level(scene, water, exact, clues); });
   if (!levels.limit.value && !levels.blocks.value) {
     throw std::runtime_error(levels.blocks.why_not + "; " + levels.limit.why_not);
   }

@@ -66,6 +66,7 @@ json table_json(const std::vector<solid::JointRow>& rows) {
                      {"bonded_length_m", figure(row.bonded_length_m)},
                      {"heel_stress_pa", row.heel_stress_pa},
                      {"toe_stress_pa", row.toe_stress_pa},
+                     {"upstream_end_m", {row.upstream_end_m.x(), row.upstream_end_m.y()}},
                      {"downstream_end_m", {row.downstream_end_m.x(), row.downstream_end_m.y()}},
                      {"sums", sums_json(row.sums)}});
   }

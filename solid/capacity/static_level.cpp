@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <climits>
 #include <limits>
 
 #include "solid/capacity/fresh_level.hpp"
@@ -23,31 +24,44 @@ std::string warning_of(StaticBlocks& blocks, const std::string& resting, double 
 
 class LevelSearch {
  public:
-  LevelSearch(const scene::Scene& scene, StillWater& water, double width)
+  LevelSearch(const scene::Scene& scene, StillWater& water, double width, const LevelClues& clues)
       : scene_(scene),
         water_(water),
         full_m_(water.range().full_m),
         range_m_(full_m_ - water.range().empty_m),
         width_m_(width * range_m_),
         rests_m_(water.range().empty_m),
-        blocks_(scene, &water, effort_) {}
+        blocks_(scene, &water, effort_),
+        clues_(clues) {}
 
-  StaticLevel found(std::optional<double> suspect_m) {
+  StaticLevel found() {
+    tell("nothing known yet");
+    if (!rests_empty()) return {.level_m = rests_m_};
     StaticLevel found = after_a_rise();
-    const bool stands_empty = found.outcome != limit::Filled::does_not_stand_empty;
-    if (stands_empty && found.stopped.empty()) look_without_history(suspect_m, found);
+    if (found.stopped.empty()) look_without_history(found);
     return found;
   }
 
  private:
-  StaticLevel after_a_rise() {
-    if (!blocks_.begin(rests_m_)) {
-      if (!blocks_.went_far())
-        throw std::runtime_error(
-            "level by the blocks: no equilibrium was found under the empty reservoir, and no block had gone as far as "
-            "a failure; expected one of both; run the scene and look at its motion");
-      return {.level_m = rests_m_};
+  void tell(const std::string& known) {
+    effort_.knows(known + (clues_.limit_m ? fmt::format("; limit analysis fails at {:.9g} m", *clues_.limit_m) : ""));
+  }
+
+  bool rests_empty() {
+    effort_.allow(clues_.falls_as_drawn ? most_systems : LONG_MAX);
+    try {
+      const bool rests = blocks_.begin(rests_m_);
+      effort_.allow(LONG_MAX);
+      if (rests || clues_.falls_as_drawn || blocks_.went_far()) return rests;
+    } catch (const Undecided&) {
+      return false;
     }
+    throw std::runtime_error(
+        "level by the blocks: no equilibrium was found under the empty reservoir, and no block had gone as far as "
+        "a failure; expected one of both; run the scene and look at its motion");
+  }
+
+  StaticLevel after_a_rise() {
     resting_ = blocks_.state();
     StaticLevel found;
     try {
@@ -67,13 +81,13 @@ class LevelSearch {
   }
 
   /// Just below the levels, so that a level which does not depend on the history costs an analysis.
-  void look_without_history(std::optional<double> suspect_m, StaticLevel& found) {
+  void look_without_history(StaticLevel& found) {
     constexpr double below = 1e-3;
     const double empty_m = water_.range().empty_m;
     const auto just_below = [&](double level_m) { return level_m - below * (level_m - empty_m); };
     const bool fails = found.outcome == limit::Filled::fails;
     std::vector<double> levels = {fails ? std::min(rests_m_, just_below(found.level_m)) : full_m_};
-    if (suspect_m && *suspect_m < found.level_m) levels.push_back(just_below(*suspect_m));
+    if (clues_.suspect_m && *clues_.suspect_m < found.level_m) levels.push_back(just_below(*clues_.suspect_m));
     std::optional<FreshLevel> fresh;
     try {
       fresh = fresh_level(scene_, water_, effort_, empty_m, levels);
@@ -95,8 +109,8 @@ class LevelSearch {
   void narrow() {
     constexpr int rises = 20;
     while (rests_m_ < full_m_ && fails_m_ - rests_m_ > width_m_) {
-      effort_.knows(fmt::format("rests at {:.9g} m", rests_m_) +
-                    (has_bracket() ? fmt::format(", fails at {:.9g} m", fails_m_) : ""));
+      tell(fmt::format("rests at {:.9g} m", rests_m_) +
+           (has_bracket() ? fmt::format(", fails at {:.9g} m", fails_m_) : ""));
       const double next_m = has_bracket() ? (rests_m_ + fails_m_) / 2 : std::min(full_m_, rests_m_ + range_m_ / rises);
       if (next_m <= rests_m_ || next_m >= fails_m_) break;
       // Pure strain moves less under a small rise, and slip need not be followed as far.
@@ -147,6 +161,9 @@ class LevelSearch {
   }
 
   static constexpr double unknown = std::numeric_limits<double>::infinity();
+  /// Of blocks that limit analysis finds to fall under the empty reservoir: at rest by then, they have moved until
+  /// faces touch, or wedge each other. The others creep for minutes.
+  static constexpr long most_systems = 2000;
   static constexpr double settled_width = 1e-6;  // each level past the bracket takes a slip of the whole way
 
   const scene::Scene& scene_;
@@ -159,6 +176,7 @@ class LevelSearch {
   std::string resting_;  ///< the blocks at rests_m_
   SearchBudget effort_{"level by the blocks"};
   StaticBlocks blocks_;
+  LevelClues clues_;
   std::optional<double> settles_m_;
   double followed_ = 10;  ///< displacement within which blocks may come to rest, over failure's, for each share of the
                           ///< range
@@ -166,8 +184,8 @@ class LevelSearch {
 
 }  // namespace
 
-StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width, std::optional<double> suspect_m) {
-  return LevelSearch(scene, water, width).found(suspect_m);
+StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width, const LevelClues& clues) {
+  return LevelSearch(scene, water, width, clues).found();
 }
 
 }  // namespace blockweir::solid

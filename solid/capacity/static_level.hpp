@@ -29,11 +29,18 @@ struct StaticLevel {
   std::optional<SlowRise> slow_rise;
 };
 
+/// What limit analysis or blocks without strain have said before.
+struct LevelClues {
+  std::optional<double> limit_m;    ///< level of failure by limit analysis
+  std::optional<double> suspect_m;  ///< a level below which all loads are also tried at once
+  bool falls_as_drawn = false;      ///< limit analysis has a mechanism under the empty reservoir: see most_systems
+};
+
 /// `width`: of the final bracket, over the rise from the empty reservoir; wider where blocks settle before failure.
-/// `suspect_m`: a level below which all loads are also tried at once. Throws TookTooLong if the time is over before
+/// Throws TookTooLong if the time is over before
 /// there is a bracket. Throws std::runtime_error if no equilibrium is found although no block moves far: that is not a
 /// failure.
 StaticLevel static_level(const scene::Scene& scene, StillWater& water, double width = 1e-10,
-                         std::optional<double> suspect_m = std::nullopt);
+                         const LevelClues& clues = {});
 
 }  // namespace blockweir::solid

@@ -155,7 +155,7 @@ void VtkWriter::write(const Frame& frame) {
     return file;
   };
   save("blocks", fill_blocks);
-  if (frame.contacts.empty() && !without_contacts_.empty()) {
+  if (frame.contacts.empty() && !without_contacts_.empty() && files_.has(without_contacts_)) {
     files_.repeat(without_contacts_, frame.time_s, "joints", part++);
   } else {
     const std::string file = save("joints", fill_joints);

@@ -17,6 +17,8 @@ class VtkWriter {
 
   /// Adds a frame. Throws std::runtime_error if a file cannot be written.
   void write(const Frame& frame);
+  /// A warning of frames that a resumed run does not find again; empty if all are there.
+  [[nodiscard]] const std::string& lost() const { return files_.lost(); }
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -248,6 +248,7 @@ void CoupledSolid::finish(const nlohmann::json& extra, const std::string& stoppe
                                 .breach = breach_};
   nlohmann::json text = {{"warnings", solid_.scene().warnings}};  // of a start that fails, too
   if (recorded_s_ >= 0) text = output::summary(outcome);
+  if (!vtk_.lost().empty()) text["warnings"].push_back(vtk_.lost());
   for (const std::string& skip : more_skips) text["skips"].push_back(skip);
   text["profile_s"] = seconds();
   if (!stopped.empty()) {

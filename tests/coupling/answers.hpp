@@ -17,6 +17,13 @@ class Answers : public SameResults {
  protected:
   [[nodiscard]] int ask(const std::string& words) const { return shell(programs + "/blockweir " + words); }
   [[nodiscard]] json answer(const std::string& file) const { return json::parse(text(file)); }
+  /// How often the last command said so.
+  [[nodiscard]] long counted(const std::string& words) const {
+    const std::string said = text("out");
+    long count = 0;
+    for (std::size_t at = 0; (at = said.find(words, at)) != std::string::npos; at += words.size()) ++count;
+    return count;
+  }
   void write(const std::string& name, const std::string& content) const { std::ofstream(folder / name) << content; }
 };
 

@@ -47,13 +47,17 @@ prestress_n_per_m = 150e3
   write("s.toml", scene + "yield_n_per_m = 200e3\n");
   ASSERT_EQ(ask("run s.toml --quiet --out stronger"), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("limit analysis takes anchors at their yield force"));
-  ASSERT_EQ(ask("safety s.toml --out o"), 0) << text("out");
+  const std::string cases = "[[load_case]]\nname = 'low'\nset = ['water.upstream_level_m=1']\n";
+  write("cases.toml", scene + "yield_n_per_m = 200e3\n" + cases);
+  ASSERT_EQ(ask("safety cases.toml --out o"), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("limit: limit analysis takes anchors at their yield force"));
+  EXPECT_EQ(counted("limit analysis takes anchors at their yield force"), 1) << text("out");
   ASSERT_EQ(ask("level s.toml --out l --set joint.friction_angle_deg=16 --set bolt.a.to_m=[-7,-4] --set "
                 "bolt.a.prestress_n_per_m=50e3"),
             0)
       << text("out");
   EXPECT_THAT(text("out"), HasSubstr("reason: limit analysis takes anchors at their yield force"));
+  EXPECT_EQ(counted("limit analysis takes anchors at their yield force"), 1) << text("out");
   write("s.toml", scene);
   ASSERT_EQ(ask("run s.toml --quiet --out endless"), 0) << text("out");
   EXPECT_THAT(text("out"), HasSubstr("anchors hold any force: state yield_n_per_m"));

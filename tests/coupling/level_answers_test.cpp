@@ -46,6 +46,17 @@ TEST_F(Answers, ALevelOfASceneWithoutWaterSaysWhatItAssumes) {
   EXPECT_THAT(text("out"), Not(HasSubstr("assumed is")));
 }
 
+TEST_F(Answers, AStopTellsWhatWasKnownByThen) {
+  const pid_t level = start(programs + "/blockweir level " + cases + "jointed-dam-falls --quiet --out o", "log");
+  for (int wait = 0; wait < 30'000 && text("o/limit.log").find("linear systems solved") == std::string::npos; ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  kill(level, SIGINT);
+  EXPECT_EQ(end_of(level, 20), 130);
+  EXPECT_THAT(text("log"), HasSubstr("blockweir: stopped on request; known by then: level by the blocks: "));
+  EXPECT_THAT(text("log"), HasSubstr(" linear systems solved"));
+  EXPECT_FALSE(fs::exists(folder / "o"));
+}
+
 /// As `run` does: what is wrong with the scene is said all the same.
 TEST_F(Answers, QuietLeavesTheProgressOut) {
   for (const char* question : {"level ", "safety "}) {

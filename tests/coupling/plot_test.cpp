@@ -43,6 +43,26 @@ TEST_F(Plot, AnAnimationTellsHowFarItIs) {
   EXPECT_THAT(text("out"), testing::Not(HasSubstr("drawing"))) << "that takes a moment";
 }
 
+TEST_F(Plot, AStopIsToldAndChangesNoPicture) {
+  ASSERT_EQ(shell(programs + "/blockweir run " + cases + "incline --quiet --out o"), 0) << text("out");
+  ASSERT_EQ(plot("--animate"), 0) << text("out");
+  const auto drawn = fs::last_write_time(folder / "o/animation.gif");
+  const auto files = std::distance(fs::directory_iterator(folder / "o"), {});
+  std::ofstream(folder / "gnuplot") << "#!/bin/sh\necho drawn >drawing\nexec sleep 60\n";
+  fs::permissions(folder / "gnuplot", fs::perms::owner_all);
+  const pid_t plot =
+      start("env PATH=" + folder.string() + ":$PATH " + programs + "/blockweir plot --animate o", "said");
+  for (int wait = 0; wait < 10'000 && !fs::exists(folder / "drawing"); ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  kill(plot, SIGINT);
+  EXPECT_EQ(end_of(plot, 10), 130);
+  EXPECT_EQ(text("said"),
+            "blockweir: stopped on request while it drew o; no picture was changed; the same command draws them "
+            "anew\n");
+  EXPECT_EQ(fs::last_write_time(folder / "o/animation.gif"), drawn);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "o"), {}), files);
+}
+
 TEST_F(Plot, TheSectionNamesAnchorsAndLoadsOfEveryKindWithTheirSizes) {
   std::ofstream(folder / "s.toml") << text(cases + "monolith-slides/scene.toml") << R"(
 [[bolt]]

@@ -141,7 +141,16 @@ set = ["silt.level_m=5", "silt.submerged_density_kg_per_m3=400", "silt.pressure_
       << "the worst of the load cases is seen";
   EXPECT_THAT(said, HasSubstr("Warning, load case \"full of silt\": "));
   EXPECT_THAT(said, HasSubstr("density_kg_per_m3 in [water] is 2100 kg/m3, which is unusual"));
-  EXPECT_THAT(seen["joints"].get<std::string>(), HasSubstr("of this chapter: see chapter 1"));
+  const std::string cases = seen["joints"];
+  EXPECT_THAT(cases, HasSubstr("of this chapter: see chapter 1"));
+  EXPECT_THAT(cases, HasSubstr("Silt, ice and earthquakeload casesilt up to msubmerged kg/m3Kscene as written---"));
+  EXPECT_THAT(cases, HasSubstr("full of silt54000.4"));
+  EXPECT_THAT(cases, testing::Not(HasSubstr("ice thrust"))) << "no case has ice";
+  EXPECT_THAT(cases, HasSubstr("The resultant lies in the middle third of the level joint \"base\"."));
+  EXPECT_THAT(cases,
+              HasSubstr("The resultant lies outside the middle third of 1 of 1 level joint: \"base\" (downstream "
+                        "of it)."));
+  EXPECT_THAT(seen["section"].get<std::string>(), HasSubstr("bonded mwater in itbase3030"));
   EXPECT_THAT(seen["joints"].get<std::string>(), testing::Not(HasSubstr("which is unusual")));
 }
 

@@ -113,6 +113,22 @@ TEST_P(ResumeCases, GoOnFromRandomWindows) {
 
 INSTANTIATE_TEST_SUITE_P(Of, ResumeCases, testing::ValuesIn(cases_to_resume()), name_of);
 
+TEST_F(Resume, FramesThatWereLostAreToldAndListedNoMore) {
+  ASSERT_TRUE(stopped_at(command("cracked-dam-upper", "parts"), 30));
+  fs::remove_all(folder / "parts/frames");
+  ASSERT_EQ(shell(programs + "/blockweir resume parts --quiet"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("WARNING frames/ lacks "));
+  EXPECT_THAT(text("out"), HasSubstr(" files that the run had written, of times from 0 to "));
+  EXPECT_THAT(text("out"), HasSubstr(": frames/blocks_000000.vtu to frames/water_"));
+  const std::string list = text("parts/blocks.pvd");
+  std::size_t listed = 0;
+  for (std::size_t at = 0; (at = list.find("file=\"", at)) != std::string::npos; ++listed) {
+    at += 6;
+    EXPECT_TRUE(fs::exists(folder / "parts" / list.substr(at, list.find('"', at) - at)));
+  }
+  EXPECT_GT(listed, 0U);
+}
+
 TEST_F(Resume, OnEverySchedule) {
   const std::string to_failure = " --set analysis.duration_s=4";
   for (const std::string schedule : {"parallel", "improved"}) {

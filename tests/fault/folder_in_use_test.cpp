@@ -49,8 +49,12 @@ TEST_F(FolderInUse, ARunThatWouldBeLostIsKeptWithAWordOnWhatToDo) {
   ASSERT_EQ(shell(run), 0) << text("out");
   const std::string before = text("o/history.csv");
   EXPECT_EQ(shell(run + " --set joint.friction_angle_deg=12"), 2);
-  EXPECT_THAT(text("out"), testing::ContainsRegex("o: found a run of another scene, of digest [0-9a-f]+ where this one "
-                                                  "has [0-9a-f]+; expected a new folder"));
+  EXPECT_THAT(text("out"),
+              HasSubstr("o: found a run of another scene: joint.friction_angle_deg is 20 there and 12 here "
+                        "(--set); expected a new folder"));
+  std::ofstream(folder / "same.toml") << "# as it was\n" << text(cases + "incline/scene.toml");
+  EXPECT_EQ(shell(programs + "/blockweir run same.toml --quiet --out o"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("o: found a run of another scene: its file differs in comments or layout alone"));
   EXPECT_THAT(text("out"), HasSubstr("choose another folder, or remove that run (rm -r o)"));
   EXPECT_EQ(text("o/history.csv"), before);
   EXPECT_EQ(shell(run), 0) << "it is complete, and of the same scene; " << text("out");

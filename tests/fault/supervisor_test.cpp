@@ -76,6 +76,11 @@ TEST_F(Supervisor, OneThatHangsAndIsKilledIsNotTheCause) {
   EXPECT_FALSE(orphan());
 }
 
+TEST_F(Supervisor, OneThatRepeatsWhatTheOtherSaidIsNotTheCause) {
+  EXPECT_EQ(trouble_with("touch begun; echo 'fluid: solid process stopped in window 0: the last word' >&2; exit 1"),
+            "the last word");
+}
+
 TEST_F(Supervisor, OneThatIsStoppedIsTheCauseAndWokenToLeaveInOrder) {
   EXPECT_EQ(
       trouble_with("trap 'echo left >order; exit 1' TERM; touch begun; kill -STOP $$; while :; do sleep 0.01; done"),

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: fluid_joints
 // Flow in time through networks of joints: water forced in, flowing in, running out.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 #include "tests/unit/networks.hpp"
 
@@ -92,6 +95,28 @@ TEST(NetworkFlow, WhatFlowsInIsStored) {
     EXPECT_NEAR(sum() - before, filling.flow[0], 1e-15 + 1e-10 * sum());
   }
   EXPECT_NEAR(filling.pressure_pa[2], 9810, 20);  // in the end it stands as high as outside
+}
+
+/// Partly dry above its pool, a loop of joints whose apertures differ by five powers of ten: one of many that a search
+/// at random finds.
+TEST(NetworkFilling, FlowThatIsNotFoundIsToldWithWhatHelps) {
+  const auto joint = [](int from, int to, double length_m, double w1_m, double w2_m) {
+    return Channel{.from = from, .to = to, .length_m = length_m, .aperture_m = {w1_m, w2_m}, .least_m = 1e-8};
+  };
+  Network network;
+  network.nodes = {held(14475.1), {5.15185}, {15.6554}, {2.54969}, {0.744452}, {1.33481, NodeKind::seeps}};
+  network.channels = {joint(0, 1, 5.05094, 5.29408e-05, 5.09909e-09), joint(1, 2, 6.46983, 3.98571e-08, 0.000854707),
+                      joint(2, 3, 4.7531, 0.000638945, 0.00108481),   joint(3, 4, 0.244192, 5.92147e-07, 7.79712e-09),
+                      joint(4, 5, 17.3009, 7.62352e-06, 2.27357e-07), joint(4, 1, 0.374531, 5.2807e-08, 9.64622e-08)};
+  network.channels[0].compliance_m_per_pa = 1.25893e-13;
+  std::string said = "nothing";
+  try {
+    solved(network);
+  } catch (const std::runtime_error& error) {
+    said = error.what();
+  }
+  EXPECT_THAT(said, testing::HasSubstr("no steady flow through the joints was found"));
+  EXPECT_THAT(said, testing::HasSubstr("kind = \"transient\" in [joint_flow]"));
 }
 
 }  // namespace

@@ -48,5 +48,16 @@ TEST(BondedLength, IsThatOfTheSlidingFactor) {
   EXPECT_TRUE(base_of("", "")["bonded_length_m"].is_null());
 }
 
+/// It has no place in the joint, and the water no part that it would fill. Piezometers state a crack of known depth.
+TEST(BondedLength, IsNoCrackForTheWater) {
+  const auto uplift = [](const std::string& keys) { return base_of(keys, "")["uplift_n_per_m"].get<double>(); };
+  const std::string bond = ", cohesion_pa = 5e4, bonded_length_m = 1";
+  for (const std::string law : {", uplift = 'cracked'", ", uplift = 'triangular'"}) {
+    EXPECT_NEAR(uplift(law + bond), uplift(law + ", cohesion_pa = 5e4"), 1) << law;
+  }
+  EXPECT_NEAR(uplift(bond + ", uplift = 'heads', piezometers_m = [[1.5, 4.5]], piezometers_level_m = 4.5"),
+              9810 * 4.5 * (1.5 + 1.0 / 2), 1);
+}
+
 }  // namespace
 }  // namespace blockweir::test

@@ -145,29 +145,8 @@ function writeSection() {
     element('h3', {}, 'Materials'),
     table(['material', 'density kg/m3', 'modulus GPa', "Poisson's ratio"], report.materials.map(m => [m.name, number(m.density), number(m.modulus / 1e9), number(m.poisson)])),
     element('h3', {}, 'Joints'),
-    table(['joint', 'friction deg', 'residual deg', 'cohesion kPa', 'tension kPa', 'water in it'], report.laws.map(l => [l.name, number(l.friction), number(l.residual), kilo(l.cohesion, 0), kilo(l.tension, 0), l.uplift])),
+    table(['joint', 'friction deg', 'residual deg', 'cohesion kPa', 'tension kPa', 'bonded m', 'water in it'], report.laws.map(l => [l.name, number(l.friction), number(l.residual), kilo(l.cohesion, 0), kilo(l.tension, 0), is(l.bonded) ? number(l.bonded) : l.bonded, l.uplift])),
     ...(report.drainage.length > 0 ? [element('h3', {}, 'Drains and grout'), table(['', ''], report.drainage)] : []));
-}
-
-/// A coordinate to what a drawing shows: a thousandth of the structure, or finer.
-function drawn(metres) {
-  const step = Math.pow(10, Math.floor(Math.log10(1e-3 * report.size_m)));
-  return number(Math.round(metres / step) * step + 0, 6);
-}
-
-/// What acts on all that stands on a joint, and the sum, which the joint bears.
-function sumsTable(joint) {
-  const row = (name, s) => [name, kilo(s('x_n_per_m')), kilo(s('y_n_per_m')), kilo(s('moment_n'))];
-  const sum = key => joint.sums.reduce((total, s) => total + s[key], 0);
-  return [table([`on ${joint.name}`, 'x kN/m', 'y kN/m', 'moment kNm/m'], [...joint.sums.map(s => row(s.name, key => s[key])), row('sum', sum)]),
-    paragraph(`Moments about (${drawn(joint.downstream_end_m[0])}, ${drawn(joint.downstream_end_m[1])}) m, counter-clockwise positive.`, 'quiet')];
-}
-
-/// What acts on a structure that nothing holds, joint by joint.
-function writeLoads(c, to) {
-  to.append(element('h3', {}, `Loads on joints: ${c.name}`), paragraph(`No table of joints nor of anchors: ${c.why_no_joints}.`, 'quiet'));
-  if (c.mechanism) to.append(mechanismFigure(report, c.mechanism, c.level_m));
-  for (const joint of c.loads_on_joints) to.append(...sumsTable(joint));
 }
 
 /// Water in the joints: what flows, and the uplift beside that of the guideline laws.
@@ -183,48 +162,6 @@ function writeFlow() {
     paragraph('The joints are as open as they were then, in a run to failure wide open; load cases take them as drawn, at their own levels. Flow and forces are per metre of dam. Beside the uplift by flow stands that of the guideline laws under the pools of that time: linear between the ends, with the drain that crosses the joint, and the higher pressure all along. The cubic law ends at a Reynolds number of about 1000.' +
       (flow.left_out > 0 ? ` Left out are ${flow.left_out} joints of less uplift; joint_uplift.csv has all.` : ''), 'quiet'),
     table(['water', 'm3/day'], flow.flows.map(f => [f.name, perDay(f.m2_per_s)])));
-}
-
-function writeCases() {
-  const to = chapter('cases');
-  if (report.safety.trouble) return to.append(paragraph('No factor was found: ' + report.safety.trouble));
-  // Of a case that is not satisfied, the warning is pointed at only where it is why.
-  const cause = c => (c.satisfied === false && c.with_cracked_joint ? c.with_cracked_joint.text : '');
-  const doubt = c => (cause(c) ? ', see below' : c.satisfied && warningsOf(c).length > 0 ? ', see chapter 1' : '');
-  const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied && !doubt(c) ? 'good' : 'bad'}, (c.satisfied ? 'yes' : 'NO') + doubt(c)));
-  to.append(table(['load case', 'class', 'level m', 'tailwater m', 'outcome', 'factor', 'by limit analysis', 'on the water', 'required', 'satisfied', 'source'],
-    report.safety.map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), c.water_factor ? number(c.water_factor.factor) : '-', number(c.required, 4), answer(c), c.source || '-'])),
-  paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis. On the water: all that it presses may grow by so much, its uplift included, by limit analysis.', 'quiet'));
-  const tellEach = (textsOf, words, kind) => ofCases(textsOf).forEach(told => to.append(paragraph(words(...told), kind)));
-  const upper = text => text.charAt(0).toUpperCase() + text.slice(1);
-  tellEach(c => (cause(c) ? [cause(c)] : []), (who, text) => `Not enough, ${who}: ${text}.`, 'bad');
-  to.append(...warningsAbove(ofCases(warningsOf).length));
-  tellEach(c => (c.friction_history ? [c.friction_history] : []), (who, text) => `${upper(who)}: ${text}.`, 'quiet');
-  tellEach(c => (c.limit_analysis_note ? [c.limit_analysis_note] : []), (who, text) => `${upper(who)}, limit analysis: ${text}.`, 'quiet');
-  tellEach(c => (!is(c.factor) && c.why_no_factor ? [c.why_no_factor] : []), (who, text) => `${upper(who)}: no factor, as ${text}.`, 'quiet');
-  tellEach(c => (c.why_no_limit_analysis_factor && c.why_no_limit_analysis_factor !== c.why_no_factor ? [c.why_no_limit_analysis_factor] : []), (who, text) => `${upper(who)}: no factor by limit analysis, as ${text}.`, 'quiet');
-  tellEach(c => (c.mechanism ? [c.mechanism.text] : []), (who, text) => `Mechanism of ${who}, by limit analysis: ${text}.`, 'quiet');
-  for (const c of report.safety.filter(c => c.load_factor)) {
-    const grown = c.load_factor;
-    to.append(paragraph(is(grown.factor) ? `Load case "${c.name}": it bears ${number(grown.factor)} times ${grown.loads.join(' and ')} by limit analysis; as stated: ${grown.constant.join(' and ')}.`
-      : `Load case "${c.name}": it bears no part of ${grown.loads.join(' and ')} by limit analysis: what stays as stated is too much by itself: ${grown.constant.join(' and ')}.`, 'quiet'));
-  }
-  to.append(caseFigures(report));
-  for (const c of report.safety) {
-    if (c.why_no_joints) writeLoads(c, to);
-    if (!c.joints || c.joints.length === 0) continue;
-    const scaled = c.joints_with_strength_times;
-    const together = element('div', {class: 'together'});
-    to.append(together);
-    together.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));
-    if (c.set.length > 0) together.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
-    if (is(scaled)) together.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength; the sliding factors are with the strength as stated.`, 'quiet'));
-    together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'M kNm/m', 'sliding factor', 'residual', 'resultant', 'crack m', 'bonded m', 'heel kPa', 'toe kPa'],
-      c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.moment_n), number(j.sliding_factor, 4), number(j.residual_sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), fixed(j.bonded_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
-    const bent = c.bent_joints || [];
-    if (bent.length > 0) to.append(paragraph(`No row has ${bent.map(name => `"${name}"`).join(', ')}: a joint that bends has no single sliding factor nor resultant. The factor of the load case counts it.`, 'quiet'));
-    if (c.joints.length <= 4) c.joints.forEach(joint => to.append(...sumsTable(joint)));  // of a mesh of joints the file has the rest
-  }
 }
 
 function writeLevel() {

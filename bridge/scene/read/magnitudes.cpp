@@ -17,6 +17,7 @@ namespace {
 
 constexpr bool grows_with_size = true;
 constexpr bool may_glue = true;
+constexpr double most_of_glue = 1e12;
 constexpr const char* bonds = "joints of dams have 0 to 3e6, sound rock up to 5e7; 5e8 and more glues blocks together";
 constexpr const char* law_sections[] = {"joint", "joints[]", "cut[]", "joint_set[]"};
 
@@ -91,15 +92,37 @@ void each_table(const toml::table& file, std::string section,
   }
 }
 
+/// What no calculation with doubles bears, or no matter has. Numbers without a unit have ranges of their own.
+struct Bounds {
+  double least;
+  double most;
+};
+
+Bounds bounds_of(const Magnitude& row) {
+  constexpr double beyond = 1e6;  // the usual
+  if (*row.unit == '\0') return {0, std::numeric_limits<double>::infinity()};
+  const bool is_of_matter = std::string(row.section) == "material.*" || std::string(row.key).starts_with("density");
+  return {is_of_matter ? row.least / beyond : 0, beyond * (row.may_glue ? most_of_glue : row.most)};
+}
+
 void check_row(const Magnitude& row, double least, const toml::table& file, Problems& problems) {
   const std::string unit = *row.unit == '\0' ? "" : std::string(" ") + row.unit;
+  const Bounds bounds = bounds_of(row);
   for (const char* section : sections_of(row)) {
     each_table(file, section, [&](const std::string& name, const toml::table& table) {
       const toml::node* node = table.get(row.key);
       const auto value = node == nullptr || !node->is_number() ? std::nullopt : node->value<double>();
       const double size = std::abs(value.value_or(0));  // a tilt may be to either side
-      const bool glues = row.may_glue && size >= 5e8 && size <= 1e12;
+      const bool glues = row.may_glue && size >= 5e8 && size <= most_of_glue;
       if (size == 0 || glues || (size >= least && size <= row.most)) return;
+      if (std::isinf(size)) return;  // an error already
+      if (size < bounds.least || size > bounds.most) {
+        return problems.error(problems.at(node->source()),
+                              fmt::format("{} in {} is {:.6g}{}", row.key, name, *value, unit),
+                              fmt::format("{:.3g} to {:.3g}{}, usually {:.3g} to {:.3g}", bounds.least, bounds.most,
+                                          unit, least, row.most),
+                              likely_meaning(row, *value));
+      }
       problems.warning(problems.at(node->source()),
                        fmt::format("{} in {} is {:.6g}{}, which is unusual", row.key, name, *value, unit),
                        fmt::format("{:.3g} to {:.3g}{}", least, row.most, unit), likely_meaning(row, *value));

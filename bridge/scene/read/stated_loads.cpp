@@ -19,6 +19,19 @@ std::vector<std::string> stated_loads(const std::string& text) {
   return stated;
 }
 
+std::map<std::string, double> silt_ice_and_earthquake(const std::string& text) {
+  const toml::table file = toml::parse(text);
+  std::map<std::string, double> numbers;
+  for (const char* name : {"silt", "ice", "earthquake"}) {
+    const toml::table* table = file[name].as_table();
+    if (table == nullptr) continue;
+    for (const auto& [key, node] : *table) {
+      if (node.is_number()) numbers[std::string(name) + "." + std::string(key.str())] = *node.value<double>();
+    }
+  }
+  return numbers;
+}
+
 std::optional<double> silt_level_m(const std::string& text) {
   return toml::parse(text)["silt"]["level_m"].value<double>();
 }

@@ -1,0 +1,88 @@
+// Chapter 3 of the report: load cases and their factors, loads, and tables of joints.
+/// A coordinate to what a drawing shows: a thousandth of the structure, or finer.
+function drawn(metres) {
+  const step = Math.pow(10, Math.floor(Math.log10(1e-3 * report.size_m)));
+  return number(Math.round(metres / step) * step + 0, 6);
+}
+
+/// What acts on all that stands on a joint, and the sum, which the joint bears.
+function sumsTable(joint) {
+  const row = (name, s) => [name, kilo(s('x_n_per_m')), kilo(s('y_n_per_m')), kilo(s('moment_n'))];
+  const sum = key => joint.sums.reduce((total, s) => total + s[key], 0);
+  return [table([`on ${joint.name}`, 'x kN/m', 'y kN/m', 'moment kNm/m'], [...joint.sums.map(s => row(s.name, key => s[key])), row('sum', sum)]),
+    paragraph(`Moments about (${drawn(joint.downstream_end_m[0])}, ${drawn(joint.downstream_end_m[1])}) m, counter-clockwise positive.`, 'quiet')];
+}
+
+/// What acts on a structure that nothing holds, joint by joint.
+function writeLoads(c, to) {
+  to.append(element('h3', {}, `Loads on joints: ${c.name}`), paragraph(`No table of joints nor of anchors: ${c.why_no_joints}.`, 'quiet'));
+  if (c.mechanism) to.append(mechanismFigure(report, c.mechanism, c.level_m));
+  for (const joint of c.loads_on_joints) to.append(...sumsTable(joint));
+}
+
+/// Silt, ice and earthquake of each load case, where any has some: columns that no case has are left out.
+function writeOtherLoads(to) {
+  const columns = [['silt up to m', 'silt.level_m', 1], ['submerged kg/m3', 'silt.submerged_density_kg_per_m3', 1], ['K', 'silt.pressure_coefficient', 1],
+    ['ice thrust kN/m', 'ice.thrust_n_per_m', 1e-3], ['ice m', 'ice.thickness_m', 1], ['k_h', 'earthquake.horizontal_coefficient', 1], ['k_v', 'earthquake.vertical_coefficient', 1]]
+    .filter(([, key]) => report.safety.some(c => is(c.silt_ice_and_earthquake[key])));
+  if (columns.length === 0) return;
+  to.append(element('h3', {}, 'Silt, ice and earthquake'),
+    table(['load case', ...columns.map(([name]) => name)], report.safety.map(c => [c.name, ...columns.map(([, key, scale]) => number(c.silt_ice_and_earthquake[key] * scale))])));
+}
+
+const isLevel = joint => Math.abs(joint.upstream_end_m[1] - joint.downstream_end_m[1]) < 0.02 * joint.length_m;
+const inMiddleThird = joint => is(joint.resultant_from_downstream) && Math.abs(joint.resultant_from_downstream - 0.5) <= 1 / 6;
+
+/// Whether the resultant lies in the middle third of each level joint: then nothing is in tension by the gravity method.
+function middleThird(joints) {
+  const level = joints.filter(isLevel);
+  if (level.length === 0) return [];
+  const outside = level.filter(j => !inMiddleThird(j));
+  const where = j => `"${j.name}"` + (is(j.resultant_from_downstream) ? ` (${j.resultant_from_downstream > 0.5 ? 'upstream' : 'downstream'} of it)` : ' (not pressed)');
+  if (outside.length === 0) return [paragraph(level.length > 1 ? `The resultant lies in the middle third of each of the ${level.length} level joints.` : `The resultant lies in the middle third of the level joint "${level[0].name}".`)];
+  return [paragraph(`The resultant lies outside the middle third of ${outside.length} of ${level.length} level joint${level.length > 1 ? 's' : ''}: ${outside.map(where).join(', ')}.`)];
+}
+
+function writeCases() {
+  const to = chapter('cases');
+  if (report.safety.trouble) return to.append(paragraph('No factor was found: ' + report.safety.trouble));
+  // Of a case that is not satisfied, the warning is pointed at only where it is why.
+  const cause = c => (c.satisfied === false && c.with_cracked_joint ? c.with_cracked_joint.text : '');
+  const doubt = c => (cause(c) ? ', see below' : c.satisfied && warningsOf(c).length > 0 ? ', see chapter 1' : '');
+  const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied && !doubt(c) ? 'good' : 'bad'}, (c.satisfied ? 'yes' : 'NO') + doubt(c)));
+  to.append(table(['load case', 'class', 'level m', 'tailwater m', 'outcome', 'factor', 'by limit analysis', 'on the water', 'required', 'satisfied', 'source'],
+    report.safety.map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), c.water_factor ? number(c.water_factor.factor) : '-', number(c.required, 4), answer(c), c.source || '-'])),
+  paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis. On the water: all that it presses may grow by so much, its uplift included, by limit analysis.', 'quiet'));
+  const tellEach = (textsOf, words, kind) => ofCases(textsOf).forEach(told => to.append(paragraph(words(...told), kind)));
+  const upper = text => text.charAt(0).toUpperCase() + text.slice(1);
+  tellEach(c => (cause(c) ? [cause(c)] : []), (who, text) => `Not enough, ${who}: ${text}.`, 'bad');
+  to.append(...warningsAbove(ofCases(warningsOf).length));
+  tellEach(c => (c.friction_history ? [c.friction_history] : []), (who, text) => `${upper(who)}: ${text}.`, 'quiet');
+  tellEach(c => (c.limit_analysis_note ? [c.limit_analysis_note] : []), (who, text) => `${upper(who)}, limit analysis: ${text}.`, 'quiet');
+  tellEach(c => (!is(c.factor) && c.why_no_factor ? [c.why_no_factor] : []), (who, text) => `${upper(who)}: no factor, as ${text}.`, 'quiet');
+  tellEach(c => (c.why_no_limit_analysis_factor && c.why_no_limit_analysis_factor !== c.why_no_factor ? [c.why_no_limit_analysis_factor] : []), (who, text) => `${upper(who)}: no factor by limit analysis, as ${text}.`, 'quiet');
+  tellEach(c => (c.mechanism ? [c.mechanism.text] : []), (who, text) => `Mechanism of ${who}, by limit analysis: ${text}.`, 'quiet');
+  for (const c of report.safety.filter(c => c.load_factor)) {
+    const grown = c.load_factor;
+    to.append(paragraph(is(grown.factor) ? `Load case "${c.name}": it bears ${number(grown.factor)} times ${grown.loads.join(' and ')} by limit analysis; as stated: ${grown.constant.join(' and ')}.`
+      : `Load case "${c.name}": it bears no part of ${grown.loads.join(' and ')} by limit analysis: what stays as stated is too much by itself: ${grown.constant.join(' and ')}.`, 'quiet'));
+  }
+  writeOtherLoads(to);
+  to.append(caseFigures(report));
+  for (const c of report.safety) {
+    if (c.why_no_joints) writeLoads(c, to);
+    if (!c.joints || c.joints.length === 0) continue;
+    const scaled = c.joints_with_strength_times;
+    const together = element('div', {class: 'together'});
+    to.append(together);
+    together.append(element('h3', {}, `Joints: ${c.name}` + (is(c.level_m) ? `, level ${number(c.level_m)} m` : '')));
+    if (c.set.length > 0) together.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
+    if (is(scaled)) together.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength; the sliding factors are with the strength as stated.`, 'quiet'));
+    together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'M kNm/m', 'sliding factor', 'residual', 'resultant', 'crack m', 'bonded m', 'heel kPa', 'toe kPa'],
+      c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.moment_n), number(j.sliding_factor, 4), number(j.residual_sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), fixed(j.bonded_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
+    together.append(...middleThird(c.joints));
+    const bent = c.bent_joints || [];
+    if (bent.length > 0) to.append(paragraph(`No row has ${bent.map(name => `"${name}"`).join(', ')}: a joint that bends has no single sliding factor nor resultant. The factor of the load case counts it.`, 'quiet'));
+    if (c.joints.length <= 4) c.joints.forEach(joint => to.append(...sumsTable(joint)));  // of a mesh of joints the file has the rest
+  }
+}
