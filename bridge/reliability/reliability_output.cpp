@@ -233,10 +233,9 @@ std::string sobol_figure(const json& answer) {
   }
   return fmt::format(
       "set style fill solid 0.8\nset xlabel 'Sobol''s index'\nset xrange [0:*]\nset yrange [-0.5:{}]\nset key outside "
-      "bottom horizontal\nset grid x\nset ytics ({})\n$bars << EOD\n{}EOD\nplot $bars using 2:1:(0):2:1:($1+0.35) with "
-      "boxxyerror lc rgb '#204a87' title 'alone', '' using 3:1:(0):3:($1-0.35):1 with boxxyerror lc rgb '#8fb0d9' "
-      "title "
-      "'in all'\n",
+      "top horizontal\nset grid x\nset ytics ({})\n$bars << EOD\n{}EOD\n"
+      "plot $bars using 2:1:(0):2:1:($1+0.35) with boxxyerror lc rgb '#204a87' title 'alone', "
+      "'' using 3:1:(0):3:($1-0.35):1 with boxxyerror lc rgb '#8fb0d9' title 'in all'\n",
       static_cast<double>(count) - 0.5, names, bars);
 }
 
