@@ -64,7 +64,7 @@ inline constexpr std::array commands = {
     Command{"trace", "put both sides of a run on one time axis, for Perfetto", trace_command},
     Command{"study", "run the studies of a scene: critical values, maps, samples, orders", study_command},
     Command{"validate", "run the cases and compare each result with its expected value", validate_command},
-    Command{"compare", "run scenes with each of the three contact formulations, and compare", compare_command},
+    Command{"compare", "run scenes with each contact formulation, or each of --fluids, and compare", compare_command},
     Command{"bench", "measure run time against error, over the settings that a case lists", bench_command},
     Command{"stress", "run maps of extreme settings: each run is right, refused or wrong", stress_command},
     Command{"keys", "make encryption keys for a run on two machines", keys_command},

@@ -14,7 +14,8 @@ Work compare_command(CLI::App& app) {
   app.add_option("--fluids", options->fluids,
                  "compare these models of [fluid], as reservoir,openfoam, in place of contacts")
       ->delimiter(',');
-  app.add_option("--set", options->overrides, "set a key in each scene, as key=value");
+  app.add_option("--set", options->overrides,
+                 "set a key in each scene, as key=value; with --fluids a key of [fluid] acts on the model that has it");
   return [options] { return study::compare(*options); };
 }
 

@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
+
 #include "bridge/process/run.hpp"
 #include "bridge/process/supervisor.hpp"
 #include "bridge/results/wrapped.hpp"
@@ -24,8 +26,9 @@ inline bool errors_go_to_the_output() {
 /// signal arrives before the program ends.
 template <class Run>
 int run_and_report(Run run) {
-  static const process::StopsLater until_it_is_reported;
+  const process::StopsLater until_it_has_run;
   const process::RunResult result = run();
+  for (const int stop : {SIGINT, SIGTERM}) std::signal(stop, SIG_IGN);  // those that wait are dropped, too
   // The report contains it, too.
   if (!result.trouble.empty() && !errors_go_to_the_output()) {
     fmt::print(stderr, "blockweir: {}\n", process::trouble_text(result));

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "bridge/process/stopped.hpp"
 #include "bridge/process/supervisor.hpp"
 #include "bridge/process/temporary_folder.hpp"
 #include "commit.hpp"
@@ -25,8 +26,9 @@ std::string openfoam() {
   const process::TemporaryFolder folder;
   process::Command command{"openfoam", {program.string(), "--version"}};
   command.output = folder.path() / "version";
-  process::supervise(
+  const process::Supervised supervised = process::supervise(
       {command}, folder.path(), 1, [] { return true; }, 10);
+  if (supervised.asked_to_stop) throw process::Stopped();
   std::string line;
   std::getline(std::ifstream(command.output), line);
   return line;

@@ -6,7 +6,7 @@
 
 namespace blockweir::launch {
 
-/// Version, commit, compiler, and the OpenFOAM that blockweir-openfoam finds: a line each.
+/// Version, commit, compiler, and the OpenFOAM that blockweir-openfoam finds: a line each. Throws process::Stopped.
 std::string version();
 
 }  // namespace blockweir::launch

@@ -10,7 +10,7 @@ namespace blockweir::picture {
 
 struct CutOptions {
   std::filesystem::path scene;
-  std::filesystem::path out = "cut.png";  ///< .png or .svg
+  std::filesystem::path out{};  ///< .png or .svg
   std::vector<std::string> overrides;
 };
 

@@ -220,10 +220,6 @@ StopsLater::StopsLater() {
 }
 
 StopsLater::~StopsLater() {
-  const sigset_t both = stop_set();
-  const timespec now{};
-  while (::sigtimedwait(&both, nullptr, &now) > 0) {
-  }
   ::sigprocmask(SIG_SETMASK, &before_, nullptr);
 }
 

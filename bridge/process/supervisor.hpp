@@ -46,8 +46,8 @@ struct Supervised {
 /// The last line that is not empty.
 std::string last_line(const std::filesystem::path& log);
 
-/// Blocks SIGINT and SIGTERM during its lifetime, except in supervise(), which handles them; those that arrive later
-/// are dropped.
+/// Blocks SIGINT and SIGTERM during its lifetime, except in supervise(), which handles them; those that supervise() has
+/// not handled are delivered at the end.
 class StopsLater {
  public:
   StopsLater();

@@ -220,6 +220,25 @@ std::string reliability_text(const json& answer) {
   return text + comparison_text(answer);
 }
 
+/// Names stand one above the other: side by side they would overlap.
+std::string sobol_figure(const json& answer) {
+  const json& sobol = answer["sobol"];
+  const std::size_t count = answer["variables"].size();
+  std::string bars;
+  std::string names;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t row = count - 1 - i;
+    bars += fmt::format("{} {} {}\n", row, sobol["first"][i].get<double>(), sobol["total"][i].get<double>());
+    names += fmt::format("{}{} {}", i == 0 ? "" : ", ", picture::gnuplot_tic(answer["variables"][i]), row);
+  }
+  return fmt::format(
+      "set style fill solid 0.8\nset xlabel 'Sobol''s index'\nset xrange [0:*]\nset yrange [-0.5:{}]\nset key outside "
+      "top horizontal\nset grid x\nset ytics ({})\n$bars << EOD\n{}EOD\n"
+      "plot $bars using 2:1:(0):2:1:($1+0.35) with boxxyerror lc rgb '#204a87' title 'alone', "
+      "'' using 3:1:(0):3:($1-0.35):1 with boxxyerror lc rgb '#8fb0d9' title 'in all'\n",
+      static_cast<double>(count) - 0.5, names, bars);
+}
+
 void draw_reliability(const json& answer, const std::filesystem::path& folder) {
   std::string rows;
   for (const json& point : answer["curve"]) {
@@ -236,20 +255,8 @@ void draw_reliability(const json& answer, const std::filesystem::path& folder) {
                     "'samples', NaN lc rgb '#c00000' title 'level asked for'\n",
                     answer["level_m"].get<double>(), rows));
   }
-  const json sobol = answer.value("sobol", json::object());
-  if (!sobol.contains("first")) return;
-  std::string bars;
-  std::string names;
-  for (std::size_t i = 0; i < answer["variables"].size(); ++i) {
-    bars += fmt::format("{} {}\n", sobol["first"][i].get<double>(), sobol["total"][i].get<double>());
-    names += fmt::format("{}{} {}", i == 0 ? "" : ", ", picture::gnuplot_tic(answer["variables"][i]), i);
-  }
-  draw_study(
-      folder / "sobol.png", "What the level of failure depends on",
-      fmt::format("set style data histogram\nset style fill solid 0.8\nset ylabel 'Sobol''s index'\nset yrange "
-                  "[0:*]\nset key outside bottom horizontal\nset grid y\nset xtics ({})\n$bars << EOD\n{}EOD\n"
-                  "plot $bars using 1 lc rgb '#204a87' title 'alone', '' using 2 lc rgb '#8fb0d9' title 'in all'\n",
-                  names, bars));
+  if (answer.value("sobol", json::object()).contains("first"))
+    draw_study(folder / "sobol.png", "What the level of failure depends on", sobol_figure(answer));
 }
 
 }  // namespace blockweir::study

@@ -22,6 +22,9 @@ std::string distribution_text(const scene::Distribution& distribution);
 
 std::string reliability_text(const nlohmann::json& answer);
 
+/// gnuplot's commands: two bars for each variable.
+std::string sobol_figure(const nlohmann::json& answer);
+
 /// Draws fragility.png, and sobol.png if there are indices, into the folder and prints their paths.
 void draw_reliability(const nlohmann::json& answer, const std::filesystem::path& folder);
 

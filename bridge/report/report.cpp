@@ -53,6 +53,13 @@ bool may_write_here() {
 json sound_summary(const fs::path& run) {
   json summary = process::summary_of(run);
   if (!summary.empty()) return summary;
+  if (fs::exists(run / "summary.json")) {
+    throw std::invalid_argument(
+        fmt::format("{}: found a summary.json that is cut off or damaged; expected the whole file; make the run anew "
+                    "with blockweir "
+                    "run {}",
+                    run.string(), results::shell_word(process::scene_of(run).string())));
+  }
   throw std::invalid_argument(
       fmt::format("{}: found a run without a summary.json; expected one that has ended; blockweir resume {} may end it",
                   run.string(), results::shell_word(run.string())));

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <deque>
 
-#include "bridge/picture/gnuplot.hpp"
 #include "bridge/results/figure.hpp"
-#include "bridge/study/open_study.hpp"
+#include "bridge/study/critical_figure.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -107,26 +106,8 @@ class Search {
                        {"outcomes", {word_at(bracket.low), word_at(bracket.high)}}};
     finding_.text = fmt::format("  {} = {:.9g}\n  {} at {:.9g}, {} at {:.9g}\n", critical_.key, bracket.middle(),
                                 word_at(bracket.low), bracket.low, word_at(bracket.high), bracket.high);
-    finding_.figure = figure();
+    finding_.figure = critical_figure(critical_, finding_.runs, bracket.middle());
     return finding_;
-  }
-
-  [[nodiscard]] std::string figure() const {
-    std::string with;
-    std::string without;
-    for (std::size_t i = 0; i < finding_.runs.size(); ++i) {
-      const Outcome& run = finding_.runs[i];
-      (has(critical_, run) ? with : without) += fmt::format("{} {}\n", i + 1, value_in(run, critical_.key));
-    }
-    return fmt::format(
-        "set xlabel 'run'\nset ylabel {}\nset key outside bottom horizontal\nset grid\n$with << EOD\n{}EOD\n$without "
-        "<< EOD\n{}EOD\nplot $with pt 7 lc rgb '#c00000' title {}, $without pt 6 lc rgb '#204a87' title {}\n",
-        picture::gnuplot_text(critical_.key), with, without,
-        picture::gnuplot_text(critical_.target ? wanted(critical_) : critical_.outcome),
-        picture::gnuplot_text(critical_.target                ? "not " + wanted(critical_)
-                              : critical_.outcome == "fails"  ? "stands"
-                              : critical_.outcome == "stands" ? "fails"
-                                                              : "another outcome"));
   }
 
   CriticalValue critical_;

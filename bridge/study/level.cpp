@@ -14,6 +14,13 @@ namespace {
 
 using nlohmann::json;
 
+/// The joint from whose end the head is measured: limit analysis names the one farthest upstream first.
+std::string joint_of_head(const json& found) {
+  if (const std::string joint = found.value("joint", ""); !joint.empty()) return joint;
+  const json joints = found.value("mechanism", json::object()).value("joints", json::array());
+  return joints.empty() ? "" : joints.front().get<std::string>();
+}
+
 /// A level and the head over the joint that fails, in nine digits.
 std::string level_text(const json& found) {
   const std::string outcome = found["outcome"];
@@ -24,7 +31,9 @@ std::string level_text(const json& found) {
   }
   std::string text = fmt::format("fails at a level of {:.9g} m", found["level_m"].get<double>());
   if (found.contains("head_m") && found["head_m"].is_number()) {
-    text += fmt::format(", {:.9g} m above the joint", found["head_m"].get<double>());
+    const std::string joint = joint_of_head(found);
+    text += fmt::format(", {:.9g} m above {}", found["head_m"].get<double>(),
+                        joint.empty() ? "the joint" : fmt::format("joint \"{}\"", joint));
   }
   return text;
 }

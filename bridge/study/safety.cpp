@@ -143,7 +143,7 @@ json safety_answers(const process::AskOptions& options, Pictures* pictures) {
     for (const auto& draw : std::exchange(own, {})) draw();
     const scene::Scene with = scene::read_variant(one.scene, one.variant, one.overrides).scene;
     const auto idle = idle_load_case(load_case, read.scene, with);
-    if (idle && !load_case.set.empty()) found["warnings"].push_back(idle->message());
+    if (idle) found["warnings"].push_back(idle->message());
     for (const scene::Diagnostic& missed : missed_joints(load_case, with)) {
       found["warnings"].push_back(missed.message());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fluids side by side on the same scenes.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,28 @@ const scene::FluidEntry& entry_of(const std::string& key) {
   const std::string meant = scene::did_you_mean(key, known);
   throw std::invalid_argument(fmt::format("--fluids: found \"{}\"; expected {}; {}", key, scene::one_of(known),
                                           meant.empty() ? "name them with commas between" : meant));
+}
+
+/// The model that has the key of [fluid] which `setting` sets; null where it sets none of one model alone.
+const scene::FluidEntry* owner_of(const std::string& setting) {
+  constexpr std::string_view section = "fluid.";
+  if (!setting.starts_with(section)) return nullptr;
+  const std::string key = setting.substr(section.size(), setting.find_first_of(".=", section.size()) - section.size());
+  if (key == "model") return nullptr;
+  const auto table = std::find_if(scene::fluid_models.begin(), scene::fluid_models.end(),
+                                  [&](const scene::FluidEntry& e) { return e.key == key; });
+  return table != scene::fluid_models.end() ? &*table : &scene::fluid_entry(scene::FluidModel::openfoam);
+}
+
+void refuse_settings_of_none(const CompareOptions& options) {
+  for (const std::string& setting : options.overrides) {
+    const scene::FluidEntry* owner = owner_of(setting);
+    if (owner == nullptr || std::count(options.fluids.begin(), options.fluids.end(), owner->key) > 0) continue;
+    throw std::invalid_argument(
+        fmt::format("--set {}: found a key of model = \"{}\", which is not compared; expected keys of {}; add {} to "
+                    "--fluids, or leave the key out",
+                    setting, owner->key, fmt::join(options.fluids, ", "), owner->key));
+  }
 }
 
 /// A way in which a scene has a model.
@@ -113,6 +136,12 @@ json off_first(const json& figure, const json& first) {
   return nullptr;
 }
 
+/// In percent; where that says nothing, how many times the figure it is.
+std::string off_text(double off) {
+  if (off == 0) return "0 %*";
+  return std::abs(off) < 10 ? fmt::format("{:+.3g} %*", 100 * off) : fmt::format("{:.3g} x*", 1 + off);
+}
+
 /// The runs of one scene, one a model.
 class FluidTable {
  public:
@@ -137,31 +166,42 @@ class FluidTable {
     RunOptions one{.scene = scene,
                    .out = options_.out.empty() ? scratch_.path() / "run"
                                                : options_.out / fmt::format("{}-{}", case_name(scene), fluid),
-                   .overrides = options_.overrides,
                    .quiet = true};
+    Settings own;
+    std::string left_out;
+    for (const std::string& setting : options_.overrides) {
+      const scene::FluidEntry* owner = owner_of(setting);
+      if (owner != nullptr && owner->key != fluid) {
+        left_out += fmt::format("    without {}, which only {} has\n", setting, owner->key);
+      } else {
+        (owner == nullptr ? one.overrides : own).push_back(setting);
+      }
+    }
     std::string trouble;
     json summary;
     try {
-      const Choice choice = choice_of(scene, entry_of(fluid).model, options_.overrides);
+      const Choice choice = choice_of(scene, entry_of(fluid).model, one.overrides);
       one.variant = choice.variant;
-      one.overrides.insert(one.overrides.end(), choice.set.begin(), choice.set.end());
+      one.overrides = joined(joined(one.overrides, choice.set), own);
       const RunResult result = uninterrupted(one);
       if (result.exit_code != 0) trouble = result.trouble;
       summary = result.summary;
     } catch (const scene::SceneError& error) {
       trouble = error.what();
     }
-    if (trouble.empty()) return add_figures(scene, fluid, command_of(one), summary, one.out);
+    if (trouble.empty()) return add_figures(scene, fluid, left_out, command_of(one), summary, one.out);
     sound_ = false;
-    fmt::print("  {}\n{}{}", fluid, results::wrapped("    " + trouble),
+    fmt::print("  {}\n{}{}{}", fluid, results::wrapped(left_out), results::wrapped("    " + trouble),
                results::wrapped("    repeat it with " + command_of(one)));
     rows_.push_back({{"case", case_name(scene)}, {"fluid", fluid}, {"trouble", trouble}, {"command", command_of(one)}});
   }
 
-  void add_figures(const fs::path& scene, const std::string& fluid, const std::string& command, const json& summary,
-                   const fs::path& run) {
-    fmt::print("{}", table_line("  " + fluid,
-                                fmt::format("{:>16} {:>9} {:>9.3g}", "", "", summary["wall_time_s"].get<double>())));
+  void add_figures(const fs::path& scene, const std::string& fluid, const std::string& left_out,
+                   const std::string& command, const json& summary, const fs::path& run) {
+    fmt::print(
+        "{}{}",
+        table_line("  " + fluid, fmt::format("{:>16} {:>9} {:>9.3g}", "", "", summary["wall_time_s"].get<double>())),
+        results::wrapped(left_out));
     json all = figures(summary);
     const json forces = peaks(run);
     if (first_.empty()) choose(all, forces);
@@ -171,7 +211,9 @@ class FluidTable {
       const json off = stated ? f["relative_error"] : off_first(f, first_);
       if (shown_.contains(f["name"])) {
         print_figure(f["name"].get<std::string>(), results::figure(f["got"]),
-                     off.is_number() ? fmt::format("{:.2e}{}", off.get<double>(), stated ? "" : "*") : "");
+                     !off.is_number() ? ""
+                     : stated         ? fmt::format("{:.2e}", off.get<double>())
+                                      : off_text(off));
       }
       rows_.push_back({{"case", case_name(scene)},
                        {"fluid", fluid},
@@ -213,6 +255,7 @@ int compare_fluids(const CompareOptions& options) {
         "--fluids: found no scene beside it; expected one or more; name those in which fluids are to be compared");
   }
   for (const std::string& fluid : options.fluids) entry_of(fluid);
+  refuse_settings_of_none(options);
   if (options.fluids.size() < 2) {
     throw std::invalid_argument(fmt::format(
         "--fluids: found \"{}\" alone; expected two models or more, with commas between; add another, as {}",
@@ -232,7 +275,7 @@ int compare_fluids(const CompareOptions& options) {
     fmt::print(stderr, "stopped on request\n");
     return 130;
   }
-  fmt::print("*: off the figure of {}\n", options.fluids.front());
+  fmt::print("*: off the figure of {}, in percent; x: times that figure\n", options.fluids.front());
   if (!options.json.empty()) results::replace_file(options.json, table.rows().dump(2) + "\n");
   std::error_code kept;
   fs::remove(options.out, kept);  // where no run has left anything in it

@@ -33,7 +33,10 @@ std::string header(const scene::Scene& scene, const std::vector<Pair>& unnamed) 
       "time_s,upstream_level_m,downstream_level_m,largest_displacement_m,kinetic_energy_j_per_m,strain_energy_j_per_m,"
       "potential_energy_j_per_m";
   if (scene.base_motion) {
-    text += ",base.displacement_x_m,base.displacement_y_m,base.acceleration_x_m_per_s2,base.acceleration_y_m_per_s2";
+    // Without a dot, which every column of a block, joint or bolt has: none of them shares the name.
+    for (const char* quantity :
+         {"displacement_x_m", "displacement_y_m", "acceleration_x_m_per_s2", "acceleration_y_m_per_s2"})
+      text += std::string(",base_motion_") + quantity;
   }
   for (const auto& block : scene.blocks) {
     if (block.fixed) continue;

@@ -56,6 +56,23 @@ TEST_F(LoadCases, LoadCasesHaveTheirFactorsAndSayWhetherTheyAreEnough) {
   EXPECT_EQ(joint["sums"][0]["name"], "weight");
 }
 
+TEST_F(LoadCases, TheSceneAsWrittenMayHaveAClassAndARequiredFactor) {
+  write("s.toml",
+        text(cases + "monolith-slides/scene.toml") +
+            "\n[ice]\nthrust_n_per_m = 20e3\nthickness_m = 0.5\n"
+            "[[load_case]]\nname = 'winter'\nclass = 'usual'\nset = []\nrequired_factor = 1.01\nsource = 'test'\n"
+            "[[load_case]]\nname = 'summer'\nset = ['ice.thrust_n_per_m=0']\n");
+  ASSERT_EQ(ask("check s.toml --set water.upstream_level_m=3 --set expect=[] --set variant=[]"), 0) << text("out");
+  EXPECT_THAT(text("out"), Not(HasSubstr("changes nothing")));
+  ASSERT_EQ(ask("safety s.toml --json a.json --set water.upstream_level_m=3 --set expect=[] --set variant=[]"), 0)
+      << text("out");
+  const json load_cases = answer("a.json")["load_cases"];
+  EXPECT_EQ(load_cases[1]["satisfied"], true);
+  EXPECT_EQ(load_cases[1]["factor"], load_cases[0]["factor"]);
+  EXPECT_GT(load_cases[2]["factor"].get<double>(), load_cases[1]["factor"].get<double>());
+  EXPECT_THAT(text("out"), Not(HasSubstr("changes nothing")));
+}
+
 TEST_F(LoadCases, ALoadCaseSetsItsKeysOverTheCommandLine) {
   write("s.toml", text(cases + "monolith-slides/scene.toml") +
                       "\n[[load_case]]\nname = 'flood'\nset = ['water.upstream_level_m=7.9']\n");

@@ -196,6 +196,8 @@ TEST_F(Processes, CutDrawsTheBlocksWithoutARun) {
   EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section --out a_b.png"), 0) << text("out");
   EXPECT_THAT(text("out"), testing::HasSubstr(" blocks (1 fixed) of "));
   EXPECT_EQ(text("a_b.png").substr(1, 3), "PNG");
+  EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section"), 0) << text("out");
+  EXPECT_THAT(text("out"), testing::HasSubstr("drawn in jointed-section-cut.png")) << "another scene's stays";
   EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section --out a.pdf"), 2);
   EXPECT_THAT(text("out"), testing::HasSubstr("expected a name that ends in .png or .svg"));
   EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section --out no/a.png"), 2);

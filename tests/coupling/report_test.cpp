@@ -214,6 +214,19 @@ TEST_F(Report, OfARunThatIsThereTakesItsResults) {
   EXPECT_THAT(text("out"), HasSubstr("found a run, beside --set or --variant; expected a scene"));
 }
 
+TEST_F(Report, ASummaryThatIsCutOffIsToldFromOneThatIsMissing) {
+  write_scene();
+  ASSERT_EQ(shell(programs + "/blockweir run wall.toml --out r --quiet"), 0) << text("out");
+  fs::resize_file(folder / "r/summary.json", fs::file_size(folder / "r/summary.json") / 2);
+  EXPECT_EQ(shell(programs + "/blockweir report r"), 2);
+  EXPECT_THAT(text("out"),
+              HasSubstr("r: found a summary.json that is cut off or damaged; expected the whole file; make "
+                        "the run anew with blockweir run r/scene.toml"));
+  fs::remove(folder / "r/summary.json");
+  EXPECT_EQ(shell(programs + "/blockweir report r"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("r: found a run without a summary.json"));
+}
+
 TEST_F(Report, WritesNothingWhereItCannot) {
   write_scene();
   EXPECT_EQ(shell(programs + "/blockweir report wall.toml --out nowhere/wall.html"), 2);

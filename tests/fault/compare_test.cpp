@@ -100,7 +100,9 @@ TEST_F(Compare, SetsFluidsSideBySide) {
   EXPECT_NEAR(got.at("displacement_m of base").at("hydrostatic"), 0.0118, 1e-4);
   const auto& range = got.at("half the range of water_force_x_n_per_m on dam");
   EXPECT_LT(range.at("hydrostatic"), 1e-3 * range.at("reservoir"));
-  EXPECT_THAT(text("out"), testing::HasSubstr("*: off the figure of reservoir"));
+  EXPECT_THAT(text("out"), testing::HasSubstr("*: off the figure of reservoir, in percent"));
+  EXPECT_THAT(text("out"),
+              testing::ContainsRegex("half the range of water_force_x_n_per_m on dam .* -(99[.][0-9]*|100) %[*]"));
 }
 
 TEST_F(Compare, RefusesAFluidThatIsNone) {
@@ -109,6 +111,22 @@ TEST_F(Compare, RefusesAFluidThatIsNone) {
                                               "reservoir, openfoam, column, external; did you mean \"reservoir\"?"));
   EXPECT_EQ(shell(programs + "/blockweir compare --fluids reservoir"), 2);
   EXPECT_THAT(text("out"), testing::HasSubstr("found no scene beside it"));
+}
+
+/// 2 cells are too few: interFoam need not run.
+TEST_F(Compare, AKeyOfOneFluidActsOnItAlone) {
+  const std::string command =
+      programs + "/blockweir compare " + cases + "reservoir-slide --set fluid.cells_in_depth=2 ";
+  EXPECT_EQ(shell(command + "--fluids hydrostatic,reservoir,openfoam"), 1);
+  EXPECT_THAT(text("out"),
+              testing::HasSubstr("  openfoam\n    --set fluid.cells_in_depth=2: error: cells_in_depth in [fluid] is "
+                                 "2"));
+  EXPECT_THAT(text("out"), testing::HasSubstr("    without fluid.cells_in_depth=2, which only openfoam has\n"));
+  EXPECT_THAT(text("out"), testing::ContainsRegex("displacement_m of base +0.07"));
+  EXPECT_EQ(shell(command + "--fluids hydrostatic,reservoir"), 2);
+  EXPECT_THAT(text("out"),
+              testing::HasSubstr("--set fluid.cells_in_depth=2: found a key of model = \"openfoam\", which is not "
+                                 "compared; expected keys of hydrostatic, reservoir; add openfoam to --fluids"));
 }
 
 TEST_F(Compare, RefusesOneFluidAlone) {

@@ -17,6 +17,7 @@ namespace {
 
 using sample::expect_error;
 using testing::HasSubstr;
+using RecordFile = sample::SceneFolder;
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
@@ -136,6 +137,15 @@ TEST(RecordCorrection, WhatCannotBeCorrectedIsRefused) {
   for (int i = 1; i < 16; ++i) rows += i == 9 ? "" : fmt::format(", [{:.1f}, {}]", 0.1 * i, i % 3);
   expect_error(shaken("", rows), 58,
                {"acceleration_x_m_per_s2 in [base_motion] has a gap after row 9, from 0.8 to 1 s", "fill in the rows"});
+}
+
+/// A remark and a heading stand above the rows of a file.
+TEST_F(RecordFile, AGapIsNamedByTheLineOfItsFile) {
+  std::string rows = "# synthetic\ntime_s,a\n";
+  for (int i = 0; i < 16; ++i) rows += i == 9 ? "" : fmt::format("{:.1f},{}\n", 0.1 * i, i % 3);
+  (void)write("r.csv", rows);
+  EXPECT_THAT(error(write("s.toml", sample::text + "[base_motion]\nacceleration_x_m_per_s2 = { file = 'r.csv' }\n")),
+              HasSubstr("acceleration_x_m_per_s2 in [base_motion] has a gap after line 11 of r.csv, from 0.8 to 1 s"));
 }
 
 }  // namespace

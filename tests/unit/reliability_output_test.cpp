@@ -6,12 +6,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "bridge/picture/draw.hpp"
+#include "tests/own_folder.hpp"
+
 namespace blockweir::study {
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
+using SobolFigure = test::OwnFolder;
 
 json answer_with(double first, double total) {
   return {{"by", "limit"},
@@ -34,6 +42,24 @@ TEST(ReliabilityTold, ASobolShareInAllBelowThatAloneIsSaidToBeNoise) {
   EXPECT_THAT(reliability_text(answer_with(0.998, 0.945)),
               HasSubstr("where it is, by up to 0.053, that is the noise of 400 samples;"));
   EXPECT_THAT(reliability_text(answer_with(0.945, 0.998)), Not(HasSubstr("noise")));
+}
+
+/// Each name has a height of its own in the picture.
+TEST_F(SobolFigure, HasNamesThatDoNotOverlap) {
+  const std::vector<std::string> names = {"cut.lift joint.friction_angle_deg", "material.masonry.density_kg_per_m3",
+                                          "joint.cohesion_pa"};
+  const json answer = {{"variables", names}, {"sobol", {{"first", {0.9, 0.05, 0}}, {"total", {0.95, 0.1, 0}}}}};
+  picture::draw({{folder / "s.svg", 800, 600, sobol_figure(answer)}});
+  std::ifstream stream(folder / "s.svg");
+  const std::string svg(std::istreambuf_iterator<char>(stream), {});
+  std::set<std::string> heights;
+  for (const std::string& name : names) {
+    const std::size_t at = svg.find(name);
+    ASSERT_NE(at, std::string::npos) << svg;
+    const std::size_t comma = svg.find(',', svg.rfind("translate(", at));
+    heights.insert(svg.substr(comma, svg.find(')', comma) - comma));
+  }
+  EXPECT_EQ(heights.size(), names.size());
 }
 
 }  // namespace

@@ -166,6 +166,12 @@ TEST(ReservoirLoads, IceActsUnderTheLevelAndFollowsIt) {
   for (const double level : {12.0, 18.5}) expect_wrench(added_by(ice, 0, level), 150e3, 0, -150e3 * (level - 0.4));
 }
 
+TEST(ReservoirLoads, ALoadCaseTakesTheIceAway) {
+  EXPECT_FALSE(
+      read_text(dam(0, "[water]\nupstream_level_m = 12\n[ice]\nthrust_n_per_m = 0\nthickness_m = 0.5\n"), "s.toml")
+          .scene.water.ice);
+}
+
 TEST(ReservoirLoads, IceThatLiesOnNoFaceIsWarnedOfWithWhatItLoses) {
   const auto warned = [](double level, const char* thickness) {
     const std::string ice = fmt::format("[ice]\nthrust_n_per_m = 150e3\nthickness_m = {}\n", thickness);
@@ -247,8 +253,7 @@ vertices_m = [[0, 0], [3, 0], [1, 5], [0, 5]]
 TEST(ReservoirLoads, AreRefusedWhereTheyCannotAct) {
   const auto refusal = [](const std::string& table) { return testing::PrintToString(errors(dam(0, table))); };
   EXPECT_THAT(refusal("[ice]\nthrust_n_per_m = 1e5\nthickness_m = 0.5\n"), HasSubstr("[ice] without a reservoir"));
-  EXPECT_THAT(refusal("[ice]\nthrust_n_per_m = 0\nthickness_m = 0.5\n"),
-              HasSubstr("without ice leave [ice] out, and set it in the load case"));
+  EXPECT_THAT(refusal("[ice]\nthrust_n_per_m = -1\nthickness_m = 0.5\n"), HasSubstr("a number of at least 0"));
   EXPECT_THAT(refusal("[silt]\nlevel_m = -1\nsubmerged_density_kg_per_m3 = 900\npressure_coefficient = 0.4\n"),
               HasSubstr("s.toml:17: error: level_m in [silt] is -1 m, below every upstream face"));
   EXPECT_THAT(refusal("[earthquake]\nhorizontal_coefficient = 9.81\n"), HasSubstr("a share of gravity"));

@@ -34,6 +34,14 @@ TEST_F(LoadCases, ARequiredFactorNeedsItsSource) {
               HasSubstr("has a source and no required_factor"));
 }
 
+TEST_F(LoadCases, TheSceneAsWrittenIsALoadCaseWithAnEmptySet) {
+  const ReadScene scene = read(
+      with("[[load_case]]\nname = 'normal'\nclass = 'usual'\nset = []\nrequired_factor = 1.5\nsource = 'guideline'\n"));
+  ASSERT_THAT(scene.load_cases, testing::SizeIs(1));
+  EXPECT_THAT(scene.load_cases[0].set, testing::IsEmpty());
+  EXPECT_THAT(error(with("[[variant]]\nname = 'a'\nset = []\n")), HasSubstr("state what it changes"));
+}
+
 TEST_F(LoadCases, SetAKeyOnce) {
   const auto set = [&](const std::string& two) {
     return error(with("[[load_case]]\nname = 'a'\nset = [" + two + "]\n"));

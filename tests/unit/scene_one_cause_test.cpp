@@ -64,8 +64,8 @@ TEST(SceneOneCause, AHeapTellsTheLimitThatItHas) {
 }
 
 TEST(SceneOneCause, AnEmptySetIsToldWhatItNeeds) {
-  expect_error(scene_of(wall("3") + "[[load_case]]\nname = \"none\"\nset = []\n"), 14,
-               {"set in [[load_case]] \"none\" is an empty list", "expected at least one text \"key=value\"",
+  expect_error(scene_of(wall("3") + "[[variant]]\nname = \"none\"\nset = []\n"), 14,
+               {"set in [[variant]] \"none\" is an empty list", "expected at least one text \"key=value\"",
                 "state what it changes, such as set = [\"joint.friction_angle_deg=25\"]"});
 }
 

@@ -16,6 +16,8 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "solid/output/history_writer.hpp"
 #include "solid/output/vtk_writer.hpp"
@@ -149,6 +151,31 @@ TEST(History, AFullDiskGivesOneClearError) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("history.csv: is the disk full"));
   }
+  fs::remove_all(folder);
+}
+
+TEST(History, AColumnOfTheGroundsMotionHasNoNamesake) {
+  const fs::path folder = fs::temp_directory_path() / ("blockweir-namesakes-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  scene::Scene scene;
+  scene.base_motion.emplace();
+  scene::Block& block = scene.blocks.emplace_back();
+  block.name = "base";
+  block.vertices = {Point(0, 0), Point(1, 0), Point(0, 1)};
+  scene.joints.emplace_back().name = "base";
+  scene.bolts.emplace_back().name = "base";
+  { const HistoryWriter writer(folder, scene, results::Begin::anew); }
+  std::ifstream file(folder / "history.csv");
+  std::string header;
+  std::getline(file, header);
+  std::istringstream cells(header);
+  std::vector<std::string> columns;
+  for (std::string cell; std::getline(cells, cell, ',');) columns.push_back(cell);
+  EXPECT_THAT(columns, testing::IsSupersetOf({"base_motion_displacement_x_m", "base_motion_displacement_y_m",
+                                              "base_motion_acceleration_x_m_per_s2",
+                                              "base_motion_acceleration_y_m_per_s2", "base.displacement_x_m"}));
+  std::sort(columns.begin(), columns.end());
+  EXPECT_EQ(std::adjacent_find(columns.begin(), columns.end()), columns.end());
   fs::remove_all(folder);
 }
 

@@ -169,16 +169,16 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   const std::size_t before = problems.count();
   const auto folder = std::filesystem::path(name).parent_path();
   const bool drawn = take_drawing(file, folder, problems);
-  const bool recorded = take_records(file, folder, problems);
+  RecordSources records = take_records(file, folder, problems);
   refuse_control_characters(file, problems);
   if (problems.count() > before) throw SceneError(problems.errors());
-  if (drawn || recorded || !overrides.empty()) {
+  if (drawn || !records.empty() || !overrides.empty()) {
     std::ostringstream merged;
     merged << file << '\n';
     scene.text = merged.str();
   }
   scene.digest = digest(scene.text);
-  Reading reading{file, problems, scene};
+  Reading reading{file, problems, scene, std::move(records)};
   read_sections(reading, result);
   if (problems.count() > 0) refuse_all(problems);
   result.notes = problems.notes();

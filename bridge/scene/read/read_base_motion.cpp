@@ -52,15 +52,20 @@ bool fits(TableReader& table, const char* key, const TimeTable& record, const Re
   return true;
 }
 
-/// Rows that are lacking would be a straight line.
-void check_gap(TableReader& table, const char* key, const TimeTable& record, Problems& problems) {
+/// Rows that are lacking would be a straight line. `described`: the record in the scene.
+void check_gap(Reading& reading, TableReader& table, const char* key, const TimeTable& record,
+               const toml::node* described) {
   const std::optional<std::size_t> row = row_before_gap(record);
   if (!row) return;
-  problems.error(table.place(key),
-                 fmt::format("{} in [base_motion] has a gap after row {}, from {:.6g} to {:.6g} s", key, *row + 1,
-                             record.time_s[*row], record.time_s[*row + 1]),
-                 "rows as far apart as most of them are",
-                 "fill in the rows that are lacking, or sample the record anew");
+  const auto source = reading.records.find(described);
+  const std::string where = source == reading.records.end()
+                                ? fmt::format("row {}", *row + 1)
+                                : fmt::format("line {} of {}", source->second.lines[*row], source->second.file);
+  reading.problems.error(table.place(key),
+                         fmt::format("{} in [base_motion] has a gap after {}, from {:.6g} to {:.6g} s", key, where,
+                                     record.time_s[*row], record.time_s[*row + 1]),
+                         "rows as far apart as most of them are",
+                         "fill in the rows that are lacking, or sample the record anew");
 }
 
 std::string change_of(const char* key, const GroundEnd& before, const GroundEnd& after) {
@@ -72,7 +77,8 @@ std::string change_of(const char* key, const GroundEnd& before, const GroundEnd&
 }  // namespace
 
 void read_base_motion(Reading& reading) {
-  TableReader table(reading.problems, reading.section("base_motion"), "[base_motion]");
+  const toml::table* section = reading.section("base_motion");
+  TableReader table(reading.problems, section, "[base_motion]");
   const Analysis& analysis = reading.scene.analysis;
   BaseMotion base;
   table.choice<BaseForm>("form", base.form, {{"inertia", BaseForm::inertia}, {"support", BaseForm::support}});
@@ -87,7 +93,7 @@ void read_base_motion(Reading& reading) {
     std::optional<TimeTable> stated;
     if (!table.time_table(key, stated, analysis.duration_s)) return;
     into = *stated;
-    check_gap(table, key, *stated, reading.problems);
+    check_gap(reading, table, key, *stated, section->get(key));
     if (correction.any() && fits(table, key, *stated, correction, reading.problems)) {
       into = corrected(*stated, correction);
       const std::string begin = base.correction.empty() ? words_of(correction) : base.correction;

@@ -15,7 +15,7 @@ std::vector<LoadCase> read_load_cases(Reading& reading) {
     LoadCase load_case{.line = table.place().line};
     table.text("name", load_case.name, true);
     table.text("class", load_case.kind);
-    table.texts("set", load_case.set);
+    table.texts("set", load_case.set, {}, /*may_be_empty=*/true);
     check_settings(table, reading, load_case.set);
     table.number("required_factor", load_case.required_factor, positive());
     table.text("source", load_case.source);

@@ -92,12 +92,10 @@ void read_ice(Reading& reading) {
   TableReader table(reading.problems, reading.section("ice"), "[ice]");
   if (!table.present()) return;
   Ice ice;
-  const Range some{[](double n) { return n > 0; },
-                   "a number above 0; without ice leave [ice] out, and set it in the load case that has it"};
-  table.number("thrust_n_per_m", ice.thrust_n_per_m, some, true);
-  table.number("thickness_m", ice.thickness_m, some, true);
+  table.number("thrust_n_per_m", ice.thrust_n_per_m, not_negative(), true);
+  table.number("thickness_m", ice.thickness_m, positive(), true);
   require_still_water(table, reading);
-  reading.scene.water.ice = ice;
+  if (ice.thrust_n_per_m > 0) reading.scene.water.ice = ice;  // a load case may take the ice away
 }
 
 void read_earthquake(Reading& reading) {

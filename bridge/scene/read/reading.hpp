@@ -11,6 +11,7 @@
 #include "bridge/scene/names.hpp"
 #include "bridge/scene/read/problems.hpp"
 #include "bridge/scene/read/table_reader.hpp"
+#include "bridge/scene/read/time_record.hpp"
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::scene {
@@ -20,6 +21,7 @@ struct Reading {
   const toml::table& file;
   Problems& problems;
   Scene& scene;
+  RecordSources records{};
   Names materials{"material"};
   Names blocks{"block"};
   Names bolts{"bolt"};

@@ -205,19 +205,20 @@ bool TableReader::word(const char* key, std::string& into, const std::vector<std
   return std::find(known.begin(), known.end(), into) != known.end() || not_one_of(key, into, known);
 }
 
-bool TableReader::texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count) {
+bool TableReader::texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count,
+                        bool may_be_empty) {
   const std::string words = count ? fmt::format("a list of {} names", *count) : "a list of texts";
   const toml::node* node = ask(key, true, words);
   if (node == nullptr) return false;
   const toml::array* list = node->as_array();
-  if (list != nullptr && list->empty() && !count) {
+  if (list != nullptr && list->empty() && !count && !may_be_empty) {
     const bool sets = std::string_view(key) == "set";
     return wrong(key, *node, sets ? "at least one text \"key=value\"" : "at least one text",
                  fmt::format("state what it {}, such as {} = [\"{}\"]", sets ? "changes" : "is to name", key,
                              sets ? "joint.friction_angle_deg=25" : "..."));
   }
-  if (list == nullptr || list->size() != count.value_or(list->size()) || !list->is_homogeneous<std::string>())
-    return wrong(key, *node, words);
+  const bool all_texts = list != nullptr && (list->empty() || list->is_homogeneous<std::string>());
+  if (!all_texts || list->size() != count.value_or(list->size())) return wrong(key, *node, words);
   for (const auto& entry : *list) into.push_back(*entry.value<std::string>());
   return true;
 }

@@ -76,8 +76,9 @@ class TableReader : public TableKeys {
   bool text(const char* key, std::string& into, bool required = false);
   /// One of the known words; optional unless `required`.
   bool word(const char* key, std::string& into, const std::vector<std::string>& known, bool required = false);
-  /// A list of `count` texts; without `count`, of any number above 0.
-  bool texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count = {});
+  /// A list of `count` texts; without `count`, of at least one, or of any number if it `may_be_empty`.
+  bool texts(const char* key, std::vector<std::string>& into, std::optional<std::size_t> count = {},
+             bool may_be_empty = false);
   /// The same for an optional key; false if it is absent.
   bool texts_if_any(const char* key, std::vector<std::string>& into);
   /// Components xx, yy and xy.

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -29,6 +28,12 @@ struct Layout {
   std::optional<double> step_s;  ///< between rows; without it the first column is the time
   bool column_stated = false;
   double scale = 1;
+};
+
+struct Row {
+  double time = 0;
+  double value = 0;
+  int line = 0;  ///< of the file
 };
 
 /// What is wrong with a record, how it should be, and what to do.
@@ -72,9 +77,9 @@ double number_in(const std::vector<std::string>& fields, std::size_t column, int
               "fill in a value that is lacking from the rows beside it"};
 }
 
-/// Rows (time, value) of the record; throws a Fault.
-std::vector<std::array<double, 2>> rows_of(std::istream& stream, const Layout& layout) {
-  std::vector<std::array<double, 2>> rows;
+/// Throws a Fault.
+std::vector<Row> rows_of(std::istream& stream, const Layout& layout) {
+  std::vector<Row> rows;
   const auto value_at = static_cast<std::size_t>(layout.column - 1);
   bool heading_allowed = true;
   int line_number = 0;
@@ -97,12 +102,12 @@ std::vector<std::array<double, 2>> rows_of(std::istream& stream, const Layout& l
     }
     const double time =
         layout.step_s ? static_cast<double>(rows.size()) * *layout.step_s : number_in(fields, 0, line_number);
-    if (!rows.empty() && time <= rows.back()[0]) {
-      throw Fault{fmt::format("time goes from {} s to {} s at line {}", rows.back()[0], time, line_number),
+    if (!rows.empty() && time <= rows.back().time) {
+      throw Fault{fmt::format("time goes from {} s to {} s at line {}", rows.back().time, time, line_number),
                   "times that increase from row to row", "put the rows in order, and give each time once"};
     }
-    rows.push_back({time, layout.scale * number_in(fields, value_at, line_number)});
-    if (!std::isfinite(rows.back()[1])) {
+    rows.push_back({time, layout.scale * number_in(fields, value_at, line_number), line_number});
+    if (!std::isfinite(rows.back().value)) {
       throw Fault{fmt::format("the value at line {} is too large once scaled", line_number), "finite numbers",
                   "correct the value, or scale"};
     }
@@ -113,7 +118,8 @@ std::vector<std::array<double, 2>> rows_of(std::istream& stream, const Layout& l
   return rows;
 }
 
-void take_record(toml::table& described, const std::filesystem::path& folder, Problems& problems) {
+void take_record(toml::table& described, const std::filesystem::path& folder, Problems& problems,
+                 RecordSources& sources) {
   const Place place = problems.at(described.get("file")->source());
   Layout layout;
   {
@@ -141,30 +147,38 @@ void take_record(toml::table& described, const std::filesystem::path& folder, Pr
   }
   try {
     toml::array table;
-    for (const auto& [time, value] : rows_of(stream, layout)) table.push_back(toml::array{time, value});
+    RecordSource source{.file = layout.file};
+    for (const Row& row : rows_of(stream, layout)) {
+      table.push_back(toml::array{row.time, row.value});
+      source.lines.push_back(row.line);
+    }
     for (const char* key : {"file", "column", "step_s", "scale"}) described.erase(key);
     described.insert("table", std::move(table));
+    sources.emplace(&described, std::move(source));
   } catch (const Fault& fault) {
     refuse(fault);
   }
 }
 
-}  // namespace
-
-bool take_records(toml::table& file, const std::filesystem::path& folder, Problems& problems) {
-  bool taken = false;
+void take_all(toml::table& file, const std::filesystem::path& folder, Problems& problems, RecordSources& sources) {
   for (auto&& [key, node] : file) {
     if (toml::table* table = node.as_table()) {
       const bool record = table->is_inline() && table->contains("file");
-      if (record) take_record(*table, folder, problems);
-      taken = record || take_records(*table, folder, problems) || taken;
+      record ? take_record(*table, folder, problems, sources) : take_all(*table, folder, problems, sources);
     } else if (toml::array* list = node.as_array()) {
       for (auto& entry : *list) {
-        if (toml::table* section = entry.as_table()) taken = take_records(*section, folder, problems) || taken;
+        if (toml::table* section = entry.as_table()) take_all(*section, folder, problems, sources);
       }
     }
   }
-  return taken;
+}
+
+}  // namespace
+
+RecordSources take_records(toml::table& file, const std::filesystem::path& folder, Problems& problems) {
+  RecordSources sources;
+  take_all(file, folder, problems, sources);
+  return sources;
 }
 
 }  // namespace blockweir::scene
