@@ -28,12 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Whether it reaches the required factor. Null if none is required, or if the blocks have no answer.
-json satisfied(const json& answer, const std::optional<double>& required) {
-  if (!required || answer["outcome"] == "not found") return nullptr;
-  return deciding_factor(answer) >= *required;
-}
-
 /// Has every case an answer, and is every factor that is required reached?
 bool all_enough(const json& cases) {
   return std::all_of(cases.begin(), cases.end(), [](const json& c) {
@@ -111,6 +105,13 @@ json answer_of(const scene::LoadCase& load_case, const process::AskOptions& opti
 }
 
 }  // namespace
+
+json satisfied(const json& answer, const std::optional<double>& required) {
+  if (!required) return nullptr;
+  if (answer["outcome"] != "not found") return deciding_factor(answer) >= *required;
+  const json& at_most = answer["limit_analysis_factor"];
+  return at_most.is_number() && at_most < *required ? json(false) : json();
+}
 
 double deciding_factor(const json& answer) {
   double factor = answer["outcome"] == "stands" ? std::numeric_limits<double>::infinity() : 0;

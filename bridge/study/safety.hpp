@@ -17,6 +17,9 @@ struct SafetyOptions : process::AskOptions {
 /// The lowest factor in an answer of blockweir-limit: of the blocks, with crushed corners, with cracked joints, or of a
 /// limit-analysis bound below it. Infinite if no strength is needed, 0 if no strength is enough.
 double deciding_factor(const nlohmann::json& answer);
+/// Whether an answer reaches the required factor. Null if none is required, or if the blocks have no answer and limit
+/// analysis, an upper bound, does not decide either.
+nlohmann::json satisfied(const nlohmann::json& answer, const std::optional<double>& required);
 
 /// The answers for the scene itself and each load case, a list as in safety.json, with one folder each in
 /// `options.out`, which must be set. `pictures`: null to draw mechanisms at once; otherwise the drawing functions are

@@ -9,6 +9,8 @@
 #include <random>
 #include <sstream>
 
+#include "bridge/study/safety.hpp"
+
 namespace {
 
 using nlohmann::json;
@@ -138,6 +140,18 @@ TEST(SafetyText, ALegendSaysOnceWhatTheColumnsAreAndALineWhichJointHasNoRow) {
   EXPECT_GT(text.find(line), text.find("joints that run through, second")) << text;
   second["joints"] = json::array();
   EXPECT_THAT(blockweir::study::safety_text(json::array({second})), HasSubstr(line));
+}
+
+TEST(SafetyText, AnUpperBoundBelowTheRequiredFactorDecidesWithoutTheBlocks) {
+  json answer = {{"outcome", "not found"}, {"factor", nullptr}, {"limit_analysis_factor", 0.787}};
+  EXPECT_EQ(blockweir::study::satisfied(answer, 1.1), false);
+  EXPECT_TRUE(blockweir::study::satisfied(answer, 0.7).is_null());
+  EXPECT_TRUE(blockweir::study::satisfied(answer, std::nullopt).is_null());
+  answer["limit_analysis_factor"] = nullptr;
+  EXPECT_TRUE(blockweir::study::satisfied(answer, 1.1).is_null());
+  answer = {{"outcome", "stands"}, {"factor", 1.2}, {"limit_analysis_factor", 1.3}};
+  EXPECT_EQ(blockweir::study::satisfied(answer, 1.1), true);
+  EXPECT_EQ(blockweir::study::satisfied(answer, 1.25), false);
 }
 
 }  // namespace

@@ -16,14 +16,14 @@ const fallsShort = c => c.satisfied !== null && !c.satisfied;
 function loadCasesInWords() {
   const cases = loadCases();
   const named = list => list.map(c => `"${c.name}"`).join(', ');
-  const judged = cases.filter(c => c.satisfied !== null);
+  const judged = cases.filter(c => c.required !== null);
   const short = judged.filter(fallsShort);
   const others = cases.filter(c => c.satisfied === null);
   const fallen = others.filter(c => c.outcome === 'fails');
   const unknown = others.filter(c => c.outcome === 'not found');
   const lines = [];
   if (judged.length > 0) {
-    lines.push(`Load cases: ${judged.length - short.length} of ${judged.length} reach their required factor` + (short.length > 0 ? `; not ${named(short)}.` : '.'));
+    lines.push(`Load cases: ${judged.filter(c => c.satisfied).length} of ${judged.length} reach their required factor` + (short.length > 0 ? `; not ${named(short)}.` : '.'));
   }
   if (fallen.length > 0) lines.push(`Load cases without a required factor that fail: ${named(fallen)}.`);
   if (unknown.length > 0) lines.push(`Load cases without an answer: ${named(unknown)}.`);
