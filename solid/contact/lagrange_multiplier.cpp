@@ -57,7 +57,7 @@ class LagrangeMultiplier final : public Formulation, private ForceConstraints {
   Interaction support(const Trial& trial, int index, Support& s) override {
     const Progress& progress = progress_.follow(trial, index, s);
     Interaction action = interaction_of(s);
-    action.force = s.multiplier;
+    action.force = s.force = s.multiplier;
     action.held = s.penalty * s.held();
     Constraints& constraints = of_supports_[at(index)];
     constraints.count = 0;

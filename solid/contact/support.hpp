@@ -18,6 +18,7 @@ struct Support {
   Point separation = Point::Zero();  ///< from where the point should be at the end of the step [m]
   Point multiplier = Point::Zero();  ///< force on the block [N per metre]
   Point force = Point::Zero();       ///< what acts: multiplier less penalty times separation
+  Point inertial = Point::Zero();    ///< its part in mass times acceleration: the force, but for generalized-alpha
   double penalty = 0;
 
   [[nodiscard]] Point target(double time_s) const {
@@ -35,7 +36,7 @@ struct Support {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(separation, multiplier, force, penalty);
+    archive(separation, multiplier, force, inertial, penalty);
   }
 };
 

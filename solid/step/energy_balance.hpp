@@ -22,6 +22,12 @@ class EnergyBalance {
     return by_shi || before_.empty() ? now : Vector6((before_[b] + now) / 2);
   }
   void give(double work_j_per_m) { given_ += work_j_per_m; }
+  /// Of steps that are undone; the loads at their end stay, with which the next step begins.
+  void undo_work_since(const EnergyBalance& before) {
+    given_ = before.given_;
+    stored_ = before.stored_;
+    owed_ = before.owed_;
+  }
   void store(double rise_j_per_m) { stored_ += rise_j_per_m; }
   /// Spurious energy of a block's group that could not be removed yet [J per metre].
   [[nodiscard]] double owed(std::size_t b) const { return owed_.empty() ? 0 : owed_[b]; }

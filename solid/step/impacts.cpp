@@ -5,16 +5,23 @@ namespace blockweir::solid {
 
 void StepsWithImpacts::start_acceleration(const std::vector<Panel>& water, double from_s) {
   const Standing before = state_;
+  const EnergyBalance balance = state_.energy;
   const double dt = 1e-2 * model_.scene.analysis.step_s;
   const bool solved = time_step_.attempt({dt, from_s + dt, water}, {}) == Outcome::made;
   const std::vector<BlockState> first = state_.blocks;
+  const std::vector<Support> supports = state_.supports;
   state_.restore(before);
+  state_.energy.undo_work_since(balance);
   state_.smooth_steps = solved ? State::smooth_steps_before_restart : 0;
   if (!solved) return;
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
     state_.blocks[b].acceleration = first[b].acceleration;
     // With water to push there is inertia beyond the blocks' own: what balanced it is the force.
     state_.blocks[b].force = water_.couples() ? first[b].force : Vector6(trial_.inertia(b) * first[b].acceleration);
+  }
+  for (std::size_t k = 0; k < supports.size(); ++k) {
+    state_.supports[k].force = supports[k].force;
+    state_.supports[k].inertial = supports[k].inertial;
   }
 }
 

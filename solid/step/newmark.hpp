@@ -43,6 +43,15 @@ struct Newmark : scene::NewmarkWeights {
   /// change the momentum, and the kinetic energy grows by F1 d, so an inelastic contact (F1 d <= 0) produces none.
   [[nodiscard]] bool second_order() const { return gamma != 1 || beta != 0.5; }
 
+  /// Part in M a1 of a force that grows from `before` to `now` and had this part in M a0.
+  [[nodiscard]] Point inertial(const Point& before, const Point& now, const Point& in_a0) const {
+    return ((1 - alpha_f) * now + alpha_f * before - alpha_m * in_a0) / (1 - alpha_m);
+  }
+  /// Its impulse in the step, over dt, from its parts in M a0 and M a1.
+  [[nodiscard]] Point through_step(const Point& in_a0, const Point& in_a1) const {
+    return (1 - gamma) * in_a0 + gamma * in_a1;
+  }
+
   /// Velocity and acceleration at the end of a step with increment d.
   void finish(BlockState& s, const Vector6& d, double dt) const {
     const Vector6 a1 = (d / dt - s.velocity) / (beta * dt) - (0.5 / beta - 1) * s.acceleration;

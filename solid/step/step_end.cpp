@@ -35,9 +35,9 @@ bool supports_lead(const StepWorkspace& step, const IslandEquations& s) {
 }
 
 /// Velocities become those of the constraints. The impulses that carry blocks along supply energy: from a base with its
-/// velocity, and from supports, each with its own, all that the blocks gain.
+/// velocity, and from supports, each with its own, all else that the blocks gain.
 void settle_velocities(StepWorkspace& step, IslandEquations& s, double dt, bool base_leads, bool starts) {
-  const bool led = !base_leads && !starts && supports_lead(step, s);
+  const bool led = !starts && supports_lead(step, s);
   const double kinetic = led ? kinetic_energy(step, s) : 0;
   std::vector<Vector6> before;
   for (const int block : s.island.blocks) {
@@ -45,8 +45,9 @@ void settle_velocities(StepWorkspace& step, IslandEquations& s, double dt, bool 
   }
   ConstrainedVelocities(step).settle(s, dt);
   const StepEnergy energy(step);
-  for (std::size_t k = 0; k < before.size(); ++k) energy.give_by_base(at(s.island.blocks[k]), before[k]);
-  if (led) step.state.energy.give(kinetic_energy(step, s) - kinetic);
+  double by_base = 0;
+  for (std::size_t k = 0; k < before.size(); ++k) by_base += energy.give_by_base(at(s.island.blocks[k]), before[k]);
+  if (led) step.state.energy.give(kinetic_energy(step, s) - kinetic - by_base);
 }
 
 }  // namespace

@@ -16,8 +16,9 @@ class StepEnergy : StepPart {
   /// Displacement of the base in the step, and its forces on the awake blocks.
   void lead(const StepIslands& islands, const Point& moved);
   [[nodiscard]] const std::vector<Point>& pushes() const { return pushes_; }  ///< on each block, at the step's end
-  /// Work of the base when an impulse of bodies that move with it has changed a block's velocity from this one.
-  void give_by_base(std::size_t b, const Vector6& velocity_before) const;
+  /// Gives and returns the work of the base when an impulse of bodies that move with it has changed a block's velocity
+  /// from this one.
+  double give_by_base(std::size_t b, const Vector6& velocity_before) const;
   /// Work of loads on an island's blocks in the step, less the energy taken by strain, bolts and springs.
   void balance(IslandEquations& island, double dt);
   /// Removes spurious energy of the step from the velocities. Contact forces act along the directions at the step's
@@ -38,6 +39,7 @@ class StepEnergy : StepPart {
   };
   [[nodiscard]] Made made_by(std::size_t b) const;
   [[nodiscard]] Vector6 with_base(std::size_t b) const;
+  void give_by_support(int k, double dt) const;
   [[nodiscard]] Point push_of_base(std::size_t b, const Vector6& load, double dt) const;
   [[nodiscard]] std::vector<Group> makers(const IslandEquations& island, std::vector<int>& group_of) const;
   [[nodiscard]] Eigen::Matrix<double, 6, 3> rigid_of(const IslandEquations& island, const std::vector<int>& group_of,

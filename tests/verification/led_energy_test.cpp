@@ -67,6 +67,27 @@ displacement_x_m = 0
 displacement_y_m = 0
 )";
 
+constexpr const char* driven = R"([[block]]
+name = "p"
+material = "m"
+vertices_m = [[0, -0.4], [1, -0.4], [1, 0], [0, 0]]
+[[support]]
+block = "p"
+point_m = [0.2, -0.2]
+displacement_x_m = { from = 0, rate_per_s = 0.8, to = 0.4 }
+displacement_y_m = 0
+[[support]]
+block = "p"
+point_m = [0.8, -0.2]
+displacement_x_m = { from = 0, rate_per_s = 0.8, to = 0.4 }
+displacement_y_m = 0
+)";
+
+constexpr const char* shaken = R"([base_motion]
+acceleration_x_m_per_s2 = { sine = 2.5, frequency_hz = 2.4, phase_deg = 104 }
+form = "support"
+)";
+
 struct Moved {
   double made_over_largest = 0;  ///< energy above what was given, over the largest there was
   double rotation_rad = 0;       ///< of the last block
@@ -109,6 +130,16 @@ TEST_P(Led, WallsThatFallOnAMovingBaseMakeNoEnergy) {
   const Moved wall =
       moved(analysis(GetParam(), 0.01, 2) + on_base(6, 1, 0.5, 30, "{ sine = 6, frequency_hz = 0.5 }", "support"));
   EXPECT_LE(wall.made_over_largest, 1e-8);
+}
+
+TEST_P(Led, ABlockThatSupportsDriveAndStopGetsItsEnergyFromThem) {
+  for (const char* ground : {"", shaken}) {
+    for (const char* formulation : {"augmented-lagrangian", "lagrange-multiplier"}) {
+      const std::string contact = fmt::format("[contact]\nformulation = \"{}\"\n", formulation);
+      const Moved pier = moved(analysis(GetParam(), 0.001, 1) + contact + driven + ground);
+      EXPECT_LE(pier.made_over_largest, 1e-6) << formulation << " " << ground;
+    }
+  }
 }
 
 TEST_P(Led, ABlockThatTurnsOnAHingeMakesNoEnergy) {
