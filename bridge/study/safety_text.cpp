@@ -152,6 +152,24 @@ std::string bent_joints_text(const json& answer) {
       names.size() > 1 ? "them" : "it");
 }
 
+/// Joints of the mechanism that alone do not divide the structure.
+std::string joint_parts_text(const json& answer) {
+  const json parts = answer.value("joint_parts", json::array());
+  if (parts.empty()) return {};
+  constexpr const char* row = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>13}\n";
+  std::string text = fmt::format(
+      "\nparts of a surface, {}: joints of the mechanism that alone let nothing slide\n"
+      "and so have no factor of their own; strength: c L + N tan(phi)\n",
+      answer["name"].get<std::string>());
+  text += fmt::format(fmt::runtime(row), "joint", "L m", "N kN/m", "T kN/m", "U kN/m", "strength kN/m");
+  for (const json& j : parts) {
+    text += fmt::format(fmt::runtime(row), beside(j["name"], 20), scaled(j["length_m"], "{:.3f}"),
+                        scaled(j["normal_n_per_m"], "{:.1f}", 1e-3), scaled(j["shear_n_per_m"], "{:.1f}", 1e-3),
+                        scaled(j["uplift_n_per_m"], "{:.1f}", 1e-3), scaled(j["strength_n_per_m"], "{:.1f}", 1e-3));
+  }
+  return text;
+}
+
 /// Forces of a metre of thickness.
 std::string joints_text(const json& answer) {
   const json& joints = answer["joints"];
@@ -160,7 +178,7 @@ std::string joints_text(const json& answer) {
                        answer["why_no_joints"].get<std::string>()) +
            sums_text(answer["loads_on_joints"], "sum");
   }
-  if (joints.empty()) return bent_joints_text(answer);
+  if (joints.empty()) return bent_joints_text(answer) + joint_parts_text(answer);
   constexpr const char* forces = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n";
   constexpr const char* stresses = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n";
   std::string text =
@@ -185,7 +203,7 @@ std::string joints_text(const json& answer) {
                         scaled(j["bonded_length_m"], "{:.3f}"), scaled(j["heel_stress_pa"], "{:.1f}", 1e-3),
                         scaled(j["toe_stress_pa"], "{:.1f}", 1e-3));
   }
-  text += bent_joints_text(answer);
+  text += bent_joints_text(answer) + joint_parts_text(answer);
   constexpr std::size_t most = 4;  // of a mesh of joints the file has the rest
   return joints.size() > most ? text : text + sums_text(joints, "sum, which the joint bears");
 }

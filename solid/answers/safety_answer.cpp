@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The factor on strength by which a scene fails, found by the blocks' own equilibrium and by limit analysis, and the
-// forces on its joints.
+// The factor on strength by which a scene fails, found by the blocks' own equilibrium and by limit analysis.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,21 +9,17 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/statics/loads.hpp"
-#include "solid/answers/additional_water_loads.hpp"
 #include "solid/answers/answer_entries.hpp"
 #include "solid/answers/contradiction.hpp"
 #include "solid/answers/crushed_corners.hpp"
+#include "solid/answers/joint_answer.hpp"
 #include "solid/answers/safety_reserves.hpp"
 #include "solid/answers/water_by_kind.hpp"
 #include "solid/capacity/situation.hpp"
-#include "solid/capacity/static_blocks.hpp"
 #include "solid/capacity/static_strength.hpp"
 #include "solid/limit/determinacy.hpp"
 #include "solid/limit/limit_strength.hpp"
 #include "solid/output/water_on_crest.hpp"
-#include "solid/watch/joint_table.hpp"
-#include "solid/watch/surfaces.hpp"
-#include "solid/watch/uplift_in_tension.hpp"
 
 namespace blockweir::process {
 namespace {
@@ -35,103 +30,6 @@ using solid::Situation;
 using solid::StaticStrength;
 using solid::limit::Bearing;
 namespace limit = solid::limit;
-
-/// Null for a figure that is not there.
-json figure(const std::optional<double>& value) {
-  return value ? json(*value) : json();
-}
-
-json sums_json(const std::vector<solid::ForceSum>& sums) {
-  json all = json::array();
-  for (const solid::ForceSum& s : sums) {
-    all.push_back({{"name", s.name}, {"x_n_per_m", s.force.x()}, {"y_n_per_m", s.force.y()}, {"moment_n", s.moment_n}});
-  }
-  return all;
-}
-
-json table_json(const std::vector<solid::JointRow>& rows) {
-  json table = json::array();
-  for (const solid::JointRow& row : rows) {
-    table.push_back({{"name", row.name},
-                     {"length_m", row.length_m},
-                     {"normal_n_per_m", row.normal_n_per_m},
-                     {"shear_n_per_m", row.shear_n_per_m},
-                     {"uplift_n_per_m", row.uplift_n_per_m},
-                     {"moment_n", row.moment_n},
-                     {"sliding_factor", figure(row.sliding_factor)},
-                     {"residual_sliding_factor", figure(row.residual_sliding_factor)},
-                     {"resultant_from_downstream", figure(row.resultant_from_downstream)},
-                     {"compressed_length_m", row.faces_length_m - row.cracked_length_m},
-                     {"cracked_length_m", row.cracked_length_m},
-                     {"bonded_length_m", figure(row.bonded_length_m)},
-                     {"heel_stress_pa", row.heel_stress_pa},
-                     {"toe_stress_pa", row.toe_stress_pa},
-                     {"upstream_end_m", {row.upstream_end_m.x(), row.upstream_end_m.y()}},
-                     {"downstream_end_m", {row.downstream_end_m.x(), row.downstream_end_m.y()}},
-                     {"sums", sums_json(row.sums)}});
-  }
-  return table;
-}
-
-json bolts_json(const solid::Solid& blocks) {
-  json list = json::array();
-  for (std::size_t i = 0; i < blocks.bolts().size(); ++i) {
-    list.push_back(
-        {{"name", blocks.scene().bolts[i].name}, {"force_n_per_m", blocks.bolts()[i].acting.tension_n_per_m}});
-  }
-  return list;
-}
-
-/// Loads on a structure that no strength holds: no internal forces balance them.
-void add_loads(Situation& now, const FluidMaker& make_fluid, json& answer) {
-  solid::SearchBudget effort("loads on joints");
-  solid::StaticBlocks blocks(now.scene, now.water_if_any(), effort);
-  const auto parts =
-      now.water ? solid::additional_water_loads(now.scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
-  json rows = json::array();
-  for (const solid::JointRow& row : solid::loads_on_joints(blocks.solid(), blocks.pressures(now.level_m), parts)) {
-    rows.push_back({{"name", row.name},
-                    {"length_m", row.length_m},
-                    {"downstream_end_m", {row.downstream_end_m.x(), row.downstream_end_m.y()}},
-                    {"sums", sums_json(row.sums)}});
-  }
-  answer["loads_on_joints"] = rows;
-  answer["why_no_joints"] =
-      "whatever the strength of the joints, the blocks find no rest: no forces in joints and anchors balance what acts "
-      "on the structure; below is what acts on all that stands on each joint";
-}
-
-/// Strength over shear is that of the scene's own strength, of which `rows` have `1 / reduction` times.
-void take_stated_strength(double reduction, std::vector<solid::JointRow>& rows) {
-  for (solid::JointRow& row : rows) {
-    for (std::optional<double>* factor : {&row.sliding_factor, &row.residual_sliding_factor}) {
-      if (*factor) **factor *= reduction;
-    }
-  }
-}
-
-/// Joint forces of the structure as stated; if it fails, with the strength at which it would just stand.
-void add_joints(Situation& now, const FluidMaker& make_fluid, const StaticStrength& found, json& answer) {
-  constexpr double just_stands = 1 - 1e-6;
-  if (found.bearing == Bearing::bears_none) return add_loads(now, make_fluid, answer);
-  const bool stands = found.bearing == Bearing::bears_any || found.factor >= 1;
-  const double reduction = stands ? 1 : found.factor * just_stands;
-  const scene::Scene scene = solid::with_reduced_strength(now.scene, reduction);
-  solid::SearchBudget effort("forces on joints");
-  solid::StaticBlocks blocks(scene, now.water_if_any(), effort);
-  if (!blocks.begin(now.level_m)) return;
-  const auto parts =
-      now.water ? solid::additional_water_loads(scene, make_fluid, now.level_m) : std::vector<solid::WaterPart>{};
-  std::vector<solid::JointRow> table = solid::joint_table(blocks.solid(), blocks.pressures(now.level_m), parts);
-  take_stated_strength(reduction, table);
-  answer["joints"] = table_json(table);
-  answer["bent_joints"] = solid::bent_joints(blocks.solid());
-  answer["bolts"] = bolts_json(blocks.solid());
-  if (!stands) answer["joints_with_strength_times"] = 1 / reduction;
-  for (std::string& warning : solid::uplift_warnings(scene, now.level_m, table))
-    answer["warnings"].push_back(std::move(warning));
-  if (stands) solid::add_cracked_joints(blocks.solid(), now, answer);
-}
 
 /// A factor, or the reason why there is none; both methods have these fields.
 template <class Strength>
@@ -261,6 +159,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   add_load_factor(structure, dead, stated, answer);
   solid::add_water_in_an_earthquake(scene, answer);
   answer["joints"] = json::array();
+  answer["joint_parts"] = json::array();
   answer["bent_joints"] = json::array();
   answer["bolts"] = json::array();
   answer["water"] = now.water ? solid::water_by_kind(scene, make_fluid, now.level_m) : json::array();
@@ -280,7 +179,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   }
   const bool as_drawn = answer["outcome"] != "not found" || !answer.contains("contradiction");
   if (blocks.value && as_drawn)
-    solid::attempt([&] { return add_joints(now, make_fluid, *blocks.value, answer), true; });
+    solid::attempt([&] { return solid::add_joints(now, make_fluid, *blocks.value, answer), true; });
   return answer;
 }
 

@@ -124,6 +124,22 @@ std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, c
   return rows;
 }
 
+std::vector<JointPart> joint_parts(const Solid& solid, const wire::Load& water, const std::vector<std::string>& names) {
+  const Surfaces parts = Surfaces::parts(solid, names);
+  const std::vector<SurfaceSum> sums = surface_sums(solid, parts);
+  const std::vector<double> uplift = uplifts(solid, parts, sums, water);
+  std::vector<JointPart> rows;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    rows.push_back({.name = parts.names()[i],
+                    .length_m = sums[i].length_m(),
+                    .normal_n_per_m = sums[i].normal_n_per_m(),
+                    .shear_n_per_m = std::abs(sums[i].shear_n_per_m()),
+                    .uplift_n_per_m = uplift[i],
+                    .strength_n_per_m = sums[i].strength()});
+  }
+  return rows;
+}
+
 std::vector<JointRow> loads_on_joints(const Solid& solid, const wire::Load& water,
                                       const std::vector<WaterPart>& parts) {
   const Surfaces surfaces(solid);

@@ -34,6 +34,19 @@ struct JointRow {
   std::vector<ForceSum> sums;  ///< forces above the surface, moments about its downstream end
 };
 
+/// Of a joint that is only a part of what divides the structure: it has no factor of its own.
+struct JointPart {
+  std::string name;
+  double length_m = 0;
+  double normal_n_per_m = 0;  ///< these as in a row
+  double shear_n_per_m = 0;
+  double uplift_n_per_m = 0;
+  double strength_n_per_m = 0;  ///< c L + N tan(phi), with the bond as it is now
+};
+
+/// Of the joints with these names, by `Surfaces::parts`.
+std::vector<JointPart> joint_parts(const Solid& solid, const wire::Load& water, const std::vector<std::string>& names);
+
 /// `water`: the present water load.
 std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, const std::vector<WaterPart>& parts);
 

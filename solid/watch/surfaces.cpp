@@ -1,49 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/watch/surfaces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
 
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/read/check.hpp"
 #include "bridge/scene/viscous_ground.hpp"
+#include "solid/watch/joint_lines.hpp"
 #include "solid/watch/joint_name.hpp"
 
 namespace blockweir::solid {
 namespace {
 
-using Pair = std::pair<int, int>;
-
-constexpr double straight = 1e-5;  // of the size: by how much points may be beside a line
-/// Where a straight joint lies in the scene's outline.
-struct Line {
-  double angle = 0;   ///< rad, from just above -pi/2 to just above pi/2
-  double offset = 0;  ///< m, of the line from `about`
-};
-
-bool is_point(const std::vector<Point>& points, double tolerance_m) {
-  return std::all_of(points.begin(), points.end(),
-                     [&](const Point& p) { return (p - points.front()).norm() <= tolerance_m; });
-}
-
-/// None where the points are not on one line, or are one point.
-std::optional<Line> line_through(const std::vector<Point>& points, const Point& about, double tolerance_m) {
-  const Point& first = points.front();
-  const Point& last = *std::max_element(points.begin(), points.end(), [&](const Point& a, const Point& b) {
-    return (a - first).squaredNorm() < (b - first).squaredNorm();
-  });
-  Point along = last - first;
-  if (along.norm() <= tolerance_m) return std::nullopt;
-  along.normalize();
-  if (along.x() < 1e-6 && (along.x() < -1e-6 || along.y() < 0)) along = -along;
-  const Point normal = perpendicular(along);
-  for (const Point& p : points) {
-    if (std::abs(normal.dot(p - first)) > tolerance_m) return std::nullopt;
-  }
-  return Line{std::atan2(along.y(), along.x()), normal.dot(first - about)};
-}
+using Pair = BlockPair;
 
 /// The graph of blocks that touch, the ground being one node.
 class Connections {
@@ -136,93 +106,6 @@ class Connections {
   Reach grounded_;
 };
 
-/// Outline points of each joint: vertices that lie on an edge of the other block there, whether they press on it now or
-/// not.
-std::map<Pair, std::vector<Point>> joint_points(const Solid& solid) {
-  const double touching_m = scene::rounding_ratio * solid.size_m();
-  std::map<Pair, std::vector<Point>> points;
-  for (const ContactPoint& c : solid.contacts()) {
-    const Point vertex = solid.blocks()[at(c.vertex_part)].centroid + c.vertex_at;
-    const Point from = solid.blocks()[at(c.edge_part)].centroid + c.edge_from;
-    const Point along = c.edge_to - c.edge_from;
-    const double share = std::clamp(along.dot(vertex - from) / along.squaredNorm(), 0.0, 1.0);
-    if ((from + share * along - vertex).norm() <= touching_m) points[c.pair()].push_back(vertex);
-  }
-  return points;
-}
-
-/// Joints that lie in one line, two or more.
-std::vector<std::set<Pair>> in_one_line(const Solid& solid, const std::map<Pair, std::vector<Point>>& points) {
-  const double tolerance_m = straight * solid.size_m();
-  constexpr double parallel = 1e-4;  // rad
-  std::vector<std::pair<Line, Pair>> lines;
-  const Point about = points.empty() ? Point::Zero() : points.begin()->second.front();
-  for (const auto& [pair, at_points] : points) {
-    if (const auto line = line_through(at_points, about, tolerance_m)) lines.emplace_back(*line, pair);
-  }
-  const auto by_angle = [](const auto& a, const auto& b) { return a.first.angle < b.first.angle; };
-  const auto by_offset = [](const auto& a, const auto& b) { return a.first.offset < b.first.offset; };
-  std::sort(lines.begin(), lines.end(), by_angle);
-  std::vector<std::set<Pair>> groups;
-  for (auto first = lines.begin(), end = first; first != lines.end(); first = end) {
-    end = std::adjacent_find(first, lines.end(),
-                             [&](const auto& a, const auto& b) { return b.first.angle - a.first.angle > parallel; });
-    if (end != lines.end()) ++end;
-    std::sort(first, end, by_offset);
-    for (auto one = first, next = one; one != end; one = next) {
-      std::set<Pair> group;
-      for (next = one; next != end && (next == one || next->first.offset - (next - 1)->first.offset <= tolerance_m);
-           ++next)
-        group.insert(next->second);
-      if (group.size() > 1) groups.push_back(std::move(group));
-    }
-  }
-  return groups;
-}
-
-/// Joints in one line, apart where a gap is wider than a joint beside it and no block spans it: the springings of an
-/// arch have no common resultant.
-std::vector<std::set<Pair>> parted_by_gaps(const Solid& solid, const std::map<Pair, std::vector<Point>>& points,
-                                           const std::set<Pair>& line) {
-  struct Stretch {
-    double from_m;
-    double to_m;
-    Pair pair;
-  };
-  std::vector<Point> all;
-  for (const Pair& pair : line) all.insert(all.end(), points.at(pair).begin(), points.at(pair).end());
-  const Point& first = all.front();
-  const Point along = (*std::max_element(all.begin(), all.end(),
-                                         [&](const Point& a, const Point& b) {
-                                           return (a - first).squaredNorm() < (b - first).squaredNorm();
-                                         }) -
-                       first)
-                          .normalized();
-  std::vector<Stretch> stretches;
-  for (const Pair& pair : line) {
-    const auto [low, high] = std::minmax_element(points.at(pair).begin(), points.at(pair).end(),
-                                                 [&](const Point& a, const Point& b) { return along.dot(a - b) < 0; });
-    stretches.push_back({along.dot(*low - first), along.dot(*high - first), pair});
-  }
-  std::sort(stretches.begin(), stretches.end(), [](const auto& a, const auto& b) { return a.from_m < b.from_m; });
-  std::vector<std::set<Pair>> parts;
-  std::set<int> blocks;  // of the last part, that can move
-  double end_m = 0;
-  double length_m = 0;  // of the joint that ends there
-  for (const Stretch& s : stretches) {
-    const bool spanned = blocks.contains(s.pair.first) || blocks.contains(s.pair.second);
-    const double own_m = s.to_m - s.from_m;
-    if (parts.empty() || (!spanned && s.from_m - end_m > std::min(length_m, own_m)))
-      parts.emplace_back(), blocks.clear();
-    parts.back().insert(s.pair);
-    for (const int b : {s.pair.first, s.pair.second}) {
-      if (!solid.blocks()[at(b)].fixed) blocks.insert(b);
-    }
-    if (parts.back().size() == 1 || s.to_m > end_m) end_m = s.to_m, length_m = own_m;
-  }
-  return parts;
-}
-
 std::string name_of(const Solid& solid, const std::set<Pair>& joints) {
   const Pair& first = *joints.begin();
   const std::string own = joint_name(solid, first.first, first.second);
@@ -234,10 +117,10 @@ std::string name_of(const Solid& solid, const std::set<Pair>& joints) {
 }
 
 /// Pairs of blocks with a face in common: corners that touch in a point hold nothing together.
-std::vector<Pair> that_touch(const std::map<Pair, std::vector<Point>>& points, double tolerance_m) {
+std::vector<Pair> that_touch(const Solid& solid, const JointPoints& points) {
   std::vector<Pair> pairs;
   for (const auto& [pair, at_points] : points) {
-    if (!is_point(at_points, tolerance_m)) pairs.push_back(pair);
+    if (!is_point(solid, at_points)) pairs.push_back(pair);
   }
   return pairs;
 }
@@ -245,9 +128,8 @@ std::vector<Pair> that_touch(const std::map<Pair, std::vector<Point>>& points, d
 }  // namespace
 
 Surfaces::Surfaces(const Solid& solid) {
-  const std::map<Pair, std::vector<Point>> points = joint_points(solid);
-  const double tolerance_m = straight * solid.size_m();
-  const std::vector<Pair> pairs = that_touch(points, tolerance_m);
+  const JointPoints points = joint_points(solid);
+  const std::vector<Pair> pairs = that_touch(solid, points);
   const Connections connections(solid, pairs);
   std::vector<std::set<Pair>> candidates;
   for (const std::set<Pair>& line : in_one_line(solid, points)) {
@@ -259,25 +141,53 @@ Surfaces::Surfaces(const Solid& solid) {
   }
   // A bent surface, such as a dam's base with its toe in the ground, cannot slide on one of its faces alone.
   for (const Pair& pair : pairs) {
-    if (line_through(points.at(pair), Point::Zero(), tolerance_m)) candidates.push_back({pair});
+    if (is_straight(solid, points.at(pair))) candidates.push_back({pair});
   }
   for (const std::set<Pair>& joints : candidates) {
     const Connections::Reach parted = connections.parted_by(joints);
     if (parted.count == 0) continue;
-    weights_.push_back(parted.weight_n_per_m);
-    for (const Pair& pair : joints) of_pair_[pair].push_back(static_cast<int>(names_.size()));
-    names_.push_back(name_of(solid, joints));
+    add(joints, name_of(solid, joints), parted.weight_n_per_m);
   }
+}
+
+void Surfaces::add(const std::set<Pair>& joints, const std::string& name, double weight_n_per_m) {
+  for (const Pair& pair : joints) of_pair_[pair].push_back(static_cast<int>(names_.size()));
+  names_.push_back(name);
+  weights_.push_back(weight_n_per_m);
+}
+
+Surfaces Surfaces::parts(const Solid& solid, const std::vector<std::string>& names) {
+  constexpr std::size_t most_planes = 4;  // more are a network, whose sums say nothing
+  const JointPoints points = joint_points(solid);
+  const std::vector<std::set<Pair>> whole = Surfaces(solid).joints();
+  Surfaces parts;
+  for (const std::string& name : names) {
+    JointPoints own;
+    for (const auto& [pair, at_points] : points) {
+      const bool counts = joint_set(solid, pair.first, pair.second) == name && is_straight(solid, at_points);
+      if (counts) own[pair] = at_points;
+    }
+    std::vector<std::set<Pair>> planes = in_one_line(solid, own);
+    for (const auto& [pair, at_points] : own) {
+      const auto has_it = [&p = pair](const std::set<Pair>& plane) { return plane.contains(p); };
+      if (std::none_of(planes.begin(), planes.end(), has_it)) planes.push_back({pair});
+    }
+    if (planes.size() > most_planes) continue;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      if (std::find(whole.begin(), whole.end(), planes[i]) != whole.end()) continue;
+      parts.add(planes[i], planes.size() == 1 ? name : fmt::format("{} ({} of {})", name, i + 1, planes.size()), 0);
+    }
+  }
+  return parts;
 }
 
 std::vector<std::string> bent_joints(const Solid& solid) {
   const auto points = joint_points(solid);
-  const double tolerance_m = straight * solid.size_m();
-  const auto pairs = that_touch(points, tolerance_m);
+  const auto pairs = that_touch(solid, points);
   const Connections connections(solid, pairs);
   std::vector<std::string> names;
   for (const Pair& pair : pairs) {
-    if (line_through(points.at(pair), Point::Zero(), tolerance_m)) continue;
+    if (is_straight(solid, points.at(pair))) continue;
     if (connections.parted_by({pair}).count > 0) names.push_back(name_of(solid, {pair}));
   }
   return names;

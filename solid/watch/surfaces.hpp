@@ -20,6 +20,9 @@ class Surfaces {
   /// From the joints that touch in the scene as drawn. Fixed blocks and blocks with a support are the ground.
   explicit Surfaces(const Solid& solid);
   Surfaces() = default;
+  /// Planes of the joints, cuts and joint sets with these names that are no surface by themselves, such as one of two
+  /// joints along which a wedge slides. Joints that bend have none.
+  static Surfaces parts(const Solid& solid, const std::vector<std::string>& names);
 
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   /// Weight of everything that each surface separates from the ground [N/m], by index.
@@ -35,6 +38,8 @@ class Surfaces {
   }
 
  private:
+  void add(const std::set<std::pair<int, int>>& joints, const std::string& name, double weight_n_per_m);
+
   std::vector<std::string> names_;
   std::vector<double> weights_;
   std::map<std::pair<int, int>, std::vector<int>> of_pair_;

@@ -154,4 +154,21 @@ TEST(SafetyText, AnUpperBoundBelowTheRequiredFactorDecidesWithoutTheBlocks) {
   EXPECT_EQ(blockweir::study::satisfied(answer, 1.25), false);
 }
 
+TEST(SafetyText, JointsThatAreOnlyAPartOfASurfaceHaveTheirForcesAndNoFactor) {
+  json with = load_case("usual");
+  with["joint_parts"] = {{{"name", "seam"},
+                          {"length_m", 42.43},
+                          {"normal_n_per_m", 12e6},
+                          {"shear_n_per_m", 7.5e6},
+                          {"uplift_n_per_m", 3.2e6},
+                          {"strength_n_per_m", 9.9e6}}};
+  const std::string without_rows = blockweir::study::safety_text(json::array({with}));
+  EXPECT_THAT(without_rows, HasSubstr("parts of a surface, usual"));
+  with["joints"].push_back(joint("base", 1e6));
+  const std::string text = blockweir::study::safety_text(json::array({with}));
+  EXPECT_THAT(text, HasSubstr("seam                    42.430   12000.0    7500.0    3200.0        9900.0"));
+  std::istringstream lines(text.substr(text.find("parts of a surface")));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+}
+
 }  // namespace

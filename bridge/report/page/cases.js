@@ -83,6 +83,8 @@ function writeCases() {
     together.append(...middleThird(c.joints));
     const bent = c.bent_joints || [];
     if (bent.length > 0) to.append(paragraph(`No row has ${bent.map(name => `"${name}"`).join(', ')}: a joint that bends has no single sliding factor nor resultant. The factor of the load case counts it.`, 'quiet'));
+    const parts = c.joint_parts || [];
+    if (parts.length > 0) to.append(paragraph('Parts of a surface: joints of the mechanism that alone let nothing slide and so have no factor of their own; strength is c L + N tan φ.', 'quiet'), table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'strength kN/m'], parts.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.strength_n_per_m)])));
     if (c.joints.length <= 4) c.joints.forEach(joint => to.append(...sumsTable(joint)));  // of a mesh of joints the file has the rest
   }
 }
