@@ -28,6 +28,7 @@ struct FarEnds {
 struct Banks {
   const std::vector<std::vector<Point>>& outlines;  ///< of all blocks, where they are now
   std::vector<Point> corners = {};                  ///< mesh corners on faces
+  Point ground_m = Point::Zero();                   ///< how far the ground is from where the scene draws it
 };
 
 /// Least and largest x.
