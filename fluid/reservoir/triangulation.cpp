@@ -142,17 +142,21 @@ std::vector<Kernel::Point_2> outside(const Sides& sides, const Triangulation& me
 
 }  // namespace
 
-Triangulated triangulate(const std::vector<Ring>& rings, const Sizes& sizes) {
+std::optional<Triangulated> triangulate(const std::vector<Ring>& rings, const Sizes& sizes) {
   Triangulation mesh;
   Sides sides;
-  for (const Ring& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point& next = ring[(i + 1) % ring.size()];
-      if (next == ring[i]) continue;
-      const auto from = mesh.insert(to_cgal(ring[i]));
-      sides.push_back({from, mesh.insert(to_cgal(next))});
-      mesh.insert_constraint(from, sides.back()[1]);
+  try {
+    for (const Ring& ring : rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point& next = ring[(i + 1) % ring.size()];
+        if (next == ring[i]) continue;
+        const auto from = mesh.insert(to_cgal(ring[i]));
+        sides.push_back({from, mesh.insert(to_cgal(next))});
+        mesh.insert_constraint(from, sides.back()[1]);
+      }
     }
+  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    return {};
   }
   const SizeField allowed(sizes);
   CGAL::Delaunay_mesher_2<Triangulation, Criteria> mesher(mesh, Criteria(allowed));

@@ -75,5 +75,31 @@ TEST(OpenedBlocks, ABlockThatWaterSurroundsIsNoWater) {
   is_meshed(structure, 8, 8);
 }
 
+TEST(OpenedBlocks, TheirWaterIsAlwaysMeshed) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    geometry::Uniform random(seed);
+    const double level = 4 + 10 * random();
+    is_meshed(opened(seed), level, random() < 0.5 ? level : 0.5 * level);
+  }
+}
+
+/// Water on both sides meets at the corner, or all but does.
+TEST(OpenedBlocks, WaterBesideABlockOnItsCornerIsMeshed) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    geometry::Uniform random(seed);
+    const double above = (random() < 0.5 ? -1 : 1) * std::pow(10, -9 + 7 * random());
+    const Eigen::Rotation2Dd turn(-0.2 - random());
+    hydrostatic::Structure structure;
+    structure.open_crack_width_m = 0.03;
+    structure.outlines = {{{-50, -10}, {80, -10}, {80, 0}, {-50, 0}}, {{-6, 0}, {0, 0}, {0, 7.5}, {-6, 7.5}}};
+    for (Point& p : structure.outlines[1]) p = turn * p + Point(6, above);
+    structure.ground.left = scene::BedCorner{0, 3};
+    structure.ground.right = scene::BedCorner{0, 2};
+    is_meshed(structure, 13.5, 13.5);
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::reservoir
