@@ -45,6 +45,8 @@ class HydrostaticModel final : public schedule::FluidSide {
   [[nodiscard]] const std::vector<WaterBody>& bodies() const { return bodies_; }
   /// Outlines at the positions received last.
   [[nodiscard]] const std::vector<std::vector<Point>>& outlines() const { return structure_.outlines; }
+  /// Of ground that moves as a support, at the positions received last.
+  [[nodiscard]] Point ground_displacement() const;
   [[nodiscard]] const joints::FlowInJoints& flow_in_joints() const { return flow_; }
   [[nodiscard]] long updates() const { return updates_; }  ///< windows whose pressures were computed
   [[nodiscard]] schedule::FluidReport report() const override;
@@ -58,7 +60,6 @@ class HydrostaticModel final : public schedule::FluidSide {
   /// The same joint with the open length that its crack's law gives under these forces of open water.
   [[nodiscard]] joints::Joint opened(std::size_t crack, const joints::Joint& joint, double to_s,
                                      const statics::Wrenches& open_water) const;
-  [[nodiscard]] Point ground_displacement() const;
 
   const scene::Scene& scene_;
   std::vector<Point> centroids_;

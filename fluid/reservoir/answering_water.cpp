@@ -15,8 +15,10 @@ AnsweringWater::AnsweringWater(WaterMesh mesh, const WaterPhysics& physics, cons
 }
 
 void AnsweringWater::move_to(WaterMesh mesh, const process::FaceMotion& moves, double window_s) {
+  const LiftedWater lifted = equation_->lifted(state_);
   *mesh_ = std::move(mesh);
   equation_->update(window_s);
+  equation_->keep(lifted, state_);
   answer_ = answer_of(*mesh_, *equation_, moves);
 }
 

@@ -23,6 +23,9 @@ class AnsweringWater {
   /// Onto `mesh`, that of before with its nodes moved. What the water remembers stays at the nodes.
   void move_to(WaterMesh mesh, const process::FaceMotion& moves, double window_s);
   void go_on_from(PressureState state) { state_ = std::move(state); }
+  /// Where its mesh was made anew: what waves had lifted is still lifted.
+  void keep(const LiftedWater& lifted) { equation_->keep(lifted, state_); }
+  [[nodiscard]] LiftedWater lifted() const { return equation_->lifted(state_); }
   /// One window with `accelerations`, one a mode of the answer.
   void advance(const Eigen::VectorXd& accelerations);
   /// Turns the pressures into the load of the coming window (WindowAhead), with the accelerations a_n, and those of the

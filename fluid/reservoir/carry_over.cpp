@@ -77,14 +77,14 @@ class OldMeshes {
 
 }  // namespace
 
-PressureState carry_over(const std::vector<AnsweringWater>& from, const WaterMesh& to) {
+PressureState carry_over(const std::vector<AnsweringWater>& from, const WaterMesh& to, const Point& ground_m) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(to.node.size()));
   PressureState state{none, none, none};
   const bool at_rest = std::all_of(from.begin(), from.end(), [](const AnsweringWater& w) { return w.at_rest(); });
   if (at_rest) return state;
   const OldMeshes meshes(from);
   for (std::size_t i = 0; i < to.node.size(); ++i) {
-    const auto [place, N] = meshes.find(to.node[i]);
+    const auto [place, N] = meshes.find(to.node[i] - ground_m);
     const AnsweringWater& water = from[place.water];
     const QuadraticTriangle& t = water.mesh().triangle[place.triangle];
     const auto row = static_cast<Eigen::Index>(i);

@@ -7,7 +7,7 @@
 namespace blockweir::reservoir {
 
 /// Interpolates the state of the meshes `from` at the nodes of `to`; outside them, extrapolates from the edge of the
-/// nearest triangle.
-PressureState carry_over(const std::vector<AnsweringWater>& from, const WaterMesh& to);
+/// nearest triangle. The ground has moved by ground_m since, and the water with it.
+PressureState carry_over(const std::vector<AnsweringWater>& from, const WaterMesh& to, const Point& ground_m);
 
 }  // namespace blockweir::reservoir

@@ -150,6 +150,26 @@ void PressureEquation::solve(const Eigen::SparseMatrix<double>& flux, const Take
   }
 }
 
+/// What a unit of each pressure lifts.
+Eigen::VectorXd PressureEquation::lifts() const {
+  return matrices_.M.selfadjointView<Eigen::Lower>() * Eigen::VectorXd::Ones(unknowns_.count);
+}
+
+LiftedWater PressureEquation::lifted(const PressureState& state) const {
+  if (!std::isfinite(physics_.gravity_m_per_s2)) return {};
+  const Eigen::VectorXd share = lifts();
+  return {share.dot(at_unknowns(state.p)), share.dot(at_unknowns(state.rate))};
+}
+
+void PressureEquation::keep(const LiftedWater& lifted, PressureState& state) const {
+  if (!std::isfinite(physics_.gravity_m_per_s2)) return;
+  const LiftedWater now = this->lifted(state);
+  const double of_all = lifts().sum();
+  state.p.array() += (lifted.amount - now.amount) / of_all;
+  state.loaded.array() += (lifted.amount - now.amount) / of_all;
+  state.rate.array() += (lifted.rate - now.rate) / of_all;
+}
+
 Eigen::VectorXd PressureEquation::at_unknowns(const Eigen::VectorXd& at_nodes) const {
   Eigen::VectorXd values(unknowns_.count);
   for (std::size_t i = 0; i < unknowns_.of_node.size(); ++i) {

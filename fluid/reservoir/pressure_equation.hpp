@@ -23,6 +23,13 @@ struct PressureState {
   }
 };
 
+/// What waves have lifted of a body of water, 1.Mp, and its rate 1.Mp' [kg/m, kg/(m s)]. No pressure resists the mean
+/// of a surface that has no open end: what a change of the mesh adds to it would grow with time.
+struct LiftedWater {
+  double amount = 0;
+  double rate = 0;
+};
+
 /// M p'' + C p' + K p = -rho g over one window, g_i = int N_i a.n ds (water_matrices.hpp), a held in it: the mean of
 /// what accelerates. Two implicit stages (SDIRK2, Alexander 1977): of second order, and it damps what the mesh does not
 /// resolve. Both stages have the matrix K + C/b + M/b^2, b = (1 - 1/sqrt 2) T. Without M and C, K p = -rho g.
@@ -45,6 +52,9 @@ class PressureEquation {
   [[nodiscard]] PressureState rest() const;
   /// From one window's end to that of the next, in which `flux` is g.
   void step(PressureState& state, const Eigen::VectorXd& flux) const;
+  [[nodiscard]] LiftedWater lifted(const PressureState& state) const;
+  /// Adds to the pressure and its rate, evenly, what is missing to `lifted`. Nothing where no waves run.
+  void keep(const LiftedWater& lifted, PressureState& state) const;
   /// p of water at rest after one window of `flux`.
   [[nodiscard]] Eigen::VectorXd pressure(const Eigen::VectorXd& flux) const;
   /// The same for each column of `flux`. `take` gets the number of the first column and the pressures of some columns,
@@ -53,6 +63,7 @@ class PressureEquation {
   void solve(const Eigen::SparseMatrix<double>& flux, const Take& take) const;
 
  private:
+  [[nodiscard]] Eigen::VectorXd lifts() const;
   [[nodiscard]] Eigen::VectorXd at_unknowns(const Eigen::VectorXd& at_nodes) const;
   [[nodiscard]] Eigen::VectorXd at_nodes(const Eigen::VectorXd& at_unknowns) const;
 

@@ -168,6 +168,7 @@ void ReservoirModel::solve(const hydrostatic::HydrostaticModel& water) {
   ++solutions_;
   const FaceMotions moves(scene_, solved_.motion, water.outlines());
   if (!move_meshes(water, moves)) mesh_anew(water, moves);
+  ground_m_ = water.ground_displacement();
   deepest_m_ = 0;
   for (const hydrostatic::WaterBody& body : water.bodies()) deepest_m_ = std::max(deepest_m_, depth(body));
   guarded_ = GuardedMass(moves.count());
@@ -181,19 +182,14 @@ bool ReservoirModel::move_meshes(const hydrostatic::HydrostaticModel& water, con
   for (const hydrostatic::WaterBody& body : water.bodies()) {
     if (is_film(scene_, body)) continue;
     if (meshes.size() == motions_.size()) return false;
-    std::optional<WaterMesh> moved = motions_[meshes.size()].moved(body, {water.outlines(), moves.corners()},
-                                                                   far_ends(scene_, body, water.outlines()));
+    const Banks banks{water.outlines(), moves.corners(), water.ground_displacement()};
+    std::optional<WaterMesh> moved = motions_[meshes.size()].moved(body, banks, far_ends(scene_, body, banks));
     if (!moved) return false;
     meshes.push_back(*std::move(moved));
   }
   if (meshes.size() != motions_.size()) return false;
-  std::vector<PressureState> before;
-  if (physics_of(scene_).remembers()) {
-    for (const WaterMesh& mesh : meshes) before.push_back(carry_over(waters_, mesh));
-  }
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     waters_[i].move_to(std::move(meshes[i]), moves, solved_.window_s);
-    if (!before.empty()) waters_[i].go_on_from(std::move(before[i]));
   }
   return true;
 }
@@ -206,14 +202,17 @@ void ReservoirModel::mesh_anew(const hydrostatic::HydrostaticModel& water, const
   std::vector<AnsweringWater> waters;
   motions_.clear();
   for (const hydrostatic::WaterBody& body : water.bodies()) {
-    const Banks banks{water.outlines(), moves.corners()};
+    const Banks banks{water.outlines(), moves.corners(), water.ground_displacement()};
     WaterMesh mesh = mesh_of(scene_, body, banks);
     if (mesh.triangle.empty()) continue;
-    PressureState before = physics.remembers() ? carry_over(waters_, mesh) : PressureState();
+    PressureState before =
+        physics.remembers() ? carry_over(waters_, mesh, banks.ground_m - ground_m_) : PressureState();
     motions_.emplace_back(mesh, body, banks);
     waters.emplace_back(std::move(mesh), physics, moves, fixed_, solved_.window_s);
     if (physics.remembers()) waters.back().go_on_from(std::move(before));
   }
+  for (std::size_t i = 0; i < waters.size() && waters.size() == waters_.size(); ++i)
+    waters[i].keep(waters_[i].lifted());
   waters_ = std::move(waters);
 }
 

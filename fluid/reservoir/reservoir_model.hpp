@@ -64,6 +64,7 @@ class ReservoirModel final : public schedule::FluidSide {
   std::vector<bool> fixed_;
   Geometry meshed_;  ///< when the water was last meshed
   Geometry solved_;
+  Point ground_m_ = Point::Zero();      ///< where the ground was then, from where it is drawn
   std::vector<AnsweringWater> waters_;  ///< one a body of water that is no film
   std::vector<MeshMotion> motions_;     ///< of their meshes
   double deepest_m_ = 0;                ///< of the bodies

@@ -71,12 +71,11 @@ bool is_film(const scene::Scene& scene, const hydrostatic::WaterBody& body) {
   return depth(body) <= film * scene::structure_size_m(scene.blocks);
 }
 
-FarEnds far_ends(const scene::Scene& scene, const hydrostatic::WaterBody& body,
-                 const std::vector<std::vector<Point>>& outlines) {
+FarEnds far_ends(const scene::Scene& scene, const hydrostatic::WaterBody& body, const Banks& banks) {
   const double deep_m = depth(body);
-  const Extent model = extent_of(outlines);
+  const Extent model = extent_of(banks.outlines);
   const auto end = [&](const std::optional<double>& wall_m, double model_m, int side) {
-    if (wall_m) return FarEnd{*wall_m, true, {}};
+    if (wall_m) return FarEnd{*wall_m + banks.ground_m.x(), true, {}};
     if (!physics_of(scene).remembers()) return FarEnd{model_m + side * long_in_depths * deep_m, false, {}};
     return FarEnd{model_m + side * absorbs_to_depths * deep_m, false, model_m + side * absorbs_from_depths * deep_m};
   };
@@ -86,7 +85,7 @@ FarEnds far_ends(const scene::Scene& scene, const hydrostatic::WaterBody& body,
 
 WaterMesh mesh_of(const scene::Scene& scene, const hydrostatic::WaterBody& body, const Banks& banks) {
   if (is_film(scene, body)) return {};
-  WaterMesh mesh = mesh_water(body, banks, far_ends(scene, body, banks.outlines), fineness_of(scene));
+  WaterMesh mesh = mesh_water(body, banks, far_ends(scene, body, banks), fineness_of(scene));
   require_surface(scene, mesh);
   return mesh;
 }

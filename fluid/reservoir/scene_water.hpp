@@ -13,9 +13,8 @@ WaterPhysics physics_of(const scene::Scene& scene);
 /// film has millions of triangles.
 bool is_film(const scene::Scene& scene, const hydrostatic::WaterBody& body);
 
-/// Where the water of a body ends beyond blocks that are at `outlines`.
-FarEnds far_ends(const scene::Scene& scene, const hydrostatic::WaterBody& body,
-                 const std::vector<std::vector<Point>>& outlines);
+/// Where the water of a body ends beyond the banks. Stated walls move with the ground.
+FarEnds far_ends(const scene::Scene& scene, const hydrostatic::WaterBody& body, const Banks& banks);
 
 /// Mesh of a body of water between banks, out to the far ends. Empty for a film, and for one without a region. Throws
 /// std::runtime_error where blocks cover all of it.

@@ -125,18 +125,43 @@ class Criteria {
   const SizeField* sizes_;
 };
 
+using Sides = std::vector<std::array<Triangulation::Vertex_handle, 2>>;
+
+/// Points on the right of the water's sides, as in blocks that it surrounds: by itself CGAL meshes holes, too.
+std::vector<Kernel::Point_2> outside(const Sides& sides, const Triangulation& mesh) {
+  std::vector<Kernel::Point_2> points;
+  for (const auto& [from, to] : sides) {
+    Triangulation::Face_handle right;
+    int opposite = 0;
+    if (!mesh.is_edge(from, to, right, opposite) || mesh.is_infinite(right)) continue;
+    const Kernel::Point_2 middle = CGAL::centroid(mesh.triangle(right));
+    if (mesh.locate(middle, right) == right) points.push_back(middle);  // it is not as thin as a rounding
+  }
+  return points;
+}
+
 }  // namespace
 
-Triangulated triangulate(const std::vector<Ring>& rings, const Sizes& sizes) {
+std::optional<Triangulated> triangulate(const std::vector<Ring>& rings, const Sizes& sizes) {
   Triangulation mesh;
-  for (const Ring& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point& next = ring[(i + 1) % ring.size()];
-      if (next != ring[i]) mesh.insert_constraint(to_cgal(ring[i]), to_cgal(next));
+  Sides sides;
+  try {
+    for (const Ring& ring : rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point& next = ring[(i + 1) % ring.size()];
+        if (next == ring[i]) continue;
+        const auto from = mesh.insert(to_cgal(ring[i]));
+        sides.push_back({from, mesh.insert(to_cgal(next))});
+        mesh.insert_constraint(from, sides.back()[1]);
+      }
     }
+  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    return {};
   }
   const SizeField allowed(sizes);
   CGAL::Delaunay_mesher_2<Triangulation, Criteria> mesher(mesh, Criteria(allowed));
+  const std::vector<Kernel::Point_2> dry = outside(sides, mesh);
+  mesher.set_seeds(dry.begin(), dry.end());
   mesher.refine_mesh();
   Triangulated result;
   std::map<Triangulation::Vertex_handle, int> number;

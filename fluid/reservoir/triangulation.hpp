@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "fluid/hydrostatic/water_grid.hpp"
@@ -30,7 +31,7 @@ struct Triangulated {
   std::vector<std::array<int, 3>> triangle;  ///< counter-clockwise
 };
 
-/// Delaunay refinement of what the rings enclose, holes among them.
-Triangulated triangulate(const std::vector<Ring>& rings, const Sizes& sizes);
+/// Delaunay refinement of what the rings enclose, holes among them. None where rings cross.
+std::optional<Triangulated> triangulate(const std::vector<Ring>& rings, const Sizes& sizes);
 
 }  // namespace blockweir::reservoir

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/reservoir/water_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <stdexcept>
 
 #include "bridge/scene/at.hpp"
 #include "fluid/reservoir/triangulation.hpp"
@@ -91,6 +94,44 @@ class MiddleNodes {
   std::map<std::pair<int, int>, Side> middle_;
 };
 
+Sizes sizes_of(const std::vector<Ring>& rings, const WaterBody& body, const Banks& banks, const FarEnds& ends,
+               const Fineness& fineness) {
+  const double deep = depth(body);
+  const double tiny = same_place_m(body);
+  const Extent blocks = extent_of(banks.outlines);
+  Sizes sizes{{}, fineness.at_corner * deep, fineness.widest * deep, fineness.growth};
+  if (ends.left.absorbs_from_m) sizes.inner_left_m = *ends.left.absorbs_from_m;
+  if (ends.right.absorbs_from_m) sizes.inner_right_m = *ends.right.absorbs_from_m;
+  sizes.outermost_m = outermost * deep;
+  for (const Ring& ring : rings) {
+    for (const Point& p : ring) {
+      if (p.x() > blocks.left_m - tiny && p.x() < blocks.right_m + tiny) sizes.points.push_back(p);
+    }
+  }
+  return sizes;
+}
+
+/// Triangles of a body's region, which becomes the rings that they fill.
+Triangulated triangulate(std::vector<Ring>& region, const WaterBody& body, const Banks& banks, const FarEnds& ends,
+                         const Fineness& fineness) {
+  const double tiny = same_place_m(body);
+  const std::vector<Point> ends_on_faces = ends_of_faces(body, banks);
+  for (const double narrow : {0.0, 1e-6, 1e-5, 1e-4}) {  // of the depth
+    std::vector<Ring> rings = narrow == 0 ? region : without_crossings(region, body, narrow * depth(body));
+    for (Ring& ring : rings) ring = with_points(ring, ends_on_faces, 10 * tiny);
+    const Sizes sizes = sizes_of(rings, body, banks, ends, fineness);
+    for (Ring& ring : rings) ring = with_points(ring, banks.corners, 10 * tiny);
+    std::optional<Triangulated> triangles = triangulate(rings, sizes);
+    if (!triangles) continue;
+    region = std::move(rings);
+    return *std::move(triangles);
+  }
+  throw std::runtime_error(fmt::format(
+      "the reservoir at level {:.6g} m has no mesh: its boundary crosses itself where blocks part or close; expected "
+      "banks apart; state a larger open_crack_width_m in [water], or stop_at_failure = true in [analysis]",
+      body.surface.from_m.y()));
+}
+
 }  // namespace
 
 WaterMesh mesh_water(const WaterBody& body, const Banks& banks, const FarEnds& ends, const Fineness& fineness) {
@@ -105,19 +146,7 @@ WaterMesh mesh_water(const WaterBody& body, const Banks& banks, const FarEnds& e
   if (rings.empty()) return mesh;
   const Extent open = extent_of(rings);
   const Extent blocks = extent_of(outlines);
-  const std::vector<Point> ends_on_faces = ends_of_faces(body, banks);
-  for (Ring& ring : rings) ring = with_points(ring, ends_on_faces, 10 * tiny);
-  Sizes sizes{{}, fineness.at_corner * deep, fineness.widest * deep, fineness.growth};
-  if (ends.left.absorbs_from_m) sizes.inner_left_m = *ends.left.absorbs_from_m;
-  if (ends.right.absorbs_from_m) sizes.inner_right_m = *ends.right.absorbs_from_m;
-  sizes.outermost_m = outermost * deep;
-  for (const Ring& ring : rings) {
-    for (const Point& p : ring) {
-      if (p.x() > blocks.left_m - tiny && p.x() < blocks.right_m + tiny) sizes.points.push_back(p);
-    }
-  }
-  for (Ring& ring : rings) ring = with_points(ring, banks.corners, 10 * tiny);
-  Triangulated triangles = triangulate(rings, sizes);
+  Triangulated triangles = triangulate(rings, body, banks, ends, fineness);
   mesh.rings = std::move(rings);
   mesh.node = std::move(triangles.node);
   MiddleNodes middles(mesh);

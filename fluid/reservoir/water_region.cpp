@@ -31,6 +31,17 @@ Ring corners_of(const Ring& ring, double tiny_m) {
   return corners;
 }
 
+/// Grown by `most` of the grid's units, below zero: shrunk; then back.
+ClipperLib::Paths there_and_back(const ClipperLib::Paths& paths, double most) {
+  ClipperLib::Paths result = paths;
+  for (const double by : {most, -most}) {
+    ClipperLib::ClipperOffset offset;
+    offset.AddPaths(result, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
+    offset.Execute(result, by);
+  }
+  return result;
+}
+
 }  // namespace
 
 Extent extent_of(const std::vector<Ring>& rings) {
@@ -84,6 +95,37 @@ Ring with_points(const Ring& ring, const std::vector<Point>& points, double tiny
     }
   }
   return all;
+}
+
+std::vector<Ring> without_crossings(const std::vector<Ring>& rings, const WaterBody& body, double width_m) {
+  hydrostatic::Extent reach;
+  for (const Ring& ring : rings) {
+    for (const Point& p : ring) reach.extend(p);
+  }
+  const hydrostatic::Grid grid(reach);
+  ClipperLib::Clipper clipper;
+  for (const Ring& ring : rings) clipper.AddPath(grid.units(ring), ClipperLib::ptSubject, true);
+  ClipperLib::Paths water;
+  clipper.Execute(ClipperLib::ctUnion, water, ClipperLib::pftPositive, ClipperLib::pftPositive);
+  const double width = width_m * grid.per_m;
+  water = there_and_back(there_and_back(water, width), -width);
+  std::vector<Ring> apart;
+  const auto add = [&](const ClipperLib::Path& path) {
+    Ring ring;
+    for (const ClipperLib::IntPoint& p : path) ring.push_back(grid.metres(p));
+    ring = corners_of(ring, same_place_m(body));
+    if (ring.size() > 2) apart.push_back(std::move(ring));
+  };
+  const double surface_m = body.surface.from_m.y() - width_m;
+  for (const ClipperLib::Path& outer : water) {
+    const auto is_up = [&](const ClipperLib::IntPoint& p) { return grid.metres(p).y() > surface_m; };
+    if (!ClipperLib::Orientation(outer) || std::none_of(outer.begin(), outer.end(), is_up)) continue;
+    add(outer);
+    for (const ClipperLib::Path& hole : water) {
+      if (!ClipperLib::Orientation(hole) && ClipperLib::PointInPolygon(hole.front(), outer) != 0) add(hole);
+    }
+  }
+  return apart;
 }
 
 std::vector<Ring> region_of(const WaterBody& body, const Banks& banks, const FarEnds& far) {

@@ -28,6 +28,7 @@ struct FarEnds {
 struct Banks {
   const std::vector<std::vector<Point>>& outlines;  ///< of all blocks, where they are now
   std::vector<Point> corners = {};                  ///< mesh corners on faces
+  Point ground_m = Point::Zero();                   ///< how far the ground is from where the scene draws it
 };
 
 /// Least and largest x.
@@ -46,6 +47,10 @@ double same_place_m(const hydrostatic::WaterBody& body);
 /// The body's region in corners, its ends in open water moved to the far ends. A wall may stand on the blocks' own end:
 /// what water there is beyond ends at it.
 std::vector<Ring> region_of(const hydrostatic::WaterBody& body, const Banks& banks, const FarEnds& far);
+
+/// The same region where rings cross, as banks do that part or close by a rounding: without water, and without ground
+/// in water, that is narrower than twice width_m, and without water that this cuts off from the surface.
+std::vector<Ring> without_crossings(const std::vector<Ring>& rings, const hydrostatic::WaterBody& body, double width_m);
 
 /// Two points a wet face, where it begins and ends: what one block does to the water stops there.
 std::vector<Point> ends_of_faces(const hydrostatic::WaterBody& body, const Banks& banks);
