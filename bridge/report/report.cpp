@@ -56,8 +56,7 @@ json sound_summary(const fs::path& run) {
   if (fs::exists(run / "summary.json")) {
     throw std::invalid_argument(
         fmt::format("{}: found a summary.json that is cut off or damaged; expected the whole file; make the run anew "
-                    "with blockweir "
-                    "run {}",
+                    "with blockweir run {}",
                     run.string(), results::shell_word(process::scene_of(run).string())));
   }
   throw std::invalid_argument(

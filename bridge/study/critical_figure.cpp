@@ -38,9 +38,9 @@ Heights heights_of(const scene::CriticalValue& critical, const std::vector<Outco
 std::string critical_figure(const scene::CriticalValue& critical, const std::vector<Outcome>& runs, double found) {
   const Heights heights = heights_of(critical, runs);
   std::string figure = fmt::format(
-      "set xlabel {}\nset key outside top horizontal\nset grid\nset offsets graph 0.03, graph 0.03, graph 0.05, "
-      "graph "
-      "0.05\nset arrow from first {:.9g}, graph 0 to first {:.9g}, graph 1 nohead dt 2 lc rgb '#555753'\n",
+      "set xlabel {}\nset key outside top horizontal\nset grid\n"
+      "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n"
+      "set arrow from first {:.9g}, graph 0 to first {:.9g}, graph 1 nohead dt 2 lc rgb '#555753'\n",
       picture::gnuplot_text(critical.key), found, found);
   std::string legend = fmt::format(", NaN dt 2 lc rgb '#555753' title 'found: {:.5g}'", found);
   if (heights.words.empty()) {

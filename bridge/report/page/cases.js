@@ -20,6 +20,15 @@ function writeLoads(c, to) {
   for (const joint of c.loads_on_joints) to.append(...sumsTable(joint));
 }
 
+/// Joints of the mechanism that alone let nothing slide.
+function writeParts(c, to) {
+  const parts = c.joint_parts || [];
+  if (parts.length === 0) return;
+  to.append(paragraph(`Parts of a surface, ${c.name}: joints of the mechanism that alone let nothing slide and so have no factor of their own; strength is c L + N tan φ.`, 'quiet'),
+    table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'strength kN/m'],
+      parts.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.strength_n_per_m)])));
+}
+
 /// Silt, ice and earthquake of each load case, where any has some: columns that no case has are left out.
 function writeOtherLoads(to) {
   const columns = [['silt up to m', 'silt.level_m', 1], ['submerged kg/m3', 'silt.submerged_density_kg_per_m3', 1], ['K', 'silt.pressure_coefficient', 1],
@@ -71,7 +80,10 @@ function writeCases() {
   to.append(caseFigures(report));
   for (const c of report.safety) {
     if (c.why_no_joints) writeLoads(c, to);
-    if (!c.joints || c.joints.length === 0) continue;
+    if (!c.joints || c.joints.length === 0) {
+      writeParts(c, to);
+      continue;
+    }
     const scaled = c.joints_with_strength_times;
     const together = element('div', {class: 'together'});
     to.append(together);
@@ -83,8 +95,7 @@ function writeCases() {
     together.append(...middleThird(c.joints));
     const bent = c.bent_joints || [];
     if (bent.length > 0) to.append(paragraph(`No row has ${bent.map(name => `"${name}"`).join(', ')}: a joint that bends has no single sliding factor nor resultant. The factor of the load case counts it.`, 'quiet'));
-    const parts = c.joint_parts || [];
-    if (parts.length > 0) to.append(paragraph('Parts of a surface: joints of the mechanism that alone let nothing slide and so have no factor of their own; strength is c L + N tan φ.', 'quiet'), table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'strength kN/m'], parts.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.strength_n_per_m)])));
+    writeParts(c, to);
     if (c.joints.length <= 4) c.joints.forEach(joint => to.append(...sumsTable(joint)));  // of a mesh of joints the file has the rest
   }
 }
