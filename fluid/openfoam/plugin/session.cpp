@@ -129,9 +129,11 @@ void Session::resume() {
   if (const auto motion = await_motion()) start_window(*motion);
 }
 
-/// Fields are saved in a time folder of their own, other data beside it.
+/// Fields are saved in a time folder of their own, other data beside it once all ranks have written theirs.
 void Session::save() {
   time_.writeNow();
+  bool all_have = true;
+  Foam::reduce(all_have, Foam::andOp<bool>());  // waits for them
   if (!Foam::Pstream::master()) return;
   checkpoints_.write(window_ + 1,
                      checkpoint::pack(time_.value(), time_s_, course_.end, course_.end_velocity, blocks_.poses(),
