@@ -43,8 +43,8 @@ class InterfaceEnergy {
   [[nodiscard]] const std::optional<Growth>& growth() const { return growth_; }
   [[nodiscard]] bool looked() const { return windows_ > 0; }
   [[nodiscard]] double made_j_per_m() const { return now_.made; }
-  /// Of a growth too slow to be reported as an instability: what the exchange has produced is no longer small beside
-  /// the largest kinetic energy. Empty if it is.
+  /// Of a growth too slow to be reported as an instability: what the exchange has produced is small neither beside the
+  /// largest kinetic energy nor beside the water's work. Empty if it is.
   [[nodiscard]] std::string warning() const;
   /// Message: the window, the reason, the remedy; `ratio`: added mass over block mass.
   [[nodiscard]] std::string trouble(double ratio) const;
