@@ -9,14 +9,16 @@ namespace {
 class Gate : public OpenFoam {
  protected:
   /// A gate 1 m wide behind 4 m of water, in cells of 0.25 m, that rises by `lift_m` within 0.5 s from `sill_m` above
-  /// the ground.
+  /// the ground. One that sinks has a slot in the ground.
   [[nodiscard]] nlohmann::json lift(double lift_m, double sill_m, const std::string& more = "") const {
     const std::string y = std::to_string(sill_m);
     std::ofstream scene(folder / "scene.toml");
     scene << "[analysis]\nduration_s = 0.8\nrigid = \"all\"\nstart = \"unstressed\"\nmax_displacement_ratio = 1\n"
              "[material.steel]\nyoungs_modulus_pa = 2e11\npoissons_ratio = 0.3\ndensity_kg_per_m3 = 7800\n"
              "[[block]]\nname = \"ground\"\nmaterial = \"steel\"\nfixed = true\n"
-             "vertices_m = [[-10, -1], [10, -1], [10, 0], [-10, 0]]\n"
+             "vertices_m = [[-10, -6], [10, -6], [10, 0], "
+          << (lift_m < 0 ? "[1, 0], [1, -5], [0, -5], [0, 0], " : "")
+          << "[-10, 0]]\n"
              "[[block]]\nname = \"gate\"\nmaterial = \"steel\"\n"
           << "vertices_m = [[0, " << y << "], [1, " << y << "], [1, 6], [0, 6]]\n";
     for (const char* point : {"[0.5, " /* foot */, "[0.5, 6]"}) {
@@ -26,7 +28,9 @@ class Gate : public OpenFoam {
       if (foot) scene << "displacement_y_m = { table = [[0, 0], [0.5, " << lift_m << "]] }\n";
     }
     scene << "[water]\nupstream_level_m = 4\n"
-             "[fluid]\nmodel = \"openfoam\"\nlevel_control = \"free\"\nfloor_m = 0\ncells_in_depth = 16\n"
+             "[fluid]\nmodel = \"openfoam\"\nlevel_control = \"free\"\ncells_in_depth = 16\nfloor_m = "
+          << (lift_m < 0 ? -3 : 0)
+          << "\n"
              "upstream_depths = 1\ndownstream_depths = 1\n";
     scene.close();
     EXPECT_EQ(run("scene.toml", "o", more), 0) << text("out");
@@ -47,6 +51,13 @@ TEST_F(Gate, OnTwoProcessesLetsItThroughAtTheSameTime) {
   fs::remove_all(folder / "o");
   const double two = lift(1, 0, set("fluid.processes=2"))["breach"]["time_s"];
   EXPECT_NEAR(two, one, 0.02);
+}
+
+/// Water over its crest flows where the gate stood.
+TEST_F(Gate, ThatSinksLetsWaterOver) {
+  const auto summary = lift(-3, 0, set("analysis.duration_s=1.6"));
+  ASSERT_TRUE(summary.contains("breach"));
+  EXPECT_GT(summary["breach"]["time_s"], 0.3);  // 4.2 m above the ground
 }
 
 TEST_F(Gate, ThatStaysOnItsSillDoesNot) {

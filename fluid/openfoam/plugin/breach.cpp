@@ -39,9 +39,9 @@ bool Breach::moved() const {
 bool Breach::is_open() const {
   using namespace Foam;
   double crest = -std::numeric_limits<double>::infinity();
-  for (std::size_t b = 0; b < blocks_.outlines().size(); ++b) {
-    if (!blocks_.interface().blocks[b].loaded) continue;
-    for (const Point& p : blocks_.outlines()[b]) crest = std::max(crest, p.y());
+  for (const auto& block : blocks_.interface().blocks) {
+    if (!block.loaded) continue;
+    for (const Point& p : block.outline) crest = std::max(crest, p.y());
   }
   const auto& water = mesh_.lookupObject<volScalarField>("alpha.water");
   volScalarField wet("wet", pos(water - 0.5) * pos(0.5 - blocks_.filled()));
