@@ -36,11 +36,6 @@ bool slip_destroys(const scene::JointLaw& law) {
   return law.cohesion_pa > 0 && !law.keeps_cohesion;
 }
 
-bool any_bond_may_go(const scene::Scene& scene) {
-  return slip_destroys(scene.default_joint) || std::any_of(scene.joints.begin(), scene.joints.end(),
-                                                           [](const auto& joint) { return slip_destroys(joint.law); });
-}
-
 /// What stays once all such bonds are lost.
 scene::Scene without_bonds(scene::Scene scene) {
   const auto lose = [](scene::JointLaw& law) {
@@ -121,8 +116,9 @@ void add_rigid_blocks(const limit::LimitAnalysis& structure, Situation& now, con
 void add_brittle_bonds(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
                        const limit::Wrenches& loads, nlohmann::json& answer) {
   constexpr double share = 0.95;
-  if (found.bearing != Bearing::fails_at_a_factor || !any_bond_may_go(now.scene)) return;
-  if (limit::each_joint_divides(now.scene, structure.faces())) return;
+  if (found.bearing != Bearing::fails_at_a_factor) return;
+  const auto weak = [](const limit::Face& face) { return face.length_m() > 0 && slip_destroys(*face.law); };
+  if (!limit::share_a_loop(now.scene, structure.faces(), weak)) return;
   const auto without =
       attempt([&] { return limit::limit_strength(limit::LimitAnalysis(without_bonds(now.scene)), loads); });
   if (!without.value || without.value->bearing == Bearing::bears_any) return;

@@ -3,6 +3,8 @@
 // friction, it gives an upper bound.
 #pragma once
 
+#include <functional>
+
 #include "solid/limit/connections.hpp"
 
 namespace blockweir::solid::limit {
@@ -11,7 +13,12 @@ namespace blockweir::solid::limit {
 /// connected to the ground.
 bool each_joint_divides(const scene::Scene& scene, const std::vector<Face>& faces);
 
-/// The same without bonds and ties.
+/// Whether two plane joints that are `weak` lie in one loop of joints: what one of them ceases to bear may then go to
+/// the other.
+bool share_a_loop(const scene::Scene& scene, const std::vector<Face>& faces,
+                  const std::function<bool(const Face&)>& weak);
+
+/// As each_joint_divides, without bonds and ties.
 bool follow_from_equilibrium(const scene::Scene& scene, const std::vector<Face>& faces, const std::vector<Tie>& ties);
 
 }  // namespace blockweir::solid::limit

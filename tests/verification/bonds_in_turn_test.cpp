@@ -53,5 +53,51 @@ TEST(BondsInTurn, AreNotToldOfWhereSlipDoesNotDestroyThem) {
   EXPECT_FALSE(safety_of_slope("keeps_cohesion = true").contains("without_bonds"));
 }
 
+/// A wedge of rock on a seam whose bond is brittle; at its back a crack without a bond. The wedge and the dam on it
+/// have a bond each, in no common loop of joints.
+TEST(BondsInTurn, AreNotToldOfWhereTheLoopHasASingleBond) {
+  const auto answer = [](const std::string& crack) {
+    const std::string scene = R"(analysis = { duration_s = 1 }
+joint = { friction_angle_deg = 35 }
+water = { upstream_level_m = 20 }
+material.m = { youngs_modulus_pa = 20e9, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[0, -20], [80, -20], [80, 0], [42, 0], [0, -6]]
+[[block]]
+name = "upstream rock"
+material = "m"
+fixed = true
+vertices_m = [[-40, -20], [0, -20], [0, 0], [-40, 0]]
+[[block]]
+name = "wedge"
+material = "m"
+vertices_m = [[0, 0], [0, -6], [42, 0]]
+[[block]]
+name = "dam"
+material = "m"
+vertices_m = [[5, 0], [25, 0], [8, 25], [5, 25]]
+[[joints]]
+name = "base"
+between = ["wedge", "dam"]
+cohesion_pa = 200e3
+[[joints]]
+name = "seam"
+between = ["rock", "wedge"]
+cohesion_pa = 50e3
+[[joints]]
+name = "crack"
+between = ["upstream rock", "wedge"]
+)";
+    return process::safety_answer(scene::read_text(scene + crack, "wedge").scene, hydrostatic::make);
+  };
+  const json one = answer("cohesion_pa = 0");
+  EXPECT_NEAR(one["factor"].get<double>(), one["limit_analysis_factor"].get<double>(), 1e-3) << one;
+  EXPECT_FALSE(one.contains("without_bonds"));
+  EXPECT_TRUE(answer("cohesion_pa = 50e3").contains("without_bonds"));
+}
+
 }  // namespace
 }  // namespace blockweir::test
