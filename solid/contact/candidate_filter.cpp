@@ -97,6 +97,38 @@ void CandidateFilter::count_from_passing() {
   }
 }
 
+void CandidateFilter::drop_beyond_flat_corners() {
+  if (std::none_of(found_.all.begin(), found_.all.end(), [](const ContactPoint& c) { return c.bonded(); })) return;
+  FoundContacts kept;
+  for (auto first = found_.all.begin(), end = first; first != found_.all.end(); first = end) {  // of a pair
+    while (end != found_.all.end() && end->pair() == first->pair()) ++end;
+    for (auto c = first; c != end; ++c) {
+      if (std::any_of(first, end, [&](const ContactPoint& other) { return is_beyond(*c, other); })) continue;
+      kept.all.push_back(*c);
+      kept.inherited.push_back(found_.inherited[static_cast<std::size_t>(c - found_.all.begin())]);
+    }
+  }
+  found_.all.swap(kept.all);
+  found_.inherited.swap(kept.inherited);
+}
+
+/// Is the contact on the face beyond the flat corner that the bonded one is of?
+bool CandidateFilter::is_beyond(const ContactPoint& c, const ContactPoint& bonded) const {
+  constexpr double near = 1e4;
+  if (c.bonded() || !bonded.bonded() || bonded.state == ContactState::open) return false;
+  if (bonded.vertex_block != c.edge_block || bonded.edge_block != c.vertex_block) return false;
+  const auto& V = outlines_.of(c.vertex_block);
+  const auto& E = outlines_.of(c.edge_block);
+  const auto v = at(c.vertex);
+  const auto w = at(bonded.vertex);
+  if (at(bonded.edge) != v && at(bonded.edge) != previous(v, V.size())) return false;
+  if (w != at(c.edge) && w != next(at(c.edge), E.size())) return false;
+  const Point in = (E[w] - E[previous(w, E.size())]).normalized();
+  const Point out = (E[next(w, E.size())] - E[w]).normalized();
+  return std::abs(cross(in, out)) < parallel_tolerance && in.dot(out) > 0 && c.gap > -outlines_.coincidence_m() &&
+         (E[w] - V[v]).norm() < near * outlines_.coincidence_m();
+}
+
 /// Is the vertex's block on the outer side of the edge, but for what blocks strain?
 bool CandidateFilter::faces_outside(const ContactPoint& c) const {
   constexpr double strained = 1e-3;  // rad
