@@ -119,12 +119,29 @@ void join(std::vector<Crack>& cracks, double touching_m) {
   std::erase_if(cracks, [](const Crack& crack) { return crack.parts.empty(); });
 }
 
+std::vector<Bend> bends_of(const Crack& crack) {
+  std::vector<Bend> bends;
+  double station_m = 0;
+  bool straight = true;
+  for (const CrackPart& part : crack.parts) {
+    for (const TracePiece& piece : part.trace.pieces) {
+      station_m += (piece.to_m - piece.from_m).norm();
+      const double line_m = crack.mouth().y() + station_m / crack.length_m * (crack.end().y() - crack.mouth().y());
+      bends.push_back({station_m, piece.to_m.y() - line_m});
+      straight = straight && std::abs(bends.back().above_m) < touching_ratio * crack.length_m;
+    }
+  }
+  bends.pop_back();  // the end
+  return straight ? std::vector<Bend>() : bends;
+}
+
 }  // namespace
 
 std::vector<Crack> find_cracks(const Scene& scene) {
   const double touching_m = touching_ratio * size_of(scene);
   std::vector<Crack> cracks = single_joints(scene, touching_m, [](Uplift law) { return is_profile(law); });
   join(cracks, touching_m);
+  for (Crack& crack : cracks) crack.bends = bends_of(crack);
   return cracks;
 }
 

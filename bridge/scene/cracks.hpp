@@ -23,6 +23,7 @@ struct Crack {
   KnownHeads known;
   std::vector<CrackPart> parts;
   double length_m = 0;
+  std::vector<Bend> bends{};  ///< by station; none along a straight crack
 
   [[nodiscard]] const Point& mouth() const { return parts.front().trace.mouth(); }
   [[nodiscard]] const Point& end() const { return parts.back().trace.end(); }

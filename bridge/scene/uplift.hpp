@@ -43,6 +43,12 @@ struct Piezometer {
   double head_m = 0;     ///< an elevation y
 };
 
+/// Where a joint bends: how far above the line between its ends it lies there as drawn.
+struct Bend {
+  double station_m = 0;
+  double above_m = 0;
+};
+
 /// Known heads in a joint, besides those at its ends.
 struct KnownHeads {
   std::optional<Drain> drain;

@@ -275,7 +275,8 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_
     joints::Joint joint{.mouth = end_of(true, crack.parts.front(), crack.mouth()),
                         .end = end_of(false, crack.parts.back(), crack.end()),
                         .length_m = crack.length_m,
-                        .water_n_per_m3 = scene::unit_weight_of_water(scene_)};
+                        .water_n_per_m3 = scene::unit_weight_of_water(scene_),
+                        .bends = crack.bends};
     if (parted_.contains(k)) joint = opened(k, joint, to_s, forces);
     const std::size_t first = load.block.size();
     const bool empties = to_s < shaking_ends_s_;

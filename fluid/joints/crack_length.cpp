@@ -2,7 +2,6 @@
 #include "fluid/joints/crack_length.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
@@ -20,7 +19,9 @@ class Opening {
       : law_(law), known_(known), joint_(joint), thrust_(thrust), side_(side) {}
 
   [[nodiscard]] double found() const {
-    if (holds(0)) return 0;
+    const Balance closed = balance(0);
+    if (closed.effective_n_per_m <= 0) return joint_.length_m;  // it floats
+    if (closed.excess_n >= 0) return 0;
     // A drain that the crack reaches drains no more: the uplift jumps there.
     std::vector<double> ends = {0};
     if (known_.drain) ends.push_back(from_side(known_.drain->station_m));
@@ -29,7 +30,7 @@ class Opening {
       const double low = ends[i - 1];
       const double high = std::nextafter(ends[i], low);
       if (holds(low)) return low;
-      if (holds(high)) return root(low, high);
+      if (holds(high)) return first_that_holds(low, high);
     }
     return joint_.length_m;
   }
@@ -59,12 +60,13 @@ class Opening {
     const Balance b = balance(open_m);
     return b.effective_n_per_m > 0 && b.excess_n >= 0;
   }
-  [[nodiscard]] double root(double low, double high) const {
-    std::uintmax_t most = 200;
-    const auto excess = [this](double open_m) { return balance(open_m).excess_n; };
-    const auto [below, above] =
-        boost::math::tools::toms748_solve(excess, low, high, boost::math::tools::eps_tolerance<double>(50), most);
-    return (below + above) / 2;
+  /// By halves: at `low` the excess may be lacking or the effective force, so that neither need change its sign.
+  [[nodiscard]] double first_that_holds(double low, double high) const {
+    for (;;) {
+      const double middle = (low + high) / 2;
+      if (middle <= low || middle >= high) return high;
+      (holds(middle) ? high : low) = middle;
+    }
   }
 
   scene::Uplift law_;
@@ -103,9 +105,15 @@ Thrust Parted::thrust(const statics::Wrenches& loads) const {
 }
 
 Joint opened(scene::Uplift law, const scene::KnownHeads& known, Joint joint, const Thrust& thrust) {
-  joint.open_at_mouth_m = Opening(law, known, joint, thrust, OpenFrom::mouth).found();
-  if (joint.open_at_mouth_m == 0) joint.open_at_end_m = Opening(law, known, joint, thrust, OpenFrom::end).found();
-  return joint;
+  const double from_mouth = Opening(law, known, joint, thrust, OpenFrom::mouth).found();
+  const double from_end = from_mouth == 0 ? Opening(law, known, joint, thrust, OpenFrom::end).found() : 0;
+  joint.open_at_mouth_m = from_mouth;
+  joint.open_at_end_m = from_end;
+  if (std::max(from_mouth, from_end) < joint.length_m) return joint;
+  // Open all along, it has the water of the end that presses more.
+  Joint other = joint;
+  std::swap(other.open_at_mouth_m, other.open_at_end_m);
+  return uplift(law, known, other).force() > uplift(law, known, joint).force() ? other : joint;
 }
 
 }  // namespace blockweir::joints

@@ -12,7 +12,16 @@ using scene::KnownHeads;
 using scene::Uplift;
 
 double height_at(const Joint& joint, double at_m) {
-  return joint.mouth.height_m + (joint.end.height_m - joint.mouth.height_m) * at_m / joint.length_m;
+  const double line_m = joint.mouth.height_m + (joint.end.height_m - joint.mouth.height_m) * at_m / joint.length_m;
+  scene::Bend from;
+  for (const scene::Bend& to : joint.bends) {
+    if (at_m <= to.station_m) {
+      return line_m + from.above_m +
+             (to.above_m - from.above_m) * (at_m - from.station_m) / (to.station_m - from.station_m);
+    }
+    from = to;
+  }
+  return line_m + from.above_m * (joint.length_m - at_m) / (joint.length_m - from.station_m);
 }
 
 double head(const Joint& joint, const End& end) {
@@ -23,12 +32,21 @@ double pressure_of(const Joint& joint, double at_m, double head_m) {
   return joint.water_n_per_m3 * std::max(0.0, head_m - height_at(joint, at_m));
 }
 
+/// In the open part of a joint: water at rest with the head of its end.
+double open_pressure(const Joint& joint, const End& end, double at_m) {
+  return end.pressure_pa > 0 ? pressure_of(joint, at_m, head(joint, end)) : 0;
+}
+
+/// Where the closed part of a joint begins or ends.
+struct Tip {
+  double at_m;
+  double pressure_pa;
+};
+
 /// At the drain, in a joint whose pressure falls linearly between its open parts.
-double drained_pressure(const scene::Drain& drain, const Joint& joint) {
-  const double from_m = joint.open_at_mouth_m;
-  const double to_m = joint.length_m - joint.open_at_end_m;
-  const double share = (drain.station_m - from_m) / (to_m - from_m);
-  const double p = joint.mouth.pressure_pa + share * (joint.end.pressure_pa - joint.mouth.pressure_pa);
+double drained_pressure(const scene::Drain& drain, const Joint& joint, const Tip& from, const Tip& to) {
+  const double share = (drain.station_m - from.at_m) / (to.at_m - from.at_m);
+  const double p = from.pressure_pa + share * (to.pressure_pa - from.pressure_pa);
   const double undrained = height_at(joint, drain.station_m) + p / joint.water_n_per_m3;
   const double lower = std::min(head(joint, joint.mouth), head(joint, joint.end));
   return pressure_of(joint, drain.station_m, head_at_drain(drain, undrained, lower));
@@ -48,15 +66,22 @@ void full(const KnownHeads& /*known*/, const Joint& joint, Profile& into) {
 /// Without open parts this is the law of drains, without a drain that of cracks. A drain that a crack has reached has
 /// no effect.
 void drained_or_cracked(const KnownHeads& known, const Joint& joint, Profile& into) {
-  const double from_m = joint.open_at_mouth_m;
   const double to_m = joint.length_m - joint.open_at_end_m;
+  const Tip from = {joint.open_at_mouth_m, open_pressure(joint, joint.mouth, joint.open_at_mouth_m)};
+  const Tip to = {to_m, open_pressure(joint, joint.end, to_m)};
   into.add(0, joint.mouth.pressure_pa);
-  if (from_m > 0) into.add(from_m, joint.mouth.pressure_pa);
-  if (known.drain && known.drain->station_m > from_m && known.drain->station_m < to_m) {
-    into.add(known.drain->station_m, drained_pressure(*known.drain, joint));
+  for (const scene::Bend& bend : joint.bends) {
+    if (bend.station_m < from.at_m) into.add(bend.station_m, open_pressure(joint, joint.mouth, bend.station_m));
   }
-  if (joint.open_at_end_m > 0) into.add(to_m, joint.end.pressure_pa);
-  if (from_m < joint.length_m) into.add(joint.length_m, joint.end.pressure_pa);
+  if (from.at_m > 0) into.add(from.at_m, from.pressure_pa);
+  if (known.drain && known.drain->station_m > from.at_m && known.drain->station_m < to.at_m) {
+    into.add(known.drain->station_m, drained_pressure(*known.drain, joint, from, to));
+  }
+  if (joint.open_at_end_m > 0) into.add(to.at_m, to.pressure_pa);
+  for (const scene::Bend& bend : joint.bends) {
+    if (bend.station_m > to.at_m) into.add(bend.station_m, open_pressure(joint, joint.end, bend.station_m));
+  }
+  if (from.at_m < joint.length_m) into.add(joint.length_m, joint.end.pressure_pa);
 }
 
 void heads(const KnownHeads& known, const Joint& joint, Profile& into) {
@@ -66,7 +91,8 @@ void heads(const KnownHeads& known, const Joint& joint, Profile& into) {
   const double ratio = then > 0 ? std::max(0.0, now / then) : 0;
   into.add(0, joint.mouth.pressure_pa);
   for (const scene::Piezometer& p : known.piezometers) {
-    into.add(p.station_m, pressure_of(joint, p.station_m, low + ratio * (p.head_m - low)));
+    const double follows = p.head_m > low ? ratio : 1;
+    into.add(p.station_m, pressure_of(joint, p.station_m, low + follows * (p.head_m - low)));
   }
   into.add(joint.length_m, joint.end.pressure_pa);
 }

@@ -14,7 +14,7 @@ struct End {
   double height_m = 0;  ///< elevation y of that end
 };
 
-/// A joint in water; its upstream end is its mouth. Elevations are linear between the ends.
+/// A joint in water; its upstream end is its mouth.
 struct Joint {
   End mouth;
   End end;
@@ -22,6 +22,7 @@ struct Joint {
   double water_n_per_m3 = 9810;  ///< rho g
   double open_at_mouth_m = 0;    ///< open length, from the mouth
   double open_at_end_m = 0;
+  std::vector<scene::Bend> bends{};  ///< elevations are linear between them and the ends
 };
 
 /// Pressure [Pa] at distances [m] from the joint's mouth, linear in between.
@@ -45,9 +46,9 @@ class Profile {
 };
 
 /// triangular: linear from the mouth's pressure to the end's; full: the higher of both; drained: through the pressure
-/// at the drain (fluid/joints/drain.hpp); cracked: an end's pressure along the open length from there, in between
-/// linear, or drained if the crack has not reached the drain; heads: through the piezometers, whose heads above the
-/// end's are proportional to the mouth's.
+/// at the drain (fluid/joints/drain.hpp); cracked: water at rest with an end's head along the open length from
+/// there, in between linear, or drained if the crack has not reached the drain; heads: through the piezometers, whose
+/// heads above the end's are proportional to the mouth's.
 Profile uplift(scene::Uplift law, const scene::KnownHeads& known, const Joint& joint);
 
 }  // namespace blockweir::joints

@@ -90,6 +90,13 @@ std::string known_heads(const scene::KnownHeads& known) {
   return text + " );\n";
 }
 
+std::string bends(const std::vector<scene::Bend>& all) {
+  if (all.empty()) return "";
+  std::string text = "        bends (";
+  for (const scene::Bend& bend : all) text += fmt::format(" ({} {})", exact(bend.station_m), exact(bend.above_m));
+  return text + " );\n";
+}
+
 /// Panels: block, edge, from and to along the edge, from and to along the crack, all but the first two as fractions.
 std::string cracks(const scene::Scene& scene) {
   std::string text = "cracks\n{\n";
@@ -97,7 +104,7 @@ std::string cracks(const scene::Scene& scene) {
   for (const scene::Crack& crack : scene::find_cracks(scene)) {
     text += fmt::format("    crack{}\n    {{\n        law {};\n        length {};\n", number++,
                         scene::named(crack.law).name, exact(crack.length_m));
-    text += known_heads(crack.known);
+    text += known_heads(crack.known) + bends(crack.bends);
     const auto& first = crack.parts.front();
     const auto& last = crack.parts.back();
     const auto direction = [](const scene::TracePiece& piece) -> scene::Point {

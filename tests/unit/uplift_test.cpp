@@ -9,6 +9,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
+#include "fluid/joints/crack_length.hpp"
 
 namespace blockweir::joints {
 namespace {
@@ -50,6 +51,26 @@ TEST(Uplift, HeadsOfPiezometersFollowTheReservoirInProportion) {
   EXPECT_DOUBLE_EQ(uplift(Uplift::heads, known, lower).pressure(20), 150e3);
 }
 
+/// Readings of a joint that is drained below the tailwater.
+TEST(Uplift, HeadsBelowTheTailwaterStayAsRead) {
+  const KnownHeads known{.piezometers = {{20, 5}}, .level_m = 40};
+  EXPECT_DOUBLE_EQ(uplift(Uplift::heads, known, base).pressure(20), 50e3);
+}
+
+/// It bends down to 3 m below the line between its ends.
+TEST(Uplift, HeadsAndDrainsOfAJointThatBendsActAtItsElevation) {
+  Joint bent = base;
+  bent.bends = {{10, -1}, {20, -3}};
+  const KnownHeads read{.piezometers = {{15, 40}, {20, 40}}, .level_m = 60};
+  EXPECT_DOUBLE_EQ(uplift(Uplift::heads, read, bent).pressure(15), 420e3);
+  EXPECT_DOUBLE_EQ(uplift(Uplift::heads, read, bent).pressure(20), 430e3);
+  const KnownHeads drained{.drain = scene::Drain{.station_m = 30, .head_m = 0}};
+  EXPECT_DOUBLE_EQ(uplift(Uplift::drained, drained, bent).pressure(30), 15e3);
+  bent.open_at_mouth_m = 20;
+  EXPECT_DOUBLE_EQ(uplift(Uplift::cracked, {}, bent).pressure(10), 610e3);
+  EXPECT_DOUBLE_EQ(uplift(Uplift::cracked, {}, bent).pressure(20), 630e3);
+}
+
 TEST(Uplift, ADrainThatTheCrackHasReachedDrainsNoMore) {
   const KnownHeads known{.drain = scene::Drain{.station_m = 8, .efficiency = 1}};
   Joint open = base;
@@ -59,6 +80,16 @@ TEST(Uplift, ADrainThatTheCrackHasReachedDrainsNoMore) {
   open.open_at_mouth_m = 10;
   EXPECT_DOUBLE_EQ(uplift(Uplift::cracked, known, open).pressure(10), 600e3);
   EXPECT_DOUBLE_EQ(uplift(Uplift::cracked, known, open).pressure(25), 350e3);
+}
+
+TEST(Uplift, AnOpenCrackThatDipsHasTheHeadOfItsMouth) {
+  Joint dips = {.mouth = {100e3, 10}, .end = {0, 0}, .length_m = 20, .water_n_per_m3 = 10e3, .open_at_mouth_m = 8};
+  EXPECT_DOUBLE_EQ(uplift(Uplift::cracked, {}, dips).pressure(8), 140e3);
+  EXPECT_DOUBLE_EQ(uplift(Uplift::cracked, {}, dips).pressure(14), 70e3);
+  const KnownHeads drained{.drain = scene::Drain{.station_m = 14, .efficiency = 0}};
+  EXPECT_DOUBLE_EQ(uplift(Uplift::cracked, drained, dips).pressure(14), 70e3);
+  dips.mouth.pressure_pa = 0;  // above the pool
+  EXPECT_DOUBLE_EQ(uplift(Uplift::cracked, {}, dips).pressure(8), 0);
 }
 
 /// A dam of 80 m under an upright face: crest 5 m, base 60 m, 24 kN/m3.
@@ -96,6 +127,18 @@ TEST(CrackLength, IsThatOfTheClosedFormForADamOf80Metres) {
   EXPECT_NEAR(crack_length(dam(), 80), 13.323, 5e-4);
   EXPECT_NEAR(crack_length(dam(), 84), 50.27, 5e-3);
   EXPECT_EQ(crack_length(dam(), 88), 60);  // nothing closed can balance it
+}
+
+/// A light block on a level base of 10 m between a low pool and a high one, and its mirror image.
+TEST(CrackLength, OfABlockThatFloatsIsTheWholeJointUnderTheHigherPool) {
+  const auto force = [](double mouth_pa, double end_pa) {
+    const Joint joint{.mouth = {mouth_pa, 0}, .end = {end_pa, 0}, .length_m = 10};
+    const Thrust thrust{.normal_n_per_m = 490e3, .about_mouth_n = 2450e3, .about_end_n = 2450e3};
+    return uplift(Uplift::cracked, {}, opened(Uplift::cracked, {}, joint, thrust)).force();
+  };
+  EXPECT_DOUBLE_EQ(force(10e3, 95e3), 950e3);
+  EXPECT_DOUBLE_EQ(force(95e3, 10e3), 950e3);
+  EXPECT_DOUBLE_EQ(force(60e3, 95e3), 950e3);
 }
 
 TEST(CrackLength, FollowsLoadsBesideTheWater) {

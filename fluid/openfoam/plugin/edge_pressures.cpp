@@ -205,6 +205,7 @@ void EdgePressures::add_cracks(const std::vector<std::array<joints::End, 2>>& en
     joint.mouth = ends[c][0];
     joint.end = ends[c][1];
     joint.length_m = cracks[c].length_m;
+    joint.bends = cracks[c].bends;
     joint.water_n_per_m3 = scene.water_density * scene.gravity;
     const joints::Profile profile = joints::uplift(cracks[c].law, cracks[c].known, joint);
     const auto pressure = [&](double t) { return profile.pressure(t * joint.length_m); };

@@ -60,6 +60,9 @@ Crack crack(const dictionary& dict) {
   }
   crack.known = known_heads(dict);
   crack.length_m = dict.get<Foam::scalar>("length");
+  for (const Foam::vector2D& p : dict.getOrDefault("bends", Foam::List<Foam::vector2D>())) {
+    crack.bends.push_back({p.x(), p.y()});
+  }
   crack.mouth = opening(dict.subDict("mouth"));
   crack.end = opening(dict.subDict("end"));
   for (const auto& row : dict.get<Foam::List<Foam::FixedList<Foam::scalar, 6>>>("panels")) {

@@ -44,6 +44,7 @@ struct Crack {
   scene::Uplift law = scene::Uplift::none;
   scene::KnownHeads known;
   double length_m = 0;
+  std::vector<scene::Bend> bends;
   CrackOpening mouth;
   CrackOpening end;
   std::vector<CrackPanel> panels;
