@@ -97,13 +97,17 @@ void CandidateFilter::count_from_passing() {
   }
 }
 
-void CandidateFilter::drop_beyond_flat_corners() {
+void CandidateFilter::keep_bonds_past_flat_corners() {
   if (std::none_of(found_.all.begin(), found_.all.end(), [](const ContactPoint& c) { return c.bonded(); })) return;
   FoundContacts kept;
   for (auto first = found_.all.begin(), end = first; first != found_.all.end(); first = end) {  // of a pair
     while (end != found_.all.end() && end->pair() == first->pair()) ++end;
     for (auto c = first; c != end; ++c) {
-      if (std::any_of(first, end, [&](const ContactPoint& other) { return is_beyond(*c, other); })) continue;
+      const auto stands_for_it = [&](const ContactPoint& other) {
+        return other.bonded() && other.state != ContactState::open && c->gap > -outlines_.coincidence_m() &&
+               (past_flat_corner(*c, other) || past_flat_corner(other, *c));
+      };
+      if (!c->bonded() && std::any_of(first, end, stands_for_it)) continue;
       kept.all.push_back(*c);
       kept.inherited.push_back(found_.inherited[static_cast<std::size_t>(c - found_.all.begin())]);
     }
@@ -112,21 +116,21 @@ void CandidateFilter::drop_beyond_flat_corners() {
   found_.inherited.swap(kept.inherited);
 }
 
-/// Is the contact on the face beyond the flat corner that the bonded one is of?
-bool CandidateFilter::is_beyond(const ContactPoint& c, const ContactPoint& bonded) const {
+/// Is the first of a corner near a flat corner of the other outline, and the second of that flat corner on a face of
+/// the first's corner?
+bool CandidateFilter::past_flat_corner(const ContactPoint& beyond, const ContactPoint& flat) const {
   constexpr double near = 1e4;
-  if (c.bonded() || !bonded.bonded() || bonded.state == ContactState::open) return false;
-  if (bonded.vertex_block != c.edge_block || bonded.edge_block != c.vertex_block) return false;
-  const auto& V = outlines_.of(c.vertex_block);
-  const auto& E = outlines_.of(c.edge_block);
-  const auto v = at(c.vertex);
-  const auto w = at(bonded.vertex);
-  if (at(bonded.edge) != v && at(bonded.edge) != previous(v, V.size())) return false;
-  if (w != at(c.edge) && w != next(at(c.edge), E.size())) return false;
+  if (flat.vertex_block != beyond.edge_block || flat.edge_block != beyond.vertex_block) return false;
+  const auto& V = outlines_.of(beyond.vertex_block);
+  const auto& E = outlines_.of(beyond.edge_block);
+  const auto v = at(beyond.vertex);
+  const auto w = at(flat.vertex);
+  if (at(flat.edge) != v && at(flat.edge) != previous(v, V.size())) return false;
+  if (w != at(beyond.edge) && w != next(at(beyond.edge), E.size())) return false;
+  if ((E[w] - V[v]).norm() > near * outlines_.coincidence_m()) return false;
   const Point in = (E[w] - E[previous(w, E.size())]).normalized();
   const Point out = (E[next(w, E.size())] - E[w]).normalized();
-  return std::abs(cross(in, out)) < parallel_tolerance && in.dot(out) > 0 && c.gap > -outlines_.coincidence_m() &&
-         (E[w] - V[v]).norm() < near * outlines_.coincidence_m();
+  return std::abs(cross(in, out)) < parallel_tolerance && in.dot(out) > 0;
 }
 
 /// Is the vertex's block on the outer side of the edge, but for what blocks strain?

@@ -26,10 +26,10 @@ class CandidateFilter {
   /// Corners that have passed each other slightly behind the line of their faces keep that offset: closed at once, they
   /// would be thrown off.
   void count_from_passing();
-  /// A corner that has slid past a flat corner of the other outline goes on to the face beyond. While a bond holds the
-  /// two blocks at that flat corner, that one contact stands for both: what the faces differ in direction by rounded
+  /// A corner that has slid past a flat corner of the other outline lies on the face beyond, and the flat corner on its
+  /// block. If one of the two contacts has a bond, it stands for both: what the faces differ in direction by rounded
   /// coordinates would pull the bond off.
-  void drop_beyond_flat_corners();
+  void keep_bonds_past_flat_corners();
   /// A vertex on one edge of a block near a corner is far behind the next edge, which it never touched. From inside
   /// only closed contacts may press, and of the others the one with least penetration. A vertex beside an acute corner
   /// is behind the line of an edge, but inside nothing.
@@ -41,7 +41,7 @@ class CandidateFilter {
  private:
   [[nodiscard]] bool overlaps_at(const ContactPoint& c) const;
   [[nodiscard]] bool faces_outside(const ContactPoint& c) const;
-  [[nodiscard]] bool is_beyond(const ContactPoint& c, const ContactPoint& bonded) const;
+  [[nodiscard]] bool past_flat_corner(const ContactPoint& beyond, const ContactPoint& flat) const;
   [[nodiscard]] int met_vertex(const ContactPoint& c) const;
   [[nodiscard]] bool may_pass(const ContactPoint& c) const;
   [[nodiscard]] bool passes_alone(const ContactPoint& c) const;

@@ -75,7 +75,7 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
   inherit(placements, contacts);
   CandidateFilter filter(outlines_, openings_, passing_, found_);
   filter.count_from_passing();
-  filter.drop_beyond_flat_corners();
+  filter.keep_bonds_past_flat_corners();
   filter.drop_edges_seen_from_within();
   filter.keep_one_of_each();
   passing_.end_search();
