@@ -85,6 +85,14 @@ MovingParts make_moving_parts(const scene::Scene& scene) {
       parts.outlines[at(b)] = whole(b, block.vertices.size());
     }
   }
+  parts.contact_outlines = contact_outlines(scene, parts.blocks);
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    if (parts.triangles[b].empty()) continue;
+    for (const OutlineSide& side : parts.outlines[b]) {
+      parts.contact_outlines[b].push_back(
+          {side.part, side.described_edge, side.s_from, side.s_to, parts.vertex(side), parts.end(side)});
+    }
+  }
   return parts;
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "solid/block/contact_outlines.hpp"
 #include "solid/block/panel.hpp"
 
 namespace blockweir::solid {
@@ -33,6 +34,7 @@ struct Anchor {
 struct MovingParts {
   std::vector<Block> blocks;                       ///< the scene's blocks in its order; then all triangles
   std::vector<std::vector<OutlineSide>> outlines;  ///< of the scene's blocks
+  std::vector<ContactOutline> contact_outlines;    ///< the same, as contacts see them
   std::vector<std::vector<int>> triangles;         ///< of the scene's blocks; empty without a mesh
   std::vector<StrainCoupling> couplings;
   int nodes = 0;  ///< of all meshes

@@ -4,14 +4,14 @@
 namespace blockweir::solid {
 
 CurrentOutlines::CurrentOutlines(const MovingParts& parts, double size_m)
-    : parts_(parts), corners_(parts.outlines.size()), coincidence_(1e-7 * size_m), give_(2 * coincidence_) {
-  for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.outlines[b].size());
+    : parts_(parts), corners_(parts.contact_outlines.size()), coincidence_(1e-7 * size_m), give_(2 * coincidence_) {
+  for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.contact_outlines[b].size());
 }
 
 void CurrentOutlines::move(std::size_t block, const std::vector<Placement>& placements) {
-  const auto& sides = parts_.outlines[block];
+  const ContactOutline& sides = parts_.contact_outlines[block];
   for (std::size_t v = 0; v < sides.size(); ++v) {
-    corners_[block][v] = placements[at(sides[v].part)].position(parts_.vertex(sides[v]));
+    corners_[block][v] = placements[at(sides[v].part)].position(sides[v].from);
   }
 }
 

@@ -44,8 +44,8 @@ const std::vector<Point>& PassingCorners::outline(const std::vector<Placement>& 
                                                   std::vector<Point>& corners) const {
   const MovingParts& parts = outlines_.parts();
   corners.clear();
-  for (const OutlineSide& side : parts.outlines[at(block)]) {
-    corners.push_back(placements[at(side.part)].position(parts.vertex(side)));
+  for (const ContactSide& side : parts.contact_outlines[at(block)]) {
+    corners.push_back(placements[at(side.part)].position(side.from));
   }
   return corners;
 }

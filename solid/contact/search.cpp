@@ -34,14 +34,17 @@ double overlap(const Point& vertex, const Point& end, const Point& a, const Poin
 
 ContactSearch::ContactSearch(const MovingParts& parts, const JointLaws& laws, double size_m, double reach_m,
                              double farthest_reach_m)
-    : parts_(parts), laws_(laws), outlines_(parts, size_m), pairs_(reach_m, farthest_reach_m, parts.outlines.size()) {
+    : parts_(parts),
+      laws_(laws),
+      outlines_(parts, size_m),
+      pairs_(reach_m, farthest_reach_m, parts.contact_outlines.size()) {
   if (laws.any_plane()) find_planes();
 }
 
 void ContactSearch::find_planes() {
-  planes_.resize(parts_.outlines.size());
+  planes_.resize(parts_.contact_outlines.size());
   for (std::size_t b = 0; b < planes_.size(); ++b) {
-    for (const OutlineSide& side : parts_.outlines[b]) {
+    for (const ContactSide& side : parts_.contact_outlines[b]) {
       planes_[b].push_back(laws_.plane_of(static_cast<int>(b), side.described_edge, side.s_from, side.s_to));
     }
   }
@@ -59,7 +62,7 @@ int ContactSearch::law_on(int vertex_block, std::size_t vertex, int edge_block, 
   const int face_plane = planes_[at(vertex_block)][turned_in < turned_out ? before : vertex];
   return laws_.of_contact(
       vertex_block, face_plane,
-      {edge_block, parts_.outlines[at(edge_block)][edge].described_edge, planes_[at(edge_block)][edge]});
+      {edge_block, parts_.contact_outlines[at(edge_block)][edge].described_edge, planes_[at(edge_block)][edge]});
 }
 
 void ContactSearch::update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts) {
@@ -115,13 +118,13 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       contact.vertex = static_cast<int>(v);
       contact.edge_block = edge_block;
       contact.edge = static_cast<int>(e);
-      const OutlineSide& at_vertex = parts_.outlines[static_cast<std::size_t>(vertex_block)][v];
-      const OutlineSide& at_edge = parts_.outlines[static_cast<std::size_t>(edge_block)][e];
+      const ContactSide& at_vertex = parts_.contact_outlines[static_cast<std::size_t>(vertex_block)][v];
+      const ContactSide& at_edge = parts_.contact_outlines[static_cast<std::size_t>(edge_block)][e];
       contact.vertex_part = at_vertex.part;
-      contact.vertex_at = parts_.vertex(at_vertex);
+      contact.vertex_at = at_vertex.from;
       contact.edge_part = at_edge.part;
-      contact.edge_from = parts_.vertex(at_edge);
-      contact.edge_to = parts_.end(at_edge);
+      contact.edge_from = at_edge.from;
+      contact.edge_to = at_edge.to;
       contact.law = law_on(vertex_block, v, edge_block, e, t);
       contact.gap = gap;
       contact.anchor = s / edge_length;

@@ -35,14 +35,14 @@ PushApart::Meeting PushApart::meeting_now(const ContactPoint& c) const {
 std::size_t PushApart::near_end(const ContactPoint& c) const {
   const EdgeFrame edge = frame_now(c);
   const double s = edge.t.dot(state_.place(c) - state_.placements[at(c.edge_part)].position(c.edge_from));
-  return s < edge.length / 2 ? at(c.edge) : next(at(c.edge), model_.parts.outlines[at(c.edge_block)].size());
+  return s < edge.length / 2 ? at(c.edge) : next(at(c.edge), model_.parts.contact_outlines[at(c.edge_block)].size());
 }
 
 /// Nearly: what pushes move is less.
 bool PushApart::corners_touch(const ContactPoint& c) const {
   constexpr double near = 1e-4;
-  const OutlineSide& end = model_.parts.outlines[at(c.edge_block)][near_end(c)];
-  const Point corner = state_.placements[at(end.part)].position(model_.parts.vertex(end));
+  const ContactSide& end = model_.parts.contact_outlines[at(c.edge_block)][near_end(c)];
+  const Point corner = state_.placements[at(end.part)].position(end.from);
   return (corner - state_.place(c)).norm() < near * model_.size_m;
 }
 
@@ -55,10 +55,10 @@ PushApart::Meeting PushApart::passing_now(const ContactPoint& c) const {
 
 /// A corner of a block between its neighbours, as they are now.
 PushApart::Corner PushApart::corner_now(int block, std::size_t vertex) const {
-  const auto& outline = model_.parts.outlines[at(block)];
+  const ContactOutline& outline = model_.parts.contact_outlines[at(block)];
   Corner corner{block, {}};
   for (const std::size_t v : {previous(vertex, outline.size()), vertex, next(vertex, outline.size())}) {
-    corner.points.push_back(state_.placements[at(outline[v].part)].position(model_.parts.vertex(outline[v])));
+    corner.points.push_back(state_.placements[at(outline[v].part)].position(outline[v].from));
   }
   return corner;
 }
