@@ -99,6 +99,9 @@ std::vector<Corner> corners_left(const Block& block, const std::vector<Chord>& c
     }
   }
   std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.place < b.place; });
+  // Where a third block stands on the other two, their chords meet.
+  const auto same = [](const Corner& a, const Corner& b) { return b.place - a.place < at_vertex; };
+  corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
   return corners;
 }
 
