@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/at.hpp"
@@ -21,92 +21,180 @@ constexpr double at_vertex = 1e-9;
 using scene::TracePiece;
 using Pieces = std::vector<TracePiece>;
 
-/// A stretch of a block's outline that is replaced by its chord: places as edge plus fraction, against the clock.
-struct Chord {
+/// A stretch of a block's outline, between places that are an edge plus a fraction of it, against the clock.
+struct Stretch {
   double from = 0;
   double to = 0;
   Point from_m;
   Point to_m;
 };
 
-/// Calls `found(first, last)` for each longest row of pieces [first, last) that its chord replaces.
+/// Of one block: its joints piece by piece, and the rows of pieces that a chord replaces.
+struct Joined {
+  std::vector<Stretch> pieces;
+  std::vector<Stretch> chords;
+};
+
+/// Calls `found(first, last)` for each longest row of points whose lines deviate from its chord by less than `flat`.
 template <class Found>
-void straight_rows(const Pieces& pieces, std::size_t first, std::size_t last, const Found& found) {
+void straight_rows(const std::vector<Point>& points, std::size_t first, std::size_t last, const Found& found) {
   if (last - first < 2) return;
-  const Point start = pieces[first].from_m;
-  const Point chord = (pieces[last - 1].to_m - start).normalized();
+  const Point chord = (points[last] - points[first]).normalized();
   bool straight = true;
   std::size_t split = first + 1;
   double farthest_m = -1;
   for (std::size_t i = first; i < last; ++i) {
-    const Point along = (pieces[i].to_m - pieces[i].from_m).normalized();
+    const Point along = (points[i + 1] - points[i]).normalized();
     straight = straight && along.dot(chord) > 0 && std::abs(geometry::cross(along, chord)) < flat;
-    const double off_m = std::abs(geometry::cross(chord, pieces[i].from_m - start));
+    const double off_m = std::abs(geometry::cross(chord, points[i] - points[first]));
     if (i > first && off_m > farthest_m) {
       farthest_m = off_m;
       split = i;
     }
   }
   if (straight) return found(first, last);
-  straight_rows(pieces, first, split, found);
-  straight_rows(pieces, split, last, found);
+  straight_rows(points, first, split, found);
+  straight_rows(points, split, last, found);
 }
 
-/// The trace runs along one of its blocks, and against the other.
-Chord chord_of(int from_edge, double s_from, int to_edge, double s_to, const Point& from_m, const Point& to_m,
-               bool forwards) {
-  const double a = from_edge + s_from;
-  const double b = to_edge + s_to;
-  return forwards ? Chord{a, b, from_m, to_m} : Chord{b, a, to_m, from_m};
+/// Of block a or b, along which or against which the trace runs.
+Stretch stretch_of(const TracePiece& from, const TracePiece& to, bool of_a) {
+  const double first = of_a ? from.edge_a + from.s_from_a : from.edge_b + from.s_from_b;
+  const double last = of_a ? to.edge_a + to.s_to_a : to.edge_b + to.s_to_b;
+  const bool forwards = of_a ? from.s_from_a < from.s_to_a : from.s_from_b < from.s_to_b;
+  return forwards ? Stretch{first, last, from.from_m, to.to_m} : Stretch{last, first, to.to_m, from.from_m};
 }
 
-void add_chords(const Pieces& pieces, std::size_t first, std::size_t last, std::vector<Chord>& of_a,
-                std::vector<Chord>& of_b) {
-  straight_rows(pieces, first, last, [&](std::size_t i, std::size_t end) {
-    const TracePiece& from = pieces[i];
-    const TracePiece& to = pieces[end - 1];
-    of_a.push_back(
-        chord_of(from.edge_a, from.s_from_a, to.edge_a, to.s_to_a, from.from_m, to.to_m, from.s_from_a < from.s_to_a));
-    of_b.push_back(
-        chord_of(from.edge_b, from.s_from_b, to.edge_b, to.s_to_b, from.from_m, to.to_m, from.s_from_b < from.s_to_b));
+/// `pieces` without a gap.
+void add_joint(const Pieces& pieces, Joined& a, Joined& b) {
+  std::vector<Point> points = {pieces.front().from_m};
+  for (const TracePiece& piece : pieces) {
+    points.push_back(piece.to_m);
+    a.pieces.push_back(stretch_of(piece, piece, true));
+    b.pieces.push_back(stretch_of(piece, piece, false));
+  }
+  straight_rows(points, 0, pieces.size(), [&](std::size_t first, std::size_t last) {
+    a.chords.push_back(stretch_of(pieces[first], pieces[last - 1], true));
+    b.chords.push_back(stretch_of(pieces[first], pieces[last - 1], false));
   });
 }
 
 /// A vertex of the new outline, at its place on the old one.
 struct Corner {
-  double place;
-  Point material;
+  double place = 0;
+  Point at_m;
+  bool keep = false;   ///< a vertex that no chord passes, or the end of a chord
+  bool third = false;  ///< two other blocks meet there
 };
 
-/// Vertices that no chord passes, and ends of chords between vertices.
-std::vector<Corner> corners_left(const Block& block, const std::vector<Chord>& chords) {
+/// Places on an outline of n edges.
+class Places {
+ public:
+  Places(const std::vector<Stretch>& stretches, double Stretch::*place, double n) {
+    for (const Stretch& stretch : stretches) {
+      const double at = stretch.*place;
+      sorted_.push_back(at > n - at_vertex ? at - n : at);
+    }
+    std::sort(sorted_.begin(), sorted_.end());
+  }
+  [[nodiscard]] bool have(double place) const {
+    const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), place - at_vertex);
+    return found != sorted_.end() && *found < place + at_vertex;
+  }
+
+ private:
+  std::vector<double> sorted_;
+};
+
+/// Vertices that no chord passes, and all ends of joints between them.
+std::vector<Corner> corners_of(const scene::Block& block, const Joined& joined) {
   const auto n = static_cast<double>(block.vertices.size());
-  const auto wrapped = [n](double place) { return place >= n ? place - n : place; };
-  std::vector<Corner> corners;
-  for (std::size_t v = 0; v < block.vertices.size(); ++v) {
-    const auto place = static_cast<double>(v);
-    const bool passed = std::any_of(chords.begin(), chords.end(), [&](const Chord& chord) {
+  const auto passed = [&](double place) {
+    return std::any_of(joined.chords.begin(), joined.chords.end(), [&](const Stretch& chord) {
       const double length = chord.to < chord.from ? chord.to + n - chord.from : chord.to - chord.from;
       const double since = place < chord.from ? place + n - chord.from : place - chord.from;
       return since > at_vertex && since < length - at_vertex;
     });
-    if (!passed) corners.push_back({place, block.vertices[v]});
+  };
+  std::vector<Corner> corners;
+  const auto add = [&](double place, const Point& at_m, bool keep) {
+    const bool vertex = std::abs(place - std::round(place)) < at_vertex;
+    if (!vertex && !passed(place)) corners.push_back({place, at_m, keep, false});
+  };
+  for (std::size_t v = 0; v < block.vertices.size(); ++v) {
+    if (!passed(static_cast<double>(v))) corners.push_back({static_cast<double>(v), block.vertices[v], true, false});
   }
-  for (const Chord& chord : chords) {
-    for (const auto& [place, point_m] : {std::pair(chord.from, chord.from_m), std::pair(chord.to, chord.to_m)}) {
-      if (std::abs(place - std::round(place)) > at_vertex)
-        corners.push_back({wrapped(place), point_m - block.centroid});
-    }
-  }
-  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.place < b.place; });
-  // Where a third block stands on the other two, their chords meet.
+  for (const Stretch& chord : joined.chords) add(chord.from, chord.from_m, true), add(chord.to, chord.to_m, true);
+  for (const Stretch& piece : joined.pieces) add(piece.from, piece.from_m, false), add(piece.to, piece.to_m, false);
+  std::stable_sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.place < b.place; });
   const auto same = [](const Corner& a, const Corner& b) { return b.place - a.place < at_vertex; };
-  corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());  // the first is one to keep
+  const Places begins(joined.pieces, &Stretch::from, n);
+  const Places ends(joined.pieces, &Stretch::to, n);
+  for (Corner& corner : corners) corner.third = begins.have(corner.place) && ends.have(corner.place);
   return corners;
 }
 
-ContactOutline outline_of(int number, const Block& block, const std::vector<Chord>& chords) {
-  const std::vector<Corner> corners = corners_left(block, chords);
+/// Points that rows of joints along a block have moved onto their chords.
+class Moved {
+ public:
+  explicit Moved(double touching_m) : touching_m_(touching_m) {}
+
+  void add(const Point& from, const Point& to) { all_.push_back({from, to}); }
+  void finish() {
+    std::sort(all_.begin(), all_.end(), [](const auto& a, const auto& b) { return a.first.x() < b.first.x(); });
+  }
+  [[nodiscard]] Point operator()(const Point& point) const {
+    const auto left = [](const auto& a, double x) { return a.first.x() < x; };
+    for (auto it = std::lower_bound(all_.begin(), all_.end(), point.x() - touching_m_, left);
+         it != all_.end() && it->first.x() <= point.x() + touching_m_; ++it) {
+      if ((it->first - point).norm() <= touching_m_) return it->second;
+    }
+    return point;
+  }
+
+ private:
+  double touching_m_;
+  std::vector<std::pair<Point, Point>> all_;
+};
+
+/// Where other blocks meet along a block, as on surveyed rock, they meet on the chord of a row that is nearly straight.
+void straighten(std::vector<Corner>& corners, double rounding_m, Moved& moved) {
+  const auto real = std::find_if(corners.begin(), corners.end(), [](const Corner& c) { return !c.third; });
+  if (real == corners.end()) return;
+  std::rotate(corners.begin(), real, corners.end());
+  const std::size_t n = corners.size();
+  for (std::size_t first = 0; first < n;) {
+    std::size_t last = first + 1;
+    while (last < n && corners[last].third) ++last;
+    std::vector<Point> points;
+    for (std::size_t i = first; i <= last; ++i) points.push_back(corners[i % n].at_m);
+    straight_rows(points, 0, points.size() - 1, [&](std::size_t from, std::size_t to) {
+      const Point along = (points[to] - points[from]).normalized();
+      double off_m = 0;
+      for (std::size_t i = from + 1; i < to; ++i) {
+        off_m = std::max(off_m, std::abs(geometry::cross(along, points[i] - points[from])));
+      }
+      if (off_m < rounding_m) return;
+      for (std::size_t i = from + 1; i < to; ++i) {
+        moved.add(points[i], points[from] + along.dot(points[i] - points[from]) * along);
+        corners[first + i].keep = false;
+      }
+      for (const std::size_t end : {from, to}) corners[(first + end) % n].keep = true;
+    });
+    first = last;
+  }
+}
+
+ContactOutline outline_of(int number, const Block& block, std::vector<Corner> corners, const Moved& moved) {
+  std::erase_if(corners, [](const Corner& c) { return !c.keep; });
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.place < b.place; });
+  const auto material = [&](const Corner& corner) -> Point {
+    const Point at_m = moved(corner.at_m);
+    const auto vertex = static_cast<std::size_t>(std::lround(corner.place));
+    const bool as_drawn = corner.place == static_cast<double>(vertex) && at_m == corner.at_m;
+    return as_drawn ? block.vertices[vertex] : at_m - block.centroid;
+  };
   ContactOutline outline;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Corner& from = corners[i];
@@ -117,8 +205,8 @@ ContactOutline outline_of(int number, const Block& block, const std::vector<Chor
                        .described_edge = static_cast<int>(edge),
                        .s_from = from.place - edge,
                        .s_to = on_same_edge ? to.place - edge : 1,
-                       .from = from.material,
-                       .to = to.material});
+                       .from = material(from),
+                       .to = material(to)});
   }
   return outline;
 }
@@ -127,20 +215,29 @@ ContactOutline outline_of(int number, const Block& block, const std::vector<Chor
 
 std::vector<ContactOutline> contact_outlines(const scene::Scene& scene, const std::vector<Block>& blocks) {
   const double touching_m = scene::rounding_ratio * scene::structure_size_m(scene.blocks);
-  std::vector<std::vector<Chord>> chords(scene.blocks.size());
+  const auto meshed = [&](int b) { return scene.blocks[at(b)].mesh_size_m > 0; };
+  std::vector<Joined> joined(scene.blocks.size());
   for (const auto& [a, b] : scene::touching_pairs(scene, touching_m)) {
-    if (scene.blocks[at(a)].mesh_size_m > 0 || scene.blocks[at(b)].mesh_size_m > 0) continue;
+    if (meshed(a) || meshed(b)) continue;
     const Pieces pieces = scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], touching_m).pieces;
-    for (std::size_t first = 0, last = 0; first < pieces.size(); first = last) {  // without a gap
+    for (std::size_t first = 0, last = 0; first < pieces.size(); first = last) {
       for (last = first + 1; last < pieces.size(); ++last) {
         if ((pieces[last].from_m - pieces[last - 1].to_m).norm() > touching_m) break;
       }
-      add_chords(pieces, first, last, chords[at(a)], chords[at(b)]);
+      add_joint(Pieces(pieces.begin() + static_cast<long>(first), pieces.begin() + static_cast<long>(last)),
+                joined[at(a)], joined[at(b)]);
     }
   }
+  std::vector<std::vector<Corner>> corners(scene.blocks.size());
+  Moved moved(touching_m);
+  for (std::size_t b = 0; b < corners.size(); ++b) {
+    corners[b] = corners_of(scene.blocks[b], joined[b]);
+    straighten(corners[b], touching_m, moved);
+  }
+  moved.finish();
   std::vector<ContactOutline> outlines(scene.blocks.size());
-  for (std::size_t b = 0; b < outlines.size(); ++b) {
-    if (scene.blocks[b].mesh_size_m <= 0) outlines[b] = outline_of(static_cast<int>(b), blocks[b], chords[b]);
+  for (int b = 0; b < static_cast<int>(outlines.size()); ++b) {
+    if (!meshed(b)) outlines[at(b)] = outline_of(b, blocks[at(b)], std::move(corners[at(b)]), moved);
   }
   return outlines;
 }
