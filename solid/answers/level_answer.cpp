@@ -98,8 +98,6 @@ json formula_json(const scene::Scene& scene) {
   return nullptr;
 }
 
-inline constexpr const char* the_two_agree = "blocks and limit analysis agree";
-
 /// The levels of one scene.
 struct Levels {
   const scene::Scene& scene;
@@ -114,7 +112,7 @@ struct Levels {
     return (found.level_m - limit.value->level_m) / (limit.value->level_m - empty_m);
   }
   [[nodiscard]] bool agrees(const StaticLevel& found) const {
-    constexpr double same = 1e-8;
+    constexpr double same = 1e-5;  // the blocks' strain and what their slips add up to before they rest come to less
     return found.outcome == limit.value->outcome && (found.outcome != Filled::fails || std::abs(off(found)) <= same);
   }
   [[nodiscard]] std::optional<double> rigid_level() const {
@@ -126,8 +124,14 @@ struct Levels {
     constexpr double strain = 1e-3;  // effect of strain on a level, relative to the rise
     return rigid_level() && *rigid_level() < blocks.value->level_m - strain * (blocks.value->level_m - empty_m);
   }
+  /// Do the blocks and limit analysis agree, and no other analysis of the blocks fails at another level?
+  [[nodiscard]] bool agree() const {
+    return blocks.value && limit.value && blocks.value->stopped.empty() && !blocks.value->slow_rise &&
+           !rigid_fails_lower() && agrees(*blocks.value);
+  }
   /// Why the blocks' level differs from that of limit analysis and from that of rigid blocks.
   [[nodiscard]] std::string reason() const {
+    if (agree()) return solid::strains(scene) ? "strain, and the width of the search" : "the width of the search";
     if (!blocks.value || !limit.value) return "none is known: only one of the two has an answer";
     if (!blocks.value->stopped.empty()) return "none is known: the blocks' level is known to level_width_m alone";
     const std::string rigid_too =
@@ -137,7 +141,6 @@ struct Levels {
       return "history of joint forces: the level depends on how the friction in the joints came about; " + rigid_too +
              ", the others bear more";
     }
-    if (agrees(*blocks.value)) return the_two_agree;
     if (rigid.value && agrees(*rigid.value)) {
       return "deformation: blocks that do not strain fail at the level of limit analysis";
     }
@@ -213,8 +216,7 @@ json assumed_json(const scene::Scene& scene) {
 }
 
 json difference_json(const Levels& levels) {
-  const std::string reason = levels.reason();
-  json answer = {{"reason", reason}, {"agree", reason == the_two_agree}};
+  json answer = {{"reason", levels.reason()}, {"agree", levels.agree()}};
   const auto fails = [](const auto& found) { return found.value && found.value->outcome == Filled::fails; };
   if (fails(levels.blocks) && fails(levels.limit)) {
     answer["level_m"] = levels.blocks.value->level_m - levels.limit.value->level_m;

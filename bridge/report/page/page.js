@@ -164,21 +164,29 @@ function writeFlow() {
     table(['water', 'm3/day'], flow.flows.map(f => [f.name, perDay(f.m2_per_s)])));
 }
 
+function differenceOf(difference) {
+  const known = is(difference.level_m);
+  if (difference.agree) {
+    return paragraph('Blocks and limit analysis agree' + (known ? ` to ${number(Math.abs(difference.level_m), 3)} m: the rest is ${difference.reason}.` : '.'));
+  }
+  return paragraph('Blocks and limit analysis differ' + (known ? ` by ${number(difference.level_m, 3)} m` : '') + `. Reason: ${difference.reason}.`);
+}
+
 function writeLevel() {
   const to = chapter('level');
   const found = report.level;
   if (found.trouble) return to.append(paragraph('No level was found: ' + found.trouble));
   const row = (name, f) => {
-    const level = f.outcome === 'stands' ? `stands up to ${number(f.highest_level_m, 9)}` : f.outcome === 'does not stand empty' ? 'does not stand empty' : fixed(f.level_m, 6);
-    return [name, level, fixed(f.head_m, 6), f.mode || (f.mechanism ? f.mechanism.mode : '-'), f.joint || (f.mechanism ? f.mechanism.joints.join(', ') : '-')];
+    const level = f.outcome === 'stands' ? `stands up to ${number(f.highest_level_m, 6)}` : f.outcome === 'does not stand empty' ? 'does not stand empty' : fixed(f.level_m, 4);
+    return [name, level, fixed(f.head_m, 4), f.mode || (f.mechanism ? f.mechanism.mode : '-'), f.joint || (f.mechanism ? f.mechanism.joints.join(', ') : '-')];
   };
   const rows = [row('statics of the blocks' + (found.slow_rise ? ', all loads at once' : ''), found)];
   if (found.slow_rise) rows.push(row('the same, under a level that rises slowly', found.slow_rise));
   if (found.rigid_blocks) rows.push(row('the same, blocks that do not strain', found.rigid_blocks));
   rows.push(row('limit analysis', found.limit_analysis));
-  if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 6), fixed(found.formula.head_m, 6), '-', found.formula.joint]);
+  if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 4), fixed(found.formula.head_m, 4), '-', found.formula.joint]);
   to.append(table(['found by', 'level m', 'head m', 'mode', 'joint'], rows),
-    paragraph(found.difference.agree ? 'Blocks and limit analysis agree.' : 'Blocks and limit analysis differ' + (is(found.difference.level_m) ? ` by ${number(found.difference.level_m, 3)} m` : '') + `. Reason: ${found.difference.reason}.`));
+    differenceOf(found.difference));
   if (found.looked_at) to.append(paragraph(`Levels are ${found.looked_at}.`, 'quiet'));
   if (found.assumed) to.append(paragraph(`Water: ${found.assumed}.`, 'quiet'));
   to.append(...warningsAbove(onceEach([['', warningsOf(found)]]).length));
