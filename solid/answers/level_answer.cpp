@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/corner_stands.hpp"
 #include "bridge/statics/loads.hpp"
 #include "solid/answers/answer_entries.hpp"
 #include "solid/answers/crushed_corners.hpp"
@@ -53,7 +55,7 @@ json limit_json(const limit::LimitAnalysis& structure, const Attempt<limit::Limi
     return answer;
   }
   if (found.at_it.bearing != limit::Bearing::fails_at_a_factor) return answer;
-  answer["gap"] = found.at_it.gap;
+  if (std::isfinite(found.at_it.gap)) answer["gap"] = found.at_it.gap;  // none where nothing resists
   if (found.outcome == Filled::stands_full) {
     answer["load_factor"] = found.at_it.factor;
     return answer;
@@ -163,6 +165,12 @@ struct Levels {
       return "blocks that move before they rest: limit analysis takes the structure as it is drawn, where faces that "
              "do not touch hold nothing; no uplift acts between them, and the blocks' level is without it; let faces "
              "touch";
+    }
+    if (const auto stands = scene::corner_stands(scene); !stands.empty()) {
+      return fmt::format(
+          "block \"{}\" stands on one corner: any push turns it over, and the blocks tell a small one from none only "
+          "roughly",
+          scene.blocks[at(stands[0].block)].name);
     }
     const bool lower = (blocks.value->outcome == Filled::does_not_stand_empty ||
                         (blocks.value->outcome == Filled::fails && off(*blocks.value) < 0));
