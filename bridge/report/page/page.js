@@ -10,6 +10,16 @@ function writeHead() {
 
 /// The first answer is the scene as written.
 const loadCases = () => report.safety.trouble ? [] : report.safety.slice(1);
+
+const isAsWritten = c => c.set.length === 0;
+
+/// All answers; a load case with `set = []` is the scene as written, which then has no row of its own.
+function answeredCases() {
+  return loadCases().some(isAsWritten) ? loadCases() : report.safety.trouble ? [] : report.safety;
+}
+
+/// Those whose forces differ: of several with `set = []` the first.
+const differentCases = () => answeredCases().filter((c, i, all) => !isAsWritten(c) || all.findIndex(isAsWritten) === i);
 const fallsShort = c => c.satisfied !== null && !c.satisfied;
 
 /// How many load cases reach their required factor, and which do not; nothing where the scene has none.
@@ -83,14 +93,14 @@ function onceEach(answers) {
 
 /// Of the load cases: each text with the cases that it holds for.
 function ofCases(textsOf) {
-  const cases = report.safety.trouble ? [] : report.safety;
+  const cases = answeredCases();
   return onceEach(cases.map(c => [c.name, textsOf(c)])).map(([names, text]) =>
     [names.length === cases.length && names.length > 1 ? 'all load cases' : `load case${names.length > 1 ? 's' : ''} ${names.map(n => `"${n}"`).join(', ')}`, text]);
 }
 
 /// Every warning once, with whom it holds for: the run, load cases, the level.
 function allWarnings() {
-  const cases = report.safety.trouble ? [] : report.safety;
+  const cases = answeredCases();
   const answers = [['run', report.summary.warnings || []], ...cases.map(c => [`load case "${c.name}"`, warningsOf(c)]),
     ['level of failure', report.level.trouble ? [] : warningsOf(report.level)]];
   const named = who => {
