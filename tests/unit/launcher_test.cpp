@@ -46,4 +46,25 @@ TEST_F(Launcher, TheVersionNeedsNoBuild) {
   EXPECT_FALSE(fs::exists(folder / "build"));
 }
 
+TEST_F(Launcher, HelpOnTheTestsIsItsOwn) {
+  EXPECT_THAT(output_of("test --help"), testing::HasSubstr("test       set up, build and run every test"));
+  EXPECT_FALSE(fs::exists(folder / "build"));
+}
+
+/// Calls that are short wait for each other without a word.
+TEST_F(Launcher, ACallThatWaitsForAnotherSaysSoAfterASecond) {
+  fs::create_directories(folder / "build");
+  const std::string lock = (folder / "build/.lock").string();
+  const auto waited = [&](const char* held_s) {
+    const std::string held = "flock " + lock + " sleep " + held_s + " & sleep 0.2; timeout 2 ";
+    std::FILE* pipe = ::popen((held + (folder / "blockweir").string() + " check 2>&1; wait").c_str(), "r");
+    std::string text;
+    std::array<char, 4096> part;
+    while (const std::size_t read = std::fread(part.data(), 1, part.size(), pipe)) text.append(part.data(), read);
+    ::pclose(pipe);
+    return text;
+  };
+  EXPECT_THAT(waited("4"), testing::HasSubstr("waiting for another ./blockweir that sets up"));
+}
+
 }  // namespace
