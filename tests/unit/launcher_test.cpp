@@ -54,16 +54,16 @@ TEST_F(Launcher, HelpOnTheTestsIsItsOwn) {
 /// Calls that are short wait for each other without a word.
 TEST_F(Launcher, ACallThatWaitsForAnotherSaysSoAfterASecond) {
   fs::create_directories(folder / "build");
-  const std::string lock = (folder / "build/.lock").string();
-  const auto waited = [&](const char* held_s) {
-    const std::string held = "flock " + lock + " sleep " + held_s + " & sleep 0.2; timeout 2 ";
-    std::FILE* pipe = ::popen((held + (folder / "blockweir").string() + " check 2>&1; wait").c_str(), "r");
+  const auto waited = [&](const char* seconds) {  // while this shell holds the lock
+    const std::string held = "exec 9>" + (folder / "build/.lock").string() + "; flock 9; timeout " + seconds + " ";
+    std::FILE* pipe = ::popen(("bash -c '" + held + (folder / "blockweir").string() + " check' 2>&1").c_str(), "r");
     std::string text;
     std::array<char, 4096> part;
     while (const std::size_t read = std::fread(part.data(), 1, part.size(), pipe)) text.append(part.data(), read);
     ::pclose(pipe);
     return text;
   };
+  EXPECT_EQ(waited("0.7"), "");
   EXPECT_THAT(waited("4"), testing::HasSubstr("waiting for another ./blockweir that sets up"));
 }
 
