@@ -76,7 +76,7 @@ function writeCases() {
     : `does not stand under ${listed(constant)} alone, even without ${listed(loads)}`;
   tellEach(c => (c.load_factor ? [grownLoads(c.load_factor)] : []), (who, text) => `By limit analysis, in ${who} the structure ${text}.`, 'quiet');
   writeOtherLoads(to);
-  to.append(caseFigures(report));
+  to.append(caseFigures(report, differentCases()));
   for (const c of differentCases()) {
     if (c.why_no_joints) writeLoads(c, to);
     if (!c.joints || c.joints.length === 0) {

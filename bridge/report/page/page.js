@@ -151,7 +151,7 @@ function writeVerdict() {
 
 function writeSection() {
   chapter('section').append(sectionFigure(report),
-    ...(report.bolts.length > 0 ? [element('h3', {}, 'Anchors and bolts'), boltTable(report)] : []),
+    ...(report.bolts.length > 0 ? [element('h3', {}, 'Anchors and bolts'), boltTable(report, differentCases())] : []),
     element('h3', {}, 'Materials'),
     table(['material', 'density kg/m3', 'modulus GPa', "Poisson's ratio"], report.materials.map(m => [m.name, number(m.density), number(m.modulus / 1e9), number(m.poisson)])),
     element('h3', {}, 'Joints'),
