@@ -33,19 +33,19 @@ void draw(const scene::Scene& scene, const std::filesystem::path& out) {
   const geometry::Bounds all = scene::bounds_of(scene);
   const scene::Point span = all.high - all.low;
   const scene::Point edge = scene::Point::Constant(0.03 * all.size());
+  const View seen = view_of({all.low - edge, all.high + edge});
   const double aspect = std::clamp(span.y() / span.x(), 0.2, 3.0);
   std::string script = fmt::format(
       "set title {}\nset size ratio -1\nunset key\n"
       "set tics out nomirror\nset xlabel 'x (m)'\nset ylabel 'elevation (m)'\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-      gnuplot_title(scene.title, 1200), all.low.x() - edge.x(), all.high.x() + edge.x(), all.low.y() - edge.y(),
-      all.high.y() + edge.y());
+      gnuplot_title(scene.title, 1200), seen.left, seen.right, seen.bottom, seen.top);
   int number = 0;
   for (const scene::Block& block : scene.blocks) {
-    script += gnuplot_polygon(++number, block.vertices, style_of(block));
+    script += gnuplot_polygon(number, block.vertices, seen, style_of(block));
     if (scene.blocks.size() > most_names) continue;
     const scene::Point middle = geometry::centroid(block.vertices);
-    script += fmt::format("set label {} {} at {},{} center front font ',8'\n", number, gnuplot_text(block.name),
-                          middle.x(), middle.y());
+    script +=
+        fmt::format("set label {} at {},{} center front font ',8'\n", gnuplot_text(block.name), middle.x(), middle.y());
   }
   picture::draw({{out, 1200, 80 + 1120 * aspect, script + "plot NaN notitle\n"}});
 }

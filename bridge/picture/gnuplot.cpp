@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "bridge/picture/view_grid.hpp"
+
 namespace blockweir::picture {
 
 namespace {
@@ -61,13 +63,18 @@ std::string gnuplot_title(const std::string& text, double width) {
   }
 }
 
-std::string gnuplot_polygon(int number, const std::vector<Eigen::Vector2d>& outline, const std::string& style) {
-  std::string text = fmt::format("set object {} polygon", number);
-  for (std::size_t i = 0; i <= outline.size(); ++i) {
-    const Eigen::Vector2d& p = outline[i % outline.size()];
-    text += fmt::format(" {} {},{}", i == 0 ? "from" : "to", p.x(), p.y());
+std::string gnuplot_polygon(int& number, const std::vector<Eigen::Vector2d>& outline, const View& view,
+                            const std::string& style) {
+  std::string text;
+  for (const auto& piece : in_view(outline, view)) {
+    text += fmt::format("set object {} polygon", ++number);
+    for (std::size_t i = 0; i <= piece.size(); ++i) {
+      const Eigen::Vector2d& p = piece[i % piece.size()];
+      text += fmt::format(" {} {},{}", i == 0 ? "from" : "to", p.x(), p.y());
+    }
+    text += " " + style + "\n";
   }
-  return text + " " + style + "\n";
+  return text;
 }
 
 }  // namespace blockweir::picture

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "bridge/picture/view.hpp"
+
 namespace blockweir::picture {
 
 /// A text in single quotes; control characters become spaces.
@@ -21,7 +23,9 @@ std::string shortened(const std::string& text, std::size_t letters);
 /// A title of at most three lines in a picture `width` pixels wide; a longer one ends in an ellipsis.
 std::string gnuplot_title(const std::string& text, double width);
 
-/// A filled outline as object `number` of the next plot.
-std::string gnuplot_polygon(int number, const std::vector<Eigen::Vector2d>& outline, const std::string& style);
+/// What of an outline is in view, as filled objects of the next plot. `number`: of the last object, counted on. gnuplot
+/// itself moves vertices that lie beyond the view to its edge, which bends the outline.
+std::string gnuplot_polygon(int& number, const std::vector<Eigen::Vector2d>& outline, const View& view,
+                            const std::string& style);
 
 }  // namespace blockweir::picture

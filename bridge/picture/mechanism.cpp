@@ -82,19 +82,20 @@ void draw_mechanism(const scene::Scene& scene, const json& mechanism, const std:
       mechanism_title(mechanism), view.low.x(), view.high.x(), view.low.y(), view.high.y());
   const std::map<std::string, Eigen::Vector3d> motions = motions_of(mechanism);
   const double by = drawn_ratio * pictured_structure(scene).size();
+  const View seen = view_of(view);
   int number = 0;
   for (const scene::Block& block : scene.blocks) {
     if (motions.contains(block.name)) continue;
     script += gnuplot_polygon(
-        ++number, block.vertices,
+        number, block.vertices, seen,
         fmt::format("fc rgb '{}' fillstyle solid border lc rgb '#303030' lw 1", block.fixed ? "#8d7f6d" : "#c9c9c4"));
   }
   for (const scene::Block& block : scene.blocks) {
     const auto motion = motions.find(block.name);
     if (motion == motions.end()) continue;
-    script += gnuplot_polygon(++number, displaced(block.vertices, motion->second, by),
+    script += gnuplot_polygon(number, displaced(block.vertices, motion->second, by), seen,
                               "fc rgb '#d98c5f' fillstyle solid 0.8 border lc rgb '#303030' lw 1");
-    script += gnuplot_polygon(++number, block.vertices, "fs empty border lc rgb '#303030' lw 1 dt 2 front");
+    script += gnuplot_polygon(number, block.vertices, seen, "fs empty border lc rgb '#303030' lw 1 dt 2 front");
   }
   if (level_m) script += reservoir(view, scene, *level_m);
   draw({{out, 900, 100 + 800 * aspect, script + "plot NaN notitle\n", 11}});

@@ -59,16 +59,17 @@ std::string drawn(const scene::Scene& scene, const json& mode, std::size_t numbe
                                    : fmt::format("{:.4g} rad/s, {:.4g} Hz", mode["omega_rad_per_s"].get<double>(),
                                                  mode["frequency_hz"].get<double>()));
   int object = 0;
+  const View seen = view_of(view);
   for (const scene::Block& block : scene.blocks) {
     if (!block.fixed) continue;
     script +=
-        gnuplot_polygon(++object, block.vertices, "fc rgb '#8d7f6d' fillstyle solid border lc rgb '#303030' lw 1");
+        gnuplot_polygon(object, block.vertices, seen, "fc rgb '#8d7f6d' fillstyle solid border lc rgb '#303030' lw 1");
   }
   for (const Outline& o : outlines) {
     std::vector<Point> moved;
     for (std::size_t i = 0; i < o.at_rest.size(); ++i) moved.push_back(o.at_rest[i] + by * o.displacement[i]);
-    script += gnuplot_polygon(++object, moved, "fc rgb '#8fb0c9' fillstyle solid 0.8 border lc rgb '#303030' lw 1");
-    script += gnuplot_polygon(++object, o.at_rest, "fs empty border lc rgb '#303030' lw 1 dt 2 front");
+    script += gnuplot_polygon(object, moved, seen, "fc rgb '#8fb0c9' fillstyle solid 0.8 border lc rgb '#303030' lw 1");
+    script += gnuplot_polygon(object, o.at_rest, seen, "fs empty border lc rgb '#303030' lw 1 dt 2 front");
   }
   return script + "plot NaN notitle\n";
 }

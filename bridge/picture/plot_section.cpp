@@ -56,11 +56,8 @@ class Drawing {
 
   void polygon(const json& outline, const std::string& style) {
     std::vector<Point> points;
-    for (const json& p : outline) {
-      points.emplace_back(std::clamp(p[0].get<double>(), sheet_.view.left, sheet_.view.right),
-                          std::clamp(p[1].get<double>(), sheet_.view.bottom, sheet_.view.top));
-    }
-    script += gnuplot_polygon(++objects_, points, style);
+    for (const json& p : outline) points.emplace_back(p[0].get<double>(), p[1].get<double>());
+    script += gnuplot_polygon(objects_, points, sheet_.view, style);
   }
   void line(const Point& from, const Point& to, const std::string& style) {
     script += fmt::format("set arrow from {},{} to {},{} {} front\n", from.x(), from.y(), to.x(), to.y(), style);

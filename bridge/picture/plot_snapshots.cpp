@@ -14,7 +14,6 @@
 #include "bridge/picture/openfoam_water.hpp"
 #include "bridge/picture/silt.hpp"
 #include "bridge/picture/still_pools.hpp"
-#include "bridge/picture/view_grid.hpp"
 #include "bridge/process/programs.hpp"
 
 namespace blockweir::picture {
@@ -23,19 +22,16 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// What of the outline is in view: gnuplot does not fill to the view's corners where a polygon reaches beyond them.
 std::string polygon(int& number, const json& outline, const View& view, const char* style) {
   std::vector<Eigen::Vector2d> whole;
   for (const json& p : outline) whole.emplace_back(p[0].get<double>(), p[1].get<double>());
-  std::string text;
-  for (const auto& piece : in_view(whole, view)) text += gnuplot_polygon(++number, piece, style);
-  return text;
+  return gnuplot_polygon(number, whole, view, style);
 }
 
 std::string pools(int& number, const json& frame, const View& view) {
   std::string text;
   for (const auto& pool : still_pools(frame, view)) {
-    text += gnuplot_polygon(++number, pool, "fc rgb '#9fc5e8' fillstyle solid border lc rgb '#9fc5e8' behind");
+    text += gnuplot_polygon(number, pool, view, "fc rgb '#9fc5e8' fillstyle solid border lc rgb '#9fc5e8' behind");
   }
   return text;
 }
@@ -44,7 +40,7 @@ std::string silt(int& number, const json& frame, const View& view) {
   std::string text;
   if (!frame.contains("silt_level_m")) return text;
   for (const auto& body : silt_bodies(frame, frame["silt_level_m"], view)) {
-    text += gnuplot_polygon(++number, body,
+    text += gnuplot_polygon(number, body, view,
                             "fc rgb '#795548' fillstyle transparent pattern 4 border lc rgb '#795548' behind");
   }
   return text;

@@ -16,12 +16,15 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "bridge/scene/touching_pairs.hpp"
 
 namespace blockweir::picture {
 namespace {
 
 using nlohmann::json;
 using scene::Point;
+
+constexpr double touching_ratio = 1e-6;  // of the structure
 
 json outline_of(const std::vector<Point>& points) {
   json list = json::array();
@@ -91,8 +94,7 @@ json drainage_rows(const scene::JointFlow& flow) {
 }
 
 json joints(const scene::Scene& scene) {
-  constexpr double touching = 1e-6;  // of the structure
-  const double touching_m = touching * scene::structure_size_m(scene.blocks);
+  const double touching_m = touching_ratio * scene::structure_size_m(scene.blocks);
   json list = json::array();
   std::set<std::string> named;
   for (const scene::Joint& joint : scene.joints) {
@@ -107,7 +109,23 @@ json joints(const scene::Scene& scene) {
   return list;
 }
 
-/// Of the structure in the picture: height, and the ends of its lowest and highest line.
+/// x of the ends of all that stands on fixed blocks; none where nothing does.
+json ends_on_ground(const scene::Scene& scene) {
+  const double touching_m = touching_ratio * scene::structure_size_m(scene.blocks);
+  json ends = nullptr;
+  for (const auto& [a, b] : scene::touching_pairs(scene, touching_m)) {
+    if (!scene.blocks[at(a)].fixed && !scene.blocks[at(b)].fixed) continue;
+    for (const auto& piece : scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], touching_m).pieces) {
+      const auto [left, right] = std::minmax(piece.from_m.x(), piece.to_m.x());
+      ends = ends.is_null() ? json{left, right}
+                            : json{std::min(ends[0].get<double>(), left), std::max(ends[1].get<double>(), right)};
+    }
+  }
+  return ends;
+}
+
+/// Of the structure in the picture: height, and the ends of its base and its highest line. The base is the lowest line,
+/// or what stands on the ground where that dips.
 json dimensions(const scene::Scene& scene) {
   const geometry::Bounds box = pictured_structure(scene);
   std::vector<Point> movable;
@@ -129,10 +147,12 @@ json dimensions(const scene::Scene& scene) {
     }
     return json{left, right};
   };
+  json base = ends_at(box.low.y());
+  if (base[1].get<double>() - base[0].get<double>() <= near) base = ends_on_ground(scene);
   return {{"bottom", box.low.y()},
           {"top", box.high.y()},
           {"right", box.high.x()},
-          {"base", ends_at(box.low.y())},
+          {"base", base},
           {"crest", ends_at(box.high.y())}};
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "bridge/geometry/outline.hpp"
+
 namespace blockweir::picture {
 
 struct View {
@@ -19,5 +21,9 @@ struct View {
     top = std::max(top, y);
   }
 };
+
+inline View view_of(const geometry::Bounds& bounds) {
+  return {bounds.low.x(), bounds.high.x(), bounds.low.y(), bounds.high.y()};
+}
 
 }  // namespace blockweir::picture

@@ -42,8 +42,24 @@ std::string text_of(const json& found, bool fails) {
   return fmt::format("none: {}; {}", why, found["limit_analysis_note"].get<std::string>());
 }
 
+/// Of the last levels of a scene, in whose last window the blocks had others.
+std::string doubt_of_last_levels(const json& found) {
+  if (found.value("holds_nothing", false)) {
+    return "it stands under the levels of the last window: under the last ones of the scene, by limit analysis, "
+           "nothing "
+           "holds it";
+  }
+  if (!found["factor"].is_number() || found["factor"] >= 1) return {};
+  return fmt::format(
+      "it stands under the levels of the last window: under the last ones of the scene the factor by limit analysis, "
+      "an "
+      "upper bound, is {:.4g}",
+      found["factor"].get<double>());
+}
+
 /// A doubt if the upper bound of the scene as drawn is below 1 although the blocks stand; otherwise empty.
-std::string doubt_of(const json& found) {
+std::string doubt_of(const json& found, bool last_levels_acted) {
+  if (!last_levels_acted) return doubt_of_last_levels(found);
   if (found.value("holds_nothing", false)) {
     return "it stands although by limit analysis nothing holds the structure as it is drawn: it has moved to where it "
            "stands, and uplift acts only in joints whose faces touch as drawn; let faces touch";
@@ -92,7 +108,8 @@ void LimitMargin::add_to(json& summary) const {
   }
   found["text"] = text_of(found, outcome == "fails");
   for (const json& warning : found.value("warnings", json::array())) summary["warnings"].push_back(warning);
-  if (const std::string doubt = doubt_of(found); outcome == "stands" && !doubt.empty()) {
+  if (const std::string doubt = doubt_of(found, summary.value("last_levels_acted", true));
+      outcome == "stands" && !doubt.empty()) {
     summary["warnings"].push_back(doubt);
   }
   summary["limit_analysis"] = found;

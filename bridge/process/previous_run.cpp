@@ -29,10 +29,6 @@ std::string scene_text_of(const fs::path& folder) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-bool can_be_resumed(const fs::path& folder) {
-  return !checkpoint::windows(folder, "solid").empty() && !ends_there_again(folder);
-}
-
 /// Nothing is lost of a run that was refused at its start.
 bool has_results(const fs::path& folder) {
   return has_frames(folder) || summary_of(folder).value("outcome", "stopped") != "stopped";
@@ -67,6 +63,19 @@ json summary_of(const fs::path& folder) {
 
 bool ends_there_again(const fs::path& folder) {
   return summary_of(folder).value("ends_here_again", false);
+}
+
+bool can_be_resumed(const fs::path& folder) {
+  return !checkpoint::windows(folder, "solid").empty() && !ends_there_again(folder);
+}
+
+std::string answers_in(const fs::path& folder) {
+  std::error_code unreadable;
+  for (const char* question : {"safety", "level", "modes", "reliability"}) {
+    if (is_run(folder) || !fs::exists(folder / fmt::format("{}.json", question), unreadable)) continue;
+    return fmt::format("results of \"blockweir {}\"", question);
+  }
+  return {};
 }
 
 void refuse_to_lose(const fs::path& folder, const scene::Scene& scene, const std::vector<std::string>& overrides) {

@@ -29,8 +29,15 @@ void refuse_to_lose(const std::filesystem::path& folder, const scene::Scene& sce
 /// Whether the solid of that run failed in a way that a resumed run would repeat.
 [[nodiscard]] bool ends_there_again(const std::filesystem::path& folder);
 
+/// Whether it has a checkpoint from which it would go on.
+[[nodiscard]] bool can_be_resumed(const std::filesystem::path& folder);
+
 /// Its summary.json; no object where there is none that can be read.
 [[nodiscard]] nlohmann::json summary_of(const std::filesystem::path& folder);
+
+/// "results of "blockweir safety"": what a folder holds that is no run but the answer to another question; empty if it
+/// holds none.
+[[nodiscard]] std::string answers_in(const std::filesystem::path& folder);
 
 void forget_checkpoints(const std::filesystem::path& folder);
 

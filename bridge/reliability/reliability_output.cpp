@@ -81,13 +81,27 @@ std::string at_point(const json& answer, const json& point) {
   return text;
 }
 
+/// That a probability lies outside the interval of the samples, if it does.
+std::string off_the_samples(const json& answer, const json& probability) {
+  const json& interval = answer["samples"]["interval"];
+  if (!probability.is_number() || !interval[0].is_number() || !interval[1].is_number()) return {};
+  const double p = probability;
+  if (p >= interval[0].get<double>() && p <= interval[1].get<double>()) return {};
+  return fmt::format(
+      "        outside the samples' interval, {} to {} (95 %): its approximation of the limit state may not fit;\n"
+      "        trust the samples, or take more\n",
+      digits_of(interval[0]), digits_of(interval[1]));
+}
+
 std::string form_text(const json& answer, const char* method) {
   const json& found = answer[method];
   std::string text = fmt::format(
       "{:<8}P {}; index {}", method == std::string("form") ? "FORM" : "SORM",
       digits_of(method == std::string("form") ? found["probability"] : found["breitung"]["probability"], "{:.6g}"),
       digits_of(method == std::string("form") ? found["index"] : found["breitung"]["index"], "{:.5g}"));
-  if (method == std::string("sorm")) return text + " (Breitung)\n";
+  const bool by_sorm = method == std::string("sorm");
+  const std::string off = off_the_samples(answer, by_sorm ? found["breitung"]["probability"] : found["probability"]);
+  if (by_sorm) return text + " (Breitung)\n" + off;
   text += fmt::format("\n        design point: {}\n", at_point(answer, found["design_point"]));
   text += fmt::format("        importance {}: {}\n",
                       answer.value("correlated", false) ? "y^2/|y|^2, not alpha^2" : "alpha^2",
@@ -97,7 +111,7 @@ std::string form_text(const json& answer, const char* method) {
     text += fmt::format("        WARNING the design point fails {:.2g} m off the level: trust the samples\n",
                         found["residual"].get<double>());
   }
-  return text;
+  return text + off;
 }
 
 std::string simulated_text(const json& answer, const char* method) {

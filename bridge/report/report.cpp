@@ -59,9 +59,11 @@ json sound_summary(const fs::path& run) {
                     "with blockweir run {}",
                     run.string(), results::shell_word(process::scene_of(run).string())));
   }
-  throw std::invalid_argument(
-      fmt::format("{}: found a run without a summary.json; expected one that has ended; blockweir resume {} may end it",
-                  run.string(), results::shell_word(run.string())));
+  throw std::invalid_argument(fmt::format(
+      "{}: found a run without a summary.json; expected one that has ended; {}", run.string(),
+      process::can_be_resumed(run) ? fmt::format("blockweir resume {} may end it", results::shell_word(run.string()))
+                                   : fmt::format("make it anew with blockweir run {}, as it has no checkpoint",
+                                                 results::shell_word(process::scene_of(run).string()))));
 }
 
 /// That of a former call of blockweir reliability.
@@ -141,6 +143,9 @@ int write_report(const ReportOptions& options) {
   std::optional<process::TemporaryFolder> scratch;
   if (!process::is_run(options.source)) {
     fs::path folder = options.run;
+    if (const std::string found = process::answers_in(options.source); !found.empty()) {
+      fmt::print(stderr, "{}: these are {}, not of a run: their scene is run first\n", options.source.string(), found);
+    }
     if (folder.empty() && !options.out.empty() && !may_write_here()) folder = scratch.emplace().path() / "run";
     process::RunResult made = process::run({.scene = options.source,
                                             .out = folder,

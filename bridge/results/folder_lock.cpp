@@ -57,9 +57,13 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
     refuse(folder, holder, "choose another --out, or wait until it has ended");
   }
   const std::string text = fmt::format("{}\n", ::getpid());
-  // Where the disk is full we have it all the same.
   (void)!::ftruncate(descriptor_, 0);
-  (void)!::write(descriptor_, text.data(), text.size());
+  const ssize_t written = ::write(descriptor_, text.data(), text.size());
+  if (written == static_cast<ssize_t>(text.size())) return;
+  const int why = written < 0 ? errno : ENOSPC;
+  ::close(descriptor_);
+  errno = why;
+  cannot_write(path);
 }
 
 FolderLock::~FolderLock() {

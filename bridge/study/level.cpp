@@ -21,18 +21,18 @@ std::string joint_of_head(const json& found) {
   return joints.empty() ? "" : joints.front().get<std::string>();
 }
 
-/// A level and the head over the joint that fails, in nine digits.
+/// A level and the head over the joint that fails, to a tenth of a millimetre; `level.json` has all digits.
 std::string level_text(const json& found) {
   const std::string outcome = found["outcome"];
   if (outcome == "not found") return "no answer: " + found["reason"].get<std::string>();
   if (outcome == "does not stand empty") return "does not stand even with an empty reservoir";
   if (outcome == "stands") {
-    return fmt::format("stands at every level up to {:.9g} m", found["highest_level_m"].get<double>());
+    return fmt::format("stands at every level up to {:.6g} m", found["highest_level_m"].get<double>());
   }
-  std::string text = fmt::format("fails at a level of {:.9g} m", found["level_m"].get<double>());
+  std::string text = fmt::format("fails at a level of {:.4f} m", found["level_m"].get<double>());
   if (found.contains("head_m") && found["head_m"].is_number()) {
     const std::string joint = joint_of_head(found);
-    text += fmt::format(", {:.9g} m above {}", found["head_m"].get<double>(),
+    text += fmt::format(", {:.4f} m above {}", found["head_m"].get<double>(),
                         joint.empty() ? "the joint" : fmt::format("joint \"{}\"", joint));
   }
   return text;
@@ -84,14 +84,15 @@ std::string limit_text(const json& found, const std::string& reason) {
 
 /// That blocks and limit analysis agree, or by how much and why they do not.
 std::string difference_text(const json& difference) {
-  const std::string reason = difference["reason"].get<std::string>();
-  if (difference["agree"].get<bool>()) return fmt::format("agree   {}\n", reason);
-  std::string text = "differ  ";
+  const bool agree = difference["agree"];
+  std::string text = agree ? "agree   " : "differ  ";
   if (difference.contains("level_m")) {
     text += fmt::format("blocks less limit analysis {:.3g} m, {:.2g} of the rise\n        ",
                         difference["level_m"].get<double>(), difference["relative"].get<double>());
+  } else if (agree) {
+    return text + "blocks and limit analysis agree\n";
   }
-  return text + fmt::format("reason: {}\n", reason);
+  return text + fmt::format("reason: {}\n", difference["reason"].get<std::string>());
 }
 
 std::string level_report(const json& answer) {
@@ -100,7 +101,7 @@ std::string level_report(const json& answer) {
   text += fmt::format("LIMIT   {}\n", limit_text(answer["limit_analysis"], answer["difference"]["reason"]));
   if (answer.contains("formula")) {
     const json& formula = answer["formula"];
-    text += fmt::format("FORMULA {:.9g} m, {:.9g} m above joint \"{}\" ({})\n", formula["level_m"].get<double>(),
+    text += fmt::format("FORMULA {:.4f} m, {:.4f} m above joint \"{}\" ({})\n", formula["level_m"].get<double>(),
                         formula["head_m"].get<double>(), formula["joint"].get<std::string>(),
                         formula["name"].get<std::string>());
   }

@@ -16,6 +16,7 @@
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/read/collected_errors.hpp"
+#include "bridge/scene/read/overrides.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/read/stated_loads.hpp"
 #include "bridge/study/load_case_scene.hpp"
@@ -46,11 +47,6 @@ std::vector<std::string> constant_loads(const scene::Scene& scene) {
   return all;
 }
 
-/// The key of "key=value".
-std::string key_of(const std::string& setting) {
-  return setting.substr(0, setting.find('='));
-}
-
 /// Is one of two keys the other, or a table that holds it?
 bool meet(const std::string& a, const std::string& b) {
   const auto& [shorter, longer] = std::minmax(a, b, [](const auto& x, const auto& y) { return x.size() < y.size(); });
@@ -62,7 +58,7 @@ std::vector<std::string> without_effect(const Settings& overrides, const scene::
   std::vector<std::string> warnings;
   for (const std::string& setting : overrides) {
     for (const std::string& own : load_case.set) {
-      if (!meet(key_of(setting), key_of(own))) continue;
+      if (!meet(scene::setting_key(setting), scene::setting_key(own))) continue;
       warnings.push_back(fmt::format("--set {} is not what counts here: the load case sets {}", setting, own));
     }
   }

@@ -22,16 +22,17 @@ std::string scaled(const json& value, const char* format, double scale = 1) {
 
 /// The loads that the factor multiplies, and those that stay constant.
 std::string load_factor_text(const json& found) {
-  const auto list = [&](const char* key) {
+  const auto list = [&](const char* key) -> std::string {
     auto names = found[key].get<std::vector<std::string>>();
     std::replace(names.begin(), names.end(), std::string("[earthquake]"), std::string("the inertia of [earthquake]"));
-    return fmt::format("{}", fmt::join(names, " and "));
+    if (names.size() < 2) return names.empty() ? "" : names.front();
+    return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
   };
   if (found["factor"].is_null()) {
-    return fmt::format("no part of {}, by limit analysis: what is held as stated is too much by itself: {}",
-                       list("loads"), list("constant"));
+    return fmt::format("it does not stand under {} alone, even without {} (limit analysis)", list("constant"),
+                       list("loads"));
   }
-  return fmt::format("{:.5g} times {}, by limit analysis; held as stated: {}", found["factor"].get<double>(),
+  return fmt::format("it bears {:.5g} times {}, by limit analysis; held as stated: {}", found["factor"].get<double>(),
                      list("loads"), list("constant"));
 }
 
@@ -41,10 +42,10 @@ std::string beside(const std::string& name, std::size_t column) {
 }
 
 /// What is told of a case below the table. `first`: what it has said of all is not said again.
-std::string lines_of(const json& c, const json& first) {
-  std::string text;
-  const auto add_line = [&](const char* what, const json& why) {
-    text += fmt::format("{}: {}{}\n", c["name"].get<std::string>(), what, why.get<std::string>());
+std::vector<std::string> lines_of(const json& c, const json& first) {
+  std::vector<std::string> lines;
+  const auto add_line = [&](const std::string& what, const json& why) {
+    lines.push_back(what + why.get<std::string>());
   };
   if (c["tailwater_m"].is_number()) add_line("tailwater at ", scaled(c["tailwater_m"], "{:.5g} m"));
   if (c["outcome"] == "not found" && !c.contains("stopped"))
@@ -63,12 +64,10 @@ std::string lines_of(const json& c, const json& first) {
   };
   if (is_told("water_factor")) {
     const json& factor = c["water_factor"]["factor"];
-    add_line("it bears ", factor.is_null()
-                              ? "nothing of what the water presses, by limit analysis: what acts beside it is "
-                                "too much by itself"
-                              : scaled(factor, "{:.5g} times what the water presses, by limit analysis"));
+    add_line("", factor.is_null() ? "it does not stand even without the water's pressure (limit analysis)"
+                                  : scaled(factor, "it bears {:.5g} times what the water presses, by limit analysis"));
   }
-  if (is_told("load_factor")) add_line("it bears ", load_factor_text(c["load_factor"]));
+  if (is_told("load_factor")) add_line("", load_factor_text(c["load_factor"]));
   if (c.contains("with_cracked_joint")) {
     const json& cracked = c["with_cracked_joint"];
     if (c["satisfied"] == false || cracked["factor"] == deciding_factor(c))
@@ -86,6 +85,25 @@ std::string lines_of(const json& c, const json& first) {
   add_warnings("warnings", &c == &first);
   if (c.contains("added_water_pressure"))
     add_line("the water's added pressure in the earthquake is after ", c["added_water_pressure"]);
+  return lines;
+}
+
+/// What is told of the cases, once for all that it holds for.
+std::string told_of(const json& cases) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> told;  // a line, and the names of cases
+  for (const json& c : cases) {
+    for (const std::string& line : lines_of(c, cases[0])) {
+      auto same = std::find_if(told.begin(), told.end(), [&](const auto& one) { return one.first == line; });
+      if (same == told.end()) same = told.insert(told.end(), {line, {}});
+      same->second.push_back(c["name"]);
+    }
+  }
+  std::string text;
+  for (const auto& [line, names] : told) {
+    const bool all = names.size() == cases.size() && names.size() > 1;
+    const std::string some = names.size() == 1 ? names.front() : fmt::format("\"{}\"", fmt::join(names, "\", \""));
+    text += fmt::format("{}: {}\n", all ? "all load cases" : some, line);
+  }
   return text;
 }
 
@@ -102,8 +120,7 @@ std::string factors_text(const json& cases) {
                         : enough.get<bool>() ? "yes"
                                              : "NO");
   }
-  for (const json& c : cases) text += lines_of(c, cases[0]);
-  return text +
+  return text + told_of(cases) +
          "factor: c and tan(phi) of all joints divided by it, the blocks just stand\n"
          "limit:  the same by limit analysis, an upper bound\n";
 }

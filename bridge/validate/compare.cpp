@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "bridge/process/previous_run.hpp"
 #include "bridge/process/run.hpp"
 #include "bridge/results/figure.hpp"
 #include "bridge/results/folder.hpp"
@@ -99,6 +100,10 @@ bool add_rows(const std::string& name, const char* formulation, const std::strin
 }  // namespace
 
 int compare(const CompareOptions& options) {
+  for (const fs::path& scene : options.cases) {
+    const std::string found = process::answers_in(scene);
+    if (!found.empty()) fmt::print(stderr, "{}: these are {}: their scene is run\n", scene.string(), found);
+  }
   if (!options.fluids.empty()) return compare_fluids(options);
   if (!options.json.empty()) results::require_writable_file("--json", options.json, {".json"});
   if (!options.out.empty()) results::make_folder(options.out);

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/corner_stands.hpp"
 #include "bridge/statics/loads.hpp"
 #include "solid/answers/answer_entries.hpp"
 #include "solid/answers/crushed_corners.hpp"
@@ -53,7 +55,7 @@ json limit_json(const limit::LimitAnalysis& structure, const Attempt<limit::Limi
     return answer;
   }
   if (found.at_it.bearing != limit::Bearing::fails_at_a_factor) return answer;
-  answer["gap"] = found.at_it.gap;
+  if (std::isfinite(found.at_it.gap)) answer["gap"] = found.at_it.gap;  // none where nothing resists
   if (found.outcome == Filled::stands_full) {
     answer["load_factor"] = found.at_it.factor;
     return answer;
@@ -98,8 +100,6 @@ json formula_json(const scene::Scene& scene) {
   return nullptr;
 }
 
-inline constexpr const char* the_two_agree = "blocks and limit analysis agree";
-
 /// The levels of one scene.
 struct Levels {
   const scene::Scene& scene;
@@ -114,7 +114,7 @@ struct Levels {
     return (found.level_m - limit.value->level_m) / (limit.value->level_m - empty_m);
   }
   [[nodiscard]] bool agrees(const StaticLevel& found) const {
-    constexpr double same = 1e-8;
+    constexpr double same = 1e-5;  // the blocks' strain and what their slips add up to before they rest come to less
     return found.outcome == limit.value->outcome && (found.outcome != Filled::fails || std::abs(off(found)) <= same);
   }
   [[nodiscard]] std::optional<double> rigid_level() const {
@@ -126,8 +126,14 @@ struct Levels {
     constexpr double strain = 1e-3;  // effect of strain on a level, relative to the rise
     return rigid_level() && *rigid_level() < blocks.value->level_m - strain * (blocks.value->level_m - empty_m);
   }
+  /// Do the blocks and limit analysis agree, and no other analysis of the blocks fails at another level?
+  [[nodiscard]] bool agree() const {
+    return blocks.value && limit.value && blocks.value->stopped.empty() && !blocks.value->slow_rise &&
+           !rigid_fails_lower() && agrees(*blocks.value);
+  }
   /// Why the blocks' level differs from that of limit analysis and from that of rigid blocks.
   [[nodiscard]] std::string reason() const {
+    if (agree()) return solid::strains(scene) ? "strain, and the width of the search" : "the width of the search";
     if (!blocks.value || !limit.value) return "none is known: only one of the two has an answer";
     if (!blocks.value->stopped.empty()) return "none is known: the blocks' level is known to level_width_m alone";
     const std::string rigid_too =
@@ -137,7 +143,6 @@ struct Levels {
       return "history of joint forces: the level depends on how the friction in the joints came about; " + rigid_too +
              ", the others bear more";
     }
-    if (agrees(*blocks.value)) return the_two_agree;
     if (rigid.value && agrees(*rigid.value)) {
       return "deformation: blocks that do not strain fail at the level of limit analysis";
     }
@@ -160,6 +165,12 @@ struct Levels {
       return "blocks that move before they rest: limit analysis takes the structure as it is drawn, where faces that "
              "do not touch hold nothing; no uplift acts between them, and the blocks' level is without it; let faces "
              "touch";
+    }
+    if (const auto stands = scene::corner_stands(scene); !stands.empty()) {
+      return fmt::format(
+          "block \"{}\" stands on one corner: any push turns it over, and the blocks tell a small one from none only "
+          "roughly",
+          scene.blocks[at(stands[0].block)].name);
     }
     const bool lower = (blocks.value->outcome == Filled::does_not_stand_empty ||
                         (blocks.value->outcome == Filled::fails && off(*blocks.value) < 0));
@@ -213,8 +224,7 @@ json assumed_json(const scene::Scene& scene) {
 }
 
 json difference_json(const Levels& levels) {
-  const std::string reason = levels.reason();
-  json answer = {{"reason", reason}, {"agree", reason == the_two_agree}};
+  json answer = {{"reason", levels.reason()}, {"agree", levels.agree()}};
   const auto fails = [](const auto& found) { return found.value && found.value->outcome == Filled::fails; };
   if (fails(levels.blocks) && fails(levels.limit)) {
     answer["level_m"] = levels.blocks.value->level_m - levels.limit.value->level_m;

@@ -10,8 +10,20 @@ namespace {
 
 constexpr double level_width = 1e-12;  // over the rise from the empty reservoir
 
-/// Where `power` changes its sign between a level that it is negative at and one that it is positive at.
+/// The highest level without power, where there is none at the lower one: nothing resists the mechanism.
+double end_of_none(const std::function<double(double)>& power, double low_m, double high_m, double none) {
+  constexpr int halvings = 100;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle_m = (low_m + high_m) / 2;
+    (power(middle_m) > none ? high_m : low_m) = middle_m;
+  }
+  return low_m;
+}
+
+/// Where `power` changes its sign between a level that it is not positive at and one that it is positive at.
 double root(const std::function<double(double)>& power, double low_m, double high_m, double at_low, double at_high) {
+  constexpr double round_off = 1e-12;
+  if (at_low >= -round_off * at_high) return end_of_none(power, low_m, high_m, round_off * at_high);
   std::uintmax_t most = 200;
   const boost::math::tools::eps_tolerance<double> to_round_off(50);
   const auto [below, above] =
@@ -33,7 +45,9 @@ LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, con
   }
   const auto reservoir_at = [&](double level_m) { return combined(water(level_m), -1, tailwater); };
   while (++found.programs < most_programs) {
-    found.at_it = structure.largest_factor(empty, reservoir_at(found.level_m));
+    const LargestFactor at_level = structure.largest_factor(empty, reservoir_at(found.level_m));
+    if (at_level.bearing == Bearing::bears_any && found.programs > 1) break;  // what nothing resists ends here
+    found.at_it = at_level;
     if (found.at_it.bearing == Bearing::bears_none) {
       throw std::runtime_error(
           "limit analysis: the structure bears the empty reservoir, and yet no part of the full one; expected "
@@ -45,7 +59,7 @@ LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, con
     const double needed = structure.resistance(mechanism) - power(empty, mechanism);
     const auto excess = [&](double level_m) { return power(reservoir_at(level_m), mechanism) - needed; };
     const double at_high = excess(found.level_m);
-    if (at_high <= 0 || needed < 0) break;  // but for round-off it is the level
+    if (at_high <= 0) break;  // but for round-off it is the level
     const double next = root(excess, range.empty_m, found.level_m, -needed, at_high);
     const bool settled = found.level_m - next <= level_width * (found.level_m - range.empty_m);
     found.level_m = next;

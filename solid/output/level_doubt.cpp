@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "bridge/scene/at.hpp"
 #include "bridge/scene/constant_loads.hpp"
 
 namespace blockweir::solid::output {
@@ -16,8 +18,20 @@ std::string at_rest_text(const Failure& f) {
                                  : "\"blockweir level SCENE\" finds the static level";
 }
 
+/// Does the water stay below all that failed?
+bool is_below(const scene::Scene& scene, const Failure& f) {
+  const auto above = [&](int block) {
+    const auto& corners = scene.blocks[at(block)].vertices;
+    return std::all_of(corners.begin(), corners.end(), [&](const scene::Point& p) { return p.y() >= f.level_m; });
+  };
+  return !f.blocks.empty() && std::all_of(f.blocks.begin(), f.blocks.end(), above);
+}
+
 /// Of a level that was too high, or too low, from the start.
 std::string bound_doubt(const scene::Scene& scene, const Failure& f) {
+  if (!scene.base_motion && is_below(scene, f)) {
+    return "it moves from the start, and the water lies below it: look at its weight, its joints and what it stands on";
+  }
   if (scene.analysis.kind == scene::AnalysisKind::at_rest) {
     return "a static analysis looks at one level: try lower ones, or let the level rise in a dynamic analysis";
   }

@@ -170,7 +170,7 @@ json margin(const expect::Outcome& o) {
 }
 
 /// A pool whose level at the end has not acted: a window holds the level that it begins with.
-void add_levels_not_reached(const expect::Outcome& o, json& warnings) {
+void add_levels_not_reached(const expect::Outcome& o, json& text) {
   const scene::Scene& scene = o.solid.scene();
   if (!scene::still_pools(scene.fluid) || o.last.time_s < scene.analysis.duration_s) return;
   const auto look = [&](const char* pool, const std::optional<scene::TimeTable>& table, double acted_m) {
@@ -178,7 +178,8 @@ void add_levels_not_reached(const expect::Outcome& o, json& warnings) {
     if (!table || std::isnan(acted_m)) return;
     const double end_m = table->at(scene.analysis.duration_s);
     if (std::abs(end_m - acted_m) <= far * 2 * o.solid.size_m()) return;
-    warnings.push_back(
+    text["last_levels_acted"] = false;
+    text["warnings"].push_back(
         fmt::format("the run ends before the last {} level, {:.6g} m, has acted: the last window used {:.6g} m; "
                     "shorten window_s, or hold the level for a while",
                     pool, end_m, acted_m));
@@ -197,7 +198,7 @@ void add_outcome(const expect::Outcome& outcome, json& text) {
     text["outcome"] = still ? "moving" : "stands";
     if (still) text["moving"] = moving(outcome.solid, *still);
     text["margin"] = margin(outcome);
-    add_levels_not_reached(outcome, text["warnings"]);
+    add_levels_not_reached(outcome, text);
   }
 }
 

@@ -19,7 +19,7 @@ document.head.append(element('style', {}, '.state svg text { font-size: 14px; } 
 const touching = [];
 for (const {name, report} of all) {
   const small = {...report, safety: [{...report, name, section: report.state}]};
-  for (const [kind, figure] of [['', sectionFigure(report)], ['small', caseFigures(small)]]) {
+  for (const [kind, figure] of [['', sectionFigure(report)], ['small', caseFigures(small, small.safety)]]) {
     const sheet = element('div', {class: kind}, figure);
     document.body.append(sheet);
     const texts = [...sheet.querySelectorAll('svg > text, svg g > text:first-child')];

@@ -224,7 +224,42 @@ TEST_F(Report, ASummaryThatIsCutOffIsToldFromOneThatIsMissing) {
                         "the run anew with blockweir run r/scene.toml"));
   fs::remove(folder / "r/summary.json");
   EXPECT_EQ(shell(programs + "/blockweir report r"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("r: found a run without a summary.json"));
+  EXPECT_THAT(text("out"), HasSubstr("r: found a run without a summary.json; expected one that has ended; make it anew "
+                                     "with blockweir run r/scene.toml, as it has no checkpoint"));
+}
+
+TEST_F(Report, OfResultsThatAreNoRunSaysThatItRunsTheirScene) {
+  write_scene();
+  ASSERT_EQ(shell(programs + "/blockweir level wall.toml --out l --quiet"), 0) << text("out");
+  EXPECT_EQ(shell(programs + "/blockweir report l --run r --out page.html"), 0);
+  EXPECT_THAT(text("out"),
+              HasSubstr("l: these are results of \"blockweir level\", not of a run: their scene is run first\n"));
+}
+
+/// A load case with `set = []`, and the scene as written, are one row, one table and one picture.
+TEST_F(Report, ShowsALoadCaseThatIsTheSceneAsWrittenOnce) {
+  write_scene();
+  for (const char* name : {"usual", "usual, long"}) {
+    std::ofstream(folder / "wall.toml", std::ios::app)
+        << "[[load_case]]\nname = '" << name
+        << "'\nclass = 'usual'\nset = []\nrequired_factor = 1.2\nsource = 'a guideline'\n";
+  }
+  ASSERT_EQ(shell(programs + "/blockweir run wall.toml --out r --quiet"), 0) << text("out");
+  ASSERT_EQ(shell(programs + "/blockweir report r"), 0) << text("out");
+  const nlohmann::json seen = opened("r/report.html");
+  ASSERT_TRUE(seen.is_object()) << text("out").substr(0, 4000);
+  const std::string cases = seen["joints"];
+  const auto counted = [&cases](const std::string& words) {
+    long count = 0;
+    for (std::size_t at = 0; (at = cases.find(words, at)) != std::string::npos; at += words.size()) ++count;
+    return count;
+  };
+  EXPECT_EQ(counted("scene as written"), 0) << cases;
+  EXPECT_EQ(counted("Joints: usual"), 1) << cases;
+  EXPECT_EQ(counted("Joints: low water"), 1) << cases;
+  EXPECT_GE(counted("usual, long"), 1) << "it has its own row, with what it requires; " << cases;
+  EXPECT_EQ(seen["states"], 3) << "the section, and one of each different load case";
+  EXPECT_EQ(seen["faults"], nlohmann::json::array());
 }
 
 TEST_F(Report, WritesNothingWhereItCannot) {

@@ -89,7 +89,7 @@ TEST_F(Answers, IceAndTheEarthquakesWaterHaveSumsOfTheirOwnAndTheLoadsThatGrowAr
   EXPECT_THAT(
       text("out"),
       HasSubstr(
-          "times [silt] and the inertia of [earthquake], by limit analysis; held as stated: weight and water and"));
+          "times [silt] and the inertia of [earthquake], by limit analysis; held as stated: weight, water, ice and"));
   EXPECT_THAT(text("out"), HasSubstr("scene as written: tailwater at 1 m"));
   EXPECT_THAT(text("out"), HasSubstr("moments about (3.5, 0) m"));
 }

@@ -43,7 +43,8 @@ TEST_F(FullOutput, RunResumeAndReportSayWhatADiskDidNotTakeAndWhatToDo) {
         << words;
   };
   const std::string run = "run " + cases + "monolith-slides --quiet --set output.checkpoint_every_s=0.01 --out ";
-  on_full_disk(0, run + "none", "none/scene.toml");
+  on_full_disk(0, run + "none", "none/.lock");
+  on_full_disk(0, "safety " + cases + "monolith-slides --out s", "s/.lock");
   on_full_disk(40, run + "r", "r/");
   on_full_disk(10, "resume r --quiet", "r/");
   ASSERT_EQ(shell(programs + "/blockweir resume r --quiet"), 0) << text("out");

@@ -46,4 +46,25 @@ TEST_F(Launcher, TheVersionNeedsNoBuild) {
   EXPECT_FALSE(fs::exists(folder / "build"));
 }
 
+TEST_F(Launcher, HelpOnTheTestsIsItsOwn) {
+  EXPECT_THAT(output_of("test --help"), testing::HasSubstr("test       set up, build and run every test"));
+  EXPECT_FALSE(fs::exists(folder / "build"));
+}
+
+/// Calls that are short wait for each other without a word.
+TEST_F(Launcher, ACallThatWaitsForAnotherSaysSoAfterASecond) {
+  fs::create_directories(folder / "build");
+  const auto waited = [&](const char* seconds) {  // while this shell holds the lock
+    const std::string held = "exec 9>" + (folder / "build/.lock").string() + "; flock 9; timeout " + seconds + " ";
+    std::FILE* pipe = ::popen(("bash -c '" + held + (folder / "blockweir").string() + " check' 2>&1").c_str(), "r");
+    std::string text;
+    std::array<char, 4096> part;
+    while (const std::size_t read = std::fread(part.data(), 1, part.size(), pipe)) text.append(part.data(), read);
+    ::pclose(pipe);
+    return text;
+  };
+  EXPECT_EQ(waited("0.7"), "");
+  EXPECT_THAT(waited("4"), testing::HasSubstr("waiting for another ./blockweir that sets up"));
+}
+
 }  // namespace

@@ -60,6 +60,27 @@ TEST(LevelDoubt, OfWhatMovesFromTheStartBlamesTheLevelOnlyWhereItMayBeTheCause) 
   EXPECT_EQ(level_doubt(filled(rises), falls), "it falls from the start: nothing holds it where it is drawn");
 }
 
+/// Of all levels: no lower one is advised once the failed blocks lie above the water.
+TEST(LevelDoubt, OfBlocksThatTheWaterDoesNotReachTheLevelIsNotToBlame) {
+  scene::Scene scene = filled(rises);
+  scene.blocks.resize(2);
+  scene.blocks[0].vertices = {{0, 0}, {3, 0}, {3, 2}, {0, 2}};
+  scene.blocks[1].vertices = {{0, 2}, {3, 2}, {3, 4}, {0, 4}};
+  Failure failure = slides(true);
+  for (const double level_m : {-5.0, 0.0, 1.0, 2.0, 3.0, 5.0}) {
+    failure.level_m = level_m;
+    failure.blocks = {1};
+    EXPECT_EQ(level_doubt(scene, failure).find("begin with a lower level") == std::string::npos, level_m <= 2)
+        << level_m;
+    failure.blocks = {0, 1};
+    EXPECT_EQ(level_doubt(scene, failure).find("begin with a lower level") == std::string::npos, level_m <= 0)
+        << level_m;
+  }
+  failure.level_m = 1;
+  failure.blocks = {1};
+  EXPECT_THAT(level_doubt(scene, failure), HasSubstr("the water lies below it"));
+}
+
 TEST(ConstantLoads, ChangeWithALevelALoadASupportAndAGroundThatShakes) {
   EXPECT_TRUE(scene::loads_are_constant(filled(constant)));
   EXPECT_FALSE(scene::loads_are_constant(filled(rises)));

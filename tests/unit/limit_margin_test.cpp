@@ -13,12 +13,13 @@ namespace {
 using nlohmann::json;
 
 /// The summary of a run with this outcome beside limit analysis with this factor.
-json told(const std::string& outcome, double factor) {
+json told(const std::string& outcome, const json& factor, bool last_levels_acted = true) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "limit_margin";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "margin.json") << json{
       {"factor", factor}, {"level_m", nullptr}, {"mechanism", {{"text", "block \"a\" slides"}}}};
   json summary = {{"outcome", outcome}, {"warnings", json::array()}};
+  if (!last_levels_acted) summary["last_levels_acted"] = false;
   LimitMargin(folder).add_to(summary);
   std::filesystem::remove_all(folder);
   return summary;
@@ -30,6 +31,16 @@ TEST(LimitMargin, WhatStandsAboveAnUpperBoundIsWarnedOf) {
   ASSERT_EQ(summary["warnings"].size(), 1U);
   EXPECT_THAT(summary["warnings"][0].get<std::string>(),
               testing::HasSubstr("it stands although limit analysis, an upper bound, has a factor of 0.93"));
+}
+
+/// A run whose last window had a lower level has moved nowhere, and no corner holds it.
+TEST(LimitMargin, OfALevelThatTheBlocksHaveNotFeltNoOtherCauseIsSaid) {
+  const json warnings = told("stands", 0.8268, /*last_levels_acted=*/false)["warnings"];
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].get<std::string>(),
+            "it stands under the levels of the last window: under the last ones of the scene the factor by limit "
+            "analysis, an upper bound, is 0.8268");
+  EXPECT_THAT(told("stands", 1.2, false)["warnings"], testing::IsEmpty());
 }
 
 TEST(LimitMargin, OtherwiseTheFactorIsToldAlone) {

@@ -44,6 +44,24 @@ TEST(ReliabilityTold, ASobolShareInAllBelowThatAloneIsSaidToBeNoise) {
   EXPECT_THAT(reliability_text(answer_with(0.945, 0.998)), Not(HasSubstr("noise")));
 }
 
+/// Beside whatever interval: FORM takes the limit state to be a plane.
+TEST(ReliabilityTold, AFormOutsideTheIntervalOfTheSamplesIsSaidSo) {
+  json answer = answer_with(0.998, 0.99);
+  answer.erase("sobol");
+  answer["form"] = {{"probability", 0.2}, {"index", 0.8}, {"design_point", {1}}, {"importance", {1}}, {"residual", 0}};
+  answer["sorm"] = {{"breitung", {{"probability", 0.31}, {"index", 0.5}}}};
+  for (const double p : {0.0, 0.1, 0.3, 0.3001, 0.9}) {
+    answer["form"]["probability"] = p;
+    const std::string text = reliability_text(answer);
+    const std::string line = "outside the samples' interval, 0 to 0.3 (95 %)";
+    const auto form = text.find("FORM");
+    const auto sorm = text.find("SORM");
+    ASSERT_LT(form, sorm) << text;
+    EXPECT_EQ(text.substr(form, sorm - form).find(line) != std::string::npos, p > 0.3) << text;
+    EXPECT_NE(text.find(line, sorm), std::string::npos) << text;
+  }
+}
+
 /// Each name has a height of its own in the picture.
 TEST_F(SobolFigure, HasNamesThatDoNotOverlap) {
   const std::vector<std::string> names = {"cut.lift joint.friction_angle_deg", "material.masonry.density_kg_per_m3",

@@ -29,6 +29,29 @@ TEST(ReportSection, HasJointsAndDimensionsOfTheScene) {
   EXPECT_EQ(data["dimensions"], json::parse(R"({"bottom":0,"top":4,"right":3,"base":[0,3],"crest":[0,3]})"));
 }
 
+/// Whatever the dip: a base that is no level line has the width of what stands on the ground.
+TEST(ReportSection, ABaseThatDipsHasItsWidth) {
+  for (const double drop_m : {-2.0, -0.5, 0.0, 0.5, 2.0}) {
+    const std::string scene = fmt::format(R"(
+analysis = {{ duration_s = 1 }}
+joint = {{ friction_angle_deg = 45 }}
+material.m = {{ youngs_modulus_pa = 1e10, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }}
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-9, -9], [18, -9], [18, {0}], [9, {0}], [0, 0], [-9, 0]]
+[[block]]
+name = "dam"
+material = "m"
+vertices_m = [[0, 0], [9, {0}], [3, 12], [0, 12]]
+)",
+                                          -drop_m);
+    const json base = section_data(scene::read_text(scene, "s.toml").scene)["dimensions"]["base"];
+    EXPECT_EQ(base, json::parse("[0.0, 9.0]")) << drop_m;
+  }
+}
+
 TEST(ReportSection, NamesTheLawOfTheWaterInEachJoint) {
   const auto water_in = [](const std::vector<std::string>& overrides) {
     return section_data(scene::read_text(scene::sample::text, "s.toml", overrides).scene)["laws"][0]["uplift"];

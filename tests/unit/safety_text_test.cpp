@@ -109,10 +109,21 @@ TEST(SafetyText, ALoadOfWhichNothingIsBorneHasItsLine) {
   quake["load_factor"] = {
       {"factor", nullptr}, {"loads", {"[earthquake]"}}, {"constant", {"weight", "the earthquake's added water"}}};
   const std::string text = blockweir::study::safety_text(json::array({quake}));
-  EXPECT_THAT(text, HasSubstr("earthquake: it bears nothing of what the water presses, by limit analysis: what acts "
-                              "beside it is too much by itself\n"));
-  EXPECT_THAT(text, HasSubstr("earthquake: it bears no part of the inertia of [earthquake], by limit analysis: what is "
-                              "held as stated is too much by itself: weight and the earthquake's added water\n"));
+  EXPECT_THAT(text, HasSubstr("earthquake: it does not stand even without the water's pressure (limit analysis)\n"));
+  EXPECT_THAT(text, HasSubstr("earthquake: it does not stand under weight and the earthquake's added water alone, even "
+                              "without the inertia of [earthquake] (limit analysis)\n"));
+}
+
+TEST(SafetyText, WhatHoldsForSeveralLoadCasesIsSaidOnce) {
+  json usual = load_case("usual");
+  usual["mechanism"] = {{"text", "block \"a\" slides"}};
+  json flood = usual;
+  flood["name"] = "flood";
+  flood["tailwater_m"] = 2;
+  EXPECT_THAT(blockweir::study::safety_text(json::array({usual, flood})),
+              HasSubstr("all load cases: mechanism: block \"a\" slides\nflood: tailwater at 2 m\n"));
+  const std::string three = blockweir::study::safety_text(json::array({usual, flood, load_case("dry")}));
+  EXPECT_THAT(three, HasSubstr("\n\"usual\", \"flood\": mechanism: block \"a\" slides\nflood: tailwater"));
 }
 
 TEST(SafetyText, OfALoadCaseThatFailsNoFactorAboveOneOnItsLoadsIsSaid) {

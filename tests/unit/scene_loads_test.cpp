@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "tests/unit/scene_sample.hpp"
@@ -132,6 +133,48 @@ TEST_F(SceneRecord, IsReadByColumnStepAndScale) {
   const TimeTable plain = read(shaken("r.txt", ", step_s = 0.25")).scene.base_motion->acceleration_x_m_per_s2;
   EXPECT_THAT(plain.time_s, ElementsAre(0, 0.25, 0.5));
   EXPECT_THAT(plain.value, ElementsAre(1, 2, 4));
+}
+
+constexpr const char* peer_heading =
+    "PEER NGA STRONG MOTION DATABASE RECORD\nTest, 1/1/2000, Station, 090\nACCELERATION TIME SERIES IN UNITS OF G\n";
+
+/// Several values a row, the last row not full, and both ways to write the distance.
+TEST_F(SceneRecord, OfThePeerDataBaseIsReadAsItIs) {
+  for (const char* header : {"NPTS=  7, DT=   .2500 SEC", "  npts=7,dt=0.25 sec,", "NPTS=   7, DT= 2.5E-01 SEC\r"}) {
+    static_cast<void>(write(
+        "r.at2", std::string(peer_heading) + header + "\n  .1000E+00 -.2000E+00  .3000E+00 .4 .5\n  0.6  7.0E-01\n"));
+    const TimeTable found = read(shaken("r.at2", ", scale = 10")).scene.base_motion->acceleration_x_m_per_s2;
+    EXPECT_THAT(found.time_s, ElementsAre(0, 0.25, 0.5, 0.75, 1, 1.25, 1.5)) << header;
+    EXPECT_THAT(found.value, testing::Pointwise(testing::DoubleNear(1e-12), {1., -2., 3., 4., 5., 6., 7.})) << header;
+  }
+}
+
+TEST_F(SceneRecord, FaultsOfThePeerDataBaseAreNamed) {
+  const std::string heading = std::string(peer_heading) + "NPTS= 3, DT= .01 SEC\n";
+  EXPECT_THAT(complaint(heading + "1 2 3\n"),
+              HasSubstr("it is a PEER file, whose fourth line states NPTS and DT = 0.01 "
+                        "s; expected `scale` beside it, and neither step_s nor column; "
+                        "write scale = 9.81 for values in g"));
+  EXPECT_THAT(complaint(heading + "1 2 3\n", ", scale = 9.81, step_s = 0.01"), HasSubstr("neither step_s nor column"));
+  EXPECT_THAT(complaint(heading + "1 2\n", ", scale = 9.81"),
+              HasSubstr("it has 2 values, and line 4 states NPTS = 3; expected as many values as it states"));
+  EXPECT_THAT(complaint(heading + "1 2\nx\n", ", scale = 9.81"), HasSubstr("\"x\" at line 6 is not a number"));
+  EXPECT_THAT(complaint(std::string(peer_heading) + "NPTS= 300000, DT= .01 SEC\n1\n", ", scale = 9.81"),
+              HasSubstr("line 4 states 300000 values"));
+  EXPECT_THAT(complaint("1 2 3\n4 5 6\n", ", step_s = 0.1"), HasSubstr("put one in each row"));
+}
+
+TEST_F(SceneRecord, FarLongerThanTheRunIsWarnedOf) {
+  const auto warned = [&](double last_s) {
+    static_cast<void>(write("r.csv", fmt::format("0 0\n{0} 1\n{1} 0\n", last_s / 2, last_s)));
+    const auto found = read(shaken("r.csv")).warnings;
+    return std::any_of(found.begin(), found.end(), [](const Diagnostic& one) {
+      return one.text().find("of which it gives the beginning alone") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(warned(2));
+  EXPECT_FALSE(warned(190));
+  EXPECT_TRUE(warned(2000));  // the run takes 2 s
 }
 
 TEST_F(SceneRecord, BecomesPartOfTheTextAndItsDigest) {

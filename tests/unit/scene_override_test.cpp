@@ -39,6 +39,17 @@ TEST(SceneOverride, ReachesSectionsAndMakesThoseThatAreAbsent) {
   EXPECT_EQ(scene.coupling.timeout_s, 3);
 }
 
+/// As people write them in a scene.
+TEST(SceneOverride, MayHaveBlanksAroundItsSign) {
+  for (const char* sign : {"=", " = ", " =", "=  ", "\t=\t"}) {
+    const std::string number = std::string("analysis.step_s") + sign + "0.001";
+    const std::string word = std::string("joints.crack.uplift") + sign + "full ";
+    const Scene scene = scene_with({number, word});
+    EXPECT_EQ(scene.analysis.step_s, 0.001) << number;
+    EXPECT_EQ(scene.joints[0].law.uplift, Uplift::full) << word;
+  }
+}
+
 TEST(SceneOverride, ReachesListsByNameAndByIndex) {
   const Scene scene =
       scene_with({"block.base.rigid=true", "block.1.initial_spin_deg_per_s=4", "joints.crack.cohesion_pa=0",

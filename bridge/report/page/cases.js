@@ -33,10 +33,10 @@ function writeParts(c, to) {
 function writeOtherLoads(to) {
   const columns = [['silt up to m', 'silt.level_m', 1], ['submerged kg/m3', 'silt.submerged_density_kg_per_m3', 1], ['K', 'silt.pressure_coefficient', 1],
     ['ice thrust kN/m', 'ice.thrust_n_per_m', 1e-3], ['ice m', 'ice.thickness_m', 1], ['k_h', 'earthquake.horizontal_coefficient', 1], ['k_v', 'earthquake.vertical_coefficient', 1]]
-    .filter(([, key]) => report.safety.some(c => is(c.silt_ice_and_earthquake[key])));
+    .filter(([, key]) => differentCases().some(c => is(c.silt_ice_and_earthquake[key])));
   if (columns.length === 0) return;
   to.append(element('h3', {}, 'Silt, ice and earthquake'),
-    table(['load case', ...columns.map(([name]) => name)], report.safety.map(c => [c.name, ...columns.map(([, key, scale]) => number(c.silt_ice_and_earthquake[key] * scale))])));
+    table(['load case', ...columns.map(([name]) => name)], differentCases().map(c => [c.name, ...columns.map(([, key, scale]) => number(c.silt_ice_and_earthquake[key] * scale))])));
 }
 
 const isLevel = joint => Math.abs(joint.upstream_end_m[1] - joint.downstream_end_m[1]) < 0.02 * joint.length_m;
@@ -60,7 +60,7 @@ function writeCases() {
   const doubt = c => (cause(c) ? ', see below' : c.satisfied && warningsOf(c).length > 0 ? ', see chapter 1' : '');
   const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied && !doubt(c) ? 'good' : 'bad'}, (c.satisfied ? 'yes' : 'NO') + doubt(c)));
   to.append(table(['load case', 'class', 'level m', 'tailwater m', 'outcome', 'factor', 'by limit analysis', 'on the water', 'required', 'satisfied', 'source'],
-    report.safety.map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), c.water_factor ? number(c.water_factor.factor) : '-', number(c.required, 4), answer(c), c.source || '-'])),
+    answeredCases().map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), c.water_factor ? number(c.water_factor.factor) : '-', number(c.required, 4), answer(c), c.source || '-'])),
   paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis. On the water: all that it presses may grow by so much, its uplift included, by limit analysis.', 'quiet'));
   const tellEach = (textsOf, words, kind) => ofCases(textsOf).forEach(told => to.append(paragraph(words(...told), kind)));
   const upper = text => text.charAt(0).toUpperCase() + text.slice(1);
@@ -71,14 +71,13 @@ function writeCases() {
   tellEach(c => (!is(c.factor) && c.why_no_factor ? [c.why_no_factor] : []), (who, text) => `${upper(who)}: no factor, as ${text}.`, 'quiet');
   tellEach(c => (c.why_no_limit_analysis_factor && c.why_no_limit_analysis_factor !== c.why_no_factor ? [c.why_no_limit_analysis_factor] : []), (who, text) => `${upper(who)}: no factor by limit analysis, as ${text}.`, 'quiet');
   tellEach(c => (c.mechanism ? [c.mechanism.text] : []), (who, text) => `Mechanism of ${who}, by limit analysis: ${text}.`, 'quiet');
-  for (const c of report.safety.filter(c => c.load_factor)) {
-    const grown = c.load_factor;
-    to.append(paragraph(is(grown.factor) ? `Load case "${c.name}": it bears ${number(grown.factor)} times ${grown.loads.join(' and ')} by limit analysis; as stated: ${grown.constant.join(' and ')}.`
-      : `Load case "${c.name}": it bears no part of ${grown.loads.join(' and ')} by limit analysis: what stays as stated is too much by itself: ${grown.constant.join(' and ')}.`, 'quiet'));
-  }
+  const listed = names => [names.slice(0, -1).join(', '), ...names.slice(-1)].filter(Boolean).join(' and ');
+  const grownLoads = ({factor, loads, constant}) => is(factor) ? `bears ${number(factor)} times ${listed(loads)}, with ${listed(constant)} as stated`
+    : `does not stand under ${listed(constant)} alone, even without ${listed(loads)}`;
+  tellEach(c => (c.load_factor ? [grownLoads(c.load_factor)] : []), (who, text) => `By limit analysis, in ${who} the structure ${text}.`, 'quiet');
   writeOtherLoads(to);
-  to.append(caseFigures(report));
-  for (const c of report.safety) {
+  to.append(caseFigures(report, differentCases()));
+  for (const c of differentCases()) {
     if (c.why_no_joints) writeLoads(c, to);
     if (!c.joints || c.joints.length === 0) {
       writeParts(c, to);

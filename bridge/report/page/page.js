@@ -10,6 +10,16 @@ function writeHead() {
 
 /// The first answer is the scene as written.
 const loadCases = () => report.safety.trouble ? [] : report.safety.slice(1);
+
+const isAsWritten = c => c.set.length === 0;
+
+/// All answers; a load case with `set = []` is the scene as written, which then has no row of its own.
+function answeredCases() {
+  return loadCases().some(isAsWritten) ? loadCases() : report.safety.trouble ? [] : report.safety;
+}
+
+/// Those whose forces differ: of several with `set = []` the first.
+const differentCases = () => answeredCases().filter((c, i, all) => !isAsWritten(c) || all.findIndex(isAsWritten) === i);
 const fallsShort = c => c.satisfied !== null && !c.satisfied;
 
 /// How many load cases reach their required factor, and which do not; nothing where the scene has none.
@@ -83,14 +93,14 @@ function onceEach(answers) {
 
 /// Of the load cases: each text with the cases that it holds for.
 function ofCases(textsOf) {
-  const cases = report.safety.trouble ? [] : report.safety;
+  const cases = answeredCases();
   return onceEach(cases.map(c => [c.name, textsOf(c)])).map(([names, text]) =>
     [names.length === cases.length && names.length > 1 ? 'all load cases' : `load case${names.length > 1 ? 's' : ''} ${names.map(n => `"${n}"`).join(', ')}`, text]);
 }
 
 /// Every warning once, with whom it holds for: the run, load cases, the level.
 function allWarnings() {
-  const cases = report.safety.trouble ? [] : report.safety;
+  const cases = answeredCases();
   const answers = [['run', report.summary.warnings || []], ...cases.map(c => [`load case "${c.name}"`, warningsOf(c)]),
     ['level of failure', report.level.trouble ? [] : warningsOf(report.level)]];
   const named = who => {
@@ -141,7 +151,7 @@ function writeVerdict() {
 
 function writeSection() {
   chapter('section').append(sectionFigure(report),
-    ...(report.bolts.length > 0 ? [element('h3', {}, 'Anchors and bolts'), boltTable(report)] : []),
+    ...(report.bolts.length > 0 ? [element('h3', {}, 'Anchors and bolts'), boltTable(report, differentCases())] : []),
     element('h3', {}, 'Materials'),
     table(['material', 'density kg/m3', 'modulus GPa', "Poisson's ratio"], report.materials.map(m => [m.name, number(m.density), number(m.modulus / 1e9), number(m.poisson)])),
     element('h3', {}, 'Joints'),
@@ -164,21 +174,29 @@ function writeFlow() {
     table(['water', 'm3/day'], flow.flows.map(f => [f.name, perDay(f.m2_per_s)])));
 }
 
+function differenceOf(difference) {
+  const known = is(difference.level_m);
+  if (difference.agree) {
+    return paragraph('Blocks and limit analysis agree' + (known ? ` to ${number(Math.abs(difference.level_m), 3)} m: the rest is ${difference.reason}.` : '.'));
+  }
+  return paragraph('Blocks and limit analysis differ' + (known ? ` by ${number(difference.level_m, 3)} m` : '') + `. Reason: ${difference.reason}.`);
+}
+
 function writeLevel() {
   const to = chapter('level');
   const found = report.level;
   if (found.trouble) return to.append(paragraph('No level was found: ' + found.trouble));
   const row = (name, f) => {
-    const level = f.outcome === 'stands' ? `stands up to ${number(f.highest_level_m, 9)}` : f.outcome === 'does not stand empty' ? 'does not stand empty' : fixed(f.level_m, 6);
-    return [name, level, fixed(f.head_m, 6), f.mode || (f.mechanism ? f.mechanism.mode : '-'), f.joint || (f.mechanism ? f.mechanism.joints.join(', ') : '-')];
+    const level = f.outcome === 'stands' ? `stands up to ${number(f.highest_level_m, 6)}` : f.outcome === 'does not stand empty' ? 'does not stand empty' : fixed(f.level_m, 4);
+    return [name, level, fixed(f.head_m, 4), f.mode || (f.mechanism ? f.mechanism.mode : '-'), f.joint || (f.mechanism ? f.mechanism.joints.join(', ') : '-')];
   };
   const rows = [row('statics of the blocks' + (found.slow_rise ? ', all loads at once' : ''), found)];
   if (found.slow_rise) rows.push(row('the same, under a level that rises slowly', found.slow_rise));
   if (found.rigid_blocks) rows.push(row('the same, blocks that do not strain', found.rigid_blocks));
   rows.push(row('limit analysis', found.limit_analysis));
-  if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 6), fixed(found.formula.head_m, 6), '-', found.formula.joint]);
+  if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 4), fixed(found.formula.head_m, 4), '-', found.formula.joint]);
   to.append(table(['found by', 'level m', 'head m', 'mode', 'joint'], rows),
-    paragraph(found.difference.agree ? 'Blocks and limit analysis agree.' : 'Blocks and limit analysis differ' + (is(found.difference.level_m) ? ` by ${number(found.difference.level_m, 3)} m` : '') + `. Reason: ${found.difference.reason}.`));
+    differenceOf(found.difference));
   if (found.looked_at) to.append(paragraph(`Levels are ${found.looked_at}.`, 'quiet'));
   if (found.assumed) to.append(paragraph(`Water: ${found.assumed}.`, 'quiet'));
   to.append(...warningsAbove(onceEach([['', warningsOf(found)]]).length));

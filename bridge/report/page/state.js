@@ -127,7 +127,8 @@ function drawLevels(state, sheet) {
 }
 
 /// Height, crest and base of what can move.
-function drawDimensions(d, sheet) {
+function drawDimensions(report, sheet) {
+  const d = report.dimensions;
   if (!d) return;
   const {view} = sheet.scale;
   const span = (a, b, text) => {
@@ -143,8 +144,9 @@ function drawDimensions(d, sheet) {
   const below = view.bottom + 0.03 * (view.top - view.bottom);  // under the uplift
   const above = d.top + 0.02 * (view.top - view.bottom);
   span([beside, d.bottom], [beside, d.top], `${number(d.top - d.bottom)} m`);
-  span([d.base[0], below], [d.base[1], below], `${number(d.base[1] - d.base[0])} m`);
-  if (d.crest[1] - d.crest[0] > 1e-6 * d.top) span([d.crest[0], above], [d.crest[1], above], `${number(d.crest[1] - d.crest[0])} m`);
+  for (const [ends, y] of [[d.base, below], [d.crest, above]]) {
+    if (ends && ends[1] - ends[0] > 1e-6 * report.size_m) span([ends[0], y], [ends[1], y], `${number(ends[1] - ends[0])} m`);
+  }
 }
 
 function legendRows(rows) {
@@ -159,7 +161,7 @@ function stateFigure(report, state, width, textSize, whole, caption) {
   drawLoads(state, sheet, whole);
   drawJoints(report.joints, sheet, whole);
   drawBolts(state.bolts, report.size_m, sheet, whole);
-  if (whole) drawDimensions(report.dimensions, sheet);
+  if (whole) drawDimensions(report, sheet);
   drawLevels(state, sheet);
   const svg = sheet.svg();
   const told = new Set(state.legend.map(row => row.label));
@@ -175,16 +177,15 @@ function sectionFigure(report) {
 }
 
 /// A small section for each load case.
-function caseFigures(report) {
-  const cases = report.safety.filter(c => c.section);
-  return element('div', {class: 'cases'}, ...cases.map(c => stateFigure(report, c.section, 460, 17, false,
+function caseFigures(report, cases) {
+  return element('div', {class: 'cases'}, ...cases.filter(c => c.section).map(c => stateFigure(report, c.section, 460, 17, false,
     `${c.name}${is(c.factor) ? `: factor ${number(c.factor, 4)}` : ''}${is(c.required) ? `, required ${number(c.required, 4)}` : ''}`)));
 }
 
 /// Every bolt with its force in each load case.
-function boltTable(report) {
+function boltTable(report, answers) {
   const end = (p, block) => `(${number(p[0], 4)}, ${number(p[1], 4)}) in ${block || 'the ground'}`;
-  const cases = report.safety.trouble ? [] : report.safety.filter(c => c.bolts && c.bolts.length > 0);
+  const cases = answers.filter(c => c.bolts && c.bolts.length > 0);
   return table(['anchor', 'from (x, elevation) m', 'to (x, elevation) m', 'prestress kN/m', 'yields at kN/m', ...cases.map(c => `force kN/m: ${c.name}`)],
     report.bolts.map((b, i) => [b.name, end(b.from, b.from_block), end(b.to, b.to_block), kilo(b.prestress_n_per_m), is(b.yield_n_per_m) ? kilo(b.yield_n_per_m) : 'never', ...cases.map(c => kilo(c.bolts[i].force_n_per_m))]));
 }

@@ -13,7 +13,7 @@ void check_settings(TableReader& table, Reading& reading, const std::vector<std:
                     const std::vector<std::string>& own_keys) {
   std::map<std::string, std::string> first;
   for (const std::string& setting : set) {
-    const auto [other, is_new] = first.emplace(plain_key(reading.file, setting.substr(0, setting.find('='))), setting);
+    const auto [other, is_new] = first.emplace(plain_key(reading.file, setting_key(setting)), setting);
     if (is_new) continue;
     reading.problems.error(table.place("set"),
                            fmt::format("set in {} has \"{}\" and \"{}\"", table.name(), other->second, setting),

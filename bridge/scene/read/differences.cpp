@@ -75,7 +75,7 @@ std::string differences_text(const std::string& before, const std::string& now,
   const toml::table file = toml::parse(now);
   const auto is_set = [&](const std::string& key) {
     return std::any_of(overrides.begin(), overrides.end(), [&](const std::string& argument) {
-      const std::string set = plain_key(file, argument.substr(0, argument.find('=')));
+      const std::string set = plain_key(file, setting_key(argument));
       const std::string plain = plain_key(file, key);
       return plain == set || plain.starts_with(set + ".");
     });

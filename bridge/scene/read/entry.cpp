@@ -52,7 +52,7 @@ ReadScene read_entry(const std::filesystem::path& path, const SettingEntry& entr
 std::vector<std::string> overrides_of(const Scene& scene, const std::vector<std::string>& overrides,
                                       const std::vector<std::string>& keys) {
   const toml::table file = toml::parse(scene.text);
-  const auto plain = [&file](const std::string& text) { return plain_key(file, text.substr(0, text.find('='))); };
+  const auto plain = [&file](const std::string& text) { return plain_key(file, setting_key(text)); };
   std::vector<std::string> found;
   std::copy_if(overrides.begin(), overrides.end(), std::back_inserter(found), [&](const std::string& one) {
     const std::string set = plain(one);

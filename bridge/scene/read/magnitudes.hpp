@@ -47,6 +47,9 @@ void check_magnitudes(const toml::table& file, const Scene& scene, Problems& pro
 /// Warns of faces that are almost, but not quite, in contact in a structure that starts at rest.
 void check_gaps(const Scene& scene, Problems& problems);
 
+/// Warns of blocks that stand on one corner in a structure that starts at rest.
+void check_corner_stands(const Scene& scene, Problems& problems);
+
 /// Warns of parts far larger than the ground below them, or than the water in front of them: probably another unit of
 /// length.
 void check_proportions(const toml::table& file, const Scene& scene, Problems& problems);

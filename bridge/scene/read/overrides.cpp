@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <charconv>
 #include <memory>
 #include <sstream>
@@ -27,9 +28,9 @@ Override split(const std::string& argument) {
   Override split{.argument = override_place(argument)};
   const auto equals = argument.find('=');
   if (equals == std::string::npos) return split;
-  std::istringstream words(argument.substr(0, equals));
+  std::istringstream words(setting_key(argument));
   for (std::string word; std::getline(words, word, '.');) split.path.push_back(word);
-  split.value = argument.substr(equals + 1);
+  split.value = boost::trim_copy(argument.substr(equals + 1));
   return split;
 }
 
@@ -166,6 +167,10 @@ class Descent {
 
 std::string override_place(const std::string& argument) {
   return "--set " + argument;
+}
+
+std::string setting_key(const std::string& setting) {
+  return boost::trim_copy(setting.substr(0, setting.find('=')));
 }
 
 std::string plain_key(const toml::table& file, const std::string& key) {

@@ -128,6 +128,7 @@ void read_sections(Reading& reading, ReadScene& result) {
     return check_ranges(reading.file, size_m, reading.problems);
   }
   check_effects(reading);
+  check_records(reading);
   check_dipping_uplift(reading);
   check_reservoir(reading);
   check_surface(reading);

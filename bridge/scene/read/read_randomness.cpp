@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/scene/read/read_randomness.hpp"
+#include "bridge/scene/read/overrides.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -96,7 +97,7 @@ void refuse_random_level(Reading& reading, const Randomness& random) {
   const bool runs = random.reliability.by == CapacityBy::runs;
   for (const RandomVariable& variable : random.variables) {
     WordList keys = runs ? WordList{} : variable.set;
-    for (std::string& key : keys) key.erase(std::min(key.size(), key.find('=')));
+    for (std::string& key : keys) key = setting_key(key);
     keys.push_back(variable.key);
     if (std::none_of(keys.begin(), keys.end(),
                      [&](const std::string& key) { return key == level || (!runs && key.starts_with(level + ".")); }))

@@ -146,6 +146,9 @@ void check_drift(const Reading& reading);
 double highest(const TimeTable& level, double duration_s);
 /// Warns of keys without effect in a valid scene.
 void check_effects(const Reading& reading);
+
+/// Warns of records that are far longer than the run.
+void check_records(Reading& reading);
 /// Warns of uplift laws that leave a part of the pressure out where a crack dips, in a valid scene.
 void check_dipping_uplift(const Reading& reading);
 /// Warns of reservoir loads that do not act as stated, in a valid scene.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A record is a text file of rows: numbers between commas, semicolons or blanks. Lines that begin with # or % are
-// remarks, and the first other line may be a heading.
+// remarks, and the first other line may be a heading. Files of the PEER strong motion data base (.AT2) have a form of
+// their own: three lines of text, a line with number and distance of the values, and then the values, several a row.
 #include "bridge/scene/read/time_record.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 
 #include "bridge/results/parse_number.hpp"
 #include "bridge/scene/read/table_reader.hpp"
@@ -20,6 +22,7 @@ namespace blockweir::scene {
 namespace {
 
 constexpr std::size_t most_rows = 100'000;
+constexpr std::size_t most_header = 200;
 
 /// Which numbers of a row say what.
 struct Layout {
@@ -27,6 +30,7 @@ struct Layout {
   int column = 2;                ///< of the value, the first being 1
   std::optional<double> step_s;  ///< between rows; without it the first column is the time
   bool column_stated = false;
+  bool scale_stated = false;
   double scale = 1;
 };
 
@@ -77,8 +81,61 @@ double number_in(const std::vector<std::string>& fields, std::size_t column, int
               "fill in a value that is lacking from the rows beside it"};
 }
 
+/// What the fourth line of a PEER file states.
+struct PeerHeader {
+  std::size_t count = 0;
+  double step_s = 0;
+};
+
+/// None if the file has no such line; the stream is at the line after it then, and else at the beginning.
+std::optional<PeerHeader> peer_header(std::istream& stream) {
+  static const std::regex form(R"(\s*NPTS\s*=\s*(\d{1,9})\s*,\s*DT\s*=\s*(\d*\.?\d+(?:E[-+]?\d+)?)\s*(?:SEC)?.*)",
+                               std::regex::icase);
+  constexpr int header_lines = 4;
+  std::string line;
+  for (int i = 0; i < header_lines; ++i) std::getline(stream, line);
+  boost::trim(line);
+  if (std::smatch found; stream && line.size() < most_header && std::regex_match(line, found, form)) {
+    return PeerHeader{std::stoul(found[1]), std::stod(found[2])};
+  }
+  stream.clear();
+  stream.seekg(0);
+  return std::nullopt;
+}
+
+/// Throws a Fault.
+std::vector<Row> peer_rows(std::istream& stream, const PeerHeader& header, const Layout& layout) {
+  if (layout.step_s || layout.column_stated || !layout.scale_stated) {
+    throw Fault{fmt::format("it is a PEER file, whose fourth line states NPTS and DT = {} s", header.step_s),
+                "`scale` beside it, and neither step_s nor column",
+                "write scale = 9.81 for values in g, as most of these files have; the third line names their unit"};
+  }
+  if (header.count > most_rows || !(header.step_s > 0)) {
+    throw Fault{fmt::format("line 4 states {} values {} s apart", header.count, header.step_s),
+                "up to 100000 values, some time apart"};
+  }
+  std::vector<Row> rows;
+  int line_number = 4;
+  for (std::string line; std::getline(stream, line);) {
+    ++line_number;
+    boost::trim(line);
+    if (line.empty()) continue;
+    const auto fields = fields_of(line);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const double time_s = static_cast<double>(rows.size()) * header.step_s;
+      rows.push_back({time_s, layout.scale * number_in(fields, i, line_number), line_number});
+    }
+  }
+  if (rows.size() != header.count) {
+    throw Fault{fmt::format("it has {} values, and line 4 states NPTS = {}", rows.size(), header.count),
+                "as many values as it states", "fetch the file again: it may be cut off"};
+  }
+  return rows;
+}
+
 /// Throws a Fault.
 std::vector<Row> rows_of(std::istream& stream, const Layout& layout) {
+  if (const auto header = peer_header(stream)) return peer_rows(stream, *header, layout);
   std::vector<Row> rows;
   const auto value_at = static_cast<std::size_t>(layout.column - 1);
   bool heading_allowed = true;
@@ -98,7 +155,7 @@ std::vector<Row> rows_of(std::istream& stream, const Layout& layout) {
       throw Fault{
           fmt::format("line {} has {} numbers, of which step_s makes the first the value", line_number, fields.size()),
           "one number a row where step_s is given, or `column`; without step_s the first column is the time",
-          "leave step_s out, or state `column`"};
+          "leave step_s out, or state `column`; where a row has several values of one record, put one in each row"};
     }
     const double time =
         layout.step_s ? static_cast<double>(rows.size()) * *layout.step_s : number_in(fields, 0, line_number);
@@ -128,7 +185,7 @@ void take_record(toml::table& described, const std::filesystem::path& folder, Pr
     double step = 0;
     if (table.number("step_s", step, positive())) layout.step_s = step, layout.column = 1;
     layout.column_stated = table.integer("column", layout.column, 1);
-    table.number("scale", layout.scale);
+    layout.scale_stated = table.number("scale", layout.scale);
   }
   const auto refuse = [&](const Fault& fault) {
     problems.error(place, fmt::format("the record {}: {}", layout.file, fault.found), fault.expected, fault.remedy);
