@@ -46,14 +46,12 @@ std::string text_of(const json& found, bool fails) {
 std::string doubt_of_last_levels(const json& found) {
   if (found.value("holds_nothing", false)) {
     return "it stands under the levels of the last window: under the last ones of the scene, by limit analysis, "
-           "nothing "
-           "holds it";
+           "nothing holds it";
   }
   if (!found["factor"].is_number() || found["factor"] >= 1) return {};
   return fmt::format(
       "it stands under the levels of the last window: under the last ones of the scene the factor by limit analysis, "
-      "an "
-      "upper bound, is {:.4g}",
+      "an upper bound, is {:.4g}",
       found["factor"].get<double>());
 }
 
