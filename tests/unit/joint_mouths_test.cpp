@@ -4,8 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
+#include "fluid/joints/flow_tables.hpp"
 #include "tests/joint_water.hpp"
 
 namespace blockweir::hydrostatic {
@@ -151,6 +155,22 @@ TEST(JointMouths, WaterThatFallsThroughAnUnevenGapHasNoSuction) {
     EXPECT_GE(load.pressure_to_pa[i], 0);
   }
   EXPECT_GT(joint_water(scene, load, 1, 0).force, 0);
+}
+
+TEST(JointMouths, AnUnevenGapHasSomeFiftyRowsInItsTable) {
+  const scene::Scene scene =
+      flowing({{{-20, -9}, {30, -9}, {30, -2}, {4, -2}, {0, 0}, {-20, 0}}, {{0, 0}, {4, -1.994}, {4, 8}, {0, 8}}}, 5);
+  HydrostaticModel model(scene);
+  wire::Load load;
+  model.advance(at_rest(scene), 0, load);
+  const std::string folder = testing::TempDir() + "uneven-gap";
+  std::filesystem::create_directories(folder);
+  joints::FlowTables(scene, folder).record(0, model.flow_in_joints());
+  std::ifstream table(folder + "/joint_water.csv");
+  const auto rows = std::count(std::istreambuf_iterator<char>(table), {}, '\n') - 1;
+  EXPECT_GE(rows, 50);
+  EXPECT_LE(rows, 100);  // of 20 parts, each with its two ends
+  std::filesystem::remove_all(folder);
 }
 
 TEST(JointMouths, AMouthInAHollowIsToldOf) {
