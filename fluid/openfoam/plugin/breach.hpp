@@ -7,7 +7,8 @@
 namespace blockweir::openfoam {
 
 /// A way is a chain of neighbouring cells from one side of the structure to the other, below its highest point at the
-/// start: overtopping does not count, and water does that flows where the structure stood. Each cell is more than half open, and its open part more than half full of water.
+/// start: overtopping does not count, and water does that flows where the structure stood. Each cell is more than half
+/// open, and its open part more than half full of water.
 class Breach {
  public:
   /// Uses entries upstreamTo and downstreamFrom of constant/blockweir: the structure's extent.
