@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "bridge/process/programs.hpp"
+#include "bridge/scene/read/read.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -93,6 +95,24 @@ std::vector<WaterBox> OpenFoamWater::boxes(double time_s) const {
     }
   }
   return boxes;
+}
+
+std::vector<std::vector<geometry::Point>> all_drawn_water(const fs::path& run, const nlohmann::json& first_frame) {
+  const bool pools = first_frame["upstream_level_m"].is_number() || first_frame["downstream_level_m"].is_number();
+  if (pools) return {};
+  return scene::read(process::scene_of(run)).scene.openfoam.initial_water_m;
+}
+
+View with_drawn_water(View view, const std::vector<std::vector<geometry::Point>>& outlines) {
+  const double farthest = 5 * std::max(view.right - view.left, view.top - view.bottom);
+  const View most{view.left - farthest, view.right + farthest, view.bottom - farthest, view.top + farthest};
+  for (const auto& outline : outlines) {
+    for (const geometry::Point& p : outline) {
+      view.include(std::clamp(p.x(), most.left, most.right), std::clamp(p.y(), most.bottom, most.top));
+    }
+  }
+  if (!outlines.empty()) view.top += 0.1 * (view.top - view.bottom);  // room for its splashes
+  return view;
 }
 
 }  // namespace blockweir::picture

@@ -3,8 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "bridge/geometry/point.hpp"
+#include "bridge/picture/view.hpp"
 
 namespace blockweir::picture {
 
@@ -38,5 +42,12 @@ class OpenFoamWater {
   std::vector<double> x_;  ///< column lines [m]
   std::vector<double> y_;  ///< row lines [m]
 };
+
+/// The water of time 0 where the scene draws all of it; empty where pools stand: they are at the structure.
+std::vector<std::vector<geometry::Point>> all_drawn_water(const std::filesystem::path& run,
+                                                          const nlohmann::json& first_frame);
+
+/// The view with the drawn water, or as much of it as leaves the structure large enough to be seen.
+View with_drawn_water(View view, const std::vector<std::vector<geometry::Point>>& outlines);
 
 }  // namespace blockweir::picture

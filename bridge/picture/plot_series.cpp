@@ -37,13 +37,21 @@ struct Axis {
 
 /// Curves of a plot: their data, and what plots them.
 struct Curves {
-  void add(const std::string& rows, const std::string& style) {
+  void add(const std::string& rows, const std::string& style, const std::string& name = "") {
+    letters = std::max(letters, name.size());
     data += fmt::format("$curve{} << EOD\n{}EOD\n", ++count, rows);
     plots += fmt::format("{}$curve{} {}", plots.empty() ? "" : ", ", count, style);
   }
   std::string data{};
   std::string plots{};
   int count = 0;
+  std::size_t letters = 0;  ///< of the longest name in the legend
+};
+
+/// What draws a panel, and the letters of the longest name in its legend.
+struct DrawnPanel {
+  std::string script{};
+  std::size_t letters = 0;
 };
 
 bool holds(const std::vector<std::string>& list, const std::string& word) {
@@ -78,41 +86,47 @@ class Series {
   }
 
   /// All columns of the quantity, those of unnamed blocks grey behind the others; empty where the run has none.
-  [[nodiscard]] std::string panel(const Axis& axis) const {
+  [[nodiscard]] DrawnPanel panel(const Axis& axis) const {
     const std::string quantity = axis.quantity;
     const bool of_blocks = quantity.starts_with('.');
     Curves curves;
-    const auto add = [&](const History& history, const std::string& column, std::size_t spans,
-                         const std::string& style) {
+    const auto add = [&](const History& history, const std::string& column, std::size_t spans, const std::string& style,
+                         const std::string& name) {
       if (!history.has_values(column)) return;
-      curves.add(curve_rows(history.column("time_s"), history.column(column), spans, axis.factor), style);
+      const std::string title = name.empty() ? "notitle" : "title " + gnuplot_text(name);
+      curves.add(curve_rows(history.column("time_s"), history.column(column), spans, axis.factor), style + " " + title,
+                 name);
     };
-    if (!of_blocks) add(history_, quantity, pixels, fmt::format("with lines lw 2 title '{}'", axis.name));
-    if (axis.second != nullptr) {
-      add(history_, axis.second, pixels, fmt::format("with lines lw 2 title '{}'", axis.second_name));
-    }
+    if (!of_blocks) add(history_, quantity, pixels, "with lines lw 2", axis.name);
+    if (axis.second != nullptr) add(history_, axis.second, pixels, "with lines lw 2", axis.second_name);
     for (const std::string& block : others_) {
-      if (of_blocks) add(history_, block + quantity, pixels_of_others, "with lines lw 1 lc rgb '#b8b8b8' notitle");
+      if (of_blocks) add(history_, block + quantity, pixels_of_others, "with lines lw 1 lc rgb '#b8b8b8'", "");
     }
     int colour = 0;
     for (const std::string& block : named_) {
       if (!of_blocks) break;
       ++colour;
       const std::string name = shortened(block, most_letters);
-      add(history_, block + quantity, pixels,
-          fmt::format("with lines lw 2 lt {} title {}", colour, gnuplot_text(name)));
+      add(history_, block + quantity, pixels, fmt::format("with lines lw 2 lt {}", colour), name);
       if (!measured_) continue;
-      add(*measured_, block + quantity, measured_->rows(),
-          fmt::format("with points pt 6 lt {} title {}", colour, gnuplot_text(name + ", measured")));
+      add(*measured_, block + quantity, measured_->rows(), fmt::format("with points pt 6 lt {}", colour),
+          name + ", measured");
     }
-    if (!of_blocks && measured_) add(*measured_, quantity, measured_->rows(), "with points pt 6 lt 1 title 'measured'");
-    if (curves.plots.empty()) return "";
+    if (!of_blocks && measured_) add(*measured_, quantity, measured_->rows(), "with points pt 6 lt 1", "measured");
+    if (curves.plots.empty()) return {};
     if (of_blocks && !others_.empty()) {
-      curves.plots += fmt::format(", NaN with lines lw 1 lc rgb '#b8b8b8' title '{} more'", others_.size());
+      const std::string more = fmt::format("{} more", others_.size());
+      curves.plots += fmt::format(", NaN with lines lw 1 lc rgb '#b8b8b8' title '{}'", more);
+      curves.letters = std::max(curves.letters, more.size());
     }
     const std::string range = axis.rest > 0 ? fmt::format("[* < -{0} : {0} < *]", axis.rest) : "[*:*]";
-    return fmt::format("{}set key outside right top samplen 2\nset ylabel '{}'\nset yrange {}\nplot {}\n", curves.data,
-                       axis.label, range, curves.plots);
+    return {fmt::format("{}set key outside right top samplen 2\nset ylabel '{}'\nset yrange {}\nplot {}\n", curves.data,
+                        axis.label, range, curves.plots),
+            curves.letters};
+  }
+
+  [[nodiscard]] bool has_level() const {
+    return history_.has_values("upstream_level_m") || history_.has_values("downstream_level_m");
   }
 
  private:
@@ -150,13 +164,23 @@ std::vector<Picture> series_pictures(const PlotOptions& options, const nlohmann:
                         summary["failure"]["time_s"].get<double>());
   }
   std::vector<Picture> pictures;
-  const auto figure = [&](const std::string& name, const std::string& title, const std::vector<Axis>& panels) {
+  const auto figure = [&](const std::string& name, const std::string& title, const std::vector<Axis>& axes_of_panels) {
     std::string body;
-    for (const Axis& axis : panels) body += series.panel(axis);
-    if (body.empty()) return;
-    pictures.push_back({run / (name + ending), 1000, 60 + 340 * static_cast<double>(panels.size()),
-                        fmt::format("{}set multiplot layout {},1 title {}\n{}unset multiplot\n", axes, panels.size(),
-                                    gnuplot_title(title, 1000), body)});
+    int panels = 0;
+    std::size_t letters = 0;
+    for (const Axis& axis : axes_of_panels) {
+      const DrawnPanel panel = series.panel(axis);
+      if (panel.script.empty()) continue;
+      body += panel.script;
+      letters = std::max(letters, panel.letters);
+      ++panels;
+    }
+    if (panels == 0) return;
+    constexpr std::size_t beside = 8;  // letters' widths beside the longest name in a legend
+    pictures.push_back({run / (name + ending), 1000, 60 + 340.0 * panels,
+                        fmt::format("{}set lmargin 12\nset rmargin {}\nset multiplot layout {},1 title {}\n{}unset "
+                                    "multiplot\n",
+                                    axes, letters + beside, panels, gnuplot_title(title, 1000), body)});
   };
   constexpr double rest_m = 1e-9;  // round-off is no motion
   constexpr double rest_deg = 1e-7;
@@ -168,7 +192,8 @@ std::vector<Picture> series_pictures(const PlotOptions& options, const nlohmann:
   figure("velocities", title + ": velocities of the centroids" + dashes,
          {{".velocity_x_m_per_s", "horizontal (m/s)", rest_m}, {".velocity_y_m_per_s", "vertical (m/s)", rest_m}});
   figure("rotations", title + ": rotations" + dashes, {{".rotation_rad", "rotation (deg)", rest_deg, deg_per_rad}});
-  figure("level", title + ": water level and largest displacement" + dashes,
+  figure("level",
+         title + (series.has_level() ? ": water level and largest displacement" : ": largest displacement") + dashes,
          {{"upstream_level_m", "level (m)", 0, 1, "upstream", "downstream_level_m", "downstream"},
           {"largest_displacement_m", "largest displacement (m)", rest_m, 1, "largest displacement"}});
   return pictures;

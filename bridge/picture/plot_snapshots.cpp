@@ -193,14 +193,18 @@ std::string tics(const View& view, double panel_points) {
                      round_step(wide_points * m_per_point));
 }
 
-/// Six moments from just before the failure to the end, or over the whole run when nothing fails.
-std::vector<std::size_t> chosen(const std::vector<json>& frames, const json& summary) {
+/// Six moments from just before the failure to the end, or over the whole run when nothing fails. `with_start`: the
+/// first of them is the start, where the scene draws water that then falls.
+std::vector<std::size_t> chosen(const std::vector<json>& frames, const json& summary, bool with_start) {
   double from = frames.front()["time_s"];
   const double to = frames.back()["time_s"];
   if (summary.contains("failure")) from = std::min(summary["failure"]["time_s"].get<double>(), to);
   std::vector<std::size_t> picks;
-  for (int k = 0; k < 6; ++k) {
-    const double due = from + (to - from) * k / 5;
+  const bool start_first = with_start && from > frames.front()["time_s"].get<double>();
+  if (start_first) picks.push_back(0);
+  const int last = start_first ? 4 : 5;
+  for (int k = 0; k <= last; ++k) {
+    const double due = from + (to - from) * k / last;
     const auto next = std::lower_bound(frames.begin(), frames.end(), due,
                                        [](const json& f, double t) { return f["time_s"].get<double>() < t; });
     const auto pick = std::min<std::size_t>(static_cast<std::size_t>(next - frames.begin()), frames.size() - 1);
@@ -219,10 +223,12 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   for (json& frame : frames) {
     if (silt_m) frame["silt_level_m"] = *silt_m;
   }
-  const auto picks = chosen(frames, summary);
+  const auto drawn_water =
+      water.empty() ? std::vector<std::vector<geometry::Point>>() : all_drawn_water(run, frames[0]);
+  const auto picks = chosen(frames, summary, !drawn_water.empty());
   double highest = water.empty() ? 1e300 : -1e300;
   for (const WaterBox& box : water.boxes(0)) highest = std::max(highest, box.top);
-  const View view = view_of(frames, highest);
+  const View view = with_drawn_water(view_of(frames, highest), drawn_water);
   const double aspect = std::clamp((view.top - view.bottom) / (view.right - view.left), 0.12, 2.0);
   const std::string axes =
       "set size ratio -1\nunset key\nset tics out nomirror\nset style fill solid\nset xlabel 'x (m)'\n"
@@ -237,7 +243,7 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
   const std::string scale = meshed ? "; larger principal stress (MPa)" : "";
   const std::string legend =
       water.empty() ? fmt::format(" (contacts: green stick, red slip{}{})", silt_m ? "; hatched: silt" : "", scale)
-                    : "";
+                    : fmt::format(" (water: the darker the faster, up to {} m/s)", fastest_shown);
   const std::string title = summary.value("title", std::string("section"));
   const std::size_t columns = std::min<std::size_t>(3, picks.size());
   const std::size_t rows = (picks.size() + 2) / 3;

@@ -66,16 +66,17 @@ std::vector<Picture> spectrum_picture(const std::filesystem::path& run, const st
     spectrum += fmt::format("{}$spectrum_{} with lines lc rgb '{}' lw 2 title '{}'", comma, c.name, c.colour, c.name);
   }
   if (history.empty()) return {};
+  const std::string title = scene.title.empty() ? run.filename().string() : scene.title;
   return {{run / ("spectrum" + ending), 900, 760,
            script + fmt::format(
-                        "set multiplot layout 2,1\nset grid lc rgb '#dddddd'\n"
+                        "set multiplot layout 2,1 title {}\nset grid lc rgb '#dddddd'\nset lmargin 10\n"
                         "set tics out nomirror\nset key top right\nset xlabel 'time (s)'\n"
                         "set ylabel 'acceleration of the ground (m/s²)'\nplot {}\nset logscale x\nset xrange [0.02:5]\n"
                         "set xlabel 'period (s)'\nset ylabel 'pseudo-acceleration (m/s²)'\nset title 'response "
                         "spectrum, damping "
                         "ratio {}'\nplot {}\n"
                         "unset multiplot\n",
-                        history, damping_ratio, spectrum)}};
+                        gnuplot_title(title + ": the ground's acceleration", 900), history, damping_ratio, spectrum)}};
 }
 
 }  // namespace blockweir::picture

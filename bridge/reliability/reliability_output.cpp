@@ -260,14 +260,13 @@ void draw_reliability(const json& answer, const std::filesystem::path& folder) {
                         point["from"].get<double>(), point["to"].get<double>());
   }
   if (!rows.empty()) {
-    draw_study(
-        folder / "fragility.png", "Fragility curve",
-        fmt::format("set xlabel 'level of the reservoir (m)'\nset ylabel 'probability of failure'\nset yrange "
-                    "[0:1]\nset key outside bottom horizontal\nset grid\nset arrow from {0},0 to {0},1 nohead lc "
-                    "rgb '#c00000'\n$curve << EOD\n{1}EOD\nplot $curve using 1:3:4 with filledcurves lc rgb "
-                    "'#b8cce4' title '95 % interval', $curve using 1:2 with lines lw 2 lc rgb '#204a87' title "
-                    "'samples', NaN lc rgb '#c00000' title 'level asked for'\n",
-                    answer["level_m"].get<double>(), rows));
+    draw_study(folder / "fragility.png", "Fragility curve",
+               fmt::format("set xlabel 'level of the reservoir (m)'\nset ylabel 'probability of failure'\nset yrange "
+                           "[0:1]\nset key outside top horizontal\nset grid\nset arrow from {0},0 to {0},1 nohead lc "
+                           "rgb '#c00000'\n$curve << EOD\n{1}EOD\nplot $curve using 1:3:4 with filledcurves lc rgb "
+                           "'#b8cce4' title '95 % interval', $curve using 1:2 with lines lw 2 lc rgb '#204a87' title "
+                           "'samples', NaN lc rgb '#c00000' title 'level asked for'\n",
+                           answer["level_m"].get<double>(), rows));
   }
   if (answer.value("sobol", json::object()).contains("first"))
     draw_study(folder / "sobol.png", "What the level of failure depends on", sobol_figure(answer));

@@ -83,8 +83,8 @@ struct OpenFoam {
   int processes = 1;
   bool reconstruct = false;  ///< merge the results of all ranks at the end
   int cells_in_depth = 40;
-  double upstream_depths = 2;  ///< width of open water upstream, in depths
-  double downstream_depths = 2;
+  std::optional<double> upstream_depths;  ///< width of open water upstream, in depths; default: 2, or to drawn water
+  std::optional<double> downstream_depths;
   double freeboard_depths = 0.25;  ///< height of air above the highest level or block, in depths
   std::optional<double> floor_m;   ///< lower side of the mesh; default: the lowest ground that water can reach
   double air_density_kg_per_m3 = 1;
@@ -94,6 +94,7 @@ struct OpenFoam {
   double move_tolerance = 1e-7;  ///< in depths: blocks are mapped to the cells anew once a corner has moved this far
   double rest_tolerance = 0;     ///< of the largest pressure: smaller changes count as rest, without a step; 0: never
   std::vector<std::vector<Point>> initial_water_m;  ///< outlines filled with water at time 0, besides the pools
+  int initial_water_line = 0;                       ///< where the scene file states them
   std::optional<Wave> wave;
   bool operator==(const OpenFoam&) const = default;
 };

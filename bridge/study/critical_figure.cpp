@@ -7,6 +7,7 @@
 #include <map>
 
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/study/key_label.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -33,15 +34,25 @@ Heights heights_of(const scene::CriticalValue& critical, const std::vector<Outco
   return heights;
 }
 
+/// The values with some room beside them; a quantity that is never negative has no axis below 0.
+std::string range_of(const std::map<double, double>& of_value) {
+  if (of_value.empty()) return "[*:*]";
+  const double low = of_value.begin()->first;
+  const double high = of_value.rbegin()->first;
+  const double room = 0.03 * (high - low);
+  return high > low ? fmt::format("[{:.9g}:{:.9g}]", low < 0 ? low - room : std::max(0.0, low - room), high + room)
+                    : "[*:*]";
+}
+
 }  // namespace
 
 std::string critical_figure(const scene::CriticalValue& critical, const std::vector<Outcome>& runs, double found) {
   const Heights heights = heights_of(critical, runs);
   std::string figure = fmt::format(
-      "set xlabel {}\nset key outside top horizontal\nset grid\n"
-      "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n"
+      "set xlabel {}\nset key outside top horizontal\nset grid\nset rmargin 6\n"  // of the last number's half
+      "set xrange {}\nset offsets 0, 0, graph 0.05, graph 0.05\n"
       "set arrow from first {:.9g}, graph 0 to first {:.9g}, graph 1 nohead dt 2 lc rgb '#555753'\n",
-      picture::gnuplot_text(critical.key), found, found);
+      picture::gnuplot_text(key_label(critical.key)), range_of(heights.of_value), found, found);
   std::string legend = fmt::format(", NaN dt 2 lc rgb '#555753' title 'found: {:.5g}'", found);
   if (heights.words.empty()) {
     figure += fmt::format(

@@ -6,6 +6,7 @@
 
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/results/figure.hpp"
+#include "bridge/study/key_label.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::study {
@@ -22,8 +23,8 @@ bool has(const std::string& outcome, const std::string& word) {
 
 /// The bracket closes from run to run onto the answer.
 std::string bracket_figure(const json& runs, const std::string& key, double expected) {
-  std::string figure =
-      fmt::format("set xlabel 'run'\nset ylabel {}\nset key outside bottom horizontal\nset grid\n", gnuplot_text(key));
+  std::string figure = fmt::format("set xlabel 'run'\nset ylabel {}\nset key outside top horizontal\nset grid\n",
+                                   gnuplot_text(key_label(key)));
   for (const bool with : {true, false}) {
     figure += fmt::format("$d{} << EOD\n", with ? 1 : 0);
     for (std::size_t i = 0; i < runs.size(); ++i) {

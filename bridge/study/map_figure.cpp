@@ -8,6 +8,7 @@
 #include <array>
 
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/study/key_label.hpp"
 
 namespace blockweir::study {
 namespace {
@@ -48,7 +49,7 @@ std::string tics(const char* axis, const scene::Sweep& sweep) {
   for (std::size_t i = 0; i < sweep.values.size(); ++i)
     text += fmt::format("{}{} {}", i == 0 ? "" : ", ", picture::gnuplot_tic(sweep.values[i]), i);
   return text + fmt::format(")\nset {}range [-0.5:{}]\nset {}label {}\n", axis,
-                            static_cast<double>(sweep.values.size()) - 0.5, axis, gnuplot_text(sweep.key));
+                            static_cast<double>(sweep.values.size()) - 0.5, axis, gnuplot_text(key_label(sweep.key)));
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ std::string legend(const json& cells) {
 
 std::string map_figure(const std::array<scene::Sweep, 2>& axes, const json& cells) {
   std::string figure = tics("x", axes[0]) + tics("y", axes[1]) +
-                       "set key outside bottom horizontal\nset style fill solid border lc rgb 'white'\n";
+                       "set key outside top horizontal\nset style fill solid border lc rgb 'white'\n";
   std::string curves;
   const std::size_t columns = axes[0].values.size();
   const std::size_t rows = axes[1].values.size();

@@ -8,6 +8,7 @@
 
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/study/draws.hpp"
+#include "bridge/study/key_label.hpp"
 #include "bridge/study/map_figure.hpp"
 #include "bridge/study/open_study.hpp"
 
@@ -31,9 +32,9 @@ std::string figure(const Settings& keys, const std::vector<Outcome>& runs) {
     const std::string across = keys.size() > 1 ? value_in(runs[i], keys[1]) : std::to_string(i + 1);
     points[shown_word(runs[i])] += fmt::format("{} {}\n", value_in(runs[i], keys[0]), across);
   }
-  std::string text =
-      fmt::format("set xlabel {}\nset ylabel {}\nset key outside bottom horizontal\nset grid\n",
-                  picture::gnuplot_text(keys[0]), keys.size() > 1 ? picture::gnuplot_text(keys[1]) : "'run'");
+  std::string text = fmt::format("set xlabel {}\nset ylabel {}\nset key outside top horizontal\nset grid\n",
+                                 picture::gnuplot_text(key_label(keys[0])),
+                                 keys.size() > 1 ? picture::gnuplot_text(key_label(keys[1])) : "'run'");
   std::string curves;
   int number = 0;
   for (const auto& [word, rows] : points) {

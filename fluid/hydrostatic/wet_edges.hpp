@@ -5,9 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include "fluid/hydrostatic/water_grid.hpp"
+#include "fluid/joints/water_grid.hpp"
 
 namespace blockweir::hydrostatic {
+
+using joints::Extent;
+using joints::Grid;
+using joints::Piece;
+using joints::Ring;
+using scene::Point;
 
 /// Part of an edge of a block, fractions 0..1 along the edge.
 struct WetInterval {

@@ -11,6 +11,8 @@ namespace blockweir::hydrostatic {
 namespace {
 
 namespace cl = ClipperLib;
+using joints::grown;
+using joints::moved_right;
 
 Ring rectangle(double left, double bottom, double right, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};

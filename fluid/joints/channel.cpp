@@ -35,6 +35,11 @@ double Channel::aperture(int end, double pressure_pa) const {
   return std::clamp(wide, least_m, largest_m);
 }
 
+double Channel::widening(int end, double pressure_pa) const {
+  const double wide = aperture_m[static_cast<std::size_t>(end)] + compliance_m_per_pa * pressure_pa;
+  return wide > least_m && wide < largest_m ? compliance_m_per_pa : 0;
+}
+
 Conductance conductance(double length_m, const std::array<double, 2>& aperture_m, double viscosity_pa_s) {
   const auto [a, b] = aperture_m;
   if (a <= 0 || b <= 0) return {};

@@ -23,6 +23,8 @@ struct Channel {
 
   /// Aperture at an end (0: from) with this water pressure there.
   [[nodiscard]] double aperture(int end, double pressure_pa) const;
+  /// By which it grows per pressure there [m/Pa]: zero at the bounds.
+  [[nodiscard]] double widening(int end, double pressure_pa) const;
 };
 
 /// Flow over the drop in p + rho g y [m2/(Pa s)]: 1/(12 mu) over the integral of ds/w^3, and its derivatives with the

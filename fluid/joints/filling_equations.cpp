@@ -72,9 +72,7 @@ FillingEquations::Flow FillingEquations::flow(const Channel& c, const State& fro
   flow.conductance = g.value;
   flow.value = source.saturation * g.value * fall;
   const auto widens = [&](int end) {
-    const double p = end == 0 ? from.pressure : to.pressure;
-    const double w = c.aperture_m[at(end)] + c.compliance_m_per_pa * p;
-    return w > c.least_m && w < c.largest_m ? c.compliance_m_per_pa * g.slope[at(end)] * fall : 0;
+    return c.widening(end, end == 0 ? from.pressure : to.pressure) * g.slope[at(end)] * fall;
   };
   flow.slope[0] = source.saturation * (g.value + widens(0)) * from.pressure_slope;
   flow.slope[1] = source.saturation * (widens(1) - g.value) * to.pressure_slope;
@@ -134,7 +132,8 @@ void FillingEquations::add_storage(const std::vector<State>& states, Need need) 
   const std::vector<double> full = stored(filling);
   std::vector<double> widening(states.size(), 0.0);
   for (const Channel& c : network_.channels) {
-    for (const int i : {c.from, c.to}) widening[at(i)] += c.length_m / 2 * c.compliance_m_per_pa;
+    widening[at(c.from)] += c.length_m / 2 * c.widening(0, states[at(c.from)].pressure);
+    widening[at(c.to)] += c.length_m / 2 * c.widening(1, states[at(c.to)].pressure);
   }
   for (std::size_t k = 0; k < node_of_.size(); ++k) {
     const std::size_t i = at(node_of_[k]);

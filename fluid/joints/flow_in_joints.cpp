@@ -63,27 +63,33 @@ void FlowInJoints::repeat(const std::vector<std::vector<Point>>& outlines, const
   add_panels(open, load);
 }
 
-/// A mouth below its side's level that no open water reaches, as in a hollow: it counts as in air.
+/// Mouths below their side's level that no open water reaches, as in a hollow: they count as in air.
 void FlowInJoints::note_dry_mouths(const std::vector<std::vector<Point>>& outlines, const wire::Load& load) {
   const bool still = scene_.fluid != scene::FluidModel::openfoam;  // else water may leave a mouth for a moment
-  if (!still || !dry_mouth_.empty()) return;
+  if (!still) return;
   Point crest = outlines.front().front();
   for (const std::vector<Point>& outline : outlines) {
     for (const Point& p : outline) crest = p.y() > crest.y() ? p : crest;
   }
+  const auto level_beside = [&](const Point& p) {
+    return p.x() < crest.x() ? load.upstream_level_m : load.downstream_level_m;
+  };
+  std::vector<Point> dry;
   for (std::size_t i = 0; i < joints_.places().size(); ++i) {
     const Point& p = joints_.places()[i].at;
-    const bool upstream = p.x() < crest.x();
-    const double level_m = upstream ? load.upstream_level_m : load.downstream_level_m;
-    const bool below = p.y() < level_m - scene_.water.open_crack_width_m;  // false where there is no pool
-    if (joints_.network().nodes[i].kind != NodeKind::seeps || !below) continue;
-    dry_mouth_ = fmt::format(
-        "a joint with uplift = \"flow\" ends in air at {} m, below the {} level, {:.4g} m: no open water "
-        "reaches it; expected ground that lets the pool come there; state another uplift where it is to have the "
-        "pool's pressure all the same",
-        geometry::place_text(p, scene::structure_size_m(scene_.blocks)), upstream ? "upstream" : "downstream", level_m);
-    return;
+    const bool below = p.y() < level_beside(p) - scene_.water.open_crack_width_m;  // false where there is no pool
+    if (joints_.network().nodes[i].kind == NodeKind::seeps && below) dry.push_back(p);
   }
+  if (dry.size() <= dry_mouths_) return;
+  dry_mouths_ = dry.size();
+  const Point& first = dry.front();
+  const std::string several = fmt::format("{} ends of joints with uplift = \"flow\" lie in air, the first", dry.size());
+  dry_mouth_ = fmt::format(
+      "{} at {} m, below the {} level, {:.4g} m: no open water reaches {}; expected ground that lets the pool come "
+      "there; state another uplift where it is to have the pool's pressure all the same",
+      dry.size() == 1 ? "a joint with uplift = \"flow\" ends in air" : several,
+      geometry::place_text(first, scene::structure_size_m(scene_.blocks)),
+      first.x() < crest.x() ? "upstream" : "downstream", level_beside(first), dry.size() == 1 ? "it" : "them");
 }
 
 void FlowInJoints::solve(double to_s) {
@@ -247,7 +253,7 @@ std::string FlowInJoints::state() const {
   for (const Point& p : solved_at_) x.push_back(p.x()), y.push_back(p.y());
   return checkpoint::pack(filling_.pressure_pa, filling_.saturation, filling_.flow, filling_.to_air, stored_m2_, x, y,
                           time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, guard_, without_outlet_,
-                          dry_mouth_, flow_.state());
+                          dry_mouths_, dry_mouth_, flow_.state());
 }
 
 void FlowInJoints::restore(const std::string& state) {
@@ -255,8 +261,8 @@ void FlowInJoints::restore(const std::string& state) {
   std::vector<double> y;
   std::string factor;
   checkpoint::unpack(state, filling_.pressure_pa, filling_.saturation, filling_.flow, filling_.to_air, stored_m2_, x, y,
-                     time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, guard_, without_outlet_, dry_mouth_,
-                     factor);
+                     time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, guard_, without_outlet_, dry_mouths_,
+                     dry_mouth_, factor);
   solved_at_.clear();
   for (std::size_t i = 0; i < x.size(); ++i) solved_at_.emplace_back(x[i], y[i]);
   flow_.restore(factor);

@@ -86,7 +86,8 @@ class FlowInJoints {
   std::string most_turbulent_joint_;
   TransientGuard guard_;
   bool without_outlet_ = false;
-  std::string dry_mouth_;  ///< a warning
+  std::size_t dry_mouths_ = 0;  ///< the most at one time
+  std::string dry_mouth_;       ///< the warning of them
 };
 
 }  // namespace blockweir::joints

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "bridge/checkpoint/archive.hpp"
@@ -101,7 +102,9 @@ std::string FlowTables::pressures(double time_s, const FlowInJoints& flow) const
     const std::array<double, 2> w = {channels[c].aperture(0, flow.pressure(c, 0)),
                                      channels[c].aperture(1, flow.pressure(c, 1))};
     constexpr double straight = 1.05;  // of apertures so alike the curve is a line to the eye
-    const int pieces = std::max(w[0], w[1]) > straight * std::min(w[0], w[1]) ? 50 : 1;
+    constexpr double of_joint = 50;    // between two blocks, of how many channels soever
+    const bool curved = std::max(w[0], w[1]) > straight * std::min(w[0], w[1]);
+    const int pieces = curved ? static_cast<int>(std::ceil(of_joint * (part.to - part.from) - 1e-9)) : 1;
     for (int k = 0; k <= pieces; ++k) {
       const double share = static_cast<double>(k) / pieces;
       const Point p = stretch.place(part.from + share * (part.to - part.from));

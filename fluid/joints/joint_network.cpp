@@ -12,9 +12,12 @@
 #include "bridge/scene/block_facts.hpp"
 #include "bridge/scene/viscous_ground.hpp"
 #include "fluid/joints/disjoint_sets.hpp"
+#include "fluid/joints/open_space.hpp"
 
 namespace blockweir::joints {
 namespace {
+
+constexpr double mouth_widths = 4;  // of a crack that carries open water: it ends so far from an acute corner
 
 /// The angle about p that a block fills: all of its own at a corner, half a turn on an edge.
 double filled_angle(const std::vector<Point>& outline, const Point& p, double near_m) {
@@ -111,6 +114,7 @@ void JointNetwork::find_exposed(const std::vector<std::vector<Point>>& outlines,
   constexpr double open_angle = 0.35;  // 20 degrees: what a joint that opens leaves free is less
   std::vector<geometry::Bounds> boxes;
   for (const std::vector<Point>& outline : outlines) boxes.push_back(geometry::bounds_of(outline));
+  std::optional<OpenSpace> space;
   for (Place& place : joined_) {
     std::vector<int> around = place.blocks;
     for (const int b : place.blocks) {
@@ -131,6 +135,10 @@ void JointNetwork::find_exposed(const std::vector<std::vector<Point>>& outlines,
     place.blocks = std::move(beside);
     place.exposed = filled < 2 * std::numbers::pi - open_angle;
     place.on_cut = place.exposed && is_cut(place, ground_m);
+    if (!place.exposed || place.on_cut) continue;
+    if (!space) space.emplace(outlines, scene_.water.open_crack_width_m);
+    place.exposed =
+        space->reaches(place.at, mouth_widths * scene_.water.open_crack_width_m + std::max(0.0, place.gap_m));
   }
 }
 
@@ -255,11 +263,10 @@ void JointNetwork::add_channels(std::size_t stretch, const OpenWater& open) {
 }
 
 Node JointNetwork::node_at(Place& place, const OpenWater& open) const {
-  constexpr double widths = 4;  // of a crack that carries open water: it ends so far from an acute corner
   Node node{.height_m = place.at.y()};
   place.drain = drain_at(place.at);
   if ((place.exposed || place.in_open) && !place.on_cut) {
-    const double near_m = widths * scene_.water.open_crack_width_m + std::max(0.0, place.gap_m);
+    const double near_m = mouth_widths * scene_.water.open_crack_width_m + std::max(0.0, place.gap_m);
     if (const std::optional<double> pressure = open.pressure(place.at, place.blocks, near_m)) {
       node.kind = NodeKind::held;
       node.pressure_pa = *pressure;

@@ -35,7 +35,7 @@ struct Place {
   Point at;
   std::vector<int> blocks{};
   double gap_m = 0;      ///< widest gap that ends there
-  bool exposed = false;  ///< open space is beside it
+  bool exposed = false;  ///< open space is beside it, of which a way leads out
   bool on_cut = false;   ///< at an end of the model where the ground continues
   bool in_open = false;  ///< in open water within a joint
   int drain = -1;        ///< drain of the scene; -1: none

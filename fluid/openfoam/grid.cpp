@@ -8,10 +8,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "fluid/openfoam/drawn_water.hpp"
+
 namespace blockweir::openfoam {
 namespace {
 
 constexpr double widening = 1.1;         // from one column of the far field to the next
+constexpr double open_depths = 2;        // beside the structure, where the scene does not state them
 constexpr double uniform_depths = 0.25;  // of uniform cells beside the structure
 constexpr std::size_t most_cells = 10'000'000;
 
@@ -62,7 +65,9 @@ Grid make_grid(const scene::Scene& scene) {
   const double level = grid.site.highest_m;
   const double left = grid.site.structure_left_m;
   const double right = grid.site.structure_right_m;
-  const double floor = o.floor_m.value_or(find_floor(scene, model, !grid.site.ground.empty()));
+  constexpr double far = std::numeric_limits<double>::infinity();
+  const geometry::Bounds drawn = bounds_of_drawn_water(scene).value_or(geometry::Bounds{{far, far}, {-far, -far}});
+  const double floor = o.floor_m.value_or(std::min(drawn.low.y(), find_floor(scene, model, !grid.site.ground.empty())));
   const double ground_top = std::max(floor, grid.site.bed_left_m);
   grid.downstream_ground_m = std::max(floor, grid.site.bed_right_m);
   const double depth = level - ground_top;
@@ -86,9 +91,12 @@ Grid make_grid(const scene::Scene& scene) {
   const int middle = near_left + whole_cells(right - left + near);
   const double left_end = left - near_left * h;
   const double right_end = left + (middle - near_left) * h;
-  const double far_left =
-      std::max({h, o.upstream_depths * depth - near_left * h, left_end - grid.site.loose_left_m + h});
-  const double far_right = std::max({h, o.downstream_depths * depth - near, grid.site.loose_right_m - right_end + h});
+  const double upstream =
+      o.upstream_depths ? *o.upstream_depths * depth : std::max(open_depths * depth, left - drawn.low.x());
+  const double downstream = o.downstream_depths ? *o.downstream_depths * depth
+                                                : std::max(open_depths * depth, drawn.high.x() - right_end + near);
+  const double far_left = std::max({h, upstream - near_left * h, left_end - grid.site.loose_left_m + h});
+  const double far_right = std::max({h, downstream - near, grid.site.loose_right_m - right_end + h});
   Stretch narrowing = widen(far_left, h);
   narrowing.expansion = 1 / narrowing.expansion;
   if (o.wave) narrowing = {far_left, whole_cells(far_left), 1};  // wide cells would swallow it
@@ -101,6 +109,7 @@ Grid make_grid(const scene::Scene& scene) {
                     "cells_in_depth, upstream_depths or downstream_depths in [fluid]",
                     grid.cells(), most_cells));
   }
+  require_drawn_water_inside(scene, grid);
   return grid;
 }
 

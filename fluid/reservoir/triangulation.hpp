@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "fluid/hydrostatic/water_grid.hpp"
+#include "fluid/joints/water_grid.hpp"
 
 namespace blockweir::reservoir {
 

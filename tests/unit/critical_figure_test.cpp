@@ -16,8 +16,8 @@ using testing::HasSubstr;
 using testing::Not;
 using CriticalFigure = test::OwnFolder;
 
-Outcome run(double value, const char* outcome, const nlohmann::json& factor = nullptr) {
-  return {{"settings", {setting("k", value)}}, {"outcome", outcome}, {"mode", nullptr}, {"factor", factor}};
+Outcome run(double value, const char* outcome, const nlohmann::json& factor = nullptr, const char* key = "k") {
+  return {{"settings", {setting(key, value)}}, {"outcome", outcome}, {"mode", nullptr}, {"factor", factor}};
 }
 
 TEST_F(CriticalFigure, HasTheFactorOverTheValueAndItsTarget) {
@@ -27,6 +27,14 @@ TEST_F(CriticalFigure, HasTheFactorOverTheValueAndItsTarget) {
   EXPECT_THAT(figure, AllOf(HasSubstr("$runs << EOD\n10 0.5\n25 1.25\n40 2\nEOD"), HasSubstr("'factor of safety'"),
                             HasSubstr("'target: 1.5'"), HasSubstr("'found: 30'"), HasSubstr("set xlabel 'k'")));
   EXPECT_NO_THROW(picture::draw({{folder / "a.svg", 800, 600, figure}}));
+}
+
+TEST_F(CriticalFigure, HasWordsAtItsAxisAndNoNegativeCohesion) {
+  const std::string figure = critical_figure(
+      {.key = "joints.bed.cohesion_pa", .target = 1.5},
+      {run(0, "fails", 0.5, "joints.bed.cohesion_pa"), run(3e5, "stands", 2, "joints.bed.cohesion_pa")}, 8e4);
+  EXPECT_THAT(figure, AllOf(HasSubstr("set xlabel 'joints bed: cohesion (Pa)'"), HasSubstr("set xrange [0:309000]"),
+                            HasSubstr("set rmargin 6")));
 }
 
 TEST_F(CriticalFigure, HasTheOutcomeOverTheValueWhereThereIsNoFactor) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "bridge/picture/curve.hpp"
@@ -96,6 +97,11 @@ class GnuplotText : public OwnFolder {
   }
 };
 
+/// The room of a legend is as wide as its names are long.
+std::string without_margin(const std::string& script) {
+  return std::regex_replace(script, std::regex("set rmargin [0-9]+\n"), "");
+}
+
 TEST_F(GnuplotText, NoLetterOfANameLeavesItsQuotes) {
   std::vector<std::string> names = {"a", all_letters(), "`touch x`", "'.system('touch x').'"};
   for (char c = ' '; c < 0x7f; ++c) names.push_back(std::string("a") + c + "b" + c);
@@ -105,7 +111,8 @@ TEST_F(GnuplotText, NoLetterOfANameLeavesItsQuotes) {
     const std::vector<Picture> pictures = pictures_of(name);
     ASSERT_EQ(pictures.size(), plain.size());
     for (std::size_t i = 0; i < plain.size(); ++i) {
-      EXPECT_EQ(unquoted(pictures[i].commands), unquoted(plain[i].commands)) << name << " in " << plain[i].file;
+      EXPECT_EQ(without_margin(unquoted(pictures[i].commands)), without_margin(unquoted(plain[i].commands)))
+          << name << " in " << plain[i].file;
     }
   }
 }

@@ -4,8 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
+#include "fluid/joints/flow_tables.hpp"
 #include "tests/joint_water.hpp"
 
 namespace blockweir::hydrostatic {
@@ -153,6 +157,22 @@ TEST(JointMouths, WaterThatFallsThroughAnUnevenGapHasNoSuction) {
   EXPECT_GT(joint_water(scene, load, 1, 0).force, 0);
 }
 
+TEST(JointMouths, AnUnevenGapHasSomeFiftyRowsInItsTable) {
+  const scene::Scene scene =
+      flowing({{{-20, -9}, {30, -9}, {30, -2}, {4, -2}, {0, 0}, {-20, 0}}, {{0, 0}, {4, -1.994}, {4, 8}, {0, 8}}}, 5);
+  HydrostaticModel model(scene);
+  wire::Load load;
+  model.advance(at_rest(scene), 0, load);
+  const std::string folder = testing::TempDir() + "uneven-gap";
+  std::filesystem::create_directories(folder);
+  joints::FlowTables(scene, folder).record(0, model.flow_in_joints());
+  std::ifstream table(folder + "/joint_water.csv");
+  const auto rows = std::count(std::istreambuf_iterator<char>(table), {}, '\n') - 1;
+  EXPECT_GE(rows, 50);
+  EXPECT_LE(rows, 100);  // of 20 parts, each with its two ends
+  std::filesystem::remove_all(folder);
+}
+
 TEST(JointMouths, AMouthInAHollowIsToldOf) {
   scene::Scene scene =
       flowing({{{-20, -5}, {30, -5}, {30, 2.5}, {4, 0}, {-20, 0}}, {{0, 0}, {4, 0}, {4, 10}, {0, 10}}}, 8);
@@ -162,6 +182,59 @@ TEST(JointMouths, AMouthInAHollowIsToldOf) {
   model.advance(at_rest(scene), 0, load);
   EXPECT_THAT(model.report().warnings,
               testing::Contains(testing::HasSubstr("ends in air at (4, 0) m, below the downstream")));
+}
+
+TEST(JointMouths, HowManyLieInAHollowIsToldOf) {
+  // Two lift joints end in the hollow between the wall and the rising ground.
+  scene::Scene scene = flowing({{{-20, -5}, {30, -5}, {30, 4.5}, {8, 4.5}, {4, 0}, {-20, 0}},
+                                {{0, 0}, {4, 0}, {4, 1}, {0, 1}},
+                                {{0, 1}, {4, 1}, {4, 2}, {0, 2}},
+                                {{0, 2}, {4, 2}, {4, 10}, {0, 10}}},
+                               8);
+  scene.water.downstream_level_m = scene::TimeTable::constant(4);
+  HydrostaticModel model(scene);
+  wire::Load load;
+  model.advance(at_rest(scene), 0, load);
+  EXPECT_THAT(model.report().warnings,
+              testing::Contains(testing::HasSubstr("3 ends of joints with uplift = \"flow\" lie in air, the first")));
+}
+
+/// A joint from the pool to a gap behind the lower block, whose contacts with the rock have no flow. `roof`: as far as
+/// the upper block reaches, to the rock at 10 m or less far.
+scene::Scene with_a_gap_behind(double behind_m, double roof_m) {
+  scene::Scene scene = flowing({{{-20, -5}, {20, -5}, {20, 12}, {10, 12}, {10, 0}, {-20, 0}},
+                                {{0, 0}, {10 - behind_m, 0}, {10 - behind_m, 3}, {0, 3}},
+                                {{0, 3}, {roof_m, 3}, {roof_m, 10}, {0, 10}}},
+                               8);
+  scene::Joint bed;
+  bed.name = "bed";
+  bed.between = {1, 2};
+  bed.law = scene.default_joint;
+  scene.joints.push_back(bed);
+  scene.default_joint.uplift = scene::Uplift::none;
+  scene.water.open_crack_width_m = 0.05;
+  return scene;
+}
+
+TEST(JointMouths, AGapInsideIsAirOnlyWhereAWayLeadsOut) {
+  const auto outflow_and_force = [](double behind_m, double roof_m) {
+    const scene::Scene scene = with_a_gap_behind(behind_m, roof_m);
+    HydrostaticModel model(scene);
+    wire::Load load;
+    model.advance(at_rest(scene), 0, load);
+    const double full = 5 * weight_n_per_m3 * (10 - behind_m);
+    return std::pair(model.flow_in_joints().balance().to_air, joint_water(scene, load, 2, 0).force / full);
+  };
+  for (const double closed_m : {0.03, 0.1, 0.5}) {
+    const auto [outflow, force] = outflow_and_force(closed_m, 10);
+    EXPECT_EQ(outflow, 0) << closed_m;
+    EXPECT_NEAR(force, 1, 1e-9) << closed_m;
+  }
+  // A way up to the air that is narrower than open_crack_width_m leads nowhere, a wider one does.
+  EXPECT_EQ(outflow_and_force(0.1, 9.97).first, 0);
+  const auto [outflow, force] = outflow_and_force(0.1, 9.9);
+  EXPECT_GT(outflow, 0);
+  EXPECT_NEAR(force, 0.5, 1e-9);
 }
 
 }  // namespace

@@ -119,5 +119,27 @@ TEST(NetworkFilling, FlowThatIsNotFoundIsToldWithWhatHelps) {
   EXPECT_THAT(said, testing::HasSubstr("kind = \"transient\" in [joint_flow]"));
 }
 
+/// Blocks that a fall has pressed into each other close a joint: its water neither leaves nor can the joint widen.
+TEST(NetworkFilling, WaterInAJointThatBlocksPressShutComesToRest) {
+  Network network;
+  network.nodes = {{.height_m = 0}, {.height_m = 4e-4}};
+  network.channels = {{.from = 0,
+                       .to = 1,
+                       .length_m = 4e-4,
+                       .aperture_m = {-2e-3, -2e-3},
+                       .compliance_m_per_pa = 5e-9,
+                       .least_m = 2e-6,
+                       .largest_m = 2.5e-3}};
+  WaterProperties water;
+  water.bulk_modulus_pa = 2.2e9;
+  NetworkFlow flow(water);
+  Filling filling{{1500, 1500}, {1, 1}, {0}, {0, 0}};
+  std::vector<double> stored = flow.stored(network, filling);
+  for (double& volume : stored) volume = 4e-10 * (1 + 1500 / water.bulk_modulus_pa);
+  flow.step(network, 0.01, {}, filling, stored);
+  EXPECT_NEAR(filling.pressure_pa[0] - filling.pressure_pa[1], 4e-4 * water.weight_n_per_m3, 1e-3);
+  EXPECT_NEAR((filling.pressure_pa[0] + filling.pressure_pa[1]) / 2, 1500, 1);
+}
+
 }  // namespace
 }  // namespace blockweir::joints

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// links: fluid_hydrostatic
+// links: fluid_joints
 // Closed lines that grow, and come back to where they were.
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "bridge/geometry/polygon.hpp"
-#include "fluid/hydrostatic/polygon_offset.hpp"
+#include "fluid/joints/polygon_offset.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::joints {
 namespace {
 
 double distance_to(const Ring& outline, const Point& p) {
@@ -81,4 +81,4 @@ TEST(Sideways, LinesThatHardlyCrossAreNotFollowedFar) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::joints

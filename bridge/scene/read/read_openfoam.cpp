@@ -34,6 +34,7 @@ void read_wave(TableReader& fluid, Reading& reading) {
 void read_initial_water(TableReader& table, Reading& reading) {
   auto& outlines = reading.scene.openfoam.initial_water_m;
   if (!table.outlines("initial_water_m", outlines)) return;
+  reading.scene.openfoam.initial_water_line = table.place("initial_water_m").line;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     mend_outline(outlines[i], fmt::format("outline {} of initial_water_m", i + 1), reading.problems,
                  [&](std::size_t) { return table.place("initial_water_m", i); });

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fluid/hydrostatic/polygon_offset.hpp"
+#include "fluid/joints/polygon_offset.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace blockweir::hydrostatic {
+namespace blockweir::joints {
 namespace {
 
 using geometry::cross;
@@ -100,4 +100,4 @@ std::vector<Piece> moved_right(const Ring& ring, const std::vector<double>& righ
   return pieces;
 }
 
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::joints

@@ -6,7 +6,7 @@
 
 #include "bridge/scene/scene.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::joints {
 
 using scene::Point;
 
@@ -29,4 +29,4 @@ struct Piece {
 /// their intersection, but by no more than ten times that distance. Edges that would reverse are left out.
 std::vector<Piece> moved_right(const Ring& ring, const std::vector<double>& right_m);
 
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::joints

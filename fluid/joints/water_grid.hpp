@@ -9,9 +9,9 @@
 #include <limits>
 #include <polyclipping/clipper.hpp>
 
-#include "fluid/hydrostatic/polygon_offset.hpp"
+#include "fluid/joints/polygon_offset.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::joints {
 
 using Extent = Eigen::AlignedBox2d;
 
@@ -51,4 +51,4 @@ struct Grid {
   }
 };
 
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::joints
