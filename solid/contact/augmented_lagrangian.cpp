@@ -73,7 +73,7 @@ class AugmentedLagrangian final : public Formulation {
 
   [[nodiscard]] double unsettled(const IslandContacts& island) const override {
     const auto moves_by = [&](const Progress& p, const auto& constraint) {
-      if (closed(p.violation(constraint.state))) return 0.0;
+      if (closed(p, constraint.state)) return 0.0;
       return (constraint.force - constraint.multiplier).cwiseAbs().maxCoeff();
     };
     double most = largest(island.contact_ids.size(), [&](std::size_t i) {
@@ -151,16 +151,15 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   /// As far as coordinates know.
-  [[nodiscard]] bool closed(double violation) const {
-    return violation <= settings_.closed_round_offs * settings_.position_round_off_m;
+  [[nodiscard]] bool closed(const Progress& p, ContactState state) const {
+    return p.inside_flat_joint || p.violation(state) <= settings_.closed_round_offs * settings_.position_round_off_m;
   }
 
   template <class ContactOrSupport>
   [[nodiscard]] bool settled(const Progress& p, const ContactOrSupport& constraint) const {
-    const double violation = p.violation(constraint.state);
     if (p.turning) return false;
-    if (closed(violation)) return true;
-    return violation <= settings_.penetration_tolerance_m &&
+    if (closed(p, constraint.state)) return true;
+    return p.violation(constraint.state) <= settings_.penetration_tolerance_m &&
            (constraint.force - constraint.multiplier).cwiseAbs().maxCoeff() <=
                settings_.force_tolerance_n + p.round_off;
   }
@@ -170,6 +169,7 @@ class AugmentedLagrangian final : public Formulation {
   void update(Progress& progress, ContactOrSupport& constraint) const {
     const double violation = progress.violation(constraint.state);
     if (!progress.turning && violation <= settings_.position_round_off_m) return;
+    if (progress.inside_flat_joint) return;
     // The large penalties of held joints leave redundant contacts what a few round-offs make of their gaps: larger ones
     // would only make more force of that.
     const bool shrinks = !settings_.joints_held || violation > 4 * settings_.position_round_off_m;

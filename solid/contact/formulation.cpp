@@ -6,6 +6,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
+#include "solid/contact/flat_joints.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -80,6 +81,10 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     progress.slip_force = c.multiplier.y();
     begin_contact(trial, frozen, k, c);
   });
+  if (settings_.joints_held) {
+    for (const int k : inside_flat_joints(trial, frozen, settings_.position_round_off_m, island))
+      progress_.contact(k).inside_flat_joint = true;
+  }
   for (const int k : island.support_ids) {
     Support& s = island.supports[at(k)];
     before_.note(k, s);

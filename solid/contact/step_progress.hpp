@@ -20,10 +20,11 @@ struct Progress {
   double round_off = 0;                                  ///< uncertainty of the force [N per metre]
   double slip_force = 0;  ///< shear force of the evaluation before, whose sign is the direction of slip
   double last_violation = std::numeric_limits<double>::infinity();  ///< at the sweep before
-  double stiffness = 0;  ///< of the blocks against the contact [N/m per metre]
-  double overlap = 0;    ///< as the step began, not above zero: where its gap aims [m]
-  bool swept = false;    ///< its forces are a sweep's: of what sticks some slip may be left
-  bool turning = false;  ///< slip was about to reverse and is tried as stick; not a state to end in
+  double stiffness = 0;            ///< of the blocks against the contact [N/m per metre]
+  double overlap = 0;              ///< as the step began, not above zero: where its gap aims [m]
+  bool inside_flat_joint = false;  ///< held, what it leaves apart is no gap to close
+  bool swept = false;              ///< its forces are a sweep's: of what sticks some slip may be left
+  bool turning = false;            ///< slip was about to reverse and is tried as stick; not a state to end in
 
   /// The largest part of the separation that should be zero in this state; a support sticks.
   [[nodiscard]] double violation(ContactState state) const {
