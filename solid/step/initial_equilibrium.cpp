@@ -226,9 +226,19 @@ bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode)
   }
   if (acceleration < moving && state_.largest_slip_m() <= slips_m) return true;
   state_.restore(held);
-  start_moving(pseudo_step, acceleration, held, mode);
+  forget_forces();
+  start_moving(pseudo_step, acceleration, Standing(state_), mode);
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) state_.sleep.wake(b);
   return false;
+}
+
+/// Those of held joints are none that the joints' own laws carry. Where blocks with one strain lock each other they are
+/// many times the weight: a step in motion that begins with them throws the blocks.
+void InitialEquilibrium::forget_forces() {
+  for (ContactPoint& c : state_.contacts) {
+    c.force.setZero();
+    c.multiplier.setZero();
+  }
 }
 
 /// The strains at the start of a motion, found in steps so short that there is hardly any displacement: released at
