@@ -15,12 +15,12 @@ void SearchBudget::solved_one() {
   ++solved_;
   const double work_s = static_cast<double>(std::clock() - began_) / CLOCKS_PER_SEC;
   if (work_s > longest_s) {
-    throw TookTooLong(fmt::format("{}: stopped after {:.0f} s of work, {}", whose_, work_s, known_));
+    throw TookTooLong(fmt::format("{}: stopped after {:.0f} s of processor time, {}", whose_, work_s, known_));
   }
   if (solved_ > last_allowed_) throw Undecided(whose_ + ": one analysis took too long");
   if (seconds_since(told_) < between_lines_s) return;
   told_ = Clock::now();
-  fmt::print(stderr, "{}: {}, {:.0f} s of work, {} linear systems solved\n", whose_, known_, work_s, solved_);
+  fmt::print(stderr, "{}: {}, {:.0f} s of processor time, {} linear systems solved\n", whose_, known_, work_s, solved_);
   std::fflush(stderr);
 }
 

@@ -226,9 +226,22 @@ bool InitialEquilibrium::relax(const Stretch& pseudo_step, const StepMode& mode)
   }
   if (acceleration < moving && state_.largest_slip_m() <= slips_m) return true;
   state_.restore(held);
-  start_moving(pseudo_step, acceleration, held, mode);
+  forget_locked_forces();
+  start_moving(pseudo_step, acceleration, Standing(state_), mode);
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) state_.sleep.wake(b);
   return false;
+}
+
+/// Held, blocks with one strain may lock each other by forces many times the weight of all. A step in motion that
+/// begins with these throws the blocks.
+void InitialEquilibrium::forget_locked_forces() {
+  constexpr double many = 5;
+  const auto locked = [this](const ContactPoint& c) { return c.force.norm() > many * model_.weight_n_per_m; };
+  if (std::none_of(state_.contacts.begin(), state_.contacts.end(), locked)) return;
+  for (ContactPoint& c : state_.contacts) {
+    c.force.setZero();
+    c.multiplier.setZero();
+  }
 }
 
 /// The strains at the start of a motion, found in steps so short that there is hardly any displacement: released at

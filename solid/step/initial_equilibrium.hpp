@@ -21,6 +21,7 @@ class InitialEquilibrium : StepPart {
   void set(const FormulationSettings& settings);
   void hold(const Stretch& pseudo_step, const StepMode& mode, FormulationSettings& held);
   bool relax(const Stretch& pseudo_step, const StepMode& mode);
+  void forget_locked_forces();
   void start_moving(const Stretch& pseudo_step, double acceleration, const Standing& held, const StepMode& mode);
 
   TimeStep& time_step_;

@@ -51,9 +51,9 @@ std::string EnergyWatch::warning(const Solid& solid) const {
   const double made = gain();
   if (!(made > most_gain)) return {};
   return fmt::format(
-      "numerical error has added {:.3g} of the run's energy ({:.3g} J per metre): do not rely on the motion; expected "
-      "at most {:.3g}; shorten [analysis] step_s (now {:.3g}){}",
-      made, made_, most_gain, solid.scene().analysis.step_s,
+      "numerical error has added {:.3g} J per metre, {:.3g} % of the run's energy: do not rely on the motion; expected "
+      "at most {:.3g} %; shorten [analysis] step_s (now {:.3g}){}",
+      made_, 100 * made, 100 * most_gain, solid.scene().analysis.step_s,
       solid.scene().analysis.integrator == scene::Integrator::shi ? "" : ", or take integrator = \"shi\"");
 }
 

@@ -117,8 +117,8 @@ TEST(Energy, WhatIsMadeOfNothingIsWarnedOf) {
     EXPECT_EQ(watch.warning(solid).empty(), speed < 10.01);
   }
   EXPECT_THAT(watch.warning(Solid(scene)),
-              testing::AllOf(testing::HasSubstr("has added 0.002 of the run's energy (500 J per metre)"),
-                             testing::HasSubstr("expected at most 0.001; shorten [analysis] step_s (now "),
+              testing::AllOf(testing::HasSubstr("has added 500 J per metre, 0.2 % of the run's energy"),
+                             testing::HasSubstr("expected at most 0.1 %; shorten [analysis] step_s (now "),
                              testing::HasSubstr("), or take integrator = \"shi\"")));
 }
 
