@@ -113,9 +113,9 @@ json joints(const scene::Scene& scene) {
 json ends_on_ground(const scene::Scene& scene) {
   const double touching_m = touching_ratio * scene::structure_size_m(scene.blocks);
   json ends = nullptr;
-  for (const auto& [a, b] : scene::touching_pairs(scene, touching_m)) {
-    if (!scene.blocks[at(a)].fixed && !scene.blocks[at(b)].fixed) continue;
-    for (const auto& piece : scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], touching_m).pieces) {
+  for (const auto& [pair, trace] : scene::touching_joints(scene, touching_m)) {
+    if (!scene.blocks[at(pair.first)].fixed && !scene.blocks[at(pair.second)].fixed) continue;
+    for (const auto& piece : trace.pieces) {
       const auto [left, right] = std::minmax(piece.from_m.x(), piece.to_m.x());
       ends = ends.is_null() ? json{left, right}
                             : json{std::min(ends[0].get<double>(), left), std::max(ends[1].get<double>(), right)};

@@ -6,20 +6,15 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_index.hpp"
+#include "bridge/scene/loose_blocks.hpp"
 #include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::scene {
 namespace {
 
+/// Or by a bolt to another block.
 std::vector<bool> held_otherwise(const Scene& scene) {
-  std::vector<bool> held;
-  for (const Block& block : scene.blocks) {
-    const bool floats = scene.fluid != FluidModel::none &&
-                        scene.materials[at(block.material)].density_kg_per_m3 < scene.water.density_kg_per_m3;
-    held.push_back(block.fixed || floats);
-  }
-  for (const Support& support : scene.supports) held[at(support.block)] = true;
-  for (const ViscousFace& face : scene.viscous_faces) held[at(face.block)] = true;
+  std::vector<bool> held = held_by_themselves(scene);
   for (const Bolt& bolt : scene.bolts) {
     for (const int block : bolt.blocks) {
       if (block >= 0) held[at(block)] = true;

@@ -24,7 +24,8 @@ bool near(const Block& a, const Block& b, double distance_m) {
   return false;
 }
 
-/// By what is no block.
+}  // namespace
+
 std::vector<bool> held_by_themselves(const Scene& scene) {
   std::vector<bool> held;
   for (const Block& block : scene.blocks) {
@@ -39,8 +40,6 @@ std::vector<bool> held_by_themselves(const Scene& scene) {
   }
   return held;
 }
-
-}  // namespace
 
 std::vector<int> loose_blocks(const Scene& scene) {
   if (scene.analysis.gravity_m_per_s2 == 0) return {};

@@ -9,6 +9,10 @@
 
 namespace blockweir::scene {
 
+/// By what is no block: by being fixed, by a support, a bolt to the ground, a viscous boundary, or by water that is
+/// heavier.
+std::vector<bool> held_by_themselves(const Scene& scene);
+
 /// Those that neither touch a held block, directly or through others, nor are held themselves: by being fixed, by a
 /// support, a bolt to the ground, a viscous boundary, or by water that is heavier. Blocks touch within the failure
 /// displacement. Empty without gravity, and where nothing that can move is held: a scene that only falls is judged.

@@ -7,7 +7,6 @@
 
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/read/check.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/scene/touching_pairs.hpp"
@@ -217,9 +216,10 @@ std::vector<ContactOutline> contact_outlines(const scene::Scene& scene, const st
   const double touching_m = scene::rounding_ratio * scene::structure_size_m(scene.blocks);
   const auto meshed = [&](int b) { return scene.blocks[at(b)].mesh_size_m > 0; };
   std::vector<Joined> joined(scene.blocks.size());
-  for (const auto& [a, b] : scene::touching_pairs(scene, touching_m)) {
+  for (const auto& [pair, trace] : scene::touching_joints(scene, touching_m)) {
+    const auto [a, b] = pair;
     if (meshed(a) || meshed(b)) continue;
-    const Pieces pieces = scene::trace_joint(scene.blocks[at(a)], scene.blocks[at(b)], touching_m).pieces;
+    const Pieces& pieces = trace.pieces;
     for (std::size_t first = 0, last = 0; first < pieces.size(); first = last) {
       for (last = first + 1; last < pieces.size(); ++last) {
         if ((pieces[last].from_m - pieces[last - 1].to_m).norm() > touching_m) break;

@@ -119,7 +119,7 @@ void CandidateFilter::keep_bonds_past_flat_corners() {
 /// Is the first of a corner near a flat corner of the other outline, and the second of that flat corner on a face of
 /// the first's corner?
 bool CandidateFilter::past_flat_corner(const ContactPoint& beyond, const ContactPoint& flat) const {
-  constexpr double near = 1e4;
+  constexpr double near = 1e4;  // a thousandth of the structure
   if (flat.vertex_block != beyond.edge_block || flat.edge_block != beyond.vertex_block) return false;
   const auto& V = outlines_.of(beyond.vertex_block);
   const auto& E = outlines_.of(beyond.edge_block);
