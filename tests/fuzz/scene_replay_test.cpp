@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "tests/fuzz/spoiler.hpp"
+#include "tests/samples.hpp"
 #include "tests/unit/scene_sample.hpp"
 
 using namespace blockweir::scene;
@@ -18,6 +19,7 @@ using namespace blockweir::scene;
 namespace {
 
 using blockweir::test::Spoiler;
+namespace test = blockweir::test;
 
 struct Count {
   int scenes = 0;
@@ -55,12 +57,13 @@ TEST(SceneReplay, SpoiledScenesAreReadOrRefused) {
   Spoiler spoiler(20260101);
   Count count;
   const auto scenes = sound_scenes();
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < test::samples(20'000); ++i) {
     SCOPED_TRACE(i);
     replay(spoiler.spoil(scenes[spoiler.below(scenes.size())], 4), {}, count);
   }
-  EXPECT_GT(count.scenes, 500) << "hardly anything was read: the changes are too rough to reach the checks";
-  EXPECT_GT(count.errors, 5000);
+  EXPECT_GT(count.scenes, test::samples(500))
+      << "hardly anything was read: the changes are too rough to reach the checks";
+  EXPECT_GT(count.errors, test::samples(5000));
 }
 
 TEST(SceneReplay, SpoiledOverridesAreReadOrRefused) {
@@ -72,19 +75,19 @@ TEST(SceneReplay, SpoiledOverridesAreReadOrRefused) {
                                          "water.upstream_level_m={ from = 1, rate_per_s = 1 }",
                                          "joint.uplift=full",
                                          "material.concrete.density_kg_per_m3=2400"};
-  for (int i = 0; i < 5'000; ++i) {
+  for (int i = 0; i < test::samples(5'000); ++i) {
     SCOPED_TRACE(i);
     replay(sample::text, {spoiler.spoil(sound[spoiler.below(sound.size())], 1)}, count);
   }
-  EXPECT_GT(count.scenes, 50);
-  EXPECT_GT(count.errors, 1000);
+  EXPECT_GT(count.scenes, test::samples(50));
+  EXPECT_GT(count.errors, test::samples(1000));
 }
 
 /// Outlines with every kind of coincidence: few grid points, many vertices, many blocks on each other.
 TEST(SceneReplay, RandomOutlinesAreReadOrRefused) {
   Spoiler spoiler(3);
   Count count;
-  for (int i = 0; i < 3'000; ++i) {
+  for (int i = 0; i < test::samples(3'000); ++i) {
     SCOPED_TRACE(i);
     std::ostringstream scene;
     scene
@@ -100,8 +103,8 @@ TEST(SceneReplay, RandomOutlinesAreReadOrRefused) {
     }
     replay(scene.str(), {}, count);
   }
-  EXPECT_GT(count.scenes, 100);
-  EXPECT_GT(count.errors, 100);
+  EXPECT_GT(count.scenes, test::samples(100));
+  EXPECT_GT(count.errors, test::samples(100));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "bridge/scene/read/read.hpp"
 #include "solid/step/solid.hpp"
+#include "tests/samples.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -66,7 +67,7 @@ TEST(JointPlanes, ABlockKeepsItsPlanesFrictionPastTheBlockThatItStoodOn) {
   std::mt19937 random(25);
   std::uniform_real_distribution<double> angle(5, 25);
   std::uniform_real_distribution<double> other(0, 60);
-  for (int scene = 0; scene < 4; ++scene) {
+  for (int scene = 0; scene < test::samples(4); ++scene) {
     const double friction_deg = angle(random);
     const double tilt_deg = friction_deg + angle(random);
     const double time_s = std::sqrt(3.5 / way_m(tilt_deg, friction_deg, 1));

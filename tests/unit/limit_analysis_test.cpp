@@ -14,6 +14,7 @@
 #include "solid/limit/limit_level.hpp"
 #include "solid/limit/limit_strength.hpp"
 #include "solid/limit/mechanism_description.hpp"
+#include "tests/samples.hpp"
 
 namespace {
 
@@ -245,8 +246,8 @@ std::string wall_of_bricks(std::mt19937& random) {
 /// What a wall bears at its limit it bears with no strength to spare, and nine tenths of it with some. Arms that are
 /// zero but for rounding once made its programs singular, or let them find no forces.
 TEST(LimitAnalysis, WallsOfBricksAllHaveTheirFactors) {
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    std::mt19937 random(seed);
+  for (int seed = 0; seed < test::samples(40); ++seed) {
+    std::mt19937 random(static_cast<unsigned>(seed));
     const scene::Scene scene = read(wall_of_bricks(random));
     const LimitAnalysis structure(scene);
     const Wrenches weights = statics::weights_of(scene);

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "bridge/scene/at.hpp"
+#include "tests/samples.hpp"
 #include "tests/unit/networks.hpp"
 
 namespace blockweir::joints {
@@ -180,7 +181,7 @@ Network random_grid(std::mt19937_64& random, int columns, int rows) {
 
 TEST(NetworkFlow, RandomNetworksLoseNoWaterAndHaveNoSuction) {
   std::mt19937_64 random(7);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < test::samples(200); ++i) {
     const Network network = random_grid(random, 3 + i % 12, 2 + i % 9);
     const Filling filling = solved(network);
     double terms = 0;  // whose differences the flows are

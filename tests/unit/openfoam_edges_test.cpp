@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "tests/samples.hpp"
 #include "tests/unit/openfoam_shapes.hpp"
 
 namespace {
@@ -114,7 +115,7 @@ TEST(OpenFoamEdges, LooseRockAtTheModelsEndsGoesOnAsHighAsItsBed) {
 /// Ledges before and behind, a berm, a leaning face, a toe block with a slot: pressed right, or told.
 TEST(OpenFoamEdges, StructuresDrawnAtRandomArePressedRightOrToldToBeTooFine) {
   const char* asked = std::getenv("BLOCKWEIR_CAMPAIGN");
-  const int structures = asked != nullptr ? std::atoi(asked) : 60;
+  const int structures = asked != nullptr ? std::atoi(asked) : test::samples(60);
   int refused = 0;
   for (int seed = 0; seed < structures; ++seed) {
     std::mt19937 random(static_cast<unsigned>(seed));

@@ -5,6 +5,7 @@
 
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/geometry/uniform.hpp"
+#include "tests/samples.hpp"
 #include "tests/unit/reservoir_wall.hpp"
 
 namespace blockweir::reservoir {
@@ -76,7 +77,7 @@ TEST(OpenedBlocks, ABlockThatWaterSurroundsIsNoWater) {
 }
 
 TEST(OpenedBlocks, TheirWaterIsAlwaysMeshed) {
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (int seed = 0; seed < test::samples(300); ++seed) {
     SCOPED_TRACE(seed);
     geometry::Uniform random(seed);
     const double level = 4 + 10 * random();
@@ -86,7 +87,7 @@ TEST(OpenedBlocks, TheirWaterIsAlwaysMeshed) {
 
 /// Water on both sides meets at the corner, or all but does.
 TEST(OpenedBlocks, WaterBesideABlockOnItsCornerIsMeshed) {
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (int seed = 0; seed < test::samples(300); ++seed) {
     SCOPED_TRACE(seed);
     geometry::Uniform random(seed);
     const double above = (random() < 0.5 ? -1 : 1) * std::pow(10, -9 + 7 * random());

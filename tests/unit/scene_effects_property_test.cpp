@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "tests/samples.hpp"
 #include "tests/unit/scene_sample.hpp"
 
 using namespace blockweir::scene;
@@ -107,10 +108,10 @@ std::vector<Statement> without_effect(const RandomDam& dam) {
 
 TEST(SceneEffects, EveryStatementWithoutEffectInRandomScenesIsReported) {
   const char* asked = std::getenv("BLOCKWEIR_SCENES");
-  const unsigned scenes = asked == nullptr ? 50 : static_cast<unsigned>(std::atoi(asked));
+  const int scenes = asked == nullptr ? blockweir::test::samples(50) : std::atoi(asked);
   std::size_t statements = 0;
-  for (unsigned seed = 1; seed <= scenes; ++seed) {
-    const RandomDam dam(seed);
+  for (int seed = 1; seed <= scenes; ++seed) {
+    const RandomDam dam(static_cast<unsigned>(seed));
     ASSERT_THAT(sample::errors(dam.text), IsEmpty()) << "seed " << seed << "\n" << dam.text;
     ASSERT_THAT(sample::warnings(dam.text), IsEmpty()) << "seed " << seed << "\n" << dam.text;
     for (const Statement& statement : without_effect(dam)) {

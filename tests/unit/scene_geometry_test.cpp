@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "bridge/geometry/polygon.hpp"
+#include "tests/samples.hpp"
 #include "tests/unit/scene_sample.hpp"
 
 using namespace blockweir;
@@ -166,8 +167,8 @@ double reading_time(const std::string& scene) {
 }
 
 TEST(SceneOverlap, TenThousandBlocksAreNotComparedAllWithAll) {
-  const double quarter = reading_time(wall(50));
-  const double whole = reading_time(wall(100));
+  const double quarter = reading_time(wall(test::samples(50)));
+  const double whole = reading_time(wall(test::samples(100)));
   RecordProperty("seconds", fmt::format("{:.3f} and {:.3f}", quarter, whole));
   EXPECT_LT(whole, 10 * quarter) << "four times the blocks: 4 if neighbours are compared, 16 if all are";
 }

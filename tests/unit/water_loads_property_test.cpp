@@ -13,6 +13,7 @@
 #include "bridge/scene/at.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 #include "solid/block/panel.hpp"
+#include "tests/samples.hpp"
 #include "tests/water_models.hpp"
 
 namespace blockweir::hydrostatic {
@@ -26,7 +27,7 @@ using tests::weight;
 
 int runs() {
   const char* campaign = std::getenv("BLOCKWEIR_CAMPAIGN");
-  return campaign != nullptr ? std::max(1, std::atoi(campaign)) : 30;
+  return campaign != nullptr ? std::max(1, std::atoi(campaign)) : test::samples(30);
 }
 
 struct Resultant {
