@@ -67,6 +67,17 @@ std::vector<std::string> without_effect(const Settings& overrides, const scene::
 
 using Pictures = std::vector<std::function<void()>>;
 
+/// The answer, for the load case that asks for it.
+json named(json answer, const scene::LoadCase& load_case) {
+  answer["name"] = load_case.name;
+  answer["class"] = load_case.kind;
+  answer["set"] = load_case.set;
+  answer["required"] = load_case.required_factor ? json(*load_case.required_factor) : json();
+  answer["source"] = load_case.source;
+  answer["satisfied"] = satisfied(answer, load_case.required_factor);
+  return answer;
+}
+
 /// Evaluates one case and adds the drawing of its mechanisms and the scene's remarks.
 json answer_of(const scene::LoadCase& load_case, const process::AskOptions& options, Pictures& pictures) {
   const process::Asked asked = process::ask("safety", options);
@@ -89,15 +100,9 @@ json answer_of(const scene::LoadCase& load_case, const process::AskOptions& opti
   for (const json& bolt : answer["bolts"]) bolt_forces.push_back(bolt["force_n_per_m"]);
   answer["section"] =
       picture::section_state(asked.scene, answer["water"], asked.scene.analysis.duration_s, bolt_forces);
-  answer["name"] = load_case.name;
   answer["scene_warnings"] = asked.scene.warnings;
-  answer["class"] = load_case.kind;
-  answer["set"] = load_case.set;
   answer["silt_ice_and_earthquake"] = scene::silt_ice_and_earthquake(asked.scene.text);
-  answer["required"] = load_case.required_factor ? json(*load_case.required_factor) : json();
-  answer["source"] = load_case.source;
-  answer["satisfied"] = satisfied(answer, load_case.required_factor);
-  return answer;
+  return named(std::move(answer), load_case);
 }
 
 }  // namespace
@@ -151,6 +156,10 @@ json safety_answers(const process::AskOptions& options, Pictures* pictures) {
   };
   answer({.name = "scene as written"}, options.out, options.quiet);
   for (const scene::LoadCase& load_case : read.load_cases) {
+    if (load_case.set.empty()) {  // the scene as written, which has been answered
+      cases.push_back(named(cases[0], load_case));
+      continue;
+    }
     answer(load_case, options.out / results::file_name(load_case.name), /*quiet=*/true);
   }
   return cases;
@@ -170,8 +179,9 @@ int print_safety(const SafetyOptions& options) {
   if (!options.json.empty()) results::replace_file(options.json, all);
   for (const auto& draw : pictures) draw();
   const char* drawn = cases[0].contains("mechanism") ? ", mechanism.png" : "";
-  fmt::print("{}", results::for_stdout(fmt::format("results {} (safety.json{}; a folder for each load case)\n",
-                                                   folder.string(), drawn)));
+  fmt::print("{}", results::for_stdout(
+                       fmt::format("results {} (safety.json{}; a folder for each load case that changes the scene)\n",
+                                   folder.string(), drawn)));
   return all_enough(cases) ? 0 : 1;
 }
 

@@ -230,7 +230,10 @@ std::string joints_text(const json& answer) {
 std::string safety_text(const json& cases) {
   std::string text = factors_text(cases);
   std::string joints;
-  for (const json& c : cases) joints += joints_text(c);
+  for (const json& c : cases) {
+    const bool as_written = &c != &cases[0] && c["set"].empty();  // whose table is the first
+    if (!as_written) joints += joints_text(c);
+  }
   return joints.empty() ? text : text + joints_legend + joints;
 }
 

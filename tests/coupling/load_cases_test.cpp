@@ -69,6 +69,8 @@ TEST_F(LoadCases, TheSceneAsWrittenMayHaveAClassAndARequiredFactor) {
   const json load_cases = answer("a.json")["load_cases"];
   EXPECT_EQ(load_cases[1]["satisfied"], true);
   EXPECT_EQ(load_cases[1]["factor"], load_cases[0]["factor"]);
+  EXPECT_EQ(load_cases[1]["name"], "winter");
+  EXPECT_THAT(text("out"), Not(HasSubstr("joints that run through, winter"))) << "the table of the scene as written";
   EXPECT_GT(load_cases[2]["factor"].get<double>(), load_cases[1]["factor"].get<double>());
   EXPECT_THAT(text("out"), Not(HasSubstr("changes nothing")));
 }
