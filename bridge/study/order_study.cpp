@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/study/key_label.hpp"
 #include "bridge/study/study.hpp"
 
 namespace blockweir::study {
@@ -75,7 +76,7 @@ StudyResult find_order(const scene::OrderStudy& study, StudyRuns& runs) {
       "set logscale xy\nset format y '%.0e'\nset xlabel {}\nset ylabel 'relative error'\nset key top left\nset grid\n"
       "$d << EOD\n{}EOD\nplot exp({})*x**({}) with lines lc rgb '#808080' title 'slope {:.3f}', $d pt 7 lc rgb "
       "'#204a87' notitle\n",
-      gnuplot_text(study.key), points, line.constant, line.slope, line.slope);
+      gnuplot_text(key_label(study.key)), points, line.constant, line.slope, line.slope);
   return result;
 }
 
@@ -85,7 +86,7 @@ std::string orders_figure(const std::vector<std::pair<std::string, StudyResult>>
   std::string figure = fmt::format(
       "set logscale xy\nset format y '%.0e'\nset xlabel {}\nset ylabel 'relative error'\n"
       "set key below vertical maxcols 1\nset grid\n",
-      gnuplot_text(orders.front().second.key));
+      gnuplot_text(key_label(orders.front().second.key)));
   std::string curves;
   for (std::size_t i = 0; i < orders.size(); ++i) {
     const auto& [name, result] = orders[i];
