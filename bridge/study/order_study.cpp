@@ -85,7 +85,7 @@ StudyResult find_order(const scene::OrderStudy& study, StudyRuns& runs) {
 std::string orders_figure(const std::vector<std::pair<std::string, StudyResult>>& orders) {
   std::string figure = fmt::format(
       "set logscale xy\nset format y '%.0e'\nset xlabel {}\nset ylabel 'relative error'\n"
-      "set key below vertical maxcols 1\nset grid\n",
+      "set key above vertical maxcols 1\nset grid\n",
       gnuplot_text(key_label(orders.front().second.key)));
   std::string curves;
   for (std::size_t i = 0; i < orders.size(); ++i) {
