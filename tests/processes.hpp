@@ -35,7 +35,7 @@ class Processes : public OwnFolder {
   }
   /// Exit status of a shell command; its output goes to the file "out".
   [[nodiscard]] int shell(const std::string& command) const {
-    const int status = std::system(("cd " + folder.string() + " && timeout 120 " + command + " >out 2>&1").c_str());
+    const int status = std::system(("cd " + folder.string() + " && timeout 280 " + command + " >out 2>&1").c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
   }
   [[nodiscard]] pid_t start(const std::string& command, const std::string& log) const {

@@ -112,7 +112,7 @@ class AugmentedLagrangian final : public Formulation {
   }
   void begin_support(const Trial& trial, int k, Support& s) override {
     const double change = bound(s.penalty, progress_.support(k).stiffness);
-    if (change != 0) s.multiplier += change * separation_of(trial, s).value;
+    if (change != 0) s.multiplier += change * (separation_of(trial, s).value + s.led);  // as the last step left it
   }
 
   /// Shear bounded by what does not depend on the normal force: a symmetric tangent.

@@ -16,6 +16,7 @@ struct Support {
   const scene::Support* described = nullptr;
 
   Point separation = Point::Zero();  ///< from where the point should be at the end of the step [m]
+  Point led = Point::Zero();         ///< by its target and the base in the step [m]
   Point multiplier = Point::Zero();  ///< force on the block [N per metre]
   Point force = Point::Zero();       ///< what acts: multiplier less penalty times separation
   Point inertial = Point::Zero();    ///< its part in mass times acceleration: the force, but for generalized-alpha

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Spurious energy of a step, and its removal.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "bridge/scene/at.hpp"
 #include "solid/step/step_energy.hpp"
@@ -14,8 +16,9 @@ struct StepEnergy::Group {
   bool held = false;        ///< by contacts that a bond holds shut, bolts, or hinges of a smooth step
   bool may_let_go = false;  ///< has a contact that no bond holds shut
   bool anchored = false;    ///< to what does not move
-  bool led = false;         ///< by supports, whose work is not among the loads'
-  double made = 0;          ///< kinetic energy beyond what there was for motion [J per metre]
+  bool held_apart = false;  ///< by more than supports that go alike
+  std::array<std::optional<double>, 2> led_m_per_s;  ///< along each axis, by supports
+  double made = 0;                                   ///< kinetic energy beyond what there was for motion [J per metre]
   double round_off = 0;
   double kinetic = 0;
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< and angular momentum
@@ -26,7 +29,7 @@ struct StepEnergy::Group {
   double owed = 0;                                     ///< what there was not [J per metre]
 
   /// What only springs and hinges hold moves as its integrator has it.
-  [[nodiscard]] bool watched() const { return !led && (may_let_go || !held); }
+  [[nodiscard]] bool watched() const { return may_let_go || !held; }
   [[nodiscard]] bool gives() const { return left != 1 || kept != together; }
 
   /// From motion within the group; then from its spin: forces act where the step ends, and keep angular momentum but to
@@ -54,13 +57,11 @@ StepEnergy::Made StepEnergy::made_by(std::size_t b) const {
   const Matrix6 M = trial_.inertia(b);
   const Vector6& v = state_.blocks[b].velocity;
   const Vector6& began = trial_.began_with[b];
-  const Vector6 own = v - with_base(b);
   const double ends = v.dot(M * v);
   const double moved_m =
       trial_.increment[b].head<2>().norm() + model_.blocks[b].radius * trial_.increment[b].tail<4>().norm();
   return {(v - began).dot(M * (v + began)) / 2 - trial_.for_motion[b] + state_.energy.owed(b),
-          round_off * (ends + began.dot(M * began) + std::abs(trial_.for_motion[b])) + force_n * moved_m,
-          own.dot(M * own) / 2};
+          round_off * (ends + began.dot(M * began) + std::abs(trial_.for_motion[b])) + force_n * moved_m};
 }
 
 /// What holds each group, or may let it go.
@@ -75,7 +76,9 @@ void StepEnergy::look_at_links(const IslandEquations& s, const std::vector<int>&
       group.may_let_go = group.may_let_go || by == By::may_let_go;
       // With Shi's scheme a block on a hinge gains energy as a toppling block does.
       group.held = group.held || by == By::spring || (by == By::hinge && trial_.scheme.second_order());
-      if (!trial_.moves(a.block_i) || !trial_.moves(a.block_j)) group.anchored = true;
+      if (trial_.moves(a.block_i) && trial_.moves(a.block_j)) continue;
+      group.anchored = true;
+      group.held_apart = group.held_apart || by != By::hinge;
     }
   };
   for (std::size_t k = 0; k < s.actions.size(); ++k) {
@@ -88,10 +91,23 @@ void StepEnergy::look_at_links(const IslandEquations& s, const std::vector<int>&
   }
   for (const int k : s.island.supports) {
     const Support& support = state_.supports[at(k)];
-    if (trial_.moves(support.block) && !support.target_rate(trial_.end_s, trial_.dt).isZero(0)) {
-      group_with(support.block).led = true;
+    if (!trial_.moves(support.block)) continue;
+    Group& group = group_with(support.block);
+    const Point rate = support.target_rate(trial_.end_s, trial_.dt);
+    for (const Eigen::Index axis : {0, 1}) {
+      if (support.held()[axis] == 0) continue;
+      std::optional<double>& led = group.led_m_per_s[at(axis)];
+      if (led && *led != rate[axis]) group.held_apart = true;
+      led = rate[axis];
     }
   }
+}
+
+/// Velocity of what holds the group, where that goes alike.
+Point StepEnergy::carrier_of(const Group& group) const {
+  const Point base = model_.base.velocity(trial_.end_s);
+  if (group.held_apart) return base;
+  return base + Point(group.led_m_per_s[0].value_or(0), group.led_m_per_s[1].value_or(0));
 }
 
 /// About the group's first block, so that sums do not depend on the rest of the island.
@@ -118,13 +134,14 @@ std::vector<StepEnergy::Group> StepEnergy::makers(const IslandEquations& s, std:
     if (!group.watched()) continue;
     const auto b = at(s.island.blocks[k]);
     const Made made = made_by(b);
+    const Matrix6 M = trial_.inertia(b);
+    const Vector6 own = state_.blocks[b].velocity - going_at(b, carrier_of(group));
     group.made += made.energy;
-    group.kinetic += made.kinetic;
+    group.kinetic += own.dot(M * own) / 2;
     group.round_off += made.round_off;
     if (group.anchored) continue;
     const Eigen::Matrix<double, 6, 3> rigid = rigid_of(s, group_of, k);
-    const Matrix6 M = trial_.inertia(b);
-    group.momentum += rigid.transpose() * (M * (state_.blocks[b].velocity - with_base(b)));
+    group.momentum += rigid.transpose() * (M * own);
     group.mass += rigid.transpose() * M * rigid;
   }
   for (Group& group : groups) group.settle();
@@ -151,9 +168,10 @@ void StepEnergy::take_back(IslandEquations& s) {
     const Eigen::Matrix<double, 6, 3> rigid = rigid_of(s, group_of, k);
     Vector6& velocity = state_.blocks[b].velocity;
     const Vector6 before = velocity;
-    const Vector6 own = velocity - with_base(b);
+    const Point carrier = carrier_of(group);
+    const Vector6 own = velocity - going_at(b, carrier);
     velocity += rigid * group.kept + group.left * (own - rigid * group.together) - own;
-    give_by_base(b, before);
+    give_by_carrier(b, carrier, before);
   }
 }
 

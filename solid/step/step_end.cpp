@@ -17,14 +17,9 @@
 namespace blockweir::solid {
 namespace {
 
-/// Of an island's blocks, with the water that each pushes [J per metre].
-double kinetic_energy(const StepWorkspace& step, const IslandEquations& s) {
-  double sum = 0;
-  for (const int block : s.island.blocks) {
-    const Vector6& velocity = step.state.blocks[at(block)].velocity;
-    sum += velocity.dot(step.trial.inertia(at(block)) * velocity) / 2;
-  }
-  return sum;
+/// Of a block, with the water that it pushes [J per metre].
+double kinetic_energy(const StepWorkspace& step, std::size_t b, const Vector6& velocity) {
+  return velocity.dot(step.trial.inertia(b) * velocity) / 2;
 }
 
 bool supports_lead(const StepWorkspace& step, const IslandEquations& s) {
@@ -38,16 +33,19 @@ bool supports_lead(const StepWorkspace& step, const IslandEquations& s) {
 /// velocity, and from supports, each with its own, all else that the blocks gain.
 void settle_velocities(StepWorkspace& step, IslandEquations& s, double dt, bool base_leads, bool starts) {
   const bool led = !starts && supports_lead(step, s);
-  const double kinetic = led ? kinetic_energy(step, s) : 0;
+  if (!base_leads && !led) return ConstrainedVelocities(step).settle(s, dt);
   std::vector<Vector6> before;
-  for (const int block : s.island.blocks) {
-    if (base_leads) before.push_back(step.state.blocks[at(block)].velocity);
-  }
+  for (const int block : s.island.blocks) before.push_back(step.state.blocks[at(block)].velocity);
   ConstrainedVelocities(step).settle(s, dt);
   const StepEnergy energy(step);
-  double by_base = 0;
-  for (std::size_t k = 0; k < before.size(); ++k) by_base += energy.give_by_base(at(s.island.blocks[k]), before[k]);
-  if (led) step.state.energy.give(kinetic_energy(step, s) - kinetic - by_base);
+  const Point base = step.model.base.velocity(step.trial.end_s);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const auto b = at(s.island.blocks[k]);
+    const double by_base = base_leads ? energy.give_by_carrier(b, base, before[k]) : 0;
+    if (!led) continue;
+    const Vector6& now = step.state.blocks[b].velocity;
+    energy.give(b, kinetic_energy(step, b, now) - kinetic_energy(step, b, before[k]) - by_base);
+  }
 }
 
 }  // namespace
@@ -114,7 +112,7 @@ bool StepEnd::affords_motion(double dt) {
     accept_motion(island, dt);
     energy.balance(island, dt);
     water_.pass_on(island, dt);
-    if (formulation_->holds_exactly()) ConstrainedVelocities(step_).settle(island, dt);
+    if (formulation_->holds_exactly()) settle_velocities(step_, island, dt, /*base_leads=*/false, /*starts=*/false);
     affords = affords && energy.affords(island);
   }
   state_.blocks = blocks;

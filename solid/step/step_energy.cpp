@@ -61,8 +61,8 @@ void StepEnergy::give_by_support(int k, double dt) const {
   const Placement& placement = trial_.placement[b];
   const Vector6 increment = model_.blocks[b].is_part() ? trial_.corner_increment(b) : trial_.increment[b];
   const Vector6 beyond = dt / 2 * (trial_.began_with[b] + state_.blocks[b].velocity) - increment;
-  state_.energy.give(force.dot(support.target(trial_.end_s) - support.target(trial_.end_s - dt)) +
-                     placement.generalized(force, support.material).dot(trial_.rate(b, placement, beyond)));
+  give(b, force.dot(support.target(trial_.end_s) - support.target(trial_.end_s - dt)) +
+              placement.generalized(force, support.material).dot(trial_.rate(b, placement, beyond)));
 }
 
 void StepEnergy::lead(const StepIslands& islands, const Point& moved) {
@@ -97,20 +97,23 @@ Point StepEnergy::push_of_base(std::size_t b, const Vector6& load, double dt) co
          load.head<2>();
 }
 
-/// Rates of a block that goes with the base.
-Vector6 StepEnergy::with_base(std::size_t b) const {
-  const Point velocity = model_.base.velocity(trial_.end_s);
+/// Rates of a block that goes with the base, or with supports, at that velocity.
+Vector6 StepEnergy::going_at(std::size_t b, const Point& velocity) const {
   Vector6 rates = Vector6::Zero();
   rates.head<2>() = velocity;
   if (model_.blocks[b].is_part()) rates.segment<2>(2) = rates.tail<2>() = velocity;
   return rates;
 }
 
-double StepEnergy::give_by_base(std::size_t b, const Vector6& velocity_before) const {
-  const double work = with_base(b).dot(trial_.inertia(b) * (state_.blocks[b].velocity - velocity_before));
+double StepEnergy::give_by_carrier(std::size_t b, const Point& velocity, const Vector6& before) const {
+  const double work = going_at(b, velocity).dot(trial_.inertia(b) * (state_.blocks[b].velocity - before));
+  give(b, work);
+  return work;
+}
+
+void StepEnergy::give(std::size_t b, double work) const {
   state_.energy.give(work);
   trial_.for_motion[b] += work;
-  return work;
 }
 
 }  // namespace blockweir::solid

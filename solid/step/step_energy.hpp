@@ -16,15 +16,16 @@ class StepEnergy : StepPart {
   /// Displacement of the base in the step, and its forces on the awake blocks.
   void lead(const StepIslands& islands, const Point& moved);
   [[nodiscard]] const std::vector<Point>& pushes() const { return pushes_; }  ///< on each block, at the step's end
-  /// Gives and returns the work of the base when an impulse of bodies that move with it has changed a block's velocity
-  /// from this one.
-  double give_by_base(std::size_t b, const Vector6& velocity_before) const;
+  /// Gives and returns the work of what goes at `velocity` when an impulse of it has changed a block's from `before`.
+  double give_by_carrier(std::size_t b, const Point& velocity, const Vector6& before) const;
+  /// What else gives a block energy for its motion [J per metre].
+  void give(std::size_t b, double work) const;
   /// Work of loads on an island's blocks in the step, less the energy taken by strain, bolts and springs.
   void balance(IslandEquations& island, double dt);
   /// Removes spurious energy of the step from the velocities. Contact forces act along the directions at the step's
   /// end, while points turn during the step: a toppling block would gain energy by this first-order error. Free groups
-  /// keep their momenta. Most steps produce none, and then no groups are formed. On a moving base, velocities are
-  /// relative to the base, so that what it carries stays at rest.
+  /// keep their momenta. Most steps produce none, and then no groups are formed. Velocities are relative
+  /// to a moving base, or to supports that lead all that holds a group, so that what they carry stays at rest.
   void take_back(IslandEquations& island);
   /// Whether the kinetic energy is sufficient for the removal.
   [[nodiscard]] bool affords(const IslandEquations& island) const;
@@ -35,10 +36,10 @@ class StepEnergy : StepPart {
   struct Made {
     double energy = 0;
     double round_off = 0;
-    double kinetic = 0;
   };
   [[nodiscard]] Made made_by(std::size_t b) const;
-  [[nodiscard]] Vector6 with_base(std::size_t b) const;
+  [[nodiscard]] Vector6 going_at(std::size_t b, const Point& velocity) const;
+  [[nodiscard]] Point carrier_of(const Group& group) const;
   void give_by_support(int k, double dt) const;
   [[nodiscard]] Point push_of_base(std::size_t b, const Vector6& load, double dt) const;
   [[nodiscard]] std::vector<Group> makers(const IslandEquations& island, std::vector<int>& group_of) const;

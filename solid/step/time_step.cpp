@@ -88,8 +88,11 @@ void TimeStep::begin(const Stretch& stretch, const StepMode& mode) {
   trial_.begin();
   for (Support& support : state_.supports) {
     const auto b = at(support.block);
-    support.separation = state_.placements[b].displacement(support.material) - support.target(stretch.end_s) -
-                         model_.base.displacement(stretch.end_s);
+    const auto wanted = [&](double time_s) -> Point {
+      return support.target(time_s) + model_.base.displacement(time_s);
+    };
+    support.separation = state_.placements[b].displacement(support.material) - wanted(span.to_s);
+    support.led = wanted(span.to_s) - wanted(span.from_s);
   }
   begin_contacts(mode);
 }

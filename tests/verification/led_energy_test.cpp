@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
+#include "bridge/geometry/uniform.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "solid/step/solid.hpp"
 #include "solid/watch/energy.hpp"
@@ -83,6 +86,41 @@ displacement_x_m = { from = 0, rate_per_s = 0.8, to = 0.4 }
 displacement_y_m = 0
 )";
 
+/// An arch whose right pier supports drive away.
+std::string arch_on_driven_pier(int seed) {
+  geometry::Uniform random(static_cast<std::uint64_t>(seed));
+  const auto between = [&](double a, double b) { return a + (b - a) * random(); };
+  const int voussoirs = 5 + seed % 4;
+  const double thickness_m = between(0.18, 0.3);
+  const double inner_m = 1 - thickness_m / 2;
+  const double rate = between(0.3, 2);
+  std::string text = fmt::format("[joint]\nfriction_angle_deg = {}\n", between(20, 50));
+  const auto block = [&](const std::string& name, const std::string& vertices, const char* more) {
+    text += fmt::format("[[block]]\nname = \"{}\"\nmaterial = \"m\"\nvertices_m = [{}]\n{}", name, vertices, more);
+  };
+  block("floor", "[-9, -3], [9, -3], [9, -2], [-9, -2]", "fixed = true\n");
+  block("left", fmt::format("[-2, -1], [{0}, -1], [{0}, 0], [-2, 0]", 0.05 - inner_m), "fixed = true\n");
+  block("pier", fmt::format("[{0}, -0.6], [2, -0.6], [2, 0], [{0}, 0]", inner_m - 0.05), "");
+  for (int i = 0; i < voussoirs; ++i) {
+    const auto corner = [&](double radius, int edge) {
+      const double turn = std::numbers::pi * (1 - static_cast<double>(edge) / voussoirs);
+      return fmt::format("[{}, {}]", radius * std::cos(turn), radius * std::sin(turn));
+    };
+    block(fmt::format("v{}", i),
+          fmt::format("{}, {}, {}, {}", corner(inner_m, i), corner(inner_m, i + 1),
+                      corner(inner_m + thickness_m, i + 1), corner(inner_m + thickness_m, i)),
+          "");
+  }
+  for (const double x : {inner_m, 1.5}) {
+    text += fmt::format(
+        "[[support]]\nblock = \"pier\"\npoint_m = [{}, -0.3]\ndisplacement_x_m = {{ from = 0, rate_per_s = {}, to = 2 "
+        "}}\n"
+        "displacement_y_m = 0\n",
+        x, rate);
+  }
+  return text;
+}
+
 constexpr const char* shaken = R"([base_motion]
 acceleration_x_m_per_s2 = { sine = 2.5, frequency_hz = 2.4, phase_deg = 104 }
 form = "support"
@@ -139,6 +177,16 @@ TEST_P(Led, ABlockThatSupportsDriveAndStopGetsItsEnergyFromThem) {
       const Moved pier = moved(analysis(GetParam(), 0.001, 1) + contact + driven + ground);
       EXPECT_LE(pier.made_over_largest, 1e-6) << formulation << " " << ground;
     }
+  }
+}
+
+/// What supports lead was left out where a step's spurious energy is taken back: up to 26 % of the motion's. And the
+/// forces of two that lead one block grew against each other where their penalties changed.
+TEST_P(Led, ArchesThatLoseTheirPierMakeNoEnergy) {
+  for (int seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const double step_s = std::array{0.001, 0.003, 0.008}[static_cast<std::size_t>(seed % 3)];
+    EXPECT_LE(moved(analysis(GetParam(), step_s, 0.8) + arch_on_driven_pier(seed)).made_over_largest, 1e-5);
   }
 }
 
