@@ -52,6 +52,7 @@ json load_case(const std::string& name) {
           {"limit_analysis_factor", 1.23456},
           {"required", 1.5},
           {"satisfied", false},
+          {"set", {"joint.friction_angle_deg=30"}},
           {"scene_warnings", json::array()},
           {"warnings", json::array()},
           {"joints", json::array()}};
