@@ -33,9 +33,7 @@ bool ConstrainedVelocities::settle_solved(IslandEquations& s, double dt) {
   const auto lacks = [&](const Interaction& a, bool second) -> Eigen::Vector2d {
     if (a.block(second) < 0) return Eigen::Vector2d::Zero();
     const auto b = at(a.block(second));
-    const Vector6 mean = to_mean() ? Vector6(trial_.increment[b] / dt) : Vector6(Vector6::Zero());
-    return a.shape(trial_.placement[b], second) *
-           (mean - trial_.rate(b, trial_.placement[b], state_.blocks[b].velocity));
+    return a.shape(trial_.placement[b], second) * -trial_.rate(b, trial_.placement[b], state_.blocks[b].velocity);
   };
   double loudest = 0;
   double landing = 0;  // faster than a fall through the step: an impact
@@ -129,15 +127,13 @@ void ConstrainedVelocities::set_rows(IslandEquations& s) {
   }
 }
 
-/// What an action's end on a moving base adds to its gap and slip in a second, beyond the step's mean.
-Eigen::Vector2d ConstrainedVelocities::rate_of_fixed(const Interaction& action, double dt) const {
+/// What an action's end on a moving base adds to its gap and slip in a second.
+Eigen::Vector2d ConstrainedVelocities::rate_of_fixed(const Interaction& action) const {
   Eigen::Vector2d rate = Eigen::Vector2d::Zero();
   for (const bool second : {false, true}) {
     const int block = action.block(second);
     if (block < 0 || trial_.moves(block)) continue;
-    Vector6 beyond = state_.blocks[at(block)].velocity;
-    if (to_mean()) beyond -= trial_.increment[at(block)] / dt;
-    rate += (second ? -1 : 1) * (action.shape(trial_.placement[at(block)], second) * beyond);
+    rate += (second ? -1 : 1) * (action.shape(trial_.placement[at(block)], second) * state_.blocks[at(block)].velocity);
   }
   return rate;
 }
@@ -153,8 +149,7 @@ void ConstrainedVelocities::settle_by_impulses(IslandEquations& s, double dt) {
   beyond.setZero();
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {
     const auto b = at(s.island.blocks[k]);
-    Vector6 rate = state_.blocks[b].velocity;
-    if (to_mean()) rate -= (model_.blocks[b].is_part() ? trial_.corner_increment(b) : trial_.increment[b]) / dt;
+    const Vector6& rate = state_.blocks[b].velocity;
     const auto numbers = s.unknowns->of(static_cast<int>(k));
     for (std::size_t i = 0; i < numbers.size(); ++i) beyond[numbers[i]] = rate[static_cast<Eigen::Index>(i)];
   }
@@ -162,7 +157,7 @@ void ConstrainedVelocities::settle_by_impulses(IslandEquations& s, double dt) {
   auto& rows = s.sweeps.rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ForceSweeps::Row& row = rows[i];
-    row.apart = rate_of_fixed(s.actions[i], dt);
+    row.apart = rate_of_fixed(s.actions[i]);
     if (i < s.island.contacts.size()) {
       rule_of_contact(row, opening_slope(s, i), dt);
       continue;
@@ -215,13 +210,9 @@ double ConstrainedVelocities::opening_slope(const IslandEquations& s, std::size_
   return -formulation_->progress().dilation_slope(state_.contacts[at(k)], formulation_->progress().contact(k));
 }
 
-/// Where velocities become the step's mean, what a moving base has beyond its own.
 Eigen::Vector2d ConstrainedVelocities::led_rate(const IslandEquations& s, std::size_t action, double dt) const {
   const std::size_t contacts = s.island.contacts.size();
   if (action < contacts) return Eigen::Vector2d::Zero();
-  const BaseMotion& base = model_.base;
-  const double end_s = trial_.end_s;
-  if (to_mean()) return base.velocity(end_s) - (base.displacement(end_s) - base.displacement(end_s - dt)) / dt;
   return state_.supports[at(s.island.supports[action - contacts])].target_rate(trial_.end_s, dt) +
          model_.base.velocity(trial_.end_s);
 }

@@ -16,8 +16,8 @@ class ConstrainedVelocities : StepPart {
   /// Velocities in constrained directions (closed contacts, for sticking ones also tangentially, supports) become
   /// those of the constraint; the change of the velocities is the smallest in the metric of the step's matrix. If that
   /// would need friction that contacts do not have, as at an impact, all impulses of the step satisfy Coulomb's law.
-  /// With Shi's scheme, of first order, they become the step's mean instead, which does not need the rate of the
-  /// constraint.
+  /// With the step's mean rates, half a step behind, Shi's scheme would make the force of whatever turns a constraint
+  /// or leads it count twice.
   void settle(IslandEquations& island, double dt);
 
  private:
@@ -29,14 +29,11 @@ class ConstrainedVelocities : StepPart {
   void settle_by_impulses(IslandEquations& island, double dt);
   void rule_of_contact(ForceSweeps::Row& row, double opening, double dt) const;
   [[nodiscard]] double impulse_per_force(double dt) const;
-  [[nodiscard]] bool to_mean() const {
-    return model_.scene.analysis.integrator == scene::Integrator::shi || !trial_.scheme.damps;
-  }
   /// Opening of a dilating joint per unit of slip.
   [[nodiscard]] double opening_slope(const IslandEquations& island, std::size_t action) const;
   /// Prescribed velocity of a support, from its table and the base; zero for contacts.
   [[nodiscard]] Eigen::Vector2d led_rate(const IslandEquations& island, std::size_t action, double dt) const;
-  [[nodiscard]] Eigen::Vector2d rate_of_fixed(const Interaction& action, double dt) const;
+  [[nodiscard]] Eigen::Vector2d rate_of_fixed(const Interaction& action) const;
 };
 
 }  // namespace blockweir::solid
