@@ -67,6 +67,14 @@ Eigen::MatrixXd WaterAnswer::on_panels(const Eigen::MatrixXd& p) const {
   return linear;
 }
 
+Eigen::MatrixXd WaterAnswer::pressures(const PressureEquation& equation) const {
+  Eigen::MatrixXd pressures(static_cast<Eigen::Index>(2 * panels.size()), flux.cols());
+  equation.solve(flux, [&](Eigen::Index first, const Eigen::MatrixXd& p) {
+    pressures.middleCols(first, p.cols()) = on_panels(p);
+  });
+  return pressures;
+}
+
 WaterAnswer answer_of(const WaterMesh& mesh, const PressureEquation& equation, const process::FaceMotion& moves) {
   WaterAnswer answer;
   for (const BoundarySide& side : mesh.side) {
@@ -78,14 +86,7 @@ WaterAnswer answer_of(const WaterMesh& mesh, const PressureEquation& equation, c
   const FaceFlux faces = flux_on_faces(mesh, moves);
   answer.modes = modes_of(faces.unknown);
   answer.flux = flux_of(answer.modes, faces);
-  const Eigen::Index count = answer.flux.cols();
-  answer.pressure.resize(static_cast<Eigen::Index>(2 * answer.panels.size()), count);
-  Eigen::MatrixXd work(count, count);  // the water's force on i by a unit of j
-  equation.solve(answer.flux, [&](Eigen::Index first, const Eigen::MatrixXd& p) {
-    answer.pressure.middleCols(first, p.cols()) = answer.on_panels(p);
-    work.middleCols(first, p.cols()) = answer.flux.transpose() * p;
-  });
-  answer.mass = -(work + work.transpose()) / 2;
+  answer.mass = equation.added_mass(answer.flux);
   return answer;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pressures of a body of water by unit accelerations of all that it wets, and the added mass of all motions with all.
+// Added mass of all motions of a body of water with all, and its pressures by unit accelerations of all that it wets.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,12 +22,13 @@ struct WaterAnswer {
   std::vector<hydrostatic::WetInterval> panels;  ///< sides of the mesh on blocks' faces, along their edges
   std::vector<std::array<int, 3>> panel_nodes;   ///< at s_from, between and at s_to of each
   Eigen::SparseMatrix<double> flux;              ///< nodes x modes, g of PressureEquation
-  Eigen::MatrixXd pressure;  ///< 2 panels x modes, at s_from and s_to of each [Pa per m/s2, rad/s2 or 1/s2]
-  Eigen::MatrixXd mass;      ///< modes x modes: the water's force on i is -sum mass_ij a_j [kg/m, kg, kg m]
+  Eigen::MatrixXd mass;  ///< modes x modes: the water's force on i is -sum mass_ij a_j [kg/m, kg, kg m]
 
   /// Pressures at s_from and s_to of each panel with the same force and moment as the nodal pressures p [Pa], column by
   /// column.
   [[nodiscard]] Eigen::MatrixXd on_panels(const Eigen::MatrixXd& p) const;
+  /// 2 panels x modes, at s_from and s_to of each [Pa per m/s2, rad/s2 or 1/s2].
+  [[nodiscard]] Eigen::MatrixXd pressures(const PressureEquation& equation) const;
 };
 
 /// `moves`: motion of a point on a face, three unknowns a motion; no unknowns on the ground.

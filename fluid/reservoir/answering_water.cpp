@@ -20,30 +20,40 @@ void AnsweringWater::move_to(WaterMesh mesh, const process::FaceMotion& moves, d
   equation_->update(window_s);
   equation_->keep(lifted, state_);
   answer_ = answer_of(*mesh_, *equation_, moves);
+  responses_.resize(0, 0);
+}
+
+/// Pressures on the panels by one window of accelerations, from rest. Water that is met a second time is worth a
+/// solution for each mode: each window then is one product.
+Eigen::VectorXd AnsweringWater::response(const Eigen::VectorXd& accelerations, bool kept) {
+  if (accelerations.isZero(0)) return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * answer_.panels.size()));
+  if (!kept) return answer_.on_panels(equation_->pressure(answer_.flux * accelerations));
+  if (responses_.size() == 0) responses_ = answer_.pressures(*equation_);
+  return responses_ * accelerations;
 }
 
 bool AnsweringWater::at_rest() const {
   return state_.p.isZero(0) && state_.rate.isZero(0) && state_.loaded.isZero(0);
 }
 
-void AnsweringWater::advance(const Eigen::VectorXd& accelerations) {
+void AnsweringWater::advance(const Eigen::VectorXd& accelerations, bool kept) {
   accelerations_ = accelerations;
   if (remembers_ && !(at_rest() && accelerations.isZero(0))) {
     equation_->step(state_, answer_.flux * accelerations);
     pressure_ = answer_.on_panels(state_.p);
   } else {
-    pressure_ = answer_.pressure * accelerations;
+    pressure_ = response(accelerations, kept);
   }
 }
 
 void AnsweringWater::look_ahead(const Eigen::VectorXd& accelerations, const Eigen::VectorXd& of_ground,
-                                const WindowAhead& weights) {
+                                const WindowAhead& weights, bool kept) {
   pressure_.setZero(2 * static_cast<Eigen::Index>(answer_.panels.size()));
   if (at_rest() && accelerations.isZero(0) && of_ground.isZero(0)) return;
   PressureState end = state_;
   equation_->step(end, answer_.flux * (weights.start * accelerations + of_ground));
   state_.loaded = end.p + weights.past * (state_.p - state_.loaded);
-  pressure_ = answer_.on_panels(state_.loaded) + weights.inertia * (answer_.pressure * accelerations);
+  pressure_ = answer_.on_panels(state_.loaded) + weights.inertia * response(accelerations, kept);
 }
 
 Eigen::VectorXd AnsweringWater::pressure_at_nodes() const {

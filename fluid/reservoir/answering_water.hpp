@@ -26,19 +26,23 @@ class AnsweringWater {
   /// Where its mesh was made anew: what waves had lifted is still lifted.
   void keep(const LiftedWater& lifted) { equation_->keep(lifted, state_); }
   [[nodiscard]] LiftedWater lifted() const { return equation_->lifted(state_); }
-  /// One window with `accelerations`, one a mode of the answer.
-  void advance(const Eigen::VectorXd& accelerations);
+  /// One window with `accelerations`, one a mode of the answer. `kept`: the water is that of the window before.
+  void advance(const Eigen::VectorXd& accelerations, bool kept);
   /// Turns the pressures into the load of the coming window (WindowAhead), with the accelerations a_n, and those of the
   /// ground that are known of the window.
-  void look_ahead(const Eigen::VectorXd& accelerations, const Eigen::VectorXd& of_ground, const WindowAhead& weights);
+  void look_ahead(const Eigen::VectorXd& accelerations, const Eigen::VectorXd& of_ground, const WindowAhead& weights,
+                  bool kept);
   void add_panels(wire::Load& load) const;
   /// Beyond that of still water, at the mesh's nodes, at the end of the window before [Pa].
   [[nodiscard]] Eigen::VectorXd pressure_at_nodes() const;
 
  private:
+  [[nodiscard]] Eigen::VectorXd response(const Eigen::VectorXd& accelerations, bool kept);
+
   std::unique_ptr<WaterMesh> mesh_;  ///< the equation refers to it
   std::unique_ptr<PressureEquation> equation_;
   WaterAnswer answer_;
+  Eigen::MatrixXd responses_;  ///< WaterAnswer::pressures, where water was kept
   bool remembers_;
   PressureState state_;            ///< of water that remembers
   Eigen::VectorXd pressure_;       ///< on the answer's panels

@@ -20,7 +20,7 @@ FaceMotions::FaceMotions(const scene::Scene& scene, const wire::Motion& motion,
                          scene.analysis.rigid != scene::Rigid::all;
     any_strains = any_strains || strains;
     bodies_.push_back({block.fixed, strains, geometry::centroid(outlines[b]),
-                       Eigen::Rotation2Dd(motion.displacement[b][2]), outlines[b]});
+                       Eigen::Rotation2Dd(motion.displacement[b][2]).toRotationMatrix(), outlines[b]});
   }
   take_corners(motion);
   if (any_strains || !corners_.empty()) count_ = 2 * scene.blocks.size() + corners_.size();
@@ -61,7 +61,7 @@ process::PointMotion FaceMotions::operator()(const process::FacePoint& point) co
   motion.by_unknown.resize(2, body.strains ? 6 : 3);
   motion.by_unknown.leftCols<3>() << 1, 0, -arm.y(), 0, 1, arm.x();
   if (body.strains) {
-    const Point X = body.turn.inverse() * arm;
+    const Point X = body.turn.transpose() * arm;
     const int strain = number(bodies_.size() + at(point.block));
     motion.unknown.insert(motion.unknown.end(), {strain, strain + 1, strain + 2});
     motion.by_unknown.col(3) = body.turn * Point(X.x(), 0);

@@ -28,7 +28,7 @@ class FaceMotions {
     bool fixed = false;
     bool strains = false;
     Point centroid = Point::Zero();
-    Eigen::Rotation2Dd turn{0};
+    Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
     std::vector<Point> outline;
   };
   /// A mesh corner on a face, and the side of the mesh that begins there.

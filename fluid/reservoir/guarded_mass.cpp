@@ -9,6 +9,7 @@
 namespace blockweir::reservoir {
 
 void GuardedMass::add(const WaterAnswer& answer, double share) {
+  const std::size_t before = between_.size();
   const Eigen::Index count = answer.mass.rows() - 2;  // without the ground's
   const auto motion = [&](Eigen::Index mode) { return answer.modes[static_cast<std::size_t>(mode)].motion; };
   for (Eigen::Index i = 0; i < count; i += 3) {
@@ -18,10 +19,24 @@ void GuardedMass::add(const WaterAnswer& answer, double share) {
     std::transform(row.begin(), row.end(), more.begin(), row.begin(), std::plus<>());
     for (Eigen::Index j = i + 3; j < count; j += 3) {  // modes are in the order of the motions
       const std::array pair{static_cast<std::uint32_t>(motion(i)), static_cast<std::uint32_t>(motion(j))};
-      auto& between = between_.try_emplace(pair, Eigen::Matrix3d::Zero()).first->second;
-      between += share * answer.mass.block<3, 3>(i, j);
+      between_.push_back({pair, share * answer.mass.block<3, 3>(i, j)});
     }
   }
+  if (before > 0) sum_up_pairs();
+}
+
+/// Each pair once.
+void GuardedMass::sum_up_pairs() {
+  std::stable_sort(between_.begin(), between_.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < between_.size(); ++i) {
+    if (between_[i].pair == between_[last].pair) {
+      between_[last].mass += between_[i].mass;
+    } else {
+      between_[++last] = between_[i];
+    }
+  }
+  between_.resize(last + 1);
 }
 
 void GuardedMass::write(wire::Load& load) const {

@@ -2,7 +2,8 @@
 // The added mass of all motions with all others, as the solid's guard receives it.
 #pragma once
 
-#include <map>
+#include <array>
+#include <vector>
 
 #include "bridge/wire/message.hpp"
 #include "fluid/reservoir/added_mass.hpp"
@@ -19,8 +20,16 @@ class GuardedMass {
   void write(wire::Load& load) const;
 
  private:
+  /// As wire::Load has it.
+  struct Between {
+    std::array<std::uint32_t, 2> pair;
+    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> mass;
+  };
+
+  void sum_up_pairs();
+
   std::vector<std::array<double, 6>> own_;  ///< as wire::Load has it
-  std::map<std::array<std::uint32_t, 2>, Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> between_;  ///< likewise
+  std::vector<Between> between_;            ///< in the order of the pairs
 };
 
 }  // namespace blockweir::reservoir

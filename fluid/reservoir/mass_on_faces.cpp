@@ -18,17 +18,13 @@ Eigen::SparseMatrix<double> mass_on_faces(const scene::Scene& scene, const wire:
     if (mesh.triangle.empty()) continue;
     const PressureEquation equation(mesh, {.density_kg_per_m3 = scene.water.density_kg_per_m3}, ground, 1);
     const FaceFlux flux = flux_on_faces(mesh, moves);
-    equation.solve(flux.g, [&](Eigen::Index first, const Eigen::MatrixXd& p) {
-      const Eigen::MatrixXd work = flux.g.transpose() * p;
-      for (Eigen::Index k = 0; k < work.cols(); ++k) {
-        for (Eigen::Index i = 0; i < work.rows(); ++i) {
-          const int row = flux.unknown[static_cast<std::size_t>(i)];
-          const int column = flux.unknown[static_cast<std::size_t>(first + k)];
-          entries.emplace_back(row, column, -work(i, k) / 2);
-          entries.emplace_back(column, row, -work(i, k) / 2);
-        }
+    const Eigen::MatrixXd own = equation.added_mass(flux.g);
+    for (Eigen::Index k = 0; k < own.cols(); ++k) {
+      for (Eigen::Index i = 0; i < own.rows(); ++i) {
+        entries.emplace_back(flux.unknown[static_cast<std::size_t>(i)], flux.unknown[static_cast<std::size_t>(k)],
+                             own(i, k));
       }
-    });
+    }
   }
   Eigen::SparseMatrix<double> mass(unknowns, unknowns);
   mass.setFromTriplets(entries.begin(), entries.end());

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "bridge/scene/at.hpp"
-#include "fluid/reservoir/many_sides.hpp"
 
 namespace blockweir::reservoir {
 namespace {
@@ -15,8 +14,6 @@ namespace {
 constexpr double sdirk2 = 1 - 1 / std::numbers::sqrt2;  ///< b over the window
 
 }  // namespace
-
-struct PressureEquation::Factors : ManySides::Factors {};
 
 PressureEquation::PressureEquation(const WaterMesh& mesh, const WaterPhysics& physics, const std::vector<bool>& ground,
                                    double window_s)
@@ -27,31 +24,28 @@ PressureEquation::PressureEquation(const WaterMesh& mesh, const WaterPhysics& ph
       remembers_(physics.remembers()),
       theta_(physics.theta),
       window_s_(window_s),
-      unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))),
-      factors_(std::make_unique<Factors>()) {
+      unknowns_(unknowns_of(mesh, std::isfinite(physics.gravity_m_per_s2))) {
   if (!remembers_) stiffness_.emplace(mesh, unknowns_);
-  const Eigen::SparseMatrix<double> first = matrix();
-  factors_->analyzePattern(first);
+  const Eigen::SparseMatrix<double>& first = matrix();
+  factors_.emplace(first);
   factorize(first);
 }
-
-PressureEquation::~PressureEquation() = default;
 
 void PressureEquation::update(double window_s) {
   window_s_ = window_s;
   factorize(matrix());
 }
 
-Eigen::SparseMatrix<double> PressureEquation::matrix() {
+const Eigen::SparseMatrix<double>& PressureEquation::matrix() {
   if (stiffness_) return stiffness_->of(mesh_);
   matrices_ = matrices_of(mesh_, unknowns_, physics_, ground_);
   const double b = theta_.value_or(sdirk2) * window_s_;
-  return matrices_.K + matrices_.C / b + matrices_.M / (b * b);
+  of_stages_ = matrices_.K + matrices_.C / b + matrices_.M / (b * b);
+  return of_stages_;
 }
 
 void PressureEquation::factorize(const Eigen::SparseMatrix<double>& matrix) {
-  factors_->factorize(matrix);
-  if (factors_->info() != Eigen::Success) {
+  if (!factors_->factorize(matrix)) {
     throw std::runtime_error(
         "the pressures of the reservoir are not determined; expected a free surface on each body of "
         "water; lower its level, or move its wall off");
@@ -121,10 +115,10 @@ void PressureEquation::solve(const Eigen::SparseMatrix<double>& flux, const Take
     for (Eigen::Index k = 0; k < flux.cols(); ++k) take(k, pressure(flux.col(k)));
     return;
   }
-  std::vector<int> wanted;  // the solid boundary's nodes
+  std::vector<int> wanted;  // nodes of faces
   std::vector<bool> seen(mesh_.node.size(), false);
   for (const BoundarySide& side : mesh_.side) {
-    if (side.kind == BoundarySide::Kind::surface) continue;
+    if (side.kind != BoundarySide::Kind::face) continue;
     for (const int node : side.node) {
       if (unknowns_.of_node[at(node)] >= 0 && !seen[at(node)]) wanted.push_back(node);
       seen[at(node)] = true;
@@ -132,22 +126,20 @@ void PressureEquation::solve(const Eigen::SparseMatrix<double>& flux, const Take
   }
   std::vector<int> unknowns(wanted.size());
   std::transform(wanted.begin(), wanted.end(), unknowns.begin(), [&](int node) { return unknowns_.of_node[at(node)]; });
-  const ManySides factors(*factors_, unknowns);
-  ManySides::Rows x(unknowns_.count, ManySides::width);
-  Eigen::MatrixXd p = Eigen::MatrixXd::Zero(flux.rows(), ManySides::width);
-  for (Eigen::Index first = 0; first < flux.cols(); first += ManySides::width) {
-    const Eigen::Index count = std::min(ManySides::width, flux.cols() - first);
-    x.setZero();
-    for (Eigen::Index k = 0; k < count; ++k) {
-      for (Eigen::SparseMatrix<double>::InnerIterator g(flux, first + k); g; ++g) {
-        const int unknown = unknowns_.of_node[at(static_cast<int>(g.row()))];
-        if (unknown >= 0) x(factors.row_of(unknown), k) = -density_ * g.value();
-      }
-    }
-    factors.solve(x);
-    for (std::size_t i = 0; i < wanted.size(); ++i) p.row(wanted[i]) = x.row(factors.row_of(unknowns[i]));
-    take(first, count == ManySides::width ? p : Eigen::MatrixXd(p.leftCols(count)));
-  }
+  Eigen::MatrixXd p;
+  factors_->solve(-density_ * at_unknowns(flux), unknowns, [&](Eigen::Index first, const Eigen::MatrixXd& x) {
+    if (p.cols() != x.cols()) p.setZero(flux.rows(), x.cols());
+    for (std::size_t i = 0; i < wanted.size(); ++i) p.row(wanted[i]) = x.row(static_cast<Eigen::Index>(i));
+    take(first, p);
+  });
+}
+
+Eigen::MatrixXd PressureEquation::added_mass(const Eigen::SparseMatrix<double>& flux) const {
+  if (!remembers_) return density_ * factors_->flexibility(at_unknowns(flux));
+  Eigen::MatrixXd work(flux.cols(), flux.cols());
+  solve(flux,
+        [&](Eigen::Index first, const Eigen::MatrixXd& p) { work.middleCols(first, p.cols()) = flux.transpose() * p; });
+  return -(work + work.transpose()) / 2;
 }
 
 /// What a unit of each pressure lifts.
@@ -175,6 +167,20 @@ Eigen::VectorXd PressureEquation::at_unknowns(const Eigen::VectorXd& at_nodes) c
   for (std::size_t i = 0; i < unknowns_.of_node.size(); ++i) {
     if (unknowns_.of_node[i] >= 0) values[unknowns_.of_node[i]] = at_nodes[static_cast<Eigen::Index>(i)];
   }
+  return values;
+}
+
+Eigen::SparseMatrix<double> PressureEquation::at_unknowns(const Eigen::SparseMatrix<double>& at_nodes) const {
+  Eigen::SparseMatrix<double> values(unknowns_.count, at_nodes.cols());
+  values.reserve(at_nodes.nonZeros());
+  for (Eigen::Index k = 0; k < at_nodes.cols(); ++k) {
+    values.startVec(k);
+    for (Eigen::SparseMatrix<double>::InnerIterator a(at_nodes, k); a; ++a) {
+      const int unknown = unknowns_.of_node[at(static_cast<int>(a.row()))];
+      if (unknown >= 0) values.insertBack(unknown, k) = a.value();  // nodes and their unknowns are in the same order
+    }
+  }
+  values.finalize();
   return values;
 }
 

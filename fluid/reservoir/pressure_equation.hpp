@@ -4,9 +4,9 @@
 
 #include <Eigen/SparseCore>
 #include <functional>
-#include <memory>
 #include <optional>
 
+#include "fluid/reservoir/frontal_cholesky.hpp"
 #include "fluid/reservoir/water_matrices.hpp"
 
 namespace blockweir::reservoir {
@@ -40,9 +40,8 @@ class PressureEquation {
   /// has no surface.
   PressureEquation(const WaterMesh& mesh, const WaterPhysics& physics, const std::vector<bool>& ground,
                    double window_s);
-  ~PressureEquation();
 
-  /// The mesh's nodes have moved, or windows are of another length: factors anew, in the order that they have.
+  /// The mesh's nodes have moved, or windows are of another length: factors anew, on the fronts that they have.
   void update(double window_s);
 
   /// g of an acceleration that is linear along each side; only sides that `moves` names move.
@@ -58,17 +57,20 @@ class PressureEquation {
   /// p of water at rest after one window of `flux`.
   [[nodiscard]] Eigen::VectorXd pressure(const Eigen::VectorXd& flux) const;
   /// The same for each column of `flux`. `take` gets the number of the first column and the pressures of some columns,
-  /// at the nodes of the water's solid boundary; elsewhere they may be anything.
+  /// at the nodes of blocks' faces; elsewhere they may be anything.
   using Take = std::function<void(Eigen::Index first, const Eigen::MatrixXd& p)>;
   void solve(const Eigen::SparseMatrix<double>& flux, const Take& take) const;
+  /// Of the motions that `flux` has a column for: the water's force on i is -sum M_ij a_j.
+  [[nodiscard]] Eigen::MatrixXd added_mass(const Eigen::SparseMatrix<double>& flux) const;
 
  private:
   [[nodiscard]] Eigen::VectorXd lifts() const;
   [[nodiscard]] Eigen::VectorXd at_unknowns(const Eigen::VectorXd& at_nodes) const;
+  [[nodiscard]] Eigen::SparseMatrix<double> at_unknowns(const Eigen::SparseMatrix<double>& at_nodes) const;
   [[nodiscard]] Eigen::VectorXd at_nodes(const Eigen::VectorXd& at_unknowns) const;
 
   /// Of both stages. Its entries are in the same places at each call.
-  [[nodiscard]] Eigen::SparseMatrix<double> matrix();
+  [[nodiscard]] const Eigen::SparseMatrix<double>& matrix();
   void factorize(const Eigen::SparseMatrix<double>& matrix);
 
   const WaterMesh& mesh_;
@@ -81,8 +83,8 @@ class PressureEquation {
   Unknowns unknowns_;
   std::optional<StiffnessMatrix> stiffness_;  ///< of water that does not remember
   WaterMatrices matrices_;                    ///< of water that does
-  struct Factors;
-  std::unique_ptr<Factors> factors_;
+  Eigen::SparseMatrix<double> of_stages_;     ///< likewise
+  std::optional<FrontalCholesky> factors_;
 };
 
 }  // namespace blockweir::reservoir

@@ -54,7 +54,8 @@ void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load
   take_accelerations(motion, {to_s - window_s, to_s});
   still_.advance(motion, to_s, still_load_);
   const double solved_s = ahead_ ? longest_s : window_s;
-  if (outdated(solved_s)) {
+  const bool kept = !outdated(solved_s);
+  if (!kept) {
     solved_ = {{}, to_s, still_.outlines(), levels_of(still_load_), solved_s};
     solved_.motion.displacement = motion.displacement.values();
     solved_.motion.face_s = motion.face_s.values();
@@ -69,9 +70,9 @@ void ReservoirModel::advance(const wire::Motion& motion, double to_s, wire::Load
   load.breached = still_load_.breached;
   copy_panels(still_load_, 0, still_load_.cracks_from, load);
   if (ahead_) {
-    look_ahead(before, before_s);
+    look_ahead(before, before_s, kept);
   } else {
-    for (AnsweringWater& water : waters_) water.advance(for_modes(water.answer(), accelerations_, ground_));
+    for (AnsweringWater& water : waters_) water.advance(for_modes(water.answer(), accelerations_, ground_), kept);
   }
   for (const AnsweringWater& water : waters_) water.add_panels(load);
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
@@ -87,7 +88,7 @@ double ReservoirModel::known_until_s(double told_s) const {
 }
 
 /// Steps to where the motion is known, and looks a window further. `before`: accelerations told at before_s.
-void ReservoirModel::look_ahead(const Motions& before, double before_s) {
+void ReservoirModel::look_ahead(const Motions& before, double before_s, bool kept) {
   const double window_s = scene_.coupling.window_s;
   const double now_s = known_until_s(time_s_);
   const Motions none(accelerations_.size(), Eigen::Vector3d::Zero());
@@ -103,10 +104,10 @@ void ReservoirModel::look_ahead(const Motions& before, double before_s) {
   for (AnsweringWater& water : waters_) {
     const WaterAnswer& answer = water.answer();
     if (now_s > known_until_s(before_s)) {
-      water.advance(for_modes(answer, mean, ground_until(now_s)));
+      water.advance(for_modes(answer, mean, ground_until(now_s)), kept);
     }
     water.look_ahead(for_modes(answer, accelerations_, Point::Zero()),
-                     for_modes(answer, none, ground_until(now_s + window_s)), *ahead_);
+                     for_modes(answer, none, ground_until(now_s + window_s)), *ahead_, kept);
   }
 }
 

@@ -52,7 +52,7 @@ class ReservoirModel final : public schedule::FluidSide {
   /// One a mode: of motions and of the ground.
   [[nodiscard]] Eigen::VectorXd for_modes(const WaterAnswer& answer, const Motions& motions, const Point& ground) const;
   [[nodiscard]] double known_until_s(double told_s) const;
-  void look_ahead(const Motions& before, double before_s);
+  void look_ahead(const Motions& before, double before_s, bool kept);
 
   const scene::Scene& scene_;
   const Shaking shaking_;

@@ -6,6 +6,8 @@
 
 namespace blockweir::reservoir {
 
+using geometry::Point;
+
 class Shaking {
  public:
   /// The scene must outlive it.

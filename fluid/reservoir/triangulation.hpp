@@ -12,7 +12,7 @@
 namespace blockweir::reservoir {
 
 using geometry::Point;
-using hydrostatic::Ring;
+using joints::Ring;
 
 /// A side of a triangle is at most min(widest, at_point + growth times the distance from the nearest point) [m]. Left
 /// and right of an inner part, widest grows with the distance from it, to `outermost`.

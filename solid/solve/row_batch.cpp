@@ -2,13 +2,7 @@
 #include "solid/solve/row_batch.hpp"
 
 #include "bridge/scene/at.hpp"
-
-// The instructions of newer processors where there are any, without fused operations: all make the same bits.
-#if defined(__x86_64__) && !defined(__clang__)
-#define BLOCKWEIR_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
-#else
-#define BLOCKWEIR_WIDE_VECTORS
-#endif
+#include "bridge/scene/wide_vectors.hpp"
 
 namespace blockweir::solid {
 namespace {

@@ -72,6 +72,32 @@ TEST(ReservoirModel, AWallMayStandOnTheModelsEnd) {
   }
 }
 
+/// By one solution where the water is met first, by those of all modes where it was kept.
+TEST(ReservoirModel, WaterThatIsKeptHasThePressuresOfWaterThatIsMetFirst) {
+  for (const std::string compressible : {"false", "true"}) {
+    const scene::Scene kept =
+        dam_of_two("[fluid]\nmodel = \"reservoir\"\nreservoir = { compressible = " + compressible + " }\n");
+    const scene::Scene anew = dam_of_two(
+        "[fluid]\nmodel = \"reservoir\"\nreservoir = { move_tolerance = 1e-14, compressible = " + compressible +
+        " }\n");
+    ReservoirModel one(kept);
+    ReservoirModel other(anew);
+    wire::Load a;
+    wire::Load b;
+    for (int i = 0; i < 6; ++i) {
+      const double slipped = 1e-12 * i;  // enough to be met first in each window
+      one.advance(moved(0, 0.3 * std::sin(i)), 0.01 * i, a);
+      other.advance(moved(slipped, 0.3 * std::sin(i)), 0.01 * i, b);
+      ASSERT_EQ(a.pressure_from_pa.size(), b.pressure_from_pa.size());
+      for (std::size_t k = 0; k < a.pressure_from_pa.size(); ++k) {
+        EXPECT_NEAR(a.pressure_from_pa[k], b.pressure_from_pa[k], 1e-12 * still) << i;
+      }
+    }
+    EXPECT_EQ(one.report().counts.at("reservoir solutions"), 1);
+    EXPECT_EQ(other.report().counts.at("reservoir solutions"), 6);
+  }
+}
+
 constexpr const char* with_waves =
     "[fluid]\nmodel = \"reservoir\"\nreservoir = { surface = \"waves\", compressible = true, bottom_reflection = 0.8, "
     "element_ratio = 0.5 }\n";
