@@ -17,6 +17,12 @@ std::pair<int, int> counts(const ForceRow& row) {
   return {row.ends[0].count, row.ends[1].count};
 }
 
+/// Do both ends move the same unknowns, as those of blocks that water joins? A batch adds to each end by itself.
+bool ends_meet(const ForceRow& row) {
+  const auto& [a, b] = row.ends;
+  return std::max(a.first, b.first) < std::min(a.first + a.count, b.first + b.count);
+}
+
 /// Rows by colour: none shares an unknown with another of its colour. In each, ends of the same numbers of unknowns
 /// follow each other.
 std::vector<std::vector<int>> coloured(const std::vector<ForceRow>& rows, std::size_t unknowns,
@@ -26,12 +32,12 @@ std::vector<std::vector<int>> coloured(const std::vector<ForceRow>& rows, std::s
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto& ends = rows[k].ends;
     std::uint64_t taken = 0;
-    const bool many = std::max(ends[0].count, ends[1].count) > most_unknowns;
+    const bool alone = std::max(ends[0].count, ends[1].count) > most_unknowns || ends_meet(rows[k]);
     for (const auto& end : ends) {
-      for (int i = 0; i < end.count && !many; ++i) taken |= used[at(end.first + i)];
+      for (int i = 0; i < end.count && !alone; ++i) taken |= used[at(end.first + i)];
     }
     const int colour = std::countr_one(taken);
-    if (many || colour == colours) {
+    if (alone || colour == colours) {
       left_alone.push_back(static_cast<int>(k));
       continue;
     }

@@ -17,7 +17,7 @@ class RowBatches {
   /// Rows of blocks that move by themselves; `entries` as the rows have them. Ends that do not move get the
   /// displacements from `nowhere` on, which stay zero.
   void choose(const std::vector<ForceRow>& rows, const std::vector<double>& entries, Eigen::Index nowhere);
-  /// Rows of which an end has more than most_unknowns.
+  /// Rows of which an end has more than most_unknowns, or both ends have the same.
   [[nodiscard]] const std::vector<int>& left_alone() const { return left_alone_; }
 
   /// Gaps, slips, forces and rules as the rows have them.

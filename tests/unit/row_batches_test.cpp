@@ -87,5 +87,29 @@ TEST(RowBatches, MoveWhatTheirForcesMove) {
   EXPECT_GT((start - sweeps.displacement()).cwiseAbs().maxCoeff(), 0.1);
 }
 
+/// Two bodies that water joins move each other: both ends of a row have the unknowns of both.
+TEST(RowBatches, AddUpWhatBothEndsOfARowMove) {
+  std::mt19937 draw(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  ForceSweeps sweeps;
+  sweeps.begin(Eigen::VectorXd::Constant(6, -1), 4);
+  for (int k = 0; k < 4; ++k) {
+    ForceSweeps::Row& row = sweeps.add_row();
+    row.rule.friction = 0.3;
+    row.rule.compliance = {0.1, 0.1};
+    row.apart = {-1, uniform(draw)};
+    for (const bool second : {false, true}) {
+      const Eigen::Matrix2Xd motions = Eigen::Matrix2Xd::NullaryExpr(2, 6, [&] { return uniform(draw) / 2; });
+      sweeps.add_end(second, 0, motions, Eigen::MatrixX2d(motions.transpose()));
+    }
+  }
+  sweeps.apply_forces();
+  EXPECT_LT(sweeps.settle(20000, 1e-13), 20000);
+  const Eigen::VectorXd settled = sweeps.displacement();
+  sweeps.displace(Eigen::VectorXd::Constant(6, -1));
+  sweeps.apply_forces();
+  EXPECT_LE((sweeps.displacement() - settled).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 }  // namespace
 }  // namespace blockweir::solid
