@@ -127,15 +127,25 @@ class Criteria {
 
 using Sides = std::vector<std::array<Triangulation::Vertex_handle, 2>>;
 
-/// Points on the right of the water's sides, as in blocks that it surrounds: by itself CGAL meshes holes, too.
+/// So thin that rounding decides on which side of its longest side its middle lies.
+bool is_thin(const Triangulation::Triangle& triangle) {
+  constexpr double thinnest = 1e-9;
+  double longest_squared = 0;
+  for (const int i : {0, 1, 2}) {
+    longest_squared = std::max(longest_squared, CGAL::squared_distance(triangle[i], triangle[i + 1]));
+  }
+  return 2 * std::abs(triangle.area()) < thinnest * longest_squared;
+}
+
+/// Points on the right of the water's sides, as in blocks that it surrounds: by itself CGAL meshes holes, too. One that
+/// lies in the water after all, as between a side and others in one line with it, would take all of it away.
 std::vector<Kernel::Point_2> outside(const Sides& sides, const Triangulation& mesh) {
   std::vector<Kernel::Point_2> points;
   for (const auto& [from, to] : sides) {
     Triangulation::Face_handle right;
     int opposite = 0;
     if (!mesh.is_edge(from, to, right, opposite) || mesh.is_infinite(right)) continue;
-    const Kernel::Point_2 middle = CGAL::centroid(mesh.triangle(right));
-    if (mesh.locate(middle, right) == right) points.push_back(middle);  // it is not as thin as a rounding
+    if (!is_thin(mesh.triangle(right))) points.push_back(CGAL::centroid(mesh.triangle(right)));
   }
   return points;
 }

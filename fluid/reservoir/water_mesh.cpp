@@ -9,6 +9,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/at.hpp"
 #include "fluid/reservoir/triangulation.hpp"
 #include "fluid/reservoir/water_region.hpp"
@@ -111,6 +112,20 @@ Sizes sizes_of(const std::vector<Ring>& rings, const WaterBody& body, const Bank
   return sizes;
 }
 
+/// Where sides lie on each other, as of a crack that has closed again, what lies beyond one may be water: then all of
+/// it has no triangles.
+bool fills(const Triangulated& triangles, const std::vector<Ring>& rings) {
+  constexpr double part = 0.999;
+  double region = 0;
+  for (const Ring& ring : rings) region += geometry::signed_area(ring);
+  double area = 0;
+  for (const auto& [a, b, c] : triangles.triangle) {
+    area +=
+        std::abs(cross(triangles.node[at(b)] - triangles.node[at(a)], triangles.node[at(c)] - triangles.node[at(a)]));
+  }
+  return area / 2 >= part * region;
+}
+
 /// Triangles of a body's region, which becomes the rings that they fill.
 Triangulated triangulate(std::vector<Ring>& region, const WaterBody& body, const Banks& banks, const FarEnds& ends,
                          const Fineness& fineness) {
@@ -122,7 +137,7 @@ Triangulated triangulate(std::vector<Ring>& region, const WaterBody& body, const
     const Sizes sizes = sizes_of(rings, body, banks, ends, fineness);
     for (Ring& ring : rings) ring = with_points(ring, banks.corners, 10 * tiny);
     std::optional<Triangulated> triangles = triangulate(rings, sizes);
-    if (!triangles) continue;
+    if (!triangles || !fills(*triangles, rings)) continue;
     region = std::move(rings);
     return *std::move(triangles);
   }

@@ -85,6 +85,33 @@ TEST(OpenedBlocks, TheirWaterIsAlwaysMeshed) {
   }
 }
 
+/// The rows' faces lie in one line but for rounding. What lay between them and that line counted as outside, and with
+/// it all of the water.
+TEST(OpenedBlocks, WaterBesideRowsThatSlideAsOneIsMeshed) {
+  for (int seed = 0; seed < test::samples(150); ++seed) {
+    SCOPED_TRACE(seed);
+    geometry::Uniform random(static_cast<std::uint64_t>(seed));
+    const auto between = [&](double a, double b) { return a + (b - a) * random(); };
+    const int rows = 2 + seed % 10;
+    const double row_m = between(5, 10) / rows;
+    const double slope_m = between(0.5, 3);
+    const double slid_m = std::pow(10, between(-5, -1));
+    hydrostatic::Structure structure;
+    structure.open_crack_width_m = 0.03;
+    structure.outlines = {{{-18, -6}, {12, -6}, {12, 0}, {0, 0}, {-18, slope_m}}};
+    for (int row = 0; row < rows; ++row) {
+      const double y = row * row_m;
+      Outline block{{0, y}, {4, y}, {4, y + row_m}, {0, y + row_m}};
+      const Eigen::Rotation2Dd turn(between(-1e-12, 1e-12));
+      for (Point& p : block) p = turn * p + Point(slid_m * (1 + between(-1e-14, 1e-14)), 0);
+      structure.outlines.push_back(block);
+    }
+    structure.ground.left = scene::BedCorner{0, 4};
+    structure.ground.right = scene::BedCorner{0, 2};
+    is_meshed(structure, between(slope_m + 0.2, rows * row_m), 0.3);
+  }
+}
+
 /// Water on both sides meets at the corner, or all but does.
 TEST(OpenedBlocks, WaterBesideABlockOnItsCornerIsMeshed) {
   for (int seed = 0; seed < test::samples(300); ++seed) {
