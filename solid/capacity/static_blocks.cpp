@@ -20,6 +20,16 @@ scene::Scene at_rest(scene::Scene scene) {
 
 }  // namespace
 
+std::string moving_most(const Solid& solid) {
+  const auto& states = solid.states();
+  const auto farthest =
+      std::max_element(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(solid.described()),
+                       [](const auto& a, const auto& b) {
+                         return a.displacement.template head<2>().norm() < b.displacement.template head<2>().norm();
+                       });
+  return solid.scene().blocks[static_cast<std::size_t>(farthest - states.begin())].name;
+}
+
 StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water, SearchBudget& effort)
     : scene_(at_rest(scene)), far_m_(scene_.analysis.failure_displacement_m), solid_(scene_), water_(water) {
   solid_.call_meanwhile([&effort] { effort.solved_one(); });
@@ -55,16 +65,6 @@ bool StaticBlocks::slipped_away() const {
 bool StaticBlocks::went_far() const {
   return slipped_away() || std::max(solid_.state().largest_slip_m() - slipped_before_m_,
                                     solid_.largest_displacement_m() - moved_before_m_) > far_m_;
-}
-
-std::string StaticBlocks::moving_most() const {
-  const auto& states = solid_.states();
-  const auto farthest =
-      std::max_element(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(scene_.blocks.size()),
-                       [](const auto& a, const auto& b) {
-                         return a.displacement.template head<2>().norm() < b.displacement.template head<2>().norm();
-                       });
-  return scene_.blocks[static_cast<std::size_t>(farthest - states.begin())].name;
 }
 
 std::string StaticBlocks::state() const {
