@@ -100,6 +100,7 @@ class Search {
         end = std::min(end, *jumps_below_);
         step = std::max(step, 1e-4);
       }
+      if (by_motion_) step = std::min(step, 3.0);  // strong joints wedge blocks, which takes them long to come to rest
       if (end > largest) return limit::Bearing::bears_any;
       if (end < 1 / largest) return none();
       if (stands(end) != first) return limit::Bearing::fails_at_a_factor;
