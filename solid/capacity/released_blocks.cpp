@@ -28,12 +28,11 @@ bool ReleasedBlocks::come_to_rest(double level_m) {
   constexpr int a_while = 10;  // steps in a row in which all blocks stand
   if (scene_.base_motion) throw Undecided("blocks are not let go in an earthquake");
   FailureWatch watch(solid_);
-  double time_s = scene_.analysis.duration_s;
-  watch.look(time_s, {});
+  const double end_s = scene_.analysis.duration_s;
+  watch.look(0, {});
   for (int step = 0, stood = 0; step < most_steps; ++step) {
-    const double end_s = time_s + scene_.analysis.step_s;
-    solid_.advance(time_s, end_s, panels_of(pressures(level_m), solid_));
-    watch.look(time_s = end_s, {});
+    solid_.advance(end_s - scene_.analysis.step_s, end_s, panels_of(pressures(level_m), solid_));  // loads stay
+    watch.look((step + 1) * scene_.analysis.step_s, {});
     if (!watch.failures().empty()) return false;
     if (solid_.state().largest_slip_m() > scene_.analysis.failure_displacement_m) return false;
     stood = watch.at_rest() ? stood + 1 : 0;

@@ -2,7 +2,6 @@
 // Limits the time of a search by many static analyses, and prints its progress.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <climits>
 #include <ctime>
@@ -31,8 +30,6 @@ class SearchBudget {
   void knows(std::string text) { known_ = std::move(text); }
   [[nodiscard]] const std::string& known() const { return known_; }
 
-  /// Linear systems of a static analysis that gets anywhere. Others creep, for minutes in a large scene.
-  static long most_of_one(std::size_t blocks) { return std::min(2000L, 200'000L / static_cast<long>(blocks)); }
   /// Starts the count of an analysis, which may solve this many linear systems.
   void allow(long systems) { last_allowed_ = solved_ > LONG_MAX - systems ? LONG_MAX : solved_ + systems; }
   /// Call after each solution of a linear system. Prints a line on standard error every other second. Throws

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "solid/solve/islands.hpp"
 #include "solid/watch/make_frame.hpp"
 
 namespace blockweir::solid {
@@ -28,6 +29,17 @@ std::string moving_most(const Solid& solid) {
                          return a.displacement.template head<2>().norm() < b.displacement.template head<2>().norm();
                        });
   return solid.scene().blocks[static_cast<std::size_t>(farthest - states.begin())].name;
+}
+
+long most_systems(const Solid& solid) {
+  constexpr long of_all = 800'000;  // blocks solved for, in the largest group of them that touch
+  std::vector<bool> fixed;
+  for (const Block& block : solid.blocks()) fixed.push_back(block.fixed);
+  std::vector<std::pair<int, int>> links;
+  for (const ContactPoint& c : solid.contacts()) links.emplace_back(c.vertex_part, c.edge_part);
+  std::size_t largest = 1;
+  for (const Island& group : find_islands(fixed, links, {})) largest = std::max(largest, group.blocks.size());
+  return of_all / static_cast<long>(largest);
 }
 
 StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water, SearchBudget& effort)

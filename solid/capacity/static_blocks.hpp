@@ -15,6 +15,9 @@ namespace blockweir::solid {
 /// The name of the block whose centroid has moved most from where it was drawn.
 std::string moving_most(const Solid& solid);
 
+/// Linear systems of one analysis that gets anywhere. Others creep, for minutes in a large scene.
+long most_systems(const Solid& solid);
+
 class StaticBlocks {
  public:
   /// `water` is null if there is none. The arguments must outlive the object. Its functions throw TookTooLong when the

@@ -55,9 +55,11 @@ class Search {
   bool stands(double reduction) {
     const scene::Scene reduced = with_reduced_strength(scene_, reduction);
     if (by_motion_) return comes_to_rest(reduced);
-    effort_.allow(jumps_below_ ? SearchBudget::most_of_one(scene_.blocks.size()) : LONG_MAX);
     try {
       StaticBlocks blocks(reduced, water_, effort_);
+      const long most = most_systems(blocks.solid());
+      const bool may_jump = jumps_below_ && reduction > *jumps_below_;
+      effort_.allow(may_jump ? std::min(of_bound, most) : jumps_below_ ? most : LONG_MAX);
       if (blocks.begin(level_m_)) return true;
       moving_ = moving_most(blocks.solid());
       return false;
@@ -95,12 +97,12 @@ class Search {
     for (double step = nearest;; step *= 100) {
       effort_.knows(fmt::format("{} with strength over {:.6g}", first ? "stands" : "fails", stands_at_));
       double& end = first ? fails_at_ : stands_at_;
+      if (by_motion_) step = std::clamp(step, of_motion, 3.0);  // far stronger joints wedge blocks for long
       end = first ? end * (1 + step) : end / (1 + step);
       if (creeps_) {
         end = std::min(end, *jumps_below_);
         step = std::max(step, 1e-4);
       }
-      if (by_motion_) step = std::min(step, 3.0);  // strong joints wedge blocks, which takes them long to come to rest
       if (end > largest) return limit::Bearing::bears_any;
       if (end < 1 / largest) return none();
       if (stands(end) != first) return limit::Bearing::fails_at_a_factor;
@@ -131,6 +133,7 @@ class Search {
   static constexpr double exact = 1e-7;     // width of the bracket at the end, over the factor
   static constexpr double of_jumps = 1e-4;  // the same where the factor itself jumps by per cents
   static constexpr double of_motion = 1e-2;
+  static constexpr long of_bound = 2000;  // linear systems of an analysis near the bound
 
   const scene::Scene& scene_;
   StillWater* water_;
@@ -149,9 +152,10 @@ class Search {
 
 bool stands(const scene::Scene& scene, StillWater* water, double level_m) {
   SearchBudget effort("the blocks");
-  effort.allow(SearchBudget::most_of_one(scene.blocks.size()));
   try {
-    return StaticBlocks(scene, water, effort).begin(level_m);
+    StaticBlocks blocks(scene, water, effort);
+    effort.allow(most_systems(blocks.solid()));
+    return blocks.begin(level_m);
   } catch (const Undecided&) {
     effort.allow(LONG_MAX);
   }
