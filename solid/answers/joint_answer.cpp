@@ -3,6 +3,7 @@
 
 #include "solid/answers/additional_water_loads.hpp"
 #include "solid/answers/safety_reserves.hpp"
+#include "solid/capacity/released_blocks.hpp"
 #include "solid/capacity/static_blocks.hpp"
 #include "solid/watch/joint_table.hpp"
 #include "solid/watch/surfaces.hpp"
@@ -109,29 +110,44 @@ json parts_json(const std::vector<JointPart>& parts) {
   return table;
 }
 
+/// What the joints of blocks at rest bear, with strength divided by `reduction`.
+void add_forces(Situation& now, const std::vector<WaterPart>& parts, const Solid& blocks, const wire::Load& water,
+                double reduction, json& answer) {
+  std::vector<JointRow> table = joint_table(blocks, water, parts);
+  take_stated_strength(reduction, table);
+  answer["joints"] = table_json(table);
+  answer["joint_parts"] = parts_json(joint_parts_of(blocks, water, reduction, answer));
+  answer["bent_joints"] = bent_joints(blocks);
+  answer["bolts"] = bolts_json(blocks);
+  for (std::string& warning : uplift_warnings(blocks.scene(), now.level_m, table))
+    answer["warnings"].push_back(std::move(warning));
+}
+
 }  // namespace
 
 void add_joints(Situation& now, const process::FluidMaker& make_fluid, const StaticStrength& found, json& answer) {
   constexpr double just_stands = 1 - 1e-6;
   if (found.bearing == Bearing::bears_none) return add_loads(now, make_fluid, answer);
   const bool stands = found.bearing == Bearing::bears_any || found.factor >= 1;
-  const double reduction = stands ? 1 : found.factor * just_stands;
+  const double bearable = found.by_motion ? found.factor - found.width / 2 : found.factor * just_stands;
+  const double reduction = stands ? 1 : bearable;
   const scene::Scene scene = with_reduced_strength(now.scene, reduction);
   SearchBudget effort("forces on joints");
-  StaticBlocks blocks(scene, now.water_if_any(), effort);
-  if (!blocks.begin(now.level_m)) return;
-  const auto parts = now.water ? additional_water_loads(scene, make_fluid, now.level_m) : std::vector<WaterPart>{};
-  const wire::Load water = blocks.pressures(now.level_m);
-  std::vector<JointRow> table = joint_table(blocks.solid(), water, parts);
-  take_stated_strength(reduction, table);
-  answer["joints"] = table_json(table);
-  answer["joint_parts"] = parts_json(joint_parts_of(blocks.solid(), water, reduction, answer));
-  answer["bent_joints"] = bent_joints(blocks.solid());
-  answer["bolts"] = bolts_json(blocks.solid());
-  if (!stands) answer["joints_with_strength_times"] = 1 / reduction;
-  for (std::string& warning : uplift_warnings(scene, now.level_m, table))
-    answer["warnings"].push_back(std::move(warning));
-  if (stands) add_cracked_joints(blocks.solid(), now, answer);
+  const auto add_if = [&](bool at_rest, auto& blocks) {
+    if (!at_rest) return;
+    const auto parts = now.water ? additional_water_loads(scene, make_fluid, now.level_m) : std::vector<WaterPart>{};
+    const wire::Load water = blocks.pressures(now.level_m);
+    add_forces(now, parts, blocks.solid(), water, reduction, answer);
+    if (!stands) answer["joints_with_strength_times"] = 1 / reduction;
+    if (stands) add_cracked_joints(blocks.solid(), now, answer);
+  };
+  if (found.by_motion) {
+    ReleasedBlocks blocks(scene, now.water_if_any(), effort);
+    add_if(blocks.come_to_rest(now.level_m), blocks);
+  } else {
+    StaticBlocks blocks(scene, now.water_if_any(), effort);
+    add_if(blocks.begin(now.level_m), blocks);
+  }
 }
 
 }  // namespace blockweir::solid

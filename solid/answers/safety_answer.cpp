@@ -74,8 +74,18 @@ void add_friction_history(const limit::LimitAnalysis& structure, const StaticStr
   const std::optional<double> below = jumps_below(structure, bound);
   if (!below || !blocks.stopped.empty()) return;
   constexpr double next_to_nothing = 1e-3;
-  if (blocks.bearing != Bearing::fails_at_a_factor || (blocks.factor > *below && !blocks.creeps)) return;
+  if (blocks.bearing != Bearing::fails_at_a_factor || (blocks.factor > *below && !blocks.creeps && !blocks.by_motion))
+    return;
   if (blocks.factor > bound.factor * (1 - next_to_nothing)) return;
+  if (blocks.by_motion) {
+    answer["friction_history"] = fmt::format(
+        "blocks wedge each other, and statics step by step gets to no end; let go as drawn, under all loads at once, "
+        "the blocks come to "
+        "rest with strength over {:.4g} and fail with strength over {:.4g}; up to {:.4g} some forces in the joints "
+        "would hold the structure",
+        blocks.factor - blocks.width / 2, blocks.factor + blocks.width / 2, bound.factor);
+    return;
+  }
   if (limit::each_joint_divides(structure.scene(), structure.faces())) {
     answer["friction_history"] = fmt::format(
         "the bond of a joint breaks from its most stressed end on, which the blocks follow, down to {:.4g}; limit "

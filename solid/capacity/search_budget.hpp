@@ -28,6 +28,8 @@ class SearchBudget {
 
   /// Sets what is known so far, for lines of progress.
   void knows(std::string text) { known_ = std::move(text); }
+  [[nodiscard]] const std::string& known() const { return known_; }
+
   /// Starts the count of an analysis, which may solve this many linear systems.
   void allow(long systems) { last_allowed_ = solved_ > LONG_MAX - systems ? LONG_MAX : solved_ + systems; }
   /// Call after each solution of a linear system. Prints a line on standard error every other second. Throws

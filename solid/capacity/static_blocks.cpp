@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bridge/checkpoint/archive.hpp"
+#include "solid/solve/islands.hpp"
 #include "solid/watch/make_frame.hpp"
 
 namespace blockweir::solid {
@@ -19,6 +20,27 @@ scene::Scene at_rest(scene::Scene scene) {
 }
 
 }  // namespace
+
+std::string moving_most(const Solid& solid) {
+  const auto& states = solid.states();
+  const auto farthest =
+      std::max_element(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(solid.described()),
+                       [](const auto& a, const auto& b) {
+                         return a.displacement.template head<2>().norm() < b.displacement.template head<2>().norm();
+                       });
+  return solid.scene().blocks[static_cast<std::size_t>(farthest - states.begin())].name;
+}
+
+long most_systems(const Solid& solid) {
+  constexpr long of_all = 800'000;  // blocks solved for, in the largest group of them that touch
+  std::vector<bool> fixed;
+  for (const Block& block : solid.blocks()) fixed.push_back(block.fixed);
+  std::vector<std::pair<int, int>> links;
+  for (const ContactPoint& c : solid.contacts()) links.emplace_back(c.vertex_part, c.edge_part);
+  std::size_t largest = 1;
+  for (const Island& group : find_islands(fixed, links, {})) largest = std::max(largest, group.blocks.size());
+  return of_all / static_cast<long>(largest);
+}
 
 StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water, SearchBudget& effort)
     : scene_(at_rest(scene)), far_m_(scene_.analysis.failure_displacement_m), solid_(scene_), water_(water) {
@@ -55,16 +77,6 @@ bool StaticBlocks::slipped_away() const {
 bool StaticBlocks::went_far() const {
   return slipped_away() || std::max(solid_.state().largest_slip_m() - slipped_before_m_,
                                     solid_.largest_displacement_m() - moved_before_m_) > far_m_;
-}
-
-std::string StaticBlocks::moving_most() const {
-  const auto& states = solid_.states();
-  const auto farthest =
-      std::max_element(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(scene_.blocks.size()),
-                       [](const auto& a, const auto& b) {
-                         return a.displacement.template head<2>().norm() < b.displacement.template head<2>().norm();
-                       });
-  return scene_.blocks[static_cast<std::size_t>(farthest - states.begin())].name;
 }
 
 std::string StaticBlocks::state() const {

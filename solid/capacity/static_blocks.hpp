@@ -12,6 +12,12 @@
 
 namespace blockweir::solid {
 
+/// The name of the block whose centroid has moved most from where it was drawn.
+std::string moving_most(const Solid& solid);
+
+/// Linear systems of one analysis that gets anywhere. Others creep, for minutes in a large scene.
+long most_systems(const Solid& solid);
+
 class StaticBlocks {
  public:
   /// `water` is null if there is none. The arguments must outlive the object. Its functions throw TookTooLong when the
@@ -29,9 +35,6 @@ class StaticBlocks {
   [[nodiscard]] bool went_far() const;
   /// Whether anything has slipped by more than a failure since the scene as drawn, measured as in rests_at().
   [[nodiscard]] bool slipped_away() const;
-
-  /// The name of the block whose centroid has moved most from where it was drawn.
-  [[nodiscard]] std::string moving_most() const;
 
   /// State, to restore a StaticBlocks of the same scene.
   [[nodiscard]] std::string state() const;

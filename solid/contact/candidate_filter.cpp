@@ -221,8 +221,12 @@ void CandidateFilter::let_pass(std::vector<std::size_t>& kept_for) {
 /// their distance times a cotangent. Behind the edge counts from the edge itself: steps would add up.
 bool CandidateFilter::passes_alone(const ContactPoint& c) const {
   constexpr double steepest = 10;
-  const bool open = c.state == ContactState::open && c.length <= std::max(outlines_.give_m(), steepest * c.gap);
-  const bool catches = c.length > 0 && c.length <= outlines_.give_m();
+  constexpr double of_block = 0.2;  // of its radius: on longer ones a block as small as an offset stands
+  const auto radius_of = [&](int part) { return outlines_.parts().blocks[at(part)].radius; };
+  const double short_m =
+      std::min(outlines_.give_m(), of_block * std::min(radius_of(c.vertex_part), radius_of(c.edge_part)));
+  const bool open = c.state == ContactState::open && c.length <= std::max(short_m, steepest * c.gap);
+  const bool catches = c.length > 0 && c.length <= short_m;
   return (open || catches) && c.gap + c.gap_at_start > -outlines_.give_m() && may_pass(c);
 }
 
