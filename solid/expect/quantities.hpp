@@ -34,6 +34,9 @@ struct Outcome {
   const Frames& frames;
   double largest_penetration_m = 0;  ///< over the whole run
   std::optional<Breach> breach{};
+
+  /// Into each other by more, blocks are somewhere else than they could be.
+  [[nodiscard]] double most_penetration_m() const { return 1e-4 * solid.size_m(); }
 };
 
 std::vector<std::string> quantity_names();

@@ -24,6 +24,20 @@ std::string residual_warning(const scene::Scene& scene, const Counts& counts) {
       counts.residual_m, most * scene.analysis.failure_displacement_m, most, scene.analysis.step_s);
 }
 
+std::string penetration_warning(const expect::Outcome& outcome) {
+  if (outcome.largest_penetration_m <= outcome.most_penetration_m()) return {};
+  const scene::Scene& scene = outcome.solid.scene();
+  const bool springs = scene.contact.formulation == scene::ContactFormulation::penalty;
+  return fmt::format(
+      "blocks were in each other by up to {:.3g} m; expected at most {:.3g} m, 1e-4 of the model's size; {}",
+      outcome.largest_penetration_m, outcome.most_penetration_m(),
+      springs
+          ? "raise [contact] stiffness_n_per_m2, of the springs at contacts"
+          : fmt::format("shorten [analysis] step_s (now {:.3g}), or state rigid = \"all\" in [analysis]: blocks that "
+                        "strain a lot meet too late",
+                        scene.analysis.step_s));
+}
+
 json counts_of(const Solid& solid) {
   const Counts counts = solid.counts();
   return {{"steps", counts.steps},
@@ -63,8 +77,8 @@ void add_warnings(const expect::Outcome& outcome, json& warnings) {
   const scene::Scene& scene = outcome.solid.scene();
   for (const std::string& warning :
        {outcome.energy.warning(outcome.solid), residual_warning(scene, outcome.solid.counts()),
-        outcome.edge_tension.warning(), new_contacts_warning(outcome), water_on_crest_warning(outcome),
-        outcome.added_mass.warning(scene), outcome.interface_energy.warning()}) {
+        penetration_warning(outcome), outcome.edge_tension.warning(), new_contacts_warning(outcome),
+        water_on_crest_warning(outcome), outcome.added_mass.warning(scene), outcome.interface_energy.warning()}) {
     if (!warning.empty()) warnings.push_back(warning);
   }
 }

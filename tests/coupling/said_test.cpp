@@ -54,6 +54,23 @@ TEST_F(Said, AnOutThatCannotBeAPathIsRefused) {
   EXPECT_FALSE(fs::exists(folder / "a"));
 }
 
+/// Springs that give way by a centimetre, and by a micrometre.
+TEST_F(Said, BlocksThatAreInEachOtherAreNamed) {
+  std::string heavy = block;
+  heavy.replace(heavy.find("2.4"), 3, "2400");
+  for (const char* stiffness : {"1e6", "1e10"}) {
+    scene(heavy + "[contact]\nformulation = \"penalty\"\nstiffness_n_per_m2 = " + stiffness + "\n");
+    ASSERT_EQ(shell(programs + "/blockweir run s.toml --out o" + stiffness), 0) << text("out");
+    const auto said = HasSubstr("WARNING blocks were in each other by up to ");
+    const auto advice = HasSubstr("1e-4 of the model's size; raise [contact] stiffness_n_per_m2");
+    if (stiffness == std::string("1e6")) {
+      EXPECT_THAT(text("out"), AllOf(said, advice));
+    } else {
+      EXPECT_THAT(text("out"), Not(said));
+    }
+  }
+}
+
 TEST_F(Said, AWarningStandsBeforeTheRunInItsReportAndInItsSummary) {
   scene(block);
   ASSERT_EQ(shell(programs + "/blockweir run s.toml --out o"), 0) << text("out");
