@@ -171,18 +171,25 @@ JointForce Formulation::judge(int index, ContactPoint& c, const Eigen::Vector2d&
   return force;
 }
 
+/// Of a joint's two corners one may bear all: what the other touches without a force it slides along all the same.
+bool Formulation::goes_along(const ContactPoint& c, const Progress& progress) const {
+  return c.state == ContactState::open && c.has_touched() &&
+         std::abs(progress.separation.x()) <= settings_.penetration_tolerance_m;
+}
+
 bool Formulation::accept(const Trial& trial, const IslandContacts& island) const {
   std::atomic<bool> any_slips = false;
   for_each(island.contact_ids.size(), [&](std::size_t i) {
     const auto k = at(island.contact_ids[i]);
     ContactPoint& c = island.contacts[k];
-    const double slip = progress_.contact(island.contact_ids[i]).separation.y() - c.elastic_slip;
+    const Progress& progress = progress_.contact(island.contact_ids[i]);
+    const double slip = progress.separation.y() - c.elastic_slip;
     // Closed in the step to come, what is left would become a velocity.
-    if (c.state == ContactState::stick && progress_.contact(island.contact_ids[i]).swept)
+    if (c.state == ContactState::stick && progress.swept)
       c.anchor += slip / edge_frame(trial, c).length;
-    if (c.state != ContactState::slip) return;
+    if (c.state != ContactState::slip && !goes_along(c, progress)) return;
     any_slips.store(true, std::memory_order_relaxed);
-    c.slid = true;
+    c.slid = c.slid || c.state == ContactState::slip;
     c.slip_m += slip;
     c.slip_path_m += std::abs(slip);
     c.anchor += slip / edge_frame(trial, c).length;

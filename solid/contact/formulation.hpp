@@ -109,6 +109,8 @@ class Formulation {
   LaggedFriction lagged_;
 
  private:
+  [[nodiscard]] bool goes_along(const ContactPoint& c, const Progress& progress) const;
+
   MemoryBefore before_;
 };
 

@@ -258,4 +258,21 @@ TEST(SceneLoads, LoadsAreStatedOnceAndWhole) {
   expect_error(with("displacement_x_m = 0\n", ""), 31, {"[[support]] holds nothing"});
 }
 
+TEST(SceneLoads, OnePointHasOnePath) {
+  const auto with_another = [](const std::string& displacement) {
+    return with("[[point_load]]",
+                "[[support]]\nblock = \"base\"\npoint_m = [0, 0]\n" + displacement + "\n[[point_load]]");
+  };
+  expect_error(with_another("displacement_x_m = { from = 0, rate_per_s = 0.1, to = 0.05 }"), 35,
+               {"[[support]] leads point (0, 0) of block \"base\" elsewhere than another [[support]] does"});
+  EXPECT_THAT(errors(with_another("displacement_x_m = 0")), IsEmpty());
+  EXPECT_THAT(errors(with_another("displacement_y_m = { from = 0, rate_per_s = 0.1, to = 0.05 }")), IsEmpty());
+}
+
+TEST(SceneLoads, APathBeginsWhereItsPointIsDrawn) {
+  sample::expect_warning(with("displacement_x_m = 0", "displacement_x_m = 0.1"), 34,
+                         {"displacement_x_m in [[support]] is 0.1 m at time 0: the point leaps there",
+                          "displacement_x_m = { from = 0, rate_per_s = ..., to = 0.1 }"});
+}
+
 }  // namespace

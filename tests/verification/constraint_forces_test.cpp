@@ -112,6 +112,26 @@ TEST_P(ConstraintForces, OfABlockOnADriverAreItsMassTimesTheAcceleration) {
   EXPECT_NEAR(solid.states()[1].displacement[0], solid.states()[0].displacement[0], 1e-6) << "it has slipped";
 }
 
+/// Two supports keep a wall upright as they move it to and fro: one corner may bear all, and the other slips with it.
+TEST_P(ConstraintForces, NoCornerOfAWallLosesItsSlipWhereTheOtherBearsAll) {
+  std::string text = start(GetParam(), 30) + block("bed", "[-20, -4], [20, -4], [20, 0], [-20, 0]", "fixed = true\n") +
+                     block("wall", "[0, 0], [4, 0], [4, 8], [0, 8]");
+  for (const int y : {2, 6}) {
+    text += fmt::format(
+        "[[support]]\nblock = \"wall\"\npoint_m = [4, {}]\ndisplacement_x_m = {{ sine = 0.02, frequency_hz = 0.5 }}\n",
+        y);
+  }
+  const scene::Scene scene = scene::read_text(text, "wall").scene;
+  Solid solid(scene);
+  const double dt = GetParam().step_s;
+  for (double t = 0; t < 2; t += dt) {
+    solid.advance(t, t + dt, {});
+    for (const ContactPoint& c : solid.contacts()) {
+      ASSERT_NEAR(std::abs(c.slip_m), std::abs(solid.states()[1].displacement[0]), 1e-9) << t;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, ConstraintForces,
                          testing::Values(Way{"shi", 5e-3}, Way{"shi", 1e-3}, Way{"trapezoidal", 5e-3},
                                          Way{"generalized-alpha", 5e-3}),

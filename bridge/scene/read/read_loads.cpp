@@ -2,6 +2,8 @@
 // What holds and pushes the blocks: supports, point and line loads, pressures on faces, body loads.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/read/check_sampling.hpp"
 #include "bridge/scene/read/nearest.hpp"
@@ -130,6 +132,46 @@ std::vector<int> read_loaded_blocks(TableReader& table, Reading& reading) {
   return blocks;
 }
 
+/// Where a point begins elsewhere than drawn, it leaps there.
+void warn_of_leap(TableReader& table, const char* key, const std::optional<TimeTable>& course, int index,
+                  Reading& reading) {
+  const Block* block = reading.sound_block(index);
+  const double begins_m = course ? course->at(0) : 0;
+  if (block == nullptr || std::abs(begins_m) <= tolerance_m(*block)) return;
+  reading.problems.warning(
+      table.place(key),
+      fmt::format("{} in {} is {:.4g} m at time 0: the point leaps there", key, table.name(), begins_m),
+      "0 at time 0, as the blocks are drawn",
+      fmt::format("write {} = {{ from = 0, rate_per_s = ..., to = {:.4g} }}", key, begins_m));
+}
+
+/// Two supports that hold one point at different places.
+void reject_contradiction(TableReader& table, const Support& support, Reading& reading) {
+  const Block* block = reading.sound_block(support.block);
+  if (block == nullptr) return;
+  const auto differ = [&](const std::optional<TimeTable>& a, const std::optional<TimeTable>& b) {
+    constexpr int looks = 64;
+    if (!a || !b) return false;
+    for (int i = 0; i <= looks; ++i) {
+      const double time_s = reading.scene.analysis.duration_s * i / looks;
+      if (a->at(time_s) != b->at(time_s)) return true;
+    }
+    return false;
+  };
+  for (const Support& other : reading.scene.supports) {
+    if (other.block != support.block || (other.point_m - support.point_m).norm() > tolerance_m(*block)) continue;
+    if (!differ(other.displacement_x_m, support.displacement_x_m) &&
+        !differ(other.displacement_y_m, support.displacement_y_m))
+      continue;
+    reading.problems.error(
+        table.place(),
+        fmt::format("{} leads point ({}, {}) of block \"{}\" elsewhere than another [[support]] does", table.name(),
+                    support.point_m.x(), support.point_m.y(), block->name),
+        "one path for a point", "leave one of the two out, or move its point");
+    return;
+  }
+}
+
 }  // namespace
 
 void read_supports(Reading& reading) {
@@ -142,6 +184,9 @@ void read_supports(Reading& reading) {
       reject(table, reading.problems, "holds nothing", "displacement_x_m, displacement_y_m or both",
              "write displacement_y_m = 0 to hold the point in y");
     }
+    warn_of_leap(table, "displacement_x_m", support.displacement_x_m, support.block, reading);
+    warn_of_leap(table, "displacement_y_m", support.displacement_y_m, support.block, reading);
+    reject_contradiction(table, support, reading);
     reading.scene.supports.push_back(std::move(support));
   });
 }
