@@ -26,10 +26,11 @@ struct Support {
     const auto& [bx, by] = std::pair(described->displacement_x_m, described->displacement_y_m);
     return {bx ? bx->at(time_s) : 0.0, by ? by->at(time_s) : 0.0};
   }
-  /// Of the target as the time comes [m/s].
+  /// Of the target about the time [m/s]. In a row of a table it is the mean of before and after: that before would lag
+  /// behind a motion whose rows are as far apart as steps.
   [[nodiscard]] Point target_rate(double time_s, double dt) const {
     const double shortly = 1e-3 * dt;
-    return (target(time_s) - target(time_s - shortly)) / shortly;
+    return (target(time_s + shortly) - target(time_s - shortly)) / (2 * shortly);
   }
   [[nodiscard]] Point held() const {
     return {described->displacement_x_m ? 1.0 : 0.0, described->displacement_y_m ? 1.0 : 0.0};

@@ -158,8 +158,11 @@ json margin(const expect::Outcome& o) {
   for (const ContactRow& c : o.last.contacts) {
     if (slipped == nullptr || std::abs(c.slip_m) > std::abs(slipped->slip_m)) slipped = &c;
   }
-  constexpr double seen = 0.1;  // of a failure: what strains slips by less
-  if (slipped != nullptr && std::abs(slipped->slip_m) > seen * o.solid.scene().analysis.failure_displacement_m) {
+  constexpr double of_failure = 0.1;  // what strains slips by less
+  constexpr double of_size = 1e-3;    // seen also where a failure is stated to be more
+  const double seen_m =
+      std::min(of_failure * o.solid.scene().analysis.failure_displacement_m, of_size * o.solid.size_m());
+  if (slipped != nullptr && std::abs(slipped->slip_m) > seen_m) {
     const std::string joint = joint_name(o.solid, slipped->vertex_block, slipped->edge_block);
     found["slip_m"] = std::abs(slipped->slip_m);
     found["slip_joint"] = joint;

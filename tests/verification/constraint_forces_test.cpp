@@ -88,28 +88,42 @@ TEST_P(ConstraintForces, OfAToeAreThoseOfACentroidOnACircle) {
   EXPECT_GT(compared, 50);
 }
 
+/// x = way (1 - cos 2 pi t), by its formula or in rows that are a step apart.
+std::string path(double way_m, double step_s, bool by_rows) {
+  if (!by_rows) return fmt::format("{{ sine = {0}, frequency_hz = 1, phase_deg = -90, mean = {0} }}", way_m);
+  std::string rows;
+  for (int i = 0; i * step_s < 1.6; ++i) {
+    rows += fmt::format("[{}, {}], ", i * step_s, way_m * (1 - std::cos(2 * std::numbers::pi * i * step_s)));
+  }
+  return "{ table = [" + rows + "] }";
+}
+
 /// On a driver whose greatest acceleration is 0.6 of what friction gives, a block rides with 0.6 of its friction.
 TEST_P(ConstraintForces, OfABlockOnADriverAreItsMassTimesTheAcceleration) {
   const double friction = std::tan(30 * std::numbers::pi / 180);
   const double way_m = 0.6 * friction * g / (4 * std::numbers::pi * std::numbers::pi);
-  const std::string path = fmt::format("{{ sine = {0}, frequency_hz = 1, phase_deg = -90, mean = {0} }}", way_m);
-  const scene::Scene scene =
-      scene::read_text(
-          start(GetParam(), 30) + block("driver", "[0, 0], [6, 0], [6, 1], [0, 1]") +
-              block("rides", "[2, 1], [3, 1], [3, 1.3], [2, 1.3]") +
-              "[[support]]\nblock = \"driver\"\npoint_m = [0, 0]\ndisplacement_x_m = " + path +
-              "\ndisplacement_y_m = 0\n[[support]]\nblock = \"driver\"\npoint_m = [6, 0]\ndisplacement_y_m = 0\n",
-          "driver")
-          .scene;
-  Solid solid(scene);
   const double dt = GetParam().step_s;
-  double most = 0;
-  for (double t = 0; t < 1.5; t += dt) {
-    solid.advance(t, t + dt, {});
-    if (t > 0.1) most = std::max(most, joint_force(solid).y());
+  for (const bool by_rows : {false, true}) {
+    // Straight lines between rows begin with a leap of the velocity, after which the trapezoidal rule rings.
+    if (by_rows && GetParam().integrator == std::string("trapezoidal")) continue;
+    const scene::Scene scene =
+        scene::read_text(
+            start(GetParam(), 30) + block("driver", "[0, 0], [6, 0], [6, 1], [0, 1]") +
+                block("rides", "[2, 1], [3, 1], [3, 1.3], [2, 1.3]") +
+                "[[support]]\nblock = \"driver\"\npoint_m = [0, 0]\ndisplacement_x_m = " + path(way_m, dt, by_rows) +
+                "\ndisplacement_y_m = 0\n[[support]]\nblock = \"driver\"\npoint_m = [6, 0]\n"
+                "displacement_y_m = 0\n",
+            "driver")
+            .scene;
+    Solid solid(scene);
+    double most = 0;
+    for (double t = 0; t < 1.5; t += dt) {
+      solid.advance(t, t + dt, {});
+      if (t > 0.1) most = std::max(most, joint_force(solid).y());
+    }
+    EXPECT_NEAR(most / (density * 0.3 * friction * g), 0.6, 0.012) << by_rows;
+    EXPECT_NEAR(solid.states()[1].displacement[0], solid.states()[0].displacement[0], 1e-6) << "it has slipped";
   }
-  EXPECT_NEAR(most / (density * 0.3 * friction * g), 0.6, 0.012);
-  EXPECT_NEAR(solid.states()[1].displacement[0], solid.states()[0].displacement[0], 1e-6) << "it has slipped";
 }
 
 /// Two supports keep a wall upright as they move it to and fro: one corner may bear all, and the other slips with it.
