@@ -63,7 +63,8 @@ void add_motion_left_out(const scene::Scene& scene, nlohmann::json& answer) {
     answer["warnings"].push_back(fmt::format(
         "[base_motion] is left out of this static answer, but for the acceleration at the run's end, {:.3g} "
         "and {:.3g} m/s2; \"blockweir run\" shakes the structure, [earthquake] states a pseudo-static case",
-        scene.base_motion->acceleration_x_m_per_s2.at(end_s), scene.base_motion->acceleration_y_m_per_s2.at(end_s)));
+        scene.base_motion->acceleration_x_m_per_s2.at(end_s) + 0.0,
+        scene.base_motion->acceleration_y_m_per_s2.at(end_s) + 0.0));
   }
   if (scene.fluid == scene::FluidModel::openfoam && scene.openfoam.wave) {
     const bool solitary = scene.openfoam.wave->kind == scene::WaveKind::solitary;
