@@ -71,4 +71,18 @@ TEST(SceneSampling, ASupportThatIsMovedToAndFroWithinAStep) {
       34, {"displacement_x_m in [[support]] is 0.01 at 0.105 s, which the run does not read"});
 }
 
+/// By a sine of 2 Hz windows of 0.1 s lose 1 - (sin(x)/x)^2 of its power, x = pi f w.
+TEST(SceneSampling, ARecordThatIsFastAgainstTheWindowsOfAReservoir) {
+  const auto shaken = [](const std::string& window_s) {
+    const std::string motion = "[base_motion]\nacceleration_x_m_per_s2 = { sine = 1, frequency_hz = 2 }\n[fluid]\n";
+    return with("window_s = 0.02", "window_s = " + window_s,
+                with("[fluid]\nmodel = \"hydrostatic\"", motion + "model = \"reservoir\""));
+  };
+  const auto said =
+      Contains(HasSubstr("windows of 0.1 s are long against the record of [base_motion]: the reservoir "
+                         "answers to its means over windows, which lack 12.4 % of its power"));
+  EXPECT_THAT(warnings(shaken("0.1")), said);
+  EXPECT_THAT(warnings(shaken("0.02")), Not(Contains(HasSubstr("long against the record"))));
+}
+
 }  // namespace

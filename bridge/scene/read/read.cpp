@@ -131,6 +131,7 @@ void read_sections(Reading& reading, ReadScene& result) {
   check_records(reading);
   check_dipping_uplift(reading);
   check_reservoir(reading);
+  check_shaken_water(reading);
   check_surface(reading);
   check_drift(reading);
   check_magnitudes(reading.file, reading.scene, reading.problems);

@@ -153,6 +153,7 @@ void check_records(Reading& reading);
 void check_dipping_uplift(const Reading& reading);
 /// Warns of reservoir loads that do not act as stated, in a valid scene.
 void check_reservoir(const Reading& reading);
+void check_shaken_water(const Reading& reading);
 /// Reports a pool of model = "reservoir" that is shut in as the scene draws it.
 void check_surface(const Reading& reading);
 /// Call last.
