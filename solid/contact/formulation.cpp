@@ -185,8 +185,7 @@ bool Formulation::accept(const Trial& trial, const IslandContacts& island) const
     const Progress& progress = progress_.contact(island.contact_ids[i]);
     const double slip = progress.separation.y() - c.elastic_slip;
     // Closed in the step to come, what is left would become a velocity.
-    if (c.state == ContactState::stick && progress.swept)
-      c.anchor += slip / edge_frame(trial, c).length;
+    if (c.state == ContactState::stick && progress.swept) c.anchor += slip / edge_frame(trial, c).length;
     if (c.state != ContactState::slip && !goes_along(c, progress)) return;
     any_slips.store(true, std::memory_order_relaxed);
     c.slid = c.slid || c.state == ContactState::slip;
