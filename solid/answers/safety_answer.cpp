@@ -80,9 +80,8 @@ void add_friction_history(const limit::LimitAnalysis& structure, const StaticStr
   if (blocks.by_motion) {
     answer["friction_history"] = fmt::format(
         "blocks wedge each other, and statics step by step gets to no end; let go as drawn, under all loads at once, "
-        "the blocks come to "
-        "rest with strength over {:.4g} and fail with strength over {:.4g}; up to {:.4g} some forces in the joints "
-        "would hold the structure",
+        "the blocks come to rest with strength over {:.4g} and fail with strength over {:.4g}; up to {:.4g} some "
+        "forces in the joints would hold the structure",
         blocks.factor - blocks.width / 2, blocks.factor + blocks.width / 2, bound.factor);
     return;
   }

@@ -158,8 +158,7 @@ JointForce Formulation::judge(int index, ContactPoint& c, const Eigen::Vector2d&
   } else {
     force = admissible(strength, stuck.x(), stuck.y());
     // Slip may not reverse without passing through stick: Newton's method would jump to and fro across the narrow
-    // range of slips in which the penalty keeps the shear force within its bounds.
-    // No force has no direction.
+    // range of slips in which the penalty keeps the shear force within its bounds. A force of nothing has no direction.
     progress.turning = c.state == ContactState::slip && force.state == ContactState::slip && force.shear != 0 &&
                        std::signbit(force.shear) != std::signbit(progress.slip_force);
     if (progress.turning) force = {ContactState::stick, stuck.x(), stuck.y(), 0};

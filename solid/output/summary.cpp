@@ -24,18 +24,20 @@ std::string residual_warning(const scene::Scene& scene, const Counts& counts) {
       counts.residual_m, most * scene.analysis.failure_displacement_m, most, scene.analysis.step_s);
 }
 
+/// Overlaps beyond what counts as one.
 std::string penetration_warning(const expect::Outcome& outcome) {
   if (outcome.largest_penetration_m <= outcome.most_penetration_m()) return {};
   const scene::Scene& scene = outcome.solid.scene();
-  const bool springs = scene.contact.formulation == scene::ContactFormulation::penalty;
+  const std::string shorter = fmt::format("shorten [analysis] step_s (now {:.3g})", scene.analysis.step_s);
+  const std::string remedy =
+      scene.contact.formulation == scene::ContactFormulation::penalty
+          ? "raise [contact] stiffness_n_per_m2, of the springs at contacts"
+      : scene.analysis.rigid == scene::Rigid::all
+          ? shorter
+          : shorter + ", or state rigid = \"all\" in [analysis]: blocks that strain a lot meet too late";
   return fmt::format(
       "blocks were in each other by up to {:.3g} m; expected at most {:.3g} m, 1e-4 of the model's size; {}",
-      outcome.largest_penetration_m, outcome.most_penetration_m(),
-      springs
-          ? "raise [contact] stiffness_n_per_m2, of the springs at contacts"
-          : fmt::format("shorten [analysis] step_s (now {:.3g}), or state rigid = \"all\" in [analysis]: blocks that "
-                        "strain a lot meet too late",
-                        scene.analysis.step_s));
+      outcome.largest_penetration_m, outcome.most_penetration_m(), remedy);
 }
 
 json counts_of(const Solid& solid) {

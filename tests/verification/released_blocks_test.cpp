@@ -12,6 +12,7 @@
 #include "solid/capacity/released_blocks.hpp"
 #include "solid/capacity/static_strength.hpp"
 #include "tests/verification/campaign.hpp"
+#include "tests/verification/jointed_abutment.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -81,43 +82,19 @@ TEST(ReleasedBlocks, SayWhereTheyAreLetGoInVain) {
 }
 
 /// Two sets of joints with friction of 50 and more: static steps creep with any strength.
-scene::Scene wedged_slope(const char* modulus_pa) {
-  return scene::read_text(fmt::format(R"(analysis = {{ duration_s = 1 }}
-joint = {{ friction_angle_deg = 65 }}
-material.granite = {{ youngs_modulus_pa = {}, poissons_ratio = 0.25, density_kg_per_m3 = 2650 }}
-[[block]]
-name = "bedrock"
-material = "granite"
-fixed = true
-vertices_m = [[-30, -10], [60, -10], [60, 60], [50, 60], [20, 0], [-30, 0]]
-[section]
-material = "granite"
-outline_m = [[5, 0], [20, 0], [50, 60], [35, 55], [20, 30]]
-[[joint_set]]
-name = "foliation"
-dip_deg = -40
-spacing_m = 7
-friction_angle_deg = 50
-[[joint_set]]
-name = "cross"
-dip_deg = 60
-spacing_m = 12
-friction_angle_deg = 55
-)",
-                                      modulus_pa),
-                          "slope")
-      .scene;
+scene::Scene wedged_slope(double modulus_pa) {
+  return test::jointed_abutment({-40, 7, 50}, {60, 12, 55}, modulus_pa);
 }
 
 TEST(ReleasedBlocks, GiveASlopeWhoseBlocksWedgeEachOtherItsFactor) {
-  scene::Scene scene = wedged_slope("20e9");
+  scene::Scene scene = wedged_slope(20e9);
   const bool stands = come_to_rest(with_reduced_strength(scene, 1.2));
   EXPECT_TRUE(stands);
   EXPECT_FALSE(come_to_rest(with_reduced_strength(scene, 1.35))) << "limit analysis: at most 1.3124";
 }
 
 TEST(ReleasedBlocks, AreNamedWhereTheyGiveTheFactor) {
-  scene::Scene scene = wedged_slope("20e9");
+  scene::Scene scene = wedged_slope(20e9);
   scene.contact.max_iterations = 2;  // statics does not begin
   const auto answer = process::safety_answer(scene, hydrostatic::make);
   EXPECT_LT(answer["factor"].get<double>(), answer["limit_analysis_factor"].get<double>());
@@ -126,7 +103,7 @@ TEST(ReleasedBlocks, AreNamedWhereTheyGiveTheFactor) {
 }
 
 TEST(ReleasedBlocks, LeaveTheAnswerToLimitAnalysisWhereTheyHaveNone) {
-  scene::Scene scene = wedged_slope("100");  // too soft for its weight: statics does not begin
+  scene::Scene scene = wedged_slope(100);  // too soft for its weight: statics does not begin
   scene.base_motion.emplace();
   std::string why;
   try {

@@ -149,15 +149,7 @@ void warn_of_leap(TableReader& table, const char* key, const std::optional<TimeT
 void reject_contradiction(TableReader& table, const Support& support, Reading& reading) {
   const Block* block = reading.sound_block(support.block);
   if (block == nullptr) return;
-  const auto differ = [&](const std::optional<TimeTable>& a, const std::optional<TimeTable>& b) {
-    constexpr int looks = 64;
-    if (!a || !b) return false;
-    for (int i = 0; i <= looks; ++i) {
-      const double time_s = reading.scene.analysis.duration_s * i / looks;
-      if (a->at(time_s) != b->at(time_s)) return true;
-    }
-    return false;
-  };
+  const auto differ = [](const auto& a, const auto& b) { return a && b && *a != *b; };
   for (const Support& other : reading.scene.supports) {
     if (other.block != support.block || (other.point_m - support.point_m).norm() > tolerance_m(*block)) continue;
     if (!differ(other.displacement_x_m, support.displacement_x_m) &&
