@@ -59,16 +59,17 @@ void PassingCorners::end_search() {
   std::sort(passing_of_.begin(), passing_of_.end());
 }
 
-bool PassingCorners::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts) {
+bool PassingCorners::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                             double left_m) {
   bool any = false;
-  for (const ContactPoint& c : passing_) any = note_entered(placements, contacts, c) || any;
+  for (const ContactPoint& c : passing_) any = note_entered(placements, contacts, left_m, c) || any;
   return any;
 }
 
 bool PassingCorners::entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
-                             const std::vector<int>& island) {
+                             double left_m, const std::vector<int>& island) {
   bool any = false;
-  for (const ContactPoint* c : of(island)) any = note_entered(placements, contacts, *c) || any;
+  for (const ContactPoint* c : of(island)) any = note_entered(placements, contacts, left_m, *c) || any;
   return any;
 }
 
@@ -87,7 +88,7 @@ std::vector<const ContactPoint*> PassingCorners::of(const std::vector<int>& isla
 }
 
 bool PassingCorners::note_entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
-                                  const ContactPoint& c) {
+                                  double left_m, const ContactPoint& c) {
   if (c.gap < -outlines_.give_m()) return false;  // behind the edge's line all along
   const auto& vertices = outline(placements, c.vertex_block, moved_[0]);
   const auto& edges = outline(placements, c.edge_block, moved_[1]);
@@ -108,8 +109,10 @@ bool PassingCorners::note_entered(const std::vector<Placement>& placements, cons
                        pierces(vertices, at(c.vertex), edges, at(c.edge), outlines_.coincidence_m());
   if (through && std::any_of(contacts.begin(), contacts.end(), side_holds_end)) return false;
   const Point span = edges[next(at(c.edge), edges.size())] - edges[at(c.edge)];
+  const double gap = cross(vertices[at(c.vertex)] - edges[at(c.edge)], span.normalized());
+  if (left_m > 0 && gap >= -left_m) return false;
   entered_.push_back(c);
-  entered_.back().gap = cross(vertices[at(c.vertex)] - edges[at(c.edge)], span.normalized());
+  entered_.back().gap = gap;
   return true;
 }
 
@@ -117,7 +120,7 @@ bool PassingCorners::presses_too(const ContactPoint& c) const {
   return std::any_of(turned_on_.begin(), turned_on_.end(), [&](const ContactPoint& t) { return t.same_key(c); });
 }
 
-bool PassingCorners::turned_on(const std::vector<Placement>& placements) {
+bool PassingCorners::turned_on(const std::vector<Placement>& placements, double left_m) {
   const std::size_t before = turned_on_.size();
   for (const ContactPoint& c : stood_for_) {
     if (presses_too(c)) continue;
@@ -125,7 +128,7 @@ bool PassingCorners::turned_on(const std::vector<Placement>& placements) {
     const auto& edges = outline(placements, c.edge_block, moved_[1]);
     const Point& from = edges[at(c.edge)];
     const double gap = cross(vertex - from, (edges[next(at(c.edge), edges.size())] - from).normalized());
-    if (gap < -outlines_.give_m() && encloses(edges, vertex)) turned_on_.push_back(c);
+    if (gap < -std::max(left_m, outlines_.give_m()) && encloses(edges, vertex)) turned_on_.push_back(c);
   }
   return turned_on_.size() > before;
 }

@@ -33,10 +33,11 @@ class PassingCorners {
   [[nodiscard]] double nearness(const ContactPoint& c) const;
 
   /// ContactSearch says what these are.
-  [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts);
   [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
-                             const std::vector<int>& island);
-  [[nodiscard]] bool turned_on(const std::vector<Placement>& placements);
+                             double left_m);
+  [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                             double left_m, const std::vector<int>& island);
+  [[nodiscard]] bool turned_on(const std::vector<Placement>& placements, double left_m);
   /// Of the blocks of an island, by increasing number, with each other and with other blocks; each once.
   [[nodiscard]] std::vector<const ContactPoint*> of(const std::vector<int>& island) const;
   void forget_entered() { entered_.clear(), turned_on_.clear(); }
@@ -50,7 +51,7 @@ class PassingCorners {
  private:
   [[nodiscard]] bool within(const std::vector<Point>& vertices, std::size_t v, const std::vector<Point>& edges,
                             std::size_t edge) const;
-  bool note_entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+  bool note_entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts, double left_m,
                     const ContactPoint& passing);
   const std::vector<Point>& outline(const std::vector<Placement>& placements, int block,
                                     std::vector<Point>& corners) const;

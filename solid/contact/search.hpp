@@ -46,18 +46,21 @@ class ContactSearch {
 
   /// Whether a step to these placements has moved a passing corner into the other block. If so, the next search from
   /// the same start keeps its contact. Not for a corner that one of `contacts`, as in the step, holds on another
-  /// edge of that block, however far its spring lets it in. For all blocks, or those of an island, by increasing
-  /// number.
-  [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts) {
-    return passing_.entered(placements, contacts);
+  /// edge of that block, however far its spring lets it in, and not by less than `left_m`: so deep the step leaves
+  /// contacts in each other, too, for pushes to part. For all blocks, or those of an island, by increasing number.
+  [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
+                             double left_m) {
+    return passing_.entered(placements, contacts, left_m);
   }
   [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
-                             const std::vector<int>& island) {
-    return passing_.entered(placements, contacts, island);
+                             double left_m, const std::vector<int>& island) {
+    return passing_.entered(placements, contacts, left_m, island);
   }
   /// Has it turned two faces onto each other at corners of which one was left out for the other? If so, the next search
   /// from the same start keeps both.
-  [[nodiscard]] bool turned_on(const std::vector<Placement>& placements) { return passing_.turned_on(placements); }
+  [[nodiscard]] bool turned_on(const std::vector<Placement>& placements, double left_m) {
+    return passing_.turned_on(placements, left_m);
+  }
   /// Corners near each other that are no contact: an island's, as the last search found them.
   [[nodiscard]] std::vector<const ContactPoint*> passing(const std::vector<int>& island) const {
     return passing_.of(island);

@@ -5,105 +5,138 @@
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
+#include "solid/solve/colouring.hpp"
 
 namespace blockweir::solid {
+namespace {
+
+constexpr double never_closed_m = 1e9;  // of a lane without an overlap
+
+double largest(const Four& x) {
+  return std::max({x[0], x[1], x[2], x[3]});
+}
+
+}  // namespace
 
 OverlapProjection::OverlapProjection(const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps)
-    : moved_(mass.size() + 1, Eigen::Vector3d::Zero()) {
+    : moved_(3 * (mass.size() + 1)) {
   constexpr double far = 10;  // times the deepest overlap: what is pushed moves by some of that
   double reach_m = 0;
   for (const Overlap& o : overlaps) reach_m = std::max(reach_m, -far * o.gap);
-  const int still = static_cast<int>(mass.size());
-  for (const Overlap& o : overlaps) {
+  Colouring colouring(mass.size());
+  std::vector<int> alone;
+  for (std::size_t k = 0; k < overlaps.size(); ++k) {
+    const Overlap& o = overlaps[k];
     if (o.gap > reach_m || (o.ends[0].body < 0 && o.ends[1].body < 0)) continue;
-    Row& row = rows_.emplace_back();
-    row.gap = o.gap;
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (o.ends[i].body < 0) {
-        row.body[i] = still;
-        continue;
-      }
-      row.body[i] = o.ends[i].body;
-      row.opens[i] = o.ends[i].opens;
-      row.moves[i] = row.opens[i].cwiseQuotient(mass[at(row.body[i])]);
-    }
-    row.flexibility = row.opens[0].dot(row.moves[0]) + row.opens[1].dot(row.moves[1]);
+    std::array<Colouring::End, 2> ends;
+    for (const std::size_t e : {0, 1}) ends[e] = {o.ends[e].body, o.ends[e].body < 0 ? 0 : 1};
+    if (!colouring.add(static_cast<int>(k), ends)) alone.push_back(static_cast<int>(k));
   }
+  for (const std::vector<int>& colour : colouring.rows()) {
+    for (std::size_t i = 0; i < colour.size(); i += lanes) {
+      add_batch(mass, overlaps, &colour[i], std::min<std::size_t>(lanes, colour.size() - i));
+    }
+  }
+  for (const int& k : alone) add_batch(mass, overlaps, &k, 1);
 }
 
-double OverlapProjection::gap(const Row& row) const {
-  return row.gap + row.opens[0].dot(moved_[at(row.body[0])]) + row.opens[1].dot(moved_[at(row.body[1])]);
+void OverlapProjection::add_batch(const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps,
+                                  const int* first, std::size_t count) {
+  const int still = static_cast<int>(3 * mass.size());
+  OverlapBatch& batch = batches_.emplace_back();
+  batch.gap += never_closed_m;
+  batch.flexibility += 1.0;
+  for (OverlapBatch::End& end : batch.ends) end.first.fill(still);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const Overlap& o = overlaps[at(first[lane])];
+    const auto l = static_cast<int>(lane);
+    batch.gap[l] = o.gap;
+    batch.flexibility[l] = 0;
+    for (const std::size_t e : {0, 1}) {
+      if (o.ends[e].body < 0) continue;
+      const Eigen::Vector3d& of_body = mass[at(o.ends[e].body)];
+      OverlapBatch::End& end = batch.ends[e];
+      end.first[lane] = 3 * o.ends[e].body;
+      for (int i = 0; i < 3; ++i) end.opens[at(i)][l] = o.ends[e].opens[i];
+      end.per_mass[0][l] = 1 / of_body[0];
+      end.per_mass[1][l] = 1 / of_body[2];
+      batch.flexibility[l] += o.ends[e].opens.dot(o.ends[e].opens.cwiseQuotient(of_body));
+    }
+  }
 }
 
 double OverlapProjection::deepest() const {
   double deepest = 0;
-  for (const Row& row : rows_) deepest = std::max(deepest, -gap(row));
+  for (const OverlapBatch& batch : batches_) deepest = std::max(deepest, largest(-gap_of(batch, moved_.data())));
   return deepest;
 }
 
-/// The push that leaves half of the tolerance.
-void OverlapProjection::visit(Row& row, double tolerance_m, Progress& progress) {
-  const double left = gap(row);
-  const double found = std::max(0.0, row.push - (left + tolerance_m / 2) / row.flexibility);
-  const double more = found - row.push;
-  if (more == 0) return;
-  progress.largest_m = std::max(progress.largest_m, row.flexibility * std::abs(more));
-  progress.ahead -= row.flexibility * more * (found - row.push_before);
-  row.push = found;
-  for (std::size_t i = 0; i < 2; ++i) {
-    moved_[at(row.body[i])] += more * row.moves[i];
-    touched_[at(row.body[i])] = 1;
-  }
+/// Is no gap farther than the tolerance below zero, nor one that is pushed farther than that above?
+bool OverlapProjection::is_solved(double tolerance_m) const {
+  return std::all_of(batches_.begin(), batches_.end(), [&](const OverlapBatch& batch) {
+    const Four gap = gap_of(batch, moved_.data());
+    const Four off = batch.push > Four{} ? (gap > Four{} ? gap : -gap) : -gap;
+    return largest(off) <= tolerance_m;
+  });
+}
+
+bool OverlapProjection::may_be_pushed(const OverlapBatch& batch, double tolerance_m) const {
+  if (largest(-batch.gap) > tolerance_m / 2) return true;
+  const auto has_moved = [&](int first) {
+    return std::any_of(&moved_[at(first)], &moved_[at(first)] + 3, [](double by) { return by != 0; });
+  };
+  return std::any_of(batch.ends.begin(), batch.ends.end(), [&](const OverlapBatch::End& end) {
+    return std::any_of(end.first.begin(), end.first.end(), has_moved);
+  });
 }
 
 /// Far from all that overlaps nothing is to be pushed. Half of what is near is pushed by none: that is looked at in
 /// every fifth sweep, and before the last.
-void OverlapProjection::choose_rows(double tolerance_m) {
+void OverlapProjection::choose(double tolerance_m) {
   constexpr int between = 5;
   saw_all_ = sweeps_++ % between == 0 || last_m_ <= tolerance_m / 2;
   if (!saw_all_) return;
   acting_.clear();
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Row& row = rows_[i];
-    if (row.gap < -tolerance_m / 2 || touched_[at(row.body[0])] != 0 || touched_[at(row.body[1])] != 0) {
-      acting_.push_back(i);
-    }
+  for (std::size_t k = 0; k < batches_.size(); ++k) {
+    if (may_be_pushed(batches_[k], tolerance_m)) acting_.push_back(k);
   }
 }
 
 /// All pushes, and what they displace, by so much of what the last sweeps have changed.
 void OverlapProjection::go_on(double beyond) {
-  for (const std::size_t i : acting_) {
-    Row& row = rows_[i];
-    const double now = row.push;
-    row.push += beyond * (now - row.push_before);
-    row.push_before = now;
+  for (const std::size_t k : acting_) {
+    OverlapBatch& batch = batches_[k];
+    const Four now = batch.push;
+    batch.push += beyond * (now - batch.push_before);
+    batch.push_before = now;
   }
-  for (std::size_t b = 0; b < moved_.size(); ++b) {
-    const Eigen::Vector3d now = moved_[b];
-    moved_[b] += beyond * (now - moved_before_[b]);
-    moved_before_[b] = now;
+  for (std::size_t i = 0; i < moved_.size(); ++i) {
+    const double now = moved_[i];
+    moved_[i] += beyond * (now - moved_before_[i]);
+    moved_before_[i] = now;
   }
 }
 
 void OverlapProjection::solve(double tolerance_m) {
-  constexpr int most_sweeps = 100;  // each there and back
+  constexpr int most_sweeps = 300;  // each there and back; begun anew they would lose their momentum
   moved_before_ = moved_;
-  touched_.assign(moved_.size(), 0);
   double momentum = 1;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     const double next = (1 + std::sqrt(1 + 4 * momentum * momentum)) / 2;
     go_on((momentum - 1) / next);
-    choose_rows(tolerance_m);
-    Progress progress;
-    for (const std::size_t i : acting_) visit(rows_[i], tolerance_m, progress);
-    last_m_ = progress.largest_m;
-    if (saw_all_ && last_m_ <= tolerance_m / 2) return;
-    for (std::size_t i = acting_.size(); i-- > 0;) visit(rows_[acting_[i]], tolerance_m, progress);
+    choose(tolerance_m);
+    OverlapProgress progress;
+    push_batches(batches_, acting_, /*back=*/false, tolerance_m / 2, moved_.data(), progress);
+    last_m_ = largest(progress.largest);
+    push_batches(batches_, acting_, /*back=*/true, tolerance_m / 2, moved_.data(), progress);
     if (saw_all_) {
-      std::erase_if(acting_, [&](std::size_t i) { return rows_[i].push == 0 && rows_[i].push_before == 0; });
+      if (last_m_ <= tolerance_m / 2 || is_solved(tolerance_m)) return;
+      std::erase_if(acting_, [&](std::size_t k) {
+        const OverlapBatch& batch = batches_[k];
+        return largest(batch.push) == 0 && largest(batch.push_before) == 0;
+      });
     }
-    momentum = progress.ahead > 0 ? 1 : next;
+    momentum = progress.ahead[0] + progress.ahead[1] + progress.ahead[2] + progress.ahead[3] > 0 ? 1 : next;
   }
 }
 

@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "solid/solve/overlap_batch.hpp"
+
 namespace blockweir::solid {
 
 /// Where two bodies, or a body and what does not move, may overlap.
@@ -22,47 +24,33 @@ struct Overlap {
 
 class OverlapProjection {
  public:
-  /// `mass` of each body against (x, y, turn).
+  /// `mass` of each body against (x, y, turn), the same for x and y.
   OverlapProjection(const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps);
 
   /// Projected Gauss-Seidel there and back with Nesterov's acceleration, begun anew where it turns back (O'Donoghue and
-  /// Candes 2015). Ends when every gap is within half of tolerance_m of its target, or after a bounded
-  /// number of sweeps.
+  /// Candes 2015). Aims at half of tolerance_m of overlap. Ends when no overlap is above tolerance_m and nothing is
+  /// pushed farther than that, or after a bounded number of sweeps.
   void solve(double tolerance_m);
 
-  [[nodiscard]] const Eigen::Vector3d& moved(std::size_t body) const { return moved_[body]; }
+  [[nodiscard]] Eigen::Vector3d moved(std::size_t body) const { return Eigen::Vector3d::Map(&moved_[3 * body]); }
   /// Overlap that is left [m].
   [[nodiscard]] double deepest() const;
 
  private:
-  /// Both ends of an overlap; what does not move is the last body, and is not moved.
-  struct Row {
-    double gap = 0;
-    double flexibility = 0;  ///< d gap / d push
-    double push = 0;
-    double push_before = 0;  ///< as the sweeps before left it
-    std::array<int, 2> body{};
-    std::array<Eigen::Vector3d, 2> opens{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-    std::array<Eigen::Vector3d, 2> moves{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< by a unit push
-  };
-  struct Progress {
-    double largest_m = 0;  ///< change of a gap by its own push
-    double ahead = 0;      ///< above zero: sweeps have taken back what acceleration had gone ahead
-  };
-
-  [[nodiscard]] double gap(const Row& row) const;
-  void choose_rows(double tolerance_m);
-  void visit(Row& row, double tolerance_m, Progress& progress);
+  void add_batch(const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps, const int* first,
+                 std::size_t count);
+  [[nodiscard]] bool is_solved(double tolerance_m) const;
+  [[nodiscard]] bool may_be_pushed(const OverlapBatch& batch, double tolerance_m) const;
+  void choose(double tolerance_m);
   void go_on(double beyond);
 
-  std::vector<Row> rows_;
-  std::vector<std::size_t> acting_;  ///< rows that are pushed, or may be
-  std::vector<char> touched_;        ///< has a body been moved?
+  std::vector<OverlapBatch> batches_;
+  std::vector<std::size_t> acting_;  ///< batches that are pushed, or may be
   int sweeps_ = 0;
   bool saw_all_ = false;  ///< did the last sweep look at all that may be pushed?
   double last_m_ = std::numeric_limits<double>::infinity();
-  std::vector<Eigen::Vector3d> moved_;
-  std::vector<Eigen::Vector3d> moved_before_;
+  std::vector<double> moved_;  ///< (x, y, turn) of each body, and of one for all that does not move
+  std::vector<double> moved_before_;
 };
 
 }  // namespace blockweir::solid

@@ -2,16 +2,13 @@
 #include "solid/solve/row_batches.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <utility>
 
 #include "bridge/scene/at.hpp"
+#include "solid/solve/colouring.hpp"
 
 namespace blockweir::solid {
 namespace {
-
-constexpr int colours = 64;
 
 std::pair<int, int> counts(const ForceRow& row) {
   return {row.ends[0].count, row.ends[1].count};
@@ -23,35 +20,21 @@ bool ends_meet(const ForceRow& row) {
   return std::max(a.first, b.first) < std::min(a.first + a.count, b.first + b.count);
 }
 
-/// Rows by colour: none shares an unknown with another of its colour. In each, ends of the same numbers of unknowns
-/// follow each other.
+/// Rows by colour. In each, ends of the same numbers of unknowns follow each other.
 std::vector<std::vector<int>> coloured(const std::vector<ForceRow>& rows, std::size_t unknowns,
                                        std::vector<int>& left_alone) {
-  std::vector<std::vector<int>> by_colour;
-  std::vector<std::uint64_t> used(unknowns);  // colours of the rows at each
+  Colouring colouring(unknowns);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto& ends = rows[k].ends;
-    std::uint64_t taken = 0;
     const bool alone = std::max(ends[0].count, ends[1].count) > most_unknowns || ends_meet(rows[k]);
-    for (const auto& end : ends) {
-      for (int i = 0; i < end.count && !alone; ++i) taken |= used[at(end.first + i)];
-    }
-    const int colour = std::countr_one(taken);
-    if (alone || colour == colours) {
-      left_alone.push_back(static_cast<int>(k));
-      continue;
-    }
-    if (at(colour) == by_colour.size()) by_colour.emplace_back();
-    by_colour[at(colour)].push_back(static_cast<int>(k));
-    for (const auto& end : ends) {
-      for (int i = 0; i < end.count; ++i) used[at(end.first + i)] |= std::uint64_t{1} << colour;
-    }
+    const std::array<Colouring::End, 2> met = {{{ends[0].first, ends[0].count}, {ends[1].first, ends[1].count}}};
+    if (alone || !colouring.add(static_cast<int>(k), met)) left_alone.push_back(static_cast<int>(k));
   }
-  for (std::vector<int>& colour : by_colour) {
+  for (std::vector<int>& colour : colouring.rows()) {
     std::stable_sort(colour.begin(), colour.end(),
                      [&](int a, int b) { return counts(rows[at(a)]) < counts(rows[at(b)]); });
   }
-  return by_colour;
+  return colouring.rows();
 }
 
 }  // namespace

@@ -95,6 +95,16 @@ double PushApart::lasting_m(const IslandEquations& s) const {
   return (many_fall ? more : 1) * formulation_->settings().lasting_overlap_m;
 }
 
+double PushApart::left_by_sweeps_m(const IslandEquations& s) const {
+  double left_m = 0;
+  if (!trial_.falls()) return left_m;
+  for (const int k : s.island.contacts) {
+    const double gap = formulation_->progress().contact(k).separation.x();
+    left_m = std::max(left_m, formulation_->gap_under_force_m(state_.contacts[at(k)]) - gap);
+  }
+  return left_m;
+}
+
 bool PushApart::push(const IslandEquations& s) {
   constexpr int most = 10;  // pushes turn blocks, and what they had not met is met then
   const double lasting = lasting_m(s);
@@ -164,7 +174,7 @@ void PushApart::push_once(const IslandEquations& s) {
     const EdgeFrame edge = frame_now(c);
     const auto moved = [&](int b) {
       if (number(b) < 0) return 0.0;
-      const Eigen::Vector3d& by = push.moved(at(number(b)));
+      const Eigen::Vector3d by = push.moved(at(number(b)));
       return edge.t.dot(by.head<2>() + by[2] * perpendicular(state_.place(c) - state_.placements[at(b)].centre()));
     };
     c.anchor += (moved(c.vertex_block) - moved(c.edge_block)) / edge.length;

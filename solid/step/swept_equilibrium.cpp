@@ -10,6 +10,7 @@
 #include "bridge/scene/at.hpp"
 #include "solid/contact/bonds.hpp"
 #include "solid/step/equilibrium.hpp"
+#include "solid/step/push_apart.hpp"
 #include "solid/step/restore_unless.hpp"
 #include "solid/step/temporarily.hpp"
 
@@ -53,8 +54,9 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
     if (!s.correction.allFinite()) return Found::nothing;
     s.move(1);
     take_forces(s);
-    if (round == 1 && state_.search.entered(trial_.placement, state_.contacts, s.island.blocks)) {
-      return Found::corners;
+    if (round == 1) {
+      const double left = PushApart(step_).left_by_sweeps_m(s);
+      if (state_.search.entered(trial_.placement, state_.contacts, left, s.island.blocks)) return Found::corners;
     }
     broken = break_bonds(model_.laws, formulation_->settings().force_tolerance_n, model_.blocks, s.island.contacts,
                          state_.contacts);

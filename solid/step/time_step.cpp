@@ -8,6 +8,7 @@
 #include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/step/island_sleep.hpp"
+#include "solid/step/push_apart.hpp"
 #include "solid/step/step_end.hpp"
 #include "solid/step/step_errors.hpp"
 
@@ -66,8 +67,12 @@ bool TimeStep::has_seen(bool made, double moved_m, const StepMode& mode) {
   if (!made) return true;
   if (!state_.search.covers(moved_m)) return false;
   if (moved_m == 0) return true;
-  if (state_.search.entered(trial_.placement, state_.contacts)) return false;
-  if (mode.in_motion() && state_.search.turned_on(trial_.placement)) return false;
+  double left_m = 0;
+  for (const IslandEquations& s : islands_) {
+    if (s.found == Found::by_sweeps) left_m = std::max(left_m, PushApart(step_).left_by_sweeps_m(s));
+  }
+  if (state_.search.entered(trial_.placement, state_.contacts, left_m)) return false;
+  if (mode.in_motion() && state_.search.turned_on(trial_.placement, left_m)) return false;
   state_.search.forget_entered();
   return true;
 }

@@ -181,7 +181,7 @@ class PassingCorners : public testing::Test {
     Vector6 moved = Vector6::Zero();
     moved.head<2>() << x_m, y_m;
     after[1] = Placement(parts_.blocks[1].centroid, moved);
-    const bool has = search_.entered(after, contacts_);
+    const bool has = search_.entered(after, contacts_, 0);
     if (!has) search_.forget_entered();
     return has;
   }
