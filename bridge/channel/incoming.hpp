@@ -10,6 +10,7 @@
 #include <zmq.hpp>
 
 #include "bridge/channel/retry_on_interrupt.hpp"
+#include "bridge/scene/wide_vectors.hpp"
 #include "bridge/wire/codec.hpp"
 
 namespace blockweir::channel {
@@ -21,7 +22,9 @@ class Incoming {
   /// Receives the next frame, if there is one.
   bool receive() {
     if (frame_.use_count() > 1) frame_ = std::make_shared<zmq::message_t>();  // the last frame is still viewed
-    return retry_on_interrupt([&] { return socket_.recv(*frame_, zmq::recv_flags::dontwait); }).has_value();
+    if (!retry_on_interrupt([&] { return socket_.recv(*frame_, zmq::recv_flags::dontwait); })) return false;
+    free_upper_halves();  // another process has had this processor
+    return true;
   }
 
   /// File descriptor of the connection that delivered it.

@@ -8,3 +8,21 @@
 #else
 #define BLOCKWEIR_WIDE_VECTORS
 #endif
+
+namespace blockweir {
+
+#if defined(__x86_64__)
+[[gnu::target("avx")]] inline void zero_upper_halves() {
+  asm volatile("vzeroupper");
+}
+
+/// Instructions on narrow vectors wait for the upper halves of registers while these are in use. On some processors
+/// they are after each switch between processes, until this is called.
+inline void free_upper_halves() {
+  if (__builtin_cpu_supports("avx") != 0) zero_upper_halves();
+}
+#else
+inline void free_upper_halves() {}
+#endif
+
+}  // namespace blockweir

@@ -6,6 +6,7 @@
 
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/wide_vectors.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/step/island_sleep.hpp"
 #include "solid/step/push_apart.hpp"
@@ -26,6 +27,7 @@ Outcome TimeStep::attempt(const Stretch& stretch, const StepMode& mode) {
 }
 
 Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
+  free_upper_halves();
   const Stopwatch::Sample sample(timed());
   if (model_.is(scene::AnalysisKind::quasi_static)) state_.stop();
   const long touching = mode.smooth_only ? state_.touching_contacts() : 0;
