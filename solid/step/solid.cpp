@@ -31,6 +31,7 @@ double until_turned(const Model& model, const State& state) {
 
 void Solid::settle(const std::vector<Panel>& water) {
   starts_at_rest_ = InitialEquilibrium(step_, time_step_).settle(water);
+  if (model_.is(scene::AnalysisKind::at_rest)) rest_.lead_supports(water, model_.settling_time_s());
 }
 
 void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses) {
@@ -78,7 +79,7 @@ void Solid::advance(double from_s, double to_s, PressureHistory& water, const An
     }
     ++step_.counts.undone_steps;
     state_.next_dt = dt / 4;
-    if (state_.next_dt < smallest_step) refuse_step(time, dt, outcome);
+    if (state_.next_dt < smallest_step) refuse_step(step_, time, dt, outcome);
   }
   // Steps without velocities move a slipping block a short way each: whether it stops is known at the window's end.
   constexpr double balanced = 5e-5;  // of the weight

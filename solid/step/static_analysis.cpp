@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "solid/step/step_errors.hpp"
+
 namespace blockweir::solid {
 
 double StaticAnalysis::unbalanced_ratio() const {
@@ -19,12 +21,47 @@ double StaticAnalysis::unbalanced_ratio() const {
   return largest / model_.weight_n_per_m;
 }
 
+void StaticAnalysis::lead_supports(const std::vector<Panel>& water, double at_s) {
+  constexpr double of_a_step = 0.25;  // of the way that a step may go: blocks turn and strain beside
+  constexpr double shortest = 1e-6;   // of the whole way
+  const StepMode still{.scheme = {.damps = false}};
+  const auto lead = [this](double share) {
+    for (Support& support : state_.supports) support.share = share;
+  };
+  double led = state_.supports.empty() ? 1 : state_.supports.front().share;
+  if (led == 1) return;
+  lead(1);
+  double farthest_m = 0;
+  for (const Support& support : state_.supports) farthest_m = std::max(farthest_m, support.target(at_s).norm());
+  const double step_m = of_a_step * model_.scene.analysis.max_displacement_ratio * model_.size_m;
+  const double longest = farthest_m > 0 ? step_m / farthest_m : 1;
+  double stride = longest;
+  while (led < 1 && farthest_m > 0) {
+    const double next = led + stride < 1 ? led + stride : 1;
+    lead(next);
+    state_.stop();
+    // Where states are hard to find, a shorter step helps by its inertia, too.
+    const double dt = model_.pseudo_step_s() * std::max(1e-2, std::min(1.0, stride / longest));
+    if (methods_.try_all({dt, at_s, water}, still) == Outcome::made) {
+      led = next;
+      stride = std::min(longest, 2 * stride);
+      continue;
+    }
+    stride /= 4;
+    if (stride >= shortest) continue;
+    lead(1);
+    refuse_supports(step_, led, at_s);
+  }
+  state_.stop();
+}
+
 void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) {
   constexpr int most_steps = 1000;
   constexpr double shortest = 1e-6;  // of the pseudo-step that the search begins with
   constexpr double brief = 1e-3;     // the same: inertia then keeps what is swept from another state of rest
   const double longest = model_.pseudo_step_s();
   const StepMode still{.scheme = {.damps = false}};
+  lead_supports(water, at_s);
   const double before_m = state_.largest_displacement_m(model_);
   const double slipped_m = state_.largest_slip_m();
   const double far_m = model_.scene.analysis.failure_displacement_m;
