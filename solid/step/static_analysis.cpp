@@ -33,10 +33,10 @@ void StaticAnalysis::lead_supports(const std::vector<Panel>& water, double at_s)
   lead(1);
   double farthest_m = 0;
   for (const Support& support : state_.supports) farthest_m = std::max(farthest_m, support.target(at_s).norm());
-  const double step_m = of_a_step * model_.scene.analysis.max_displacement_ratio * model_.size_m;
-  const double longest = farthest_m > 0 ? step_m / farthest_m : 1;
+  if (farthest_m == 0) return;
+  const double longest = of_a_step * model_.scene.analysis.max_displacement_ratio * model_.size_m / farthest_m;
   double stride = longest;
-  while (led < 1 && farthest_m > 0) {
+  while (led < 1) {
     const double next = led + stride < 1 ? led + stride : 1;
     lead(next);
     state_.stop();
