@@ -48,8 +48,9 @@ StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water, SearchB
 }
 
 bool StaticBlocks::begin(double level_m) {
-  if (scene_.analysis.start == scene::Start::equilibrium) solid_.settle(panels_of(pressures(level_m), solid_));
-  if (!rests_at(level_m, 1)) return false;
+  const std::vector<Panel> water = panels_of(pressures(level_m), solid_);
+  if (scene_.analysis.start == scene::Start::equilibrium) solid_.settle(water);
+  if (!solid_.lead_supports(water) || !rests_at(level_m, 1)) return false;
   most_slip_m_ = far_m_ + solid_.largest_displacement_m();
   return true;
 }

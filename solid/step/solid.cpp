@@ -31,7 +31,6 @@ double until_turned(const Model& model, const State& state) {
 
 void Solid::settle(const std::vector<Panel>& water) {
   starts_at_rest_ = InitialEquilibrium(step_, time_step_).settle(water);
-  if (model_.is(scene::AnalysisKind::at_rest)) rest_.lead_supports(water, model_.settling_time_s());
 }
 
 void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses) {

@@ -111,7 +111,7 @@ TEST(MovedSupports, StaticsFindsTheBlocksWhereTheyAreLed) {
       if (way_m < 1e-3) continue;  // elastic joints slip first where friction is spent
       double pull = 0;
       for (const Support& s : led.solid->state().supports) pull += s.force.x();
-      EXPECT_NEAR(pull / (36 * 2300 * 9.81 * std::tan(35 * pi / 180)), 1, 5e-3) << "what friction resists " << rigid;
+      EXPECT_NEAR(pull / (36 * 2300 * 9.81 * std::tan(35 * pi / 180)), 1, 2e-2) << "what friction resists " << rigid;
     }
   }
 }
@@ -124,7 +124,31 @@ TEST(MovedSupports, AnArchOnASpringingThatSpreadsIsThatOfAQuasiStaticRun) {
   EXPECT_TRUE(at_rest.solid->state().rest.found);
   const auto crown_y = [](const Led& led) { return led.solid->states()[5].displacement[1]; };
   EXPECT_NEAR(crown_y(at_rest), -0.0508, 1e-3);
-  EXPECT_NEAR(crown_y(slowly), crown_y(at_rest), 1e-4);
+  EXPECT_NEAR(crown_y(slowly), crown_y(at_rest), 5e-4);
+}
+
+/// The arch comes to rest where it has fallen to, which is no rest to be called standing.
+TEST(MovedSupports, AnArchThatFallsOnTheWayHasNoRest) {
+  EXPECT_FALSE(run(arch("kind = \"static\"", 3)).solid->state().rest.found);
+}
+
+/// Above a foundation block that is lifted its wall turns farther than a failure, and stands.
+TEST(MovedSupports, WhatLagsBehindItsSupportHasNotFailed) {
+  const auto lifted = [](const std::string& analysis) {
+    const auto held = [](const char* x, const char* more) {
+      return fmt::format("[[support]]\nblock = \"right\"\npoint_m = [{}, -2]\ndisplacement_y_m = {}\n{}", x,
+                         moved_to(0.02), more);
+    };
+    return start(analysis) + block("ground", "[-20, -6], [20, -6], [20, -3], [-20, -3]", "fixed = true\n") +
+           block("left", "[-1, -3], [3, -3], [3, 0], [-1, 0]") + block("right", "[3, -3], [7, -3], [7, 0], [3, 0]") +
+           block("wall", "[0, 0], [5, 0], [2, 9], [0, 9]") + held("3.5", "displacement_x_m = 0\n") + held("6.5", "");
+  };
+  const Led at_rest = run(lifted("kind = \"static\""));
+  const Led slowly = run(lifted(slow));
+  EXPECT_TRUE(at_rest.solid->state().rest.found);
+  const auto turned = [](const Led& led) { return led.solid->states().back().displacement[2]; };
+  EXPECT_GT(turned(slowly), 5e-3);
+  EXPECT_NEAR(turned(at_rest), turned(slowly), 2e-4);
 }
 
 /// Their steps have lengths of their own, in which a support has gone no farther than since the last step.
