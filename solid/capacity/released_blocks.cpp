@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/capacity/released_blocks.hpp"
 
-#include <algorithm>
-
+#include "solid/capacity/static_blocks.hpp"
 #include "solid/watch/failure_watch.hpp"
 #include "solid/watch/fill_motion.hpp"
 #include "solid/watch/make_frame.hpp"
@@ -30,9 +29,7 @@ bool ReleasedBlocks::come_to_rest(double level_m) {
   constexpr int a_while = 10;  // steps in a row in which all blocks stand
   if (scene_.base_motion) throw Undecided("blocks are not let go in an earthquake");
   const double end_s = scene_.analysis.duration_s;
-  const auto moved = [end_s](const Support& s) { return !s.target(end_s).isZero(0); };
-  if (std::any_of(solid_.state().supports.begin(), solid_.state().supports.end(), moved))
-    throw Undecided("blocks are not let go where a [[support]] has moved");
+  if (supports_move(solid_)) throw Undecided("blocks are not let go where a [[support]] has moved");
   FailureWatch watch(solid_);
   watch.look(0, {});
   std::vector<Panel> water;

@@ -24,10 +24,6 @@ class Solid {
   /// SolveError if there is no equilibrium.
   void settle(const std::vector<Panel>& water);
 
-  /// Static analyses: leads supports from where they are drawn to where they stand at the run's end, as advance() does
-  /// first. False if something fails on the way; throws SolveError if blocks cannot follow.
-  bool lead_supports(const std::vector<Panel>& water) { return rest_.lead_supports(water, model_.settling_time_s()); }
-
   /// `meanwhile` is called at the start of each step and after each solution of a linear system, also while settling.
   /// If it throws, the run ends, and the object must not be used any more.
   void call_meanwhile(std::function<void()> meanwhile) { step_.meanwhile = std::move(meanwhile); }

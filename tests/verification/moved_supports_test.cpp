@@ -165,6 +165,10 @@ TEST(MovedSupports, LevelAndSafetyHaveThemWhereTheyStandAndSaySo) {
   const nlohmann::json safety = process::safety_answer(scene, hydrostatic::make);
   EXPECT_EQ(safety["outcome"], "stands") << safety.dump();
   const nlohmann::json level = process::level_answer(scene, hydrostatic::make);
+  scene::Scene unstressed = scene;
+  unstressed.analysis.start = scene::Start::unstressed;
+  EXPECT_NEAR(process::level_answer(unstressed, hydrostatic::make)["level_m"].get<double>(),
+              level["level_m"].get<double>(), 1e-4);
   EXPECT_EQ(level["outcome"], "fails") << level.dump();
   for (const nlohmann::json& answer : {safety, level}) {
     EXPECT_THAT(answer["warnings"].dump(),
